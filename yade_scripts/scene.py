@@ -1,0 +1,240 @@
+"""Scene description: rigid blocks and the contact nodes between them, as plain data.
+
+A scene knows nothing of YADE. `engine` turns it into YADE bodies, `stiffness`
+assembles its K, M and C from the same node list, drawings read its blocks.
+
+Axes: x along the façade, y out of plane and positive outward, z up. SI units.
+A contact node is a point of block `a`; block `b` stands opposite it as the
+plane through that point with `normal` pointing from b into a. Penetration is
+positive when a has moved against the normal; node force on a along the normal
+is kn·penetration + β·kn·(its rate), never tensile unless the node is bonded.
+"""
+
+import json
+from dataclasses import asdict, dataclass, field
+
+import numpy as np
+
+DOFS = "xyzXYZ"  # translations, then rotations about the same axes (YADE's letters)
+
+
+@dataclass(frozen=True)
+class Block:
+    """One rigid block: its reference geometry, inertia, freedoms and drive.
+
+    Parameters
+    ----------
+    name : str
+        Unique name within the scene.
+    centre_m : tuple of 3 floats
+        Centroid in the reference position, where nodes are placed and gaps measured.
+    size_m : tuple of 3 floats
+        Edge lengths along x, y, z.
+    mass_kg : float
+        Mass; of the part that is modelled (half, in a half model).
+    inertia_kg_m2 : tuple of 3 floats
+        Principal moments about the centroid along x, y, z.
+    free : str
+        The free degrees of freedom, letters of "xyzXYZ" (capital: rotation). A
+        block without free degrees is a support.
+    motion : str or None
+        Name of the motion that drives a support along y; None keeps it at rest.
+    displacement_m, rotation_rad : tuple of 3 floats
+        Initial pose relative to the reference: translation of the centroid and
+        rotation vector about it.
+    velocity_m_s : tuple of 3 floats
+        Initial velocity of the centroid.
+    angular_velocity_rad_s : tuple of 3 floats
+        Initial angular velocity.
+    """
+
+    name: str
+    centre_m: tuple
+    size_m: tuple
+    mass_kg: float
+    inertia_kg_m2: tuple
+    free: str = DOFS
+    motion: str | None = None
+    displacement_m: tuple = (0.0, 0.0, 0.0)
+    rotation_rad: tuple = (0.0, 0.0, 0.0)
+    velocity_m_s: tuple = (0.0, 0.0, 0.0)
+    angular_velocity_rad_s: tuple = (0.0, 0.0, 0.0)
+
+
+def box_inertia(mass_kg, size_m):
+    """Principal moments of a homogeneous box about its centroid, m(l_j² + l_k²)/12 [kg·m²]."""
+    lx, ly, lz = size_m
+    return (
+        mass_kg * (ly**2 + lz**2) / 12.0,
+        mass_kg * (lx**2 + lz**2) / 12.0,
+        mass_kg * (lx**2 + ly**2) / 12.0,
+    )
+
+
+NODE_FIELDS = (
+    "a",  # index of the block that carries the node
+    "b",  # index of the block whose face the node touches
+    "joint",  # index into Scene.joints
+    "position_m",  # (3,) in the reference position
+    "normal",  # (3,) unit vector from b into a
+    "area_m2",  # tributary area
+    "kn_n_m",  # normal stiffness jkn·area
+    "ks_n_m",  # shear stiffness jks·area
+    "beta_s",  # stiffness-proportional damping: dashpots β·kn, β·ks
+    "friction_rad",
+    "gap_m",  # clearance in the reference position; negative protrudes into b
+    "tension_n",  # tensile strength of a bonded node; 0 with cohesion 0: no bond
+    "cohesion_n",  # cohesive shear strength of a bonded node
+)
+
+
+@dataclass
+class Nodes:
+    """Contact nodes as columns of equal length n (see NODE_FIELDS for units)."""
+
+    a: np.ndarray
+    b: np.ndarray
+    joint: np.ndarray
+    position_m: np.ndarray
+    normal: np.ndarray
+    area_m2: np.ndarray
+    kn_n_m: np.ndarray
+    ks_n_m: np.ndarray
+    beta_s: np.ndarray
+    friction_rad: np.ndarray
+    gap_m: np.ndarray
+    tension_n: np.ndarray
+    cohesion_n: np.ndarray
+
+    def __len__(self):
+        """Return the number of nodes."""
+        return len(self.a)
+
+    @property
+    def bonded(self):
+        """Mask of the nodes that start with tensile or cohesive strength, shape (n,)."""
+        return (self.tension_n > 0.0) | (self.cohesion_n > 0.0)
+
+
+@dataclass
+class Scene:
+    """Blocks, contact nodes and what the run needs to know about them.
+
+    Parameters
+    ----------
+    blocks : list of Block
+    joints : list of str
+        Names of the joints, for reports ("base", "return wall 2", …).
+    nodes : Nodes
+    gravity_m_s2 : float
+        Downward acceleration.
+    monitor : str
+        Name of the block whose top displacement is d.
+    monitor_point_m : tuple of 3 floats
+        The point of that block, in the reference position, that moves by d.
+    reference : str
+        Name of the support from which d is measured.
+    thickness_m : float
+        b of d/b.
+    """
+
+    blocks: list
+    joints: list
+    nodes: Nodes
+    monitor: str
+    monitor_point_m: tuple
+    reference: str
+    thickness_m: float
+    gravity_m_s2: float = 9.81
+    notes: dict = field(default_factory=dict)
+
+    def index(self, name):
+        """Return the index of the block called `name`; KeyError names the known blocks."""
+        for i, block in enumerate(self.blocks):
+            if block.name == name:
+                return i
+        raise KeyError(f"no block '{name}'; the scene has {[b.name for b in self.blocks][:20]}")
+
+    @property
+    def motions(self):
+        """Names of the motions that drive supports, sorted."""
+        return sorted({b.motion for b in self.blocks if b.motion is not None})
+
+
+class NodeList:
+    """Collects the nodes of a scene joint by joint; `done()` gives the columns."""
+
+    def __init__(self):
+        """Start without joints."""
+        self.joints = []
+        self._rows = {name: [] for name in NODE_FIELDS}
+
+    def add_joint(
+        self, name, a, b, positions_m, normal, areas_m2, jkn_pa_m, jks_pa_m, *,
+        beta_s=0.0, friction_rad=0.0, gap_m=0.0, tension_pa=0.0, cohesion_pa=0.0,
+    ):
+        """Add the nodes of one joint.
+
+        Parameters
+        ----------
+        name : str
+            Joint name.
+        a, b : int
+            Indices of the carrying and the opposite block.
+        positions_m : array_like, shape (n, 3)
+        normal : array_like, shape (3,)
+            From b into a; normalised here.
+        areas_m2 : array_like, shape (n,)
+            Tributary areas; stiffness and strengths are per area.
+        jkn_pa_m, jks_pa_m : float
+            Joint normal and shear stiffness [Pa/m].
+        beta_s : float
+            Stiffness-proportional damping [s].
+        friction_rad, gap_m : float or array_like, shape (n,)
+        tension_pa, cohesion_pa : float
+            Strengths of the bond; both 0 means dry.
+
+        Raises
+        ------
+        ValueError
+            If a value is not finite, or an area or stiffness is not positive.
+        """
+        positions = np.atleast_2d(np.asarray(positions_m, float))
+        count = len(positions)
+        areas = np.broadcast_to(np.asarray(areas_m2, float), (count,))
+        unit = np.asarray(normal, float) / np.linalg.norm(normal)
+        checks = {"area": areas, "jkn": jkn_pa_m, "jks": jks_pa_m}
+        for label, value in checks.items():
+            if not (np.all(np.isfinite(value)) and np.all(np.asarray(value) > 0.0)):
+                raise ValueError(f"joint '{name}': {label} must be positive and finite")
+        if not np.all(np.isfinite(positions)):
+            raise ValueError(f"joint '{name}': node positions must be finite")
+        if beta_s < 0.0:
+            raise ValueError(f"joint '{name}': β must not be negative, got {beta_s} s")
+        self.joints.append(name)
+        columns = {
+            "a": a, "b": b, "joint": len(self.joints) - 1, "area_m2": areas,
+            "kn_n_m": jkn_pa_m * areas, "ks_n_m": jks_pa_m * areas, "beta_s": beta_s,
+            "friction_rad": friction_rad, "gap_m": gap_m,
+            "tension_n": tension_pa * areas, "cohesion_n": cohesion_pa * areas,
+        }  # fmt: skip
+        for key, value in columns.items():
+            self._rows[key].append(np.broadcast_to(np.asarray(value), (count,)))
+        self._rows["position_m"].append(positions)
+        self._rows["normal"].append(np.broadcast_to(unit, (count, 3)))
+
+    def done(self):
+        """Return the collected `Nodes`."""
+        columns = {}
+        for key, parts in self._rows.items():
+            dtype = int if key in ("a", "b", "joint") else float
+            shape = (0, 3) if key in ("position_m", "normal") else (0,)
+            columns[key] = np.concatenate(parts).astype(dtype) if parts else np.zeros(shape, dtype)
+        return Nodes(**columns)
+
+
+def to_json(scene):
+    """Serialise a scene; equal scenes give equal text, so it serves as a cache key."""
+    data = asdict(scene)
+    data["nodes"] = {k: np.asarray(v).tolist() for k, v in data["nodes"].items()}
+    return json.dumps(data, sort_keys=True)
