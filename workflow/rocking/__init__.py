@@ -1,0 +1,1 @@
+"""Post-processing, records and configuration of the workflow: importable, without rules."""

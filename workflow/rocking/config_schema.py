@@ -1,0 +1,319 @@
+"""Schemas of the configuration: loading them, completing values, wording what is allowed.
+
+One file `workflow/schemas/<section>.schema.yaml` describes one section; `run` holds the keys at
+the top level. A file added to the folder is a section added to the configuration. Beside JSON
+Schema's own keywords (draft 2020-12) these are understood:
+
+`unit`           unit of the value, "-" for dimensionless
+`below`, `at_most`  path of another key whose value is an upper limit, exclusive or inclusive
+`ascending`      the numbers of an array increase
+`pattern_words`  what `pattern` means, for messages
+"""
+
+import copy
+import datetime
+import difflib
+import math
+import re
+import reprlib
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import yaml
+
+FOLDER = Path(__file__).resolve().parents[1] / "schemas"
+TOP = "run"  # the schema whose keys stand at the top level
+STUDY_KEYS = ("scenario", "scenarios", "grid")  # of a study, not of one run
+MAX_VALUES = 20_000  # values in one configuration; more is a mistake or an attack
+MAX_DEPTH = 12
+_NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
+_INTEGER = re.compile(r"[+-]?[0-9]{1,18}")
+_NULLS = ("null", "None", "~", "")
+_BOOLEANS = {"true": True, "yes": True, "on": True, "false": False, "no": False, "off": False}
+
+
+class ConfigError(ValueError):
+    """A configuration that cannot be run; its text is one printable line."""
+
+    def __init__(self, text: str):
+        """Keep `text` on one line, with control characters escaped, after the word "config"."""
+        line = "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+        self.detail = line
+        super().__init__(f"config: {line}")
+
+
+@lru_cache(maxsize=4)
+def sections(folder: Path = FOLDER) -> dict[str, dict]:
+    """Schema of every section by name, the top level first, then in alphabetical order.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the folder lacks the schema of the top level.
+    """
+    names = sorted(p.name.removesuffix(".schema.yaml") for p in folder.glob("*.schema.yaml"))
+    if TOP not in names:
+        raise FileNotFoundError(f"{folder}: no {TOP}.schema.yaml")
+    names.sort(key=lambda name: name != TOP)
+    files = {name: folder / f"{name}.schema.yaml" for name in names}
+    return {name: yaml.safe_load(path.read_text("utf-8")) for name, path in files.items()}
+
+
+@lru_cache(maxsize=4)
+def whole(folder: Path = FOLDER) -> dict:
+    """Return the schema of a complete configuration, assembled from the sections."""
+    parts = dict(sections(folder))
+    top = parts.pop(TOP)
+    return {"type": "object", "additionalProperties": False,
+            "properties": {**top["properties"], **parts}}  # fmt: skip
+
+
+def leaves(schema: dict, prefix: str = "") -> Iterator[tuple[str, dict]]:
+    """Yield (dotted path, schema) of every key that is not itself a section of named keys."""
+    for name, part in schema.get("properties", {}).items():
+        if "properties" in part:
+            yield from leaves(part, f"{prefix}{name}.")
+        else:
+            yield f"{prefix}{name}", part
+
+
+def plain(value: Any, path: str = "", depth: int = 0, budget: list | None = None) -> Any:
+    """Copy `value` as dicts with text keys, lists, text, finite numbers, booleans and None.
+
+    Raises
+    ------
+    ConfigError
+        Naming the path of anything else, of cyclic or very deep nesting, or of too many values.
+    """
+    budget = [MAX_VALUES] if budget is None else budget
+    budget[0] -= 1
+    if depth > MAX_DEPTH:
+        raise ConfigError(f"{path[:80]}…: nested more than {MAX_DEPTH} levels deep")
+    if budget[0] < 0:
+        raise ConfigError(f"more than {MAX_VALUES} values in the configuration")
+    if isinstance(value, Mapping):
+        out = {}
+        for key, item in value.items():
+            if not isinstance(key, str):
+                raise ConfigError(f"key {show(key)} {within(path)}: expected text; quote it")
+            out[key] = plain(item, f"{path}.{key}" if path else key, depth + 1, budget)
+        return out
+    if isinstance(value, (list, tuple)):
+        return [plain(v, f"{path}[{i + 1}]", depth + 1, budget) for i, v in enumerate(value)]
+    if value is None or isinstance(value, bool):
+        return value
+    if isinstance(value, int):
+        if abs(value) >= 2**63:
+            raise ConfigError(f"{path}: expected a number of fewer digits")
+        return int(value)
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            raise ConfigError(f"{path} = {value}: expected a finite number")
+        return float(value)
+    if isinstance(value, str):
+        if not value.isprintable():
+            raise ConfigError(f"{path} = {show(value)}: expected text without control characters")
+        return str(value)
+    if type(value) is datetime.date:  # YAML's reading of an unquoted 2024-05-17
+        return value.isoformat()
+    raise ConfigError(f"{path}: a value of type {type(value).__name__} has no place here; quote it")
+
+
+def within(path: str) -> str:
+    """Say where a key stands."""
+    return f"in '{path}'" if path else "at the top level"
+
+
+def complete(value: Any, schema: dict) -> Any:
+    """Turn `value` into what `schema` asks for where that is unambiguous, and fill in defaults.
+
+    Values inside `--config 'section={key: 1.5}'` reach a workflow as text, and YAML reads 1e-3 as
+    text and `on` as a boolean; a single item stands for a list of one, commas separate more. What
+    does not fit is returned as it is, for validation to refuse.
+    """
+    for branches in (schema.get("anyOf"), schema.get("oneOf")):
+        for branch in branches or ():
+            candidate = complete(value, branch)
+            if jsonschema.Draft202012Validator(branch).is_valid(candidate):
+                return candidate
+    kinds = schema.get("type", [])
+    kinds = [kinds] if isinstance(kinds, str) else kinds
+    if "object" in kinds:
+        return _complete_object(value, schema, "null" in kinds)
+    if "array" in kinds and "string" not in kinds:
+        if isinstance(value, str) and not ("null" in kinds and value in _NULLS):
+            value = [part.strip() for part in value.split(",")] if value.strip() else []
+        elif value is not None and not isinstance(value, (list, dict)):
+            value = [value]
+        if isinstance(value, list):
+            return [complete(item, schema.get("items", {})) for item in value]
+    if isinstance(value, str) and "string" not in kinds:
+        return _from_text(value, kinds)
+    if isinstance(value, bool):
+        # YAML 1.1 reads a bare on or off as a boolean
+        word = "on" if value else "off"
+        return word if "string" in kinds and word in schema.get("enum", ()) else value
+    if isinstance(value, int) and "string" in kinds and "integer" not in kinds:
+        return str(value)
+    if isinstance(value, (int, float)) and "number" in kinds:
+        return float(value)
+    if isinstance(value, float) and "integer" in kinds and value.is_integer():
+        return int(value)
+    return value
+
+
+def _complete_object(value: Any, schema: dict, nullable: bool) -> Any:
+    if value is None and not nullable:  # a section heading whose keys are all commented out
+        value = {}
+    if not isinstance(value, dict):
+        return value
+    known = schema.get("properties", {})
+    other = schema.get("additionalProperties")
+    out = {}
+    for key, part in known.items():
+        if key in value:
+            out[key] = complete(value[key], part)
+        elif "default" in part:
+            out[key] = complete(copy.deepcopy(part["default"]), part)
+        elif part.get("type") == "object":
+            out[key] = complete({}, part)
+    for key, item in value.items():
+        if key not in known:
+            out[key] = complete(item, other) if isinstance(other, dict) else item
+    return out
+
+
+def _from_text(text: str, kinds: list) -> Any:
+    word = text.strip()
+    if "null" in kinds and word in _NULLS:
+        return None
+    if "boolean" in kinds and word.lower() in _BOOLEANS:
+        return _BOOLEANS[word.lower()]
+    if "integer" in kinds and _INTEGER.fullmatch(word):
+        return int(word)
+    if "number" in kinds and len(word) <= 40 and _NUMBER.fullmatch(word):
+        number = float(word)
+        return number if math.isfinite(number) else text
+    return text
+
+
+def show(value: Any) -> str:
+    """Return a short one-line form of a value, as the user would write it."""
+    if value is None:
+        return "null"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float):
+        return format(value, ".12g")
+    if isinstance(value, int):
+        return str(value) if abs(value) < 2**63 else "a very long number"
+    if isinstance(value, list) and all(isinstance(v, (int, float, str)) for v in value[:6]):
+        return "[" + ", ".join([show(v) for v in value[:6]] + ["…"] * (len(value) > 6)) + "]"
+    brief = reprlib.Repr()
+    brief.maxstring = brief.maxother = 60
+    return brief.repr(value)
+
+
+def expectation(schema: dict) -> str:
+    """Word what a schema allows: "a number > 0 (m)", "one of a, b", "a list of …"."""
+    if "anyOf" in schema or "oneOf" in schema:
+        return " or ".join(expectation(part) for part in schema.get("anyOf") or schema["oneOf"])
+    if "const" in schema:
+        return show(schema["const"])
+    kinds = schema.get("type", [])
+    kinds = [kinds] if isinstance(kinds, str) else list(kinds)
+    parts = [_kind(kind, schema) for kind in kinds if kind != "null"]
+    if "enum" in schema:
+        words = [str(v) for v in schema["enum"] if v is not None]
+        parts = ["one of " + ", ".join(words) if len(words) > 1 else words[0]]
+    text = " or ".join(parts) or "a value"
+    text += f" ({schema['unit']})" if schema.get("unit", "-") != "-" else ""
+    text += f", below {schema['below']}" if "below" in schema else ""
+    text += f", at most {schema['at_most']}" if "at_most" in schema else ""
+    return text + (" or null" if "null" in kinds else "")
+
+
+def _kind(kind: str, schema: dict) -> str:
+    if kind in ("number", "integer"):
+        return ("a whole number" if kind == "integer" else "a number") + _range(schema)
+    if kind == "array":
+        low, high = schema.get("minItems", 0), schema.get("maxItems")
+        count = f"{low} " if low == high else (f"{low} or more " if low else "")
+        traits = [w for k, w in (("uniqueItems", "different"), ("ascending", "ascending"))
+                  if schema.get(k)]  # fmt: skip
+        words = " ".join([*traits, "values"])
+        return f"a list of {count}{words}, each {expectation(schema.get('items', {}))}"
+    if kind == "string":
+        allowed = schema.get("pattern_words") or schema.get("pattern")
+        return f"text of {allowed}" if allowed else "text"
+    return {"boolean": "true or false", "object": "a section of keys and values"}.get(kind, kind)
+
+
+def _range(schema: dict) -> str:
+    low, high = schema.get("minimum"), schema.get("maximum")
+    if low is not None and high is not None:
+        return f" from {show(low)} to {show(high)}"
+    bounds = {">": schema.get("exclusiveMinimum"), "≥": low,
+              "<": schema.get("exclusiveMaximum"), "≤": high}  # fmt: skip
+    limits = [f"{sign} {show(value)}" for sign, value in bounds.items() if value is not None]
+    return " " + " and ".join(limits) if limits else ""
+
+
+def unknown_key(path: str, known: dict) -> ConfigError:
+    """Refuse a key by name, with the nearest known one or those of its section."""
+    paths = [p for p, _ in leaves(known)]
+    section, _, leaf = path.rpartition(".")
+    same = [p for p in paths if p.rpartition(".")[2] == leaf]
+    near = same
+    if not near and len(path) < 100:  # long junk is near nothing and would only cost time
+        own = {p.rpartition(".")[2]: p for p in paths if p.rpartition(".")[0] == section}
+        others = {p.rpartition(".")[2]: p for p in paths}
+        tops = {} if section else {name: name for name in (*known["properties"], *STUDY_KEYS)}
+        for names in ({**own, **tops}, others):
+            near = near or [names[m] for m in difflib.get_close_matches(leaf, names, 1, 0.7)]
+    name = path if len(path) <= 100 else path[:99] + "…"
+    if near:
+        return ConfigError(f"unknown key '{name}'; did you mean '{near[0]}'?")
+    properties = known["properties"]
+    for part in section.split(".") if section else ():
+        properties = properties.get(part, {}).get("properties", {})
+    return ConfigError(f"unknown key '{name}'; expected one of {', '.join(properties or paths)}")
+
+
+def refusal(error: jsonschema.ValidationError, known: dict) -> ConfigError:
+    """Turn a validator's error into one line: key path, value, what was expected."""
+    schema: dict = known
+    unit = "-"
+    path = ""
+    for step in error.absolute_path:
+        path += f"[{step + 1}]" if isinstance(step, int) else f".{step}" if path else step
+        if isinstance(step, int):
+            options = [schema, *schema.get("anyOf", []), *schema.get("oneOf", [])]
+            schema = next((o["items"] for o in options if isinstance(o.get("items"), dict)), {})
+        else:
+            other = schema.get("additionalProperties")
+            fallback = other if isinstance(other, dict) else {}
+            schema = schema.get("properties", {}).get(step, fallback)
+        unit = schema.get("unit", unit)
+    if error.validator == "additionalProperties":
+        extra = [k for k in error.instance if k not in error.schema.get("properties", {})]
+        return unknown_key(f"{path}.{extra[0]}" if path else extra[0], known)
+    if not schema:
+        schema = error.schema if isinstance(error.schema, dict) else {}
+    if error.validator == "required":
+        missing = next(k for k in error.validator_value if k not in error.instance)
+        return ConfigError(f"{path}.{missing}: missing".lstrip("."))
+    words = expectation({**schema, "unit": schema.get("unit", unit)})
+    return ConfigError(f"{path} = {show(error.instance)}: expected {words}")
+
+
+def refuse_invalid(value: Any, known: dict) -> None:
+    """Raise `ConfigError` for the first error of `value`; unknown keys come before the rest."""
+    errors = list(jsonschema.Draft202012Validator(known).iter_errors(value))
+    if errors:
+        first = min(errors, key=lambda e: (e.validator != "additionalProperties",
+                                           [str(s) for s in e.absolute_path]))  # fmt: skip
+        raise refusal(first, known)
