@@ -170,8 +170,21 @@ class NodeList:
         self._rows = {name: [] for name in NODE_FIELDS}
 
     def add_joint(
-        self, name, a, b, positions_m, normal, areas_m2, jkn_pa_m, jks_pa_m, *,
-        beta_s=0.0, friction_rad=0.0, gap_m=0.0, tension_pa=0.0, cohesion_pa=0.0,
+        self,
+        name,
+        a,
+        b,
+        positions_m,
+        normal,
+        areas_m2,
+        jkn_pa_m,
+        jks_pa_m,
+        *,
+        beta_s=0.0,
+        friction_rad=0.0,
+        gap_m=0.0,
+        tension_pa=0.0,
+        cohesion_pa=0.0,
     ):
         """Add the nodes of one joint.
 

@@ -115,9 +115,7 @@ def assemble(scene):
     keep = (rows >= 0) & (cols >= 0) & (element != 0.0)
     damping = element * nodes.beta_s[:, None, None]
     dof = np.argwhere(equation >= 0)
-    return Triplets(
-        rows[keep], cols[keep], element[keep], damping[keep], mass[equation >= 0], dof
-    )
+    return Triplets(rows[keep], cols[keep], element[keep], damping[keep], mass[equation >= 0], dof)
 
 
 def modes(scene):

@@ -1,0 +1,87 @@
+"""Which intensity to run next: the adaptive strategy and the grid, as pure functions.
+
+The adaptive strategy climbs from a start intensity with growing steps until the
+façade collapses, probes a few intensities beyond the first collapse (a curve may
+re-stabilise, and that is kept), then bisects the first collapse to a tolerance.
+After Vamvatsikos and Cornell (2004), "Applied incremental dynamic analysis":
+hunt, then fill.
+"""
+
+DIGITS = 4  # intensities are rounded to 1e-4 g so that tables and caches agree
+
+
+def next_intensity(done, settings):
+    """Return the next PGA to run [g], or None when the curve is complete.
+
+    Parameters
+    ----------
+    done : dict of float to str
+        Status ("ok", "overturned", "failed") of each PGA already run.
+    settings : dict
+        Section ida of the configuration: mode, grid_g, start_g, step_g, growth,
+        tolerance_g, max_pga_g, beyond_collapse.
+
+    Notes
+    -----
+    Failed runs carry no information about the façade: they neither stop the
+    climb nor bound the bisection.
+    """
+    if settings["mode"] == "grid":
+        left = [round(g, DIGITS) for g in settings["grid_g"] if round(g, DIGITS) not in done]
+        return min(left) if left else None
+    collapsed = sorted(g for g, status in done.items() if status == "overturned")
+    climb = climb_sequence(settings)
+    if not collapsed:
+        return next((g for g in climb if g not in done), None)
+    first = collapsed[0]
+    below = [g for g in climb if g < first and g not in done]
+    if below:  # only when rows of another strategy were reused
+        return below[0]
+    beyond = [g for g in climb if g > climb_collapse(done, climb)]
+    for g in beyond[: settings["beyond_collapse"]]:
+        if g not in done:
+            return g
+    safe = max((g for g, status in done.items() if status == "ok" and g < first), default=0.0)
+    if first - safe > settings["tolerance_g"] * (1.0 + 1e-9):
+        middle = round(0.5 * (safe + first), DIGITS)
+        if middle not in done and safe < middle < first:
+            return middle
+        # the middle failed numerically: try the points beside it
+        for share in (0.25, 0.75):
+            g = round(safe + share * (first - safe), DIGITS)
+            if g not in done and safe < g < first:
+                return g
+    return None
+
+
+def climb_collapse(done, climb):
+    """Lowest intensity of the climb that collapsed; infinity if none did."""
+    return min((g for g in climb if done.get(g) == "overturned"), default=float("inf"))
+
+
+def climb_sequence(settings):
+    """Intensities of the climb [g]: steps of step_g that grow by `growth`, up to max_pga_g."""
+    values, g, step = [], settings["start_g"], settings["step_g"]
+    while g < settings["max_pga_g"] - 1e-9:
+        values.append(round(g, DIGITS))
+        g, step = g + step, step * settings["growth"]
+    values.append(round(settings["max_pga_g"], DIGITS))
+    return values
+
+
+def collapse_bounds(done):
+    """Highest safe PGA below the first collapse, and the lowest that collapsed [g].
+
+    Parameters
+    ----------
+    done : dict of float to str
+
+    Returns
+    -------
+    safe, collapse : float or None
+        collapse is None when nothing overturned; safe is None when nothing survived.
+    """
+    collapsed = [g for g, status in done.items() if status == "overturned"]
+    first = min(collapsed) if collapsed else None
+    safe = [g for g, s in done.items() if s == "ok" and (first is None or g < first)]
+    return (max(safe) if safe else None), first

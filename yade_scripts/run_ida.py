@@ -1,0 +1,194 @@
+"""Entry point: the incremental dynamic analysis of one model, record and direction.
+
+Runs under YADE's own Python, all intensities in one process:
+
+    python3 yade_scripts/run_ida.py --scene scenes/W2.json --motion smdof/RRS228_4dof.csv
+        --record RRS228 --direction neg --journal cache/W2_RRS228_neg.jsonl --output ida.csv
+"""
+
+import argparse
+import csv
+import io
+import json
+import math
+import sys
+from pathlib import Path
+
+import numpy as np
+
+if __package__ in (None, ""):
+    sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from yade_scripts import engine, facade, simulate
+from yade_scripts.intensities import next_intensity
+from yade_scripts.journal import Journal, run_key, source_digest, write_atomic
+from yade_scripts.scene import to_json
+
+G = 9.81
+COLUMNS = (
+    "model", "record", "direction", "pga_g", "d_over_b", "collapsed", "status", "dt_s",
+    "steps", "wall_s",
+)  # fmt: skip
+
+
+def read_motion(path):
+    """Read a floor-motion file (contract: smdof/{record}_{n}dof.csv).
+
+    Returns
+    -------
+    time_s : ndarray, shape (nt,)
+    accelerations : dict of str to ndarray
+        "ground", "floor1", … [m/s²].
+
+    Raises
+    ------
+    ValueError
+        One line that names the file if a column is missing or a value is not finite.
+    """
+    with open(path, newline="") as handle:
+        header = handle.readline().strip().split(",")
+    if header[:2] != ["time_s", "ground_m_s2"]:
+        raise ValueError(f"{path}: expected columns time_s, ground_m_s2, …, got {header[:3]}")
+    data = np.loadtxt(path, delimiter=",", skiprows=1, ndmin=2)
+    if len(data) < 2 or data.shape[1] != len(header) or not np.all(np.isfinite(data)):
+        raise ValueError(f"{path}: expected at least two complete rows of finite numbers")
+    columns = {name.replace("_m_s2", ""): data[:, i] for i, name in enumerate(header) if i}
+    return data[:, 0], columns
+
+
+def scaled_motions(time_s, columns, names, factor):
+    """Motions of the named supports, scaled by one factor (its sign is the direction)."""
+    missing = [name for name in names if name not in columns]
+    if missing:
+        raise ValueError(f"the motion file has no column for {', '.join(missing)}")
+    return {name: engine.Motion(time_s, factor * columns[name]) for name in names}
+
+
+def stop_rules(numerics, time_s, motions):
+    """Stop rules of an earthquake run from section numerics of the configuration."""
+    speed = max(m.peak_speed() for m in motions.values())
+    return simulate.StopRules(
+        motion_s=float(time_s[-1]),
+        limit_s=float(time_s[-1]) + numerics["after_motion_s"],
+        overturn_ratio=numerics["overturn_ratio"],
+        rest_velocity_m_s=numerics["rest_velocity_m_s"],
+        rest_time_s=numerics["rest_time_s"],
+        max_speed_m_s=numerics["max_speed_ratio"] * (speed + 1.0),
+    )
+
+
+def run_one(scene, time_s, columns, factor, numerics):
+    """One intensity; a numerical failure is retried once at half the step if so configured.
+
+    Returns
+    -------
+    simulate.History
+    """
+    motions = scaled_motions(time_s, columns, scene.motions, factor)
+    rules = stop_rules(numerics, time_s, motions)
+    step, _ = simulate.choose_step(scene, numerics)
+    options = {"sample_s": numerics["sample_interval_s"],
+               "node_radius_m": numerics["node_radius_m"]}  # fmt: skip
+    history = simulate.run(scene, motions, step, rules, **options)
+    if history.status == simulate.FAILED and numerics["retry_half_step"]:
+        retried = simulate.run(scene, motions, 0.5 * step, rules, **options)
+        retried.steps += history.steps
+        retried.wall_s += history.wall_s
+        return retried
+    return history
+
+
+def as_row(model, record, direction, pga_g, history):
+    """Return the contract's row of one run; d/b stays blank where the run failed."""
+    failed = history.status == simulate.FAILED
+    return {
+        "model": model, "record": record, "direction": direction, "pga_g": f"{pga_g:.4f}",
+        "d_over_b": "" if failed else f"{min(history.peak_d_over_b, 1.0):.6f}",
+        "collapsed": "" if failed else str(int(history.status == simulate.OVERTURNED)),
+        "status": history.status, "dt_s": f"{history.dt_s:.6e}", "steps": str(history.steps),
+        "wall_s": f"{history.wall_s:.3f}",
+    }  # fmt: skip
+
+
+def to_csv(rows):
+    """Rows as CSV text, by ascending intensity."""
+    text = io.StringIO()
+    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(sorted(rows, key=lambda r: float(r["pga_g"])))
+    return text.getvalue()
+
+
+def analyse(job, time_s, columns, record, direction, journal, say):
+    """Run all intensities the strategy asks for; rows already in the journal are reused.
+
+    Parameters
+    ----------
+    job : dict
+        A scene file: model, beta_s and the configuration's sections.
+    journal : Journal
+    say : callable
+        Receives one progress line a run.
+
+    Returns
+    -------
+    list of dict
+        Rows of the contract.
+    """
+    model, settings = job["model"], job["ida"]
+    scene = facade.facade_scene(job, model, job["beta_s"])
+    sign = {"pos": 1.0, "neg": -1.0}[direction]
+    pga = float(np.max(np.abs(columns["ground"])))
+    motion_bytes = b"".join(columns[n].tobytes() for n in scene.motions) + time_s.tobytes()
+    base_key = run_key(to_json(scene), motion_bytes, job["numerics"], sign, source_digest())
+    rows, done, reused = [], {}, 0
+    while (pga_g := next_intensity(done, settings)) is not None:
+        key = run_key(base_key, pga_g)
+        row = journal.get(key)
+        if row is None:
+            history = run_one(scene, time_s, columns, sign * pga_g * G / pga, job["numerics"])
+            row = as_row(model, record, direction, pga_g, history)
+            journal.put(key, row)
+            outcome = row["status"] + (f", d/b {row['d_over_b'][:5]}" if row["d_over_b"] else "")
+            say(f"run {len(rows) + 1}: {pga_g:.3f} g {outcome} ({history.wall_s:.1f} s)")
+        else:
+            reused += 1
+        rows.append(row)
+        done[pga_g] = row["status"]
+    if reused:
+        say(f"{reused} of {len(rows)} runs taken from earlier work")
+    return rows
+
+
+def main(argv=None):
+    """Parse the command line, run the analysis, write the table; return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--scene", required=True, help="scene file (JSON)")
+    parser.add_argument("--motion", required=True, help="floor motions (CSV)")
+    parser.add_argument("--record", required=True)
+    parser.add_argument("--direction", required=True, choices=("pos", "neg"))
+    parser.add_argument("--journal", required=True, help="finished runs (JSON lines)")
+    parser.add_argument("--output", required=True, help="table to write (CSV)")
+    args = parser.parse_args(argv)
+    job = json.loads(Path(args.scene).read_text())
+
+    def say(text):
+        print(f"[{job['model']} {args.record} {args.direction}] {text}", file=sys.stderr,
+              flush=True)  # fmt: skip
+
+    try:
+        time_s, columns = read_motion(args.motion)
+        if not math.isfinite(job["beta_s"]):
+            raise ValueError(f"{args.scene}: beta_s must be finite")
+        engine.load_yade()
+        rows = analyse(job, time_s, columns, args.record, args.direction,
+                       Journal(args.journal), say)  # fmt: skip
+    except (ValueError, OSError, engine.EngineError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+    write_atomic(args.output, to_csv(rows))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
