@@ -1,0 +1,325 @@
+"""Closed forms of rocking mechanics, against which every solver of the project is checked.
+
+A rigid rectangular block of height h and thickness b rocks about its toes:
+slenderness α = atan(b/h), half diagonal R, frequency p = √(3g/4R). Angles in
+radian, rotation positive outward, SI units throughout.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from scipy.integrate import quad
+from scipy.optimize import brentq, minimize_scalar
+
+G_M_S2 = 9.81
+
+
+def _positive(**values):
+    """Raise a ValueError that names the first value that is not positive and finite."""
+    for name, value in values.items():
+        if not np.all(np.isfinite(value)) or not np.all(np.asarray(value) > 0.0):
+            raise ValueError(f"{name}: expected a positive value, got {value}")
+
+
+# Geometry and free rocking -----------------------------------------------------------------------
+
+
+class Block(NamedTuple):
+    """Slenderness α [rad], half diagonal R [m] and rocking frequency p [rad/s] of a block."""
+
+    alpha_rad: float
+    half_diagonal_m: float
+    p_rad_s: float
+
+
+def block(h_m, b_m, gravity_m_s2=G_M_S2):
+    """α = atan(b/h), R = √(h² + b²)/2 and p = √(3g/4R) of a homogeneous block (Housner, 1963)."""
+    _positive(h_m=h_m, b_m=b_m, gravity_m_s2=gravity_m_s2)
+    radius = 0.5 * math.hypot(h_m, b_m)
+    return Block(math.atan2(b_m, h_m), radius, math.sqrt(0.75 * gravity_m_s2 / radius))
+
+
+def _release(ratio):
+    """Check a release angle θ0/α."""
+    if not 0.0 < ratio < 1.0:
+        raise ValueError(f"theta0_over_alpha: expected a value between 0 and 1, got {ratio}")
+
+
+def quarter_period(theta0_over_alpha, p_rad_s):
+    """Time from release at θ0 to the impact, acosh(1/(1 − θ0/α))/p [s].
+
+    Linearised for slender blocks (Housner, 1963); a quarter of the period of
+    free two-sided rocking without loss, half the first bounce of one-sided rocking.
+    """
+    _release(theta0_over_alpha)
+    _positive(p_rad_s=p_rad_s)
+    return math.acosh(1.0 / (1.0 - theta0_over_alpha)) / p_rad_s
+
+
+def quarter_period_finite(theta0_over_alpha, h_m, b_m, gravity_m_s2=G_M_S2):
+    """Same time for finite angles [s]: ∫ dθ/θ̇ with θ̇² = 2p²(cos(α − θ0) − cos(α − θ)).
+
+    With θ = θ0 − s² the integrand is regular at the release.
+    """
+    _release(theta0_over_alpha)
+    alpha, _, p = block(h_m, b_m, gravity_m_s2)
+    theta0 = theta0_over_alpha * alpha
+
+    def integrand(s):
+        # cos A − cos B = 2 sin((A + B)/2) sin((B − A)/2), without cancellation
+        half = 0.5 * s * s
+        drop = 2.0 * math.sin(alpha - theta0 + half) * (math.sin(half) / (s * s) if s else 0.5)
+        return 2.0 / (p * math.sqrt(2.0 * drop))
+
+    return quad(integrand, 0.0, math.sqrt(theta0), epsabs=0.0, epsrel=1e-10)[0]
+
+
+def energy_ratio(theta_over_alpha):
+    """Energy of a block at rest at θ over that at θ = α, 1 − (1 − θ/α)² (linearised)."""
+    ratio = np.asarray(theta_over_alpha, float)
+    return ratio * (2.0 - ratio)  # the same, without cancellation
+
+
+def amplitude_after_impacts(theta0_over_alpha, restitution, n):
+    """θn/α after n impacts: 1 − (1 − θn/α)² = e^{2n}[1 − (1 − θ0/α)²] (Housner, 1963).
+
+    `restitution` e is the ratio of angular velocities after and before an impact.
+    """
+    left = np.asarray(restitution, float) ** (2 * np.asarray(n)) * energy_ratio(theta0_over_alpha)
+    return left / (1.0 + np.sqrt(1.0 - left))  # 1 − √(1 − left), without cancellation
+
+
+def restitution_observed(theta_n_over_alpha, theta0_over_alpha, n):
+    """Experimental restitution e_exp from the n-th rebound (eq. 4 of the study)."""
+    ratio = energy_ratio(np.abs(theta_n_over_alpha)) / energy_ratio(np.abs(theta0_over_alpha))
+    return ratio ** (1.0 / (2.0 * np.asarray(n)))
+
+
+def restitution_housner(alpha_rad):
+    """Restitution of two-sided rocking, 1 − (3/2) sin²α (conservation of angular momentum)."""
+    return 1.0 - 1.5 * np.sin(alpha_rad) ** 2
+
+
+def restitution_one_sided(alpha_rad):
+    """e_1SR of one-sided rocking (eq. 3 of the study), with its sign.
+
+    Two impacts at the base and one against the return wall, (1 − (3/2)sin²α)² ·
+    (1 − (3/2)cos²α). Negative for slender blocks, as the velocity reverses;
+    e_exp of eq. 4 is to be compared with its magnitude.
+    """
+    return restitution_housner(alpha_rad) ** 2 * (1.0 - 1.5 * np.cos(alpha_rad) ** 2)
+
+
+# Damping -----------------------------------------------------------------------------------------
+
+
+def beta_one_sided(b_m, h_m, e_mpa):
+    """Stiffness-proportional damping β_1SR [s] of one-sided rocking (eq. 5 of the study).
+
+    A dimensional regression: b in m, E in **MPa**; fitted for b = 0.11 to 0.3 m and
+    E = 1800 to 4050 MPa.
+    """
+    _positive(b_m=b_m, h_m=h_m, e_mpa=e_mpa)
+    factor = b_m / 384.0 - e_mpa / 5.6e6 + 0.00074
+    return factor * math.exp(h_m / b_m * (6572.0 - e_mpa) / 1.2e5)
+
+
+def rayleigh_ratio(omega_rad_s, alpha_1_s, beta_s):
+    """Damping ratio ζ = α/(2ω) + βω/2 of C = αM + βK (eq. 2 of the study)."""
+    omega = np.asarray(omega_rad_s, float)
+    return alpha_1_s / (2.0 * omega) + beta_s * omega / 2.0
+
+
+def rayleigh_coefficients(omega1_rad_s, ratio1, omega2_rad_s, ratio2):
+    """α [1/s] and β [s] that give two circular frequencies their damping ratios."""
+    _positive(omega1_rad_s=omega1_rad_s, omega2_rad_s=omega2_rad_s)
+    if omega1_rad_s == omega2_rad_s:
+        raise ValueError("rayleigh_coefficients: the two frequencies must differ")
+    matrix = 0.5 * np.array([[1.0 / w, w] for w in (omega1_rad_s, omega2_rad_s)])
+    alpha, beta = np.linalg.solve(matrix, [ratio1, ratio2])
+    return float(alpha), float(beta)
+
+
+def beta_from_ratio(ratio, omega_rad_s):
+    """β = 2ζ/ω [s]: stiffness-proportional damping that gives ζ at ω."""
+    _positive(omega_rad_s=omega_rad_s)
+    return 2.0 * ratio / omega_rad_s
+
+
+def base_rocking_frequency(h_m, b_m, density_kg_m3, e_pa):
+    """Circular frequency of a block's rotation on its linear base jkn = E/h [rad/s].
+
+    ω² = (jkn b³w/12)/(m(h² + b²)/12) = (E/ρ)/(h²(1 + (h/b)²)). The largest β of the
+    study's parameter range is β = 1/ω, that is ζ = 0.5.
+    """
+    _positive(h_m=h_m, b_m=b_m, density_kg_m3=density_kg_m3, e_pa=e_pa)
+    return math.sqrt(e_pa / density_kg_m3 / (1.0 + (h_m / b_m) ** 2)) / h_m
+
+
+# Overturning by pulses ---------------------------------------------------------------------------
+
+
+def overturning_rectangular(x, p_rad_s):
+    """Shortest rectangular pulse a = xαg that overturns, t1 = ln(x/(x − 1))/p [s]; ∞ for x ≤ 1.
+
+    Linearised and without impact, from p∫(a/αg)e^{−pτ}dτ = 1.
+    """
+    _positive(x=x, p_rad_s=p_rad_s)
+    return math.log(x / (x - 1.0)) / p_rad_s if x > 1.0 else math.inf
+
+
+def overturning_half_sine(omega_over_p):
+    """Smallest x at which a half sine xαg·sin ωt overturns without impact (linearised).
+
+    Uplift at sin φ = 1/x; then x·p∫ sin(ωτ)e^{−pτ}dτ from uplift to the pulse's end
+    equals 1, with τ counted from uplift.
+    """
+    _positive(omega_over_p=omega_over_p)
+    r = omega_over_p
+
+    def excess(x):
+        phi = math.asin(1.0 / x)
+        tail = r * math.exp(-(math.pi - phi) / r)
+        return x * (tail + math.sin(phi) + r * math.cos(phi)) / (1.0 + r * r) - 1.0
+
+    high = 2.0
+    while excess(high) < 0.0:
+        high *= 2.0
+    return brentq(excess, 1.0, high, xtol=1e-13)
+
+
+def overturning_index(time_s, acceleration_m_s2, alpha_rad, p_rad_s, gravity_m_s2=G_M_S2):
+    """p∫(a/αg)e^{−pτ}dτ from uplift for a sampled pulse; at least 1 overturns (linearised).
+
+    Valid while the block does not touch down before the pulse ends. τ counts from
+    the first instant with a > αg, interpolated; the integral of a piecewise-linear
+    pulse is exact. 0 if the block never uplifts.
+    """
+    _positive(alpha_rad=alpha_rad, p_rad_s=p_rad_s)
+    t = np.asarray(time_s, float)
+    x = np.asarray(acceleration_m_s2, float) / (alpha_rad * gravity_m_s2)
+    above = np.flatnonzero(x > 1.0)
+    if above.size == 0:
+        return 0.0
+    first = above[0]
+    if first > 0:
+        share = (1.0 - x[first - 1]) / (x[first] - x[first - 1])
+        start = t[first - 1] + share * (t[first] - t[first - 1])
+        t, x = np.append(start, t[first:]), np.append(1.0, x[first:])
+    s = p_rad_s * (t - t[0])
+    slope = np.diff(x) / np.diff(s)
+    # ∫(x + x')e^{−s} ds has the antiderivative −(x + x')e^{−s} for linear x
+    return float(np.sum((x[:-1] + slope) * np.exp(-s[:-1]) - (x[1:] + slope) * np.exp(-s[1:])))
+
+
+# Static capacity curves --------------------------------------------------------------------------
+
+
+def capacity_rigid(theta_rad, h_m, b_m):
+    """Static multiplier λ(θ) = tan(α − θ) of a rigid block on a rigid base."""
+    return np.tan(math.atan2(b_m, h_m) - np.asarray(theta_rad, float))
+
+
+def capacity_interlocking(
+    theta_rad, *, h_m, b_m, w_m, density_kg_m3, return_thickness_m, course_height_m, overlap_m,
+    friction_deg, bound="upper", return_walls=2, gravity_m_s2=G_M_S2,
+):  # fmt: skip
+    """Kinematic capacity curve of a façade that rocks away from interlocked return walls.
+
+    Joint i = 1…n − 1 from the top lies at y_i = h − i·h_b above the hinge and
+    rubs with F_i = μγ t_s v h_b i in each return wall; it slips s_i = y_i sin θ.
+
+    λ(θ) = [W(b/2·cosθ − h/2·sinθ) + N_rw ΣF_i k_i y_i cosθ] / [W(h/2·cosθ + b/2·sinθ)]
+
+    Parameters
+    ----------
+    theta_rad : array_like
+        Rotation; the top displacement is d = h sin θ.
+    h_m, b_m, w_m : float
+        Façade height, thickness and width.
+    density_kg_m3 : float
+        Of façade and return walls.
+    return_thickness_m, course_height_m, overlap_m : float
+        t_s, h_b and v; the height must be a whole number of courses.
+    friction_deg : float
+    bound : {"upper", "lower"}
+        Upper: k_i = 1 while s_i < v, else 0. Lower: k_i = max(0, 1 − s_i/v).
+    return_walls : int
+
+    Returns
+    -------
+    ndarray
+        λ, shape of `theta_rad`.
+
+    References
+    ----------
+    Casapulla et al. (2019b), as used for the capacity curves of the study.
+    """
+    _positive(
+        h_m=h_m, b_m=b_m, w_m=w_m, density_kg_m3=density_kg_m3, overlap_m=overlap_m,
+        return_thickness_m=return_thickness_m, course_height_m=course_height_m,
+    )  # fmt: skip
+    courses = round(h_m / course_height_m)
+    if courses < 1 or abs(courses * course_height_m - h_m) > 1e-6 * h_m:
+        raise ValueError(f"course_height_m: {course_height_m} m does not divide h_m = {h_m} m")
+    if bound not in ("upper", "lower"):
+        raise ValueError(f"bound: expected 'upper' or 'lower', got '{bound}'")
+    theta = np.asarray(theta_rad, float)[..., None]
+    unit_weight = density_kg_m3 * gravity_m_s2
+    i = np.arange(1, courses)
+    y = h_m - i * course_height_m
+    mu = math.tan(math.radians(friction_deg))
+    force = mu * unit_weight * return_thickness_m * overlap_m * course_height_m * i
+    slip = y * np.sin(theta)
+    if bound == "upper":
+        engaged = (slip < overlap_m).astype(float)
+    else:
+        engaged = np.maximum(0.0, 1.0 - slip / overlap_m)
+    friction_moment = return_walls * np.sum(force * engaged * y, axis=-1)
+    weight = unit_weight * h_m * b_m * w_m
+    cos, sin = np.cos(theta[..., 0]), np.sin(theta[..., 0])
+    arm = 0.5 * (b_m * cos - h_m * sin)
+    return (weight * arm + friction_moment * cos) / (weight * 0.5 * (h_m * cos + b_m * sin))
+
+
+def capacity_compliant_base(theta_rad, h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2=G_M_S2):
+    """Static multiplier λ(θ) of a rigid block on a no-tension elastic base.
+
+    Penetration falls linearly from the toe, by sin θ per unit of width. With
+    q = W/(jkn·w) = ρghb/jkn the contact width follows from the vertical balance:
+
+    - full contact while sin θ ≤ 2q/b²; the reaction is eccentric by e = b³ sin θ/(12q);
+    - beyond, a triangle of width c = √(2q/sin θ) whose resultant lies c/3 inside the
+      toe, so e = b/2 − c/3: the pivot is inset and the capacity below tan(α − θ).
+
+    λ = (e·cosθ − h/2·sinθ)/(h/2·cosθ + b/2·sinθ)
+
+    The lever arm leaves out the penetration itself, of order ρgh/jkn ≪ h.
+    """
+    _positive(h_m=h_m, b_m=b_m, density_kg_m3=density_kg_m3, jkn_pa_m=jkn_pa_m)
+    theta = np.asarray(theta_rad, float)
+    sin, cos = np.sin(theta), np.cos(theta)
+    q = density_kg_m3 * gravity_m_s2 * h_m * b_m / jkn_pa_m
+    full = b_m**3 * sin / (12.0 * q)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        partial = 0.5 * b_m - np.sqrt(2.0 * q / sin) / 3.0
+    eccentricity = np.where(sin <= 2.0 * q / b_m**2, full, partial)
+    return (eccentricity * cos - 0.5 * h_m * sin) / (0.5 * (h_m * cos + b_m * sin))
+
+
+def tip_over_compliant_base(h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2=G_M_S2):
+    """Rotation [rad] and value of the largest λ of `capacity_compliant_base`: static tip-over.
+
+    Small-angle check: θ* = (√(2q)/(3h))^{2/3}. Returns (nan, 0) if the base is so
+    soft that the upright block is unstable, jkn·b³w/12 ≤ W·h/2.
+    """
+    q = density_kg_m3 * gravity_m_s2 * h_m * b_m / jkn_pa_m
+    if b_m**3 / 12.0 <= q * h_m / 2.0:
+        return math.nan, 0.0
+    alpha = math.atan2(b_m, h_m)
+    found = minimize_scalar(
+        lambda t: -capacity_compliant_base(t, h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2),
+        bounds=(0.0, alpha), method="bounded", options={"xatol": 1e-10 * alpha},
+    )  # fmt: skip
+    return float(found.x), float(-found.fun)
