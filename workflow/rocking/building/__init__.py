@@ -1,0 +1,1 @@
+"""Modal analysis, time histories and drawings of brick buildings."""

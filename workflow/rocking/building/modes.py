@@ -1,0 +1,164 @@
+"""Sparse modes of a scene and their effective masses.
+
+K and M come from `yade_scripts.stiffness.assemble`, the same nodes that build
+the YADE scene, every contact closed.
+"""
+
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse.linalg import LinearOperator, eigsh, splu
+
+from yade_scripts import stiffness
+from yade_scripts.scene import Nodes
+
+DIRECTIONS = ("x", "y", "z", "rx", "ry", "rz")
+CHUNK_NODES = 16384
+
+
+def matrices(scene, chunk=CHUNK_NODES):
+    """Assemble the sparse K and the diagonal of M of a scene.
+
+    `stiffness.assemble` keeps a 12 × 12 block for every node in memory; it is
+    called here on `chunk` nodes at a time, all blocks present, so that the
+    equation numbers agree and the sums stay small.
+
+    Returns
+    -------
+    k : scipy.sparse.csc_array, shape (n, n)
+        Stiffness [N/m, N, N·m].
+    mass : ndarray, shape (n,)
+        Diagonal of M [kg, kg·m²].
+    dof : ndarray of int, shape (n, 2)
+        Block and DOF number (0–5) of each equation.
+    """
+    total = None
+    for start in range(0, len(scene.nodes), chunk):
+        part = slice(start, start + chunk)
+        nodes = Nodes(**{f.name: getattr(scene.nodes, f.name)[part] for f in fields(Nodes)})
+        triplets = stiffness.assemble(replace(scene, nodes=nodes))
+        size = len(triplets.mass)
+        piece = sparse.coo_array(
+            (triplets.k, (triplets.rows, triplets.cols)), shape=(size, size)
+        ).tocsc()
+        total = piece if total is None else total + piece
+    return total, triplets.mass, triplets.dof
+
+
+def rigid_motions(scene, dof, mass):
+    """Unit rigid motions of the free equations: three translations, three rotations.
+
+    Rotations turn about the centre of the translational mass, so they carry no
+    translation of it.
+
+    Returns
+    -------
+    r : ndarray, shape (n, 6)
+        Columns in the order of DIRECTIONS.
+    """
+    centres = np.array([b.centre_m for b in scene.blocks], float)[dof[:, 0]]
+    along_x = dof[:, 1] == 0
+    weight = mass[along_x]
+    centre = weight @ centres[along_x] / weight.sum()
+    arm = centres - centre
+    r = np.zeros((len(mass), 6))
+    for axis in range(3):
+        r[dof[:, 1] == axis, axis] = 1.0
+        r[dof[:, 1] == 3 + axis, 3 + axis] = 1.0
+        one, two = (axis + 1) % 3, (axis + 2) % 3  # e_axis × arm has these two components
+        r[dof[:, 1] == one, 3 + axis] = -arm[dof[:, 1] == one, two]
+        r[dof[:, 1] == two, 3 + axis] = arm[dof[:, 1] == two, one]
+    return r
+
+
+@dataclass
+class Modes:
+    """Modes of a scene in ascending frequency.
+
+    Attributes
+    ----------
+    omega : ndarray, shape (m,)
+        Circular frequencies [rad/s].
+    phi : ndarray, shape (n, m)
+        φᵀMφ = 1.
+    participation : ndarray, shape (m, 6)
+        Γ = φᵀMr for the rigid motions of DIRECTIONS.
+    effective_ratio : ndarray, shape (m, 6)
+        Γ²/(rᵀMr): share of the mass (of the rotational inertia) that moves with the mode.
+    dof : ndarray, shape (n, 2)
+    mass : ndarray, shape (n,)
+    """
+
+    omega: np.ndarray
+    phi: np.ndarray
+    participation: np.ndarray
+    effective_ratio: np.ndarray
+    dof: np.ndarray
+    mass: np.ndarray
+
+    @property
+    def period_s(self):
+        """Periods 2π/ω, descending [s]."""
+        return 2.0 * np.pi / self.omega
+
+    def largest(self, direction):
+        """Return the index of the mode with the largest effective mass in a direction."""
+        return int(np.argmax(self.effective_ratio[:, DIRECTIONS.index(direction)]))
+
+
+class Solver:
+    """Lowest modes of one K for any M: K is factorised once.
+
+    The eigenvalues 1/ω² of √M·K⁻¹·√M are found by Lanczos iteration from a fixed
+    start vector, so repeated runs agree.
+
+    Parameters
+    ----------
+    scene : Scene
+
+    Raises
+    ------
+    ValueError
+        If K is singular: some block is not tied to a support.
+    """
+
+    def __init__(self, scene):
+        """Assemble and factorise."""
+        self.scene = scene
+        self.k, self.mass, self.dof = matrices(scene)
+        try:
+            self._lu = splu(
+                self.k, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0,
+                options={"SymmetricMode": True},
+            )  # fmt: skip
+        except RuntimeError as error:
+            raise ValueError("the stiffness is singular: some block is not held") from error
+
+    def mass_with(self, added_kg):
+        """Return the diagonal of M with translational mass added to blocks, {index: kg}."""
+        mass = self.mass.copy()
+        for block, extra in added_kg.items():
+            mass[(self.dof[:, 0] == block) & (self.dof[:, 1] < 3)] += extra
+        return mass
+
+    def modes(self, count, mass=None):
+        """Return the `count` lowest `Modes`, with the scene's own M or another diagonal."""
+        mass = self.mass if mass is None else mass
+        size = len(mass)
+        root = np.sqrt(mass)
+        operator = LinearOperator(
+            (size, size), matvec=lambda x: root * self._lu.solve(root * np.ravel(x)), dtype=float
+        )
+        count = min(count, size - 1)
+        start = np.random.default_rng(0).standard_normal(size)
+        values, vectors = eigsh(operator, k=count, which="LA", v0=start, tol=1e-10)
+        order = np.argsort(-values)
+        omega = 1.0 / np.sqrt(values[order])
+        phi = vectors[:, order] / root[:, None]
+        peak = np.argmax(np.abs(phi), axis=0)
+        phi *= np.sign(phi[peak, np.arange(count)])  # the sign of a mode is free: fix it
+        rigid = rigid_motions(self.scene, self.dof, mass)
+        participation = phi.T @ (mass[:, None] * rigid)
+        total = np.einsum("ni,n,ni->i", rigid, mass, rigid)
+        return Modes(omega, phi, participation, participation**2 / total, self.dof, mass)

@@ -1,0 +1,1 @@
+"""Brick buildings: plan, running bond, timber floors, and the scene made of them."""

@@ -1,0 +1,326 @@
+"""The plan of a masonry building as data: walls, openings, floors, and their checks.
+
+A plan is read from a mapping (one YAML or JSON file) and refused, with the name
+of the offending part, before any brick is laid. Walls run along x or y; x is
+along the façade, y out of plane, z up; lengths in metres.
+"""
+
+from dataclasses import dataclass, fields, replace
+
+TOLERANCE_M = 1e-6
+
+
+class PlanError(ValueError):
+    """A plan that cannot be built; the text names the part and what was expected."""
+
+
+@dataclass(frozen=True)
+class Opening:
+    """A door or window: distance of its near jamb from the wall's start, sill above z = 0."""
+
+    name: str
+    from_start_m: float
+    width_m: float
+    sill_m: float
+    height_m: float
+
+    @property
+    def end_m(self):
+        """Distance of the far jamb from the wall's start [m]."""
+        return self.from_start_m + self.width_m
+
+    @property
+    def head_m(self):
+        """Height of the opening's head above z = 0 [m]."""
+        return self.sill_m + self.height_m
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A straight wall: ends of its centre line, thickness, base and top above z = 0."""
+
+    name: str
+    start_m: tuple
+    end_m: tuple
+    thickness_m: float
+    height_m: float
+    base_m: float = 0.0
+    facade: bool = False
+    openings: tuple = ()
+
+    @property
+    def axis(self):
+        """Direction of the wall's length: 0 for x, 1 for y."""
+        return 0 if abs(self.end_m[0] - self.start_m[0]) > TOLERANCE_M else 1
+
+    @property
+    def length_m(self):
+        """Length between the ends of the centre line [m]."""
+        return abs(self.end_m[self.axis] - self.start_m[self.axis])
+
+    @property
+    def top_m(self):
+        """Height of the wall's top above z = 0 [m]."""
+        return self.base_m + self.height_m
+
+    @property
+    def origin_m(self):
+        """Smaller coordinate along the wall's axis; distances count from here."""
+        return min(self.start_m[self.axis], self.end_m[self.axis])
+
+    @property
+    def offset_m(self):
+        """Coordinate of the centre line across the wall."""
+        return self.start_m[1 - self.axis]
+
+    def span(self, opening):
+        """Return the reach of an opening along the wall, counted from `origin_m` [m]."""
+        if self.start_m[self.axis] > self.end_m[self.axis]:
+            return self.length_m - opening.end_m, self.length_m - opening.from_start_m
+        return opening.from_start_m, opening.end_m
+
+    def footprint(self):
+        """Return ((x0, x1), (y0, y1)) of the wall in plan [m]."""
+        along = (self.origin_m, self.origin_m + self.length_m)
+        half = self.thickness_m / 2.0
+        across = (self.offset_m - half, self.offset_m + half)
+        return (along, across) if self.axis == 0 else (across, along)
+
+
+@dataclass(frozen=True)
+class Floor:
+    """A timber floor: rigid beams from wall to wall and a rigid panel on top of them.
+
+    `level_m` is the seat of the beams, `walls` the two parallel walls that carry
+    them, `extent_m` the reach of the floor along those walls (global coordinate),
+    `bearing_m` the depth of the recess in each wall's inner face.
+    """
+
+    name: str
+    level_m: float
+    walls: tuple
+    extent_m: tuple
+    beam_spacing_m: float = 0.5
+    beam_width_m: float = 0.12
+    beam_height_m: float = 0.18
+    bearing_m: float = 0.12
+    panel_thickness_m: float = 0.03
+    load_kg_m2: float = 0.0
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Walls and floors of one building."""
+
+    name: str
+    walls: tuple
+    floors: tuple = ()
+    monitor_floor: str | None = None
+
+    def wall(self, name):
+        """Return the wall called `name`; PlanError lists the known ones."""
+        for wall in self.walls:
+            if wall.name == name:
+                return wall
+        raise PlanError(f"no wall '{name}'; the plan has {[w.name for w in self.walls]}")
+
+    def without_facades(self):
+        """Return the simplified building: the same plan without the façade walls."""
+        return replace(self, walls=tuple(w for w in self.walls if not w.facade))
+
+    def with_floor_load(self, load_kg_m2):
+        """Return the plan with one floor load [kg/m²] on every floor."""
+        return replace(
+            self, floors=tuple(replace(f, load_kg_m2=float(load_kg_m2)) for f in self.floors)
+        )
+
+
+def _record(cls, data, where, convert=None):
+    """Build dataclass `cls` from mapping `data`; unknown, missing or ill-typed keys are named."""
+    if not isinstance(data, dict):
+        raise PlanError(f"{where}: expected a mapping of keys, got {data!r}")
+    known = {f.name: f for f in fields(cls)}
+    for key in data:
+        if key not in known:
+            raise PlanError(f"{where}: unknown key '{key}'; known keys are {sorted(known)}")
+    values = {}
+    for key, spec in known.items():
+        if key not in data:
+            if spec.default is spec.default_factory:  # both MISSING: the key is required
+                raise PlanError(f"{where}: key '{key}' is missing")
+            continue
+        value = data[key]
+        if convert and key in convert:
+            value = convert[key](value)
+        elif key.endswith(("_m", "_m2")) and key not in ("start_m", "end_m", "extent_m"):
+            if isinstance(value, bool) or not isinstance(value, (int, float)):
+                raise PlanError(f"{where}: {key} must be a number, got {value!r}")
+            value = float(value)
+        elif key in ("start_m", "end_m", "extent_m"):
+            if not (
+                isinstance(value, (list, tuple))
+                and len(value) == 2
+                and all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in value)
+            ):
+                raise PlanError(f"{where}: {key} must be two numbers in metres, got {value!r}")
+            value = tuple(float(v) for v in value)
+        values[key] = value
+    return cls(**values)
+
+
+def plan_from_dict(data, source="plan"):
+    """Build and check a `Plan` from nested mappings and lists.
+
+    Parameters
+    ----------
+    data : dict
+        Keys name, walls (each with openings), floors, monitor_floor; see the
+        dataclasses of this module for the keys of each part.
+    source : str
+        Name of the file, put in front of every message.
+
+    Raises
+    ------
+    PlanError
+        Naming the part: an unknown key, an opening outside its wall, walls that
+        are neither along x nor y, a floor on walls that cannot carry it.
+    """
+    if not isinstance(data, dict) or not data.get("walls"):
+        raise PlanError(f"{source}: a plan needs a list 'walls' with at least one wall")
+
+    def label(part, k):
+        return part.get("name", f"number {k + 1}") if isinstance(part, dict) else f"number {k + 1}"
+
+    walls = []
+    for k, item in enumerate(data["walls"]):
+        where = f"{source}, wall '{label(item, k)}'"
+        openings = {
+            "openings": lambda rows, where=where: tuple(
+                _record(Opening, row, f"{where}, opening '{label(row, j)}'")
+                for j, row in enumerate(rows or ())
+            )
+        }
+        walls.append(_record(Wall, item, where, openings))
+    floors = tuple(
+        _record(Floor, item, f"{source}, floor '{label(item, k)}'", {"walls": tuple})
+        for k, item in enumerate(data.get("floors") or ())
+    )
+    rest = {k: v for k, v in data.items() if k not in ("walls", "floors")}
+    plan = _record(Plan, {**rest, "walls": walls, "floors": floors}, source,
+                   {"walls": tuple, "floors": tuple})  # fmt: skip
+    check(plan, source)
+    return plan
+
+
+def _check_wall(wall, where):
+    dx, dy = (abs(wall.end_m[i] - wall.start_m[i]) for i in (0, 1))
+    if min(dx, dy) > TOLERANCE_M or max(dx, dy) <= TOLERANCE_M:
+        raise PlanError(f"{where}: start_m and end_m must differ along x or along y, not both")
+    for key in ("thickness_m", "height_m"):
+        if getattr(wall, key) <= 0.0:
+            raise PlanError(f"{where}: {key} must be positive, got {getattr(wall, key)}")
+    if wall.base_m < -TOLERANCE_M:
+        raise PlanError(f"{where}: base_m must not lie below the ground, got {wall.base_m}")
+    for opening in wall.openings:
+        name = f"{where}, opening '{opening.name}'"
+        if opening.width_m <= 0.0 or opening.height_m <= 0.0:
+            raise PlanError(f"{name}: width_m and height_m must be positive")
+        if opening.from_start_m < -TOLERANCE_M or opening.end_m > wall.length_m + TOLERANCE_M:
+            raise PlanError(
+                f"{name}: spans {opening.from_start_m:g} to {opening.end_m:g} m, outside the"
+                f" wall's length of 0 to {wall.length_m:g} m"
+            )
+        if opening.sill_m < wall.base_m - TOLERANCE_M or opening.head_m > wall.top_m + TOLERANCE_M:
+            raise PlanError(
+                f"{name}: spans {opening.sill_m:g} to {opening.head_m:g} m in height, outside"
+                f" the wall's {wall.base_m:g} to {wall.top_m:g} m"
+            )
+    for i, one in enumerate(wall.openings):
+        for two in wall.openings[i + 1 :]:
+            apart = (
+                one.end_m <= two.from_start_m + TOLERANCE_M
+                or two.end_m <= one.from_start_m + TOLERANCE_M
+                or one.head_m <= two.sill_m + TOLERANCE_M
+                or two.head_m <= one.sill_m + TOLERANCE_M
+            )
+            if not apart:
+                raise PlanError(f"{where}: openings '{one.name}' and '{two.name}' overlap")
+
+
+def _check_floor(plan, floor, where):
+    if len(floor.walls) != 2:
+        raise PlanError(f"{where}: walls must name the two walls that carry the beams")
+    for name in floor.walls:
+        if name not in [w.name for w in plan.walls]:
+            raise PlanError(
+                f"{where}: no wall '{name}'; the plan has {[w.name for w in plan.walls]}"
+            )
+    one, two = (plan.wall(name) for name in floor.walls)
+    if one.axis != two.axis:
+        raise PlanError(f"{where}: walls '{one.name}' and '{two.name}' are not parallel")
+    clear = abs(two.offset_m - one.offset_m) - (one.thickness_m + two.thickness_m) / 2.0
+    if clear <= 0.0:
+        raise PlanError(f"{where}: no clear span between '{one.name}' and '{two.name}'")
+    for key in ("beam_spacing_m", "beam_width_m", "beam_height_m", "bearing_m",
+                "panel_thickness_m"):  # fmt: skip
+        if getattr(floor, key) <= 0.0:
+            raise PlanError(f"{where}: {key} must be positive, got {getattr(floor, key)}")
+    if floor.load_kg_m2 < 0.0:
+        raise PlanError(f"{where}: load_kg_m2 must not be negative, got {floor.load_kg_m2:g}")
+    for wall in (one, two):
+        low, high = floor.extent_m
+        if low < wall.origin_m - TOLERANCE_M or high > wall.origin_m + wall.length_m + TOLERANCE_M:
+            raise PlanError(f"{where}: extent_m {low:g} to {high:g} leaves wall '{wall.name}'")
+        if high - low < floor.beam_width_m:
+            raise PlanError(f"{where}: extent_m {low:g} to {high:g} holds no beam")
+        if floor.bearing_m >= wall.thickness_m - TOLERANCE_M:
+            raise PlanError(
+                f"{where}: bearing_m {floor.bearing_m:g} is not less than the thickness of wall"
+                f" '{wall.name}' ({wall.thickness_m:g} m)"
+            )
+        if not wall.base_m < floor.level_m <= wall.top_m - floor.beam_height_m + TOLERANCE_M:
+            raise PlanError(
+                f"{where}: level_m {floor.level_m:g} with beams of {floor.beam_height_m:g} m does"
+                f" not fit wall '{wall.name}' ({wall.base_m:g} to {wall.top_m:g} m)"
+            )
+        for opening in wall.openings:
+            overlap = (
+                opening.sill_m < floor.level_m + floor.beam_height_m - TOLERANCE_M
+                and opening.head_m > floor.level_m + TOLERANCE_M
+            )
+            if overlap:
+                raise PlanError(
+                    f"{where}: the beams cross opening '{opening.name}' of wall '{wall.name}'"
+                )
+
+
+def check(plan, source="plan"):
+    """Refuse, by name, a plan that cannot be built; see `plan_from_dict`."""
+    for kind, parts in (("wall", plan.walls), ("floor", plan.floors)):
+        names = [p.name for p in parts]
+        for name in names:
+            if names.count(name) > 1:
+                raise PlanError(f"{source}: two {kind}s are called '{name}'")
+    for wall in plan.walls:
+        _check_wall(wall, f"{source}, wall '{wall.name}'")
+    for i, one in enumerate(plan.walls):
+        for two in plan.walls[i + 1 :]:
+            if one.axis == two.axis and overlap_in_plan(one, two) and overlap_in_height(one, two):
+                raise PlanError(f"{source}: walls '{one.name}' and '{two.name}' overlap")
+    for floor in plan.floors:
+        _check_floor(plan, floor, f"{source}, floor '{floor.name}'")
+    if plan.monitor_floor is not None and plan.monitor_floor not in [f.name for f in plan.floors]:
+        raise PlanError(f"{source}: monitor_floor '{plan.monitor_floor}' is not a floor")
+
+
+def overlap_in_plan(one, two):
+    """Return True if the footprints of two walls share an area."""
+    return all(
+        min(p[1], q[1]) - max(p[0], q[0]) > TOLERANCE_M
+        for p, q in zip(one.footprint(), two.footprint(), strict=True)
+    )
+
+
+def overlap_in_height(one, two):
+    """Return True if two walls share a range of heights."""
+    return min(one.top_m, two.top_m) - max(one.base_m, two.base_m) > TOLERANCE_M
