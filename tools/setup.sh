@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Installs what is missing and does nothing when nothing is: YADE from Debian's
+# packages, and the locked Python packages in .venv. Interrupted, it starts over.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+say() { printf 'setup: %s\n' "$*" >&2; }
+
+python=/usr/bin/python3
+packages=()
+compgen -G '/usr/lib/*/yade*/py/yade/__init__.py' >/dev/null || [ -n "${YADE_PREFIX:-}" ] || packages+=(yade)
+[ -x $python ] || packages+=(python3)
+$python -c 'import ensurepip, venv' 2>/dev/null || packages+=(python3-venv)
+if [ ${#packages[@]} -gt 0 ]; then
+  command -v apt-get >/dev/null || { say "no apt-get here: install ${packages[*]} by hand, then run this again"; exit 1; }
+  root=(); [ "$(id -u)" -eq 0 ] || root=(sudo)
+  say "installing ${packages[*]} from Debian's packages"
+  "${root[@]}" apt-get update -qq
+  DEBIAN_FRONTEND=noninteractive "${root[@]}" apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null
+fi
+
+# the stamp is written last, so an interrupted installation is repeated
+stamp=.venv/.installed
+wanted=$(sha256sum requirements.lock | cut -d' ' -f1)
+if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
+  say "installing Python packages into .venv"
+  $python -m venv --clear .venv
+  .venv/bin/pip install -q --disable-pip-version-check --require-hashes -r requirements.lock
+  printf '%s\n%s\n' "$PWD" "$PWD/workflow" > "$(.venv/bin/python -c 'import sysconfig; print(sysconfig.get_path("purelib"))')/rocking_facades.pth"
+  printf '%s' "$wanted" > $stamp
+fi

@@ -1,0 +1,76 @@
+# Figures of the main job.
+
+
+def main_results(run):
+    figures = [f"record_{r}" for r in record_names(run)]
+    figures += [f"floor_motions_{r}" for r in record_names(run)]
+    figures += ["fig09_ida"]
+    return [
+        f"results/{run}/tables/records.csv",
+        f"results/{run}/tables/ida_collapse.csv",
+        *(f"results/{run}/figures/{name}.png" for name in figures),
+    ]
+
+
+rule figure_record:
+    input:
+        record="results/{run}/records/{record}.csv",
+        facts="results/{run}/records/{record}.json",
+        style=STYLE,
+    output:
+        png=report(
+            "results/{run}/figures/record_{record}.png",
+            caption=caption("record"),
+            category="Records",
+            labels={"record": "{record}", "figure": "accelerogram"},
+        ),
+        pdf="results/{run}/figures/record_{record}.pdf",
+    log:
+        "results/{run}/logs/figure_record_{record}.log",
+    script:
+        "../scripts/figure_record.py"
+
+
+rule figure_floor_motions:
+    input:
+        motion=ida_motion,
+        facts="results/{run}/records/{record}.json",
+        style=STYLE,
+    output:
+        png=report(
+            "results/{run}/figures/floor_motions_{record}.png",
+            caption=caption("floor_motions"),
+            category="Floor motions",
+            labels={"record": "{record}", "figure": "floor motions and spectra"},
+        ),
+        pdf="results/{run}/figures/floor_motions_{record}.pdf",
+    params:
+        smdof=params_of("smdof"),
+    log:
+        "results/{run}/logs/figure_floor_motions_{record}.log",
+    script:
+        "../scripts/figure_floor_motions.py"
+
+
+rule fig09_ida:
+    input:
+        ida=lambda w: ida_tables(w.run),
+        facts=lambda w: [f"results/{w.run}/records/{r}.json" for r in record_names(w.run)],
+        style=STYLE,
+    output:
+        png=report(
+            "results/{run}/figures/fig09_ida.png",
+            caption=caption("fig09"),
+            category="Incremental dynamic analyses",
+            labels={"figure": "9: IDA curves"},
+        ),
+        pdf="results/{run}/figures/fig09_ida.pdf",
+    params:
+        records=lambda w: record_names(w.run),
+        models=lambda w: cfg(w)["models"],
+        directions=lambda w: cfg(w)["directions"],
+        facade=params_of("facade"),
+    log:
+        "results/{run}/logs/fig09_ida.log",
+    script:
+        "../scripts/fig09_ida.py"

@@ -1,0 +1,15 @@
+# Floor motions of the substitute chain.
+
+
+rule floor_motions:
+    input:
+        record="results/{run}/records/{record}.csv",
+        modules=module("smdof/chain.py", "smdof/oscillator.py"),
+    output:
+        "results/{run}/smdof/{record}_{n}dof.csv",
+    params:
+        smdof=params_of("smdof"),
+    log:
+        "results/{run}/logs/floor_motions_{record}_{n}.log",
+    script:
+        "../scripts/floor_motions.py"

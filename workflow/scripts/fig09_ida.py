@@ -1,0 +1,65 @@
+"""Figure 9: IDA curves of every model, a panel a record and direction, pushover in grey."""
+
+import json
+
+import matplotlib.pyplot as plt
+import numpy as np
+from rocking import style
+from rocking.ida import branches, read_curve
+from rocking.script import run
+
+
+def rigid_pushover(h, b):
+    """Rigid block about its toe: λ(θ) = tan(α − θ) against d/b = h sin θ / b."""
+    alpha = np.arctan2(b, h)
+    theta = np.linspace(0.0, alpha, 50)
+    return h * np.sin(theta) / b, np.tan(alpha - theta)
+
+
+def draw(axis, curve, model):
+    """Draw one curve; runs that overturned sit at d/b = 1, re-stabilised ones keep their line."""
+    stood, fell = branches(curve)
+    colour, marker = style.MODEL_COLOURS[model], style.MODEL_MARKERS[model]
+    joined = curve[curve["status"] != "failed"]
+    first = fell["pga_g"].min() if len(fell) else np.inf
+    line = joined[joined["pga_g"] <= first]
+    axis.plot(np.r_[0, line["d_over_b"]], np.r_[0, line["pga_g"]], color=colour, zorder=2)
+    axis.plot(stood["d_over_b"], stood["pga_g"], marker, color=colour, ls="", label=model,
+              zorder=3)  # fmt: skip
+    axis.plot(fell["d_over_b"], fell["pga_g"], marker, color=colour, mfc="white", ls="",
+              clip_on=False, zorder=4)  # fmt: skip
+
+
+def main(job):
+    p = job.params
+    facade = json.loads(p.facade)["facade"]
+    facts = {f["name"]: f for f in (json.loads(open(path).read()) for path in job.input.facts)}
+    curves = [read_curve(path) for path in job.input.ida]
+    shape = (len(p.records), len(p.directions))
+    figure, axes = plt.subplots(
+        *shape, figsize=(3.5 * shape[1], 0.5 + 2.0 * shape[0]), squeeze=False, sharex=True
+    )
+    d_push, lambda_push = rigid_pushover(facade["height_m"], facade["thickness_m"])
+    for i, record in enumerate(p.records):
+        for j, direction in enumerate(p.directions):
+            axis = axes[i, j]
+            axis.plot(d_push, lambda_push, color=style.GREY, lw=2, label="pushover, rigid block")
+            for curve in curves:
+                head = curve.iloc[0]
+                if head["record"] == record and head["direction"] == direction:
+                    draw(axis, curve, head["model"])
+            sign = {"pos": "+", "neg": "−"}[direction]
+            axis.set_title(f"{style.provenance(facts[record])}, direction {sign}", loc="left")
+            axis.set(xlim=(0, 1.0), ylabel="PGA [g]")
+            axis.set_ylim(bottom=0)
+        top = max(axis.get_ylim()[1] for axis in axes[i])
+        for axis in axes[i]:
+            axis.set_ylim(0, top)
+    for axis in axes[-1]:
+        axis.set_xlabel("peak top displacement d/b [-] (1: overturned, open symbols)")
+    handles, labels = axes[0, 0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper center", ncols=len(labels))
+    style.save(figure, job.output)
+
+
+run(main, globals())

@@ -1,0 +1,53 @@
+"""Ground and floor motions of one record: histories and response spectra."""
+
+import json
+
+import matplotlib.pyplot as plt
+import numpy as np
+from rocking import style
+from rocking.records import G_M_S2
+from rocking.script import run
+
+from smdof.spectra import response_spectrum
+
+
+def main(job):
+    facts = json.loads(open(job.input.facts).read())
+    chain = json.loads(job.params.smdof)["smdof"]
+    with open(job.input.motion) as handle:
+        names = handle.readline().strip().split(",")[1:]
+    data = np.loadtxt(job.input.motion, delimiter=",", skiprows=1)
+    time, motions = data[:, 0], data[:, 1:].T / G_M_S2
+    colours = [style.GREY, *plt.colormaps["viridis"](np.linspace(0.85, 0.1, len(motions) - 1))]
+    labels = [name.replace("_m_s2", "").replace("floor", "floor ") for name in names]
+
+    figure, axes = plt.subplots(1, 2, width_ratios=(1.6, 1.0), figsize=(7.0, 3.8))
+    gap = 1.15 * np.ptp(motions[-1])
+    for level, (motion, colour) in enumerate(zip(motions, colours, strict=True)):
+        axes[0].plot(time, motion + level * gap, color=colour, lw=0.7)
+    axes[0].set(xlabel="time [s]", yticks=[level * gap for level in range(len(motions))])
+    axes[0].set_yticklabels(
+        [f"{name}\n{np.abs(m).max():.2f} g" for name, m in zip(labels, motions, strict=True)]
+    )
+    axes[0].set_title("absolute acceleration, peak beside each", loc="left")
+    axes[0].plot([time[-1]] * 2, [0.0, 1.0], color="k", lw=1.5)
+    axes[0].annotate("1 g", (time[-1], 0.5), xytext=(-3, 0), textcoords="offset points",
+                     ha="right", va="center")  # fmt: skip
+    periods = np.geomspace(0.03, 4.0, 140)
+    for motion, colour, label in zip(motions, colours, labels, strict=True):
+        spectrum = response_spectrum(motion * G_M_S2, time[1] - time[0], periods)
+        axes[1].loglog(periods, spectrum.psa_m_s2 / G_M_S2, color=colour, label=label)
+    axes[1].axvline(chain["period_s"], color="k", lw=0.7, ls=":")
+    axes[1].annotate(f"T1 = {chain['period_s']:g} s", (chain["period_s"], 0.02), rotation=90,
+                     xycoords=("data", "axes fraction"), xytext=(3, 0),
+                     textcoords="offset points")  # fmt: skip
+    axes[1].set(xlabel="period [s]", ylabel="pseudo-acceleration, 5 % damping [g]")
+    axes[1].legend(loc="lower left")
+    figure.suptitle(
+        f"{style.provenance(facts)} through {len(motions) - 1} lumped masses, "
+        f"{100 * chain['damping_ratio']:g} % {chain['damping_model']} damping"
+    )
+    style.save(figure, job.output)
+
+
+run(main, globals())

@@ -1,0 +1,13 @@
+"""Read or generate one accelerogram and write it in the workflow's own form."""
+
+from rocking.records import load, write_csv
+from rocking.script import run
+
+
+def main(job):
+    p = job.params
+    record = load(job.wildcards.record, p.table, baseline=p.baseline, seed=p.seed)
+    write_csv(record, job.output.record)
+
+
+run(main, globals())

@@ -1,0 +1,14 @@
+"""Table of the records of a run: source, step, duration and peaks (tables/records.csv)."""
+
+import pandas as pd
+from rocking.records import RECORDS_COLUMNS, read_csv, records_row
+from rocking.script import run
+
+
+def main(job):
+    rows = [records_row(read_csv(path.replace(".json", ".csv"))) for path in job.input.facts]
+    table = pd.DataFrame(rows, columns=list(RECORDS_COLUMNS))
+    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+
+
+run(main, globals())
