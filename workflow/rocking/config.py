@@ -90,6 +90,12 @@ def check(resolved: Mapping) -> None:
             f"models = {show(resolved['models'])}: expected [W1] with facade.sides = two, "
             "since a free-standing façade has no return walls"
         )
+    bonded = [model for model in resolved["models"] if model.endswith("c")]
+    if bonded and resolved["facade"]["gap_m"] > 0.0:
+        raise ConfigError(
+            f"facade.gap_m = {show(resolved['facade']['gap_m'])}: expected 0 (m) with the bonded "
+            f"models {show(bonded)}"
+        )
     low, high = resolved["ensemble"]["percentiles"]
     if not low < 50.0 < high:
         raise ConfigError(
@@ -106,18 +112,13 @@ def _check_geometry(facade: Mapping, wall: Mapping) -> None:
         )
     slenderness_deg = math.degrees(math.atan2(b, h))
     tilt = facade["tilt_deg"]
-    if abs(tilt) >= slenderness_deg:
+    if tilt >= slenderness_deg:
         raise ConfigError(
             f"facade.tilt_deg = {show(tilt)}: expected less than "
             f"atan(thickness/height) = {slenderness_deg:.4g} (°), or the façade has fallen already"
         )
     if facade["sides"] == "two":
         return
-    if -h * math.sin(math.radians(tilt)) > facade["gap_m"]:
-        raise ConfigError(
-            f"facade.tilt_deg = {show(tilt)}: expected an inward tilt within "
-            f"facade.gap_m = {show(facade['gap_m'])}, or the façade stands inside the return walls"
-        )
     total = wall["count"] * wall["thickness_m"]
     if total > facade["width_m"] * (1.0 + 1e-9):
         raise ConfigError(
@@ -185,7 +186,7 @@ def expand_scenarios(config: Mapping) -> dict[str, dict[str, Any]]:
                 if ending:
                     one = resolve({**given, "run": f"{one['run']}-{ending}"})
             except ConfigError as error:
-                if not ending:
+                if not ending or error.detail == _fault(base):
                     raise
                 raise ConfigError(f"scenario '{ending}': {error.detail}") from None
             if one["run"] in runs:
@@ -193,6 +194,15 @@ def expand_scenarios(config: Mapping) -> dict[str, dict[str, Any]]:
             if not named or name in chosen:
                 runs[one["run"]] = one
     return runs
+
+
+def _fault(config: dict) -> str | None:
+    """Return what is wrong with a configuration, None if nothing is."""
+    try:
+        resolve(config)
+    except ConfigError as error:
+        return error.detail
+    return None
 
 
 def _scenarios(given: Any) -> dict[str, dict]:

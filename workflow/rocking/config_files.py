@@ -32,6 +32,9 @@ def write_resolved(resolved: Mapping, path: str | os.PathLike) -> None:
         raise
 
 
+_CONVERSION = (ValueError, TypeError, LookupError, ArithmeticError, AttributeError)
+
+
 class _UniqueKeys(yaml.SafeLoader):
     """YAML's safe loader, refusing a key that stands twice in one mapping."""
 
@@ -47,6 +50,26 @@ class _UniqueKeys(yaml.SafeLoader):
         return super().construct_mapping(node, deep)
 
 
+def check_text(text: str, name: str) -> None:
+    """Refuse the text of a configuration in which a key stands twice; `name` names it.
+
+    Raises
+    ------
+    ConfigError
+        With the name and line; also for text that is not YAML.
+    """
+    try:
+        yaml.load(text, _UniqueKeys)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark
+        line = f" line {mark.line + 1}" if mark else ""
+        raise ConfigError(f"{name}{line}: {error.problem or 'not readable as YAML'}") from None
+    except (*_CONVERSION, yaml.YAMLError, RecursionError) as error:
+        # PyYAML lets the errors of its conversions through, such as those of the date 2024-13-45.
+        reason = str(error).partition("\n")[0] or type(error).__name__
+        raise ConfigError(f"{name}: not readable as YAML ({reason})") from None
+
+
 def check_files(paths: Iterable[str | os.PathLike]) -> None:
     """Refuse configuration files in which a key stands twice, which YAML itself lets pass.
 
@@ -57,13 +80,9 @@ def check_files(paths: Iterable[str | os.PathLike]) -> None:
     """
     for path in paths:
         try:
-            yaml.load(Path(path).read_text("utf-8"), _UniqueKeys)
-        except yaml.MarkedYAMLError as error:
-            mark = error.problem_mark
-            line = f" line {mark.line + 1}" if mark else ""
-            raise ConfigError(f"{path}{line}: {error.problem or 'not readable as YAML'}") from None
-        except (yaml.YAMLError, ValueError, OverflowError, RecursionError) as error:
-            reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-            raise ConfigError(f"{path}: not readable as YAML ({reason})") from None
+            text = Path(path).read_text("utf-8")
         except OSError as error:
             raise ConfigError(f"{path}: {error.strerror or error}") from None
+        except UnicodeDecodeError as error:
+            raise ConfigError(f"{path}: not UTF-8 text at byte {error.start}") from None
+        check_text(text, str(path))

@@ -39,10 +39,11 @@ class ConfigError(ValueError):
     """A configuration that cannot be run; its text is one printable line."""
 
     def __init__(self, text: str):
-        """Keep `text` on one line, with control characters escaped, after the word "config"."""
+        """Keep `text` on one line: control characters escaped, endless words and lists cut."""
         line = "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
-        self.detail = line
-        super().__init__(f"config: {line}")
+        line = re.sub(r"\S{160,}", lambda word: word[0][:80] + "…", line)
+        self.detail = line if len(line) <= 1200 else line[:1200] + "…"
+        super().__init__(f"config: {self.detail}")
 
 
 @lru_cache(maxsize=4)
@@ -274,13 +275,12 @@ def unknown_key(path: str, known: dict) -> ConfigError:
         tops = {} if section else {name: name for name in (*known["properties"], *STUDY_KEYS)}
         for names in ({**own, **tops}, others):
             near = near or [names[m] for m in difflib.get_close_matches(leaf, names, 1, 0.7)]
-    name = path if len(path) <= 100 else path[:99] + "…"
     if near:
-        return ConfigError(f"unknown key '{name}'; did you mean '{near[0]}'?")
+        return ConfigError(f"unknown key '{path}'; did you mean '{near[0]}'?")
     properties = known["properties"]
     for part in section.split(".") if section else ():
         properties = properties.get(part, {}).get("properties", {})
-    return ConfigError(f"unknown key '{name}'; expected one of {', '.join(properties or paths)}")
+    return ConfigError(f"unknown key '{path}'; expected one of {', '.join(properties or paths)}")
 
 
 def refusal(error: jsonschema.ValidationError, known: dict) -> ConfigError:

@@ -1,0 +1,231 @@
+"""Configuration: schemas, defaults, and refusals in one line."""
+
+import json
+import os
+import shutil
+
+import fuzz_config
+import jsonschema
+import pytest
+import yaml
+from rocking import config_files, config_schema
+from rocking.config import (
+    ConfigError,
+    check_files,
+    expand_scenarios,
+    relevant,
+    resolve,
+    write_resolved,
+)
+
+LEAVES = list(config_schema.leaves(config_schema.whole()))
+
+
+def refusal(config, function=resolve):
+    with pytest.raises(ConfigError) as caught:
+        function(config)
+    text = str(caught.value)
+    assert text.isprintable()
+    return text
+
+
+@pytest.mark.parametrize(("path", "schema"), LEAVES, ids=[path for path, _ in LEAVES])
+def test_every_key_is_described_and_its_default_is_valid(path, schema):
+    assert {"unit", "description", "default"} <= set(schema), path
+    assert {"type", "anyOf", "oneOf"} & set(schema), path
+    assert schema["description"].strip().endswith("."), f"{path}: a sentence"
+    jsonschema.Draft202012Validator.check_schema(schema)
+    default = config_schema.complete(schema["default"], schema)
+    jsonschema.Draft202012Validator(schema).validate(default)
+    for word in ("below", "at_most"):
+        assert schema.get(word, path) in dict(LEAVES), f"{path}: {word} names no key"
+
+
+def test_units_in_names_agree_with_the_schema():
+    suffixes = {"_m": "m", "_s": "s", "_g": "g", "_hz": "Hz", "_deg": "°", "_mpa": "MPa",
+                "_kg_m3": "kg/m³", "_pa_m": "Pa/m", "_m_s": "m/s"}  # fmt: skip
+    for path, schema in LEAVES:
+        ending = max((e for e in suffixes if path.endswith(e)), key=len, default=None)
+        if ending is not None:
+            assert schema["unit"] == suffixes[ending], path
+
+
+def test_sections_refuse_unknown_keys_by_schema():
+    for name, schema in config_schema.sections().items():
+        assert schema["additionalProperties"] is False, name
+
+
+def test_a_schema_file_more_is_a_section_more(tmp_path):
+    for name in ("run", "facade"):
+        shutil.copy(config_schema.FOLDER / f"{name}.schema.yaml", tmp_path)
+    text = "type: object\nproperties: {size_m: {type: number, unit: m, default: 2}}\n"
+    (tmp_path / "extra.schema.yaml").write_text(text)
+    known = config_schema.whole(tmp_path)
+    assert list(config_schema.sections(tmp_path)) == ["run", "extra", "facade"]
+    assert config_schema.complete({}, known)["extra"] == {"size_m": 2.0}
+
+
+def test_an_empty_configuration_is_the_study():
+    one = resolve({})
+    assert (one["facade"]["height_m"], one["facade"]["thickness_m"]) == (6.48, 0.375)
+    assert one["damping"] == {"law": "value", "beta_s": 0.00276}
+    assert (one["smdof"]["n_dof"], one["smdof"]["period_s"]) == (4, 0.27)
+    assert one["return_wall"]["length_m"] is None
+    assert resolve(one) == one
+
+
+def test_text_from_the_command_line_resolves_like_numbers():
+    typed = {"facade": {"height_m": 7, "gap_m": 0.001, "base_stiffness_pa_m": None},
+             "numerics": {"nodes_height": 7, "retry_half_step": False},
+             "ensemble": {"enabled": True}, "records": ["A", "B"], "models": ["W1"],
+             "ida": {"grid_g": [0.1, 0.2]}, "run": "2024", "smdof": {}}  # fmt: skip
+    text = {"facade": {"height_m": "7.0", "gap_m": "1e-3", "base_stiffness_pa_m": "null"},
+            "numerics": {"nodes_height": "7", "retry_half_step": "false"},
+            "ensemble": {"enabled": "on"}, "records": "A, B", "models": "W1",
+            "ida": {"grid_g": "0.1,0.2"}, "run": 2024, "smdof": None}  # fmt: skip
+    assert resolve(typed) == resolve(text)
+    assert json.dumps(resolve(typed)) == json.dumps(resolve(text))  # types too
+
+
+def test_resolving_leaves_its_input_and_the_schemas_alone():
+    given = {"models": ["W1"]}
+    resolve(given)["models"].append("W2")
+    assert given == {"models": ["W1"]}
+    resolve({})["directions"].clear()
+    assert resolve({})["directions"] == ["pos", "neg"]
+
+
+@pytest.mark.parametrize(
+    ("config", "message"),
+    [
+        ({"facade": {"hieght_m": 3}}, "unknown key 'facade.hieght_m'; did you mean 'facade.heigh"),
+        ({"fasade": {}}, "unknown key 'fasade'; did you mean 'facade'?"),
+        ({"height_m": 7}, "unknown key 'height_m'; did you mean 'facade.height_m'?"),
+        ({"facade": {"beta_s": 1}}, "unknown key 'facade.beta_s'; did you mean 'damping.beta_s'?"),
+        ({"scenaros": {}}, "unknown key 'scenaros'; did you mean 'scenarios'?"),
+        ({"damping": {"zzz": 1}}, "unknown key 'damping.zzz'; expected one of law, beta_s"),
+        ({"facade": {"height_m": -3}}, "facade.height_m = -3: expected a number > 0 and ≤ 50 (m)"),
+        ({"facade": {"height_m": "tall"}}, "facade.height_m = 'tall': expected a number > 0"),
+        ({"facade": {"height_m": None}}, "facade.height_m = null: expected a number > 0"),
+        ({"facade": {"height_m": True}}, "facade.height_m = true: expected a number > 0"),
+        ({"facade": {"height_m": float("nan")}}, "facade.height_m = nan: expected a finite number"),
+        ({"facade": {"height_m": "nan"}}, "facade.height_m = 'nan': expected a number > 0"),
+        ({"facade": {"height_m": "1_0"}}, "facade.height_m = '1_0': expected a number > 0"),
+        ({"facade": 3}, "facade = 3: expected a section"),
+        ({"numerics": {"nodes_height": 5.5}}, "numerics.nodes_height = 5.5: expected a whole"),
+        ({"damping": {"law": "eq6"}}, "damping.law = 'eq6': expected one of value, eq5, fitted"),
+        ({"models": ["W1", "W9"]}, "models[2] = 'W9': expected one of W1, W1c, W2, W2c, W3"),
+        ({"models": ["W1", "W1"]}, "models = ['W1', 'W1']: expected a list of 1 or more different"),
+        ({"models": []}, "models = []: expected a list of 1 or more"),
+        ({"ida": {"grid_g": [0.1, -1]}}, "ida.grid_g[2] = -1: expected a number > 0 and ≤ 20 (g)"),
+        ({"ida": {"grid_g": [0.2, 0.1]}}, "ida.grid_g = [0.2, 0.1]: expected ascending values"),
+        ({"run": True}, "run = true: expected text of letters"),
+        ({"records": ["../../etc/passwd"]}, "records = ['../../etc/passwd']: expected 'all'"),
+        ({1: 2}, "key 1 at the top level: expected text; quote it"),
+        ({"facade": {"height_m": 10**5000}}, "facade.height_m: expected a number of fewer digits"),
+        ({"facade": {"height_m": b"x"}}, "facade.height_m: a value of type bytes has no"),
+        ({"grid": {"facade.height_m": [1]}}, "'grid' describes several runs"),
+    ],
+)  # fmt: skip
+def test_refusals_name_the_key_and_what_was_expected(config, message):
+    assert refusal(config).startswith(f"config: {message}")
+
+
+@pytest.mark.parametrize(
+    ("config", "message"),
+    [
+        ({"facade": {"height_m": 0.74}}, "facade.height_m = 0.74: expected at least 2 × "),
+        ({"facade": {"gap_m": 0.375}}, "facade.gap_m = 0.375: expected a value below facade.thick"),
+        ({"facade": {"tilt_deg": 3.4}}, "facade.tilt_deg = 3.4: expected less than atan"),
+        ({"return_wall": {"count": 12}}, "return_wall.count = 12: expected count × thickness_m"),
+        ({"return_wall": {"thickness_m": 5}}, "return_wall.thickness_m = 5: expected a value at"),
+        ({"facade": {"sides": "two"}}, "models = ['W1', 'W2']: expected [W1] with facade.sides"),
+        ({"facade": {"gap_m": 0.01}, "models": "W2c"}, "facade.gap_m = 0.01: expected 0 (m)"),
+        ({"baseline": {"highpass_hz": 9, "lowpass_hz": 9}}, "baseline.highpass_hz = 9: expected"),
+        ({"ida": {"start_g": 3}}, "ida.start_g = 3: expected a value below ida.max_pga_g = 3"),
+        ({"ensemble": {"percentiles": [60, 90]}}, "ensemble.percentiles = [60, 90]: expected one"),
+    ],
+)  # fmt: skip
+def test_impossible_geometry_and_combinations_are_refused(config, message):
+    assert refusal(config).startswith(f"config: {message}")
+
+
+def test_the_limits_themselves_are_allowed():
+    # b/h = 0.05787, so 3.31° stands and 3.32° has fallen; 11 walls of 0.4 m just fill 4.4 m
+    resolve({"facade": {"tilt_deg": 3.31}})
+    refusal({"facade": {"tilt_deg": 3.32}})
+    resolve({"return_wall": {"count": 11, "thickness_m": 0.4}})
+    resolve({"facade": {"height_m": 0.75}})
+    resolve(
+        {"facade": {"sides": "two", "gap_m": 0.1}, "models": "W1", "return_wall": {"count": 20}}
+    )
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["../x", "a/b", "a\\b", ".", "..", ".x", "-x", "", "a b", "a\n", "a;b", "$(id)", "é", "{x}"],
+)
+def test_run_names_cannot_leave_the_results_folder(name):
+    assert "run = " in refusal({"run": name})
+    refusal({"scenarios": {name: {}}, "run": "x/"}, expand_scenarios)
+
+
+def test_cycles_and_bombs_are_refused_quickly():
+    loop = {}
+    loop["facade"] = loop
+    assert "levels deep" in refusal(loop)
+    bomb = ["lol"] * 10
+    for _ in range(8):
+        bomb = [bomb] * 10
+    assert "more than 20000 values" in refusal({"facade": bomb})
+    assert "combinations" in refusal({"grid": {"facade.height_m": list(range(40)),
+                                               "facade.width_m": list(range(40))}},
+                                     expand_scenarios)  # fmt: skip
+
+
+def test_relevant_changes_with_its_own_sections_only():
+    base, tall = resolve({}), resolve({"facade": {"height_m": 7.0}})
+    assert relevant(base, "facade") != relevant(tall, "facade")
+    assert relevant(base, "smdof", "seed") == relevant(tall, "smdof", "seed")
+    assert relevant(base, "facade.width_m") == relevant(tall, "facade.width_m")
+    assert json.loads(relevant(tall, "facade.height_m")) == {"facade.height_m": 7.0}
+    with pytest.raises(KeyError):
+        relevant(base, "facades")
+
+
+def test_the_written_configuration_gives_the_run_again(tmp_path):
+    one = resolve({"run": "tall", "facade": {"height_m": 1e-5, "thickness_m": "1e-6"},
+                   "numerics": {"node_radius_m": 1e-7}, "ensemble": {"enabled": "off"},
+                   "records": ["1ST280", "2024"]})  # fmt: skip
+    path = tmp_path / "new" / "config.yaml"
+    write_resolved(one, path)
+    assert list(expand_scenarios(yaml.safe_load(path.read_text("utf-8"))).values()) == [one]
+    check_files([path])
+    os.utime(path, (1, 1))
+    write_resolved(one, path)
+    assert path.stat().st_mtime == 1  # the same text does not make later steps run again
+    write_resolved(resolve({}), path)
+    assert "run: main" in path.read_text("utf-8")
+    assert [p.name for p in path.parent.iterdir()] == ["config.yaml"]
+
+
+def test_a_key_that_stands_twice_is_refused_with_its_line(tmp_path):
+    path = tmp_path / "own.yaml"
+    path.write_text("run: a\nfacade:\n  height_m: 7\n  width_m: 4\n  height_m: 8\n")
+    assert refusal([path], check_files) == f"config: {path} line 5: key 'height_m' stands twice"
+    path.write_text("a: &x {k: 1}\nb: {<<: *x, k: 2}\n")  # a merge key may be overridden
+    check_files([path])
+    path.write_text("run: [a\n")
+    assert f"{path} line 2" in refusal([path], check_files)
+    path.write_text("run: 2024-13-45\n")
+    assert "not readable as YAML" in refusal([path], check_files)
+    path.write_bytes(b"run: \xff\n")
+    assert "not UTF-8" in refusal([path], check_files)
+    assert "No such file" in refusal([tmp_path / "absent.yaml"], check_files)
+    assert "YAML" in refusal([], lambda _: config_files.check_text("[" * 5000, "deep.yaml"))
+
+
+def test_fuzzed_configurations_resolve_or_are_refused_in_one_line():
+    outcomes, failure = fuzz_config.fuzz(600, seed=20)
+    assert failure is None, failure
+    assert min(outcomes["refused"], outcomes["resolved"]) > 60  # both paths were walked
