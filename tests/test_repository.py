@@ -1,0 +1,45 @@
+"""What the pages about the repository say agrees with the repository."""
+
+import re
+import subprocess
+import tomllib
+from pathlib import Path
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parents[1]
+
+
+def test_citation_version_and_licence_agree_with_the_package():
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
+    package = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    assert citation["version"] == package["version"]
+    assert (ROOT / "LICENSE").read_text("utf-8").startswith(f"{citation['license']} License")
+    assert {"cff-version", "message", "title", "authors"} <= set(citation)  # required by CFF 1.2
+    assert re.search(rf"## (Unreleased|{re.escape(package['version'])})",
+                     (ROOT / "CHANGELOG.md").read_text("utf-8"))  # fmt: skip
+
+
+def test_contributing_names_places_and_targets_that_exist():
+    text = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
+    places = re.findall(r"^\| `([\w/]+/)` \|", text, re.MULTILINE)
+    assert len(places) >= 6
+    assert [p for p in places if not (ROOT / p).is_dir()] == []
+    assert [p for p in re.findall(r"tests/\w+\.py", text) if not (ROOT / p).is_file()] == []
+    targets = set(re.findall(r"^(\w+):", (ROOT / "Makefile").read_text("utf-8"), re.MULTILINE))
+    assert set(re.findall(r"^make (\w+)", text, re.MULTILINE)) <= targets
+    recipe = (ROOT / "Makefile").read_text("utf-8")
+    commands = re.findall(r"^\.venv/bin/(?:ruff|snakefmt|mypy|snakemake).*$", text, re.MULTILINE)
+    assert commands
+    assert [c for c in commands if c not in recipe] == []  # said to be what `make test` runs
+
+
+def test_results_are_not_committed():
+    try:
+        done = subprocess.run(
+            ["git", "ls-files", "results"], cwd=ROOT, capture_output=True, text=True, check=True
+        )
+    except (OSError, subprocess.CalledProcessError):
+        pytest.skip("not a git clone")
+    assert set(done.stdout.split()) <= {"results/README.md"}
