@@ -24,6 +24,7 @@ from .scene import Block, NodeList, Scene, box_inertia
 BASE = "base"
 FACADE = "façade"
 GROUND = "ground"
+GRAVITY_M_S2 = 9.81
 
 
 def uses_chain(model):
@@ -68,7 +69,7 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
         One column of nodes and planar freedoms, or three dimensions.
     release_ratio : float
         θ₀/α of a free-rocking release: the façade starts rotated outward about
-        its front toe, at rest, with the toe already carrying its weight.
+        its front toe, at rest, with the base nodes around the toe carrying its weight.
 
     Returns
     -------
@@ -108,12 +109,11 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
         BASE, 1, 0, positions, (0, 0, 1), areas, jkn_base, ratio * jkn_base,
         beta_s=beta_s, friction_rad=math.radians(facade["friction_deg"]), gap_m=gaps,
     )  # fmt: skip
-    base_stiffness = jkn_base * b * width
-    displacement, rotation = _initial_pose(
-        h, b, tilt + release_ratio * math.atan2(b, h),
-        mass * 9.81, base_stiffness,
-        toe_stiffness=base_stiffness * weights[-1] if release_ratio > 0.0 else None,
-    )  # fmt: skip
+    # lift of each base node in the pose turned about the toe; debris lies under a tilted base
+    angle = release_ratio * math.atan2(b, h)
+    lift = (1.0 - points) * b * math.sin(angle)
+    settlement = _settlement(mass * GRAVITY_M_S2, weights * b * width * jkn_base, lift)
+    displacement, rotation = _initial_pose(h, b, tilt + angle, settlement)
     blocks.append(
         Block(FACADE, (0.0, 0.5 * b, 0.5 * h), (width, b, h), mass,
               box_inertia(mass, (width, b, h)), free="yzX" if planar else "xyzXYZ",
@@ -145,13 +145,22 @@ def _spread(line_xyz, areas, columns, column_weights, gap_m=0.0):
     )
 
 
-def _initial_pose(h, b, angle, weight_n, base_stiffness, toe_stiffness):
-    """Pose rotated outward by `angle` about the front toe, settled by the weight.
+def _settlement(weight_n, kn_n_m, lift_m):
+    """Settlement s at which the base nodes carry the weight, Σ kn·max(0, s − lift) = W [m].
 
-    At rest the base carries W/Σkn; on release the toe node alone carries W.
-    A rotation about −x is outward.
+    Piecewise linear and increasing in s: nodes come into contact in order of their lift.
     """
-    settlement = weight_n / (base_stiffness if toe_stiffness is None else toe_stiffness)
+    order = np.argsort(lift_m)
+    lift, kn = lift_m[order], kn_n_m[order]
+    for closed in range(1, len(lift) + 1):
+        settlement = (weight_n + kn[:closed] @ lift[:closed]) / kn[:closed].sum()
+        if closed == len(lift) or settlement <= lift[closed]:
+            return float(settlement)
+    raise AssertionError("unreachable: the last node closes the loop")
+
+
+def _initial_pose(h, b, angle, settlement):
+    """Pose turned outward by `angle` about the front toe and settled; outward is about −x."""
     arm = np.array([-0.5 * b, 0.5 * h])  # toe → centroid, in (y, z)
     c, s = math.cos(angle), math.sin(angle)
     turned = np.array([c * arm[0] + s * arm[1], -s * arm[0] + c * arm[1]])

@@ -1,0 +1,131 @@
+"""Façade runs for tests; imported inside YADE's Python."""
+
+import socket
+
+import numpy as np
+
+from yade_scripts import engine, facade, run_ida, simulate
+
+
+def quiet(scene, duration_s=100.0):
+    """Motions of supports that stay where they are."""
+    still = engine.Motion(np.array([0.0, duration_s]), np.zeros(2))
+    return dict.fromkeys(scene.motions, still)
+
+
+def drive(config, time_s, acceleration_m_s2, dt_s):
+    """Displacement of the driven base when its motion ends [m], while the façade rocks on it."""
+    scene = facade.facade_scene(config, "W1", 0.00276)
+    motion = engine.Motion(np.array(time_s), np.array(acceleration_m_s2))
+    kept = []
+    rules = simulate.StopRules(time_s[-1], time_s[-1], overturn_ratio=1e9)
+    simulate.run(scene, {"ground": motion}, dt_s, rules, setup=kept.append)
+    return kept[0].omega.bodies[kept[0].body[0]].state.pos[1] - scene.blocks[0].centre_m[1]
+
+
+def static_penetration(config, model):
+    """Penetration of every node in the initial pose, from YADE's own contact geometry [m]."""
+    scene = facade.facade_scene(config, model, 0.0)
+    built = engine.build(scene, quiet(scene), 1e-6)
+    built.omega.run(1, True)
+    depth = [0.0] * len(scene.nodes)
+    for contact in built.omega.interactions:
+        for body in (contact.id1, contact.id2):
+            if body in built.node_body:
+                depth[built.node_body.index(body)] = contact.geom.penetrationDepth
+    return depth
+
+
+def node_stiffness(config, model, beta_s):
+    """Stiffness, dashpots and friction of YADE's contacts beside those of the scene's nodes."""
+    scene = facade.facade_scene(config, model, beta_s)
+    # press every node into its face so that all contacts exist
+    scene.nodes.gap_m = scene.nodes.gap_m - 1e-3
+    built = engine.build(scene, quiet(scene), 1e-7)
+    built.omega.run(1, True)
+    out = [None] * len(scene.nodes)
+    for contact in built.omega.interactions:
+        node = built.node_body.index(max(contact.id1, contact.id2, key=built.node_body.count))
+        p = contact.phys
+        out[node] = [p.kn, p.ks, p.cn, p.cs, p.tangensOfFrictionAngle]
+    n = scene.nodes
+    expected = np.stack(
+        [n.kn_n_m, n.ks_n_m, n.beta_s * n.kn_n_m, n.beta_s * n.ks_n_m, np.tan(n.friction_rad)]
+    ).T
+    return {"yade": out, "scene": expected.tolist()}
+
+
+def release(config, beta_s, ratio, dt_s, limit_s, sample_s=0.001):
+    """Outward rotation history of a free-rocking release."""
+    scene = facade.facade_scene(config, "W1", beta_s, release_ratio=ratio)
+    rules = simulate.StopRules(0.0, limit_s, overturn_ratio=1e9)
+    h = simulate.run(scene, quiet(scene), dt_s, rules, sample_s=sample_s)
+    return {"time_s": h.time_s.tolist(), "rotation_rad": h.rotation_rad.tolist()}
+
+
+def shaken(config, model, beta_s, time_s, columns, factor):
+    """Peak d/b, status and reason of one earthquake run."""
+    scene = facade.facade_scene(config, model, beta_s)
+    columns = {name: np.array(values) for name, values in columns.items()}
+    h = run_ida.run_one(scene, np.array(time_s), columns, factor, config["numerics"])
+    return {"peak": h.peak_d_over_b, "status": h.status, "reason": h.reason, "d": h.d_m.tolist()}
+
+
+def drive_speed(config, model, beta_s, time_s, columns):
+    """Steps per second with supports driven by YADE's engine, and by Python every step."""
+    import __main__
+
+    scene = facade.facade_scene(config, model, beta_s)
+    time_s = np.array(time_s)
+    motions = run_ida.scaled_motions(
+        time_s, {k: np.array(v) for k, v in columns.items()}, scene.motions, 1.0
+    )
+    step, _ = simulate.choose_step(scene, config["numerics"])
+    rules = simulate.StopRules(time_s[-1], time_s[-1], overturn_ratio=1e9)
+    inside = simulate.run(scene, motions, step, rules)
+
+    def python_drive(built):
+        wrapper = engine.load_yade()
+        omega = built.omega
+        engines = [
+            e for e in omega.engines
+            if type(e).__name__ not in ("InterpolatingDirectedForceEngine", "PyRunner")
+        ]  # fmt: skip
+        supports = [
+            (omega.bodies[i].state, motions[b.motion])
+            for i, b in zip(built.body, scene.blocks, strict=True) if b.motion
+        ]  # fmt: skip
+
+        def step_supports():
+            t, dt = omega.time, omega.dt
+            for state, motion in supports:
+                a = np.interp(t, motion.time_s, motion.acceleration_m_s2)
+                state.vel = (0.0, state.vel[1] + a * dt, 0.0)
+
+        __main__._drive = step_supports
+        omega.engines = [wrapper.PyRunner(command="_drive()", iterPeriod=1), *engines]
+
+    outside = simulate.run(scene, motions, step, rules, setup=python_drive)
+    return {"inside": inside.steps / inside.wall_s, "outside": outside.steps / outside.wall_s}
+
+
+def listening_ports():
+    """Number of TCP sockets this process listens on after YADE is loaded and has run."""
+    import os
+
+    engine.load_yade().Omega().run(1, True)
+    inodes = set()
+    for fd in os.listdir("/proc/self/fd"):
+        try:
+            target = os.readlink(f"/proc/self/fd/{fd}")
+        except OSError:
+            continue
+        if target.startswith("socket:["):
+            inodes.add(target[8:-1])
+    count = 0
+    for name in ("tcp", "tcp6"):
+        with open(f"/proc/net/{name}") as table:
+            for line in list(table)[1:]:
+                fields = line.split()
+                count += fields[3] == "0A" and fields[9] in inodes
+    return {"listening": count, "host": socket.gethostname() != ""}

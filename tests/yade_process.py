@@ -1,0 +1,33 @@
+"""Run a function of a test-case module inside YADE's own Python, and bring its result back."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PYTHON = os.environ.get("YADE_PYTHON", "/usr/bin/python3")
+
+CALL = """
+import importlib, json, sys
+sys.path[:0] = [{root!r}, {tests!r}]
+case = importlib.import_module({module!r})
+print("RESULT" + json.dumps(getattr(case, {function!r})(**json.load(sys.stdin))))
+"""
+
+
+def in_yade(module, function, **arguments):
+    """Call `module.function(**arguments)`, both from tests/, in a YADE process; return its result."""
+    code = CALL.format(root=str(ROOT), tests=str(ROOT / "tests"), module=module, function=function)
+    done = subprocess.run(
+        [PYTHON, "-c", code], input=json.dumps(arguments), capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr[-2000:]
+    return json.loads(done.stdout.rpartition("RESULT")[2])
+
+
+def resolved(**sections):
+    """Default configuration with some keys of some sections replaced."""
+    from rocking import config
+
+    return config.resolve(sections)
