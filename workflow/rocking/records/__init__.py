@@ -1,0 +1,92 @@
+"""Ground motions: the records table, file readers, baseline treatment and surrogates.
+
+row  = read_table("config/records.tsv")["RRS228"]
+rec  = load("RRS228", "config/records.tsv")      # m/s², from its file or a surrogate
+peak = measures(rec)                             # pga_g, pgv_cm_s, pgd_cm, duration_s
+"""
+
+import os
+
+from .baseline import treat
+from .errors import RecordError
+from .formats import FORMATS
+from .reader import detect, nearest, read_record
+from .record import G_M_S2, Record, integrate, measures
+from .store import read_csv, write_csv
+from .surrogate import DEFAULT_SEED, generate
+from .surrogate_data import read_specs
+from .table import Row, read_table
+
+__all__ = [
+    "DEFAULT_SEED",
+    "FORMATS",
+    "G_M_S2",
+    "Record",
+    "RecordError",
+    "Row",
+    "detect",
+    "generate",
+    "integrate",
+    "load",
+    "measures",
+    "read_csv",
+    "read_record",
+    "read_specs",
+    "read_table",
+    "records_row",
+    "treat",
+    "write_csv",
+]
+
+RECORDS_COLUMNS = ("record", "source", "dt_s", "duration_s", "pga_g", "pgv_cm_s", "pgd_cm")
+
+
+def load(name, table_path, *, baseline="none", seed=DEFAULT_SEED, surrogates_path=None):
+    """Load the motion of one table row, from its file or as a surrogate.
+
+    Parameters
+    ----------
+    name : str
+        Record in the table.
+    table_path : str
+        The records table.
+    baseline : str or mapping
+        Treatment of a file's record: a method of `baseline.treat`, or a mapping of its
+        keywords (the configuration's section `baseline`). Surrogates start and end at
+        rest and are not treated.
+    seed : int
+        Seed of the surrogates' noise.
+    surrogates_path : str or None
+        Surrogate parameters; `surrogates.yaml` beside the table when None and there is
+        one. A record without an entry gets parameters derived from its peaks.
+
+    Returns
+    -------
+    Record
+
+    Raises
+    ------
+    RecordError
+        Naming the table, file, row or line.
+    """
+    table = read_table(table_path)
+    if name not in table:
+        raise RecordError(f"{table_path}: no record {name!r}{nearest(str(name), table)}")
+    row = table[name]
+    if row.path is not None:
+        keys = ("format", "component", "dt_s", "units")
+        record = read_record(row.path, name=name, **{key: getattr(row, key) for key in keys})
+        options = {"method": baseline} if isinstance(baseline, str) else dict(baseline)
+        return treat(record, **options)
+    if surrogates_path is None:
+        beside = os.path.join(os.path.dirname(os.fspath(table_path)), "surrogates.yaml")
+        surrogates_path = beside if os.path.isfile(beside) else None
+    spec = read_specs(surrogates_path).get(name) if surrogates_path else None
+    return generate(name, **row.targets, spec=spec, seed=seed)
+
+
+def records_row(record):
+    """Return the record's row of tables/records.csv, keys RECORDS_COLUMNS."""
+    peaks = measures(record)
+    values = {"record": record.name, "source": record.source, "dt_s": record.dt_s} | peaks
+    return {column: values[column] for column in RECORDS_COLUMNS}

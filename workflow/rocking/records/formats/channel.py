@@ -1,0 +1,40 @@
+"""What a format module hands back: one channel of a file, still in its own units."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Channel:
+    """One acceleration channel.
+
+    Parameters
+    ----------
+    label : str
+        Component as the file names it ("S26W", "90 DEG", "E-W", a column's heading).
+    azimuth_deg : int or None
+        Direction of positive motion, clockwise from north, when the file states it.
+    values : ndarray, shape (n,)
+        Acceleration in `units`.
+    line : int
+        Line of the first sample, for messages.
+    units : str or None
+        Canonical unit; None when the file does not state it.
+    dt_s : float or None
+        Time step; None when the file does not state it.
+    peak_stated : float or None
+        The header's largest acceleration (magnitude, in `units`) and the relative or
+        absolute disagreement, whichever is larger, that its rounding explains.
+    peak_tolerance : tuple of 2 floats
+        (relative, absolute in `units`).
+    """
+
+    label: str
+    values: np.ndarray
+    line: int
+    azimuth_deg: int | None = None
+    units: str | None = None
+    dt_s: float | None = None
+    peak_stated: float | None = None
+    peak_tolerance: tuple = (0.01, 0.0)

@@ -1,0 +1,174 @@
+"""From a file to metres per second squared: format, component, units and step.
+
+What the file states and what the table states must agree; what neither states is
+asked for.
+"""
+
+import difflib
+import os
+import re
+
+import numpy as np
+
+from .errors import RecordError
+from .formats import FORMATS
+from .record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, Record, check_plausible, unit_name
+from .text import read_text
+
+
+def detect(path):
+    """Return the name of the format a file looks like.
+
+    Raises RecordError when none fits.
+    """
+    return _detect(read_text(path)).name
+
+
+def _detect(text):
+    for form in FORMATS.values():
+        if form.sniff(text):
+            return form
+    raise text.error(
+        1, f"format not recognised; state it in the column format, one of {', '.join(FORMATS)}"
+    )
+
+
+def _format(name):
+    form = FORMATS.get(name.lower())
+    if form is None:
+        raise RecordError(f"unknown format {name!r}{nearest(name.lower(), FORMATS)}")
+    return form
+
+
+def nearest(word, words):
+    """Return "; did you mean 'x'?" for the nearest of `words`, or the whole list."""
+    close = difflib.get_close_matches(word, list(words), n=1, cutoff=0.5)
+    return f"; did you mean {close[0]!r}?" if close else f"; expected one of {', '.join(words)}"
+
+
+def choose_component(channels, component, path):
+    """Pick one channel by its label, its azimuth in degrees or its place "#n" (from 1).
+
+    With a single channel `component` may be empty. A component that fits none, or
+    more than one, is refused with the list of what there is.
+    """
+    have = ", ".join(f"#{i} {channel.label!r}" for i, channel in enumerate(channels, 1))
+    if not component:
+        if len(channels) == 1:
+            return channels[0]
+        raise RecordError(f"{path}: {len(channels)} components ({have}); say which in component")
+    word = " ".join(str(component).split()).lower()
+    place = re.fullmatch(r"#(\d{1,3})", word)
+    if place:
+        found = channels[int(place[1]) - 1 : int(place[1])] if int(place[1]) else []
+    else:
+        found = [c for c in channels if " ".join(c.label.split()).lower() == word]
+        if not found and re.fullmatch(r"\d{1,3}", word):
+            found = [c for c in channels if c.azimuth_deg is not None]
+            found = [c for c in found if c.azimuth_deg % 360 == int(word) % 360]
+    if len(found) != 1:
+        problem = "fits more than one of" if found else "is none of"
+        raise RecordError(f"{path}: component {str(component)!r} {problem} {have}")
+    return found[0]
+
+
+def read_record(path, *, name=None, format=None, component=None, dt_s=None, units=None):
+    """Read one component of a record file.
+
+    Parameters
+    ----------
+    path : str
+        The file.
+    name : str or None
+        Name of the record; the file's stem when None.
+    format : str or None
+        One of `FORMATS`; detected when None or empty.
+    component : str or None
+        Label, azimuth in degrees, or "#n"; see `choose_component`.
+    dt_s : float or None
+        Time step; needed when the file has none, checked (0.1 %) when it has.
+    units : str or None
+        Units of the file's accelerations; needed or checked likewise.
+
+    Returns
+    -------
+    Record
+        In m/s², source "file", baseline "none".
+
+    Raises
+    ------
+    RecordError
+        Anything wrong with the file or a contradiction with what is stated.
+    """
+    path = os.fspath(path)
+    text = read_text(path)
+    form = _format(format) if format else _detect(text)
+    channel = choose_component(form.read(text), component, path)
+    unit = _units(channel, units, text)
+    step = _step(channel, dt_s, text)
+    _check_peak(channel, text)
+    acceleration = np.array(channel.values, dtype=float) * UNITS_M_S2[unit]
+    check_plausible(acceleration, unit, path)
+    return Record(
+        name or os.path.splitext(os.path.basename(path))[0],
+        acceleration,
+        step,
+        "file",
+        unit,
+        details={
+            "file": os.path.basename(path),
+            "format": form.name,
+            "component": channel.label,
+            "sha256": text.sha256,
+        },
+    )
+
+
+def _units(channel, stated, text):
+    unit = None
+    if stated:
+        unit = unit_name(stated)
+        if unit is None:
+            raise RecordError(
+                f"{text.path}: unknown units {stated!r}; expected one of {', '.join(UNITS_M_S2)}"
+            )
+        if channel.units and unit != channel.units:
+            raise text.error(
+                channel.line, f"the file is in {channel.units}, but units {stated!r} are stated"
+            )
+    unit = channel.units or unit
+    if unit is None:
+        raise RecordError(
+            f"{text.path}: the file states no units; state one of {', '.join(UNITS_M_S2)}"
+        )
+    return unit
+
+
+def _step(channel, stated, text):
+    step = channel.dt_s
+    if step is None:
+        step = stated
+    elif stated is not None and not abs(stated - step) <= 1e-3 * step:
+        raise text.error(
+            channel.line, f"the file's time step is {step:g} s, but dt_s {stated:g} is stated"
+        )
+    if step is None:
+        raise RecordError(f"{text.path}: the file states no time step; state dt_s")
+    if not MIN_DT_S <= step <= MAX_DT_S:
+        raise text.error(
+            channel.line, f"time step {step:g} s; expected {MIN_DT_S:g} … {MAX_DT_S:g} s"
+        )
+    return float(step)
+
+
+def _check_peak(channel, text):
+    if channel.peak_stated is None:
+        return
+    peak = float(np.max(np.abs(channel.values)))
+    relative, absolute = channel.peak_tolerance
+    if abs(peak - channel.peak_stated) > max(relative * channel.peak_stated, absolute):
+        raise text.error(
+            channel.line,
+            f"largest value {peak:g} {channel.units}, but the header states "
+            f"{channel.peak_stated:g}: the data or the header is damaged",
+        )

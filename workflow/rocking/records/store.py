@@ -1,0 +1,68 @@
+"""The normalised record between rules: a CSV of the motion, a JSON of its provenance.
+
+`{name}.csv` has the columns time_s and acceleration_m_s2 and nothing else, so that any
+tool reads it; `{name}.json` beside it has name, dt_s, source, units_read, baseline and
+details. Both are written to a temporary name and renamed.
+"""
+
+import json
+import os
+
+import numpy as np
+
+from .errors import RecordError
+from .formats.columns import read_csv as read_columns
+from .record import Record
+from .text import read_text
+
+_KEYS = {"name": str, "dt_s": float, "source": str, "units_read": str, "baseline": str}
+
+
+def side_path(path):
+    """Return the provenance file's path for a record's CSV path."""
+    return os.path.splitext(os.fspath(path))[0] + ".json"
+
+
+def _write(path, content):
+    temporary = f"{path}.{os.getpid()}.tmp"
+    try:
+        with open(temporary, "w", encoding="utf-8", newline="\n") as stream:
+            stream.write(content)
+        os.replace(temporary, path)
+    finally:
+        if os.path.exists(temporary):
+            os.remove(temporary)
+
+
+def write_csv(record, path):
+    """Write a record as `path` (CSV) and its provenance beside it (JSON)."""
+    rows = zip(record.time_s.tolist(), record.acceleration_m_s2.tolist(), strict=True)
+    body = "".join(f"{time:.9g},{a:.9g}\n" for time, a in rows)
+    provenance = {key: getattr(record, key) for key in _KEYS} | {"details": record.details}
+    # Provenance first: a CSV that exists always has its side file.
+    _write(side_path(path), json.dumps(provenance, indent=1, sort_keys=True) + "\n")
+    _write(os.fspath(path), "time_s,acceleration_m_s2\n" + body)
+
+
+def read_csv(path):
+    """Read a record written by `write_csv`.
+
+    Raises
+    ------
+    RecordError
+        Either file missing or damaged, or the two do not belong together.
+    """
+    channel = read_columns(read_text(path))[0]
+    side = side_path(path)
+    text = read_text(side)
+    try:
+        data = json.loads("\n".join(text.lines))
+        values = {key: kind(data[key]) for key, kind in _KEYS.items()}
+        details = dict(data["details"])
+    except (ValueError, KeyError, TypeError, RecursionError) as problem:
+        raise RecordError(f"{side}: not a record's provenance ({str(problem)[:80]})") from None
+    if channel.units != "m/s2" or abs(channel.dt_s - values["dt_s"]) > 1e-6 * channel.dt_s:
+        raise RecordError(f"{side}: does not belong to {path} (units or time step differ)")
+    if values["source"] not in ("file", "surrogate"):
+        raise RecordError(f"{side}: source {values['source']!r}; expected file or surrogate")
+    return Record(acceleration_m_s2=np.array(channel.values), details=details, **values)

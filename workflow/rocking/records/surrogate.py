@@ -1,0 +1,339 @@
+"""Surrogate accelerograms: velocity pulses plus filtered noise, matched to given peaks.
+
+Real records may not be shipped. A surrogate has the same PGA, PGV, PGD and duration as
+the motion it stands for and a spectrum of the same character; it is not that record.
+
+    a(t) = Σ d/dt v_j(t) + s·h(t)∗[e(t)·w(t)] + c1·φ1(t) + c2·φ2(t)
+
+- v_j: velocity pulses of Mavroeidis & Papageorgiou (2003, BSSA 93(3), eq. 3);
+- e·w: white Gaussian noise under the envelope of Jennings, Housner & Tsai (1968),
+  parabolic rise, plateau, exponential decay; filtered after it is shaped, or the
+  envelope would put long periods back;
+- h: Kanai–Tajimi ground filter (Kanai 1957, Tajimi 1960) between a low and a high cut;
+  causal, with four zeros at zero frequency, so that ground comes back to rest by itself;
+- φ1 = sin²(πt/T), φ2 = φ1·(1 − 2t/T): the smallest smooth correction for which
+  velocity and displacement end at zero exactly (for piecewise-linear acceleration).
+
+Some parameters, three or more, named in the data (`solve`), are moved as little as
+possible so that PGA, PGV and PGD agree; everything else is as given in
+config/surrogates.yaml or by `default_spec`.
+"""
+
+import math
+import zlib
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from scipy.signal import bilinear, butter, sosfilt
+
+from .errors import RecordError
+from .record import G_M_S2, MAX_PGA_G, MIN_PGA_G, Record, integrate
+
+TOLERANCE = 0.01  # accepted relative error of PGA, PGV and PGD
+DEFAULT_SEED = 1977
+MAX_DRAWS = 60  # noise draws tried before giving up
+MAX_DURATION_S = 600.0
+MAX_STEPS = 30
+MAX_LOG_CHANGE = 0.7  # solved parameters stay within a factor of 2 of the data's
+GOAL = 1e-6
+
+
+@dataclass(frozen=True)
+class Pulse:
+    """A Mavroeidis–Papageorgiou velocity pulse.
+
+    v(t) = A/2·[1 + cos(2π(t−t0)/(γ T))]·cos(2π(t−t0)/T + ν) for |t−t0| ≤ γT/2.
+
+    amplitude_m_s (A; its sign is the polarity), period_s (T), cycles (γ > 1),
+    phase_deg (ν), time_s (t0, centre).
+    """
+
+    amplitude_m_s: float
+    period_s: float
+    cycles: float
+    phase_deg: float
+    time_s: float
+
+    def acceleration(self, t):
+        """Return dv/dt at times t [m/s²]."""
+        tau = t - self.time_s
+        w, wg = 2 * math.pi / self.period_s, 2 * math.pi / (self.period_s * self.cycles)
+        phase = w * tau + math.radians(self.phase_deg)
+        a = -0.5 * (
+            wg * np.sin(wg * tau) * np.cos(phase) + w * (1 + np.cos(wg * tau)) * np.sin(phase)
+        )
+        return np.where(
+            np.abs(tau) <= 0.5 * self.cycles * self.period_s, self.amplitude_m_s * a, 0.0
+        )
+
+
+@dataclass(frozen=True)
+class Noise:
+    """Filtered noise: rms over the plateau, Kanai–Tajimi filter, cuts, envelope.
+
+    rms_m_s2; frequency_hz and damping of the ground; low_cut_hz and high_cut_hz of
+    Butterworth filters of order 4; envelope rise_s (start of the
+    plateau), strong_end_s (its end), decay_s (time constant after it).
+    """
+
+    rms_m_s2: float
+    frequency_hz: float
+    damping: float
+    low_cut_hz: float
+    high_cut_hz: float
+    rise_s: float
+    strong_end_s: float
+    decay_s: float
+
+    def sections(self, dt_s):
+        """Return the digital filter as second-order sections (bilinear transform).
+
+        Kanai–Tajimi (2ζω s + ω²)/(s² + 2ζω s + ω²), Butterworth high- and low-pass of
+        order 4 at the cuts.
+        """
+        w = 2 * math.pi * self.frequency_hz
+        ground = bilinear([2 * self.damping * w, w**2], [1, 2 * self.damping * w, w**2], 1 / dt_s)
+        return np.vstack(
+            [
+                np.concatenate(ground)[None, :],
+                butter(4, self.low_cut_hz, "highpass", fs=1 / dt_s, output="sos"),
+                butter(4, self.high_cut_hz, "lowpass", fs=1 / dt_s, output="sos"),
+            ]
+        )
+
+    def envelope(self, t):
+        """Return the envelope at times t, plateau 1."""
+        rise = np.minimum(t / self.rise_s, 1.0) ** 2
+        return rise * np.exp(-np.maximum(t - self.strong_end_s, 0.0) / self.decay_s)
+
+
+@dataclass(frozen=True)
+class Spec:
+    """All parameters of a surrogate: step, pulses, noise, and which of them to solve for.
+
+    solve holds three or more names, "noise.<field>" or "pulses.<index>.<field>"; their values
+    in the data are where the search starts.
+    """
+
+    dt_s: float
+    pulses: tuple
+    noise: Noise
+    solve: tuple
+    notes: str = field(default="", compare=False)
+
+    def values(self):
+        """Values of the solved parameters."""
+        return [getattr(self._owner(name)[0], name.split(".")[-1]) for name in self.solve]
+
+    def with_values(self, values):
+        """Return a copy with the solved parameters replaced."""
+        spec = self
+        for name, value in zip(self.solve, values, strict=True):
+            owner, index = spec._owner(name)
+            owner = replace(owner, **{name.split(".")[-1]: float(value)})
+            if index is None:
+                spec = replace(spec, noise=owner)
+            else:
+                pulses = (*spec.pulses[:index], owner, *spec.pulses[index + 1 :])
+                spec = replace(spec, pulses=pulses)
+        return spec
+
+    def _owner(self, name):
+        if name.startswith("noise."):
+            return self.noise, None
+        index = int(name.split(".")[1])
+        return self.pulses[index], index
+
+
+def default_spec(pga_g, pgv_cm_s, pgd_cm, duration_s):
+    """Parameters derived from the peaks alone, for a record without an entry of its own.
+
+    One pulse of period 2π·PGD/PGV, the period of a harmonic with those peaks, and noise
+    whose frequency follows PGA/PGV in the same way.
+    """
+    pgv, pgd = pgv_cm_s / 100, pgd_cm / 100
+    period = min(2 * math.pi * pgd / pgv, 0.3 * duration_s)
+    frequency = min(max(1.5 * pga_g * G_M_S2 / (2 * math.pi * pgv), 1.5), 8.0)
+    time = max(0.25 * duration_s, period + 0.05 * duration_s)
+    noise = Noise(
+        rms_m_s2=pga_g * G_M_S2 / 5,
+        frequency_hz=frequency,
+        damping=0.6,
+        low_cut_hz=max(0.2, 2 / duration_s),
+        high_cut_hz=20.0,
+        rise_s=0.12 * duration_s,
+        strong_end_s=0.4 * duration_s,
+        decay_s=0.15 * duration_s,
+    )
+    pulse = Pulse(0.8 * pgv, period, 2.0, 0.0, time)
+    names = ("pulses.0.amplitude_m_s", "pulses.0.period_s", "noise.rms_m_s2")
+    return Spec(0.01, (pulse,), noise, names)
+
+
+def _correction(t, dt_s):
+    """φ1, φ2 and the matrix of their end velocities and displacements."""
+    shape = np.sin(math.pi * t / t[-1]) ** 2
+    basis = np.array([shape, shape * (1 - 2 * t / t[-1])])
+    ends = np.array([[series[-1] for series in integrate(row, dt_s)] for row in basis]).T
+    return basis, ends
+
+
+class _Model:
+    """Acceleration as a function of the parameters, for one noise draw."""
+
+    def __init__(self, spec, count, white):
+        self.dt_s = spec.dt_s
+        self.t = spec.dt_s * np.arange(count)
+        # The shaped noise and, in the second row, an impulse that gives the filter's power.
+        self.input = np.zeros((2, count))
+        self.input[0] = white * spec.noise.envelope(self.t)
+        self.input[1, 0] = 1.0
+        self.basis, self.ends = _correction(self.t, spec.dt_s)
+        # Samples at the ends are brought to zero over the first and last 2 % of the time.
+        ramp = np.clip(np.minimum(self.t, self.t[-1] - self.t) / (0.02 * self.t[-1]), 0, 1)
+        self.taper = np.sin(0.5 * math.pi * ramp) ** 2
+
+    def acceleration(self, spec):
+        a, impulse = sosfilt(spec.noise.sections(self.dt_s), self.input)
+        a *= spec.noise.rms_m_s2 / math.sqrt(np.sum(impulse**2))
+        for pulse in spec.pulses:
+            a = a + pulse.acceleration(self.t)
+        a = a * self.taper
+        v, d = integrate(a, self.dt_s)
+        return a - np.linalg.solve(self.ends, [v[-1], d[-1]]) @ self.basis
+
+    def log_peaks(self, spec):
+        a = self.acceleration(spec)
+        return np.log([np.max(np.abs(x)) for x in (a, *integrate(a, self.dt_s))])
+
+
+def _solve(model, spec, target):
+    """Find the parameters nearest to the data's (in logarithm) that give the target peaks.
+
+    Gauss–Newton steps of least norm (there may be more parameters than peaks), halved
+    until the largest error falls; peaks are continuous in the parameters but have kinks.
+    Returns the Spec and the largest error of the three log peaks.
+    """
+    start = np.array(spec.values())
+    sign, x0 = np.sign(start), np.log(np.abs(start))
+
+    def build(x):
+        return spec.with_values(sign * np.exp(x0 + x))
+
+    x = np.zeros(len(x0))
+    r = model.log_peaks(build(x)) - target
+    for _ in range(MAX_STEPS):
+        jacobian = np.empty((3, len(x)))
+        for j in range(len(x)):
+            shifted = x.copy()
+            shifted[j] += 1e-5
+            jacobian[:, j] = (model.log_peaks(build(shifted)) - target - r) / 1e-5
+        step = -np.linalg.pinv(jacobian, rcond=1e-3) @ r
+        step *= min(1.0, 0.3 / max(np.max(np.abs(step)), 1e-300))
+        for _ in range(8):
+            trial = np.clip(x + step, -MAX_LOG_CHANGE, MAX_LOG_CHANGE)
+            r_trial = model.log_peaks(build(trial)) - target
+            if np.max(np.abs(r_trial)) < np.max(np.abs(r)):
+                break
+            step = step / 2
+        else:
+            break
+        x, r = trial, r_trial
+        if np.max(np.abs(r)) < GOAL:
+            break
+    return build(x), float(np.max(np.abs(r)))
+
+
+def _check_targets(name, pga_g, pgv_cm_s, pgd_cm, duration_s):
+    given = {"pga_g": pga_g, "pgv_cm_s": pgv_cm_s, "pgd_cm": pgd_cm, "duration_s": duration_s}
+    limits = {
+        "pga_g": (MIN_PGA_G, MAX_PGA_G),
+        "pgv_cm_s": (1e-3, 1000.0),
+        "pgd_cm": (1e-4, 2000.0),
+        "duration_s": (2.0, MAX_DURATION_S),
+    }
+    for key, (low, high) in limits.items():
+        if not low <= given[key] <= high:
+            raise RecordError(
+                f"record {name}: {key} is {given[key]:g}; expected {low:g} … {high:g} "
+                "for a surrogate"
+            )
+
+
+def _check_spec(name, spec, duration_s):
+    nyquist = 0.5 / spec.dt_s
+    noise = spec.noise
+    # The solved low cut may double.
+    if not 2 * noise.low_cut_hz < noise.high_cut_hz < nyquist:
+        raise RecordError(
+            f"record {name}: noise from {noise.low_cut_hz:g} to {noise.high_cut_hz:g} Hz; expected "
+            f"more than an octave, below {nyquist:g} Hz (half the sampling rate)"
+        )
+    for i, pulse in enumerate(spec.pulses):
+        if not pulse.time_s < duration_s:
+            raise RecordError(
+                f"record {name}: pulse {i} is at {pulse.time_s:g} s, after the end at "
+                f"{duration_s:g} s"
+            )
+
+
+def generate(name, pga_g, pgv_cm_s, pgd_cm, duration_s, *, spec=None, seed=DEFAULT_SEED):
+    """Make the surrogate of a record.
+
+    Parameters
+    ----------
+    name : str
+        Record name.
+    pga_g, pgv_cm_s, pgd_cm, duration_s : float
+        Targets; the peaks are met within TOLERANCE, the duration within half a step.
+    spec : Spec or None
+        Parameters; `default_spec` when None.
+    seed : int
+        With the name it fixes the noise.
+
+    Returns
+    -------
+    Record
+        Source "surrogate"; acceleration, velocity and displacement are zero at both ends.
+
+    Raises
+    ------
+    RecordError
+        No noise draw meets the three peaks, as when PGA·PGD/PGV² is below what a motion
+        that ends at rest can have.
+    """
+    _check_targets(name, pga_g, pgv_cm_s, pgd_cm, duration_s)
+    spec = spec or default_spec(pga_g, pgv_cm_s, pgd_cm, duration_s)
+    _check_spec(name, spec, duration_s)
+    target = np.log([pga_g * G_M_S2, pgv_cm_s / 100, pgd_cm / 100])
+    count = round(duration_s / spec.dt_s) + 1
+    best = None
+    for draw in range(MAX_DRAWS):
+        sequence = np.random.SeedSequence([seed, zlib.crc32(name.encode()), draw])
+        white = np.random.Generator(np.random.PCG64(sequence)).standard_normal(count)
+        model = _Model(spec, count, white)
+        solved, error = _solve(model, spec, target)
+        if best is None or error < best[0]:
+            best = (error, draw + 1, model, solved)
+        if error < GOAL:
+            break
+    assert best is not None
+    error, draw, model, solved = best
+    if error > TOLERANCE:
+        ratio = pga_g * G_M_S2 * pgd_cm / 100 / (pgv_cm_s / 100) ** 2
+        raise RecordError(
+            f"record {name}: no surrogate meets PGA, PGV and PGD within {TOLERANCE:.0%} "
+            f"(nearest {error:.1%}; PGA·PGD/PGV² = {ratio:.2g}); check the table or give it "
+            "parameters in the surrogates file"
+        )
+    details = {k: float(f"{v:.9g}") for k, v in zip(spec.solve, solved.values(), strict=True)}
+    details.update(seed=seed, draw=draw, peak_error=float(f"{error:.1e}"))
+    return Record(
+        name,
+        model.acceleration(solved),
+        spec.dt_s,
+        "surrogate",
+        "m/s2",
+        "none (surrogate, at rest at both ends)",
+        details,
+    )

@@ -1,0 +1,101 @@
+"""Surrogate parameters from config/surrogates.yaml, every key checked."""
+
+import math
+from dataclasses import fields
+
+import yaml
+
+from .errors import RecordError
+from .reader import nearest
+from .record import MAX_DT_S, MIN_DT_S
+from .surrogate import Noise, Pulse, Spec
+from .text import read_text
+
+KEYS = ("dt_s", "pulses", "noise", "solve", "notes")
+MAX_PULSES = 20
+SOLVABLE_PULSE = ("amplitude_m_s", "period_s")
+SOLVABLE_NOISE = ("rms_m_s2", "frequency_hz", "low_cut_hz")
+
+
+def read_specs(path):
+    """Read the surrogate parameters of all records in a file.
+
+    Returns
+    -------
+    dict of str to Spec
+
+    Raises
+    ------
+    RecordError
+        Naming the file and the key (or, for YAML itself, the line).
+    """
+    text = read_text(path)
+    try:
+        data = yaml.safe_load("\n".join(text.lines))
+    except yaml.YAMLError as problem:
+        mark = getattr(problem, "problem_mark", None)
+        line = mark.line + 1 if mark else 1
+        raise text.error(line, f"not YAML: {getattr(problem, 'problem', None)}") from None
+    except (ValueError, RecursionError) as problem:
+        # Impossible dates raise ValueError; thousands of brackets exhaust the parser's stack.
+        raise RecordError(f"{path}: not YAML: {str(problem)[:80]}") from None
+    if not isinstance(data, dict):
+        raise RecordError(f"{path}: expected a mapping of record names to parameters")
+    return {str(name): _spec(f"{path}: {name}", entry) for name, entry in data.items()}
+
+
+def _spec(where, entry):
+    _keys(where, entry, KEYS, {"pulses", "noise", "solve"})
+    if not isinstance(entry["pulses"], list) or not 1 <= len(entry["pulses"]) <= MAX_PULSES:
+        raise RecordError(f"{where}.pulses: expected a list of 1 to {MAX_PULSES} pulses")
+    pulses = tuple(
+        _build(Pulse, f"{where}.pulses.{i}", pulse) for i, pulse in enumerate(entry["pulses"])
+    )
+    for i, pulse in enumerate(pulses):
+        if pulse.cycles <= 1:
+            raise RecordError(f"{where}.pulses.{i}.cycles: {pulse.cycles:g}; expected more than 1")
+    noise = _build(Noise, f"{where}.noise", entry["noise"])
+    dt_s = entry.get("dt_s", 0.01)
+    if not _is_number(dt_s) or not MIN_DT_S <= dt_s <= MAX_DT_S:
+        raise RecordError(f"{where}.dt_s: {dt_s!r}; expected {MIN_DT_S:g} … {MAX_DT_S:g} s")
+    solvable = [f"noise.{key}" for key in SOLVABLE_NOISE]
+    solvable += [f"pulses.{i}.{key}" for i in range(len(pulses)) for key in SOLVABLE_PULSE]
+    solve = entry["solve"]
+    if not isinstance(solve, list) or len({str(name) for name in solve}) != max(len(solve), 3):
+        raise RecordError(f"{where}.solve: expected three or more different parameter names")
+    for name in solve:
+        if name not in solvable:
+            raise RecordError(
+                f"{where}.solve: unknown parameter {name!r}{nearest(str(name), solvable)}"
+            )
+    spec = Spec(float(dt_s), pulses, noise, tuple(solve), str(entry.get("notes", "")))
+    if any(value == 0 for value in spec.values()):
+        raise RecordError(f"{where}.solve: a parameter to solve for may not start at zero")
+    return spec
+
+
+def _keys(where, entry, known, required):
+    if not isinstance(entry, dict):
+        raise RecordError(f"{where}: expected a mapping with {', '.join(known)}")
+    for key in entry:
+        if key not in known:
+            raise RecordError(f"{where}: unknown key {key!r}{nearest(str(key), known)}")
+    for key in known:
+        if key in required and key not in entry:
+            raise RecordError(f"{where}: key {key!r} is missing")
+
+
+def _is_number(value):
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def _build(kind, where, entry):
+    """Build a Pulse or Noise; all values finite, all but amplitude and phase positive."""
+    names = [f.name for f in fields(kind)]
+    _keys(where, entry, names, set(names))
+    for key, value in entry.items():
+        if not _is_number(value):
+            raise RecordError(f"{where}.{key}: {value!r}; expected a number")
+        if value <= 0 and key not in ("amplitude_m_s", "phase_deg"):
+            raise RecordError(f"{where}.{key}: {value!r}; expected it positive")
+    return kind(**{key: float(value) for key, value in entry.items()})

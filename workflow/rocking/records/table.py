@@ -1,0 +1,162 @@
+"""The records table: tab-separated, one motion a row, every cell checked.
+
+Columns: record, file (relative to the table's folder or absolute; empty: surrogate),
+format, dt_s, units (empty: from the file), component (label, azimuth or "#n" in a file
+with several), then event, station, mw, distance_km, soil for the reader and pga_g,
+pgv_cm_s, pgd_cm, duration_s, which a surrogate must have. Only `record` is required.
+Lines that start with # are comments.
+"""
+
+import os
+import re
+from dataclasses import dataclass, field
+
+from .errors import RecordError
+from .formats import FORMATS
+from .reader import nearest
+from .record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, unit_name
+from .text import parse_number, read_text
+
+TEXT_COLUMNS = ("record", "file", "format", "units", "component", "event", "station", "soil")
+NUMBER_COLUMNS = ("dt_s", "mw", "distance_km", "pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
+COLUMNS = TEXT_COLUMNS + NUMBER_COLUMNS
+TARGETS = ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
+MAX_NAME = 64
+_NAME = re.compile(r"[A-Za-z0-9_+][A-Za-z0-9._+-]*")
+
+
+@dataclass(frozen=True)
+class Row:
+    """One motion of a records table; None where a cell is empty.
+
+    path is the record file's path, None for a surrogate; line the table's line.
+    """
+
+    record: str
+    path: str | None = None
+    format: str | None = None
+    dt_s: float | None = None
+    units: str | None = None
+    component: str | None = None
+    targets: dict = field(default_factory=dict)
+    about: dict = field(default_factory=dict)
+    line: int = 0
+
+    @property
+    def source(self):
+        """Return "file" or "surrogate"."""
+        return "surrogate" if self.path is None else "file"
+
+
+def check_name(name, where):
+    """Refuse a record name that is not safe in file names and command lines.
+
+    Letters, digits and . _ + - only, at most MAX_NAME, not starting with . or -.
+    """
+    if not _NAME.fullmatch(name) or len(name) > MAX_NAME:
+        raise RecordError(
+            f"{where}: record name {name[:80]!r}; expected letters, digits and . _ + - only, "
+            f"at most {MAX_NAME}, not starting with . or -"
+        )
+
+
+def read_table(path) -> dict[str, Row]:
+    """Read and check a records table.
+
+    Returns
+    -------
+    dict of str to Row
+        In the table's order.
+
+    Raises
+    ------
+    RecordError
+        Naming the table, the line and what was expected.
+    """
+    text = read_text(path)
+    lines = [
+        (number, line)
+        for number, line in enumerate(text.lines, 1)
+        if line.strip() and not line.startswith("#")
+    ]
+    if not lines:
+        raise RecordError(f"{text.path}: no header line")
+    number, header = lines[0]
+    columns = [cell.strip() for cell in header.split("\t")]
+    _check_columns(text, number, columns)
+    rows: dict[str, Row] = {}
+    seen: dict[str, int] = {}
+    for number, line in lines[1:]:
+        cells = [cell.strip() for cell in line.split("\t")]
+        if len(cells) > len(columns) or (len(cells) == 1 and len(columns) > 1 and " " in cells[0]):
+            raise text.error(
+                number, f"{len(cells)} cells; expected {len(columns)} separated by tabs"
+            )
+        row = _row(text, number, dict(zip(columns, cells, strict=False)))
+        # Compared without case: some file systems cannot keep "a" and "A" apart.
+        if row.record.lower() in seen:
+            raise text.error(
+                number, f"record {row.record!r} is already in line {seen[row.record.lower()]}"
+            )
+        seen[row.record.lower()] = number
+        rows[row.record] = row
+    if not rows:
+        raise RecordError(f"{text.path}: no record below the header")
+    return rows
+
+
+def _check_columns(text, number, columns):
+    for column in columns:
+        if column not in COLUMNS:
+            hint = "; the header is not tab-separated" if " " in column or "," in column else ""
+            raise text.error(
+                number, f"unknown column {column[:60]!r}{hint or nearest(column, COLUMNS)}"
+            )
+        if columns.count(column) > 1:
+            raise text.error(number, f"column {column!r} appears twice")
+    if "record" not in columns:
+        raise text.error(number, "no column 'record'")
+
+
+def _row(text, number, cells):
+    name = cells.get("record", "")
+    check_name(name, f"{text.path}, line {number}")
+    numbers = {}
+    for column in NUMBER_COLUMNS:
+        if cells.get(column):
+            value = parse_number(text, number, cells[column], f"a number in {column}")
+            if value < 0 or (value == 0 and column != "distance_km"):
+                raise text.error(number, f"{column} is {cells[column]!r}; expected it positive")
+            numbers[column] = value
+    if "dt_s" in numbers and not MIN_DT_S <= numbers["dt_s"] <= MAX_DT_S:
+        raise text.error(
+            number, f"dt_s is {numbers['dt_s']:g}; expected {MIN_DT_S:g} … {MAX_DT_S:g} s"
+        )
+    form = cells.get("format") or None
+    if form and form.lower() not in FORMATS:
+        raise text.error(number, f"unknown format {form!r}{nearest(form.lower(), FORMATS)}")
+    units = cells.get("units") or None
+    if units and unit_name(units) is None:
+        raise text.error(
+            number, f"unknown units {units!r}; expected one of {', '.join(UNITS_M_S2)}"
+        )
+    targets = {column: numbers[column] for column in TARGETS if column in numbers}
+    path = None
+    if cells.get("file"):
+        path = os.path.join(os.path.dirname(text.path), cells["file"])
+        if not os.path.isfile(path):
+            raise text.error(number, f"record {name}: no file {cells['file']!r} ({path})")
+    elif len(targets) < len(TARGETS):
+        missing = ", ".join(column for column in TARGETS if column not in targets)
+        raise text.error(
+            number, f"record {name}: no file, and a surrogate needs a value of {missing}"
+        )
+    about = {
+        column: numbers.get(column, cells.get(column))
+        for column in ("event", "station", "mw", "distance_km", "soil")
+        if cells.get(column)
+    }
+    return Row(
+        name, path, form, numbers.get("dt_s"), units, cells.get("component") or None,
+        targets, about, number,
+    )  # fmt: skip

@@ -1,0 +1,209 @@
+"""Safe reading of text files and blocks of numbers, every refusal with its line.
+
+The limits keep memory below 1 GB whatever the file holds: a record of 2 million
+samples lasts 10,000 s at 200 Hz.
+"""
+
+import hashlib
+import os
+import re
+from array import array
+from dataclasses import dataclass
+
+import numpy as np
+
+from .errors import RecordError
+
+MAX_BYTES = 64 * 2**20
+MAX_LINES = 2_000_000
+MAX_LINE_CHARACTERS = 10_000
+MAX_SAMPLES = 2_000_000
+
+_CONTROL = re.compile(rb"[\x00-\x08\x0b\x0e-\x1f\x7f]")
+_NUMERIC = re.compile(r"[0-9+\-.eE \t]*")
+
+
+@dataclass(frozen=True)
+class Text:
+    """A text file as lines without their ends; `line` arguments count from 1."""
+
+    path: str
+    lines: list
+    sha256: str
+
+    def error(self, line, message):
+        """Return the RecordError for a line of this file."""
+        return RecordError.at(self.path, line, message)
+
+    def line(self, number, expected):
+        """Return line `number` (from 1); raise when the file ends before it."""
+        if number > len(self.lines):
+            raise self.error(len(self.lines), f"the file ends here; expected {expected}")
+        return self.lines[number - 1]
+
+
+def read_text(path):
+    """Read a whole UTF-8 (or ASCII) text file of bounded size.
+
+    Raises
+    ------
+    RecordError
+        No such file, not a regular file, empty, larger than MAX_BYTES or MAX_LINES,
+        binary, not UTF-8, or with a line longer than MAX_LINE_CHARACTERS.
+    """
+    path = os.fspath(path)
+    # A named pipe or a device could block for ever, so only regular files are opened.
+    if not os.path.isfile(path):
+        state = "is not a regular file" if os.path.exists(path) else "does not exist"
+        raise RecordError(f"{path}: the file {state}")
+    try:
+        with open(path, "rb") as stream:
+            data = stream.read(MAX_BYTES + 1)
+    except OSError as problem:
+        raise RecordError(f"{path}: cannot be read ({problem.strerror})") from None
+    return text_from_bytes(path, data)
+
+
+def text_from_bytes(path, data):
+    """Check and decode bytes already read from `path`; see `read_text`."""
+    if len(data) > MAX_BYTES:
+        raise RecordError(f"{path}: larger than {MAX_BYTES // 2**20} MB; cut it to the motion")
+    digest = hashlib.sha256(data).hexdigest()
+    data = data.rstrip(b"\x1a")  # DOS end-of-file mark
+    if not data.strip():
+        raise RecordError(f"{path}: the file is empty")
+    control = _CONTROL.search(data)
+    if control:
+        line = data.count(b"\n", 0, control.start()) + 1
+        raise RecordError.at(
+            path, line, f"binary data (byte 0x{data[control.start()]:02x}); expected a text file"
+        )
+    if data.count(b"\n") + data.count(b"\r") > 2 * MAX_LINES:
+        raise RecordError(f"{path}: more than {MAX_LINES} lines")
+    try:
+        content = data.decode("utf-8-sig")
+    except UnicodeDecodeError as problem:
+        line = data.count(b"\n", 0, problem.start) + 1
+        raise RecordError.at(
+            path, line, f"byte 0x{data[problem.start]:02x} is not UTF-8; convert the file to UTF-8"
+        ) from None
+    # Not str.splitlines: it also breaks at separators no record format knows.
+    lines = content.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    if not lines[-1]:
+        lines.pop()
+    if len(lines) > MAX_LINES:
+        raise RecordError(f"{path}: more than {MAX_LINES} lines")
+    for number, line in enumerate(lines, 1):
+        if len(line) > MAX_LINE_CHARACTERS:
+            raise RecordError.at(path, number, f"longer than {MAX_LINE_CHARACTERS} characters")
+    return Text(path, lines, digest)
+
+
+def parse_number(text, number, token, what):
+    """Parse one finite decimal number; `what` names it in the refusal."""
+    token = token.strip()
+    if token and _NUMERIC.fullmatch(token):
+        try:
+            value = float(token)
+        except ValueError:
+            pass
+        else:
+            if np.isfinite(value):
+                return value
+    raise text.error(number, f"expected {what}, found {token[:40]!r}")
+
+
+def parse_count(text, number, token, what):
+    """Parse a number of samples, 2 … MAX_SAMPLES."""
+    token = token.strip()
+    if not re.fullmatch(r"[0-9]{1,9}", token) or not 2 <= int(token) <= MAX_SAMPLES:
+        raise text.error(number, f"expected {what} (2 … {MAX_SAMPLES}), found {token[:40]!r}")
+    return int(token)
+
+
+def _numbers(text, number, tokens, values):
+    """Append the tokens of one line to `values`, refusing anything but finite decimals."""
+    if not _NUMERIC.fullmatch("".join(tokens)):
+        bad = next(token for token in tokens if not _NUMERIC.fullmatch(token))
+        raise text.error(number, f"expected a number, found {bad.strip()[:40]!r}")
+    try:
+        values.extend(map(float, tokens))
+    except ValueError:
+        for token in tokens:
+            parse_number(text, number, token, "a number")
+        raise
+    if len(values) > MAX_SAMPLES:
+        raise text.error(number, f"more than {MAX_SAMPLES} samples")
+
+
+def _finished(text, first, values, line_of_value, count):
+    """Return the array, checked finite and of `count` values (None: any count)."""
+    result = np.frombuffer(values, dtype=float) if values else np.empty(0)
+    bad = np.flatnonzero(~np.isfinite(result))
+    if bad.size:
+        line = line_of_value[int(np.searchsorted(_starts(line_of_value), bad[0], "right")) - 1][1]
+        raise text.error(line, "a number too large for double precision")
+    if count is not None and len(result) != count:
+        last = line_of_value[-1][1] if line_of_value else first
+        raise text.error(
+            last, f"{len(result)} values up to here, but the header declares {count} samples"
+        )
+    return result
+
+
+def _starts(line_of_value):
+    return [start for start, _ in line_of_value]
+
+
+def free_block(text, first, last, count=None):
+    """Read blank-separated numbers from lines first … last (from 1, inclusive).
+
+    Blank lines are skipped. `count` is the declared number of values, or None.
+
+    Returns
+    -------
+    ndarray, shape (count,)
+    """
+    values, line_of_value = array("d"), []
+    for number in range(first, last + 1):
+        tokens = text.lines[number - 1].split()
+        if tokens:
+            line_of_value.append((len(values), number))
+            _numbers(text, number, tokens, values)
+            if count is not None and len(values) > count:
+                raise text.error(
+                    number, f"more values than the {count} samples the header declares"
+                )
+    return _finished(text, first, values, line_of_value, count)
+
+
+def fixed_block(text, first, width, per_line, count):
+    """Read `count` numbers of a Fortran record, fields `width` wide, `per_line` a line.
+
+    Neighbouring fields may touch, so blanks do not separate them. Fields are
+    right-justified: one that ends in a blank means a shifted or damaged line.
+
+    Returns
+    -------
+    values : ndarray, shape (count,)
+    next_line : int
+        The line (from 1) after the block.
+    """
+    rows = -(-count // per_line)
+    values, line_of_value = array("d"), []
+    for row in range(rows):
+        number = first + row
+        line = text.line(number, f"{count - len(values)} more values").rstrip()
+        expected = min(per_line, count - len(values))
+        if "\t" in line or len(line) != expected * width:
+            raise text.error(
+                number,
+                f"expected {expected} values in columns of {width} characters "
+                f"(sample {len(values) + 1} of {count} onwards)",
+            )
+        tokens = [line[i : i + width] for i in range(0, len(line), width)]
+        if any(token[-1] == " " or " " in token.strip() for token in tokens):
+            raise text.error(number, f"values are not in columns of {width} characters")
+        line_of_value.append((len(values), number))
+        _numbers(text, number, tokens, values)
+    return _finished(text, first, values, line_of_value, count), first + rows
