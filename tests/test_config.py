@@ -1,5 +1,6 @@
 """Configuration: schemas, defaults, and refusals in one line."""
 
+import datetime
 import json
 import os
 import shutil
@@ -85,6 +86,7 @@ def test_text_from_the_command_line_resolves_like_numbers():
             "ida": {"grid_g": "0.1,0.2"}, "run": 2024, "smdof": None}  # fmt: skip
     assert resolve(typed) == resolve(text)
     assert json.dumps(resolve(typed)) == json.dumps(resolve(text))  # types too
+    assert resolve({"run": datetime.date(2024, 5, 17)})["run"] == "2024-05-17"  # YAML's reading
 
 
 def test_resolving_leaves_its_input_and_the_schemas_alone():

@@ -75,11 +75,11 @@ def check(resolved: Mapping) -> None:
     """
     for path, schema in config_schema.leaves(config_schema.whole()):
         value = _at(resolved, path)
-        for word, rule in (("below", math.inf), ("at_most", 0.0)):
+        for word in ("below", "at_most"):
             limit = _at(resolved, schema[word]) if word in schema else None
             if value is None or limit is None:
                 continue
-            if value > limit or (rule and value == limit):
+            if value > limit or (word == "below" and value == limit):
                 text = f"{word.replace('_', ' ')} {schema[word]} = {show(limit)}"
                 raise ConfigError(f"{path} = {show(value)}: expected a value {text}")
         if schema.get("ascending") and any(a >= b for a, b in itertools.pairwise(value)):
