@@ -19,19 +19,20 @@ def drive(settings, outcome):
     return done
 
 
-@pytest.mark.parametrize("capacity", [0.03, 0.0612, 0.2, 0.537, 1.3])
+@pytest.mark.parametrize("capacity", [0.034, 0.0612, 0.2, 0.537, 1.3])
 def test_collapse_is_bracketed_to_the_tolerance(capacity):
     """Below and above a single threshold, the bracket holds it and is tight enough."""
-    settings = resolved()["ida"]
+    settings = resolved(ida={"start_g": 0.03})["ida"]
     done = drive(settings, lambda g: "overturned" if g >= capacity else "ok")
     safe, collapse = intensities.collapse_bounds(done)
     assert (safe or 0.0) < capacity <= collapse
-    assert collapse - (safe or 0.0) <= settings["tolerance_g"] + 2e-4
+    width = min(settings["tolerance_g"], settings["tolerance_ratio"] * collapse)
+    assert collapse - (safe or 0.0) <= width + 1e-4
 
 
 def test_probes_beyond_the_first_collapse():
     """Re-stabilisation above the first collapse is visited and does not move the bracket."""
-    settings = resolved()["ida"]
+    settings = resolved(ida={"start_g": 0.03})["ida"]
     climb = intensities.climb_sequence(settings)
     window = (climb[4] - 0.02, climb[4] + 0.001)
     done = drive(settings, lambda g: "overturned" if window[0] <= g <= window[1] else "ok")
@@ -42,7 +43,7 @@ def test_probes_beyond_the_first_collapse():
 
 def test_failed_runs_are_no_information():
     """A failed intensity neither ends the climb nor bounds the bisection."""
-    settings = resolved()["ida"]
+    settings = resolved(ida={"start_g": 0.03})["ida"]
     climb = intensities.climb_sequence(settings)
 
     def outcome(g):
@@ -56,7 +57,7 @@ def test_failed_runs_are_no_information():
 
 def test_no_collapse_ends_at_the_largest_intensity():
     """A façade that never falls is climbed to max_pga_g and reported as censored."""
-    settings = resolved()["ida"]
+    settings = resolved(ida={"start_g": 0.03})["ida"]
     done = drive(settings, lambda g: "ok")
     assert max(done) == settings["max_pga_g"]
     assert intensities.collapse_bounds(done) == (settings["max_pga_g"], None)

@@ -1,11 +1,13 @@
 """Which intensity to run next: the adaptive strategy and the grid, as pure functions.
 
-The adaptive strategy climbs from a start intensity with growing steps until the
+The adaptive strategy climbs from below uplift by a constant factor until the
 façade collapses, probes a few intensities beyond the first collapse (a curve may
 re-stabilise, and that is kept), then bisects the first collapse to a tolerance.
 After Vamvatsikos and Cornell (2004), "Applied incremental dynamic analysis":
 hunt, then fill.
 """
+
+import math
 
 DIGITS = 4  # intensities are rounded to 1e-4 g so that tables and caches agree
 
@@ -18,11 +20,12 @@ def next_intensity(done, settings):
     done : dict of float to str
         Status ("ok", "overturned", "failed") of each PGA already run.
     settings : dict
-        Section ida of the configuration: mode, grid_g, start_g, step_g, growth,
-        tolerance_g, max_pga_g, beyond_collapse.
+        Section ida of the configuration: mode, grid_g, start_g, growth,
+        tolerance_g, tolerance_ratio, max_pga_g, beyond_collapse.
 
     Notes
     -----
+    start_g must be a number here; `run_ida` replaces null by half the uplift intensity.
     Failed runs carry no information about the façade: they neither stop the
     climb nor bound the bisection.
     """
@@ -42,7 +45,8 @@ def next_intensity(done, settings):
         if g not in done:
             return g
     safe = max((g for g, status in done.items() if status == "ok" and g < first), default=0.0)
-    if first - safe > settings["tolerance_g"] * (1.0 + 1e-9):
+    tolerance = min(settings["tolerance_g"], settings["tolerance_ratio"] * first)
+    if first - safe > max(tolerance, 2 * 10**-DIGITS) * (1.0 + 1e-9):
         middle = round(0.5 * (safe + first), DIGITS)
         if middle not in done and safe < middle < first:
             return middle
@@ -60,13 +64,10 @@ def climb_collapse(done, climb):
 
 
 def climb_sequence(settings):
-    """Intensities of the climb [g]: steps of step_g that grow by `growth`, up to max_pga_g."""
-    values, g, step = [], settings["start_g"], settings["step_g"]
-    while g < settings["max_pga_g"] - 1e-9:
-        values.append(round(g, DIGITS))
-        g, step = g + step, step * settings["growth"]
-    values.append(round(settings["max_pga_g"], DIGITS))
-    return values
+    """Intensities of the climb [g]: from start_g by the factor `growth` up to max_pga_g."""
+    count = math.ceil(math.log(settings["max_pga_g"] / settings["start_g"], settings["growth"]))
+    climb = [settings["start_g"] * settings["growth"] ** i for i in range(count)]
+    return [round(g, DIGITS) for g in (*climb, settings["max_pga_g"])]
 
 
 def collapse_bounds(done):

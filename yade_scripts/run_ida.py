@@ -20,7 +20,7 @@ if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from yade_scripts import engine, facade, simulate
-from yade_scripts.intensities import next_intensity
+from yade_scripts.intensities import DIGITS, next_intensity
 from yade_scripts.journal import Journal, run_key, source_digest, write_atomic
 from yade_scripts.scene import to_json
 
@@ -135,7 +135,11 @@ def analyse(job, time_s, columns, record, direction, journal, say):
     list of dict
         Rows of the contract.
     """
-    model, settings = job["model"], job["ida"]
+    model, settings = job["model"], dict(job["ida"])
+    if settings["start_g"] is None:
+        settings["start_g"] = round(
+            0.5 * job["facade"]["thickness_m"] / job["facade"]["height_m"], DIGITS
+        )
     scene = facade.facade_scene(job, model, job["beta_s"])
     sign = {"pos": 1.0, "neg": -1.0}[direction]
     pga = float(np.max(np.abs(columns["ground"])))

@@ -30,6 +30,12 @@ def draw(axis, curve, model):
               clip_on=False, zorder=4)  # fmt: skip
 
 
+def shown_pga(curve):
+    """Largest intensity worth showing: the first collapse, or a run that stands above it."""
+    stood, fell = branches(curve)
+    return max(fell["pga_g"].min() if len(fell) else 0.0, stood["pga_g"].max())
+
+
 def main(job):
     p = job.params
     facade = json.loads(p.facade)["facade"]
@@ -43,7 +49,9 @@ def main(job):
     for i, record in enumerate(p.records):
         for j, direction in enumerate(p.directions):
             axis = axes[i, j]
-            axis.plot(d_push, lambda_push, color=style.GREY, lw=2, label="pushover, rigid block")
+            axis.plot(
+                d_push, lambda_push, color=style.GREY, lw=2, label="pushover of the rigid block"
+            )
             for curve in curves:
                 head = curve.iloc[0]
                 if head["record"] == record and head["direction"] == direction:
@@ -52,11 +60,11 @@ def main(job):
             axis.set_title(f"{style.provenance(facts[record])}, direction {sign}", loc="left")
             axis.set(xlim=(0, 1.0), ylabel="PGA [g]")
             axis.set_ylim(bottom=0)
-        top = max(axis.get_ylim()[1] for axis in axes[i])
+        top = 1.15 * max(shown_pga(c) for c in curves if c.iloc[0]["record"] == record)
         for axis in axes[i]:
             axis.set_ylim(0, top)
     for axis in axes[-1]:
-        axis.set_xlabel("peak top displacement d/b [-] (1: overturned, open symbols)")
+        axis.set_xlabel("peak top displacement d/b [-]")
     handles, labels = axes[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=len(labels))
     style.save(figure, job.output)
