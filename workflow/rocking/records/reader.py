@@ -86,7 +86,8 @@ def read_record(path, *, name=None, format=None, component=None, dt_s=None, unit
     component : str or None
         Label, azimuth in degrees, or "#n"; see `choose_component`.
     dt_s : float or None
-        Time step; needed when the file has none, checked (0.1 %) when it has.
+        Time step; needed when the file has none. When it has, the two must agree within
+        0.1 % or the rounding of the file's, and this one is used.
     units : str or None
         Units of the file's accelerations; needed or checked likewise.
 
@@ -148,10 +149,13 @@ def _step(channel, stated, text):
     step = channel.dt_s
     if step is None:
         step = stated
-    elif stated is not None and not abs(stated - step) <= 1e-3 * step:
-        raise text.error(
-            channel.line, f"the file's time step is {step:g} s, but dt_s {stated:g} is stated"
-        )
+    elif stated is not None:
+        # Where the header rounds coarsely, the stated step is the better one.
+        if not abs(stated - step) <= max(1e-3 * step, channel.dt_rounding_s):
+            raise text.error(
+                channel.line, f"the file's time step is {step:g} s, but dt_s {stated:g} is stated"
+            )
+        step = stated
     if step is None:
         raise RecordError(f"{text.path}: the file states no time step; state dt_s")
     if not MIN_DT_S <= step <= MAX_DT_S:

@@ -1,6 +1,7 @@
 """Surrogate parameters from config/surrogates.yaml, every key checked."""
 
 import math
+import reprlib
 from dataclasses import fields
 
 import yaml
@@ -13,6 +14,7 @@ from .text import read_text
 
 KEYS = ("dt_s", "pulses", "noise", "solve", "notes")
 MAX_PULSES = 20
+MAX_LINES = 20_000
 SOLVABLE_PULSE = ("amplitude_m_s", "period_s")
 SOLVABLE_NOISE = ("rms_m_s2", "frequency_hz", "low_cut_hz")
 
@@ -30,6 +32,8 @@ def read_specs(path):
         Naming the file and the key (or, for YAML itself, the line).
     """
     text = read_text(path)
+    if len(text.lines) > MAX_LINES:
+        raise RecordError(f"{path}: more than {MAX_LINES} lines")
     try:
         data = yaml.safe_load("\n".join(text.lines))
     except yaml.YAMLError as problem:
@@ -41,6 +45,9 @@ def read_specs(path):
         raise RecordError(f"{path}: not YAML: {str(problem)[:80]}") from None
     if not isinstance(data, dict):
         raise RecordError(f"{path}: expected a mapping of record names to parameters")
+    for name in data:
+        if not isinstance(name, str | int):
+            raise RecordError(f"{path}: {reprlib.repr(name)}; expected the name of a record")
     return {str(name): _spec(f"{path}: {name}", entry) for name, entry in data.items()}
 
 
@@ -57,18 +64,24 @@ def _spec(where, entry):
     noise = _build(Noise, f"{where}.noise", entry["noise"])
     dt_s = entry.get("dt_s", 0.01)
     if not _is_number(dt_s) or not MIN_DT_S <= dt_s <= MAX_DT_S:
-        raise RecordError(f"{where}.dt_s: {dt_s!r}; expected {MIN_DT_S:g} … {MAX_DT_S:g} s")
+        raise RecordError(
+            f"{where}.dt_s: {reprlib.repr(dt_s)}; expected {MIN_DT_S:g} … {MAX_DT_S:g} s"
+        )
     solvable = [f"noise.{key}" for key in SOLVABLE_NOISE]
     solvable += [f"pulses.{i}.{key}" for i in range(len(pulses)) for key in SOLVABLE_PULSE]
     solve = entry["solve"]
-    if not isinstance(solve, list) or len({str(name) for name in solve}) != max(len(solve), 3):
+    if not isinstance(solve, list) or not 3 <= len(solve) <= 20:
         raise RecordError(f"{where}.solve: expected three or more different parameter names")
     for name in solve:
-        if name not in solvable:
+        if not isinstance(name, str) or name not in solvable or solve.count(name) > 1:
+            shown = reprlib.repr(name)
             raise RecordError(
-                f"{where}.solve: unknown parameter {name!r}{nearest(str(name), solvable)}"
+                f"{where}.solve: unknown or repeated parameter {shown}{nearest(shown, solvable)}"
             )
-    spec = Spec(float(dt_s), pulses, noise, tuple(solve), str(entry.get("notes", "")))
+    notes = entry.get("notes", "")
+    if not isinstance(notes, str):
+        raise RecordError(f"{where}.notes: expected text")
+    spec = Spec(float(dt_s), pulses, noise, tuple(solve), notes)
     if any(value == 0 for value in spec.values()):
         raise RecordError(f"{where}.solve: a parameter to solve for may not start at zero")
     return spec
@@ -79,7 +92,9 @@ def _keys(where, entry, known, required):
         raise RecordError(f"{where}: expected a mapping with {', '.join(known)}")
     for key in entry:
         if key not in known:
-            raise RecordError(f"{where}: unknown key {key!r}{nearest(str(key), known)}")
+            raise RecordError(
+                f"{where}: unknown key {reprlib.repr(key)}{nearest(reprlib.repr(key), known)}"
+            )
     for key in known:
         if key in required and key not in entry:
             raise RecordError(f"{where}: key {key!r} is missing")
@@ -95,7 +110,7 @@ def _build(kind, where, entry):
     _keys(where, entry, names, set(names))
     for key, value in entry.items():
         if not _is_number(value):
-            raise RecordError(f"{where}.{key}: {value!r}; expected a number")
+            raise RecordError(f"{where}.{key}: {reprlib.repr(value)}; expected a number")
         if value <= 0 and key not in ("amplitude_m_s", "phase_deg"):
             raise RecordError(f"{where}.{key}: {value!r}; expected it positive")
     return kind(**{key: float(value) for key, value in entry.items()})

@@ -5,6 +5,7 @@ samples lasts 10,000 s at 200 Hz.
 """
 
 import hashlib
+import math
 import os
 import re
 from array import array
@@ -108,7 +109,7 @@ def parse_number(text, number, token, what):
         except ValueError:
             pass
         else:
-            if np.isfinite(value):
+            if math.isfinite(value):
                 return value
     raise text.error(number, f"expected {what}, found {token[:40]!r}")
 

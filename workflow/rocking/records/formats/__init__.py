@@ -3,21 +3,21 @@
 A format is a pair of functions: `sniff(text)` tells whether a file looks like it,
 `read(text)` returns its acceleration channels.
 
-Why own readers: ObsPy reads K-NET but none of AT2, GeoNet, ESM ASCII, COSMOS, CSMIP
-and SMC, and would bring a dozen packages for one header; gmprocess reads most of
-them but brings ObsPy, OpenQuake and a database layer, and neither refuses a damaged
-file line by line. Each reader here is a page.
+Why own readers: ObsPy (1.5) reads K-NET but none of AT2, GeoNet, ESM ASCII, COSMOS,
+CSMIP and SMC; gmprocess (2.8) reads most of them but installs some 115 packages,
+OpenQuake and Django among them, and neither refuses a damaged file by its line. Each
+reader here is a page.
 """
 
 from dataclasses import dataclass
 from typing import Any
 
-from . import at2, columns
+from . import at2, columns, cosmos, csmip, esm, geonet, knet, smc
 
 
 @dataclass(frozen=True)
 class Format:
-    """A registered format; `states_units`: its files carry units and step themselves."""
+    """A registered format."""
 
     name: str
     description: str
@@ -30,6 +30,12 @@ FORMATS = {
     form.name: form
     for form in (
         Format("at2", at2.DESCRIPTION, at2.sniff, at2.read),
+        Format("geonet", geonet.DESCRIPTION, geonet.sniff, geonet.read),
+        Format("esm", esm.DESCRIPTION, esm.sniff, esm.read),
+        Format("cosmos", cosmos.DESCRIPTION, cosmos.sniff, cosmos.read),
+        Format("csmip", csmip.DESCRIPTION, csmip.sniff, csmip.read),
+        Format("smc", smc.DESCRIPTION, smc.sniff, smc.read),
+        Format("knet", knet.DESCRIPTION, knet.sniff, knet.read),
         Format("csv", "comma-separated columns", columns.sniff_csv, columns.read_csv),
         Format(
             "two-column", "time and acceleration", columns.sniff_two_column, columns.read_two_column

@@ -14,8 +14,8 @@ from ..text import free_block, parse_count, parse_number
 from .channel import Channel
 
 DESCRIPTION = "PEER AT2"
-_NAMED = re.compile(r"\s*NPTS\s*=\s*(\d+)\s*,\s*DT\s*=\s*([-+.\dEe]+)\s*(?:SEC)?\s*,?\s*", re.I)
-_TRAILING = re.compile(r"\s*(\d+)\s+([-+.\dEe]+)\s+NPTS\s*,\s*DT\s*", re.I)
+_NAMED = re.compile(r"\s*NPTS\s*=\s*(\d+)\s*,\s*DT\s*=\s*([\d.]+)\s*(?:SEC)?\s*,?\s*", re.I)
+_TRAILING = re.compile(r"\s*(\d+)\s+([\d.]+)\s+NPTS\s*,\s*DT\s*", re.I)
 _UNITS = re.compile(r"\bUNITS\s+OF\s+(\S+)", re.I)
 
 
@@ -45,4 +45,5 @@ def read(text):
     # The title ends in the component: "RINALDI RECEIVING STA, 228".
     label = text.lines[1].rsplit(",", 1)[-1].strip()[:40]
     azimuth = int(label) if re.fullmatch(r"\d{1,3}", label) else None
-    return [Channel(label or "1", values, 5, azimuth, unit, dt_s)]
+    rounding = 0.5 * 10.0 ** -len(match[2].partition(".")[2])
+    return [Channel(label or "1", values, 5, azimuth, unit, dt_s, rounding)]

@@ -23,6 +23,8 @@ class Channel:
         Canonical unit; None when the file does not state it.
     dt_s : float or None
         Time step; None when the file does not state it.
+    dt_rounding_s : float
+        Half a unit of its last printed digit, where digits are few (.0024 may be 0.00244).
     peak_stated : float or None
         The header's largest acceleration (magnitude, in `units`) and the relative or
         absolute disagreement, whichever is larger, that its rounding explains.
@@ -36,5 +38,6 @@ class Channel:
     azimuth_deg: int | None = None
     units: str | None = None
     dt_s: float | None = None
+    dt_rounding_s: float = 0.0
     peak_stated: float | None = None
     peak_tolerance: tuple = (0.01, 0.0)
