@@ -68,7 +68,7 @@ def perturbed_numerics(numerics, member):
 
 
 def sensitivity(value, perturbed):
-    """Change of peak d/b under a perturbation, overturned runs counted as 1; NaN for failed runs."""
+    """Change of peak d/b under a perturbation; overturned runs count as 1, failed ones NaN."""
     return abs(min(perturbed, 1.0) - min(value, 1.0))
 
 
