@@ -33,7 +33,8 @@ def sniff(text):
 
 def read(text):
     """Read all channels."""
-    channels, line = [], 1
+    channels: list[Channel] = []
+    line = 1
     while line <= len(text.lines):
         if not text.lines[line - 1].strip():
             line += 1

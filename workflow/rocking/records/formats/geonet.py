@@ -28,7 +28,8 @@ def sniff(text):
 
 def read(text):
     """Read all components."""
-    channels, line = [], 1
+    channels: list[Channel] = []
+    line = 1
     while line <= len(text.lines) and text.lines[line - 1].strip():
         if len(channels) == MAX_CHANNELS:
             raise text.error(line, f"more than {MAX_CHANNELS} components")
@@ -54,7 +55,7 @@ def _component(text, first):
     label = words[1] if len(words) > 1 and words[0] == "Component" else ""
     peak = _PEAK.match(text.line(first + 13, "the peak acceleration")[:200])
     unit = unit_name(peak[2]) if peak else None
-    if unit is None:
+    if peak is None or unit is None:
         raise text.error(first + 13, "expected 'Acceleration: Peak … mm/s/s at …'")
     peak_stated = abs(parse_number(text, first + 13, peak[1], "the peak acceleration"))
     counts = _counts(text, first + TEXT_LINES + INTEGER_LINES - 1)

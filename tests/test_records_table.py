@@ -1,0 +1,113 @@
+"""The records table: good rows, and every bad one by its line."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import record_samples as samples
+from rocking.records import RecordError, load, read_table
+
+PAPER = Path(__file__).parents[1] / "config" / "records.tsv"
+TARGETS = "pga_g\tpgv_cm_s\tpgd_cm\tduration_s"
+
+
+@pytest.fixture
+def table(tmp_path):
+    def write(*lines):
+        path = tmp_path / "records.tsv"
+        path.write_text("\n".join(lines) + "\n")
+        return str(path)
+
+    return write
+
+
+def refusal(path):
+    with pytest.raises(RecordError) as caught:
+        read_table(path)
+    assert path in str(caught.value)
+    assert "\n" not in str(caught.value)
+    return str(caught.value)
+
+
+def test_the_study_s_four_motions():
+    rows = read_table(PAPER)
+    assert list(rows) == ["BUCAR0", "RRS228", "1ST280", "HVSC1"]
+    assert rows["HVSC1"].targets == {
+        "pga_g": 1.58, "pgv_cm_s": 106.6, "pgd_cm": 21.77, "duration_s": 29.0,
+    }  # fmt: skip
+    assert rows["BUCAR0"].about["mw"] == 7.5
+    assert {row.source for row in rows.values()} == {"surrogate"}
+
+
+def test_a_user_s_table_needs_few_columns(table, tmp_path):
+    sample = samples.geonet()
+    (tmp_path / sample.name).write_bytes(sample.data)
+    path = table(
+        "record\tfile\tcomponent", "# a comment", f"mine\t{sample.name}\tS64E", "",
+        f"absolute\t{tmp_path / sample.name}\t#2",
+    )  # fmt: skip
+    assert list(read_table(path)) == ["mine", "absolute"]
+    mine = load("mine", path)
+    np.testing.assert_allclose(mine.acceleration_m_s2, sample.acceleration_m_s2, atol=6e-5)
+    assert mine.name == "mine"
+    np.testing.assert_array_equal(load("absolute", path).acceleration_m_s2, mine.acceleration_m_s2)
+
+
+def test_format_units_and_step_of_the_table_are_used(table, tmp_path):
+    sample = samples.single_column()
+    (tmp_path / sample.name).write_bytes(sample.data)
+    head = "record\tfile\tformat\tdt_s\tunits"
+    record = load("a", table(head, f"a\t{sample.name}\tsingle-column\t0.02\tm/s2"))
+    assert (record.dt_s, record.units_read) == (0.02, "m/s2")
+    doubled = load("a", table(head, f"a\t{sample.name}\t\t0.01\tg"))
+    np.testing.assert_allclose(doubled.acceleration_m_s2, 9.80665 * record.acceleration_m_s2)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["../up", "a/b", "/abs", "a b", "$(touch x)", "`x`", "a;b", ".hidden", "-rf", "", "é", "a\\b",
+     "x" * 65, "{wild}", "a|b", "a*", "a\x0b"],
+)  # fmt: skip
+def test_hostile_names_are_refused(table, name):
+    message = refusal(table(f"record\t{TARGETS}", f"{name}\t0.2\t20\t5\t10"))
+    assert "line 2" in message
+
+
+@pytest.mark.parametrize("name", ["BUCAR0", "1ST280", "a.b_c+d-e", "x" * 64, "_a", "+1"])
+def test_plain_names_are_taken(table, name):
+    assert name in read_table(table(f"record\t{TARGETS}", f"{name}\t0.2\t20\t5\t10"))
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        (["record\tfiel", "a\tb"], "line 1: unknown column 'fiel'; did you mean 'file'?"),
+        (["record\tpga", "a\t1"], "did you mean 'pga_g'?"),
+        (["record file", "a b"], "not tab-separated"),
+        (["record,file", "a,b"], "not tab-separated"),
+        (["file", "a"], "no column 'record'"),
+        (["record\trecord", "a\ta"], "appears twice"),
+        (["record"], "no record below"),
+        (["# nothing"], "no header"),
+        (["record\tfile", "a\tno.AT2"], "line 2: record a: no file 'no.AT2'"),
+        (["record\tfile", "a\t"], "a surrogate needs a value of pga_g, pgv_cm_s"),
+        ([f"record\t{TARGETS}", "a\t1\t2\t3\t"], "a surrogate needs a value of duration_s"),
+        ([f"record\t{TARGETS}", "a\t1\t2\t3\tx"], "line 2: expected a number in duration_s"),
+        ([f"record\t{TARGETS}", "a\t1\t2\t3\tnan"], "expected a number in duration_s"),
+        ([f"record\t{TARGETS}", "a\t-1\t2\t3\t4"], "expected it positive"),
+        ([f"record\t{TARGETS}", "a\t1\t2\t3\t4", "A\t1\t2\t3\t4"], "line 3: record 'A' is already"),
+        ([f"record\t{TARGETS}", "a\t1\t2\t3\t4\t5"], "6 cells"),
+        ([f"record\t{TARGETS}", "a 1 2 3 4"], "separated by tabs"),
+        ([f"record\tformat\t{TARGETS}", "a\tat3\t1\t2\t3\t4"], "did you mean 'at2'?"),
+        ([f"record\tunits\t{TARGETS}", "a\tfurlong\t1\t2\t3\t4"], "unknown units 'furlong'"),
+        ([f"record\tdt_s\t{TARGETS}", "a\t5\t1\t2\t3\t4"], "dt_s is 5"),
+    ],
+)
+def test_bad_tables_are_refused(table, lines, expected):
+    assert expected in refusal(table(*lines))
+
+
+def test_an_unknown_record_is_answered_with_the_nearest(table):
+    path = table(f"record\t{TARGETS}", "RRS228\t0.2\t20\t5\t10")
+    with pytest.raises(RecordError, match="did you mean 'RRS228'"):
+        load("RRS282", path)
