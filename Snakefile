@@ -9,10 +9,12 @@ configfile: "config/config.yaml"
 
 
 include: "workflow/rules/common.smk"
+include: "workflow/rules/targets.smk"
 include: "workflow/rules/records.smk"
 include: "workflow/rules/smdof.smk"
 include: "workflow/rules/facade.smk"
 include: "workflow/rules/ida.smk"
+include: "workflow/rules/ensemble.smk"
 include: "workflow/rules/figures.smk"
 
 

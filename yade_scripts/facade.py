@@ -119,7 +119,7 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
               box_inertia(mass, (width, b, h)), free="yzX" if planar else "xyzXYZ",
               displacement_m=displacement, rotation_rad=rotation)
     )  # fmt: skip
-    if model != "free":
+    if model != "free" and facade.get("sides") != "two":
         _add_return_walls(config, model, beta_s, blocks, nodes, jkn_back, planar)
     return Scene(
         blocks, nodes.joints, nodes.done(), monitor=FACADE, monitor_point_m=(0.0, 0.5 * b, h),

@@ -1,30 +1,26 @@
 # Configuration, run names and paths; shared by every rule file.
-import re
 import os
+import re
+import shutil
 import sys
+from dataclasses import asdict
 from pathlib import Path
 
-from snakemake.exceptions import WorkflowError
-
 BASE = Path(workflow.basedir)
-for folder in (BASE / "workflow", BASE):
-    sys.path.insert(0, str(folder))
-# jobs are processes of their own and import the same packages
-os.environ["PYTHONPATH"] = os.pathsep.join(
-    [str(BASE), str(BASE / "workflow"), *filter(None, [os.environ.get("PYTHONPATH")])]
-)
+sys.path[:0] = [str(BASE / "workflow"), str(BASE)]
 
 from rocking import config as configuration
 from rocking.records import RecordError, read_table
+from yade_scripts.journal import PHYSICS
 
-# YADE's library loads only in the Python it was built for, Debian's own
-YADE_PYTHON = os.environ.get("YADE_PYTHON", "/usr/bin/python3")
+# YADE's library loads only in the Python it was built for, the system's own
+YADE_PYTHON = os.environ.get("YADE_PYTHON") or shutil.which("python3", path=os.defpath)
 STYLE = str(BASE / "workflow" / "rocking" / "paper.mplstyle")
 
 
 def stop(error):
     """End with one line instead of a traceback."""
-    raise WorkflowError(str(error)) from None
+    sys.exit(f"error: {error}")
 
 
 def table_path(resolved):
@@ -32,18 +28,6 @@ def table_path(resolved):
     given = Path(resolved["records_table"])
     beside = BASE / given
     return str(beside if not given.exists() and beside.exists() else given)
-
-
-try:
-    RUNS = configuration.expand_scenarios(config)
-    TABLES = {run: read_table(table_path(resolved)) for run, resolved in RUNS.items()}
-except (configuration.ConfigError, RecordError) as error:
-    stop(error)
-
-
-def cfg(wildcards):
-    """Resolved configuration of the run that a job belongs to."""
-    return RUNS[wildcards.run]
 
 
 def record_names(run):
@@ -54,11 +38,27 @@ def record_names(run):
         return list(rows)
     unknown = [name for name in wanted if name not in rows]
     if unknown:
-        stop(
-            f"config: records: '{unknown[0]}' is not in {RUNS[run]['records_table']}; "
+        raise configuration.ConfigError(
+            f"records: '{unknown[0]}' is not in {RUNS[run]['records_table']}; "
             f"expected names from {', '.join(rows)}"
         )
     return list(wanted)
+
+
+try:
+    configuration.check_files(
+        [path for path in workflow.configfiles if Path(path).exists()]
+    )
+    RUNS = configuration.expand_scenarios(config)
+    TABLES = {run: read_table(table_path(resolved)) for run, resolved in RUNS.items()}
+    RECORDS = {run: record_names(run) for run in RUNS}
+except (configuration.ConfigError, RecordError) as error:
+    stop(error)
+
+
+def cfg(wildcards):
+    """Resolved configuration of the run that a job belongs to."""
+    return RUNS[wildcards.run]
 
 
 def per_run(targets):
@@ -76,19 +76,9 @@ def module(*names):
     return [str(BASE / name) for name in names]
 
 
-def yade_modules():
-    """Modules of every run inside YADE."""
-    names = "quadrature scene stiffness facade engine simulate intensities journal run_ida"
-    return module(*(f"yade_scripts/{name}.py" for name in names.split()))
-
-
 def caption(name):
     """Path of a figure's caption template."""
     return str(BASE / "workflow" / "report" / f"{name}.rst")
-
-
-for run_name in RUNS:
-    record_names(run_name)  # unknown names are refused before any job
 
 
 wildcard_constraints:

@@ -1,17 +1,6 @@
 # Figures of the main job.
 
 
-def main_results(run):
-    figures = [f"record_{r}" for r in record_names(run)]
-    figures += [f"floor_motions_{r}" for r in record_names(run)]
-    figures += ["fig09_ida"]
-    return [
-        f"results/{run}/tables/records.csv",
-        f"results/{run}/tables/ida_collapse.csv",
-        *(f"results/{run}/figures/{name}.png" for name in figures),
-    ]
-
-
 rule figure_record:
     input:
         record="results/{run}/records/{record}.csv",
@@ -44,10 +33,10 @@ rule figure_floor_motions:
             labels={"record": "{record}", "figure": "floor motions and spectra"},
         ),
         pdf="results/{run}/figures/floor_motions_{record}.pdf",
-    params:
-        smdof=params_of("smdof"),
     log:
         "results/{run}/logs/figure_floor_motions_{record}.log",
+    params:
+        smdof=params_of("smdof"),
     script:
         "../scripts/figure_floor_motions.py"
 
@@ -55,7 +44,7 @@ rule figure_floor_motions:
 rule fig09_ida:
     input:
         ida=lambda w: ida_tables(w.run),
-        facts=lambda w: [f"results/{w.run}/records/{r}.json" for r in record_names(w.run)],
+        facts=record_facts,
         style=STYLE,
     output:
         png=report(
@@ -65,12 +54,12 @@ rule fig09_ida:
             labels={"figure": "9: IDA curves"},
         ),
         pdf="results/{run}/figures/fig09_ida.pdf",
+    log:
+        "results/{run}/logs/fig09_ida.log",
     params:
-        records=lambda w: record_names(w.run),
+        records=lambda w: RECORDS[w.run],
         models=lambda w: cfg(w)["models"],
         directions=lambda w: cfg(w)["directions"],
         facade=params_of("facade"),
-    log:
-        "results/{run}/logs/fig09_ida.log",
     script:
         "../scripts/fig09_ida.py"

@@ -7,9 +7,9 @@ rule floor_motions:
         modules=module("smdof/chain.py", "smdof/oscillator.py"),
     output:
         "results/{run}/smdof/{record}_{n}dof.csv",
-    params:
-        smdof=params_of("smdof"),
     log:
         "results/{run}/logs/floor_motions_{record}_{n}.log",
+    params:
+        smdof=params_of("smdof"),
     script:
         "../scripts/floor_motions.py"
