@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..scene import Block, Nodes, Scene, box_inertia
-from .bricks import Bricks, Brick, lay
+from .bricks import Brick, Bricks, lay
 from .contacts import KINDS, Interfaces, Joints, interfaces
 from .floors import floor_boxes
 from .plan import TOLERANCE_M, Plan, PlanError

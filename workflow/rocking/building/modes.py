@@ -102,6 +102,17 @@ class Modes:
         """Periods 2π/ω, descending [s]."""
         return 2.0 * np.pi / self.omega
 
+    def save(self, path):
+        """Write the modes to an .npz file."""
+        with open(path, "wb") as handle:
+            np.savez(handle, **{f.name: getattr(self, f.name) for f in fields(self)})
+
+    @classmethod
+    def load(cls, path):
+        """Read modes written by `save`."""
+        with np.load(path) as data:
+            return cls(**{f.name: data[f.name] for f in fields(cls)})
+
     def largest(self, direction):
         """Return the index of the mode with the largest effective mass in a direction."""
         return int(np.argmax(self.effective_ratio[:, DIRECTIONS.index(direction)]))
@@ -136,10 +147,14 @@ class Solver:
             raise ValueError("the stiffness is singular: some block is not held") from error
 
     def mass_with(self, added_kg):
-        """Return the diagonal of M with translational mass added to blocks, {index: kg}."""
+        """Return the diagonal of M with mass spread evenly over blocks, {index: kg}.
+
+        A block's rotational inertia grows with its mass.
+        """
         mass = self.mass.copy()
         for block, extra in added_kg.items():
-            mass[(self.dof[:, 0] == block) & (self.dof[:, 1] < 3)] += extra
+            own = self.dof[:, 0] == block
+            mass[own] *= 1.0 + extra / self.scene.blocks[block].mass_kg
         return mass
 
     def modes(self, count, mass=None):
@@ -162,3 +177,14 @@ class Solver:
         participation = phi.T @ (mass[:, None] * rigid)
         total = np.einsum("ni,n,ni->i", rigid, mass, rigid)
         return Modes(omega, phi, participation, participation**2 / total, self.dof, mass)
+
+
+def largest_frequency(k, mass):
+    """Return the largest circular frequency of K and a diagonal M [rad/s], to 0.1 %."""
+    scale = sparse.diags_array(1.0 / np.sqrt(mass))
+    start = np.random.default_rng(0).standard_normal(len(mass))
+    value = eigsh(
+        sparse.csr_array(scale @ k @ scale), k=1, which="LA", v0=start, tol=1e-3,
+        return_eigenvectors=False,
+    )  # fmt: skip
+    return float(np.sqrt(value[0]))

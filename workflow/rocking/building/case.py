@@ -1,0 +1,130 @@
+"""The building of a configuration: its plan, its floor load, its models CBDEM and SBDEM."""
+
+import yaml
+from scipy.optimize import brentq
+
+from yade_scripts.building.assembly import build
+from yade_scripts.building.bricks import Brick
+from yade_scripts.building.contacts import Joints
+from yade_scripts.building.plan import PlanError, plan_from_dict
+
+from .modes import Solver
+
+MODELS = ("CBDEM", "SBDEM")
+PAPER_PERIODS_S = {("CBDEM", "y"): 0.25, ("SBDEM", "y"): 0.27,
+                   ("CBDEM", "rz"): 0.16, ("SBDEM", "rz"): 0.17}  # fmt: skip
+LARGEST_LOAD_KG_M2 = 20000.0
+
+
+def read_plan(path):
+    """Read and check a plan file; PlanError in one line with file and part."""
+    try:
+        with open(path, encoding="utf-8") as handle:
+            data = yaml.safe_load(handle)
+    except OSError as error:
+        raise PlanError(f"{path}: cannot be read ({error.strerror})") from None
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        line = f", line {mark.line + 1}" if mark else ""
+        raise PlanError(f"{path}{line}: not valid YAML") from None
+    return plan_from_dict(data, str(path))
+
+
+def model_plan(plan, model):
+    """Return the plan of CBDEM (as it is) or SBDEM (without façades)."""
+    if model not in MODELS:
+        raise ValueError(f"expected a model of {', '.join(MODELS)}, got '{model}'")
+    return plan if model == "CBDEM" else plan.without_facades()
+
+
+def build_model(settings, plan, model, load_kg_m2=None, coarsening=None):
+    """Build CBDEM or SBDEM with the section `building` of the configuration.
+
+    Parameters
+    ----------
+    settings : dict
+        The section, every key present.
+    plan : Plan
+    model : {"CBDEM", "SBDEM"}
+    load_kg_m2 : float or None
+        Load on every floor; None keeps the plan's own.
+    coarsening : float or None
+        None takes the configured one.
+
+    Returns
+    -------
+    Building
+    """
+    plan = model_plan(plan, model)
+    if load_kg_m2 is not None:
+        plan = plan.with_floor_load(load_kg_m2)
+    brick = Brick(*(settings[f"brick_{part}_m"] for part in ("length", "height", "width")))
+    stiffness = {k: v for k, v in settings.items() if k.endswith(("_jkn_pa_m", "_jks_pa_m"))}
+    return build(
+        plan, brick=brick, coarsening=settings["coarsening"] if coarsening is None else coarsening,
+        joints=Joints(**stiffness), density_kg_m3=settings["density_kg_m3"],
+        timber_density_kg_m3=settings["timber_density_kg_m3"],
+    )  # fmt: skip
+
+
+def translation_mode(modes, direction="y"):
+    """Return the index of the translational mode: the largest effective mass in `direction`."""
+    return modes.largest(direction)
+
+
+def twist_mode(modes):
+    """Return the index of the rotation about z, the translational mode along y left out."""
+    ratio = modes.effective_ratio[:, 5].copy()
+    ratio[translation_mode(modes)] = -1.0
+    return int(ratio.argmax())
+
+
+def fit_floor_load(settings, plan, coarsening=None):
+    """Fit the floor load to the period of the complete building's translation along y.
+
+    One load [kg/m²] on every floor is the only free parameter. K does not depend
+    on it, so one factorisation serves the whole search. Where even the unloaded
+    floors give too long a period the load is zero and the period says so.
+
+    Returns
+    -------
+    load_kg_m2 : float or None
+        None where `fit_period_s` is null: the plan's own loads hold.
+    period_s : float
+        Period reached.
+
+    Raises
+    ------
+    PlanError
+        If the plan has no floor to load, or no reasonable load reaches the period.
+    """
+    target = settings["fit_period_s"]
+    if target is None:
+        solver = Solver(build_model(settings, plan, "CBDEM", None, coarsening).scene)
+        modes = solver.modes(12)
+        return None, float(modes.period_s[translation_mode(modes)])
+    if not plan.floors:
+        raise PlanError(f"plan '{plan.name}' has no floor whose load fit_period_s could fit")
+    building = build_model(settings, plan, "CBDEM", 0.0, coarsening)
+    solver = Solver(building.scene)
+    panels = [first + count for first, count, _ in building.floors]
+    areas = {i: _area(building.scene.blocks[i]) for i in panels}
+
+    def period(load):
+        modes = solver.modes(12, solver.mass_with({i: load * a for i, a in areas.items()}))
+        return float(modes.period_s[translation_mode(modes)])
+
+    empty = period(0.0)
+    if empty >= target:
+        return 0.0, empty
+    if period(LARGEST_LOAD_KG_M2) < target:
+        raise PlanError(
+            f"fit_period_s = {target:g} s: plan '{plan.name}' stays stiffer with"
+            f" {LARGEST_LOAD_KG_M2:g} kg/m² on every floor"
+        )
+    load = brentq(lambda q: period(q) - target, 0.0, LARGEST_LOAD_KG_M2, xtol=1e-3, rtol=1e-10)
+    return float(load), period(load)
+
+
+def _area(block):
+    return block.size_m[0] * block.size_m[1]

@@ -1,0 +1,96 @@
+"""Building against equal chains: weighted mean errors (eq. 1, Table 2) and the choice of n."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+import smdof
+
+QUANTITIES = ("acceleration", "response_spectrum", "power_spectrum")
+N_DOF = (1, 2, 3, 4, 5)
+# Table 2 of the study, n = 1 … 5
+PAPER_WME = {
+    ("acceleration", "BUCAR0"): (0.344, 0.309, 0.305, 0.298, 0.292),
+    ("acceleration", "RRS228"): (0.407, 0.343, 0.331, 0.326, 0.323),
+    ("response_spectrum", "BUCAR0"): (0.140, 0.082, 0.063, 0.056, 0.062),
+    ("response_spectrum", "RRS228"): (0.152, 0.093, 0.074, 0.066, 0.062),
+    ("power_spectrum", "BUCAR0"): (0.273, 0.160, 0.133, 0.119, 0.129),
+    ("power_spectrum", "RRS228"): (0.231, 0.141, 0.117, 0.108, 0.105),
+}
+
+
+@dataclass(frozen=True)
+class TopMotion:
+    """A top acceleration with its spectra: x and y of each of QUANTITIES."""
+
+    curves: dict
+
+    def wme(self, other):
+        """Return {quantity: WME} of another motion, this one being the reference."""
+        out = {}
+        for quantity, (x, y) in self.curves.items():
+            grid = smdof.common_grid(x, y, *other.curves[quantity])
+            out[quantity] = smdof.weighted_mean_error(*grid)
+        return out
+
+
+def top_motion(time_s, acceleration_m_s2, longest_period_s, highest_hz):
+    """Spectra of a top acceleration on the ranges over which they are compared.
+
+    Parameters
+    ----------
+    time_s, acceleration_m_s2 : ndarray, shape (nt,)
+        Uniformly sampled.
+    longest_period_s : float
+        Response spectra (5 % damping, pseudo-acceleration) from 0.02 s to here.
+    highest_hz : float
+        Power spectra from 0 to here, or to half the sampling frequency.
+
+    Returns
+    -------
+    TopMotion
+    """
+    dt = (time_s[-1] - time_s[0]) / (len(time_s) - 1)
+    periods = np.linspace(0.02, longest_period_s, 199)
+    response = smdof.response_spectrum(acceleration_m_s2, dt, periods)
+    power = smdof.power_spectrum(acceleration_m_s2, dt)
+    low = power.frequency_hz <= highest_hz
+    return TopMotion(
+        {
+            "acceleration": (np.asarray(time_s), np.asarray(acceleration_m_s2)),
+            "response_spectrum": (periods, response.psa_m_s2),
+            "power_spectrum": (power.frequency_hz[low], power.power_m2_s3[low]),
+        }
+    )
+
+
+def chain_top(ground_m_s2, dt_s, n_dof, period_s, damping_ratio, duration_s=None):
+    """Return time and absolute top acceleration of an equal chain, cut at `duration_s`."""
+    motion = smdof.floor_motions(ground_m_s2, dt_s, n_dof, period_s, damping_ratio)
+    keep = slice(None)
+    if duration_s is not None:
+        keep = motion.time_s <= duration_s + 1e-9
+    return motion.time_s[keep], motion.floors_m_s2[-1][keep]
+
+
+def choose_n(rows, gain):
+    """Return the smallest n for which no larger n lowers the mean WME by more than `gain`.
+
+    Parameters
+    ----------
+    rows : iterable of (n_dof, wme)
+        The mean is taken over records and quantities.
+    gain : float
+
+    Returns
+    -------
+    int
+    """
+    means = {}
+    for n, value in rows:
+        means.setdefault(int(n), []).append(float(value))
+    means = {n: sum(values) / len(values) for n, values in sorted(means.items())}
+    for n, value in means.items():
+        if value - min(v for m, v in means.items() if m >= n) <= gain:
+            return n
+    raise ValueError("no WME to choose n from")

@@ -1,0 +1,200 @@
+"""Drawings of brick models: exposed faces in parallel projection, painted from back to front."""
+
+import numpy as np
+from matplotlib.collections import PolyCollection
+
+VIEW = (-0.62, 0.62, 0.48)  # from the building towards the eye: front façade and left wall
+LIGHT = np.array([-0.45, 0.75, 1.0])
+MASONRY = np.array([0.80, 0.52, 0.40])
+TIMBER = np.array([0.86, 0.74, 0.50])
+JOINT = np.array([0.25, 0.20, 0.18])
+
+
+def exposed_faces(building):
+    """Faces of boxes that no joint covers.
+
+    Returns
+    -------
+    block : ndarray of int, shape (m,)
+    normal : ndarray, shape (m, 3)
+        Outward.
+    corners : ndarray, shape (m, 4, 3)
+        In order around the face [m].
+    """
+    blocks = building.scene.blocks[:-1]
+    centre = np.array([b.centre_m for b in blocks])
+    half = 0.5 * np.array([b.size_m for b in blocks])
+    covered = np.zeros((len(blocks), 3, 2))  # axis; low face, high face
+    faces = building.interfaces
+    np.add.at(covered, (faces.a, faces.axis, 0), faces.area_m2)
+    on_block = faces.b >= 0
+    np.add.at(covered, (faces.b[on_block], faces.axis[on_block], 1), faces.area_m2[on_block])
+    out = []
+    for axis in range(3):
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        area = 4.0 * half[:, u] * half[:, v]
+        for side, sign in ((0, -1.0), (1, 1.0)):
+            index = np.flatnonzero(covered[:, axis, side] < 0.99 * area)
+            corners = np.repeat(centre[index][:, None, :], 4, axis=1)
+            corners[:, :, axis] += sign * half[index, axis][:, None]
+            corners[:, :, u] += np.array([-1, 1, 1, -1]) * half[index, u][:, None]
+            corners[:, :, v] += np.array([-1, -1, 1, 1]) * half[index, v][:, None]
+            normal = np.zeros((len(index), 3))
+            normal[:, axis] = sign
+            out.append((index, normal, corners))
+    return tuple(np.concatenate(parts) for parts in zip(*out, strict=True))
+
+
+def camera(view=VIEW):
+    """Return the picture's axes as unit vectors: right, up, towards the eye."""
+    eye = np.asarray(view, float) / np.linalg.norm(view)
+    right = np.cross((0.0, 0.0, 1.0), eye)
+    right /= np.linalg.norm(right)
+    return right, np.cross(eye, right), eye
+
+
+def block_motion(modes, mode, count):
+    """Translations and rotation vectors of the blocks in a mode, shape (count, 6)."""
+    motion = np.zeros((count, 6))
+    motion[modes.dof[:, 0], modes.dof[:, 1]] = modes.phi[:, mode]
+    return motion
+
+
+def draw(ax, building, *, motion=None, scale=1.0, colours=None, view=VIEW, edge_width=0.15):
+    """Draw a brick model.
+
+    Parameters
+    ----------
+    ax : matplotlib Axes
+    building : Building
+    motion : ndarray, shape (n_blocks, 6), optional
+        Translation and rotation vector of each block, multiplied by `scale`.
+    scale : float
+    colours : ndarray, shape (n_faces of `exposed_faces`, 3), optional
+        Face colours before shading; default masonry and timber.
+    view : tuple of 3 floats
+    edge_width : float
+        Line width of the joints [pt].
+    """
+    block, normal, corners = exposed_faces(building)
+    right, up, eye = camera(view)
+    if colours is None:
+        brick = (block < len(building.bricks))[:, None]
+        colours = np.where(brick, MASONRY, TIMBER)
+    seen = normal @ eye > 1e-9
+    block, normal, corners, colours = (part[seen] for part in (block, normal, corners, colours))
+    if motion is not None:
+        centre = np.array([b.centre_m for b in building.scene.blocks])[block]
+        arm = corners - centre[:, None, :]
+        turn = np.cross(motion[block, None, 3:], arm)
+        corners = corners + scale * (motion[block, None, :3] + turn)
+    light = LIGHT / np.linalg.norm(LIGHT)
+    shade = 0.62 + 0.38 * np.clip(normal @ light, 0.0, None)
+    colours = np.clip(colours * shade[:, None], 0.0, 1.0)
+    # Painting by distance of the centroids hides correctly only among faces of like size.
+    tile, corners = _tiles(corners, largest=1.2 * max(building.brick.length_m, 0.1))
+    colours = colours[tile]
+    edges = np.where((block < len(building.bricks))[tile, None], JOINT, colours)
+    order = np.argsort(corners.mean(axis=1) @ eye, kind="stable")
+    flat = np.stack([corners @ right, corners @ up], axis=-1)[order]
+    ax.add_collection(
+        PolyCollection(flat, facecolors=colours[order], edgecolors=edges[order],
+                       linewidths=edge_width, rasterized=True)
+    )  # fmt: skip
+    ax.set_aspect("equal")
+    ax.autoscale_view()
+    ax.axis("off")
+
+
+def _tiles(corners, largest):
+    """Split quadrilaterals with an edge longer than `largest`.
+
+    Returns
+    -------
+    source : ndarray of int, shape (k,)
+        The quadrilateral of each tile.
+    tiles : ndarray, shape (k, 4, 3)
+    """
+    edge = np.linalg.norm(corners - np.roll(corners, -1, axis=1), axis=2).max(axis=1)
+    small = np.flatnonzero(edge <= largest)
+    source, tiles = [small], [corners[small]]
+    for i in np.flatnonzero(edge > largest):
+        a, b, c, d = corners[i]
+        nu = int(np.ceil(np.linalg.norm(b - a) / largest))
+        nv = int(np.ceil(np.linalg.norm(d - a) / largest))
+        u, v = (np.linspace(0.0, 1.0, n + 1)[:, None] for n in (nu, nv))
+        rows = (1.0 - v)[:, None] * (a + u * (b - a)) + v[:, None] * (d + u * (c - d))
+        quads = np.stack([rows[:-1, :-1], rows[:-1, 1:], rows[1:, 1:], rows[1:, :-1]], axis=2)
+        tiles.append(quads.reshape(-1, 4, 3))
+        source.append(np.full(nu * nv, i))
+    return np.concatenate(source), np.concatenate(tiles)
+
+
+def face_values(building, motion):
+    """Translation magnitude of the block of each exposed face, shape (n_faces,)."""
+    block, _, _ = exposed_faces(building)
+    return np.linalg.norm(motion[block, :3], axis=1)
+
+
+def elevation(ax, wall, label):
+    """Draw a wall's elevation with its openings and dimensions [m]."""
+    ax.add_patch(_box((0.0, wall.base_m), wall.length_m, wall.height_m, MASONRY))
+    edges = {0.0, wall.length_m}
+    levels = {wall.base_m, wall.top_m}
+    for opening in wall.openings:
+        low, high = wall.span(opening)
+        ax.add_patch(_box((low, opening.sill_m), high - low, opening.height_m, "white"))
+        edges |= {low, high}
+        levels |= {opening.sill_m, opening.head_m}
+    _dimensions(ax, sorted(edges), wall.base_m - 0.35, horizontal=True)
+    _dimensions(ax, sorted(levels), -0.35, horizontal=False)
+    ax.set_title(label)
+    ax.set_xlim(-1.1, wall.length_m + 0.2)
+    ax.set_ylim(wall.base_m - 1.0, wall.top_m + 0.2)
+    ax.set_aspect("equal")
+    ax.axis("off")
+
+
+def plan_view(ax, plan, label):
+    """Draw a plan with wall names, floor beams' direction and overall dimensions [m]."""
+    xs, ys = [], []
+    for wall in plan.walls:
+        (x0, x1), (y0, y1) = wall.footprint()
+        ax.add_patch(_box((x0, y0), x1 - x0, y1 - y0, MASONRY))
+        angle = 0 if wall.axis == 0 else 90
+        ax.text((x0 + x1) / 2, (y0 + y1) / 2, wall.name, ha="center", va="center",
+                rotation=angle, fontsize=6)  # fmt: skip
+        xs += [x0, x1]
+        ys += [y0, y1]
+    _dimensions(ax, [min(xs), max(xs)], min(ys) - 0.35, horizontal=True)
+    _dimensions(ax, [min(ys), max(ys)], min(xs) - 0.35, horizontal=False)
+    middle = ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
+    for vector, name in (((1.0, 0.0), "x"), ((0.0, 1.0), "y (motion)")):
+        tip = (middle[0] + vector[0], middle[1] + vector[1])
+        ax.annotate("", xy=tip, xytext=middle, arrowprops={"arrowstyle": "->", "lw": 0.8})
+        ax.text(tip[0] + 0.1, tip[1] + 0.1, name, fontsize=6)
+    ax.set_title(label)
+    ax.set_xlim(min(xs) - 1.1, max(xs) + 0.2)
+    ax.set_ylim(min(ys) - 1.0, max(ys) + 0.2)
+    ax.set_aspect("equal")
+    ax.axis("off")
+
+
+def _box(corner, width, height, colour):
+    from matplotlib.patches import Rectangle
+
+    return Rectangle(corner, width, height, facecolor=colour, edgecolor="0.25", linewidth=0.6)
+
+
+def _dimensions(ax, marks, line, *, horizontal):
+    """Draw a dimension chain with ticks at `marks` along a line."""
+    marks = np.array(marks)
+    fixed = np.full(len(marks), line)
+    style = {"color": "0.35", "lw": 0.5, "marker": "|" if horizontal else "_", "ms": 4}
+    ax.plot(*((marks, fixed) if horizontal else (fixed, marks)), **style)
+    for low, high in zip(marks[:-1], marks[1:], strict=True):
+        middle, text = (low + high) / 2, f"{high - low:.2f}"
+        where = (middle, line - 0.12) if horizontal else (line - 0.12, middle)
+        ax.text(*where, text, ha="center" if horizontal else "right",
+                va="top" if horizontal else "center", fontsize=5.5, color="0.25",
+                rotation=0)  # fmt: skip

@@ -1,0 +1,42 @@
+"""Periods, wall time and memory of one model at one brick size (building/cost_…json)."""
+
+import json
+import resource
+import time
+
+from rocking.building.case import build_model, read_plan, translation_mode, twist_mode
+from rocking.building.modes import Solver
+from rocking.script import run
+
+
+def memory_mb():
+    """Return the peak resident memory of this process [MB]."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+
+
+def main(job):
+    settings = dict(job.params.building)
+    with open(job.input.fit) as handle:
+        load = json.load(handle)["floor_load_kg_m2"]
+    model, coarsening = job.wildcards.building, float(job.wildcards.coarsening)
+    at_start = memory_mb()
+    began = time.perf_counter()
+    building = build_model(settings, read_plan(job.input.plan), model, load, coarsening)
+    built = time.perf_counter()
+    solver = Solver(building.scene)
+    factorised = time.perf_counter()
+    modes = solver.modes(12)
+    ended = time.perf_counter()
+    row = {
+        "model": model, "coarsening": coarsening, "bricks": len(building.bricks),
+        "interfaces": len(building.interfaces), "dofs": len(solver.mass),
+        "period_y_s": modes.period_s[translation_mode(modes)],
+        "period_rz_s": modes.period_s[twist_mode(modes)], "period_1_s": modes.period_s[0],
+        "build_s": built - began, "factorise_s": factorised - built, "modes_s": ended - factorised,
+        "wall_s": ended - began, "memory_mb": memory_mb(), "memory_at_start_mb": at_start,
+    }  # fmt: skip
+    with open(job.output[0], "w") as handle:
+        json.dump({k: v if isinstance(v, str) else float(v) for k, v in row.items()}, handle)
+
+
+run(main, globals())

@@ -1,0 +1,32 @@
+"""Scene, damping rate and step of the explicit run of SBDEM (building/explicit_….json)."""
+
+import json
+
+from rocking.building.case import build_model, read_plan, translation_mode
+from rocking.building.history import mass_damping_rate
+from rocking.building.modes import Solver, largest_frequency
+from rocking.script import run
+
+from yade_scripts.scene import to_json
+
+
+def main(job):
+    settings = dict(job.params.building)
+    with open(job.input.fit) as handle:
+        load = json.load(handle)["floor_load_kg_m2"]
+    plan = read_plan(job.input.plan)
+    building = build_model(settings, plan, "SBDEM", load, float(job.wildcards.coarsening))
+    solver = Solver(building.scene)
+    modes = solver.modes(12)
+    highest = largest_frequency(solver.k, solver.mass)
+    building.scene.notes.update(
+        omega_max_rad_s=highest,
+        step_s=settings["explicit_step_fraction"] * 2.0 / highest,
+        rate_1_s=mass_damping_rate(modes.omega[translation_mode(modes)], settings["damping_ratio"]),
+        duration_s=settings["explicit_duration_s"],
+    )
+    with open(job.output[0], "w") as handle:
+        handle.write(to_json(building.scene))
+
+
+run(main, globals())

@@ -1,0 +1,58 @@
+"""Figure 2: translation along y and rotation about z of CBDEM and SBDEM."""
+
+import json
+
+import matplotlib.pyplot as plt
+import numpy as np
+from rocking import style
+from rocking.building import drawing
+from rocking.building.case import (
+    PAPER_PERIODS_S,
+    build_model,
+    read_plan,
+    translation_mode,
+    twist_mode,
+)
+from rocking.building.modes import Modes
+from rocking.script import run
+
+LARGEST_M = 0.7  # drawn displacement of the block that moves most
+
+
+def main(job):
+    settings = dict(job.params.building)
+    plan = read_plan(job.input.plan)
+    with open(job.input.fit) as handle:
+        load = json.load(handle)["floor_load_kg_m2"]
+    figure, axes = plt.subplots(2, 2, figsize=(7.0, 7.6))
+    colours = plt.get_cmap("viridis")
+    letters = iter("abcd")
+    for row, (name, choose, direction) in enumerate(
+        (("translation along y", translation_mode, "y"), ("rotation about z", twist_mode, "rz"))
+    ):
+        for column, model in enumerate(("CBDEM", "SBDEM")):
+            ax = axes[row, column]
+            modes = Modes.load(job.input.cbdem if model == "CBDEM" else job.input.sbdem)
+            building = build_model(settings, plan, model, load)
+            mode = choose(modes)
+            motion = drawing.block_motion(modes, mode, len(building.scene.blocks))
+            size = np.linalg.norm(motion[:, :3], axis=1).max()
+            values = drawing.face_values(building, motion) / size
+            drawing.draw(ax, building, motion=motion, scale=LARGEST_M / size,
+                         colours=colours(values)[:, :3], edge_width=0.08)  # fmt: skip
+            title = f"({next(letters)}) {model}, mode {mode + 1}: {name}, "
+            title += f"T = {modes.period_s[mode]:.3f} s"
+            if job.params.paper:
+                title += f" (study {PAPER_PERIODS_S[model, direction]:.2f} s)"
+            title += (
+                f"\neffective mass along y {modes.effective_ratio[mode, 1]:.2f},"
+                f" inertia about z {modes.effective_ratio[mode, 5]:.2f}"
+            )
+            ax.set_title(title, fontsize=7)
+    bar = figure.colorbar(plt.cm.ScalarMappable(cmap=colours), ax=axes, shrink=0.4, aspect=30,
+                          location="bottom")  # fmt: skip
+    bar.set_label("displacement of the block over the largest [-]")
+    style.save(figure, job.output)
+
+
+run(main, globals())

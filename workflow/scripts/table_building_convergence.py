@@ -1,0 +1,26 @@
+"""Periods and cost against brick size, with growth rates (tables/building_convergence.csv)."""
+
+import json
+
+import numpy as np
+import pandas as pd
+from rocking.script import run
+
+
+def main(job):
+    rows = []
+    for path in job.input.cost:
+        with open(path) as handle:
+            rows.append(json.load(handle))
+    table = pd.DataFrame(rows).sort_values(["model", "coarsening"], ascending=[True, False])
+    for value in ("wall_s", "memory_mb"):  # exponent of the growth with the number of bricks
+        table[f"{value.rpartition('_')[0]}_growth"] = table.groupby("model", group_keys=False)[
+            value
+        ].transform(
+            lambda column: np.log(column).diff() / np.log(table.loc[column.index, "bricks"]).diff()
+        )
+    table["period_y_change"] = table.groupby("model")["period_y_s"].pct_change()
+    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+
+
+run(main, globals())

@@ -1,0 +1,25 @@
+"""Cost of the explicit run against brick size (tables/building_explicit_cost.csv)."""
+
+import json
+
+import numpy as np
+import pandas as pd
+from rocking.script import run
+
+
+def main(job):
+    rows = []
+    for coarsening, path in zip(job.params.coarsenings, job.input.cost, strict=True):
+        with open(path) as handle:
+            cost = json.load(handle)
+        rows.append({"coarsening": coarsening, **cost})
+    table = pd.DataFrame(rows).sort_values("coarsening", ascending=False)
+    table["step_wall_s"] = table["run_s"] / table["steps"]
+    table["wall_s_per_simulated_s"] = table["step_wall_s"] / table["step_s"]
+    for value in ("wall_s_per_simulated_s", "memory_mb"):  # exponent over the number of blocks
+        growth = np.log(table[value]).diff() / np.log(table["blocks"]).diff()
+        table[f"{value.partition('_')[0]}_growth"] = growth
+    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+
+
+run(main, globals())

@@ -1,0 +1,30 @@
+"""Periods and effective masses of both models (tables/building_modes.csv)."""
+
+import pandas as pd
+from rocking.building.case import PAPER_PERIODS_S, translation_mode, twist_mode
+from rocking.building.modes import DIRECTIONS, Modes
+from rocking.script import run
+
+ROWS = 12  # modes listed for each model
+
+
+def main(job):
+    rows = []
+    for model, path in zip(("CBDEM", "SBDEM"), (job.input.cbdem, job.input.sbdem), strict=True):
+        modes = Modes.load(path)
+        paper = {(translation_mode(modes), "y"): PAPER_PERIODS_S[model, "y"],
+                 (twist_mode(modes), "rz"): PAPER_PERIODS_S[model, "rz"]}  # fmt: skip
+        last = max(ROWS, *(mode + 1 for mode, _ in paper))
+        for j in range(min(last, len(modes.omega))):
+            for k, direction in enumerate(DIRECTIONS):
+                known = paper.get((j, direction)) if job.params.paper else None
+                rows.append((model, j + 1, direction, modes.period_s[j],
+                             modes.effective_ratio[j, k], known))  # fmt: skip
+    columns = ("model", "mode", "direction", "period_s", "effective_mass_ratio", "period_paper_s")
+    table = pd.DataFrame(rows, columns=list(columns))
+    table["effective_mass_ratio"] = table["effective_mass_ratio"].round(6)
+    table["period_s"] = table["period_s"].round(6)
+    table.to_csv(job.output[0], index=False, float_format="%.9g", lineterminator="\n")
+
+
+run(main, globals())

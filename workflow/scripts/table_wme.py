@@ -1,0 +1,58 @@
+"""WME of equal chains n = 1 … 5 against SBDEM, and the chain they choose.
+
+Writes tables/wme.csv, tables/building_chain.csv and building/chain.yaml, a
+configuration file that gives the chain to the façade stage.
+"""
+
+import numpy as np
+import pandas as pd
+from rocking.building.case import translation_mode
+from rocking.building.comparison import (
+    N_DOF,
+    PAPER_WME,
+    QUANTITIES,
+    chain_top,
+    choose_n,
+    top_motion,
+)
+from rocking.building.modes import Modes
+from rocking.records import read_csv
+from rocking.script import run
+
+
+def main(job):
+    settings = dict(job.params.building)
+    modes = Modes.load(job.input.modes)
+    mode = translation_mode(modes)
+    period = float(modes.period_s[mode])
+    ranges = (settings["wme_longest_period_s"], settings["wme_highest_frequency_hz"])
+    rows = []
+    for name, history, motion in zip(job.params.records, job.input.histories, job.input.records,
+                                     strict=True):  # fmt: skip
+        data = np.loadtxt(history, delimiter=",", skiprows=1)
+        reference = top_motion(data[:, 0], data[:, 2], *ranges)
+        record = read_csv(motion)
+        for n in N_DOF:
+            chain = chain_top(record.acceleration_m_s2, record.dt_s, n, period,
+                              settings["damping_ratio"])  # fmt: skip
+            errors = reference.wme(top_motion(*chain, *ranges))
+            for quantity in QUANTITIES:
+                paper = PAPER_WME.get((quantity, name))
+                known = paper[n - 1] if paper and job.params.paper else None
+                rows.append((name, n, quantity, errors[quantity], known))
+    table = pd.DataFrame(rows, columns=["record", "n_dof", "quantity", "wme", "wme_paper"])
+    table.to_csv(job.output.wme, index=False, float_format="%.6g", lineterminator="\n")
+    chosen = choose_n(zip(table["n_dof"], table["wme"], strict=True), settings["wme_gain"])
+    chain = pd.DataFrame(
+        [(period, mode + 1, modes.effective_ratio[mode, 1], chosen, settings["wme_gain"])],
+        columns=["t1_s", "mode", "effective_mass_ratio", "n_dof", "wme_gain"],
+    )
+    chain.to_csv(job.output.chain, index=False, float_format="%.6g", lineterminator="\n")
+    with open(job.output.config, "w") as handle:
+        handle.write(
+            "# Chain equivalent to this building; give it to the façade stage with --configfile.\n"
+            f"smdof:\n  n_dof: {chosen}\n  period_s: {period:.6g}\n"
+        )
+
+
+run(main, globals())
