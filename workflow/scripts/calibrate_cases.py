@@ -1,0 +1,35 @@
+"""Walls and β of one part of the calibration study, for YADE's free-rocking runs."""
+
+import json
+
+import yaml
+from rocking import calibration_study as study
+from rocking.config import resolve
+from rocking.script import run
+
+
+def read_wall(path):
+    with open(path, encoding="utf-8") as handle:
+        return resolve(yaml.safe_load(handle))
+
+
+def main(job):
+    config = json.loads(job.params.config)
+    settings, group = config["calibration"], job.wildcards.group
+    if group.startswith("batch"):
+        cases = study.batch_cases(settings, int(group[5:]))
+    elif group == "sensitivity":
+        cases = study.sensitivity_cases(settings)
+    elif group == "free_rocking_wall":
+        wall = read_wall(job.input.wall)
+        cases = study.wall_cases(
+            settings, wall, settings["ratio_band"], settings["free_rocking_beta_s"]
+        )
+    else:
+        cases = study.wall_cases(settings, {**config, "run": "own wall"})
+    with open(job.output[0], "w") as handle:
+        json.dump(cases, handle, indent=1, sort_keys=True)
+        handle.write("\n")
+
+
+run(main, globals())

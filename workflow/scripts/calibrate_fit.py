@@ -1,0 +1,69 @@
+"""Best-fitting β of every wall of the study with its misfit, and the contract's shorter table."""
+
+import csv
+import json
+import math
+
+from rocking import calibration, closed_forms
+from rocking import calibration_study as study
+from rocking.restitution import read_histories
+from rocking.script import run
+
+GROUPS = ("slenderness", "return_wall_ratio", "stiffness_ratio", "base_stiffness")
+COLUMNS = (
+    "wall", "role", "b_m", "h_m", "e_mpa", "density_kg_m3", *GROUPS, "omega_c_rad_s",
+    "release_ratio", "e_1sr", "beta_fit_s", "misfit", "e1_over_e1sr", "e2_over_e1sr",
+    "e3_over_e1sr", "beta_1_s", "beta_2_s", "beta_3_s", "beta_min_s", "beta_max_s", "beta_eq5_s",
+    "runs", "runs_with_three_impacts", "remark",
+)  # fmt: skip
+CONTRACT = ("b_m", "h_m", "e_mpa", "beta_fit_s", "beta_eq5_s")
+
+
+def number(value):
+    return "" if not math.isfinite(value) else f"{value:.6g}"
+
+
+def row_of(wall):
+    case, facade = wall["case"], wall["case"]["config"]["facade"]
+    b, h, e_mpa = facade["thickness_m"], facade["height_m"], facade["e_mpa"]
+    fit = study.best_fit(wall["beta_s"], wall["e"] / wall["e_1sr"])
+    complete = sum(len(found) >= 3 for found in wall["found"])
+    remark = ""
+    if not math.isfinite(fit["beta_s"]):
+        remark = "no β gives three impacts"
+    elif fit["at_edge"]:
+        remark = "best β at the end of the range that could be judged"
+    groups = calibration.groups(case["config"])
+    return {
+        "wall": case["id"], "role": case["about"]["role"], "b_m": f"{b:.6g}", "h_m": f"{h:.6g}",
+        "e_mpa": f"{e_mpa:.6g}", "density_kg_m3": f"{facade['density_kg_m3']:.6g}",
+        **{name: number(groups[name]) for name in (*GROUPS, "omega_c_rad_s")},
+        "release_ratio": f"{case['release_ratio']:.6g}", "e_1sr": number(wall["e_1sr"]),
+        "beta_fit_s": number(fit["beta_s"]), "misfit": number(fit["misfit"]),
+        **{f"e{n}_over_e1sr": number(v) for n, v in enumerate(fit["ratio"], 1)},
+        **{f"beta_{n}_s": number(v) for n, v in enumerate(fit["single_s"], 1)},
+        "beta_min_s": f"{study.two_block_minimum(case['config']):.6g}",
+        "beta_max_s": f"{study.single_block_maximum(case['config']):.6g}",
+        "beta_eq5_s": number(closed_forms.beta_one_sided(b, h, e_mpa)),
+        "runs": len(wall["found"]), "runs_with_three_impacts": complete, "remark": remark,
+    }  # fmt: skip
+
+
+def write(path, columns, rows):
+    with open(path, "w", newline="") as handle:
+        writer = csv.DictWriter(handle, columns, lineterminator="\n", extrasaction="ignore")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def main(job):
+    rows = []
+    for cases, histories in zip(job.input.cases, job.input.histories, strict=True):
+        with open(cases) as text:
+            walls = study.evaluate(json.load(text), read_histories(histories))
+        rows += [row_of(wall) for wall in walls]
+    write(job.output.walls, COLUMNS, rows)
+    write(job.output.fit, CONTRACT, [r for r in rows if r["role"] == "reference"])
+
+
+run(main, globals())

@@ -1,0 +1,93 @@
+"""Which groups the fitted β depends on, and the law that `damping.law: fitted` uses."""
+
+import csv
+
+import numpy as np
+import pandas as pd
+from rocking import calibration
+from rocking.calibration import dimensional_error
+from rocking.script import run
+
+FORMS = (
+    (),
+    ("slenderness",),
+    ("return_wall_ratio",),
+    ("slenderness", "return_wall_ratio"),
+    ("slenderness", "stiffness_ratio"),
+    ("slenderness", "return_wall_ratio", "stiffness_ratio"),
+    ("slenderness", "return_wall_ratio", "stiffness_ratio", "base_stiffness"),
+)
+WORTH = 0.10  # a further group has to lower the leave-one-out error by this share
+COLUMNS = (
+    "form", "walls", "parameters", "coefficients", "half_widths_95", "residual_std",
+    "loo_error", "chosen",
+)  # fmt: skip
+
+
+def main(job):
+    table = pd.read_csv(job.input[0])
+    table = table[table.role.isin(["reference", "ratio", "stiffness"])]
+    table = table[table.beta_fit_s.notna() & table.remark.isna()]
+    names = ["slenderness", "return_wall_ratio", "stiffness_ratio", "base_stiffness"]
+    walls = table[[*names, "omega_c_rad_s"]].to_dict("records")
+    betas = table.beta_fit_s.to_numpy()
+    laws = [calibration.fit_law(walls, betas, form) for form in FORMS]
+    chosen = laws[0]
+    for law in laws[1:]:
+        if law.loo_error < (1.0 - WORTH) * chosen.loo_error:
+            chosen = law
+    rows = []
+    for law in laws:
+        half = calibration.half_widths(law)
+        rows.append({
+            "form": "beta·omega_c = exp(c0)" + "".join(f"·{n}^c{i}" for i, n in
+                                                        enumerate(law.names, 1)),
+            "walls": len(betas), "parameters": len(law.coefficients),
+            "coefficients": " ".join(f"{c:.4f}" for c in law.coefficients),
+            "half_widths_95": " ".join(f"{c:.4f}" for c in half),
+            "residual_std": f"{law.residual_std:.4f}", "loo_error": f"{law.loo_error:.4f}",
+            "chosen": int(law is chosen),
+        })  # fmt: skip
+    for label, part in (
+        ("all walls", table),
+        ("reference ratio", table[table.role == "reference"]),
+    ):
+        b, e_mpa, s = (part[c].to_numpy() for c in ("b_m", "e_mpa", "slenderness"))
+        fitted = part.beta_fit_s.to_numpy()
+        printed = np.sqrt(np.mean(np.log(fitted / part.beta_eq5_s.to_numpy()) ** 2))
+        rows.append({
+            "form": f"eq. 5 as printed, {label}", "walls": len(part), "parameters": 5,
+            "residual_std": f"{printed:.4f}", "chosen": 0,
+        })  # fmt: skip
+        try:
+            found, error, loo = dimensional_error(b, e_mpa, s, fitted)
+        except calibration.CalibrationError:
+            continue
+        rows.append({
+            "form": f"(b·c1 + E·c2 + c3)·exp(h/b·(E·c4 + c5)) refitted, {label}",
+            "walls": len(part), "parameters": 5,
+            "coefficients": " ".join(f"{c:.4g}" for c in found),
+            "residual_std": f"{error:.4f}", "loo_error": f"{loo:.4f}", "chosen": 0,
+        })  # fmt: skip
+    reference = table[table.role == "reference"]
+    here = reference[[*names, "omega_c_rad_s"]].to_dict("records")
+    for form in ((), ("slenderness",)):
+        law = calibration.fit_law(here, reference.beta_fit_s.to_numpy(), form)
+        rows.append({
+            "form": "beta·omega_c = exp(c0)" + "".join(f"·{n}^c1" for n in form)
+                    + ", reference ratio",
+            "walls": len(here), "parameters": len(law.coefficients),
+            "coefficients": " ".join(f"{c:.4f}" for c in law.coefficients),
+            "half_widths_95": " ".join(f"{c:.4f}" for c in calibration.half_widths(law)),
+            "residual_std": f"{law.residual_std:.4f}", "loo_error": f"{law.loo_error:.4f}",
+            "chosen": 0,
+        })  # fmt: skip
+    with open(job.output.table, "w", newline="") as handle:
+        writer = csv.DictWriter(handle, COLUMNS, lineterminator="\n", restval="")
+        writer.writeheader()
+        writer.writerows(rows)
+    with open(job.output.law, "w") as handle:
+        handle.write(chosen.to_json())
+
+
+run(main, globals())
