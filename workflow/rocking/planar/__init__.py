@@ -1,0 +1,13 @@
+"""Planar rigid-block solver, independent of YADE and of the scene code, used as the reference.
+
+Mechanics of one block on a compliant base and, optionally, in front of moving
+return walls: `wall` describes it, `contact` holds the interface law, `motion`
+the supports, `adaptive` and `batch` integrate.
+"""
+
+from .adaptive import History, simulate
+from .batch import BatchResult, simulate_batch
+from .motion import Motion
+from .wall import Wall
+
+__all__ = ["BatchResult", "History", "Motion", "Wall", "simulate", "simulate_batch"]

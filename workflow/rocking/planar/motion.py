@@ -1,0 +1,118 @@
+"""Support motions: piecewise-linear accelerations, integrated exactly."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+def integrate_linear(acceleration, dt_s):
+    """Velocity and displacement of a piecewise-linear acceleration, from rest, at its samples.
+
+    v grows by (a₀ + a₁)h/2 and u by v₀h + (2a₀ + a₁)h²/6 in a step, exactly.
+
+    Parameters
+    ----------
+    acceleration : ndarray, shape (..., nt)
+    dt_s : float
+
+    Returns
+    -------
+    velocity, displacement : ndarray, shape (..., nt)
+    """
+    a0, a1 = acceleration[..., :-1], acceleration[..., 1:]
+    start = np.zeros(acceleration.shape[:-1] + (1,))
+    velocity = np.concatenate((start, np.cumsum(0.5 * (a0 + a1) * dt_s, axis=-1)), axis=-1)
+    gain = velocity[..., :-1] * dt_s + (2.0 * a0 + a1) * dt_s**2 / 6.0
+    return velocity, np.concatenate((start, np.cumsum(gain, axis=-1)), axis=-1)
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Accelerations of the base and of the return-wall segments.
+
+    The block is solved in the base's frame, so only the walls' motion relative
+    to the base is integrated; after the last sample everything stands still
+    relative to the base and the base's acceleration is zero.
+
+    Parameters
+    ----------
+    dt_s : float
+        Common sampling step.
+    base_m_s2 : array_like, shape (nt,)
+        Positive outward (+y).
+    walls_m_s2 : array_like, shape (m, nt), or None
+        Absolute accelerations of the segments, base up; None moves them with the base.
+
+    Raises
+    ------
+    ValueError
+        If the step is not positive, a value is not finite or the lengths differ.
+    """
+
+    dt_s: float
+    base_m_s2: np.ndarray
+    walls_m_s2: np.ndarray | None = None
+    relative_m_s2: np.ndarray | None = field(init=False, repr=False, default=None)
+    relative_m_s: np.ndarray | None = field(init=False, repr=False, default=None)
+    relative_m: np.ndarray | None = field(init=False, repr=False, default=None)
+
+    def __post_init__(self):
+        """Check the samples and integrate the relative motion of the walls."""
+        base = np.asarray(self.base_m_s2, float)
+        if not (np.isfinite(self.dt_s) and self.dt_s > 0.0):
+            raise ValueError(f"motion: the step must be positive, got {self.dt_s} s")
+        if base.ndim != 1 or base.size < 2 or not np.all(np.isfinite(base)):
+            raise ValueError("motion: expected one row of at least 2 finite base accelerations")
+        object.__setattr__(self, "base_m_s2", base)
+        if self.walls_m_s2 is None:
+            return
+        walls = np.atleast_2d(np.asarray(self.walls_m_s2, float))
+        if walls.shape[1] != base.size or not np.all(np.isfinite(walls)):
+            raise ValueError(
+                f"motion: expected finite wall accelerations of {base.size} samples, "
+                f"got shape {walls.shape}"
+            )
+        relative = walls - base
+        velocity, displacement = integrate_linear(relative, self.dt_s)
+        object.__setattr__(self, "walls_m_s2", walls)
+        object.__setattr__(self, "relative_m_s2", relative)
+        object.__setattr__(self, "relative_m_s", velocity)
+        object.__setattr__(self, "relative_m", displacement)
+
+    @property
+    def intervals(self):
+        """Number of intervals between samples."""
+        return self.base_m_s2.size - 1
+
+    @property
+    def duration_s(self):
+        """Time of the last sample."""
+        return self.intervals * self.dt_s
+
+    def interval(self, k, segments):
+        """Polynomials of interval k as a function of τ from its start.
+
+        Returns
+        -------
+        callable
+            τ → (base acceleration, wall displacements, wall velocities), the last
+            two relative to the base, shape (segments,), or None where they are zero.
+            Beyond the last interval: the state that the last sample leaves.
+        """
+        moving = self.relative_m is not None and segments > 0
+        if k >= self.intervals:
+            last = self.relative_m[:, -1] if moving else None
+            return lambda tau: (0.0, last, np.zeros(segments) if moving else None)
+        a0, a1 = self.base_m_s2[k], self.base_m_s2[k + 1]
+        slope = (a1 - a0) / self.dt_s
+        if not moving:
+            return lambda tau: (a0 + slope * tau, None, None)
+        w0 = self.relative_m_s2[:, k]
+        jerk = (self.relative_m_s2[:, k + 1] - w0) / self.dt_s
+        v0, u0 = self.relative_m_s[:, k], self.relative_m[:, k]
+
+        def at(tau):
+            u = u0 + tau * (v0 + tau * (w0 / 2.0 + tau * jerk / 6.0))
+            return a0 + slope * tau, u, v0 + tau * (w0 + tau * jerk / 2.0)
+
+        return at
