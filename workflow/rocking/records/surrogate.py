@@ -31,9 +31,9 @@ from .record import G_M_S2, MAX_PGA_G, MIN_PGA_G, Record, integrate
 
 TOLERANCE = 0.01  # accepted relative error of PGA, PGV and PGD
 DEFAULT_SEED = 1977
-MAX_DRAWS = 60  # noise draws tried before giving up
+MAX_DRAWS = 16  # noise draws tried before giving up
 MAX_DURATION_S = 600.0
-MAX_STEPS = 30
+MAX_STEPS = 15
 MAX_LOG_CHANGE = 0.7  # solved parameters stay within a factor of 2 of the data's
 GOAL = 1e-6
 
@@ -148,26 +148,33 @@ class Spec:
 def default_spec(pga_g, pgv_cm_s, pgd_cm, duration_s):
     """Parameters derived from the peaks alone, for a record without an entry of its own.
 
-    One pulse of period 2π·PGD/PGV, the period of a harmonic with those peaks, and noise
-    whose frequency follows PGA/PGV in the same way.
+    A pulse of period 2π·PGD/PGV, the period of a harmonic with those peaks, with a ninth of
+    it at a third of the period (the first terms of a triangular wave) where PGA is small
+    for PGV and PGD; noise whose frequency follows PGA/PGV.
     """
-    pgv, pgd = pgv_cm_s / 100, pgd_cm / 100
+    pga, pgv, pgd = pga_g * G_M_S2, pgv_cm_s / 100, pgd_cm / 100
+    ratio = pga * pgd / pgv**2  # 1 for a harmonic
     period = min(2 * math.pi * pgd / pgv, 0.3 * duration_s)
-    frequency = min(max(1.5 * pga_g * G_M_S2 / (2 * math.pi * pgv), 1.5), 8.0)
-    time = max(0.25 * duration_s, period + 0.05 * duration_s)
+    time = max(0.25 * duration_s, 1.1 * period + 0.02 * duration_s)
+    # The larger the ratio, the more of the velocity is noise.
+    amplitude = 0.9 * pgv / max(ratio, 1.0) ** 0.25
+    pulses = [Pulse(amplitude, period, 2.0, 0.0, time)]
+    if ratio < 1.5:
+        pulses.append(Pulse(amplitude / 9, period / 3, 4.0, 0.0, time))
+    frequency = min(max(1.2 * pga / (2 * math.pi * pgv), 1.0), 8.0)
     noise = Noise(
-        rms_m_s2=pga_g * G_M_S2 / 5,
+        rms_m_s2=pga / 4 if ratio > 1.5 else pga / 8,
         frequency_hz=frequency,
         damping=0.6,
-        low_cut_hz=max(0.2, 2 / duration_s),
+        low_cut_hz=max(0.8 / period, 2 / duration_s),
         high_cut_hz=20.0,
-        rise_s=0.12 * duration_s,
+        rise_s=0.15 * duration_s,
         strong_end_s=0.4 * duration_s,
-        decay_s=0.15 * duration_s,
+        decay_s=0.1 * duration_s,
     )
-    pulse = Pulse(0.8 * pgv, period, 2.0, 0.0, time)
-    names = ("pulses.0.amplitude_m_s", "pulses.0.period_s", "noise.rms_m_s2")
-    return Spec(0.01, (pulse,), noise, names)
+    pulse = ("pulses.0.amplitude_m_s", "pulses.0.period_s")
+    free = ("noise.rms_m_s2", "noise.frequency_hz", "noise.low_cut_hz")
+    return Spec(0.01, tuple(pulses), noise, pulse + free)
 
 
 def _correction(t, dt_s):
@@ -258,6 +265,14 @@ def _check_targets(name, pga_g, pgv_cm_s, pgd_cm, duration_s):
                 f"record {name}: {key} is {given[key]:g}; expected {low:g} … {high:g} "
                 "for a surrogate"
             )
+    # Peak velocity V is reached and left with at most A, so displacement changes by V²/A
+    # or more meanwhile, and half of that is its least peak.
+    ratio = pga_g * G_M_S2 * pgd_cm / 100 / (pgv_cm_s / 100) ** 2
+    if ratio < 0.5:
+        raise RecordError(
+            f"record {name}: PGA·PGD/PGV² = {ratio:.2g}; a motion that starts and ends at rest "
+            "has 0.5 or more: are the units right?"
+        )
 
 
 def _check_spec(name, spec, duration_s):
