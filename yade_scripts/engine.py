@@ -4,7 +4,8 @@ YADE is imported as a library: neither its prompt nor its XML-RPC server starts,
 so nothing listens on a port and no user session is needed. Each contact node is
 a small sphere of the block that carries it, against a box that stands for the
 opposite block's face. The spheres weigh nothing; mass and inertia sit on the
-clump. Masks pair every node with its own face only.
+clump. Masks pair every node with its own face only. Bonded nodes are explained
+in `bonds`.
 """
 
 import glob
@@ -14,8 +15,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .bonds import PRELOAD_M, Bonds, is_tie
+from .faces import FaceError, Faces
+from .motion import GUIDE_INTERVAL_S, Guide, Motion
+
+__all__ = ["Built", "EngineError", "FaceError", "Motion", "build", "load_yade"]
+
 SUPPORT_MASS_RATIO = 1e9  # support mass over the heaviest block: drive error below 1e-9
 PARTNER_STIFFNESS = 1e30  # materials combine in series; the face must not soften the node
+NO_STIFFNESS = 1e-12  # N/m
+UNLIMITED_FRICTION = 1.57  # rad
 NEEDED_CLASSES = (
     "Box", "Sphere", "ViscElMat", "Ip2_ViscElMat_ViscElMat_ViscElPhys", "Ig2_Box_Sphere_ScGeom",
     "Law2_ScGeom_ViscElPhys_Basic", "InterpolatingDirectedForceEngine", "NewtonIntegrator",
@@ -66,30 +75,6 @@ def load_yade():
 
 
 @dataclass
-class Motion:
-    """A support's prescribed acceleration along y, linear between samples.
-
-    Attributes
-    ----------
-    time_s, acceleration_m_s2 : ndarray, shape (n,)
-    """
-
-    time_s: np.ndarray
-    acceleration_m_s2: np.ndarray
-
-    @property
-    def duration_s(self):
-        """Time of the last sample [s]."""
-        return float(self.time_s[-1])
-
-    def peak_speed(self):
-        """Largest |velocity| of the integrated motion [m/s]."""
-        steps = np.diff(self.time_s) * 0.5
-        a = self.acceleration_m_s2
-        return float(np.max(np.abs(np.concatenate(([0.0], np.cumsum(steps * (a[1:] + a[:-1])))))))
-
-
-@dataclass
 class Built:
     """Handles of a scene built in YADE.
 
@@ -98,57 +83,18 @@ class Built:
     body : list of int
         YADE id of each block: the clump, or the first face of a support.
     node_body : list of int
-        YADE id of each node's sphere.
+        YADE id of each node's sphere (the dry one, for bonded nodes).
+    bonds : bonds.Bonds or None
+        Follows the bonded nodes, if there are any.
+    guide : motion.Guide or None
+        Moves the blocks that are driven along y but free otherwise, if there are any.
     """
 
     omega: object
     body: list
     node_body: list
-
-
-def _rotation_matrix(vector):
-    """Rotation matrix of a rotation vector, shape (3, 3) (Rodrigues' formula)."""
-    angle = np.linalg.norm(vector)
-    if angle == 0.0:
-        return np.eye(3)
-    x, y, z = np.asarray(vector) / angle
-    k = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.eye(3) + np.sin(angle) * k + (1.0 - np.cos(angle)) * (k @ k)
-
-
-class _Faces:
-    """Groups nodes by the face (block, normal, plane) they touch; one mask bit a face."""
-
-    def __init__(self, scene):
-        nodes = scene.nodes
-        self.key_of_node, self.planes = [], {}
-        for i in range(len(nodes)):
-            normal = nodes.normal[i]
-            level = float(normal @ nodes.position_m[i] - nodes.gap_m[i])
-            key = (int(nodes.b[i]), tuple(np.round(normal, 12)), round(level, 9))
-            self.planes.setdefault(key, []).append(i)
-            self.key_of_node.append(key)
-        self.bit = {key: 1 << n for n, key in enumerate(self.planes)}
-        if len(self.bit) > 30:
-            raise EngineError(f"{len(self.bit)} contact faces, but YADE's masks hold 30")
-
-    def box(self, scene, key, reach_m, material):
-        """Return the YADE box whose surface is the face `key`, in the reference position."""
-        _, normal, level = key
-        normal = np.array(normal)
-        middle = np.mean(scene.nodes.position_m[self.planes[key]], axis=0)
-        on_face = middle + (level - normal @ middle) * normal
-        # Oversized on purpose: masks decide who touches it, and a node at the rim
-        # of the real face must meet a flat face, not the edge of a box.
-        centre = on_face - reach_m * normal
-        from yade import minieigenHP, utils
-
-        axis_to = minieigenHP.Quaternion()
-        axis_to.setFromTwoVectors(minieigenHP.Vector3(0, 0, 1), minieigenHP.Vector3(*normal))
-        return utils.box(
-            center=tuple(centre), extents=(reach_m, reach_m, reach_m), orientation=axis_to,
-            fixed=False, wire=True, material=material, mask=self.bit[key],
-        )  # fmt: skip
+    bonds: Bonds | None = None
+    guide: Guide | None = None
 
 
 def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
@@ -183,19 +129,30 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
         raise EngineError(f"no motion given for {', '.join(missing)}")
     omega = w.Omega()
     omega.reset()
-    faces = _Faces(scene)
+    faces = Faces(scene)
     nodes = scene.nodes
     reach = 4.0 * max(max(b.size_m) for b in scene.blocks)
     rigid = w.ViscElMat(
         density=1e-12, kn=PARTNER_STIFFNESS, ks=PARTNER_STIFFNESS,
-        cn=PARTNER_STIFFNESS, cs=PARTNER_STIFFNESS, frictionAngle=1.57,
+        cn=PARTNER_STIFFNESS, cs=PARTNER_STIFFNESS, frictionAngle=UNLIMITED_FRICTION,
     )  # fmt: skip
     omega.materials.append(rigid)
     materials = {}
+    # not 0: of two materials YADE takes the larger when one of them is 0
+    none = NO_STIFFNESS
+    dead = w.ViscElMat(density=1e-12, kn=none, ks=none, cn=none, cs=none, frictionAngle=0.0)
 
     def node_material(i):
         key = tuple(float(v[i]) for v in (nodes.kn_n_m, nodes.ks_n_m, nodes.beta_s,
                                           nodes.friction_rad))  # fmt: skip
+        return viscoelastic(key)
+
+    def bond_material(i):  # half a node; the shear of a tie slips freely
+        angle = 0.0 if is_tie(nodes, i) else UNLIMITED_FRICTION
+        return viscoelastic((float(0.5 * nodes.kn_n_m[i]), float(0.5 * nodes.ks_n_m[i]),
+                             float(nodes.beta_s[i]), angle))  # fmt: skip
+
+    def viscoelastic(key):
         if key not in materials:
             kn, ks, beta, friction = key
             materials[key] = w.ViscElMat(
@@ -204,12 +161,14 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
             omega.materials.append(materials[key])
         return materials[key]
 
-    body, node_body, drives = [], [-1] * len(nodes), {}
+    if nodes.bonded.any():
+        omega.materials.append(dead)
+    body, node_body, drives, bonded = [], [-1] * len(nodes), {}, {}
     heaviest = max([b.mass_kg for b in scene.blocks if b.free] or [1.0])
     for index, block in enumerate(scene.blocks):
-        keys = [key for key in faces.planes if key[0] == index]
+        keys = faces.of_block(index)
         if not block.free:
-            ids = [omega.bodies.append(faces.box(scene, key, reach, rigid)) for key in keys]
+            ids = [omega.bodies.append(faces.box(key, reach, rigid)) for key in keys]
             if not ids:
                 ids = [omega.bodies.append(utils.box((0, 0, 0), (1, 1, 1), mask=0))]
             for i in ids:
@@ -222,7 +181,8 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
             body.append(ids[0])
             continue
         members = _members(utils, omega, scene, index, faces, keys, reach, rigid,
-                           node_material, node_radius_m, node_body)  # fmt: skip
+                           node_material, bond_material, dead, node_radius_m, node_body,
+                           bonded)  # fmt: skip
         body.append(_clump(omega, block, members, full_rotation))
 
     engines = [
@@ -255,11 +215,35 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     )
     omega.engines = engines
     omega.dt = dt_s
-    return Built(omega, body, node_body)
+    built = Built(omega, body, node_body)
+    _attach(w, scene, motions, built, bonded, node_material, dead)
+    return built
+
+
+def _attach(w, scene, motions, built, bonded, node_material, dead):
+    """Add the runners that move guided blocks and break bonds, where the scene has any."""
+    import __main__
+
+    omega = built.omega
+    guided = [i for i, block in enumerate(scene.blocks) if block.free and block.motion]
+    if guided:
+        period = max(1, round(GUIDE_INTERVAL_S / omega.dt))
+        built.guide = Guide(scene, omega, built.body, guided, motions, period)
+        __main__._guide_blocks = built.guide
+        omega.engines = [
+            w.PyRunner(command="_guide_blocks()", iterPeriod=period, initRun=True)
+        ] + omega.engines
+    if bonded:
+        materials = {i: node_material(i) for i in bonded}
+        built.bonds = Bonds(scene, omega, built.body, bonded, materials, dead)
+        __main__._check_bonds = built.bonds
+        runner = w.PyRunner(command="_check_bonds()", iterPeriod=1, initRun=True)
+        omega.engines = omega.engines + [runner]
+        built.bonds.runner = omega.engines[-1]
 
 
 def _members(utils, omega, scene, index, faces, keys, reach, rigid, node_material,
-             radius_m, node_body):  # fmt: skip
+             bond_material, dead, radius_m, node_body, bonded):  # fmt: skip
     """Append carrier, node spheres and faces of a free block; return their ids."""
     block, nodes = scene.blocks[index], scene.nodes
     centre = np.array(block.centre_m)
@@ -275,16 +259,33 @@ def _members(utils, omega, scene, index, faces, keys, reach, rigid, node_materia
     state.inertia = (1.0, 2.0, 3.0)
     for i in np.flatnonzero(nodes.a == index):
         position = nodes.position_m[i] + radius_m * nodes.normal[i]
+        is_bonded = faces.press[i] is not None
         sphere = utils.sphere(
-            tuple(position), radius_m, material=node_material(i),
-            mask=faces.bit[faces.key_of_node[i]],
+            tuple(position), radius_m, material=dead if is_bonded else node_material(i),
+            mask=faces.bit[faces.plain[i]],
         )  # fmt: skip
         node_body[i] = omega.bodies.append(sphere)
-        member = omega.bodies[node_body[i]].state
-        member.mass, member.inertia = 0.0, (0.0, 0.0, 0.0)
-        ids.append(node_body[i])
+        new = [node_body[i]]
+        if is_bonded:
+            halves = [
+                omega.bodies.append(
+                    utils.sphere(
+                        tuple(nodes.position_m[i]),
+                        PRELOAD_M,
+                        material=bond_material(i),
+                        mask=faces.bit[key],
+                    )  # fmt: skip
+                )
+                for key in (faces.press[i], faces.hook[i])
+            ]
+            bonded[int(i)] = (*halves, node_body[i])
+            new += halves
+        for member_id in new:
+            member = omega.bodies[member_id].state
+            member.mass, member.inertia = 0.0, (0.0, 0.0, 0.0)
+        ids.extend(new)
     for key in keys:
-        i = omega.bodies.append(faces.box(scene, key, reach, rigid))
+        i = omega.bodies.append(faces.box(key, reach, rigid))
         member = omega.bodies[i].state
         member.mass, member.inertia = 0.0, (0.0, 0.0, 0.0)
         ids.append(i)

@@ -1,0 +1,77 @@
+"""Prescribed motions along y, and the guide that imposes them on otherwise free blocks."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+GUIDE_INTERVAL_S = 2.5e-4  # guided blocks move at constant speed for so long
+
+
+@dataclass
+class Motion:
+    """A support's prescribed acceleration along y, linear between samples.
+
+    Attributes
+    ----------
+    time_s, acceleration_m_s2 : ndarray, shape (n,)
+    """
+
+    time_s: np.ndarray
+    acceleration_m_s2: np.ndarray
+
+    @property
+    def duration_s(self):
+        """Time of the last sample [s]."""
+        return float(self.time_s[-1])
+
+    def position(self, time_s):
+        """Position from rest [m], integrated exactly; constant speed after the last sample."""
+        t, a = self.time_s, self.acceleration_m_s2
+        step = np.diff(t)
+        v = np.concatenate(([0.0], np.cumsum(0.5 * step * (a[1:] + a[:-1]))))
+        y = np.concatenate(
+            ([0.0], np.cumsum(v[:-1] * step + step**2 * (2.0 * a[:-1] + a[1:]) / 6.0))
+        )
+        time_s = np.asarray(time_s, float)
+        i = np.clip(np.searchsorted(t, time_s, side="right") - 1, 0, len(t) - 2)
+        s = np.minimum(time_s, t[-1]) - t[i]
+        slope = (a[i + 1] - a[i]) / step[i]
+        inside = y[i] + v[i] * s + 0.5 * a[i] * s**2 + slope * s**3 / 6.0
+        return inside + v[-1] * np.maximum(time_s - t[-1], 0.0)
+
+    def peak_speed(self):
+        """Largest |velocity| of the integrated motion [m/s]."""
+        steps = np.diff(self.time_s) * 0.5
+        a = self.acceleration_m_s2
+        return float(np.max(np.abs(np.concatenate(([0.0], np.cumsum(steps * (a[1:] + a[:-1])))))))
+
+
+class Guide:
+    """Moves blocks along y at piecewise constant speed, their other freedoms left alone.
+
+    Newton's integrator keeps the velocity of a blocked degree of freedom. Every
+    `period` steps it is set to the mean speed of the motion over the coming ones, so
+    the position agrees with the twice integrated motion at each of these instants.
+    """
+
+    def __init__(self, scene, omega, body, guided, motions, period):
+        """Tabulate the speed of every guided block on the grid of updates."""
+        self.omega, self.period = omega, period
+        self.states = [omega.bodies[body[i]].state for i in guided]
+        interval = period * omega.dt
+        tables = {}
+        for name in {scene.blocks[i].motion for i in guided}:
+            motion = motions[name]
+            count = int(np.ceil(motion.duration_s / interval)) + 2
+            tables[name] = np.diff(motion.position(interval * np.arange(count))) / interval
+        longest = max(len(t) for t in tables.values())
+        columns = [tables[scene.blocks[i].motion] for i in guided]
+        self.speeds = np.array([np.pad(c, (0, longest - len(c)), mode="edge") for c in columns])
+        self.rows = self.speeds.T.tolist()
+
+    def __call__(self):
+        """Set the speeds until the next update; beyond the motion the last one stays."""
+        row = self.rows[min(self.omega.iter // self.period, len(self.rows) - 1)]
+        for state, speed in zip(self.states, row, strict=True):
+            velocity = state.vel
+            state.vel = (velocity[0], speed, velocity[2])
