@@ -20,9 +20,11 @@ from rocking.records import G_M_S2, read_csv
 from rocking.script import run
 
 import smdof
+from yade_scripts.building.explicit import corner
 
 GRAVITY_M_S2 = 9.81
 MODES = 300
+POINTS = ("top floor", "wall corner")
 
 
 def main(job):
@@ -34,7 +36,7 @@ def main(job):
     building = build_model(settings, read_plan(job.input.plan), "SBDEM", load, notes["coarsening"])
     modes = Solver(building.scene).modes(MODES)
     record = read_csv(job.input.record)
-    top = building.scene.index(building.scene.monitor)
+    points = [building.scene.index(building.scene.monitor), corner(building.scene)]
     explicit = {
         name: np.loadtxt(path, delimiter=",", skiprows=1)
         for name, path in (("without dead load", job.input.plain),
@@ -43,21 +45,24 @@ def main(job):
     keep = record.time_s <= explicit["sudden gravity"][-1, 0] + record.dt_s
     ground = record.acceleration_m_s2[keep]
     modal = {
-        name: modal_history(modes, [top], ground, record.dt_s, notes["rate_1_s"], gravity_m_s2=g)
+        name: modal_history(modes, points, ground, record.dt_s, notes["rate_1_s"], gravity_m_s2=g)
         for name, g in (("without dead load", 0.0), ("sudden gravity", GRAVITY_M_S2))
     }
+    facts = (job.wildcards.record, building.scene.notes["bricks"], len(building.scene.nodes),
+             notes["step_s"], len(explicit["sudden gravity"]))  # fmt: skip
     rows = []
     for name, one in explicit.items():
         for other, two in modal.items():
-            for quantity, column, values in (
-                ("acceleration", 1, two.acceleration_m_s2[0]),
-                ("displacement", 2, two.displacement_m[0]),
-            ):
-                grid = smdof.common_grid(two.time_s, values, one[:, 0], one[:, column])
-                rows.append((job.wildcards.record, building.scene.notes["bricks"],
-                             len(building.scene.nodes), notes["step_s"], len(one), name, other,
-                             quantity, smdof.weighted_mean_error(*grid)))  # fmt: skip
-    columns = ["record", "bricks", "pairs", "step_s", "steps", "explicit", "modal", "quantity",
+            for i, point in enumerate(POINTS):
+                for quantity, column, values in (
+                    ("acceleration", 1 + i, two.acceleration_m_s2[i]),
+                    ("displacement", 3 + i, two.displacement_m[i]),
+                ):
+                    grid = smdof.common_grid(two.time_s, values, one[:, 0], one[:, column])
+                    rows.append((*facts, name, other, point, quantity,
+                                 smdof.weighted_mean_error(*grid)))  # fmt: skip
+    columns = ["record", "bricks", "pairs", "step_s", "steps", "explicit", "modal", "point",
+               "quantity",
                "wme"]  # fmt: skip
     pd.DataFrame(rows, columns=columns).to_csv(
         job.output.table, index=False, float_format="%.6g", lineterminator="\n"
@@ -67,36 +72,35 @@ def main(job):
 
 
 def _figure(job, explicit, modal, vertical_s):
-    figure, axes = plt.subplot_mosaic("ae;pp", figsize=(7.0, 5.0), width_ratios=(1.0, 1.4))
-    lines = (
-        ("YADE, sudden gravity", explicit["sudden gravity"][:, :2].T, "#D55E00", 1.0),
-        ("YADE, without dead load", explicit["without dead load"][:, :2].T, "#56B4E9", 1.0),
-        ("modal, without dead load", (modal["without dead load"].time_s,
-                                      modal["without dead load"].acceleration_m_s2[0]),
-         "black", 0.7),
-    )  # fmt: skip
-    for name, (x, y), colour, width in lines:
-        dashes = "--" if name.startswith("modal") else "-"
-        axes["a"].plot(x, y / G_M_S2, dashes, color=colour, lw=width)
-        axes["e"].plot(x, y / G_M_S2, dashes, color=colour, lw=width, label=name)
-        spectrum = top_motion(x, y, 0.5, 25.0).curves["power_spectrum"]
-        axes["p"].semilogy(*spectrum, dashes, color=colour, lw=width, label=name)
-    start = explicit["sudden gravity"][explicit["sudden gravity"][:, 0] <= 1.0, 1] / G_M_S2
-    axes["a"].set(xlabel="time [s]", ylabel="top acceleration [g]", xlim=(0, 1.0),
-                  ylim=(1.15 * start.min(), 1.15 * start.max()))  # fmt: skip
-    axes["a"].set_title("(a) First second: rattling")
-    axes["e"].set(xlabel="time [s]", ylabel="top acceleration [g]")
-    axes["e"].set_title("(b) Whole run")
-    axes["e"].legend(loc="lower right")
-    power = top_motion(*lines[0][1], 0.5, 25.0).curves["power_spectrum"][1]
-    axes["p"].set(xlabel="frequency [Hz]", ylabel="power spectral density [(m/s²)²/Hz]",
-                  xlim=(0, 25), ylim=(power.max() * 1e-7, power.max() * 3))  # fmt: skip
-    axes["p"].axvline(1.0 / vertical_s, color="0.5", lw=0.8, ls=":")
-    axes["p"].annotate(f"vertical mode, T = {vertical_s:.3f} s", (1.0 / vertical_s, power.max()),
-                       xytext=(4, 0), textcoords="offset points", fontsize=7, va="top")  # fmt: skip
-    axes["p"].set_title("(c) Power spectra of the top acceleration")
+    figure, axes = plt.subplots(2, 2, figsize=(7.0, 5.4), width_ratios=(1.0, 1.25))
+    for row, point in enumerate(POINTS):
+        history, power = axes[row]
+        peak = 0.0
+        for name, source, load, colour, line in (
+            ("YADE, sudden gravity", "yade", "sudden gravity", "#D55E00", "-"),
+            ("modal, sudden gravity", "modal", "sudden gravity", "black", ":"),
+            ("YADE, without dead load", "yade", "without dead load", "#0072B2", "-"),
+        ):
+            if source == "yade":
+                x, y = explicit[load][:, 0], explicit[load][:, 1 + row]
+            else:
+                x, y = modal[load].time_s, modal[load].acceleration_m_s2[row]
+            history.plot(x, y / G_M_S2, line, color=colour, lw=1.0, label=name)
+            peak = max(peak, np.abs(y[x <= 1.0]).max() / G_M_S2)
+            spectrum = top_motion(x, y, 0.5, 25.0).curves["power_spectrum"]
+            power.semilogy(*spectrum, line, color=colour, lw=1.0)
+        history.set(xlabel="time [s]", ylabel=f"acceleration along y, {point} [g]", xlim=(0, 1.0),
+                    ylim=(-1.1 * peak, 1.1 * peak))  # fmt: skip
+        power.set(xlabel="frequency [Hz]", ylabel="power density [(m/s²)²/Hz]", xlim=(0, 25),
+                  ylim=(1e-5, None))  # fmt: skip
+        power.axvline(1.0 / vertical_s, color="0.5", lw=0.8, ls="--")
+        power.text(1.0 / vertical_s + 0.2, 0.97, f"vertical mode,\nT = {vertical_s:.3f} s",
+                   transform=power.get_xaxis_transform(), fontsize=7, va="top")  # fmt: skip
+        history.set_title(f"({'ac'[row]}) {point}, first second", loc="left")
+        power.set_title(f"({'bd'[row]}) {point}, power spectrum of the run", loc="left")
     with open(job.input.facts) as handle:
         figure.suptitle(f"SBDEM, explicit and modal: {style.provenance(json.load(handle))}")
+    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3)
     style.save(figure, (job.output.png, job.output.pdf))
 
 

@@ -14,9 +14,9 @@ def main(job):
             cost = json.load(handle)
         rows.append({"coarsening": coarsening, **cost})
     table = pd.DataFrame(rows).sort_values("coarsening", ascending=False)
-    table["step_wall_s"] = table["run_s"] / table["steps"]
-    table["wall_s_per_simulated_s"] = table["step_wall_s"] / table["step_s"]
-    for value in ("wall_s_per_simulated_s", "memory_mb"):  # exponent over the number of blocks
+    table["step_cpu_s"] = table["run_cpu_s"] / table["steps"]
+    table["cpu_s_per_simulated_s"] = table["step_cpu_s"] / table["step_s"]
+    for value in ("cpu_s_per_simulated_s", "memory_mb"):  # exponent over the number of blocks
         growth = np.log(table[value]).diff() / np.log(table["blocks"]).diff()
         table[f"{value.partition('_')[0]}_growth"] = growth
     table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
