@@ -11,12 +11,13 @@ from rocking.records import (
     integrate,
     load,
     measures,
+    read_csv,
     read_record,
     read_specs,
     read_table,
     write_csv,
 )
-from rocking.records.surrogate import Pulse
+from rocking.records.surrogate_model import Pulse
 
 from smdof.spectra import response_spectrum
 
@@ -45,8 +46,6 @@ def test_motion_starts_and_ends_at_rest(name, tmp_path):
     assert abs(v[-1]) < 1e-9
     assert abs(d[-1]) < 1e-9
     # The nine digits that are written move the end by less than a tenth of a micrometre.
-    from rocking.records import read_csv
-
     write_csv(record, tmp_path / "r.csv")
     again = read_csv(tmp_path / "r.csv")
     assert abs(integrate(again.acceleration_m_s2, again.dt_s)[1][-1]) < 1e-7

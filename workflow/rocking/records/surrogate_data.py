@@ -9,7 +9,7 @@ import yaml
 from .errors import RecordError
 from .reader import nearest
 from .record import MAX_DT_S, MIN_DT_S
-from .surrogate import Noise, Pulse, Spec
+from .surrogate_model import Noise, Pulse, Spec
 from .text import read_text
 
 KEYS = ("dt_s", "pulses", "noise", "solve", "notes")
