@@ -5,13 +5,17 @@ hashes everything the run depended on, so a changed parameter, record or module
 never finds a stale row, and a job killed half way keeps what it had.
 """
 
+import glob
 import hashlib
 import json
 import os
 from pathlib import Path
 
 # what a run's numbers depend on; a change in any of these files makes old rows stale
-PHYSICS = ("quadrature", "scene", "stiffness", "facade", "engine", "simulate")
+PHYSICS = (
+    "quadrature", "scene", "stiffness", "facade", "faces", "bonds",
+    "motion", "engine", "simulate",
+)  # fmt: skip
 
 
 def source_digest(modules=PHYSICS):
@@ -61,28 +65,50 @@ class Journal:
         """Return the row stored under `key`, or None."""
         return self.rows.get(key)
 
-    def put(self, key, row):
-        """Store a row and force it to disk before returning."""
+    def put(self, key, row, reason=""):
+        """Store a row and why its run ended, and force them to disk before returning.
+
+        Raises
+        ------
+        OSError
+            Naming the file, if the line could not be written whole.
+        """
         self.rows[key] = row
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        line = json.dumps({"key": key, "row": row}, sort_keys=True) + "\n"
-        with open(self.path, "ab") as handle:
-            handle.write(line.encode())
-            handle.flush()
-            os.fsync(handle.fileno())
+        line = json.dumps({"key": key, "reason": reason, "row": row}, sort_keys=True) + "\n"
+        try:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
+            with open(self.path, "ab") as handle:
+                handle.write(line.encode())
+                handle.flush()
+                os.fsync(handle.fileno())
+        except OSError as error:
+            raise named(error, self.path) from None
+
+
+def named(error, path):
+    """Return an OSError with the file it concerns, which errors of writing lack."""
+    return OSError(error.errno, error.strerror, str(path))
 
 
 def write_atomic(path, data):
-    """Write bytes or text under a temporary name and move it to `path` when complete."""
+    """Write bytes or text under a temporary name and move it to `path` when complete.
+
+    One run at a time works in a folder, so temporary files found for the same `path`
+    are those of killed jobs; they go.
+    """
     path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        for stale in path.parent.glob(f".{glob.escape(path.name)}.*.part"):
+            stale.unlink(missing_ok=True)
         with open(temporary, "wb") as handle:
             handle.write(data if isinstance(data, bytes) else data.encode())
             handle.flush()
             os.fsync(handle.fileno())
         os.replace(temporary, path)
+    except OSError as error:
+        raise named(error, path) from None
     finally:
         if temporary.exists():
             temporary.unlink()

@@ -19,7 +19,7 @@ import numpy as np
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from yade_scripts import engine, facade, simulate
+from yade_scripts import engine, facade, lifeline, simulate
 from yade_scripts.intensities import DIGITS, next_intensity
 from yade_scripts.journal import Journal, run_key, source_digest, write_atomic
 from yade_scripts.scene import to_json
@@ -94,6 +94,7 @@ def run_one(scene, time_s, columns, factor, numerics):
         retried = simulate.run(scene, motions, 0.5 * step, rules, **options)
         retried.steps += history.steps
         retried.wall_s += history.wall_s
+        retried.reason += f"; at half the step, after {history.reason}"
         return retried
     return history
 
@@ -152,9 +153,10 @@ def analyse(job, time_s, columns, record, direction, journal, say):
         if row is None:
             history = run_one(scene, time_s, columns, sign * pga_g * G / pga, job["numerics"])
             row = as_row(model, record, direction, pga_g, history)
-            journal.put(key, row)
-            outcome = row["status"] + (f", d/b {row['d_over_b'][:5]}" if row["d_over_b"] else "")
-            say(f"run {len(rows) + 1}: {pga_g:.3f} g {outcome} ({history.wall_s:.1f} s)")
+            journal.put(key, row, history.reason)
+            outcome = f"d/b {row['d_over_b'][:5]}" if row["d_over_b"] else history.reason
+            say(f"run {len(rows) + 1}: {pga_g:.3f} g {row['status']}, {outcome} "
+                f"({history.wall_s:.1f} s)")  # fmt: skip
         else:
             reused += 1
         rows.append(row)
@@ -174,7 +176,12 @@ def main(argv=None):
     parser.add_argument("--journal", required=True, help="finished runs (JSON lines)")
     parser.add_argument("--output", required=True, help="table to write (CSV)")
     args = parser.parse_args(argv)
-    job = json.loads(Path(args.scene).read_text())
+    lifeline.follow()
+    try:
+        job = json.loads(Path(args.scene).read_text())
+    except (ValueError, OSError) as error:
+        print(f"error: {args.scene}: {error}", file=sys.stderr)
+        return 1
 
     def say(text):
         print(f"[{job['model']} {args.record} {args.direction}] {text}", file=sys.stderr,
@@ -187,10 +194,10 @@ def main(argv=None):
         engine.load_yade()
         rows = analyse(job, time_s, columns, args.record, args.direction,
                        Journal(args.journal), say)  # fmt: skip
+        write_atomic(args.output, to_csv(rows))
     except (ValueError, OSError, engine.EngineError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
-    write_atomic(args.output, to_csv(rows))
     return 0
 
 

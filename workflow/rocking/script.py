@@ -12,6 +12,8 @@ import json
 import sys
 from types import SimpleNamespace
 
+from yade_scripts import lifeline
+
 from .config_schema import ConfigError
 from .records import RecordError
 
@@ -51,6 +53,7 @@ def _from_command_line(doc):
 
 def run(main, namespace):
     """Call `main` with the job's description; foreseen errors end in one line and status 1."""
+    lifeline.follow()
     job = namespace.get("snakemake") or _from_command_line(namespace.get("__doc__"))
     log = getattr(job, "log", None)
     try:

@@ -10,11 +10,14 @@ BASE = Path(workflow.basedir)
 sys.path[:0] = [str(BASE / "workflow"), str(BASE)]
 
 from rocking import config as configuration
+from rocking import run_lock
 from rocking.records import RecordError, read_table
+from yade_scripts import lifeline
 from yade_scripts.journal import PHYSICS
 
 # YADE's library loads only in the Python it was built for, the system's own
 YADE_PYTHON = os.environ.get("YADE_PYTHON") or shutil.which("python3", path=os.defpath)
+os.environ[lifeline.RUN_PID] = str(os.getpid())  # jobs end with this process
 STYLE = str(BASE / "workflow" / "rocking" / "paper.mplstyle")
 
 
@@ -90,5 +93,9 @@ wildcard_constraints:
 
 
 onstart:
-    for name, resolved in RUNS.items():
-        configuration.write_resolved(resolved, f"results/{name}/config.yaml")
+    try:
+        run_lock.hold()
+        for name, resolved in RUNS.items():
+            configuration.write_resolved(resolved, f"results/{name}/config.yaml")
+    except (run_lock.Busy, OSError) as error:
+        stop(error)
