@@ -22,6 +22,7 @@ from .motion import GUIDE_INTERVAL_S, Guide, Motion
 __all__ = ["Built", "EngineError", "FaceError", "Motion", "build", "load_yade"]
 
 SUPPORT_MASS_RATIO = 1e9  # support mass over the heaviest block: drive error below 1e-9
+LEAST_BETA_S = 1e-15  # a dashpot of exactly 0 in series with the face would become the face's
 PARTNER_STIFFNESS = 1e30  # materials combine in series; the face must not soften the node
 NO_STIFFNESS = 1e-12  # N/m
 UNLIMITED_FRICTION = 1.57  # rad
@@ -155,6 +156,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     def viscoelastic(key):
         if key not in materials:
             kn, ks, beta, friction = key
+            beta = max(beta, LEAST_BETA_S)
             materials[key] = w.ViscElMat(
                 density=1e-12, kn=kn, ks=ks, cn=beta * kn, cs=beta * ks, frictionAngle=friction
             )
@@ -213,11 +215,24 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
             damping=0.0, gravity=(0, 0, -scene.gravity_m_s2), exactAsphericalRot=full_rotation
         )
     )
+    _place_members(w, omega)
     omega.engines = engines
     omega.dt = dt_s
     built = Built(omega, body, node_body)
     _attach(w, scene, motions, built, bonded, node_material, dead)
     return built
+
+
+def _place_members(w, omega):
+    """Bring the members of all clumps to their clump's pose, which only a step does.
+
+    Without it the first contacts would be found in the reference position. A step of
+    no length moves nothing else.
+    """
+    omega.engines = [w.ForceResetter(), w.NewtonIntegrator(damping=0.0)]
+    omega.dt = 0.0
+    omega.run(1, True)
+    omega.resetTime()
 
 
 def _attach(w, scene, motions, built, bonded, node_material, dead):
