@@ -143,7 +143,7 @@ def test_energy_is_conserved_without_dissipation():
     history = simulate(wall, duration_s=1.0, theta0_over_alpha=0.5, tolerance=1e-8)
     total = history.kinetic_j + history.potential_j + history.elastic_j
     released = total[0] - wall.mass_kg * 9.81 * 0.4
-    assert np.abs(total - total[0]).max() < 2e-3 * abs(released)
+    assert np.abs(total - total[0]).max() < 2e-4 * abs(released)
 
 
 def test_work_balance_and_dissipation_of_a_shaken_wall():
@@ -262,7 +262,7 @@ def test_batch_agrees_with_single_histories_and_the_fixed_step():
     base = -2.0 * np.sin(2 * np.pi * time)
     motion = Motion(0.01, base, [0.0 * base, 0.3 * base])
     wall = facade(nodes_base=5, nodes_up=5, segments=2)
-    scales = [0.4, 0.7, 3.0]
+    scales = [0.5, 3.0]
     batch = simulate_batch(wall, motion, scales)
     fixed = simulate_batch(wall, motion, scales, dt_s=4e-4)
     for i, scale in enumerate(scales):
@@ -273,7 +273,7 @@ def test_batch_agrees_with_single_histories_and_the_fixed_step():
         assert batch.status[i] == single.status
     assert fixed.peak_d_over_b == pytest.approx(batch.peak_d_over_b, rel=1e-2)
     assert batch.status[-1] == "overturned"
-    assert batch.overturned.tolist() == [False, False, True]
+    assert batch.overturned.tolist() == [False, True]
 
 
 def test_walls_that_move_with_the_base_change_nothing():

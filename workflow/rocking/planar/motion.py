@@ -52,9 +52,9 @@ class Motion:
     dt_s: float
     base_m_s2: np.ndarray
     walls_m_s2: np.ndarray | None = None
-    relative_m_s2: np.ndarray | None = field(init=False, repr=False, default=None)
-    relative_m_s: np.ndarray | None = field(init=False, repr=False, default=None)
-    relative_m: np.ndarray | None = field(init=False, repr=False, default=None)
+    relative_m_s2: np.ndarray = field(init=False, repr=False)
+    relative_m_s: np.ndarray = field(init=False, repr=False)
+    relative_m: np.ndarray = field(init=False, repr=False)
 
     def __post_init__(self):
         """Check the samples and integrate the relative motion of the walls."""
@@ -65,6 +65,8 @@ class Motion:
             raise ValueError("motion: expected one row of at least 2 finite base accelerations")
         object.__setattr__(self, "base_m_s2", base)
         if self.walls_m_s2 is None:
+            for name in ("relative_m_s2", "relative_m_s", "relative_m"):
+                object.__setattr__(self, name, np.zeros((0, base.size)))
             return
         walls = np.atleast_2d(np.asarray(self.walls_m_s2, float))
         if walls.shape[1] != base.size or not np.all(np.isfinite(walls)):
@@ -99,7 +101,7 @@ class Motion:
             two relative to the base, shape (segments,), or None where they are zero.
             Beyond the last interval: the state that the last sample leaves.
         """
-        moving = self.relative_m is not None and segments > 0
+        moving = self.walls_m_s2 is not None and segments > 0
         if k >= self.intervals:
             last = self.relative_m[:, -1] if moving else None
             return lambda tau: (0.0, last, np.zeros(segments) if moving else None)

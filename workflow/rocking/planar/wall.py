@@ -24,7 +24,10 @@ def rule(kind, count):
     # polynomial P^(1,1)_{n−2}, eigenvalues of its symmetric recurrence matrix
     k = np.arange(1, count - 2)
     off = np.sqrt(k * (k + 2.0) / ((2.0 * k + 1.0) * (2.0 * k + 3.0)))
-    interior = np.linalg.eigvalsh(np.diag(off, 1) + np.diag(off, -1)) if count > 2 else []
+    recurrence = np.zeros((count - 2, count - 2))
+    if count > 3:
+        recurrence = np.diag(off, 1) + np.diag(off, -1)
+    interior = np.linalg.eigvalsh(recurrence)
     x = np.concatenate(([-1.0], interior, [1.0]))
     last = legendre.legval(x, [0.0] * (count - 1) + [1.0])
     return 0.5 * (x + 1.0), 1.0 / (count * (count - 1) * last**2)
