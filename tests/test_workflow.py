@@ -1,0 +1,126 @@
+"""The workflow itself: dry run, refusals in one line, a small run end to end, nothing run twice."""
+
+import csv
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
+SMALL = [
+    "--config", "run=small", "records=RRS228", "directions=pos", "models=W1",
+    "ida={mode: grid, grid_g: [0.05, 0.4]}", "numerics={step_fraction: 0.5}",
+    "ensemble={enabled: off}",
+]  # fmt: skip
+
+
+def snakemake(folder, *words):
+    """Run Snakemake in a folder of its own, with the project's Snakefile and configuration."""
+    return subprocess.run(
+        [SNAKEMAKE, "--snakefile", str(ROOT / "Snakefile"), "--cores", "1", "--nolock", *words],
+        cwd=folder, capture_output=True, text=True,
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Working folder with the project's config, so that results stay out of the tree."""
+    path = tmp_path_factory.mktemp("work")
+    shutil.copytree(ROOT / "config", path / "config")
+    return path
+
+
+def test_dry_run_of_the_main_job(folder):
+    """`snakemake -n` plans 16 IDA jobs on a fresh clone."""
+    done = snakemake(folder, "-n")
+    assert done.returncode == 0, done.stderr
+    assert any(line.split() == ["ida", "16"] for line in (done.stdout + done.stderr).splitlines())
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["facade={hieght_m: 7}"], "unknown key 'facade.hieght_m'; did you mean 'facade.height_m'"),
+        (["facade={height_m: -1}"], "facade.height_m = -1: expected"),
+        (["facade={height_m: 0.5}"], "expected at least 2 × facade.thickness_m"),
+        (["records=NOPE"], "'NOPE' is not in config/records.tsv"),
+        (["records_table=none.tsv"], "none.tsv"),
+        (["run=../up"], "run = '../up'"),
+    ],
+)
+def test_bad_configuration_is_one_line(folder, words, told):
+    """Each refusal is one line that names the key, before any job."""
+    done = snakemake(folder, "-n", "--config", *words)
+    lines = [line for line in done.stderr.splitlines() if line.startswith("error:")]
+    assert done.returncode == 1
+    assert len(lines) == 1
+    assert told in lines[0]
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("content", "told"),
+    [
+        ("", "empty"),
+        ("0.00 0.1\n0.01 nan\n0.02 0.1\n", "line 2"),
+        ("0.00 100\n0.01 900\n0.02 400\n", "units"),
+    ],
+)
+def test_bad_record_stops_before_yade(folder, content, told):
+    """An empty, non-finite or wrongly scaled record ends in one line that names the file."""
+    (folder / "bad.txt").write_text(content)
+    (folder / "bad.tsv").write_text("record\tfile\tformat\tdt_s\tunits\nBAD\tbad.txt\t\t\tg\n")
+    done = snakemake(folder, "--config", "run=bad", "records_table=bad.tsv")
+    lines = [line for line in done.stderr.splitlines() if line.startswith("error:")]
+    assert done.returncode == 1
+    assert len(set(lines)) == 1
+    assert "bad.txt" in lines[0]
+    assert told in lines[0]
+    assert not (folder / "results/bad/ida").exists()
+
+
+def read(path):
+    with open(path) as handle:
+        return list(csv.DictReader(handle))
+
+
+@pytest.mark.yade
+@pytest.mark.slow
+def test_small_study_end_to_end_and_again(folder):
+    """A two-intensity study makes its tables and figures; an added intensity alone is run."""
+    done = snakemake(folder, *SMALL)
+    assert done.returncode == 0, done.stderr[-3000:]
+    results = folder / "results/small"
+    rows = read(results / "ida/W1/RRS228_pos.csv")
+    assert [row["status"] for row in rows] == ["ok", "overturned"]
+    assert (results / "figures/fig09_ida.png").stat().st_size > 10_000
+    collapse = read(results / "tables/ida_collapse.csv")[0]
+    assert (collapse["pga_safe_g"], collapse["pga_collapse_g"]) == ("0.0500", "0.4000")
+
+    # a second request of the same study has nothing to do
+    again = snakemake(folder, *SMALL)
+    assert "Nothing to be done" in again.stderr + again.stdout
+
+    # one more intensity: the two old rows come back byte for byte, only the new one is run
+    more = [w.replace("[0.05, 0.4]", "[0.05, 0.06, 0.4]") for w in SMALL]
+    done = snakemake(folder, *more, "--", "results/small/ida/W1/RRS228_pos.csv")
+    assert "2 of 3 runs taken from earlier work" in done.stderr
+    assert [r for r in read(results / "ida/W1/RRS228_pos.csv") if r["pga_g"] != "0.0600"] == rows
+
+
+@pytest.mark.yade
+@pytest.mark.slow
+def test_one_target_into_another_run(folder):
+    """A single file with overrides goes to another run and leaves the first alone."""
+    first = folder / "results/small/ida/W1/RRS228_pos.csv"
+    before = first.read_bytes() if first.exists() else None
+    words = [w.replace("run=small", "run=tall") for w in SMALL]
+    target = "results/tall/ida/W1/RRS228_pos.csv"
+    done = snakemake(folder, *words, "facade={height_m: 8.0}", "--", target)
+    assert done.returncode == 0, done.stderr[-3000:]
+    assert (folder / target).exists()
+    assert (first.read_bytes() if first.exists() else None) == before
+    assert not (folder / "results/tall/figures").exists()
