@@ -1,0 +1,233 @@
+"""Fragility: lognormal collapse intensity fitted to the brackets that an IDA gives.
+
+A curve of an incremental dynamic analysis does not say where the façade collapses but
+between which intensities: above the highest that stood, at or below the first that overturned.
+A curve without collapse says only "above the highest". Both enter the likelihood as they are,
+so curves that never collapsed pull the median up instead of being dropped:
+
+    P(collapse | im) = Φ[ln(im/θ)/β],
+    ln L = Σ_i w_i ln{Φ[ln(high_i/θ)/β] − Φ[ln(low_i/θ)/β]},  low = 0 or high = ∞ allowed.
+
+With x = ln im, a = ln θ/β and t = 1/β this is concave in (a, t) (Burridge, 1981, JRSS B 43, 41–45),
+so Newton's method finds the one maximum. For stripes of equal runs at common intensities it
+is the binomial likelihood of Shinozuka et al. (2000) and Baker (2015, Earthquake Spectra 31, 579).
+θ is the median and β the dispersion (standard deviation of the logarithm).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.special import log_ndtr, ndtr
+
+MIN_DISPERSION = 0.01  # brackets that all overlap would let it go to zero
+MAX_DISPERSION = 5.0
+_STEPS = 200
+_LOG_ROOT_2PI = 0.5 * np.log(2.0 * np.pi)
+
+
+@dataclass(frozen=True)
+class Fragility:
+    """A fitted curve: median θ [unit of the measure] and dispersion β [-], NaN where undefined."""
+
+    median: float
+    dispersion: float
+
+    def probability(self, intensity):
+        """P(collapse) at the given intensities."""
+        return ndtr(np.log(np.asarray(intensity, float) / self.median) / self.dispersion)
+
+
+@dataclass(frozen=True)
+class Bootstrap:
+    """Fits to resampled records: medians and dispersions, each of shape (resamples,)."""
+
+    median: np.ndarray
+    dispersion: np.ndarray
+
+    def interval(self, name, confidence):
+        """Percentile interval of "median" or "dispersion" at a confidence from 0 to 1."""
+        tail = 50.0 * (1.0 - confidence)
+        return _percentiles(getattr(self, name), (tail, 100.0 - tail))
+
+    def band(self, intensity, confidence):
+        """Lower and upper P(collapse) at the given intensities, each of shape (n,)."""
+        x = np.log(np.asarray(intensity, float))[None, :]
+        with np.errstate(invalid="ignore"):
+            curves = ndtr((x - np.log(self.median)[:, None]) / self.dispersion[:, None])
+        curves[~np.isfinite(self.median)] = 0.0
+        tail = 50.0 * (1.0 - confidence)
+        low, high = np.percentile(curves, (tail, 100.0 - tail), axis=0)
+        return low, high
+
+
+def checked_brackets(low, high):
+    """Brackets as float arrays.
+
+    Parameters
+    ----------
+    low, high : array_like, shape (n,)
+        Highest safe and lowest collapsing intensity; low = 0 or NaN where nothing stood, high = ∞
+        or NaN where nothing collapsed (right-censored).
+
+    Raises
+    ------
+    ValueError
+        If there is no bracket, or one is not 0 ≤ low < high.
+    """
+    low = np.nan_to_num(np.asarray(low, float), nan=0.0, posinf=np.inf)
+    high = np.nan_to_num(np.asarray(high, float), nan=np.inf, posinf=np.inf)
+    if low.ndim != 1 or low.shape != high.shape or low.size == 0:
+        raise ValueError("brackets: expected as many lower as upper intensities, at least one")
+    bad = ~((low >= 0.0) & (low < high) & np.isfinite(low))
+    if bad.any():
+        i = int(np.argmax(bad))
+        raise ValueError(f"bracket {i + 1}: {low[i]:g} to {high[i]:g}; expected 0 ≤ low < high")
+    return low, high
+
+
+def fit(low, high):
+    """Maximum-likelihood fit of a lognormal distribution to brackets.
+
+    Parameters
+    ----------
+    low, high : array_like, shape (n,)
+        See `checked_brackets`.
+
+    Returns
+    -------
+    Fragility
+        NaN where the brackets do not determine it: fewer than two, none with a collapse, or
+        none with an intensity that stood.
+    """
+    low, high = checked_brackets(low, high)
+    median, dispersion = _fit_weighted(low, high, np.ones((1, low.size)))
+    known = low.size > 1 and np.isfinite(median[0]) and median[0] > 0.0
+    return Fragility(median[0], dispersion[0]) if known else Fragility(np.nan, np.nan)
+
+
+def bootstrap(low, high, groups, resamples, seed):
+    """Fits to records drawn with replacement.
+
+    Brackets of one group (both directions of a record) are drawn together, since they are not
+    independent. Percentile intervals are too narrow for few records: of 400 lognormal samples, the
+    90 % interval of the median held the true one in 75 % of those with 4 records, 85 % with 8,
+    86 % with 12 and about 90 % from 22.
+
+    Parameters
+    ----------
+    low, high : array_like, shape (n,)
+    groups : sequence, length n
+        Name of the record of each bracket.
+    resamples, seed : int
+
+    Returns
+    -------
+    Bootstrap
+        Median ∞ for a resample without any collapse, 0 for one in which nothing stood.
+    """
+    low, high = checked_brackets(low, high)
+    names, index = np.unique(np.asarray(groups), return_inverse=True)
+    rng = np.random.default_rng(seed)
+    counts = rng.multinomial(len(names), np.full(len(names), 1.0 / len(names)), resamples)
+    return Bootstrap(*_fit_weighted(low, high, counts[:, index].astype(float)))
+
+
+def _percentiles(values, tails):
+    """Percentiles of values that may be infinite."""
+    return tuple(float(v) for v in np.percentile(values, tails, method="inverted_cdf"))
+
+
+def _log_mass(a, b):
+    """ln[Φ(b) − Φ(a)] for a < b, without cancellation in either tail."""
+    flip = a > 0.0
+    a, b = np.where(flip, -b, a), np.where(flip, -a, b)
+    upper = log_ndtr(b)
+    with np.errstate(divide="ignore", over="ignore"):
+        return upper + np.log1p(-np.exp(np.minimum(log_ndtr(a) - upper, -1e-300)))
+
+
+def _fit_weighted(low, high, weights):
+    """Newton's method for many weightings of the same brackets at once.
+
+    Parameters
+    ----------
+    low, high : ndarray, shape (n,)
+    weights : ndarray, shape (m, n)
+
+    Returns
+    -------
+    median, dispersion : ndarray, shape (m,)
+    """
+    with np.errstate(divide="ignore"):
+        x = np.stack([np.log(low), np.log(high)])  # −∞ and ∞ where open
+    centre = np.where(np.isfinite(x[0]) & np.isfinite(x[1]), 0.5 * (x[0] + x[1]),
+                      np.where(np.isfinite(x[0]), x[0], x[1]))  # fmt: skip
+    total = weights.sum(axis=1)
+    shift = weights @ centre / total
+    spread = np.sqrt(weights @ centre**2 / total - shift**2 + 1e-12)
+    t = 1.0 / np.clip(spread, 0.05, 2.0)
+    a = shift * t
+    value = _log_likelihood(a, t, x, weights)
+    active = np.ones(len(a), bool)
+    for _ in range(_STEPS):
+        rows = np.flatnonzero(active)
+        if rows.size == 0:
+            break
+        step = _newton_step(a[rows], t[rows], x, weights[rows])
+        scale = np.ones(rows.size)
+        better = np.zeros(rows.size, bool)
+        for _ in range(30):  # halve until the likelihood rises
+            t_new = np.clip(t[rows] + scale * step[1], 1 / MAX_DISPERSION, 1 / MIN_DISPERSION)
+            a_new = a[rows] + scale * step[0]
+            new = _log_likelihood(a_new, t_new, x, weights[rows])
+            better = new >= value[rows] - 1e-10 * (1.0 + np.abs(value[rows]))
+            if better.all():
+                break
+            scale = np.where(better, scale, 0.5 * scale)
+        moved = np.abs(a_new - a[rows]) + np.abs(t_new - t[rows])
+        small = moved < 1e-9 * (1.0 + np.abs(a[rows]) + t[rows])
+        a[rows] = np.where(better, a_new, a[rows])
+        t[rows] = np.where(better, t_new, t[rows])
+        value[rows] = np.where(better, new, value[rows])
+        active[rows[small | ~better]] = False
+    median = np.exp(np.clip(a / t, -700.0, 700.0))
+    # without a collapse, or without an intensity that stood, the maximum lies at infinity or zero
+    collapses, stands = weights @ np.isfinite(x[1]), weights @ np.isfinite(x[0])
+    # brackets with a common part determine no dispersion: the smallest, in the middle of that part
+    inner_low = np.where(weights > 0, x[0], -np.inf).max(axis=1)
+    inner_high = np.where(weights > 0, x[1], np.inf).min(axis=1)
+    common = inner_low < inner_high
+    with np.errstate(over="ignore", invalid="ignore"):
+        median = np.where(common, np.exp(0.5 * (inner_low + inner_high)), median)
+    median = np.where(collapses == 0, np.inf, np.where(stands == 0, 0.0, median))
+    return median, np.where(common, MIN_DISPERSION, 1.0 / t)
+
+
+def _log_likelihood(a, t, x, weights):
+    z = t[:, None, None] * x[None] - a[:, None, None]
+    return np.sum(weights * np.maximum(_log_mass(z[:, 0], z[:, 1]), -1e6), axis=1)
+
+
+def _newton_step(a, t, x, weights):
+    """Step −H⁻¹g in (a, t); steepest ascent where H is not usable."""
+    z = t[:, None, None] * x[None] - a[:, None, None]
+    mass = np.maximum(_log_mass(z[:, 0], z[:, 1]), -600.0)[:, None]
+    finite = np.isfinite(x)[None]
+    z, x = np.where(finite, z, 0.0), np.where(np.isfinite(x), x, 0.0)[None]
+    ratio = np.where(finite, np.exp(np.minimum(-0.5 * z**2 - _LOG_ROOT_2PI - mass, 600.0)), 0.0)
+
+    def difference(values):
+        return values[:, 1] - values[:, 0]
+
+    g_a, g_t = -difference(ratio), difference(x * ratio)
+    h_aa = -difference(z * ratio) - g_a**2
+    h_at = difference(z * x * ratio) - g_a * g_t
+    h_tt = -difference(z * x**2 * ratio) - g_t**2
+    g = np.stack([np.sum(weights * part, axis=1) for part in (g_a, g_t)])
+    aa, at, tt = (np.sum(weights * part, axis=1) for part in (h_aa, h_at, h_tt))
+    determinant = aa * tt - at**2
+    usable = (aa < 0.0) & (determinant > 1e-14 * np.abs(aa * tt))
+    determinant = np.where(usable, determinant, 1.0)
+    newton = np.stack([-(tt * g[0] - at * g[1]), -(aa * g[1] - at * g[0])]) / determinant
+    uphill = 0.1 * g / np.maximum(np.abs(g).max(axis=0), 1e-300)
+    return np.where(usable, newton, uphill)
