@@ -57,6 +57,9 @@ def read_cases(path):
         betas = case["beta_s"]
         if not betas or not all(isinstance(b, (int, float)) and 0 <= b < 1 for b in betas):
             raise ValueError(f"{path}: case {case['id']}: expected beta_s between 0 and 1 s")
+        limit = case["limit_s"]
+        if not isinstance(limit, (int, float)) or not 0.0 < limit < 1e4:
+            raise ValueError(f"{path}: case {case['id']}: expected a positive limit_s")
     if len({case["id"] for case in cases}) < len(cases):
         raise ValueError(f"{path}: two cases have the same id")
     return cases
@@ -84,7 +87,7 @@ def free_rocking(config, model, beta_s, release_ratio, limit_s, samples=SAMPLES)
     step, _ = simulate.choose_step(scene, config["numerics"])
     h, b = config["facade"]["height_m"], config["facade"]["thickness_m"]
     speed = math.sqrt(9.81 * h) * b / h
-    p = math.sqrt(1.5 * 9.81 / math.hypot(h, b))
+    p = math.sqrt(1.5 * 9.81 / math.hypot(h, b))  # √(3g/4R)
     rules = simulate.StopRules(
         motion_s=math.acosh(1.0 / (1.0 - release_ratio)) / p if release_ratio else 0.0,
         limit_s=limit_s,
