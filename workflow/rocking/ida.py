@@ -29,6 +29,12 @@ def read_curve(path):
     return table.sort_values("pga_g", ignore_index=True)
 
 
+def curve_key(table):
+    """Model, record and direction of an IDA or ensemble table."""
+    head = table.iloc[0]
+    return head["model"], head["record"], head["direction"]
+
+
 def collapse_row(curve):
     """Collapse intensities of one curve: highest safe PGA below the first collapse, and that.
 
@@ -37,9 +43,9 @@ def collapse_row(curve):
     """
     done = dict(zip(curve["pga_g"], curve["status"], strict=True))
     safe, collapse = collapse_bounds(done)
-    head = curve.iloc[0]
+    model, record, direction = curve_key(curve)
     return {
-        "model": head["model"], "record": head["record"], "direction": head["direction"],
+        "model": model, "record": record, "direction": direction,
         "pga_safe_g": safe, "pga_collapse_g": collapse,
     }  # fmt: skip
 

@@ -44,6 +44,7 @@ rule figure_floor_motions:
 rule fig09_ida:
     input:
         ida=lambda w: ida_tables(w.run),
+        ensemble=lambda w: ensemble_tables(w.run),
         facts=record_facts,
         style=STYLE,
     output:
@@ -61,5 +62,6 @@ rule fig09_ida:
         models=lambda w: cfg(w)["models"],
         directions=lambda w: cfg(w)["directions"],
         facade=params_of("facade"),
+        percentiles=lambda w: cfg(w)["ensemble"]["percentiles"],
     script:
         "../scripts/fig09_ida.py"

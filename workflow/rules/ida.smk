@@ -26,6 +26,7 @@ rule ida:
 rule ida_collapse:
     input:
         ida=lambda w: ida_tables(w.run),
+        ensemble=lambda w: ensemble_tables(w.run),
     output:
         report(
             "results/{run}/tables/ida_collapse.csv",
@@ -35,5 +36,7 @@ rule ida_collapse:
         ),
     log:
         "results/{run}/logs/ida_collapse.log",
+    params:
+        percentiles=lambda w: cfg(w)["ensemble"]["percentiles"],
     script:
         "../scripts/table_ida_collapse.py"

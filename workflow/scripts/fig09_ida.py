@@ -4,8 +4,10 @@ import json
 
 import matplotlib.pyplot as plt
 import numpy as np
+import pandas as pd
 from rocking import style
-from rocking.ida import branches, read_curve
+from rocking.ensemble import bands
+from rocking.ida import branches, curve_key, read_curve
 from rocking.script import run
 
 
@@ -30,6 +32,15 @@ def draw(axis, curve, model):
               clip_on=False, zorder=4)  # fmt: skip
 
 
+def draw_band(axis, ensemble, percentiles):
+    """Shade the ensemble's percentile band of d/b."""
+    table = bands(ensemble, percentiles)
+    colour = style.MODEL_COLOURS[curve_key(ensemble)[0]]
+    axis.fill_betweenx(table["pga_g"], table["d_over_b_low"].clip(upper=1.0),
+                       table["d_over_b_high"].clip(upper=1.0), color=colour, alpha=0.22, lw=0,
+                       zorder=1)  # fmt: skip
+
+
 def shown_pga(curve):
     """Largest intensity worth showing: the first collapse, or a run that stands above it."""
     stood, fell = branches(curve)
@@ -41,6 +52,8 @@ def main(job):
     facade = json.loads(p.facade)["facade"]
     facts = {f["name"]: f for f in (json.loads(open(path).read()) for path in job.input.facts)}
     curves = [read_curve(path) for path in job.input.ida]
+    ensembles = [pd.read_csv(path) for path in getattr(job.input, "ensemble", [])]
+    ensembles = [table for table in ensembles if len(table)]
     shape = (len(p.records), len(p.directions))
     figure, axes = plt.subplots(
         *shape, figsize=(3.5 * shape[1], 0.5 + 2.0 * shape[0]), squeeze=False, sharex=True
@@ -52,10 +65,12 @@ def main(job):
             axis.plot(
                 d_push, lambda_push, color=style.GREY, lw=2, label="pushover of the rigid block"
             )
+            for ensemble in ensembles:
+                if curve_key(ensemble)[1:] == (record, direction):
+                    draw_band(axis, ensemble, p.percentiles)
             for curve in curves:
-                head = curve.iloc[0]
-                if head["record"] == record and head["direction"] == direction:
-                    draw(axis, curve, head["model"])
+                if curve_key(curve)[1:] == (record, direction):
+                    draw(axis, curve, curve_key(curve)[0])
             sign = {"pos": "+", "neg": "−"}[direction]
             axis.set_title(f"{style.provenance(facts[record])}, direction {sign}", loc="left")
             axis.set(xlim=(0, 1.0), ylabel="PGA [g]")
