@@ -15,6 +15,7 @@ from .text import read_text
 KEYS = ("dt_s", "pulses", "noise", "solve", "notes")
 MAX_PULSES = 20
 MAX_LINES = 20_000
+SMALLEST, LARGEST = 1e-4, 1e4  # far beyond any sensible parameter in its units
 SOLVABLE_PULSE = ("amplitude_m_s", "period_s")
 SOLVABLE_NOISE = ("rms_m_s2", "frequency_hz", "low_cut_hz")
 
@@ -82,7 +83,7 @@ def _spec(where, entry):
     if not isinstance(notes, str):
         raise RecordError(f"{where}.notes: expected text")
     spec = Spec(float(dt_s), pulses, noise, tuple(solve), notes)
-    if any(value == 0 for value in spec.values()):
+    if any(abs(value) < SMALLEST for value in spec.values()):
         raise RecordError(f"{where}.solve: a parameter to solve for may not start at zero")
     return spec
 
@@ -111,6 +112,11 @@ def _build(kind, where, entry):
     for key, value in entry.items():
         if not _is_number(value):
             raise RecordError(f"{where}.{key}: {reprlib.repr(value)}; expected a number")
-        if value <= 0 and key not in ("amplitude_m_s", "phase_deg"):
-            raise RecordError(f"{where}.{key}: {value!r}; expected it positive")
+        if key in ("amplitude_m_s", "phase_deg"):
+            if abs(value) > LARGEST:
+                raise RecordError(f"{where}.{key}: {value:g}; expected at most {LARGEST:g}")
+        elif not SMALLEST <= value <= LARGEST:
+            raise RecordError(
+                f"{where}.{key}: {value:g}; expected it positive, {SMALLEST:g} … {LARGEST:g}"
+            )
     return kind(**{key: float(value) for key, value in entry.items()})
