@@ -1,74 +1,6 @@
 # The building as an assembly of bricks: modes, time histories, equal chains, explicit check.
 # Not part of the main job; ask for `building`, or for any file below.
-
-BUILDING_MODEL = (
-    "brick_length_m brick_height_m brick_width_m coarsening head_jkn_pa_m head_jks_pa_m"
-    " bed_jkn_pa_m bed_jks_pa_m collar_jkn_pa_m collar_jks_pa_m timber_jkn_pa_m timber_jks_pa_m"
-    " density_kg_m3 timber_density_kg_m3 fit_period_s"
-).split()
-WME_KEYS = (
-    "damping_ratio wme_longest_period_s wme_highest_frequency_hz wme_gain".split()
-)
-
-
-def building_keys(*more):
-    """Params function: the keys of section `building` that a rule depends on."""
-    return lambda w: {k: cfg(w)["building"][k] for k in (*BUILDING_MODEL, *more)}
-
-
-def beside(path):
-    """A file as given, or beside the Snakefile if it is not found there."""
-    path = Path(path)
-    return str(BASE / path if not path.exists() and (BASE / path).exists() else path)
-
-
-def building_plan(wildcards):
-    return beside(cfg(wildcards)["building"]["plan"])
-
-
-def is_case_study(wildcards):
-    """True where the study's own figures belong beside the results."""
-    return Path(cfg(wildcards)["building"]["plan"]).stem.startswith("case_study")
-
-
-def building_modules(*more):
-    assembly = "__init__ plan bricks floors contacts assembly".split()
-    return module(
-        *(f"yade_scripts/building/{name}.py" for name in assembly),
-        "yade_scripts/stiffness.py",
-        "workflow/rocking/building/case.py",
-        "workflow/rocking/building/modes.py",
-        *more,
-    )
-
-
-def wme_records(run):
-    wanted = RUNS[run]["building"]["wme_records"]
-    for name in wanted:
-        if name not in TABLES[run]:
-            stop(
-                f"config: building.wme_records: '{name}' is not in {RUNS[run]['records_table']};"
-                f" expected names from {', '.join(TABLES[run])}"
-            )
-    return wanted
-
-
-def building_results(run):
-    folder, settings = f"results/{run}", RUNS[run]["building"]
-    tables = (
-        "building_modes wme building_chain building_convergence building_explicit_cost"
-    )
-    names = [f"tables/{name}.csv" for name in tables.split()]
-    if settings["alternative_plans"]:
-        names.append("tables/building_alternatives.csv")
-    figures = ["fig01_building", "fig02_modes"]
-    for record in wme_records(run):
-        figures += [f"fig03_{record}", f"fig03_rattling_{record}"]
-        names.append(f"tables/building_explicit_{record}.csv")
-    return [
-        f"{folder}/{name}"
-        for name in names + [f"figures/{name}.png" for name in figures]
-    ]
+include: "building_targets.smk"
 
 
 wildcard_constraints:
@@ -78,18 +10,13 @@ wildcard_constraints:
 
 rule building:
     input:
-        per_run(building_results),
+        lambda w: per_run(building_results),
 
 
 # Periods and equivalent chain (n, T1) of any plan, without the paper's comparisons.
 rule building_t1:
     input:
-        per_run(
-            lambda run: [
-                f"results/{run}/tables/{name}.csv"
-                for name in ("building_modes", "building_chain")
-            ]
-        ),
+        lambda w: per_run(building_periods),
 
 
 rule building_fit:
@@ -345,19 +272,14 @@ rule building_explicit_scene:
         "../scripts/building_explicit_scene.py"
 
 
-def explicit_scene(wildcards):
-    coarsening = cfg(wildcards)["building"]["explicit_coarsening"]
-    return f"results/{wildcards.run}/building/explicit_scene_{coarsening:g}.json"
-
-
 # The drawing's building under the record, with its dead load applied at once or left out.
 rule building_explicit:
     input:
+        entry=module("yade_scripts/building/explicit.py"),
         scene=explicit_scene,
         record="results/{run}/records/{record}.csv",
         yade="results/{run}/yade.txt",
         modules=module(
-            "yade_scripts/building/explicit.py",
             "yade_scripts/engine.py",
             "yade_scripts/scene.py",
         ),
@@ -372,10 +294,9 @@ rule building_explicit:
         load="plain|loaded",
     params:
         python=YADE_PYTHON,
-        entry=str(BASE / "yade_scripts" / "building" / "explicit.py"),
         gravity=lambda w: 9.81 if w.load == "loaded" else 0.0,
     shell:
-        "{params.python:q} {params.entry:q} --scene {input.scene:q} --motion {input.record:q}"
+        "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.record:q}"
         " --gravity {params.gravity} --output {output.history:q} --cost {output.cost:q}"
         " 2> >(tee {log:q} >&2)"
 
@@ -413,10 +334,10 @@ rule table_building_explicit:
 
 rule building_explicit_cost:
     input:
+        entry=module("yade_scripts/building/explicit.py"),
         scene="results/{run}/building/explicit_scene_{coarsening}.json",
         record=lambda w: f"results/{w.run}/records/{wme_records(w.run)[0]}.csv",
         yade="results/{run}/yade.txt",
-        modules=module("yade_scripts/building/explicit.py"),
     output:
         history=temp("results/{run}/building/explicit_cost_{coarsening}.csv"),
         cost="results/{run}/building/explicit_cost_{coarsening}.json",
@@ -424,10 +345,9 @@ rule building_explicit_cost:
         "results/{run}/logs/building_explicit_cost_{coarsening}.log",
     params:
         python=YADE_PYTHON,
-        entry=str(BASE / "yade_scripts" / "building" / "explicit.py"),
         steps=lambda w: cfg(w)["building"]["explicit_cost_steps"],
     shell:
-        "{params.python:q} {params.entry:q} --scene {input.scene:q} --motion {input.record:q}"
+        "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.record:q}"
         " --steps {params.steps} --output {output.history:q} --cost {output.cost:q}"
         " 2> >(tee {log:q} >&2)"
 

@@ -22,7 +22,7 @@ def main(job):
         building = build_model(settings, plan, model, 0.0)
         drawing.draw(ax, building)
         ax.set_title(
-            f"({letter}) {model}: {len(building.bricks):,} bricks of about"
+            f"({letter}) {model}: {len(building.bricks)} bricks, about"
             f" {building.brick.length_m:.2f} × {building.brick.height_m:.2f}"
             f" × {building.brick.width_m:.2f} m"
         )

@@ -37,9 +37,8 @@ def main(job):
             mode = choose(modes)
             motion = drawing.block_motion(modes, mode, len(building.scene.blocks))
             size = np.linalg.norm(motion[:, :3], axis=1).max()
-            values = drawing.face_values(building, motion) / size
-            drawing.draw(ax, building, motion=motion, scale=LARGEST_M / size,
-                         colours=colours(values)[:, :3], edge_width=0.08)  # fmt: skip
+            drawing.draw(ax, building, motion=motion, scale=LARGEST_M / size, colour_map=colours,
+                         edge_width=0.08)  # fmt: skip
             title = f"({next(letters)}) {model}, mode {mode + 1}: {name}, "
             title += f"T = {modes.period_s[mode]:.3f} s"
             if job.params.paper:
@@ -51,7 +50,7 @@ def main(job):
             ax.set_title(title, fontsize=7)
     bar = figure.colorbar(plt.cm.ScalarMappable(cmap=colours), ax=axes, shrink=0.4, aspect=30,
                           location="bottom")  # fmt: skip
-    bar.set_label("displacement of the block over the largest [-]")
+    bar.set_label("displacement over the largest [-]")
     style.save(figure, job.output)
 
 

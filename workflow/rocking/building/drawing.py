@@ -2,6 +2,7 @@
 
 import numpy as np
 from matplotlib.collections import PolyCollection
+from matplotlib.patches import Rectangle
 
 VIEW = (-0.62, 0.62, 0.48)  # from the building towards the eye: front façade and left wall
 LIGHT = np.array([-0.45, 0.75, 1.0])
@@ -60,7 +61,7 @@ def block_motion(modes, mode, count):
     return motion
 
 
-def draw(ax, building, *, motion=None, scale=1.0, colours=None, view=VIEW, edge_width=0.15):
+def draw(ax, building, *, motion=None, scale=1.0, colour_map=None, view=VIEW, edge_width=0.15):
     """Draw a brick model.
 
     Parameters
@@ -70,31 +71,34 @@ def draw(ax, building, *, motion=None, scale=1.0, colours=None, view=VIEW, edge_
     motion : ndarray, shape (n_blocks, 6), optional
         Translation and rotation vector of each block, multiplied by `scale`.
     scale : float
-    colours : ndarray, shape (n_faces of `exposed_faces`, 3), optional
-        Face colours before shading; default masonry and timber.
+    colour_map : callable, optional
+        Colour of a displacement over the largest one; default masonry and timber.
     view : tuple of 3 floats
+        From the building towards the eye.
     edge_width : float
         Line width of the joints [pt].
     """
     block, normal, corners = exposed_faces(building)
     right, up, eye = camera(view)
-    if colours is None:
-        brick = (block < len(building.bricks))[:, None]
-        colours = np.where(brick, MASONRY, TIMBER)
     seen = normal @ eye > 1e-9
-    block, normal, corners, colours = (part[seen] for part in (block, normal, corners, colours))
+    block, normal, corners = block[seen], normal[seen], corners[seen]
+    is_brick = block < len(building.bricks)
+    # Painting by distance of the centroids hides correctly only among faces of like size.
+    tile, corners = _tiles(corners, np.where(is_brick, 1.2 * building.brick.length_m, 0.12))
+    block, normal, is_brick = block[tile], normal[tile], is_brick[tile, None]
+    colours = np.where(is_brick, MASONRY, TIMBER)
     if motion is not None:
         centre = np.array([b.centre_m for b in building.scene.blocks])[block]
-        arm = corners - centre[:, None, :]
-        turn = np.cross(motion[block, None, 3:], arm)
-        corners = corners + scale * (motion[block, None, :3] + turn)
+        turn = np.cross(motion[block, None, 3:], corners - centre[:, None, :])
+        moved = motion[block, None, :3] + turn
+        if colour_map is not None:
+            size = np.linalg.norm(moved.mean(axis=1), axis=1)
+            colours = colour_map(size / size.max())[:, :3]
+        corners = corners + scale * moved
     light = LIGHT / np.linalg.norm(LIGHT)
     shade = 0.62 + 0.38 * np.clip(normal @ light, 0.0, None)
     colours = np.clip(colours * shade[:, None], 0.0, 1.0)
-    # Painting by distance of the centroids hides correctly only among faces of like size.
-    tile, corners = _tiles(corners, largest=1.2 * max(building.brick.length_m, 0.1))
-    colours = colours[tile]
-    edges = np.where((block < len(building.bricks))[tile, None], JOINT, colours)
+    edges = np.where(is_brick, JOINT, colours)
     order = np.argsort(corners.mean(axis=1) @ eye, kind="stable")
     flat = np.stack([corners @ right, corners @ up], axis=-1)[order]
     ax.add_collection(
@@ -107,7 +111,7 @@ def draw(ax, building, *, motion=None, scale=1.0, colours=None, view=VIEW, edge_
 
 
 def _tiles(corners, largest):
-    """Split quadrilaterals with an edge longer than `largest`.
+    """Split quadrilaterals with an edge longer than `largest`, shape (n,).
 
     Returns
     -------
@@ -120,20 +124,14 @@ def _tiles(corners, largest):
     source, tiles = [small], [corners[small]]
     for i in np.flatnonzero(edge > largest):
         a, b, c, d = corners[i]
-        nu = int(np.ceil(np.linalg.norm(b - a) / largest))
-        nv = int(np.ceil(np.linalg.norm(d - a) / largest))
+        nu = int(np.ceil(np.linalg.norm(b - a) / largest[i]))
+        nv = int(np.ceil(np.linalg.norm(d - a) / largest[i]))
         u, v = (np.linspace(0.0, 1.0, n + 1)[:, None] for n in (nu, nv))
         rows = (1.0 - v)[:, None] * (a + u * (b - a)) + v[:, None] * (d + u * (c - d))
         quads = np.stack([rows[:-1, :-1], rows[:-1, 1:], rows[1:, 1:], rows[1:, :-1]], axis=2)
         tiles.append(quads.reshape(-1, 4, 3))
         source.append(np.full(nu * nv, i))
     return np.concatenate(source), np.concatenate(tiles)
-
-
-def face_values(building, motion):
-    """Translation magnitude of the block of each exposed face, shape (n_faces,)."""
-    block, _, _ = exposed_faces(building)
-    return np.linalg.norm(motion[block, :3], axis=1)
 
 
 def elevation(ax, wall, label):
@@ -181,8 +179,6 @@ def plan_view(ax, plan, label):
 
 
 def _box(corner, width, height, colour):
-    from matplotlib.patches import Rectangle
-
     return Rectangle(corner, width, height, facecolor=colour, edgecolor="0.25", linewidth=0.6)
 
 
