@@ -20,11 +20,13 @@ def main(job):
     axes = bottom.subplots(1, 2)
     for ax, model, letter in zip(axes, ("CBDEM", "SBDEM"), "bc", strict=True):
         building = build_model(settings, plan, model, 0.0)
-        drawing.draw(ax, building)
+        lifted = [building.scene.monitor] if model == "SBDEM" and plan.floors else []
+        drawing.draw(ax, building, without=lifted)
         ax.set_title(
             f"({letter}) {model}: {len(building.bricks)} bricks, about"
             f" {building.brick.length_m:.2f} × {building.brick.height_m:.2f}"
             f" × {building.brick.width_m:.2f} m"
+            + ("\n(one floor panel lifted off to show its beams)" if lifted else "")
         )
     style.save(figure, job.output)
 

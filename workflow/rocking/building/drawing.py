@@ -61,7 +61,8 @@ def block_motion(modes, mode, count):
     return motion
 
 
-def draw(ax, building, *, motion=None, scale=1.0, colour_map=None, view=VIEW, edge_width=0.15):
+def draw(ax, building, *, motion=None, scale=1.0, colour_map=None, view=VIEW, edge_width=0.15,
+         without=()):  # fmt: skip
     """Draw a brick model.
 
     Parameters
@@ -77,10 +78,13 @@ def draw(ax, building, *, motion=None, scale=1.0, colour_map=None, view=VIEW, ed
         From the building towards the eye.
     edge_width : float
         Line width of the joints [pt].
+    without : sequence of str
+        Names of blocks left out of the drawing.
     """
     block, normal, corners = exposed_faces(building)
     right, up, eye = camera(view)
-    seen = normal @ eye > 1e-9
+    hidden = [i for i, b in enumerate(building.scene.blocks) if b.name in without]
+    seen = (normal @ eye > 1e-9) & ~np.isin(block, hidden)
     block, normal, corners = block[seen], normal[seen], corners[seen]
     is_brick = block < len(building.bricks)
     # Painting by distance of the centroids hides correctly only among faces of like size.
