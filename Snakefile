@@ -1,11 +1,16 @@
 # From an accelerogram to the dynamic capacity of a rocking façade.
 # `snakemake -n` lists the jobs; README.md says how to run, override and extend.
+from pathlib import Path
+
 from snakemake.utils import min_version
 
 min_version("9.0")
 
+# the working folder's own configuration, or the project's
+OWN = Path("config/config.yaml")
 
-configfile: "config/config.yaml"
+
+configfile: str(OWN if OWN.exists() else Path(workflow.basedir) / OWN)
 
 
 include: "workflow/rules/common.smk"
@@ -16,6 +21,8 @@ include: "workflow/rules/facade.smk"
 include: "workflow/rules/ida.smk"
 include: "workflow/rules/ensemble.smk"
 include: "workflow/rules/figures.smk"
+include: "workflow/rules/calibration.smk"
+include: "workflow/rules/building.smk"
 
 
 rule all:

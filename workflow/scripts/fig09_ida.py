@@ -1,6 +1,7 @@
 """Figure 9: IDA curves of every model, a panel a record and direction, pushover in grey."""
 
 import json
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -50,7 +51,7 @@ def shown_pga(curve):
 def main(job):
     p = job.params
     facade = json.loads(p.facade)["facade"]
-    facts = {f["name"]: f for f in (json.loads(open(path).read()) for path in job.input.facts)}
+    facts = {f["name"]: f for f in (json.loads(Path(path).read_text()) for path in job.input.facts)}
     curves = [read_curve(path) for path in job.input.ida]
     ensembles = [pd.read_csv(path) for path in getattr(job.input, "ensemble", [])]
     ensembles = [table for table in ensembles if len(table)]

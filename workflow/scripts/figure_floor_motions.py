@@ -1,6 +1,7 @@
 """Ground and floor motions of one record: histories and response spectra."""
 
 import json
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -12,7 +13,7 @@ from smdof.spectra import response_spectrum
 
 
 def main(job):
-    facts = json.loads(open(job.input.facts).read())
+    facts = json.loads(Path(job.input.facts).read_text())
     chain = json.loads(job.params.smdof)["smdof"]
     with open(job.input.motion) as handle:
         names = handle.readline().strip().split(",")[1:]

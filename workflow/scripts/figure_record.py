@@ -1,6 +1,7 @@
 """One accelerogram: acceleration, velocity, displacement and response spectrum."""
 
 import json
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -13,7 +14,7 @@ from smdof.spectra import response_spectrum
 
 def main(job):
     record = read_csv(job.input.record)
-    facts = json.loads(open(job.input.facts).read())
+    facts = json.loads(Path(job.input.facts).read_text())
     velocity, displacement = integrate(record.acceleration_m_s2, record.dt_s)
     peaks = measures(record)
     figure, axes = plt.subplot_mosaic("as;vs;ds", width_ratios=(1.7, 1.0))
