@@ -178,7 +178,7 @@ def knet():
         "Scale Factor      3920(gal)/6182761", f"Max. Acc. (gal)   {np.abs(gal).max():.3f}",
         "Last Correction   2099/01/01 00:00:00", "Memo.             ",
     ]  # fmt: skip
-    lines += [row + " " for row in _rows(counts, ">9d", 8)]
+    lines += [row[1:] + " " for row in _rows(counts, ">9d", 8)]
     return Sample("knet.EW", _bytes(lines), a, 1e-4)
 
 

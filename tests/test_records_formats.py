@@ -78,6 +78,37 @@ def test_truncated_file_is_refused_where_the_number_of_samples_is_declared(tmp_p
             assert len(record) == len(sample.acceleration_m_s2)
 
 
+def test_a_file_cut_within_its_last_number_is_not_read_as_another_motion(tmp_path, sample):
+    """ "-1.7E-02" cut to "-1.7" is a number too, a hundred times larger."""
+    whole = read(put(tmp_path, sample), sample).acceleration_m_s2
+    for cut in range(len(sample.data) - 60, len(sample.data)):
+        try:
+            found = read(put(tmp_path, sample, sample.data[:cut]), sample).acceleration_m_s2
+        except RecordError:
+            continue
+        # A column of numbers without trailing zeros may lose digits that others lack too.
+        np.testing.assert_allclose(found, whole[: len(found)], rtol=1e-4)
+
+
+def test_a_lost_digit_shows_where_there_are_columns(tmp_path):
+    for sample in (samples.at2(), samples.knet(), samples.smc(), samples.cosmos()):
+        lines = sample.data.decode().split("\n")
+        row = len(lines) - 5
+        lines[row] = re.sub(r"\d(?=\S*$)", "", lines[row].rstrip(), count=1)
+        path = put(tmp_path, sample, "\n".join(lines).encode())
+        assert f"line {row + 1}:" in refusal(path, sample)
+
+
+def test_numbers_of_any_width_are_read_from_a_free_file(tmp_path):
+    sample = samples.at2(2)
+    header = sample.data.decode().split("\n")[:4]
+    values = [f"{v / 9.80665:.{6 + i % 3}g}" for i, v in enumerate(sample.acceleration_m_s2)]
+    path = put(tmp_path, sample, "\n".join([*header, *values]).encode() + b"\n")
+    np.testing.assert_allclose(
+        read(path, sample).acceleration_m_s2, sample.acceleration_m_s2, atol=2e-5
+    )
+
+
 @pytest.mark.parametrize("token", ["nan", "inf", "1e999", "x", "1_0", "--1", "1,5", "٣"])
 def test_no_sample_but_finite_decimals(tmp_path, sample, token):
     lines = sample.data.decode().split("\n")

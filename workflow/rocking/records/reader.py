@@ -108,7 +108,8 @@ def read_record(path, *, name=None, format=None, component=None, dt_s=None, unit
     unit = _units(channel, units, text)
     step = _step(channel, dt_s, text)
     _check_peak(channel, text)
-    acceleration = np.array(channel.values, dtype=float) * UNITS_M_S2[unit]
+    with np.errstate(over="ignore"):  # infinite is not plausible either
+        acceleration = np.array(channel.values, dtype=float) * UNITS_M_S2[unit]
     check_plausible(acceleration, unit, path)
     return Record(
         name or os.path.splitext(os.path.basename(path))[0],

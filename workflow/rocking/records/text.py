@@ -26,11 +26,15 @@ _NUMERIC = re.compile(r"[0-9+\-.eE \t]*")
 
 @dataclass(frozen=True)
 class Text:
-    """A text file as lines without their ends; `line` arguments count from 1."""
+    """A text file as lines without their ends; `line` arguments count from 1.
+
+    complete: the last line has its end, so the file was not cut off within it.
+    """
 
     path: str
     lines: list
     sha256: str
+    complete: bool
 
     def error(self, line, message):
         """Return the RecordError for a line of this file."""
@@ -90,14 +94,15 @@ def text_from_bytes(path, data):
         ) from None
     # Not str.splitlines: it also breaks at separators no record format knows.
     lines = content.replace("\r\n", "\n").replace("\r", "\n").split("\n")
-    if not lines[-1]:
+    complete = not lines[-1]
+    if complete:
         lines.pop()
     if len(lines) > MAX_LINES:
         raise RecordError(f"{path}: more than {MAX_LINES} lines")
     for number, line in enumerate(lines, 1):
         if len(line) > MAX_LINE_CHARACTERS:
             raise RecordError.at(path, number, f"longer than {MAX_LINE_CHARACTERS} characters")
-    return Text(path, lines, digest)
+    return Text(path, lines, digest, complete)
 
 
 def parse_number(text, number, token, what):
@@ -156,6 +161,27 @@ def _starts(line_of_value):
     return [start for start, _ in line_of_value]
 
 
+def _shape(token):
+    """Return the number of digits after the point, and of characters from the e onwards."""
+    mantissa, mark, exponent = token.lower().partition("e")
+    return len(mantissa.partition(".")[2]), len(mark + exponent)
+
+
+def check_last(text, number, token, earlier):
+    """Refuse a last number that was cut off, "1.75291" of "1.7529137E-02".
+
+    Only where the file does not end in a line end; `earlier` are numbers of its column.
+    """
+    shapes = [_shape(word) for word in earlier]
+    if text.complete or not shapes:
+        return
+    digits, exponent = _shape(token)
+    if digits < min(s[0] for s in shapes) or exponent < min(s[1] for s in shapes):
+        raise text.error(
+            number, f"the file ends in {token[-40:]!r}, unlike the numbers before: is it cut off?"
+        )
+
+
 def free_block(text, first, last, count=None):
     """Read blank-separated numbers from lines first … last (from 1, inclusive).
 
@@ -175,14 +201,37 @@ def free_block(text, first, last, count=None):
                 raise text.error(
                     number, f"more values than the {count} samples the header declares"
                 )
+    if line_of_value:
+        number = line_of_value[-1][1]
+        earlier = text.lines[first - 1].split() + text.lines[number - 1].split()[:-1]
+        check_last(text, number, text.lines[number - 1].split()[-1], earlier)
     return _finished(text, first, values, line_of_value, count)
 
 
-def fixed_block(text, first, width, per_line, count):
+def gridded_block(text, first, width, indent, per_line, count):
+    """Read `count` numbers to the end of the file, in columns if the first line is.
+
+    The columns end at indent, indent + width, …; then every line must keep to them,
+    which shows a lost digit. Otherwise the numbers are free, apart by blanks.
+    """
+    line = text.line(first, f"{count} values").rstrip()
+    whole = indent + width * (per_line - 1)
+    ends = [match.end() for match in re.finditer(r"\S+", line[: whole + 1])]
+    if len(line) != whole or ends != list(range(indent, whole + 1, width)):
+        return free_block(text, first, len(text.lines), count)
+    values, following = fixed_block(text, first, width, per_line, count, indent)
+    for number in range(following, len(text.lines) + 1):
+        if text.lines[number - 1].strip():
+            raise text.error(number, f"more values than the {count} samples the header declares")
+    return values
+
+
+def fixed_block(text, first, width, per_line, count, indent=None):
     """Read `count` numbers of a Fortran record, fields `width` wide, `per_line` a line.
 
     Neighbouring fields may touch, so blanks do not separate them. Fields are
-    right-justified: one that ends in a blank means a shifted or damaged line.
+    right-justified: one that ends in a blank means a shifted or damaged line. The
+    first field ends at `indent`, `width` when None.
 
     Returns
     -------
@@ -191,10 +240,12 @@ def fixed_block(text, first, width, per_line, count):
         The line (from 1) after the block.
     """
     rows = -(-count // per_line)
+    margin = " " * (width - indent) if indent else ""
     values, line_of_value = array("d"), []
     for row in range(rows):
         number = first + row
         line = text.line(number, f"{count - len(values)} more values").rstrip()
+        line = margin + line
         expected = min(per_line, count - len(values))
         if "\t" in line or len(line) != expected * width:
             raise text.error(

@@ -1,4 +1,4 @@
-"""PEER AT2: four header lines, then accelerations in g, blank-separated.
+"""PEER AT2: four header lines, then accelerations in g, 5E15.7 or free.
 
 The fourth line has three variants, for the original PEER (Pacific Engineering), NGA
 (2005) and NGA-West2 databases:
@@ -10,7 +10,7 @@ The fourth line has three variants, for the original PEER (Pacific Engineering),
 import re
 
 from ..record import unit_name
-from ..text import free_block, parse_count, parse_number
+from ..text import gridded_block, parse_count, parse_number
 from .channel import Channel
 
 DESCRIPTION = "PEER AT2"
@@ -41,7 +41,7 @@ def read(text):
         raise text.error(4, f"expected NPTS and DT, found {header.strip()[:60]!r}")
     count = parse_count(text, 4, match[1], "the number of samples NPTS")
     dt_s = parse_number(text, 4, match[2], "the time step DT")
-    values = free_block(text, 5, len(text.lines), count)
+    values = gridded_block(text, 5, 15, 15, 5, count)
     # The title ends in the component: "RINALDI RECEIVING STA, 228".
     label = text.lines[1].rsplit(",", 1)[-1].strip()[:40]
     azimuth = int(label) if re.fullmatch(r"\d{1,3}", label) else None

@@ -12,7 +12,7 @@ import re
 import numpy as np
 
 from ..record import unit_name
-from ..text import MAX_SAMPLES, parse_number
+from ..text import MAX_SAMPLES, check_last, parse_number
 from .channel import Channel
 
 DESCRIPTION = "columns of numbers"
@@ -88,7 +88,7 @@ def _table(text, first, separator, columns):
     if rows * columns > 4 * MAX_SAMPLES:
         raise text.error(first, f"more than {4 * MAX_SAMPLES} numbers")
     table = np.empty((rows, columns))
-    used = 0
+    used, last = 0, first
     for number in range(first, len(text.lines) + 1):
         line = text.lines[number - 1]
         if not line.strip():
@@ -103,7 +103,11 @@ def _table(text, first, separator, columns):
             )
         for column, cell in enumerate(cells):
             table[used, column] = parse_number(text, number, cell, "a number")
+        last = number
         used += 1
+    lines = text.lines[first - 1 : min(last - 1, first + 999)]
+    earlier = [_cells(line, separator)[-1] for line in lines]
+    check_last(text, last, _cells(text.lines[last - 1], separator)[-1], earlier)
     if used < 2:
         raise text.error(first, "expected at least 2 samples")
     return table[:used]

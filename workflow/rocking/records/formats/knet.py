@@ -1,4 +1,4 @@
-"""K-NET and KiK-net ASCII: 17 header lines, then digitiser counts, eight a line.
+"""K-NET and KiK-net ASCII: 17 header lines, then digitiser counts, 8(I8,1X).
 
 Acceleration is count × Scale Factor, less its mean: the counts' zero is the sensor's
 resting position, not an acceleration, and the header's Max. Acc. is taken from it too.
@@ -8,7 +8,7 @@ import re
 
 import numpy as np
 
-from ..text import MAX_SAMPLES, free_block, parse_number
+from ..text import MAX_SAMPLES, gridded_block, parse_number
 from .channel import Channel
 
 DESCRIPTION = "K-NET, KiK-net"
@@ -50,7 +50,7 @@ def read(text):
     bottom = parse_number(text, number, scale[2], "a scale")
     if not bottom > 0:
         raise text.error(number, "expected a positive scale")
-    counts = free_block(text, HEADER + 1, len(text.lines), round(count))
+    counts = gridded_block(text, HEADER + 1, 9, 8, 8, round(count))
     gal = counts * (top / bottom)
     number, word = fields["Max. Acc. (gal)"]
     peak = abs(parse_number(text, number, word, "the largest acceleration"))
