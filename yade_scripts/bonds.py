@@ -60,6 +60,17 @@ def rotation(orientation):
     )
 
 
+def set_material(body, material):
+    """Give a node sphere another ViscElMat, in its present contacts too, without shear."""
+    body.material = material
+    for contact in body.intrs():
+        phys = contact.phys
+        phys.kn, phys.ks = material.kn, material.ks
+        phys.cn, phys.cs = material.cn, material.cs
+        phys.tangensOfFrictionAngle = math.tan(material.frictionAngle)
+        phys.shearForce = (0.0, 0.0, 0.0)
+
+
 class Bonds:
     """Follows the bonded nodes of a built scene and breaks them; called by a PyRunner.
 
@@ -199,6 +210,13 @@ class Bonds:
         wait = min(max(wait, CHECK_S), LONGEST_CHECK_S)
         self.runner.iterPeriod = max(1, int(wait / self.omega.dt))
 
+    def end(self, nodes):
+        """Take the bonds of some nodes out of the scene, broken or not; not counted as broken."""
+        for k in np.flatnonzero(np.isin(self.node, nodes)):
+            for sphere in self.spheres[int(self.node[k])]:
+                set_material(self.omega.bodies[sphere], self.dead)
+            self.intact[k] = False
+
     def _break(self, k):
         """Take the stiffness of press and hook away and give it to the plain node."""
         node = int(self.node[k])
@@ -206,13 +224,6 @@ class Bonds:
         for sphere, material in (
             (press, self.dead), (hook, self.dead), (plain, self.materials[node]),
         ):  # fmt: skip
-            body = self.omega.bodies[sphere]
-            body.material = material  # of contacts to come
-            for contact in body.intrs():  # and of the present one
-                phys = contact.phys
-                phys.kn, phys.ks = material.kn, material.ks
-                phys.cn, phys.cs = material.cn, material.cs
-                phys.tangensOfFrictionAngle = np.tan(material.frictionAngle)
-                phys.shearForce = (0.0, 0.0, 0.0)
+            set_material(self.omega.bodies[sphere], material)
         self.intact[k] = False
         self.broken.append((float(self.omega.time), node))

@@ -9,6 +9,7 @@ in `bonds`.
 """
 
 import glob
+import io
 import os
 import sys
 from dataclasses import dataclass
@@ -16,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .bonds import PRELOAD_M, Bonds, is_tie
-from .faces import FaceError, Faces
+from .faces import RELEASE_CHECK_S, FaceError, Faces, Releases
 from .motion import GUIDE_INTERVAL_S, Guide, Motion
 
 __all__ = ["Built", "EngineError", "FaceError", "Motion", "build", "load_yade"]
@@ -59,7 +60,7 @@ def load_yade():
         sys.path.insert(1, os.path.dirname(os.path.dirname(plain[0])))
         os.environ["OMP_NUM_THREADS"] = "1"
         # The library greets on standard output, which belongs to our own results.
-        stdout, sys.stdout = sys.stdout, open(os.devnull, "w")
+        stdout, sys.stdout = sys.stdout, io.StringIO()
         try:
             import yade  # noqa: F401
         except ImportError as error:
@@ -89,6 +90,8 @@ class Built:
         Follows the bonded nodes, if there are any.
     guide : motion.Guide or None
         Moves the blocks that are driven along y but free otherwise, if there are any.
+    releases : faces.Releases or None
+        Lets go of nodes that have slid past their rim, if faces have rims.
     """
 
     omega: object
@@ -96,6 +99,7 @@ class Built:
     node_body: list
     bonds: Bonds | None = None
     guide: Guide | None = None
+    releases: Releases | None = None
 
 
 def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
@@ -163,7 +167,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
             omega.materials.append(materials[key])
         return materials[key]
 
-    if nodes.bonded.any():
+    if nodes.bonded.any() or scene.notes.get("rims"):
         omega.materials.append(dead)
     body, node_body, drives, bonded = [], [-1] * len(nodes), {}, {}
     heaviest = max([b.mass_kg for b in scene.blocks if b.free] or [1.0])
@@ -255,6 +259,11 @@ def _attach(w, scene, motions, built, bonded, node_material, dead):
         runner = w.PyRunner(command="_check_bonds()", iterPeriod=1, initRun=True)
         omega.engines = omega.engines + [runner]
         built.bonds.runner = omega.engines[-1]
+    if scene.notes.get("rims"):
+        built.releases = Releases(scene, omega, built.body, built.node_body, dead, built.bonds)
+        __main__._release_nodes = built.releases
+        period = max(1, round(RELEASE_CHECK_S / omega.dt))
+        omega.engines = omega.engines + [w.PyRunner(command="_release_nodes()", iterPeriod=period)]
 
 
 def _members(utils, omega, scene, index, faces, keys, reach, rigid, node_material,

@@ -4,7 +4,9 @@ A face is a plane of a block that nodes touch. Its box is oversized on purpose: 
 decide who touches it, and a node at the rim of the real face must meet a flat face,
 not the edge of a box. Where blocks slide off each other the rim is real; it is then
 stated in `scene.notes["rims"]` as joint name → (outward direction of the rim, its
-level along that direction).
+level along that direction). A node that has slid past its rim is released for good by
+`Releases`. If it belongs to one of the blocks in `scene.notes["debris"]`, that block has
+come out of its slot: it falls, and takes no further part.
 
 YADE's masks hold 30 bits. Scenes with more faces get boxes of their joint's size plus
 the largest relative motion, and faces whose boxes and nodes cannot meet share a bit.
@@ -12,7 +14,7 @@ the largest relative motion, and faces whose boxes and nodes cannot meet share a
 
 import numpy as np
 
-from .bonds import FACE_OFFSET_M
+from .bonds import FACE_OFFSET_M, rotation, set_material
 
 BITS = 30
 LOCAL_REACH_M = 0.75  # beyond the joint's nodes in its plane
@@ -22,6 +24,76 @@ MOTION_M = 0.25  # boxes this far apart never meet before the run has ended
 
 class FaceError(ValueError):
     """A scene needs more distinguishable faces than YADE's masks hold."""
+
+
+RELEASE_CHECK_S = 2e-3
+
+
+class Releases:
+    """Releases contact nodes that have slid past the rim of their face; a PyRunner calls it.
+
+    Attributes
+    ----------
+    released : list of (time_s, node)
+    """
+
+    def __init__(self, scene, omega, state_of_block, node_body, dead, bonds):
+        """Find the nodes of `scene` whose joint has a rim."""
+        nodes, rims = scene.nodes, scene.notes["rims"]
+        self.bonds, self.body_of = bonds, state_of_block
+        self.debris = {scene.index(name) for name in scene.notes.get("debris", ())}
+        self.touching = {
+            k: np.flatnonzero((nodes.a == k) | (nodes.b == k)).tolist() for k in self.debris
+        }
+        self.omega, self.node_body, self.dead, self.released = omega, node_body, dead, []
+        names = [scene.joints[j] for j in nodes.joint]
+        self.node = [i for i, name in enumerate(names) if name in rims]
+        used = sorted({int(k) for i in self.node for k in (nodes.a[i], nodes.b[i])})
+        self.states = {k: omega.bodies[state_of_block[k]].state for k in used}
+        # a clump's frame may be turned by half a turn about an axis; blocks start unturned
+        self.home = {k: rotation(state.ori).T for k, state in self.states.items()}
+        self.arm, self.direction, self.edge, self.pair = {}, {}, {}, {}
+        for i in self.node:
+            a, b = int(nodes.a[i]), int(nodes.b[i])
+            self.arm[i] = nodes.position_m[i] - np.array(scene.blocks[a].centre_m)
+            direction, edge = rims[names[i]]
+            self.direction[i] = np.array(direction)
+            self.edge[i] = edge - float(np.dot(direction, scene.blocks[b].centre_m))
+            self.pair[i] = (a, b)
+
+    def __call__(self):
+        """Release what has passed its rim, in the frame of the block that has the rim."""
+        poses = {}
+        for k, state in self.states.items():
+            p = state.pos
+            poses[k] = (np.array((p[0], p[1], p[2])), rotation(state.ori) @ self.home[k])
+        for i in list(self.node):
+            a, b = self.pair[i]
+            (place_a, turn_a), (place_b, turn_b) = poses[a], poses[b]
+            offset = place_a + turn_a @ self.arm[i] - place_b
+            if offset @ (turn_b @ self.direction[i]) > self.edge[i]:
+                loose = self.debris.intersection((a, b))
+                for block in loose:
+                    self._let_fall(block)
+                if not loose:
+                    self._release(i)
+
+    def _release(self, i):
+        set_material(self.omega.bodies[self.node_body[i]], self.dead)
+        if i in self.node:
+            self.node.remove(i)
+        self.released.append((float(self.omega.time), i))
+
+    def _let_fall(self, block):
+        """Release every node of a block and leave it where it is, without part in the rest."""
+        if self.bonds is not None:
+            self.bonds.end(self.touching[block])
+        for i in self.touching[block]:
+            self._release(i)
+        self.debris.discard(block)
+        state = self.omega.bodies[self.body_of[block]].state
+        state.blockedDOFs = "xyzXYZ"
+        state.vel = state.angVel = (0.0, 0.0, 0.0)
 
 
 class Faces:
