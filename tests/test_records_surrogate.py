@@ -194,5 +194,16 @@ def test_polarity_of_rinaldi_s_pulse_is_the_record_s():
     assert v_real[abs(v_real).argmax()] * v_ours[abs(v_ours).argmax()] > 0
 
 
+def test_a_record_keeps_its_motion_in_a_table_elsewhere(tmp_path):
+    """The project's parameters apply unless there are others beside the table."""
+    copy = tmp_path / "mine.tsv"
+    copy.write_bytes(TABLE.read_bytes())
+    there, here = load("BUCAR0", TABLE), load("BUCAR0", copy)
+    np.testing.assert_array_equal(there.acceleration_m_s2, here.acceleration_m_s2)
+    (tmp_path / "surrogates.yaml").write_text(GOOD)
+    other = load("BUCAR0", copy)
+    assert abs(other.acceleration_m_s2 - there.acceleration_m_s2).max() > 0.1
+
+
 def test_every_entry_of_the_parameters_is_used():
     assert set(read_specs(PARAMETERS)) == set(NAMES)

@@ -34,11 +34,23 @@ __all__ = [
     "read_specs",
     "read_table",
     "records_row",
+    "surrogates_for",
     "treat",
     "write_csv",
 ]
 
 RECORDS_COLUMNS = ("record", "source", "dt_s", "duration_s", "pga_g", "pgv_cm_s", "pgd_cm")
+
+
+def surrogates_for(table_path):
+    """Return the surrogate parameters a table uses: `surrogates.yaml` beside it or the project's.
+
+    The project's too, so that a record keeps its motion in a user's table elsewhere. None
+    where there is neither, as in a package installed without config/.
+    """
+    beside = os.path.join(os.path.dirname(os.fspath(table_path)), "surrogates.yaml")
+    ours = os.path.join(os.path.dirname(__file__), *[os.pardir] * 3, "config", "surrogates.yaml")
+    return next((p for p in (beside, os.path.normpath(ours)) if os.path.isfile(p)), None)
 
 
 def load(name, table_path, *, baseline="none", seed=DEFAULT_SEED, surrogates_path=None):
@@ -57,8 +69,8 @@ def load(name, table_path, *, baseline="none", seed=DEFAULT_SEED, surrogates_pat
     seed : int
         Seed of the surrogates' noise.
     surrogates_path : str or None
-        Surrogate parameters; `surrogates.yaml` beside the table when None and there is
-        one. A record without an entry gets parameters derived from its peaks.
+        Surrogate parameters; those of `surrogates_for` when None. A record without an
+        entry gets parameters derived from its peaks.
 
     Returns
     -------
@@ -78,9 +90,7 @@ def load(name, table_path, *, baseline="none", seed=DEFAULT_SEED, surrogates_pat
         record = read_record(row.path, name=name, **{key: getattr(row, key) for key in keys})
         options = {"method": baseline} if isinstance(baseline, str) else dict(baseline)
         return treat(record, **options)
-    if surrogates_path is None:
-        beside = os.path.join(os.path.dirname(os.fspath(table_path)), "surrogates.yaml")
-        surrogates_path = beside if os.path.isfile(beside) else None
+    surrogates_path = surrogates_path or surrogates_for(table_path)
     spec = read_specs(surrogates_path).get(name) if surrogates_path else None
     return generate(name, **row.targets, spec=spec, seed=seed)
 
