@@ -19,7 +19,7 @@ import numpy as np
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from yade_scripts import engine, facade, perturb, run_ida, simulate
+from yade_scripts import engine, models, perturb, run_ida, simulate
 from yade_scripts.journal import Journal, run_key, source_digest, write_atomic
 from yade_scripts.scene import to_json
 
@@ -71,7 +71,8 @@ class Runner:
         """Scene with so many extra nodes, and the hash of it and of its motions."""
         if extra_nodes not in self.scenes:
             job = {**self.job, "numerics": numerics}
-            scene = facade.facade_scene(job, job["model"], job["beta_s"])
+            scene = models.build_scene(job)
+            self.columns = models.motion_columns(scene, self.columns)
             motion = b"".join(self.columns[n].tobytes() for n in scene.motions)
             self.scenes[extra_nodes] = (
                 scene, run_key(to_json(scene), motion + self.time_s.tobytes(), self.digest)
@@ -80,7 +81,7 @@ class Runner:
 
     def run(self, pga_g, member):
         """Row of one member at one intensity (contract of the ensemble table)."""
-        numerics = perturb.perturbed_numerics(self.job["numerics"], member)
+        numerics = perturb.perturbed_numerics(models.numerics(self.job), member)
         scene, base = self.scene(member.extra_nodes, numerics)
         factor = SIGNS[self.direction] * member.amplitude_factor * pga_g * run_ida.G / self.pga
         key = run_key(base, numerics, factor)

@@ -19,7 +19,7 @@ import numpy as np
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from yade_scripts import engine, facade, lifeline, simulate
+from yade_scripts import engine, lifeline, models, simulate
 from yade_scripts.intensities import DIGITS, next_intensity
 from yade_scripts.journal import Journal, run_key, source_digest, write_atomic
 from yade_scripts.scene import to_json
@@ -141,17 +141,18 @@ def analyse(job, time_s, columns, record, direction, journal, say):
         settings["start_g"] = round(
             0.5 * job["facade"]["thickness_m"] / job["facade"]["height_m"], DIGITS
         )
-    scene = facade.facade_scene(job, model, job["beta_s"])
+    scene, numerics = models.build_scene(job), models.numerics(job)
+    columns = models.motion_columns(scene, columns)
     sign = {"pos": 1.0, "neg": -1.0}[direction]
     pga = float(np.max(np.abs(columns["ground"])))
     motion_bytes = b"".join(columns[n].tobytes() for n in scene.motions) + time_s.tobytes()
-    base_key = run_key(to_json(scene), motion_bytes, job["numerics"], sign, source_digest())
+    base_key = run_key(to_json(scene), motion_bytes, numerics, sign, source_digest())
     rows, done, reused = [], {}, 0
     while (pga_g := next_intensity(done, settings)) is not None:
         key = run_key(base_key, pga_g)
         row = journal.get(key)
         if row is None:
-            history = run_one(scene, time_s, columns, sign * pga_g * G / pga, job["numerics"])
+            history = run_one(scene, time_s, columns, sign * pga_g * G / pga, numerics)
             row = as_row(model, record, direction, pga_g, history)
             journal.put(key, row, history.reason)
             outcome = f"d/b {row['d_over_b'][:5]}" if row["d_over_b"] else history.reason

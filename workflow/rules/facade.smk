@@ -11,9 +11,16 @@ rule scene:
     log:
         "results/{run}/logs/scene_{model}.log",
     params:
-        scene=params_of(
-            "facade", "return_wall", "damping", "smdof", "numerics", "ida", "ensemble"
-        ),
+        scene=lambda w: params_of(
+            "facade",
+            "return_wall",
+            "damping",
+            "smdof",
+            "numerics",
+            "ida",
+            "ensemble",
+            *(["w3"] if w.model == "W3" else []),
+        )(w),
     script:
         "../scripts/scene.py"
 
