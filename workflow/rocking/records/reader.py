@@ -56,7 +56,11 @@ def choose_component(channels, component, path):
     if not component:
         if len(channels) == 1:
             return channels[0]
-        raise RecordError(f"{path}: {len(channels)} components ({have}); say which in component")
+        raise RecordError.at(
+            path,
+            channels[0].line,
+            f"the first of {len(channels)} components, {have}; say which in component",
+        )
     word = " ".join(str(component).split()).lower()
     place = re.fullmatch(r"#(\d{1,3})", word)
     if place:
@@ -68,7 +72,9 @@ def choose_component(channels, component, path):
             found = [c for c in found if c.azimuth_deg % 360 == int(word) % 360]
     if len(found) != 1:
         problem = "fits more than one of" if found else "is none of"
-        raise RecordError(f"{path}: component {str(component)!r} {problem} {have}")
+        raise RecordError.at(
+            path, channels[0].line, f"component {str(component)[:40]!r} {problem} {have}"
+        )
     return found[0]
 
 
@@ -110,7 +116,7 @@ def read_record(path, *, name=None, format=None, component=None, dt_s=None, unit
     _check_peak(channel, text)
     with np.errstate(over="ignore"):  # infinite is not plausible either
         acceleration = np.array(channel.values, dtype=float) * UNITS_M_S2[unit]
-    check_plausible(acceleration, unit, path)
+    check_plausible(acceleration, unit, f"{path}, line {channel.line}")
     return Record(
         name or os.path.splitext(os.path.basename(path))[0],
         acceleration,
@@ -131,8 +137,8 @@ def _units(channel, stated, text):
     if stated:
         unit = unit_name(stated)
         if unit is None:
-            raise RecordError(
-                f"{text.path}: unknown units {stated!r}; expected one of {', '.join(UNITS_M_S2)}"
+            raise text.error(
+                channel.line, f"unknown units {stated!r}; expected one of {', '.join(UNITS_M_S2)}"
             )
         if channel.units and unit != channel.units:
             raise text.error(
@@ -140,8 +146,8 @@ def _units(channel, stated, text):
             )
     unit = channel.units or unit
     if unit is None:
-        raise RecordError(
-            f"{text.path}: the file states no units; state one of {', '.join(UNITS_M_S2)}"
+        raise text.error(
+            channel.line, f"the file states no units; state one of {', '.join(UNITS_M_S2)}"
         )
     return unit
 
@@ -158,7 +164,7 @@ def _step(channel, stated, text):
             )
         step = stated
     if step is None:
-        raise RecordError(f"{text.path}: the file states no time step; state dt_s")
+        raise text.error(channel.line, "the file states no time step; state dt_s")
     if not MIN_DT_S <= step <= MAX_DT_S:
         raise text.error(
             channel.line, f"time step {step:g} s; expected {MIN_DT_S:g} … {MAX_DT_S:g} s"
