@@ -9,7 +9,7 @@ import pytest
 from rocking import calibration_study as study
 from rocking import closed_forms
 from rocking.planar import Wall, simulate
-from rocking.restitution import e_exp, read_histories, rebounds
+from rocking.restitution import e_exp, read_archive, rebounds
 from yade_process import PYTHON, ROOT, resolved
 
 pytestmark = pytest.mark.yade
@@ -65,7 +65,7 @@ def test_reference_table(tmp_path):
         [case(f"{n} {f}", n, f, **CONVENTION) for n in TABLE for f in fractions], tmp_path
     )
     assert done.returncode == 0, done.stderr
-    found = rebounds_of(read_histories(archive))
+    found = rebounds_of(read_archive(archive))
     for n, columns in TABLE.items():
         mean = np.mean([found[f"{n} {f}"] for f in fractions], axis=0)
         for column in columns:
@@ -85,7 +85,7 @@ def test_independent_solver_with_the_same_nodes(tmp_path, convention):
     fractions = (0.02, 0.015)
     done, archive = run([case(f"{f}", 5, f, **convention) for f in fractions], tmp_path)
     assert done.returncode == 0, done.stderr
-    mean = np.mean(list(rebounds_of(read_histories(archive)).values()), axis=0)
+    mean = np.mean(list(rebounds_of(read_archive(archive)).values()), axis=0)
     assert mean == pytest.approx(expected[:2], rel=0.01)
 
 
@@ -99,7 +99,7 @@ def test_quarter_period_in_the_rigid_limit(tmp_path):
     )
     assert done.returncode == 0, done.stderr
     times = []
-    for history in read_histories(archive):
+    for history in read_archive(archive):
         t, theta = history["time_s"], history["theta_over_alpha"]
         i = np.flatnonzero(theta <= 0.0)[0]
         times.append(t[i - 1] + (t[i] - t[i - 1]) * theta[i - 1] / (theta[i - 1] - theta[i]))
@@ -115,7 +115,7 @@ def test_more_damping_less_rebound_and_no_invented_impacts(tmp_path):
     betas = [0.0002, 0.0004, 0.0008, 0.0058]
     done, archive = run([case("wall", 5, 0.05, betas=betas)], tmp_path)
     assert done.returncode == 0, done.stderr
-    histories = read_histories(archive)
+    histories = read_archive(archive)
     assert [h["beta_s"] for h in histories] == betas
     found = [rebounds(h["time_s"], h["theta_over_alpha"]) for h in histories]
     first = [f.peak[0] for f in found[:3]]

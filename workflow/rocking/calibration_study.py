@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from rocking import closed_forms
+from rocking.calibration import groups
 from rocking.config import resolve
 from rocking.restitution import IMPACTS, TARGETS, e_exp, e_one_sided, misfit, rebounds
 from yade_scripts.quadrature import gauss_lobatto
@@ -14,9 +15,11 @@ from yade_scripts.scene import Block, NodeList, Scene, box_inertia
 from yade_scripts.stiffness import modes
 
 SECTIONS = ("facade", "return_wall", "smdof", "numerics")
-END = 4.0  # end of a history after the first impact, in units of 1/p
-LOWEST = 0.25  # of the two-block minimum: the fits of thick return walls lie below it
-FINE = math.sqrt(2.0)  # ratio of neighbouring β around the fits
+END = 3.0  # end of a history after the first impact, in units of 1/p: three rebounds are over
+# β at which every wall is run, over 1/ω_c (see `calibration.groups`): around the fits, which lie
+# at 0.6 to 1.1; a fit that comes to lie at an end is marked
+LADDER = 0.85 * np.sqrt(2.0) ** np.arange(-2, 3)
+WHOLE_RANGE = 8  # further β over the study's whole range, for figure 4a
 SENSITIVITY = ((0.11, 1800.0, 0.8 / 0.11), (0.3, 4050.0, 15.0))  # b [m], E [MPa], h/b
 
 
@@ -53,18 +56,16 @@ def single_block_maximum(config):
     )
 
 
-def beta_grid(config, whole_range):
-    """β at which a wall is run [s]: a fine ladder about the fits, and the study's upper range."""
-    low = two_block_minimum(config)
-    fine = LOWEST * low * FINE ** np.arange(9)
-    if not whole_range:
-        return [float(f"{b:.6g}") for b in fine]
-    high = max(single_block_maximum(config), 1.5 * fine[-1])
-    coarse = np.geomspace(fine[-1], high, 4)[1:]
-    return [float(f"{b:.6g}") for b in (*fine, *coarse)]
+def beta_grid(config, whole_range=False):
+    """β at which a wall is run [s], ascending: the ladder, and the study's range if asked for."""
+    betas = LADDER / groups(config)["omega_c_rad_s"]
+    if whole_range:
+        ends = two_block_minimum(config), single_block_maximum(config)
+        betas = np.concatenate([betas, np.geomspace(*ends, WHOLE_RANGE)])
+    return [float(f"{b:.6g}") for b in np.sort(betas)]
 
 
-def wall_case(name, config, release_ratio, betas, **about):
+def wall_case(name, config, release_ratio, betas, *, end=END, **about):
     """One case of `run_free_rocking`, with what the tables say about it."""
     facade = config["facade"]
     p = closed_forms.block(facade["height_m"], facade["thickness_m"]).p_rad_s
@@ -75,12 +76,12 @@ def wall_case(name, config, release_ratio, betas, **about):
         "model": "W1",
         "release_ratio": release_ratio,
         "beta_s": list(betas),
-        "limit_s": float(f"{first + END / p:.6g}"),
+        "limit_s": float(f"{first + end / p:.6g}"),
         "about": about,
     }
 
 
-def _wall(settings, b, e_mpa, slenderness, ratio, **numerics):
+def batch_wall(settings, b, e_mpa, slenderness, ratio, **numerics):
     """Resolved configuration of a batch's wall, of unit width."""
     return resolve({
         "models": ["W1"],
@@ -107,12 +108,12 @@ def batch_cases(settings, number):
     cases = []
     for slenderness in settings["slenderness"]:
         for ratio in sorted({*settings["return_wall_ratio"], settings["reference_ratio"]}):
-            config = _wall(settings, b, e_mpa, slenderness, ratio)
-            whole = ratio == settings["reference_ratio"]
+            config = batch_wall(settings, b, e_mpa, slenderness, ratio)
+            reference = ratio == settings["reference_ratio"]
             cases.append(wall_case(
                 f"b{b:g}_E{e_mpa:g}_s{slenderness:g}_r{ratio:g}", config,
-                settings["release_ratio"], beta_grid(config, whole),
-                role="reference" if whole else "ratio",
+                settings["release_ratio"], beta_grid(config, reference and number == 1),
+                role="reference" if reference else "ratio",
             ))  # fmt: skip
     return cases
 
@@ -127,7 +128,7 @@ def sensitivity_cases(settings):
     for number, (b, e_mpa, slenderness) in enumerate(SENSITIVITY, 1):
         h = slenderness * b
         r = settings["reference_ratio"]
-        base = _wall(settings, b, e_mpa, slenderness, r)
+        base = batch_wall(settings, b, e_mpa, slenderness, r)
         twice = {"nodes_thickness": 2 * settings["nodes_thickness"],
                  "nodes_height": 2 * settings["nodes_height"],
                  "step_fraction": 0.5 * settings["step_fraction"]}  # fmt: skip
@@ -160,7 +161,7 @@ def sensitivity_cases(settings):
             release = settings["release_ratio"] if release is None else release
             cases.append(wall_case(
                 f"wall {number}: {change}", config, release,
-                beta_grid(config, whole_range=False), role=role, change=change, wall=number,
+                beta_grid(config), role=role, change=change, wall=number,
             ))  # fmt: skip
     return cases
 
@@ -175,11 +176,11 @@ def wall_cases(settings, wall, ratios=(), betas=None):
             config["return_wall"]["thickness_m"] = (
                 ratio * config["facade"]["width_m"] / config["return_wall"]["count"]
             )
-        grid = beta_grid(config, whole_range=False)
+        grid = beta_grid(config)
         listed = [] if betas is None else list(betas)
         name = f"{wall['run']}" + ("" if ratio is None else f" r{ratio:g}")
         cases.append(wall_case(name, config, settings["release_ratio"],
-                               sorted({*grid, *listed}), role="wall"))  # fmt: skip
+                               sorted({*grid, *listed}), end=2.0 * END, role="wall"))  # fmt: skip
     return cases
 
 
@@ -254,7 +255,7 @@ def evaluate(cases, histories):
     cases : list of dict
         As given to `run_free_rocking`.
     histories : list of dict
-        See `restitution.read_histories`; the same order.
+        See `restitution.read_archive`; the same order.
 
     Returns
     -------

@@ -174,20 +174,21 @@ def e_one_sided(h_m, b_m):
     return abs(float(closed_forms.restitution_one_sided(closed_forms.block(h_m, b_m).alpha_rad)))
 
 
-def read_histories(path):
-    """Read the archive of `run_free_rocking`.
+def read_archive(path):
+    """Read an archive of `run_free_rocking` or `run_shake_table`.
 
     Returns
     -------
     list of dict
-        id, beta_s, status, reason, dt_s, steps, time_s, theta_over_alpha of each run.
+        What the archive says of each run (id, status, reason, dt_s, steps, …), with its
+        columns: time_s, and theta_over_alpha or d_m.
     """
     with np.load(Path(path), allow_pickle=False) as data:
         runs = json.loads(str(data["runs"]))
         ends = np.cumsum(data["length"])[:-1]
-        times = np.split(data["time_s"], ends)
-        thetas = np.split(data["theta_over_alpha"], ends)
+        columns = {
+            key: np.split(data[key], ends) for key in data.files if key not in ("runs", "length")
+        }
     return [
-        {**run, "time_s": t, "theta_over_alpha": theta}
-        for run, t, theta in zip(runs, times, thetas, strict=True)
+        {**run, **{key: parts[i] for key, parts in columns.items()}} for i, run in enumerate(runs)
     ]

@@ -6,7 +6,7 @@ import math
 
 from rocking import calibration, closed_forms
 from rocking import calibration_study as study
-from rocking.restitution import read_histories
+from rocking.restitution import read_archive
 from rocking.script import run
 
 GROUPS = ("slenderness", "return_wall_ratio", "stiffness_ratio", "base_stiffness")
@@ -60,7 +60,7 @@ def main(job):
     rows = []
     for cases, histories in zip(job.input.cases, job.input.histories, strict=True):
         with open(cases) as text:
-            walls = study.evaluate(json.load(text), read_histories(histories))
+            walls = study.evaluate(json.load(text), read_archive(histories))
         rows += [row_of(wall) for wall in walls]
     write(job.output.walls, COLUMNS, rows)
     write(job.output.fit, CONTRACT, [r for r in rows if r["role"] == "reference"])

@@ -4,7 +4,7 @@ import csv
 import json
 
 from rocking import calibration_study as study
-from rocking.restitution import IMPACTS, read_histories
+from rocking.restitution import IMPACTS, read_archive
 from rocking.script import run
 
 COLUMNS = ("wall", "beta_s", "n", "time_s", "theta_over_alpha", "e_exp", "e_1sr")
@@ -28,7 +28,7 @@ def main(job):
         writer.writeheader()
         for cases, histories in zip(job.input.cases, job.input.histories, strict=True):
             with open(cases) as text:
-                walls = study.evaluate(json.load(text), read_histories(histories))
+                walls = study.evaluate(json.load(text), read_archive(histories))
             for wall in walls:
                 writer.writerows(rows_of(wall))
 

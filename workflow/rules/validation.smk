@@ -1,0 +1,190 @@
+# The fitted law against both tested walls, and what the choice of the law changes in an IDA.
+
+
+rule fig05_sorrentino:
+    input:
+        cases="results/{run}/calibration/cases_free_rocking_wall.json",
+        histories="results/{run}/calibration/histories_free_rocking_wall.npz",
+        law="results/{run}/calibration/beta_law.json",
+        modules=STUDY_MODULES,
+        style=STYLE,
+    output:
+        png=report(
+            "results/{run}/figures/fig05_sorrentino.png",
+            caption=caption("fig05"),
+            category="Calibration of the damping",
+            labels={"figure": "5: free rocking of the Sorrentino wall"},
+        ),
+        pdf="results/{run}/figures/fig05_sorrentino.pdf",
+    log:
+        "results/{run}/logs/fig05_sorrentino.log",
+    params:
+        settings=params_of("calibration"),
+    script:
+        "../scripts/fig05_sorrentino.py"
+
+
+def shake_table_files(wildcards):
+    """Record files of the shake-table motions; none for surrogates."""
+    try:
+        rows = read_table(beside(study(wildcards.run)["shake_table_records"]))
+    except RecordError as error:
+        stop(error)
+    return [row.path for row in rows.values() if row.path]
+
+
+rule shake_table_tests:
+    input:
+        wall=lambda w: beside(study(w.run)["shake_table_wall"]),
+        table=lambda w: beside(study(w.run)["shake_table_records"]),
+        records=shake_table_files,
+        law="results/{run}/calibration/beta_law.json",
+        modules=STUDY_MODULES,
+    output:
+        tests="results/{run}/calibration/shake_table_tests.json",
+        motions=directory("results/{run}/calibration/shake_table_motions"),
+    log:
+        "results/{run}/logs/shake_table_tests.log",
+    params:
+        settings=params_of("calibration"),
+        baseline=lambda w: cfg(w)["baseline"],
+        seed=lambda w: cfg(w)["seed"],
+    script:
+        "../scripts/calibrate_shake_table.py"
+
+
+rule shake_table:
+    input:
+        tests="results/{run}/calibration/shake_table_tests.json",
+        motions="results/{run}/calibration/shake_table_motions",
+        yade="results/{run}/yade.txt",
+        modules=yade_modules() + module("yade_scripts/run_shake_table.py"),
+    output:
+        "results/{run}/calibration/shake_table_histories.npz",
+    log:
+        "results/{run}/logs/shake_table.log",
+    benchmark:
+        "results/{run}/benchmarks/shake_table.tsv"
+    params:
+        python=YADE_PYTHON,
+        entry=str(BASE / "yade_scripts" / "run_shake_table.py"),
+    shell:
+        "{params.python:q} {params.entry:q} --tests {input.tests:q} --output {output:q}"
+        " 2> >(tee {log:q} >&2)"
+
+
+rule shake_table_table:
+    input:
+        tests="results/{run}/calibration/shake_table_tests.json",
+        histories="results/{run}/calibration/shake_table_histories.npz",
+        modules=module("workflow/rocking/restitution.py"),
+    output:
+        report(
+            "results/{run}/tables/shake_table.csv",
+            caption=caption("table_shake_table"),
+            category="Calibration of the damping",
+            labels={"table": "shake-table runs"},
+        ),
+    log:
+        "results/{run}/logs/shake_table_table.log",
+    script:
+        "../scripts/table_shake_table.py"
+
+
+rule fig06_shawa:
+    input:
+        tests="results/{run}/calibration/shake_table_tests.json",
+        histories="results/{run}/calibration/shake_table_histories.npz",
+        modules=module("workflow/rocking/restitution.py"),
+        style=STYLE,
+    output:
+        png=report(
+            "results/{run}/figures/fig06_shawa.png",
+            caption=caption("fig06"),
+            category="Calibration of the damping",
+            labels={"figure": "6: shake-table tests of the Shawa wall"},
+        ),
+        pdf="results/{run}/figures/fig06_shawa.pdf",
+    log:
+        "results/{run}/logs/fig06_shawa.log",
+    script:
+        "../scripts/fig06_shawa.py"
+
+
+# What the choice of the law changes in an IDA.
+CHOICES = [
+    (m, d, law)
+    for m in ("W1", "W2")
+    for d in ("pos", "neg")
+    for law in ("eq5", "fitted")
+]
+
+
+rule damping_choice_scene:
+    input:
+        law="results/{run}/calibration/beta_law.json",
+        modules=module(
+            "workflow/rocking/calibration.py", "workflow/rocking/closed_forms.py"
+        ),
+    output:
+        "results/{run}/calibration/choice/{model}_{law}.json",
+    log:
+        "results/{run}/logs/damping_choice_{model}_{law}.log",
+    wildcard_constraints:
+        law="eq5|fitted",
+    params:
+        scene=params_of("facade", "return_wall", "damping", "smdof", "numerics", "ida"),
+    script:
+        "../scripts/calibrate_choice_scene.py"
+
+
+rule damping_choice_ida:
+    input:
+        scene="results/{run}/calibration/choice/{model}_{law}.json",
+        motion=lambda w: (
+            f"results/{w.run}/smdof/{study(w.run)['choice_record']}"
+            f"_{cfg(w)['smdof']['n_dof']}dof.csv"
+        ),
+        yade="results/{run}/yade.txt",
+        modules=yade_modules(),
+    output:
+        "results/{run}/calibration/choice/{model}_{direction}_{law}.csv",
+    log:
+        "results/{run}/logs/damping_choice_{model}_{direction}_{law}.log",
+    wildcard_constraints:
+        law="eq5|fitted",
+    params:
+        python=YADE_PYTHON,
+        entry=str(BASE / "yade_scripts" / "run_ida.py"),
+        record=lambda w: study(w.run)["choice_record"],
+        journal="results/{run}/cache/choice/{model}_{direction}_{law}.jsonl",
+    shell:
+        "{params.python:q} {params.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
+        " --record {params.record:q} --direction {wildcards.direction}"
+        " --journal {params.journal:q} --output {output:q} 2> >(tee {log:q} >&2)"
+
+
+rule damping_choice:
+    input:
+        scenes=lambda w: [
+            f"results/{w.run}/calibration/choice/{m}_{law}.json"
+            for m, _, law in CHOICES
+        ],
+        ida=lambda w: [
+            f"results/{w.run}/calibration/choice/{m}_{d}_{law}.csv"
+            for m, d, law in CHOICES
+        ],
+        style=STYLE,
+    output:
+        table="results/{run}/tables/damping_choice.csv",
+        png=report(
+            "results/{run}/figures/damping_choice.png",
+            caption=caption("damping_choice"),
+            category="Calibration of the damping",
+            labels={"figure": "IDA under two laws of β"},
+        ),
+        pdf="results/{run}/figures/damping_choice.pdf",
+    log:
+        "results/{run}/logs/damping_choice.log",
+    script:
+        "../scripts/calibrate_choice.py"

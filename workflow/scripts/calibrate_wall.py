@@ -1,0 +1,110 @@
+"""β of an own wall from its free rocking: table with band, and a picture."""
+
+import csv
+import json
+import math
+
+import matplotlib.pyplot as plt
+import numpy as np
+from rocking import calibration, closed_forms, style
+from rocking import calibration_study as study
+from rocking.restitution import misfit, read_archive
+from rocking.script import run
+
+COLUMNS = ("source", "beta_s", "low_s", "high_s", "misfit", "remark")
+COLOURS = ("#0072B2", "#009E73", "#CC79A7")
+
+
+def main(job):
+    config = json.loads(job.params.config)
+    measured = config["calibration"]["measured_e"]
+    with open(job.input.cases) as handle:
+        cases = json.load(handle)
+    wall = study.evaluate(cases, read_archive(job.input.histories))[0]
+    targets = study.targets_of(measured, wall["e_1sr"])
+    fit = study.best_fit(wall["beta_s"], wall["e"] / wall["e_1sr"], targets)
+    rows = [first_row(fit, measured), *law_rows(config)]
+    with open(job.output.table, "w", newline="") as handle:
+        writer = csv.DictWriter(handle, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        for row in rows:
+            writer.writerow({k: number(v) if isinstance(v, float) else v for k, v in row.items()})
+    draw(job, config, wall, targets, rows, fit)
+
+
+def number(value):
+    return f"{value:.6g}" if math.isfinite(value) else ""
+
+
+def first_row(fit, measured):
+    remark = "targets: fractions of |e_1SR|"
+    if measured:
+        remark = f"measured e for {len(measured)} of 3 impacts"
+    if not math.isfinite(fit["beta_s"]):
+        remark += "; no β of the range gives three impacts"
+    elif fit["at_edge"]:
+        remark += "; at the end of the range that could be judged"
+    return {
+        "source": "free rocking of this wall", "beta_s": fit["beta_s"], "low_s": fit["low_s"],
+        "high_s": fit["high_s"], "misfit": fit["misfit"], "remark": remark,
+    }  # fmt: skip
+
+
+def law_rows(config):
+    """β of the two laws for the same wall; a law that cannot be used is left out."""
+    facade = config["facade"]
+    values = facade["thickness_m"], facade["height_m"], facade["e_mpa"]
+    printed = closed_forms.beta_one_sided(*values)
+    if printed > 0.0:
+        yield {"source": "eq. 5", "beta_s": printed, "low_s": math.nan, "high_s": math.nan,
+               "misfit": math.nan, "remark": ""}  # fmt: skip
+    try:
+        law = calibration.read_law()
+    except calibration.CalibrationError:
+        return
+    groups = calibration.groups(config)
+    beta, low, high = law.predict(groups)
+    yield {"source": "fitted law", "beta_s": beta, "low_s": low, "high_s": high,
+           "misfit": math.nan, "remark": law.outside(groups) or "band: 90 %"}  # fmt: skip
+
+
+def draw(job, config, wall, targets, rows, fit):
+    figure, (left, right) = plt.subplots(1, 2, figsize=(7.4, 3.4))
+    beta = wall["beta_s"] * 1e3
+    for n, (colour, (low, high)) in enumerate(zip(COLOURS, targets, strict=True)):
+        left.plot(beta, wall["e"][:, n], "o-", c=colour, label=f"impact {n + 1}")
+        low, high = low * wall["e_1sr"], high * wall["e_1sr"]
+        left.axhspan(low - 0.003, high + 0.003, color=colour, alpha=0.2, lw=0)
+    left.axhline(wall["e_1sr"], c="k", ls=":", lw=0.9, label="|e$_{1SR}$|")
+    if math.isfinite(fit["beta_s"]):
+        left.axvline(1e3 * fit["beta_s"], c="#D55E00", label=f"best: {1e3 * fit['beta_s']:.3g} ms")
+        left.axvspan(1e3 * fit["low_s"], 1e3 * fit["high_s"], color="#D55E00", alpha=0.1, lw=0)
+    for row, style_of in zip(rows[1:], ("--", "-."), strict=False):
+        left.axvline(1e3 * row["beta_s"], c="0.4", ls=style_of, lw=0.9,
+                     label=f"{row['source']}: {1e3 * row['beta_s']:.3g} ms")  # fmt: skip
+    left.set(xscale="log", xlabel="β [ms]", ylabel="e$_{exp}$ [–]", ylim=(0.0, None))
+    ticks = [float(f"{b:.2g}") for b in beta]
+    left.set_xticks(ticks, [f"{b:g}" for b in ticks])
+    left.minorticks_off()
+    left.set_title("(a) restitution against its targets (bars)", loc="left")
+    left.legend(fontsize=6.3)
+    error = misfit(wall["e"] / wall["e_1sr"], 1.0, targets)
+    shown = range(0, len(beta), 2)
+    for i, colour in zip(shown, plt.get_cmap("viridis")(np.linspace(0.0, 0.85, len(shown))),
+                         strict=False):  # fmt: skip
+        h = wall["histories"][i]
+        text = "fewer than 3 impacts" if np.isnan(error[i]) else f"misfit {error[i]:.2f}"
+        right.plot(h["time_s"], h["theta_over_alpha"], c=colour, lw=0.9,
+                   label=f"β = {beta[i]:.2g} ms, {text}")  # fmt: skip
+    right.set(xlabel="time [s]", ylabel="θ/α [–]")
+    right.set_title("(b) free rocking", loc="left")
+    right.legend(fontsize=6.3)
+    facade, r = config["facade"], calibration.groups(config)["return_wall_ratio"]
+    figure.suptitle(
+        f"h = {facade['height_m']:g} m, b = {facade['thickness_m']:g} m, "
+        f"E = {facade['e_mpa']:g} MPa, ρ = {facade['density_kg_m3']:g} kg/m³, r = {r:.3g}"
+    )
+    style.save(figure, (job.output.png, job.output.pdf))
+
+
+run(main, globals())

@@ -1,0 +1,107 @@
+"""Figure 5: free rocking of the Sorrentino wall at several β, and e_exp against the targets."""
+
+import json
+
+import matplotlib.pyplot as plt
+import numpy as np
+from rocking import calibration, closed_forms, style
+from rocking import calibration_study as study
+from rocking.restitution import IMPACTS, TARGETS, read_archive
+from rocking.script import run
+
+
+def nearest(wall, beta):
+    """Index of the run at the listed β."""
+    return int(np.argmin(np.abs(np.log(wall["beta_s"] / beta))))
+
+
+def main(job):
+    settings = json.loads(job.params.settings)["calibration"]
+    with open(job.input.cases) as handle:
+        cases = json.load(handle)
+    walls = study.evaluate(cases, read_archive(job.input.histories))
+    wall, others = walls[0], walls[1:]
+    facade = wall["case"]["config"]["facade"]
+    listed = settings["free_rocking_beta_s"]
+    colours = plt.get_cmap("viridis")(np.linspace(0.0, 0.92, len(listed)))
+    figure, axes = plt.subplot_mosaic("aa;bc;dd", figsize=(7.4, 7.6))
+    end = 0.0
+    for beta, colour in zip(listed, colours, strict=True):
+        i = nearest(wall, beta)
+        history = wall["histories"][i]
+        t, theta = history["time_s"], history["theta_over_alpha"]
+        for key in "ab":
+            axes[key].plot(t, theta, c=colour, lw=1.0, label=f"{beta:g} s")
+        found = wall["found"][i]
+        if len(found):
+            end = max(end, float(found.peak_time_s[:IMPACTS][-1]))
+        n = np.arange(1, IMPACTS + 1)
+        axes["c"].plot(n, wall["e"][i], "o-", c=colour, lw=0.8)
+    first = float(wall["found"][0].impact_time_s[0])
+    axes["a"].legend(title="β", ncols=2)
+    axes["a"].set(xlabel="time [s]", ylabel="θ/α [–]", xlim=(0.0, None))
+    axes["a"].set_title("(a) complete histories", loc="left")
+    axes["b"].set(xlabel="time [s]", ylabel="θ/α [–]", xlim=(first - 0.02, 1.05 * end),
+                  ylim=(-0.02, 0.2))  # fmt: skip
+    axes["b"].set_title("(b) after the first impact", loc="left")
+    for n, (low, high) in enumerate(TARGETS, 1):
+        low, high = low * wall["e_1sr"], high * wall["e_1sr"]
+        axes["c"].fill_between([n - 0.2, n + 0.2], low - 0.004, high + 0.004, color="#D55E00",
+                               alpha=0.45, lw=0, label="target" if n == 1 else None)  # fmt: skip
+    axes["c"].axhline(wall["e_1sr"], c="k", ls=":", label=f"|e$_{{1SR}}$| = {wall['e_1sr']:.3f}")
+    axes["c"].set(xlabel="impact n", ylabel="e$_{exp}$ [–]", xticks=range(1, IMPACTS + 1),
+                  ylim=(0.0, None))  # fmt: skip
+    axes["c"].set_title("(c) restitution (eq. 4); no point where the impact is missing",
+                        loc="left")  # fmt: skip
+    axes["c"].legend(loc="lower left")
+    panel_ratio(axes["d"], [wall, *others], facade, calibration.read_law(job.input.law))
+    style.save(figure, job.output)
+
+
+def panel_ratio(axes, walls, facade, law):
+    """(d) What the unknown widths of wall and return walls change."""
+    rows = []
+    for wall in walls:
+        groups = calibration.groups(wall["case"]["config"])
+        fit = study.best_fit(wall["beta_s"], wall["e"] / wall["e_1sr"])
+        rows.append((groups["return_wall_ratio"], fit["beta_s"], *fit["single_s"]))
+    rows = 1e3 * np.array(sorted(rows))
+    r = rows[:, 0] / 1e3
+    axes.plot(r, rows[:, 1], "ko-", label="best fit to three impacts")
+    for n, (name, colour) in enumerate(
+        (("first", "#0072B2"), ("second", "#009E73"), ("third", "#CC79A7")), 2
+    ):
+        axes.plot(r, rows[:, n], "s--", c=colour, lw=0.8, label=f"{name} impact alone")
+    whole = next(w for w in walls if w["case"]["id"].count(" r") == 0)
+    e = whole["e"][:, 0] / whole["e_1sr"]
+    x = np.log(whole["beta_s"])
+    keep = np.isfinite(e)
+    order = np.argsort(-e[keep])
+    one = np.exp(np.interp(-1.0, -e[keep][order], x[keep][order]))
+    r0 = calibration.groups(whole["case"]["config"])["return_wall_ratio"]
+    axes.plot(r0, 1e3 * one, "*", c="#D55E00", ms=9, label="first impact with e = |e$_{1SR}$|")
+    grid = np.geomspace(r[0], r[-1], 40)
+    config = whole["case"]["config"]
+    band = []
+    for ratio in grid:
+        thickness = ratio * facade["width_m"] / config["return_wall"]["count"]
+        return_wall = {**config["return_wall"], "thickness_m": thickness}
+        band.append(law.predict(calibration.groups({**config, "return_wall": return_wall})))
+    beta, low, high = 1e3 * np.array(band).T
+    axes.fill_between(grid, low, high, color="0.5", alpha=0.18, lw=0)
+    axes.plot(grid, beta, c="0.4", lw=0.9, label="fitted law, 90 % band")
+    printed = closed_forms.beta_one_sided(facade["thickness_m"], facade["height_m"],
+                                          facade["e_mpa"])  # fmt: skip
+    axes.axhline(1e3 * printed, c="k", ls=":", label=f"eq. 5: {1e3 * printed:.3f} ms")
+    axes.axhspan(0.2, 0.4, color="#56B4E9", alpha=0.15, lw=0)
+    axes.set(
+        xscale="log", xlabel="return-wall ratio r = total thickness/width [–]", ylabel="β [ms]",
+        ylim=(0.0, None), xticks=list(r), xticklabels=[f"{v:g}" for v in r],
+    )  # fmt: skip
+    axes.minorticks_off()
+    axes.set_title("(d) sensitivity to the widths, which are not stated; blue: 0.2–0.4 ms",
+                   loc="left")  # fmt: skip
+    axes.legend(ncols=2, fontsize=6.5)
+
+
+run(main, globals())

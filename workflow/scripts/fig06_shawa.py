@@ -1,0 +1,85 @@
+"""Figure 6: the Shawa wall on its shake-table motions, tilted and with a gap."""
+
+import json
+import math
+
+import matplotlib.pyplot as plt
+import numpy as np
+from rocking import style
+from rocking.restitution import read_archive
+from rocking.script import run
+
+COLOURS = {"eq5": "#0072B2", "fitted": "#D55E00"}
+NAMES = {"eq5": "eq. 5", "fitted": "fitted law"}
+
+
+def main(job):
+    with open(job.input.tests) as handle:
+        tests = json.load(handle)
+    runs = list(zip(tests, read_archive(job.input.histories), strict=True))
+    names = list(dict.fromkeys(t["about"]["record"] for t in tests))
+    scales = sorted({t["about"]["scale"] for t in tests})
+    shown = min(scales, key=lambda s: abs(s - 1.0))
+    figure, axes = plt.subplots(
+        len(names), 3, figsize=(7.4, 2.1 * len(names) + 0.4), squeeze=False,
+        width_ratios=(1.25, 1.25, 1.0),
+    )  # fmt: skip
+    for row, name in zip(axes, names, strict=True):
+        mine = [(t, d) for t, d in runs if t["about"]["record"] == name]
+        for axis, direction in zip(row, ("pos", "neg"), strict=False):
+            histories(axis, mine, direction, shown)
+        row[1].sharey(row[0])
+        peaks(row[2], mine, scales)
+        about = mine[0][0]["about"]
+        row[0].set_title(f"{name} ({about['source']}), φ = {about['tilt_deg']:g}°, ×{shown:g}, +",
+                         loc="left")  # fmt: skip
+        row[1].set_title(f"×{shown:g}, −", loc="left")
+        row[2].set_title("peaks", loc="left")
+    axes[0, 0].legend(loc="upper right")
+    axes[0, 2].legend(fontsize=6.5)
+    for axis in axes[-1, :2]:
+        axis.set_xlabel("time [s]")
+    axes[-1, 2].set_xlabel("factor on the motion [–]")
+    for axis in axes[:, 0]:
+        axis.set_ylabel("top displacement [mm]")
+    style.save(figure, job.output)
+
+
+def relative(test, done):
+    """Top displacement relative to the table and from the tilted rest position [mm]."""
+    facade = test["config"]["facade"]
+    return 1e3 * (done["d_m"] - facade["height_m"] * math.sin(math.radians(facade["tilt_deg"])))
+
+
+def histories(axis, mine, direction, shown):
+    for test, done in mine:
+        about = test["about"]
+        if about["scale"] != shown or about["direction"] != direction:
+            continue
+        d = relative(test, done)
+        colour = COLOURS[about["law"]]
+        axis.plot(done["time_s"], d, c=colour, lw=0.8,
+                  label=f"{NAMES[about['law']]}, β = {1e3 * test['beta_s']:.2f} ms")  # fmt: skip
+        if done["status"] == "overturned":
+            axis.plot(done["time_s"][-1], d[-1], "x", c=colour, ms=6)
+
+
+def peaks(axis, mine, scales):
+    b = 1e3 * mine[0][0]["config"]["facade"]["thickness_m"]
+    for law, colour in COLOURS.items():
+        for direction, marker, fill in (("pos", "o", colour), ("neg", "v", "none")):
+            wanted = (law, direction)
+            chosen = [(t, d) for t, d in mine
+                      if (t["about"]["law"], t["about"]["direction"]) == wanted]  # fmt: skip
+            chosen.sort(key=lambda pair: pair[0]["about"]["scale"])
+            y = [b if d["status"] == "overturned" else np.nan if d["status"] == "failed"
+                 else float(relative(t, d).max()) for t, d in chosen]  # fmt: skip
+            axis.plot([t["about"]["scale"] for t, _ in chosen], y, marker, c=colour, mfc=fill,
+                      ls="-", lw=0.7,
+                      label=f"{NAMES[law]}, {'+' if direction == 'pos' else '−'}")  # fmt: skip
+    axis.axhline(b, c="0.5", ls=":", lw=0.9)
+    axis.text(scales[0], b, "overturned", va="bottom", fontsize=6.5, color="0.4")
+    axis.set(ylim=(0.0, 1.12 * b), xticks=scales)
+
+
+run(main, globals())
