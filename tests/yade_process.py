@@ -17,7 +17,7 @@ print("RESULT" + json.dumps(getattr(case, {function!r})(**json.load(sys.stdin)))
 
 
 def in_yade(module, function, **arguments):
-    """Call `module.function(**arguments)`, both from tests/, in a YADE process; return its result."""
+    """Call a function of a module in tests/ inside a YADE process; return its result."""
     code = CALL.format(root=str(ROOT), tests=str(ROOT / "tests"), module=module, function=function)
     done = subprocess.run(
         [PYTHON, "-c", code], input=json.dumps(arguments), capture_output=True, text=True

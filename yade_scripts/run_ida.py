@@ -147,7 +147,9 @@ def analyse(job, time_s, columns, record, direction, journal, say):
     pga = float(np.max(np.abs(columns["ground"])))
     motion_bytes = b"".join(columns[n].tobytes() for n in scene.motions) + time_s.tobytes()
     base_key = run_key(to_json(scene), motion_bytes, numerics, sign, source_digest())
-    rows, done, reused = [], {}, 0
+    rows: list[dict] = []
+    done: dict[float, str] = {}
+    reused = 0
     while (pga_g := next_intensity(done, settings)) is not None:
         key = run_key(base_key, pga_g)
         row = journal.get(key)

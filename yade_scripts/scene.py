@@ -167,7 +167,7 @@ class NodeList:
     def __init__(self):
         """Start without joints."""
         self.joints = []
-        self._rows = {name: [] for name in NODE_FIELDS}
+        self._rows: dict[str, list] = {name: [] for name in NODE_FIELDS}
 
     def add_joint(
         self,
