@@ -1,0 +1,152 @@
+"""Entry point: the same cases at many node counts, steps and ways of driving, each timed.
+
+    python3 yade_scripts/run_accuracy.py --plan plan.json --output runs.csv
+
+The plan is a JSON file with `scenes` (scene files by model), `motions` (floor-motion files by
+record) and `runs`: case, model, record, direction, pga_g, method, nodes, step_fraction. Methods:
+
+default      planar scene, supports driven by YADE's own engine
+python_drive the supports' velocities set from Python at every step
+full_3d      six freedoms and two columns of nodes
+"""
+
+import argparse
+import csv
+import io
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+
+if __package__ in (None, ""):
+    sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from yade_scripts import engine, facade, run_ida, simulate
+from yade_scripts.journal import write_atomic
+
+COLUMNS = ("case", "model", "record", "direction", "pga_g", "method", "nodes", "dt_s",
+           "dt_over_dt_crit", "d_over_b", "status", "steps", "simulated_s", "wall_s")  # fmt: skip
+METHODS = ("default", "python_drive", "full_3d")
+
+
+def with_nodes(job, nodes):
+    """Copy of a scene file with so many nodes along every edge; None keeps its own."""
+    if nodes is None:
+        return job
+    numerics = {**job["numerics"], "nodes_thickness": min(nodes, 9), "nodes_height": nodes,
+                "nodes_per_block": nodes}  # fmt: skip
+    return {**job, "numerics": numerics}
+
+
+def drive_from_python(motions):
+    """Set-up function that replaces YADE's drive by a Python function called at every step.
+
+    The support's velocity at half steps is the integral of the piecewise-linear
+    acceleration, so both ways prescribe the same motion.
+    """
+    import __main__
+
+    def setup(built):
+        w = engine.load_yade()
+        omega = built.omega
+        drives = [e for e in omega.engines if isinstance(e, w.InterpolatingDirectedForceEngine)]
+        table, dt = [], omega.dt
+        for drive, name in zip(drives, sorted(motions), strict=True):
+            t, a = motions[name].time_s, motions[name].acceleration_m_s2
+            velocity = np.concatenate(([0.0], np.cumsum(0.5 * np.diff(t) * (a[1:] + a[:-1]))))
+            half_steps = np.arange(0.5 * dt, t[-1] + dt, dt)
+            states = [omega.bodies[i].state for i in drive.ids]
+            for state in states:
+                state.blockedDOFs = "xyzXYZ"
+            table.append((states, np.interp(half_steps, t, velocity).tolist()))
+        last = len(table[0][1]) - 1
+
+        def move():
+            step = min(omega.iter, last)
+            for states, velocity in table:
+                for state in states:
+                    state.vel = (0.0, velocity[step], 0.0)
+
+        __main__._drive_supports = move
+        kept = [e for e in omega.engines if e not in drives]
+        at = next(i for i, e in enumerate(kept) if isinstance(e, w.NewtonIntegrator))
+        runner = w.PyRunner(command="_drive_supports()", iterPeriod=1, initRun=True)
+        omega.engines = [*kept[:at], runner, *kept[at:]]
+
+    return setup
+
+
+def run_case(job, time_s, columns, spec):
+    """One run of the plan.
+
+    Returns
+    -------
+    history : simulate.History
+    ratio : float
+        Step over critical step.
+    """
+    job = with_nodes(job, spec.get("nodes"))
+    numerics = dict(job["numerics"])
+    if spec.get("step_fraction"):
+        numerics.update(step_fraction=spec["step_fraction"], step_s=None)
+    method = spec["method"]
+    if method not in METHODS:
+        raise ValueError(f"plan: method '{method}': expected one of {', '.join(METHODS)}")
+    scene = facade.facade_scene(
+        {**job, "numerics": numerics}, job["model"], job["beta_s"], planar=method != "full_3d"
+    )
+    sign = {"pos": 1.0, "neg": -1.0}[spec["direction"]]
+    factor = sign * spec["pga_g"] * run_ida.G / float(np.max(np.abs(columns["ground"])))
+    motions = run_ida.scaled_motions(time_s, columns, scene.motions, factor)
+    step, critical = simulate.choose_step(scene, numerics)
+    history = simulate.run(
+        scene, motions, step, run_ida.stop_rules(numerics, time_s, motions),
+        sample_s=numerics["sample_interval_s"], node_radius_m=numerics["node_radius_m"],
+        full_rotation=method == "full_3d",
+        setup=drive_from_python(motions) if method == "python_drive" else None,
+    )  # fmt: skip
+    return history, step / critical
+
+
+def as_row(spec, history, ratio):
+    """Row of one run."""
+    return {
+        **{k: spec[k] for k in ("case", "model", "record", "direction", "method")},
+        "pga_g": f"{spec['pga_g']:.4f}", "nodes": str(spec.get("nodes") or ""),
+        "dt_s": f"{history.dt_s:.6e}", "dt_over_dt_crit": f"{ratio:.5g}",
+        "d_over_b": f"{history.peak_d_over_b:.6f}", "status": history.status,
+        "steps": str(history.steps), "simulated_s": f"{history.time_s[-1]:.3f}",
+        "wall_s": f"{history.wall_s:.3f}",
+    }  # fmt: skip
+
+
+def main(argv=None):
+    """Parse the command line, carry out the plan, write the table; return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--plan", required=True, help="what to run (JSON)")
+    parser.add_argument("--output", required=True, help="table to write (CSV)")
+    args = parser.parse_args(argv)
+    try:
+        plan = json.loads(Path(args.plan).read_text())
+        jobs = {m: json.loads(Path(p).read_text()) for m, p in plan["scenes"].items()}
+        motions = {r: run_ida.read_motion(p) for r, p in plan["motions"].items()}
+        engine.load_yade()
+        rows = []
+        for spec in plan["runs"]:
+            history, ratio = run_case(jobs[spec["model"]], *motions[spec["record"]], spec)
+            rows.append(as_row(spec, history, ratio))
+            print(", ".join(rows[-1][k] for k in COLUMNS), file=sys.stderr, flush=True)
+    except (ValueError, OSError, engine.EngineError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+    text = io.StringIO()
+    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    write_atomic(args.output, text.getvalue())
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
