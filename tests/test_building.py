@@ -8,10 +8,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rocking.building.case import fit_floor_load, read_plan, translation_mode
-from rocking.building.modes import Solver, largest_frequency, rigid_motions
+from rocking.building.modes import Solver, largest_frequency, matrices, rigid_motions
+from rocking.building.ordering import equation_order
 from scipy.linalg import expm
 from scipy.optimize import brentq
-from scipy.sparse.linalg import spsolve
+from scipy.sparse import csc_array
+from scipy.sparse.linalg import splu, spsolve
 
 from yade_scripts import stiffness
 from yade_scripts.building.assembly import build
@@ -129,6 +131,7 @@ def test_compression_is_exact_at_any_brick_size(coarsening):
             -stress * sizes[i, 0] * sizes[i, 1]
         )
     u = spsolve(solver.k, force)
+    assert solver.static(force) == pytest.approx(u, rel=1e-6, abs=1e-9 * np.abs(u).max())
     moved = u[np.isin(solver.dof[:, 0], np.flatnonzero(top)) & (solver.dof[:, 1] == 2)]
     expected = -stress * (1.44 - sizes[top][0, 2] / 2.0) / E_BED
     assert moved == pytest.approx(expected, rel=1e-9)
@@ -219,6 +222,21 @@ def test_pile_converges_to_a_shear_rigid_section_beam_at_second_order():
     rates = np.log2(np.array(errors[:-1]) / np.array(errors[1:]))
     assert rates == pytest.approx(2.0, abs=0.3)
     assert errors[-1].max() < 0.005
+
+
+def test_elimination_order_is_a_permutation_with_less_fill():
+    scene = build(read_plan(BUILDINGS / "case_study.yaml"), coarsening=3.0).scene
+    k, _, dof = matrices(scene)
+    order = equation_order(scene, dof)
+    assert sorted(order) == list(range(len(dof)))
+
+    def fill(permutation):
+        ordered = csc_array(k[permutation][:, permutation])
+        options = {"SymmetricMode": True}
+        lu = splu(ordered, permc_spec="NATURAL", diag_pivot_thresh=0.0, options=options)
+        return lu.L.nnz
+
+    assert fill(order) < 0.5 * fill(np.arange(len(dof)))
 
 
 def test_floor_load_fit_reaches_the_period():

@@ -39,20 +39,26 @@ def building_modules(*more):
         "yade_scripts/stiffness.py",
         "workflow/rocking/building/case.py",
         "workflow/rocking/building/modes.py",
+        "workflow/rocking/building/ordering.py",
         *more,
     )
 
 
-def wme_records(run):
-    """Records of the comparison with chains; an unknown name ends with one line."""
-    wanted = RUNS[run]["building"]["wme_records"]
+def building_records(run, key):
+    """Records named by a key of section `building`; an unknown name ends with one line."""
+    wanted = RUNS[run]["building"][key]
     for name in wanted:
         if name not in TABLES[run]:
             stop(
-                f"building.wme_records: '{name}' is not in {RUNS[run]['records_table']};"
+                f"building.{key}: '{name}' is not in {RUNS[run]['records_table']};"
                 f" expected names from {', '.join(TABLES[run])}"
             )
     return wanted
+
+
+def wme_records(run):
+    """Records of the comparison with chains."""
+    return building_records(run, "wme_records")
 
 
 def building_results(run):
@@ -66,7 +72,9 @@ def building_results(run):
         names.append("tables/building_alternatives.csv")
     figures = ["fig01_building", "fig02_modes"]
     for record in wme_records(run):
-        figures += [f"fig03_{record}", f"fig03_rattling_{record}"]
+        figures.append(f"fig03_{record}")
+    for record in building_records(run, "explicit_records"):
+        figures.append(f"fig03_rattling_{record}")
         names.append(f"tables/building_explicit_{record}.csv")
     return [
         f"{folder}/{name}"

@@ -13,7 +13,7 @@ def main(job):
         with open(path) as handle:
             rows.append(json.load(handle))
     table = pd.DataFrame(rows).sort_values(["model", "coarsening"], ascending=[True, False])
-    for value in ("wall_s", "memory_mb"):  # exponent of the growth with the number of bricks
+    for value in ("cpu_s", "memory_mb"):  # exponent of the growth with the number of bricks
         table[f"{value.rpartition('_')[0]}_growth"] = table.groupby("model", group_keys=False)[
             value
         ].transform(

@@ -13,6 +13,8 @@ from scipy.sparse.linalg import LinearOperator, eigsh, splu
 from yade_scripts import stiffness
 from yade_scripts.scene import Nodes
 
+from .ordering import equation_order
+
 DIRECTIONS = ("x", "y", "z", "rx", "ry", "rz")
 CHUNK_NODES = 16384
 
@@ -138,13 +140,20 @@ class Solver:
         """Assemble and factorise."""
         self.scene = scene
         self.k, self.mass, self.dof = matrices(scene)
+        self._order = equation_order(scene, self.dof)
         try:
             self._lu = splu(
-                self.k, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0,
-                options={"SymmetricMode": True},
+                sparse.csc_array(self.k[self._order][:, self._order]), permc_spec="NATURAL",
+                diag_pivot_thresh=0.0, options={"SymmetricMode": True},
             )  # fmt: skip
         except RuntimeError as error:
             raise ValueError("the stiffness is singular: some block is not held") from error
+
+    def static(self, force):
+        """Return the displacements K⁻¹f of a static load f, shape (n,)."""
+        displacement = np.empty(len(self.mass))
+        displacement[self._order] = self._lu.solve(np.asarray(force, float)[self._order])
+        return displacement
 
     def mass_with(self, added_kg):
         """Return the diagonal of M with mass spread evenly over blocks, {index: kg}.
@@ -163,7 +172,7 @@ class Solver:
         size = len(mass)
         root = np.sqrt(mass)
         operator = LinearOperator(
-            (size, size), matvec=lambda x: root * self._lu.solve(root * np.ravel(x)), dtype=float
+            (size, size), matvec=lambda x: root * self.static(root * np.ravel(x)), dtype=float
         )
         count = min(count, size - 1)
         start = np.random.default_rng(0).standard_normal(size)
