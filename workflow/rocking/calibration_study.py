@@ -150,8 +150,8 @@ def sensitivity_cases(settings):
             ("base friction 45°", "other", {"facade": {"friction_deg": 45.0}}, None),
             ("jks/jkn 1", "other", {"facade": {"shear_stiffness_ratio": 1.0}}, None),
             ("density ×1.25", "stiffness", {"facade": {"density_kg_m3": 1.25 * density}}, None),
-            ("width ×2, same ratio", "other",
-             {"facade": {"width_m": 2.0}, "return_wall": {"count": 4}}, None),
+            ("width ×0.5, same ratio", "other",
+             {"facade": {"width_m": 0.5}, "return_wall": {"thickness_m": 0.25 * r}}, None),
             ("nodes ×2, step ×0.5", "other", {"numerics": twice}, None),
         ]  # fmt: skip
         for change, role, overrides, release in rows:
