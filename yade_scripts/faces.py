@@ -12,6 +12,8 @@ YADE's masks hold 30 bits. Scenes with more faces get boxes of their joint's siz
 the largest relative motion, and faces whose boxes and nodes cannot meet share a bit.
 """
 
+import math
+
 import numpy as np
 
 from .bonds import FACE_OFFSET_M, rotation, set_material
@@ -26,7 +28,7 @@ class FaceError(ValueError):
     """A scene needs more distinguishable faces than YADE's masks hold."""
 
 
-RELEASE_CHECK_S = 2e-3
+RELEASE_CHECK_S = 4e-3
 
 
 class Releases:
@@ -52,26 +54,37 @@ class Releases:
         self.states = {k: omega.bodies[state_of_block[k]].state for k in used}
         # a clump's frame may be turned by half a turn about an axis; blocks start unturned
         self.home = {k: rotation(state.ori).T for k, state in self.states.items()}
-        self.arm, self.direction, self.edge, self.pair = {}, {}, {}, {}
+        self.start = {k: tuple(state.pos) for k, state in self.states.items()}
+        self.arm, self.direction, self.edge, self.of_pair, self.slack = {}, {}, {}, {}, {}
         for i in self.node:
-            a, b = int(nodes.a[i]), int(nodes.b[i])
+            a, b = pair = int(nodes.a[i]), int(nodes.b[i])
             self.arm[i] = nodes.position_m[i] - np.array(scene.blocks[a].centre_m)
             direction, edge = rims[names[i]]
             self.direction[i] = np.array(direction)
             self.edge[i] = edge - float(np.dot(direction, scene.blocks[b].centre_m))
-            self.pair[i] = (a, b)
+            slack = edge - float(np.dot(direction, nodes.position_m[i]))
+            self.of_pair.setdefault(pair, []).append(i)
+            self.slack[pair] = min(slack, self.slack.get(pair, slack))
 
     def __call__(self):
         """Release what has passed its rim, in the frame of the block that has the rim."""
-        poses = {}
+        moved = {}
         for k, state in self.states.items():
-            p = state.pos
-            poses[k] = (np.array((p[0], p[1], p[2])), rotation(state.ori) @ self.home[k])
-        for i in list(self.node):
-            a, b = self.pair[i]
-            (place_a, turn_a), (place_b, turn_b) = poses[a], poses[b]
+            p, q = state.pos, self.start[k]
+            moved[k] = (p[0] - q[0], p[1] - q[1], p[2] - q[2])
+        for a, b in list(self.of_pair):
+            # no need to look closely before a good part of the way is done
+            if math.dist(moved[a], moved[b]) > 0.5 * self.slack[a, b]:
+                self._check_pair(a, b)
+
+    def _check_pair(self, a, b):
+        (place_a, turn_a), (place_b, turn_b) = (
+            (np.array(tuple(self.states[k].pos)), rotation(self.states[k].ori) @ self.home[k])
+            for k in (a, b)
+        )
+        for i in list(self.of_pair.get((a, b), ())):
             offset = place_a + turn_a @ self.arm[i] - place_b
-            if offset @ (turn_b @ self.direction[i]) > self.edge[i]:
+            if i in self.node and offset @ (turn_b @ self.direction[i]) > self.edge[i]:
                 loose = self.debris.intersection((a, b))
                 for block in loose:
                     self._let_fall(block)
@@ -90,6 +103,7 @@ class Releases:
             self.bonds.end(self.touching[block])
         for i in self.touching[block]:
             self._release(i)
+        self.of_pair = {pair: nodes for pair, nodes in self.of_pair.items() if block not in pair}
         self.debris.discard(block)
         state = self.omega.bodies[self.body_of[block]].state
         state.blockedDOFs = "xyzXYZ"

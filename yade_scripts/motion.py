@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-GUIDE_INTERVAL_S = 2.5e-4  # guided blocks move at constant speed for so long
+GUIDE_INTERVAL_S = 5e-4  # guided blocks move at constant speed for so long
 
 
 @dataclass
