@@ -211,5 +211,8 @@ def lay(plan, brick):
                     low.append((x[0], y[0], bottom))
                     high.append((x[1], y[1], top))
                     labels.append((wall.axis, w, course, wythe, place))
-    columns = np.array(labels, int).T
-    return Bricks(np.array(low), np.array(high), *columns, [wall.name for wall in plan.walls])
+    axis, of_wall, of_course, of_wythe, of_place = np.array(labels, int).T
+    names = [wall.name for wall in plan.walls]
+    return Bricks(
+        np.array(low), np.array(high), axis, of_wall, of_course, of_wythe, of_place, names
+    )

@@ -20,6 +20,7 @@ import os
 import resource
 import sys
 import time
+from typing import Any
 
 import numpy as np
 
@@ -41,10 +42,13 @@ DRAG_VISCOSITY_PA_S = 1.0
 def read_scene(path):
     """Read a scene written by `scene.to_json`."""
     with open(path, encoding="utf-8") as handle:
-        data = json.load(handle)
+        data: dict[str, Any] = json.load(handle)
     nodes = Nodes(**{k: np.array(v) for k, v in data.pop("nodes").items()})
-    blocks = [Block(**{k: tuple(v) if isinstance(v, list) else v for k, v in b.items()})
-              for b in data.pop("blocks")]  # fmt: skip
+    blocks = []
+    for fields in data.pop("blocks"):
+        values: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v
+                                  for k, v in fields.items()}  # fmt: skip
+        blocks.append(Block(**values))
     return Scene(blocks=blocks, nodes=nodes, **data)
 
 

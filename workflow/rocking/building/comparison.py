@@ -86,10 +86,10 @@ def choose_n(rows, gain):
     -------
     int
     """
-    means = {}
+    by_n: dict[int, list[float]] = {}
     for n, value in rows:
-        means.setdefault(int(n), []).append(float(value))
-    means = {n: sum(values) / len(values) for n, values in sorted(means.items())}
+        by_n.setdefault(int(n), []).append(float(value))
+    means = {n: sum(values) / len(values) for n, values in sorted(by_n.items())}
     for n, value in means.items():
         if value - min(v for m, v in means.items() if m >= n) <= gain:
             return n

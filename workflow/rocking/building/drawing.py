@@ -106,7 +106,7 @@ def draw(ax, building, *, motion=None, scale=1.0, colour_map=None, view=VIEW, ed
     order = np.argsort(corners.mean(axis=1) @ eye, kind="stable")
     flat = np.stack([corners @ right, corners @ up], axis=-1)[order]
     ax.add_collection(
-        PolyCollection(flat, facecolors=colours[order], edgecolors=edges[order],
+        PolyCollection(list(flat), facecolors=colours[order], edgecolors=edges[order],
                        linewidths=edge_width, rasterized=True)
     )  # fmt: skip
     ax.set_aspect("equal")
