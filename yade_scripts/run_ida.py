@@ -24,7 +24,7 @@ from yade_scripts.intensities import DIGITS, next_intensity
 from yade_scripts.journal import Journal, run_key, source_digest, write_atomic
 from yade_scripts.scene import to_json
 
-G = 9.81
+G = 9.80665  # the g in which records and PGA are stated; gravity itself is the scene's
 COLUMNS = (
     "model", "record", "direction", "pga_g", "d_over_b", "collapsed", "status", "dt_s",
     "steps", "wall_s",

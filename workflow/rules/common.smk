@@ -11,7 +11,7 @@ sys.path[:0] = [str(BASE / "workflow"), str(BASE)]
 
 from rocking import config as configuration
 from rocking import run_lock
-from rocking.records import RecordError, read_table
+from rocking.records import RecordError, read_table, surrogates_for
 from yade_scripts import lifeline
 from yade_scripts.journal import PHYSICS
 
@@ -79,6 +79,11 @@ def module(*names):
     return [str(BASE / name) for name in names]
 
 
+def package(folder):
+    """All source files of a package."""
+    return sorted(str(path) for path in (BASE / folder).rglob("*.py"))
+
+
 def caption(name):
     """Path of a figure's caption template."""
     return str(BASE / "workflow" / "report" / f"{name}.rst")
@@ -90,6 +95,18 @@ wildcard_constraints:
     model="W1|W1c|W2|W2c|W3",
     direction="pos|neg",
     n=r"\d+",
+
+
+# On a cluster these run where Snakemake runs: submitting them would take longer.
+localrules:
+    scene,
+    record,
+    records_table,
+    floor_motions,
+    ida_collapse,
+    figure_record,
+    figure_floor_motions,
+    fig09_ida,
 
 
 onstart:

@@ -2,7 +2,8 @@
 rule record:
     input:
         file=record_file,
-        modules=module("workflow/scripts/record.py"),
+        surrogates=surrogate_parameters,
+        modules=package("workflow/rocking/records"),
     output:
         record="results/{run}/records/{record}.csv",
         facts="results/{run}/records/{record}.json",

@@ -11,6 +11,13 @@ def record_file(wildcards):
     return record_row(wildcards).path or []
 
 
+def surrogate_parameters(wildcards):
+    """File of the surrogates' parameters, for a record without a file of its own."""
+    if record_row(wildcards).path is not None:
+        return []
+    return surrogates_for(table_path(cfg(wildcards))) or []
+
+
 def record_facts(wildcards):
     """Provenance files of all records of a run."""
     return [f"results/{wildcards.run}/records/{r}.json" for r in RECORDS[wildcards.run]]
