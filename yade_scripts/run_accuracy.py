@@ -3,11 +3,13 @@
     python3 yade_scripts/run_accuracy.py --plan plan.json --output runs.csv
 
 The plan is a JSON file with `scenes` (scene files by model), `motions` (floor-motion files by
-record) and `runs`: case, model, record, direction, pga_g, method, nodes, step_fraction. Methods:
+record) and `runs`: case, model, record, direction, pga_g, method, nodes, step_fraction, factor.
+Methods:
 
-default      planar scene, supports driven by YADE's own engine
-python_drive the supports' velocities set from Python at every step
-full_3d      six freedoms and two columns of nodes
+default, nodes and step   planar scene, supports driven by YADE's own engine
+python drive              the supports' velocities set from Python at every step
+lag not compensated       without `stiffness.lag_factors`
+full 3D                   six freedoms and two columns of nodes
 """
 
 import argparse
@@ -25,9 +27,9 @@ if __package__ in (None, ""):
 from yade_scripts import engine, facade, run_ida, simulate
 from yade_scripts.journal import write_atomic
 
-COLUMNS = ("case", "model", "record", "direction", "pga_g", "method", "nodes", "dt_s",
+COLUMNS = ("case", "model", "record", "direction", "pga_g", "method", "nodes", "factor", "dt_s",
            "dt_over_dt_crit", "d_over_b", "status", "steps", "simulated_s", "wall_s")  # fmt: skip
-METHODS = ("default", "python_drive", "full_3d")
+METHODS = ("default", "nodes and step", "lag not compensated", "python drive", "full 3D")
 
 
 def with_nodes(job, nodes):
@@ -86,34 +88,36 @@ def run_case(job, time_s, columns, spec):
     ratio : float
         Step over critical step.
     """
-    job = with_nodes(job, spec.get("nodes"))
     numerics = dict(job["numerics"])
-    if spec.get("step_fraction"):
+    if spec["step_fraction"]:
         numerics.update(step_fraction=spec["step_fraction"], step_s=None)
     method = spec["method"]
     if method not in METHODS:
         raise ValueError(f"plan: method '{method}': expected one of {', '.join(METHODS)}")
     scene = facade.facade_scene(
-        {**job, "numerics": numerics}, job["model"], job["beta_s"], planar=method != "full_3d"
+        {**job, "numerics": numerics}, job["model"], job["beta_s"], planar=method != "full 3D"
     )
     sign = {"pos": 1.0, "neg": -1.0}[spec["direction"]]
-    factor = sign * spec["pga_g"] * run_ida.G / float(np.max(np.abs(columns["ground"])))
+    factor = (
+        sign * spec["factor"] * spec["pga_g"] * run_ida.G / float(np.max(np.abs(columns["ground"])))
+    )
     motions = run_ida.scaled_motions(time_s, columns, scene.motions, factor)
     step, critical = simulate.choose_step(scene, numerics)
     history = simulate.run(
         scene, motions, step, run_ida.stop_rules(numerics, time_s, motions),
         sample_s=numerics["sample_interval_s"], node_radius_m=numerics["node_radius_m"],
-        full_rotation=method == "full_3d",
-        setup=drive_from_python(motions) if method == "python_drive" else None,
+        full_rotation=method == "full 3D",
+        compensate_lag=method != "lag not compensated",
+        setup=drive_from_python(motions) if method == "python drive" else None,
     )  # fmt: skip
     return history, step / critical
 
 
-def as_row(spec, history, ratio):
-    """Row of one run."""
+def as_row(spec, nodes, history, ratio):
+    """Row of one run; `nodes` along an edge of the return walls' contact."""
     return {
         **{k: spec[k] for k in ("case", "model", "record", "direction", "method")},
-        "pga_g": f"{spec['pga_g']:.4f}", "nodes": str(spec.get("nodes") or ""),
+        "pga_g": f"{spec['pga_g']:.4f}", "nodes": str(nodes), "factor": f"{spec['factor']:.9g}",
         "dt_s": f"{history.dt_s:.6e}", "dt_over_dt_crit": f"{ratio:.5g}",
         "d_over_b": f"{history.peak_d_over_b:.6f}", "status": history.status,
         "steps": str(history.steps), "simulated_s": f"{history.time_s[-1]:.3f}",
@@ -134,8 +138,11 @@ def main(argv=None):
         engine.load_yade()
         rows = []
         for spec in plan["runs"]:
-            history, ratio = run_case(jobs[spec["model"]], *motions[spec["record"]], spec)
-            rows.append(as_row(spec, history, ratio))
+            job = with_nodes(jobs[spec["model"]], spec["nodes"])
+            history, ratio = run_case(job, *motions[spec["record"]], spec)
+            chain = facade.uses_chain(spec["model"])
+            nodes = job["numerics"]["nodes_per_block" if chain else "nodes_height"]
+            rows.append(as_row(spec, nodes, history, ratio))
             print(", ".join(rows[-1][k] for k in COLUMNS), file=sys.stderr, flush=True)
     except (ValueError, OSError, engine.EngineError) as error:
         print(f"error: {error}", file=sys.stderr)

@@ -1,12 +1,12 @@
 """One run in YADE: step a built scene, sample it, stop it, and say how it ended."""
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from . import engine
-from .stiffness import critical_step
+from .stiffness import critical_step, lag_factors
 
 OK, OVERTURNED, FAILED = "ok", "overturned", "failed"
 
@@ -162,7 +162,7 @@ class _Monitor:
 
 
 def run(scene, motions, dt_s, rules, *, sample_s=0.005, node_radius_m=1e-3, full_rotation=False,
-        setup=None):  # fmt: skip
+        setup=None, compensate_lag=True):  # fmt: skip
     """Run a scene in YADE until it overturns, rests, fails or reaches the limit.
 
     Parameters
@@ -177,6 +177,9 @@ def run(scene, motions, dt_s, rules, *, sample_s=0.005, node_radius_m=1e-3, full
         See `engine.build`.
     setup : callable, optional
         Called with the `Built` scene before the first step (recorders, other engines).
+    compensate_lag : bool
+        Correct the return walls' contacts for the late dashpot velocity, see
+        `stiffness.lag_factors`.
 
     Returns
     -------
@@ -184,6 +187,11 @@ def run(scene, motions, dt_s, rules, *, sample_s=0.005, node_radius_m=1e-3, full
     """
     import __main__
 
+    if compensate_lag:
+        factors = lag_factors(scene, dt_s)
+        nodes = replace(scene.nodes, kn_n_m=scene.nodes.kn_n_m * factors,
+                        ks_n_m=scene.nodes.ks_n_m * factors)  # fmt: skip
+        scene = replace(scene, nodes=nodes)
     built = engine.build(
         scene, motions, dt_s, node_radius_m=node_radius_m, full_rotation=full_rotation
     )
