@@ -23,6 +23,7 @@ include: "workflow/rules/ensemble.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/calibration.smk"
 include: "workflow/rules/building.smk"
+include: "workflow/rules/pushover.smk"
 
 
 rule all:

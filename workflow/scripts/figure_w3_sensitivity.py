@@ -1,0 +1,57 @@
+"""Sensitivity of W3's static capacity: λ0 in YADE and of the kinematic curve, by variant."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from rocking import style
+from rocking.script import run
+
+GROUPS = (
+    ("header", "header joint"), ("lower", "inclined joints"), ("overlap", "overlap"),
+    ("friction", "friction"), ("course", "course height"), ("numerical", "numerical band"),
+)  # fmt: skip
+NUMERICAL = ("half_step", "nodes_9", "nodes_33", "half_speed", "full_model")
+
+
+def group_of(name):
+    """Group of a variant, by the first word of its name."""
+    if name in NUMERICAL:
+        return "numerical"
+    return name.split("_")[0]
+
+
+def main(job):
+    table = pd.read_csv(job.input.table)
+    table = table[table["case"].str.startswith("W3 ")].copy()
+    table["name"] = table["case"].str[3:]
+    default = table[table["name"] == "default"].iloc[0]
+    figure, axis = plt.subplots(figsize=(6.2, 5.6))
+    y, ticks, labels = 0.0, [], []
+    for key, title in GROUPS:
+        y -= 0.6
+        axis.text(0.155, y, title, fontsize=7.5, fontweight="bold", va="center")
+        rows = table[[group_of(n) == key for n in table["name"]]]
+        for _, row in rows.iterrows():
+            y -= 1.0
+            axis.plot(
+                [row["lambda0_kinematic"], row["lambda0_dem"]], [y, y], color=style.GREY, lw=1
+            )
+            axis.plot(row["lambda0_dem"], y, "o", color=style.MODEL_COLOURS["W3"])
+            axis.plot(row["lambda0_kinematic"], y, "|", color="k", ms=9, mew=1.5)
+            ticks.append(y)
+            labels.append(row["name"].removeprefix(key + "_").replace("_", " "))
+        y -= 0.6
+    axis.plot([], [], "o", color=style.MODEL_COLOURS["W3"], label="YADE, base corrected")
+    axis.plot([], [], "|", color="k", ms=9, mew=1.5, label="kinematic curve")
+    axis.axvline(default["lambda0_dem"], color=style.MODEL_COLOURS["W3"], ls=":", lw=1,
+                 label="default")  # fmt: skip
+    axis.set(yticks=ticks, yticklabels=labels, ylim=(y, 0.5), xscale="log",
+             xlabel="λ$_0$ up to d/b = 0.5 [-]", xlim=(0.15, 5.0))  # fmt: skip
+    shown = np.array([0.2, 0.3, 0.5, 1.0, 2.0, 5.0])
+    axis.set_xticks(shown, [f"{v:g}" for v in shown])
+    axis.minorticks_off()
+    axis.legend(loc="lower right")
+    style.save(figure, job.output)
+
+
+run(main, globals())

@@ -1,0 +1,23 @@
+"""Scene file of a pushover: the parts of the configuration it depends on, one model or variant."""
+
+import json
+
+from rocking.calibration import beta_for
+from rocking.pushover import variant
+from rocking.script import run
+
+
+def main(job):
+    scene = json.loads(job.params.scene)
+    name = getattr(job.wildcards, "variant", None)
+    if name is not None:
+        scene = variant(scene, name)
+    scene["model"] = getattr(job.wildcards, "pushed", "W3")
+    scene["beta_s"] = beta_for(scene)
+    scene["numerics"]["nodes_thickness"] = scene["pushover"]["nodes_thickness"]
+    with open(job.output[0], "w") as handle:
+        json.dump(scene, handle, indent=1, sort_keys=True)
+        handle.write("\n")
+
+
+run(main, globals())
