@@ -13,20 +13,27 @@ OWN = Path("config/config.yaml")
 configfile: str(OWN if OWN.exists() else Path(workflow.basedir) / OWN)
 
 
+report: "workflow/report/workflow.rst"
+
+
 include: "workflow/rules/common.smk"
 include: "workflow/rules/targets.smk"
+include: "workflow/rules/report_targets.smk"
 include: "workflow/rules/records.smk"
 include: "workflow/rules/smdof.smk"
 include: "workflow/rules/facade.smk"
 include: "workflow/rules/ida.smk"
 include: "workflow/rules/ensemble.smk"
+include: "workflow/rules/accuracy.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/calibration.smk"
 include: "workflow/rules/building.smk"
 include: "workflow/rules/pushover.smk"
+include: "workflow/rules/fragility.smk"
+include: "workflow/rules/report.smk"
 
 
 rule all:
     default_target: True
     input:
-        per_run(main_results),
+        with_pages(per_run(main_results)),

@@ -36,7 +36,7 @@ def with_nodes(job, nodes):
     """Copy of a scene file with so many nodes along every edge; None keeps its own."""
     if nodes is None:
         return job
-    numerics = {**job["numerics"], "nodes_thickness": min(nodes, 9), "nodes_height": nodes,
+    numerics = {**job["numerics"], "nodes_thickness": nodes, "nodes_height": nodes,
                 "nodes_per_block": nodes}  # fmt: skip
     return {**job, "numerics": numerics}
 

@@ -197,7 +197,7 @@ def choose_fidelity(numerics, model, measured):
         )
     nodes = good[0]["nodes"]
     return {
-        **numerics, "nodes_thickness": min(nodes, 9), "nodes_height": nodes,
+        **numerics, "nodes_thickness": nodes, "nodes_height": nodes,
         "nodes_per_block": nodes, "step_fraction": good[0]["step_fraction"], "step_s": None,
     }  # fmt: skip
 

@@ -1,0 +1,45 @@
+"""Perturbed ensembles: d/b of every member with median and band, and the share that collapses."""
+
+import matplotlib.pyplot as plt
+import pandas as pd
+from rocking import style
+from rocking.ensemble import bands, collapse_percentiles, monotone
+from rocking.script import run
+
+
+def main(job):
+    tables = [pd.read_csv(path) for path in job.input.ensembles]
+    tables = [t for t in tables if len(t)]
+    percentiles = job.params.percentiles
+    count = max(1, len(tables))
+    figure, axes = plt.subplots(
+        2, count, figsize=(2.6 * count + 1.2, 4.6), squeeze=False, sharex="col", sharey="row",
+        layout="constrained",
+    )  # fmt: skip
+    for (top, bottom), table in zip(axes.T, tables, strict=False):
+        model, record, direction = table.iloc[0][["model", "record", "direction"]]
+        colour = style.MODEL_COLOURS[model]
+        band = bands(table, percentiles)
+        stood = table[table["status"] == "ok"]
+        top.plot(stood["pga_g"], stood["d_over_b"], ".", color=style.GREY, ms=3, label="member")
+        top.fill_between(band["pga_g"], band["d_over_b_low"], band["d_over_b_high"],
+                         color=colour, alpha=0.25, lw=0, label="10–90 %")  # fmt: skip
+        top.plot(band["pga_g"], band["d_over_b_median"], "o-", color=colour, label="median")
+        top.set_title(f"{model} {record} {'+' if direction == 'pos' else '−'}")
+        bottom.plot(band["pga_g"], band["probability"], "o", color=colour, label="share")
+        bottom.plot(band["pga_g"], monotone(band["probability"], band["members"]), color=colour,
+                    label="non-decreasing fit")  # fmt: skip
+        median = collapse_percentiles(table, percentiles)[0]
+        bottom.axvline(median, color="0.4", lw=0.8, ls=":")
+        bottom.set_xlabel("PGA (g)")
+    if not tables:
+        axes[0, 0].set_title("every history repeats: no ensemble was needed")
+    else:
+        axes[0, 0].legend(fontsize=7)
+        axes[1, 0].legend(fontsize=7)
+    axes[0, 0].set(ylabel="peak d/b (-)", ylim=(0.0, 1.05))
+    axes[1, 0].set(ylabel="collapsed members (-)", ylim=(-0.03, 1.03))
+    style.save(figure, job.output)
+
+
+run(main, globals())

@@ -1,0 +1,28 @@
+"""Error against the converged reference and speed of every run (tables/speed_accuracy.csv)."""
+
+import pandas as pd
+import yaml
+from rocking.accuracy import TABLE_COLUMNS, errors, fidelity_table
+from rocking.script import run
+
+HEADER = (
+    "# Worst measured error in d/b by nodes and step, over histories that repeat; cheapest first.\n"
+)
+
+
+def main(job):
+    runs = pd.concat([pd.read_csv(path) for path in job.input.runs], ignore_index=True)
+    reference = pd.read_csv(job.input.reference)
+    table = errors(runs, reference, job.params.ensemble["sensitivity_threshold"])
+    table["model"] = table["scene"].str.split().str[0]
+    fidelity = fidelity_table(table)
+    table = table.sort_values(["scene", "method", "nodes", "dt_over_dt_crit"])
+    table[list(TABLE_COLUMNS)].to_csv(
+        job.output.table, index=False, float_format="%.6g", lineterminator="\n"
+    )
+    with open(job.output.fidelity, "w") as handle:
+        handle.write(HEADER)
+        yaml.safe_dump(fidelity, handle, sort_keys=True, default_flow_style=None)
+
+
+run(main, globals())
