@@ -64,10 +64,9 @@ def test_stripes_agree_with_the_binomial_likelihood():
     levels = np.geomspace(0.08, 1.2, 9)
     rng = np.random.default_rng(3)
     runs, collapses = 40, rng.binomial(40, ndtr(np.log(levels / MEDIAN) / DISPERSION))
-    low = np.concatenate([[0.0] * k + [x] * (runs - k) for x, k in zip(levels, collapses,
-                                                                      strict=True)])  # fmt: skip
-    high = np.concatenate([[x] * k + [np.inf] * (runs - k) for x, k in zip(levels, collapses,
-                                                                           strict=True)])  # fmt: skip
+    stood = runs - collapses
+    low = np.concatenate([np.repeat(0.0, collapses.sum()), np.repeat(levels, stood)])
+    high = np.concatenate([np.repeat(levels, collapses), np.repeat(np.inf, stood.sum())])
 
     def negative(theta):
         p = ndtr((np.log(levels) - theta[0]) / np.exp(theta[1]))

@@ -10,13 +10,13 @@ wildcard_constraints:
 
 rule building:
     input:
-        lambda w: per_run(building_results),
+        lambda w: with_pages(per_run(building_results)),
 
 
 # Periods and equivalent chain (n, T1) of any plan, without the paper's comparisons.
 rule building_t1:
     input:
-        lambda w: per_run(building_periods),
+        lambda w: with_pages(per_run(building_periods)),
 
 
 rule building_fit:
@@ -61,7 +61,7 @@ rule table_building_modes:
             "results/{run}/tables/building_modes.csv",
             caption=caption("fig02_table"),
             category="Building",
-            labels={"table": "periods and effective masses"},
+            labels={"run": "{run}", "result": "periods and effective masses (CSV)"},
         ),
     log:
         "results/{run}/logs/table_building_modes.log",
@@ -83,7 +83,7 @@ rule table_building_alternatives:
             "results/{run}/tables/building_alternatives.csv",
             caption=caption("fig02_alternatives"),
             category="Building",
-            labels={"table": "periods of alternative plans"},
+            labels={"run": "{run}", "result": "periods of alternative plans (CSV)"},
         ),
     log:
         "results/{run}/logs/table_building_alternatives.log",
@@ -124,7 +124,10 @@ rule table_building_convergence:
             "results/{run}/tables/building_convergence.csv",
             caption=caption("fig02_convergence"),
             category="Building",
-            labels={"table": "convergence and cost of the modes"},
+            labels={
+                "run": "{run}",
+                "result": "convergence and cost of the modes (CSV)",
+            },
         ),
     log:
         "results/{run}/logs/table_building_convergence.log",
@@ -169,7 +172,10 @@ rule table_wme:
             "results/{run}/tables/wme.csv",
             caption=caption("fig03_table"),
             category="Building",
-            labels={"table": "2: weighted mean error of chains"},
+            labels={
+                "run": "{run}",
+                "result": "2: weighted mean error of chains (CSV)",
+            },
         ),
         chain="results/{run}/tables/building_chain.csv",
         config="results/{run}/building/chain.yaml",
@@ -193,7 +199,7 @@ rule fig01_building:
             "results/{run}/figures/fig01_building.png",
             caption=caption("fig01"),
             category="Building",
-            labels={"figure": "1: brick models"},
+            labels={"run": "{run}", "result": "1: brick models"},
         ),
         pdf="results/{run}/figures/fig01_building.pdf",
     log:
@@ -217,7 +223,7 @@ rule fig02_modes:
             "results/{run}/figures/fig02_modes.png",
             caption=caption("fig02"),
             category="Building",
-            labels={"figure": "2: modes"},
+            labels={"run": "{run}", "result": "2: modes"},
         ),
         pdf="results/{run}/figures/fig02_modes.pdf",
     log:
@@ -244,7 +250,11 @@ rule fig03_wme:
             "results/{run}/figures/fig03_{record}.png",
             caption=caption("fig03"),
             category="Building",
-            labels={"record": "{record}", "figure": "3: SBDEM and equal chains"},
+            labels={
+                "run": "{run}",
+                "record": "{record}",
+                "result": "3: SBDEM and equal chains",
+            },
         ),
         pdf="results/{run}/figures/fig03_{record}.pdf",
     log:
@@ -321,7 +331,11 @@ rule table_building_explicit:
             "results/{run}/figures/fig03_rattling_{record}.png",
             caption=caption("fig03_rattling"),
             category="Building",
-            labels={"record": "{record}", "figure": "explicit and modal, rattling"},
+            labels={
+                "run": "{run}",
+                "record": "{record}",
+                "result": "explicit and modal, rattling",
+            },
         ),
         pdf="results/{run}/figures/fig03_rattling_{record}.pdf",
     log:
@@ -363,7 +377,7 @@ rule table_building_explicit_cost:
             "results/{run}/tables/building_explicit_cost.csv",
             caption=caption("fig03_cost"),
             category="Building",
-            labels={"table": "cost of the explicit run"},
+            labels={"run": "{run}", "result": "cost of the explicit run (CSV)"},
         ),
     log:
         "results/{run}/logs/table_building_explicit_cost.log",

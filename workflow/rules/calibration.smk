@@ -98,7 +98,7 @@ rule free_rocking_table:
             "results/{run}/tables/free_rocking.csv",
             caption=caption("table_free_rocking"),
             category="Calibration of the damping",
-            labels={"table": "rebounds and e_exp"},
+            labels={"run": "{run}", "result": "rebounds and e_exp (CSV)"},
         ),
     log:
         "results/{run}/logs/free_rocking_table.log",
@@ -117,7 +117,7 @@ rule beta_fit:
             "results/{run}/tables/beta_fit.csv",
             caption=caption("table_beta_fit"),
             category="Calibration of the damping",
-            labels={"table": "best-fitting β"},
+            labels={"run": "{run}", "result": "best-fitting β (CSV)"},
         ),
     log:
         "results/{run}/logs/beta_fit.log",
@@ -135,7 +135,7 @@ rule beta_law:
             "results/{run}/tables/beta_regression.csv",
             caption=caption("table_beta_regression"),
             category="Calibration of the damping",
-            labels={"table": "laws of β"},
+            labels={"run": "{run}", "result": "laws of β (CSV)"},
         ),
     log:
         "results/{run}/logs/beta_law.log",
@@ -156,7 +156,7 @@ rule fig04_calibration:
             "results/{run}/figures/fig04_calibration.png",
             caption=caption("fig04"),
             category="Calibration of the damping",
-            labels={"figure": "4: parametric study"},
+            labels={"run": "{run}", "result": "4: parametric study"},
         ),
         pdf="results/{run}/figures/fig04_calibration.pdf",
     log:
@@ -179,7 +179,7 @@ rule wall_beta:
             "results/{run}/figures/wall_beta.png",
             caption=caption("wall_beta"),
             category="Calibration of the damping",
-            labels={"figure": "β of this façade"},
+            labels={"run": "{run}", "result": "β of this façade"},
         ),
         pdf="results/{run}/figures/wall_beta.pdf",
     log:
@@ -208,7 +208,7 @@ def calibration_results(run):
 # `snakemake calibration`: the whole study.
 rule calibration:
     input:
-        per_run(calibration_results),
+        with_pages(per_run(calibration_results)),
 
 
 # `snakemake calibrate_wall --configfile my_facade.yaml`: β of the configuration's own façade.

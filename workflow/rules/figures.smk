@@ -11,7 +11,11 @@ rule figure_record:
             "results/{run}/figures/record_{record}.png",
             caption=caption("record"),
             category="Records",
-            labels={"record": "{record}", "figure": "accelerogram"},
+            labels={
+                "run": "{run}",
+                "record": "{record}",
+                "result": "accelerogram",
+            },
         ),
         pdf="results/{run}/figures/record_{record}.pdf",
     log:
@@ -30,7 +34,11 @@ rule figure_floor_motions:
             "results/{run}/figures/floor_motions_{record}.png",
             caption=caption("floor_motions"),
             category="Floor motions",
-            labels={"record": "{record}", "figure": "floor motions and spectra"},
+            labels={
+                "run": "{run}",
+                "record": "{record}",
+                "result": "floor motions and spectra",
+            },
         ),
         pdf="results/{run}/figures/floor_motions_{record}.pdf",
     log:
@@ -52,7 +60,7 @@ rule fig09_ida:
             "results/{run}/figures/fig09_ida.png",
             caption=caption("fig09"),
             category="Incremental dynamic analyses",
-            labels={"figure": "9: IDA curves"},
+            labels={"run": "{run}", "result": "9: IDA curves"},
         ),
         pdf="results/{run}/figures/fig09_ida.pdf",
     log:

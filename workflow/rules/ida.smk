@@ -28,12 +28,7 @@ rule ida_collapse:
         ida=lambda w: ida_tables(w.run),
         ensemble=lambda w: ensemble_tables(w.run),
     output:
-        report(
-            "results/{run}/tables/ida_collapse.csv",
-            caption=caption("table_ida_collapse"),
-            category="Incremental dynamic analyses",
-            labels={"table": "collapse intensities"},
-        ),
+        "results/{run}/tables/ida_collapse.csv",
     log:
         "results/{run}/logs/ida_collapse.log",
     params:

@@ -126,7 +126,7 @@ rule table_pushover:
             "results/{run}/tables/pushover.csv",
             caption=caption("table_pushover"),
             category="Boundary conditions",
-            labels={"table": "static capacities"},
+            labels={"run": "{run}", "result": "static capacities (CSV)"},
         ),
     log:
         "results/{run}/logs/table_pushover.log",
@@ -154,7 +154,7 @@ rule fig08_w3:
             "results/{run}/figures/fig08_w3.png",
             caption=caption("fig08"),
             category="Boundary conditions",
-            labels={"figure": "8: W3 and its capacity curve"},
+            labels={"run": "{run}", "result": "8: W3 and its capacity curve"},
         ),
         pdf="results/{run}/figures/fig08_w3.pdf",
     log:
@@ -172,7 +172,7 @@ rule figure_w3_sensitivity:
             "results/{run}/figures/w3_sensitivity.png",
             caption=caption("w3_sensitivity"),
             category="Boundary conditions",
-            labels={"figure": "sensitivity of W3's capacity"},
+            labels={"run": "{run}", "result": "sensitivity of W3's capacity"},
         ),
         pdf="results/{run}/figures/w3_sensitivity.pdf",
     log:

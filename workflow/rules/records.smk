@@ -22,12 +22,7 @@ rule records_table:
     input:
         facts=record_facts,
     output:
-        report(
-            "results/{run}/tables/records.csv",
-            caption=caption("table_records"),
-            category="Records",
-            labels={"table": "records"},
-        ),
+        "results/{run}/tables/records.csv",
     log:
         "results/{run}/logs/records_table.log",
     script:

@@ -13,7 +13,10 @@ rule fig05_sorrentino:
             "results/{run}/figures/fig05_sorrentino.png",
             caption=caption("fig05"),
             category="Calibration of the damping",
-            labels={"figure": "5: free rocking of the Sorrentino wall"},
+            labels={
+                "run": "{run}",
+                "result": "5: free rocking of the Sorrentino wall",
+            },
         ),
         pdf="results/{run}/figures/fig05_sorrentino.pdf",
     log:
@@ -83,7 +86,7 @@ rule shake_table_table:
             "results/{run}/tables/shake_table.csv",
             caption=caption("table_shake_table"),
             category="Calibration of the damping",
-            labels={"table": "shake-table runs"},
+            labels={"run": "{run}", "result": "shake-table runs (CSV)"},
         ),
     log:
         "results/{run}/logs/shake_table_table.log",
@@ -102,7 +105,10 @@ rule fig06_shawa:
             "results/{run}/figures/fig06_shawa.png",
             caption=caption("fig06"),
             category="Calibration of the damping",
-            labels={"figure": "6: shake-table tests of the Shawa wall"},
+            labels={
+                "run": "{run}",
+                "result": "6: shake-table tests of the Shawa wall",
+            },
         ),
         pdf="results/{run}/figures/fig06_shawa.pdf",
     log:
@@ -181,7 +187,7 @@ rule damping_choice:
             "results/{run}/figures/damping_choice.png",
             caption=caption("damping_choice"),
             category="Calibration of the damping",
-            labels={"figure": "IDA under two laws of β"},
+            labels={"run": "{run}", "result": "IDA under two laws of β"},
         ),
         pdf="results/{run}/figures/damping_choice.pdf",
     log:

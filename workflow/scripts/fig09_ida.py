@@ -57,7 +57,7 @@ def main(job):
     ensembles = [table for table in ensembles if len(table)]
     shape = (len(p.records), len(p.directions))
     figure, axes = plt.subplots(
-        *shape, figsize=(3.5 * shape[1], 0.5 + 2.0 * shape[0]), squeeze=False, sharex=True
+        *shape, figsize=(max(5.0, 3.5 * shape[1]), 0.9 + 2.0 * shape[0]), squeeze=False, sharex=True
     )
     d_push, lambda_push = rigid_pushover(facade["height_m"], facade["thickness_m"])
     for i, record in enumerate(p.records):

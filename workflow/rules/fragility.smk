@@ -1,0 +1,147 @@
+# Fragility curves, efficiency of intensity measures, capacity reduction by the building.
+# Not part of the main job; ask for `fragility` (from the run's curves) or `capacity_reduction`
+# (further analyses).
+include: "fragility_targets.smk"
+
+
+rule fragility:
+    input:
+        with_pages(per_run(fragility_results)),
+
+
+rule capacity_reduction:
+    input:
+        with_pages(per_run(reduction_results)),
+
+
+rule fragility_table:
+    input:
+        ida=lambda w: ida_tables(w.run),
+        records=lambda w: [path.replace(".json", ".csv") for path in record_facts(w)],
+        modules=module(
+            "workflow/rocking/fragility.py",
+            "workflow/rocking/intensity_measures.py",
+            "smdof/spectra.py",
+        ),
+    output:
+        fragility="results/{run}/tables/fragility.csv",
+        measures="results/{run}/tables/intensity_measures.csv",
+        brackets="results/{run}/fragility/brackets.csv",
+        curves="results/{run}/fragility/curves.csv",
+    log:
+        "results/{run}/logs/fragility_table.log",
+    params:
+        fragility=lambda w: cfg(w)["fragility"],
+        facade=lambda w: {k: cfg(w)["facade"][k] for k in ("height_m", "thickness_m")},
+        smdof=lambda w: {k: cfg(w)["smdof"][k] for k in ("period_s", "damping_ratio")},
+    script:
+        "../scripts/fragility_table.py"
+
+
+rule fragility_figure:
+    input:
+        fragility="results/{run}/tables/fragility.csv",
+        curves="results/{run}/fragility/curves.csv",
+        brackets="results/{run}/fragility/brackets.csv",
+        facts=record_facts,
+        style=STYLE,
+    output:
+        png=report(
+            "results/{run}/figures/fragility.png",
+            caption=caption("fragility"),
+            category="Fragility",
+            labels={"run": "{run}", "result": "fragility curves"},
+        ),
+        pdf="results/{run}/figures/fragility.pdf",
+    log:
+        "results/{run}/logs/fragility_figure.log",
+    params:
+        confidence=lambda w: cfg(w)["fragility"]["confidence"],
+        min_records=lambda w: cfg(w)["fragility"]["min_records"],
+        facade=lambda w: cfg(w)["facade"],
+        smdof=lambda w: cfg(w)["smdof"],
+    script:
+        "../scripts/fragility_figure.py"
+
+
+rule figure_intensity_measures:
+    input:
+        measures="results/{run}/tables/intensity_measures.csv",
+        style=STYLE,
+    output:
+        png=report(
+            "results/{run}/figures/intensity_measures.png",
+            caption=caption("intensity_measures"),
+            category="Fragility",
+            labels={"run": "{run}", "result": "efficiency of intensity measures"},
+        ),
+        pdf="results/{run}/figures/intensity_measures.pdf",
+    log:
+        "results/{run}/logs/figure_intensity_measures.log",
+    params:
+        confidence=lambda w: cfg(w)["fragility"]["confidence"],
+        min_records=lambda w: cfg(w)["fragility"]["min_records"],
+    script:
+        "../scripts/figure_intensity_measures.py"
+
+
+# The building's period and the façade's place in it, with the façade itself unchanged. A case is
+# T<period>_below<masses>: a chain of masses_below + n_dof masses, the façade's base on mass
+# number masses_below (on the ground for 0).
+rule reduction_motion:
+    input:
+        record="results/{run}/records/{record}.csv",
+        modules=module("smdof/chain.py", "smdof/oscillator.py"),
+    output:
+        motion="results/{run}/capacity_reduction/T{t1}_below{below}/{record}.csv",
+        facts="results/{run}/capacity_reduction/T{t1}_below{below}/{record}.json",
+    log:
+        "results/{run}/logs/reduction_motion_T{t1}_below{below}_{record}.log",
+    params:
+        smdof=lambda w: {k: v for k, v in cfg(w)["smdof"].items() if k != "period_s"},
+    script:
+        "../scripts/capacity_reduction_motion.py"
+
+
+use rule ida as reduction_ida with:
+    input:
+        entry=module("yade_scripts/run_ida.py"),
+        scene="results/{run}/scenes/W2.json",
+        motion="results/{run}/capacity_reduction/T{t1}_below{below}/{record}.csv",
+        yade="results/{run}/yade.txt",
+        modules=yade_modules(),
+    output:
+        "results/{run}/capacity_reduction/T{t1}_below{below}/{record}_{direction}.csv",
+    log:
+        "results/{run}/logs/reduction_T{t1}_below{below}_{record}_{direction}.log",
+    benchmark:
+        "results/{run}/benchmarks/reduction_T{t1}_below{below}_{record}_{direction}.tsv"
+    params:
+        python=YADE_PYTHON,
+        journal="results/{run}/cache/reduction/T{t1}_below{below}_{record}_{direction}.jsonl",
+
+
+rule figure_capacity_reduction:
+    input:
+        w1=reduction_reference,
+        w2=reduction_curves,
+        facts=reduction_facts,
+        records=record_facts,
+        style=STYLE,
+    output:
+        table="results/{run}/tables/capacity_reduction.csv",
+        png=report(
+            "results/{run}/figures/capacity_reduction.png",
+            caption=caption("capacity_reduction"),
+            category="Capacity reduction",
+            labels={"run": "{run}", "result": "W2/W1 against T1 and position"},
+        ),
+        pdf="results/{run}/figures/capacity_reduction.pdf",
+    log:
+        "results/{run}/logs/figure_capacity_reduction.log",
+    params:
+        n_dof=lambda w: cfg(w)["smdof"]["n_dof"],
+        facade=lambda w: cfg(w)["facade"],
+        smdof=lambda w: cfg(w)["smdof"],
+    script:
+        "../scripts/figure_capacity_reduction.py"

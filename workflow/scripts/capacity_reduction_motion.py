@@ -1,0 +1,42 @@
+"""Motions of a façade somewhere up a building: its base's as "ground", then the floors it spans.
+
+Writes the motion file in the form that the dynamic analysis reads, and beside it the peak
+acceleration of the ground and of the façade's base, to express intensities in PGA.
+"""
+
+import json
+
+import numpy as np
+from rocking.records import G_M_S2, read_csv
+from rocking.script import run
+
+from smdof.chain import floor_motions
+
+
+def main(job):
+    chain = job.params.smdof
+    period_s, below = float(job.wildcards.t1), int(job.wildcards.below)
+    record = read_csv(job.input.record)
+    n = chain["n_dof"]
+    motion = floor_motions(
+        record.acceleration_m_s2, record.dt_s, below + n, period_s, chain["damping_ratio"],
+        chain["damping_model"], tail_s=chain["tail_s"],
+    )  # fmt: skip
+    levels = np.vstack([motion.ground_m_s2, motion.floors_m_s2])[below:]
+    names = ["time_s", "ground_m_s2"] + [f"floor{j}_m_s2" for j in range(1, n + 1)]
+    np.savetxt(job.output.motion, np.column_stack([motion.time_s, levels.T]), fmt="%.9g",
+               delimiter=",", header=",".join(names), comments="")  # fmt: skip
+    facts = {
+        "record": record.name,
+        "t1_s": period_s,
+        "masses_below": below,
+        "base_height_ratio": below / (below + n),
+        "pga_g": float(np.abs(motion.ground_m_s2).max()) / G_M_S2,
+        "base_peak_g": float(np.abs(levels[0]).max()) / G_M_S2,
+    }
+    with open(job.output.facts, "w") as handle:
+        json.dump(facts, handle, indent=1, sort_keys=True)
+        handle.write("\n")
+
+
+run(main, globals())

@@ -1,0 +1,75 @@
+"""Collapse PGA with floor motions (W2) over that without (W1), by T1 and the façade's place."""
+
+import json
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from rocking import style
+from rocking.ida import collapse_row, read_curve
+from rocking.script import run
+
+COLUMNS = ["record", "source", "direction", "t1_s", "base_height_ratio", "pga_w1_g", "pga_w2_g",
+           "ratio", "censored"]  # fmt: skip
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
+
+
+def capacity(curve):
+    """Middle of the collapse bracket, or the highest intensity that stood; and whether it is."""
+    row = collapse_row(curve)
+    safe, collapse = row["pga_safe_g"], row["pga_collapse_g"]
+    if collapse is None:
+        return safe, True
+    return (np.sqrt(safe * collapse) if safe else collapse), False
+
+
+def main(job):
+    source = {}
+    for path in job.input.records:
+        facts = json.loads(Path(path).read_text())
+        source[facts["name"]] = facts["source"]
+    reference = {}
+    for path in job.input.w1:
+        curve = read_curve(path)
+        reference[curve["record"][0], curve["direction"][0]] = capacity(curve)
+    cases = {str(Path(path).parent): json.loads(Path(path).read_text()) for path in job.input.facts}
+    peaks = {path: json.loads(Path(path).read_text()) for path in job.input.facts}
+    rows = []
+    for path in job.input.w2:
+        curve = read_curve(path)
+        record, direction = curve["record"][0], curve["direction"][0]
+        case = cases[str(Path(path).parent)]
+        peak = peaks[str(Path(path).with_name(f"{record}.json"))]
+        of_base, open2 = capacity(curve)  # the analysis scales by the peak at the façade's base
+        w1, open1 = reference[record, direction]
+        if of_base is None or w1 is None:
+            continue  # every run failed
+        w2 = of_base * peak["pga_g"] / peak["base_peak_g"]
+        rows.append((record, source[record], direction, case["t1_s"], case["base_height_ratio"],
+                     w1, w2, w2 / w1, int(open1 or open2)))  # fmt: skip
+    table = pd.DataFrame(rows, columns=COLUMNS)
+    table.to_csv(job.output.table, index=False, float_format="%.6g", lineterminator="\n")
+
+    used = table[table["censored"] == 0]
+    figure, axis = plt.subplots(figsize=(5.4, 3.4))
+    for (place, part), colour in zip(used.groupby("base_height_ratio"), COLOURS, strict=False):
+        axis.plot(part["t1_s"], part["ratio"], ".", color=colour, alpha=0.35, mew=0)
+        groups = part.groupby("t1_s")["ratio"]
+        middle, low = groups.median(), groups.quantile(0.1)
+        label = "façade from the ground up" if place == 0 else f"base at {place:.0%} of the height"
+        axis.plot(middle.index, middle, "o-", color=colour, label=f"{label}: median")
+        axis.plot(low.index, low, ":", color=colour, label="10th percentile")
+    axis.axhline(1.0, color="k", lw=0.7)
+    axis.set(xlabel="first period of the building T1 [s]",
+             ylabel="collapse PGA, W2 over W1 [-]")  # fmt: skip
+    axis.set_ylim(bottom=0)
+    axis.set_xlim(left=0)
+    axis.legend(loc="best", ncols=max(1, used["base_height_ratio"].nunique()), fontsize=7)
+    kinds = " and ".join(sorted(set(table["source"])))
+    axis.set_title(f"{table['record'].nunique()} records ({kinds}), "
+                   f"{table['direction'].nunique()} direction(s)", loc="left")  # fmt: skip
+    style.save(figure, [job.output.png, job.output.pdf])
+
+
+run(main, globals())

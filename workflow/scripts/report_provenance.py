@@ -1,0 +1,54 @@
+"""Where every record of a run comes from: a file and its checksum, or a surrogate's parameters."""
+
+import html
+import json
+from pathlib import Path
+
+from rocking.script import run
+
+KINDS = ("short", "short", "words", "number", "short", "words", "words")
+
+
+def listed(values):
+    """Names and values, a line each."""
+    lines = []
+    for name, value in sorted(values.items()):
+        shown = f"{value:.6g}" if isinstance(value, float) else str(value)
+        lines.append(f"{html.escape(str(name))}: {html.escape(shown)}")
+    return "<br>".join(lines)
+
+
+def main(job):
+    body = []
+    for path in job.input.facts:
+        facts = json.loads(Path(path).read_text())
+        about = job.params.about.get(facts["name"], {})
+        event = ", ".join(str(about[k]) for k in ("event", "station") if k in about)
+        if "mw" in about:
+            event += f", Mw {about['mw']:g}"
+        cells = [
+            html.escape(facts["name"]), facts["source"], html.escape(event),
+            f"{facts['dt_s']:g}", html.escape(facts["units_read"]),
+            html.escape(facts["baseline"]), listed(facts["details"]),
+        ]  # fmt: skip
+        body.append(
+            "<tr>"
+            + "".join(f'<td class="{k}">{c}</td>' for k, c in zip(KINDS, cells, strict=True))
+            + "</tr>"
+        )
+    heads = ("record", "source", "stands for", "step [s]", "units read", "baseline", "details")
+    head = "".join(f"<th>{h}</th>" for h in heads)
+    text = (
+        f"Records table: {job.params.table}. A surrogate has the peaks and duration of the motion"
+        " it stands for and is not that motion; its details are the solved parameters and the seed."
+    )
+    Path(job.output[0]).write_text(
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        f"<title>Provenance</title><style>\n{Path(job.input.style).read_text()}</style></head>\n"
+        f"<body>\n<h1>Provenance of every record</h1>\n<p>{html.escape(text)}</p>\n"
+        f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n" + "\n".join(body)
+        + "\n</tbody>\n</table>\n</body></html>\n"
+    )  # fmt: skip
+
+
+run(main, globals())

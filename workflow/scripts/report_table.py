@@ -1,0 +1,95 @@
+"""One table of results as a page of the report, with its text and the CSV to download."""
+
+import base64
+import html
+import re
+from pathlib import Path
+
+import pandas as pd
+from rocking.intensity_measures import MEASURES
+from rocking.script import run
+
+# endings of column names in tables, longest first, and how a reader writes the unit
+UNITS = {
+    "_cm_s": "cm/s", "_m_s2": "m/s²", "_m_s": "m/s", "_kg_m3": "kg/m³", "_pa_m": "Pa/m",
+    "_mpa": "MPa", "_deg": "°", "_mb": "MB", "_cm": "cm", "_hz": "Hz", "_m": "m", "_s": "s",
+    "_g": "g",
+}  # fmt: skip
+WORDS = {"pga": "PGA", "pgv": "PGV", "pgd": "PGD", "w1": "W1", "w2": "W2", "t1": "T1", "im": "IM",
+         "ci": "CI", "beta": "β", "eq5": "eq. 5", "cpu": "CPU", "wme": "WME", "dof": "DOF",
+         "n": "n", "paper": "study", "p10": "10 %", "p90": "90 %", "yade": "YADE"}  # fmt: skip
+
+
+def heading(column):
+    """Column name for reading: "pga_safe_g" becomes "PGA safe [g]"."""
+    study = column.endswith("_paper")
+    bare = column.removesuffix("_paper")
+    ending = next((e for e in UNITS if bare.endswith(e) and bare != e), "")
+    words = [WORDS.get(w, w) for w in bare.removesuffix(ending).split("_")]
+    words += ["study"] if study else []
+    return " ".join(words) + (f" [{UNITS[ending]}]" if ending else "")
+
+
+def is_study(column):
+    """Tell whether a column holds the study's own values."""
+    return bool(re.search(r"(^|_)(paper|eq5)(_|$)", column))
+
+
+def cell(value):
+    """Text of a cell; blank where there is no value."""
+    if pd.isna(value):
+        return ""
+    if value in MEASURES:
+        return html.escape(MEASURES[value].label)
+    if isinstance(value, float):
+        return f"{value:.4g}" if abs(value) < 1e5 else f"{value:.3e}"
+    return html.escape(str(value))
+
+
+def kind(name, column):
+    """Classes of a column's cells, for the style sheet."""
+    if pd.api.types.is_numeric_dtype(column):
+        words = "number"
+    else:
+        words = "words" if column.astype(str).str.len().max() > 40 else "short"
+    return f"{words} study" if is_study(name) else words
+
+
+def rows(table):
+    """The table's head and body."""
+    kinds = {name: kind(name, table[name]) for name in table.columns}
+    head = "".join(f'<th class="{kinds[n]}">{html.escape(heading(n))}</th>' for n in table.columns)
+    body = "\n".join(
+        "<tr>" + "".join(f'<td class="{kinds[n]}">{cell(row[n])}</td>' for n in table.columns)
+        + "</tr>"
+        for row in table.to_dict("records")
+    )  # fmt: skip
+    return f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>\n</table>"
+
+
+def page(title, text, content, style):
+    """A whole page that needs no other file."""
+    return (
+        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{html.escape(title)}'
+        f"</title><style>\n{Path(style).read_text()}</style></head>\n<body>\n"
+        f"<h1>{html.escape(title)}</h1>\n<p>{html.escape(text)}</p>\n{content}\n</body></html>\n"
+    )
+
+
+def main(job):
+    source = Path(job.input.table)
+    table = pd.read_csv(source)
+    data = base64.b64encode(source.read_bytes()).decode()
+    link = (
+        f'<p><a download="{source.name}" href="data:text/csv;base64,{data}">{source.name}</a></p>'
+    )
+    text = job.params.text
+    if any(is_study(name) for name in table.columns):
+        text += " The study's own values are shaded."
+    Path(job.output[0]).write_text(
+        page(job.params.title.capitalize(), text, rows(table) + link, job.input.style)
+    )
+
+
+if __name__ == "__main__" or "snakemake" in globals():
+    run(main, globals())
