@@ -19,7 +19,7 @@ import numpy as np
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from yade_scripts import engine, lifeline, models, simulate
+from yade_scripts import engine, ledger, lifeline, models, simulate
 from yade_scripts.intensities import DIGITS, next_intensity
 from yade_scripts.journal import Journal, run_key, source_digest, write_atomic
 from yade_scripts.scene import to_json
@@ -87,15 +87,25 @@ def run_one(scene, time_s, columns, factor, numerics):
     motions = scaled_motions(time_s, columns, scene.motions, factor)
     rules = stop_rules(numerics, time_s, motions)
     step, _ = simulate.choose_step(scene, numerics)
-    options = {"sample_s": numerics["sample_interval_s"],
-               "node_radius_m": numerics["node_radius_m"]}  # fmt: skip
-    history = simulate.run(scene, motions, step, rules, **options)
+    history = _attempt(scene, motions, step, rules, numerics)
     if history.status == simulate.FAILED and numerics["retry_half_step"]:
-        retried = simulate.run(scene, motions, 0.5 * step, rules, **options)
+        retried = _attempt(scene, motions, 0.5 * step, rules, numerics)
         retried.steps += history.steps
         retried.wall_s += history.wall_s
         retried.reason += f"; at half the step, after {history.reason}"
         return retried
+    return history
+
+
+def _attempt(scene, motions, step, rules, numerics):
+    """One run with the energy ledger beside it: energy from nowhere is never a collapse."""
+    sample_s = numerics["sample_interval_s"]
+    check = ledger.EnergyLedger(scene, motions, sample_s)
+    history = simulate.run(scene, motions, step, rules, sample_s=sample_s,
+                           node_radius_m=numerics["node_radius_m"], setup=check.attach)  # fmt: skip
+    if check.reason and history.status != simulate.FAILED:
+        history.status, history.reason = simulate.FAILED, check.reason
+        history.peak_d_over_b = math.nan
     return history
 
 

@@ -88,7 +88,9 @@ class Workspace:
     def jobs(self, word="run_ida.py"):
         """Python processes of jobs whose command line has `word`."""
         found = self.processes()
-        return [p for p, line in found.items() if word in line and not line.startswith(("/bin", "bash"))]
+        return [
+            p for p, line in found.items() if word in line and not line.startswith(("/bin", "bash"))
+        ]
 
     def journal(self):
         """Complete rows of all journals, by key."""

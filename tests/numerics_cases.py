@@ -1,0 +1,103 @@
+"""Runs forced to fail numerically; imported inside YADE's Python."""
+
+import math
+
+import numpy as np
+
+from yade_scripts import engine, facade, ledger, run_ida, simulate
+from yade_scripts.journal import Journal
+from yade_scripts.stiffness import critical_step
+
+BETA_S = 0.00276
+SAMPLE_STEPS = 5  # steps between samples of `poisoned_run`
+QUIET = 0.03  # of gravity: far below what uplifts the façade (b/h = 0.058)
+
+
+def _motion(duration_s=4.0, peak_g=QUIET):
+    time_s = np.linspace(0.0, duration_s, 401)
+    return time_s, peak_g * 9.81 * np.sin(7.0 * time_s)
+
+
+def _outcome(history, **more):
+    return {"status": history.status, "reason": history.reason, "steps": history.steps,
+            "blank": math.isnan(history.peak_d_over_b), "dt_s": history.dt_s, **more}  # fmt: skip
+
+
+def forced_run(config, model, factor):
+    """A run whose step is `factor` times the critical one, which the entry points refuse."""
+    scene = facade.facade_scene(config, model, BETA_S)
+    time_s, acceleration = _motion()
+    motions = {name: engine.Motion(time_s, acceleration) for name in scene.motions}
+    rules = run_ida.stop_rules(config["numerics"], time_s, motions)
+    step = factor * critical_step(scene)
+    with_check = run_ida._attempt(scene, motions, step, rules, config["numerics"])
+    without = simulate.run(scene, motions, step, rules)
+    return _outcome(with_check, unchecked=without.status)
+
+
+def shaken_run(config, model, record, peak_g):
+    """Largest energy from nowhere in a run at its proper step, and how the run ended."""
+    scene = facade.facade_scene(config, model, BETA_S)
+    time_s, columns = np.array(record["time_s"]), record["columns"]
+    motions = {n: engine.Motion(time_s, peak_g * 9.81 * np.array(columns[n]))
+               for n in scene.motions}  # fmt: skip
+    rules = run_ida.stop_rules(config["numerics"], time_s, motions)
+    step, _ = simulate.choose_step(scene, config["numerics"])
+    check = ledger.EnergyLedger(scene, motions, 0.005)
+    history = simulate.run(scene, motions, step, rules, setup=check.attach)
+    return _outcome(history, excess=check.excess, walls=len(check.walls))
+
+
+def poisoned_run(config, value, at_step):
+    """A sound run in which one velocity becomes `value` ("nan", "inf") at a step."""
+    import __main__
+
+    scene = facade.facade_scene(config, "W1", BETA_S)
+    time_s, acceleration = _motion()
+    motions = {name: engine.Motion(time_s, acceleration) for name in scene.motions}
+    rules = run_ida.stop_rules(config["numerics"], time_s, motions)
+    step, _ = simulate.choose_step(scene, config["numerics"])
+
+    def spoil(built):
+        state = built.omega.bodies[built.body[scene.index(scene.monitor)]].state
+
+        def at_one_step():
+            if built.omega.iter == at_step:
+                state.vel = (0.0, float(value), 0.0)
+
+        __main__._spoil = at_one_step
+        wrapper = engine.load_yade()
+        built.omega.engines = [
+            wrapper.PyRunner(command="_spoil()", iterPeriod=1, initRun=True)
+        ] + built.omega.engines
+
+    history = simulate.run(scene, motions, step, rules, sample_s=SAMPLE_STEPS * step, setup=spoil)
+    return _outcome(history)
+
+
+def retried_run(config, factor, retry):
+    """One intensity at `factor` times the critical step, with and without the second try."""
+    scene = facade.facade_scene(config, "W1", BETA_S)
+    time_s, acceleration = _motion()
+    step = factor * critical_step(scene)
+    proper, simulate.choose_step = simulate.choose_step, lambda *_: (step, step)
+    try:
+        numerics = {**config["numerics"], "retry_half_step": retry}
+        history = run_ida.run_one(scene, time_s, {"ground": acceleration}, 1.0, numerics)
+    finally:
+        simulate.choose_step = proper
+    return _outcome(history, tried_s=step)
+
+
+def failed_analysis(config, folder):
+    """A whole analysis in which every run fails at both steps; its rows and what it says."""
+    time_s, acceleration = _motion()
+    said = []
+    proper, simulate.choose_step = simulate.choose_step, lambda *_: (0.0168, 0.0168)
+    try:
+        job = {**config, "model": "W1", "beta_s": BETA_S}
+        rows = run_ida.analyse(job, time_s, {"ground": acceleration}, "A", "pos",
+                               Journal(f"{folder}/j.jsonl"), said.append)  # fmt: skip
+    finally:
+        simulate.choose_step = proper
+    return {"rows": rows, "said": said}

@@ -1,0 +1,111 @@
+"""Energy that comes from nowhere: the check that tells an unstable run from a collapse.
+
+A time step that is too long for the contacts feeds energy into the façade until it
+overturns, at speeds that look harmless. In the frame of the base the energy of the block
+
+    E = ½ m |v − v_g|² + ½ ωᵀ I ω + m g Δz
+
+changes by the work of three things only: the inertia forces −m a_g, the return walls that
+move relative to the base, and the contacts, which store and dissipate. Contacts cannot give
+more than they were given, so at every sample
+
+    E(t) − E(0) − ∫ −m a_g (v − v_g) dt − Σ_j ∫ F_j (v_j − v_g) dt ≤ 0
+
+but for the integration of the samples. More than TOLERANCE of the energy that overturns the
+block, m g (R − h/2), is a numerical failure. Stable runs stay below 0.01, whatever the record;
+the check cannot see an instability whose gain is smaller than what the contacts dissipate
+meanwhile, which is why the step is compared with the critical one before any run.
+"""
+
+import math
+
+import numpy as np
+
+TOLERANCE = 0.1  # of the energy that overturns the block
+
+
+class EnergyLedger:
+    """Adds up the energy of a scene's only free block; stops the run when it is too much.
+
+    Use `attach` as the `setup` of `simulate.run`, then read `reason` after the run.
+
+    Attributes
+    ----------
+    reason : str
+        Why the run was stopped; empty if it was not.
+    excess : float
+        Largest energy from nowhere so far, over the energy that overturns the block.
+    """
+
+    def __init__(self, scene, motions, sample_s):
+        """Prepare the ledger of a run; it stays idle where several blocks are free."""
+        free = [i for i, block in enumerate(scene.blocks) if block.free]
+        self.scene, self.motions, self.sample_s = scene, motions, sample_s
+        self.index = free[0] if len(free) == 1 else None
+        self.reason, self.excess, self.iteration = "", 0.0, None
+
+    def attach(self, built):
+        """Sample the built scene from its first step on."""
+        if self.index is None:
+            return
+        import __main__
+
+        from . import engine
+
+        scene, omega = self.scene, built.omega
+        block = scene.blocks[self.index]
+        self.omega, self.state = omega, omega.bodies[built.body[self.index]].state
+        self.base = omega.bodies[built.body[scene.index(scene.reference)]].state
+        self.ground = self.motions.get(scene.blocks[scene.index(scene.reference)].motion)
+        self.walls = []
+        names = {b.motion for b in scene.blocks if not b.free and b.motion}
+        if len(names) > 1:  # with one motion no support moves relative to the base
+            for drive in omega.engines:
+                if type(drive).__name__ == "InterpolatingDirectedForceEngine":
+                    times, force = np.array(drive.times), np.array(drive.magnitudes)
+                    self.walls += [(i, omega.bodies[i].state, times, force) for i in drive.ids]
+        self.mass, self.inertia = block.mass_kg, np.array(block.inertia_kg_m2)
+        self.height = block.centre_m[2]
+        depth, height = block.size_m[1], block.size_m[2]
+        self.scale = self.mass * scene.gravity_m_s2 * 0.5 * (math.hypot(depth, height) - height)
+        self.start = self.before = None
+        self.work = 0.0
+        __main__._energy_ledger = self
+        period = max(1, round(self.sample_s / omega.dt))
+        wrapper = engine.load_yade()
+        omega.engines = omega.engines + [
+            wrapper.PyRunner(command="_energy_ledger()", iterPeriod=period, initRun=True)
+        ]
+
+    def __call__(self):
+        """Take a sample."""
+        t, ground = self.omega.time, self.base.vel[1]
+        velocity = np.array(self.state.vel) - (0.0, ground, 0.0)
+        spin = np.array(self.state.angVel)
+        energy = 0.5 * self.mass * velocity @ velocity + 0.5 * spin @ (self.inertia * spin)
+        energy += self.mass * self.scene.gravity_m_s2 * (self.state.pos[2] - self.height)
+        power = 0.0
+        if self.ground is not None:
+            acceleration = np.interp(
+                t, self.ground.time_s, self.ground.acceleration_m_s2, right=0.0
+            )
+            power = -self.mass * acceleration * velocity[1]
+        for i, wall, times, force in self.walls:
+            # what acts on a wall less what drives it is the contact's push on it
+            pushed = self.omega.forces.f(i)[1] - np.interp(t, times, force, right=0.0)
+            power -= pushed * (wall.vel[1] - ground)
+        if self.before is not None:
+            self.work += 0.5 * (power + self.before[1]) * (t - self.before[0])
+        self.before = t, power
+        if self.start is None:
+            self.start = energy
+        excess = (energy - self.start - self.work) / self.scale
+        if self.reason:
+            return
+        if not excess <= TOLERANCE:  # also where it is not a number
+            self.reason = (
+                f"energy from nowhere, {excess:.3g} of what overturns the façade, "
+                f"at t = {t:.4f} s: numerical failure"
+            )
+            self.omega.pause()
+        self.excess = max(self.excess, float(excess)) if math.isfinite(excess) else math.inf
