@@ -29,6 +29,7 @@ include: "workflow/rules/figures.smk"
 include: "workflow/rules/calibration.smk"
 include: "workflow/rules/building.smk"
 include: "workflow/rules/pushover.smk"
+include: "workflow/rules/boundary.smk"
 include: "workflow/rules/fragility.smk"
 include: "workflow/rules/report.smk"
 

@@ -13,7 +13,7 @@ CURVE_COLUMNS = [
     "lambda_elastic_lower", "lambda_dem_corrected",
 ]  # fmt: skip
 RULES = ("rigid", "bonded", "sliding", "hinged")
-# one change of the default W3 each; "header_*" has no inclined joints, so that only the rule differs
+# one change of the default W3 each; "header_*" without inclined joints, so only the rule differs
 VARIANTS = {
     "default": {},
     **{f"header_{rule}": {"w3.header_joint": rule, "w3.lower_courses": 0} for rule in RULES},

@@ -1,0 +1,15 @@
+"""What test_interlocking runs inside YADE's Python."""
+
+
+def push_case(job, speed_m_s=0.1, reach=0.08):
+    """Push W3 a little way; return the curve, the joint forces as CSV and the broken bonds."""
+    from yade_scripts import engine, models
+    from yade_scripts.run_pushover import forces_csv, push
+
+    engine.load_yade()
+    scene = models.build_scene(job)
+    curve, forces, broken = push(
+        scene, models.numerics(job), speed_m_s=speed_m_s, reach=reach, samples=300,
+        force_samples=30,
+    )  # fmt: skip
+    return {"curve": curve.tolist(), "forces": forces_csv(scene, forces), "broken": len(broken)}

@@ -1,0 +1,130 @@
+"""Oblique drawings of the models from YADE's poses, coloured by displacement."""
+
+import numpy as np
+from matplotlib.collections import PolyCollection
+
+DEPTH = np.array([0.42, 0.22])  # screen displacement per metre of x, into the page
+RETURN_WALL_SHOWN_M = 2.2  # of the return-wall supports, which are longer than needed
+STRIPS = 20  # pieces of a tall block, so that its colour follows the displacement
+
+
+def project(points):
+    """Screen coordinates of points (x, y, z): y to the right, z up, x into the page."""
+    points = np.asarray(points, float)
+    return points[..., 1:] + points[..., :1] * DEPTH
+
+
+def boxes(frames, walls, config):
+    """Boxes to draw: centre, size, index of the block that moves them.
+
+    Single-block models have one support for all return walls together, drawn at each
+    wall's place; W3's half model is drawn twice, at both.
+    """
+    facade, wall = config["facade"], config["return_wall"]
+    spread = 0.5 * (facade["width_m"] - wall["thickness_m"])
+    places = np.linspace(-spread, spread, walls) if walls > 1 else np.array([0.0])
+    out = []
+    for i, block in enumerate(frames["blocks"]):
+        centre, size = np.array(block["centre_m"]), np.array(block["size_m"])
+        name = block["name"]
+        if name == "base":
+            continue
+        if name == "façade":
+            out.append((centre, np.array([facade["width_m"], size[1], size[2]]), i))
+        elif name.startswith("return wall"):
+            y = -facade["gap_m"] - 0.5 * RETURN_WALL_SHOWN_M
+            shown = np.array([wall["thickness_m"], RETURN_WALL_SHOWN_M, size[2]])
+            out += [(np.array([x, y, centre[2]]), shown, i) for x in places]
+        else:
+            out += _w3_boxes(block, i, places, config)
+    return out
+
+
+def _w3_boxes(block, i, places, config):
+    """Boxes of a header, or of a return brick with its half brick."""
+    w3, h = config["w3"], config["facade"]["height_m"]
+    centre, size = np.array(block["centre_m"]), np.array(block["size_m"])
+    if " header " in block["name"]:
+        return [(np.array([x, centre[1], centre[2]]), size, i) for x in places]
+    low = (int(block["name"].split()[-1]) - 1) * w3["course_height_m"]
+    rear = w3["brick_length_m"] - w3["overlap_m"]
+    out = [(np.array([x, -0.5 * size[1], low + 0.5 * size[2]]), size, i) for x in places]
+    if low + 2 * size[2] <= h + 1e-9:
+        half = np.array([size[0], rear, size[2]])
+        y = -w3["overlap_m"] - 0.5 * rear
+        out += [(np.array([x, y, low + 1.5 * size[2]]), half, i) for x in places]
+    return out
+
+
+def faces(frames, frame, walls, config, magnification=1.0):
+    """Visible faces of all boxes at one frame, sorted from back to front.
+
+    Returns
+    -------
+    polygons : ndarray, shape (n, 4, 2)
+        Screen coordinates.
+    moved_m : ndarray, shape (n,)
+        Displacement magnitude relative to the ground at each face's middle.
+    """
+    moved = np.array(frames["moved"][frame], float)
+    names = [b["name"] for b in frames["blocks"]]
+    ground = moved[names.index("base")][0]
+    polygons, values, depths = [], [], []
+    for centre, size, i in boxes(frames, walls, config):
+        dy, dz, angle = moved[i]
+        pivot = np.array(frames["blocks"][i]["centre_m"])
+        pieces = STRIPS if size[2] > 1.0 else 1
+        for k in range(pieces):
+            low = centre[2] - 0.5 * size[2] + size[2] * k / pieces
+            corner = _corners(centre, size, low, size[2] / pieces)
+            real = _turn(corner, pivot, angle) + np.array([0.0, dy - ground, dz])
+            shift = real - corner
+            value = float(np.linalg.norm(shift.mean(axis=0)))
+            drawn = corner + magnification * shift
+            visible = [(0, 1, 2, 3), (1, 5, 6, 2)]  # near side (−x), outward face (+y)
+            if k == pieces - 1:
+                visible.append((3, 2, 6, 7))  # top
+            for face in visible:
+                polygons.append(project(drawn[list(face)]))
+                values.append(value)
+                middle = corner[list(face)].mean(axis=0)
+                depths.append((-centre[0] - (centre[1] < 0) * 1e-3, middle[1], middle[2]))
+    # far things first; the façade spans the width and stands in front of what is behind it
+    order = sorted(range(len(depths)), key=lambda n: _rank(depths[n]))
+    return np.array(polygons)[order], np.array(values)[order]
+
+
+def _rank(depth):
+    """Painter's order: far wall, façade, near wall; within each from the back and below."""
+    return depth
+
+
+def _corners(centre, size, low, tall):
+    x0, x1 = centre[0] - 0.5 * size[0], centre[0] + 0.5 * size[0]
+    y0, y1 = centre[1] - 0.5 * size[1], centre[1] + 0.5 * size[1]
+    z0, z1 = low, low + tall
+    return np.array(
+        [[x0, y0, z0], [x0, y1, z0], [x0, y1, z1], [x0, y0, z1],
+         [x1, y0, z0], [x1, y1, z0], [x1, y1, z1], [x1, y0, z1]]
+    )  # fmt: skip
+
+
+def _turn(points, pivot, angle):
+    """Points turned about x by `angle` (positive: outward top moves inward) about the pivot."""
+    c, s = np.cos(angle), np.sin(angle)
+    r = points - pivot
+    y = c * r[:, 1] - s * r[:, 2]
+    z = s * r[:, 1] + c * r[:, 2]
+    return pivot + np.stack([r[:, 0], y, z], axis=1)
+
+
+def draw(axis, frames, frame, walls, config, *, magnification=1.0, largest_m, limits, cmap):
+    """Draw one frame; returns the collection, for a colour bar."""
+    polygons, values = faces(frames, frame, walls, config, magnification)
+    collection = PolyCollection(polygons, array=values, cmap=cmap, edgecolors="0.25",
+                                linewidths=0.15)  # fmt: skip
+    collection.set_clim(0.0, largest_m)
+    axis.add_collection(collection)
+    axis.set(xlim=limits[0], ylim=limits[1], aspect="equal")
+    axis.set_axis_off()
+    return collection

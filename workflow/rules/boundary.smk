@@ -1,0 +1,103 @@
+# Pictures of the models, and what the study says about boundary conditions.
+PICTURE_SCRIPTS = module("workflow/rocking/pictures.py")
+ALL_MODELS = ["W1", "W1c", "W2", "W2c", "W3"]
+
+
+def picture_record(run):
+    """Record that the pictures of a run show."""
+    names = RECORDS[run]
+    return RUNS[run]["pictures"]["record"] or names[min(1, len(names) - 1)]
+
+
+def picture_motion(wildcards):
+    """Floor motions of that record."""
+    n = cfg(wildcards)["smdof"]["n_dof"]
+    return f"results/{wildcards.run}/smdof/{picture_record(wildcards.run)}_{n}dof.csv"
+
+
+rule frames:
+    input:
+        entry=module("yade_scripts/run_frames.py"),
+        scene="results/{run}/scenes/{model}.json",
+        motion=picture_motion,
+        yade="results/{run}/yade.txt",
+        modules=yade_modules(),
+    output:
+        "results/{run}/frames/{model}.json",
+    log:
+        "results/{run}/logs/frames_{model}.log",
+    params:
+        python=YADE_PYTHON,
+        record=lambda w: picture_record(w.run),
+        direction=lambda w: cfg(w)["pictures"]["direction"],
+        pga=lambda w: cfg(w)["pictures"]["pga_g"],
+    shell:
+        "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
+        " --record {params.record:q} --direction {params.direction} --pga {params.pga}"
+        " --output {output:q} 2> >(tee {log:q} >&2)"
+
+
+rule collapse_frames:
+    input:
+        entry=module("yade_scripts/run_frames.py"),
+        scene="results/{run}/scenes/{model}.json",
+        motion=picture_motion,
+        ida=lambda w: (
+            f"results/{w.run}/ida/{w.model}/{picture_record(w.run)}"
+            f"_{cfg(w)['pictures']['direction']}.csv"
+        ),
+        modules=yade_modules(),
+    output:
+        "results/{run}/frames/{model}_collapse.json",
+    log:
+        "results/{run}/logs/collapse_frames_{model}.log",
+    params:
+        python=YADE_PYTHON,
+        record=lambda w: picture_record(w.run),
+        direction=lambda w: cfg(w)["pictures"]["direction"],
+        interval=lambda w: cfg(w)["pictures"]["frame_interval_s"],
+    shell:
+        "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
+        " --record {params.record:q} --direction {params.direction} --collapse {input.ida:q}"
+        " --interval {params.interval} --fall 6 --output {output:q} 2> >(tee {log:q} >&2)"
+
+
+rule fig07_models:
+    input:
+        frames=lambda w: [f"results/{w.run}/frames/{m}.json" for m in ALL_MODELS],
+        style=STYLE,
+        modules=PICTURE_SCRIPTS,
+    output:
+        png=report(
+            "results/{run}/figures/fig07_models.png",
+            caption=caption("fig07"),
+            category="Boundary conditions",
+            labels={"figure": "7: the five models"},
+        ),
+        pdf="results/{run}/figures/fig07_models.pdf",
+    log:
+        "results/{run}/logs/fig07_models.log",
+    params:
+        config=params_of("facade", "return_wall", "w3", "pictures"),
+    script:
+        "../scripts/fig07_models.py"
+
+
+rule animation_collapse:
+    input:
+        frames="results/{run}/frames/{model}_collapse.json",
+        style=STYLE,
+        modules=PICTURE_SCRIPTS,
+    output:
+        report(
+            "results/{run}/figures/collapse_{model}.gif",
+            caption=caption("animation"),
+            category="Boundary conditions",
+            labels={"figure": "collapse of {model}"},
+        ),
+    log:
+        "results/{run}/logs/animation_{model}.log",
+    params:
+        config=params_of("facade", "return_wall", "w3", "pictures"),
+    script:
+        "../scripts/animation_collapse.py"

@@ -1,0 +1,44 @@
+"""Figure 7: the five models at the same instant, coloured by displacement, from YADE's state."""
+
+import json
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from rocking import pictures, style
+from rocking.script import run
+
+
+def main(job):
+    config = json.loads(job.params.config)
+    shown = config["pictures"]
+    frames = [json.loads(Path(path).read_text()) for path in job.input.frames]
+    instant = shown["time_s"]
+    if instant is None:
+        leader = next((f for f in frames if f["model"] == "W2"), frames[0])
+        instant = leader["time_s"][int(np.argmax(np.abs(leader["d_over_b"])))]
+    at = [int(np.argmin(np.abs(np.array(f["time_s"]) - instant))) for f in frames]
+    walls, k = config["return_wall"]["count"], shown["magnification"]
+    h = config["facade"]["height_m"]
+    largest = max(
+        pictures.faces(f, i, walls, config)[1].max() for f, i in zip(frames, at, strict=True)
+    )
+    limits = ((-3.4, 2.4), (-0.7, h + 0.9))
+    figure, axes = plt.subplots(1, len(frames), figsize=(1.75 * len(frames), 3.4), squeeze=False)
+    for axis, f, i in zip(axes[0], frames, at, strict=True):
+        drawn = pictures.draw(axis, f, i, walls, config, magnification=k, largest_m=largest,
+                              limits=limits, cmap="viridis")  # fmt: skip
+        fallen = " (overturned)" if f["time_s"][-1] < instant - 0.05 else ""
+        axis.set_title(f"{f['model']}: d/b = {f['d_over_b'][i]:.2f}{fallen}")
+    bar = figure.colorbar(drawn, ax=axes[0].tolist(), shrink=0.6, pad=0.01)
+    bar.set_label("displacement relative to the ground [m]")
+    head = frames[0]
+    sign = {"pos": "+", "neg": "−"}[head["direction"]]
+    figure.suptitle(
+        f"{head['record']}{sign}, PGA {head['pga_g']:g} g, t = {instant:.2f} s; "
+        f"displacements × {k:g}", fontsize=8.5
+    )  # fmt: skip
+    style.save(figure, job.output)
+
+
+run(main, globals())
