@@ -70,6 +70,7 @@ class Camera:
         return setup
 
     def __call__(self):
+        """Keep displacement and rotation of every block."""
         row = []
         for state, start, turn, block in zip(
             self.states, self.start, self.turn, self.scene.blocks, strict=True
