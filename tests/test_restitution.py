@@ -66,12 +66,12 @@ def test_recovery_does_not_depend_on_sampling_or_contact(theta0, e, dt, dip):
 
 
 def test_rattling_in_the_contact_is_no_impact():
-    """A ripple of 1e-4 α during the contact belongs to that contact."""
+    """A ripple of 5e-5 α during the contact belongs to that contact."""
     time, theta, _ = rocking(0.5, 0.5, 3, dip=0.0)
-    rattle = theta + np.where(np.abs(theta) < 1e-12, 1e-4 * np.sin(2 * math.pi * 700.0 * time), 0.0)
+    rattle = theta + np.where(np.abs(theta) < 1e-12, 5e-5 * np.sin(2 * math.pi * 700.0 * time), 0.0)
     assert e_exp(rebounds(time, rattle)) == pytest.approx([0.5] * 3, rel=1e-3)
     # the same ripple counts once it exceeds the stated smallest rebound
-    assert len(rebounds(time, rattle, smallest=2e-5)) > 3
+    assert len(rebounds(time, rattle, smallest=1e-5)) > 3
 
 
 def test_missing_impacts_are_nan_and_never_invented():

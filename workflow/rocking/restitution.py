@@ -14,7 +14,7 @@ import numpy as np
 from rocking import closed_forms
 
 IMPACTS = 3  # of the study's criterion
-SMALLEST = 2e-4  # θ/α below which a rebound is rattling on the contacts, not rocking
+SMALLEST = 1e-4  # θ/α below which a rebound is rattling on the contacts, not rocking
 # e_exp over |e_1SR| on the first three impacts (Sorrentino et al., 2011, as used by the study)
 TARGETS = ((0.64, 0.72), (0.74, 0.86), (1.0, 1.0))
 

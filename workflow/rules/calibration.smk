@@ -72,7 +72,7 @@ rule calibration_cases:
 rule free_rocking:
     input:
         cases=CASES,
-        yade="results/{run}/yade.txt",
+        yade=ancient("results/{run}/yade.txt"),
         modules=yade_modules() + module("yade_scripts/run_free_rocking.py"),
     output:
         HISTORIES,

@@ -60,7 +60,7 @@ rule shake_table:
     input:
         tests="results/{run}/calibration/shake_table_tests.json",
         motions="results/{run}/calibration/shake_table_motions",
-        yade="results/{run}/yade.txt",
+        yade=ancient("results/{run}/yade.txt"),
         modules=yade_modules() + module("yade_scripts/run_shake_table.py"),
     output:
         "results/{run}/calibration/shake_table_histories.npz",
@@ -151,7 +151,7 @@ rule damping_choice_ida:
             f"results/{w.run}/smdof/{study(w.run)['choice_record']}"
             f"_{cfg(w)['smdof']['n_dof']}dof.csv"
         ),
-        yade="results/{run}/yade.txt",
+        yade=ancient("results/{run}/yade.txt"),
         modules=yade_modules(),
     output:
         "results/{run}/calibration/choice/{model}_{direction}_{law}.csv",
