@@ -88,6 +88,14 @@ class Browser:
         found = self.wait(lambda: self.elements(xpath)[nth:], xpath)
         self._call("POST", f"{self.session}/element/{found[0][ELEMENT]}/click")
 
+    def enter(self, xpath):
+        """Make a frame the place where elements and text are looked for; `leave` goes back."""
+        found = self.wait(lambda: self.elements(xpath), xpath)
+        self._call("POST", f"{self.session}/frame", {"id": found[0]})
+
+    def leave(self):
+        self._call("POST", f"{self.session}/frame", {"id": None})
+
     def text(self):
         return self.script("return document.body.innerText")
 

@@ -72,7 +72,8 @@ def page(title, text, content, style):
     return (
         f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{html.escape(title)}'
         f"</title><style>\n{Path(style).read_text()}</style></head>\n<body>\n"
-        f"<h1>{html.escape(title)}</h1>\n<p>{html.escape(text)}</p>\n{content}\n</body></html>\n"
+        f"<h1>{html.escape(title)}</h1>\n<p>{html.escape(text, quote=False)}</p>\n{content}\n"
+        "</body></html>\n"
     )
 
 
@@ -83,11 +84,11 @@ def main(job):
     link = (
         f'<p><a download="{source.name}" href="data:text/csv;base64,{data}">{source.name}</a></p>'
     )
-    text = job.params.text
+    title, text = job.params.title, job.params.text
     if any(is_study(name) for name in table.columns):
         text += " The study's own values are shaded."
     Path(job.output[0]).write_text(
-        page(job.params.title.capitalize(), text, rows(table) + link, job.input.style)
+        page(title[:1].upper() + title[1:], text, rows(table) + link, job.input.style)
     )
 
 

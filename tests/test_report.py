@@ -1,0 +1,129 @@
+"""The report: pages of tables, and the one file in a real browser, clicked through to a figure."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from webdriver import AVAILABLE, Browser
+
+ROOT = Path(__file__).resolve().parent.parent
+SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
+SCRIPTS = ROOT / "workflow" / "scripts"
+STUDY = [
+    "--config", "run=shown", "records=RRS228,HVSC1", "directions=pos", "models=W1",
+    "facade={height_m: 5.75}", "ida={mode: grid, grid_g: [0.02, 0.9]}",
+    "numerics={step_fraction: 0.5, after_motion_s: 0}", "ensemble={enabled: off}",
+]  # fmt: skip
+
+
+def page_of(tmp_path, text, name="ida_collapse"):
+    """Run the page's script alone on a small table."""
+    table, page = tmp_path / f"{name}.csv", tmp_path / "page.html"
+    table.write_text(text)
+    style = ROOT / "workflow/report/table.css"
+    done = subprocess.run(
+        [sys.executable, str(SCRIPTS / "report_table.py"), "--input", f"table={table}",
+         f"style={style}", "--output", str(page), "--params", "title=a <title>", "text=Words."],
+        capture_output=True, text=True, cwd=ROOT,
+        env={"PYTHONPATH": f"{ROOT}:{ROOT / 'workflow'}"},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    return page.read_text()
+
+
+def test_a_page_escapes_its_text_writes_units_and_marks_the_study(tmp_path):
+    text = page_of(
+        tmp_path, "record,pga_safe_g,period_paper_s,wme_paper\n<b>X</b>,0.123456789,0.25,\n"
+    )
+    assert "&lt;b&gt;X&lt;/b&gt;" in text
+    assert "<b>X" not in text
+    assert "A &lt;title&gt;" in text
+    assert "PGA safe [g]" in text
+    assert ">0.1235<" in text
+    assert text.count('class="number study"') == 4  # head and cell of two columns
+    assert "study's own values" in text
+    assert 'href="http' not in text
+
+
+def study(folder, *words):
+    return subprocess.run(
+        [SNAKEMAKE, "--snakefile", str(ROOT / "Snakefile"), "--cores", "1", "--nolock", *STUDY,
+         *words],
+        cwd=folder, capture_output=True, text=True,
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def report(tmp_path_factory):
+    """A small study's report, alone in a folder."""
+    folder = tmp_path_factory.mktemp("study")
+    done = study(folder, "--", "all", "fragility")
+    assert done.returncode == 0, done.stderr[-3000:]
+    done = study(folder, "--report", "report.html", "--", "all", "fragility")
+    assert done.returncode == 0, done.stderr[-3000:]
+    alone = tmp_path_factory.mktemp("alone") / "report.html"
+    alone.write_bytes((folder / "report.html").read_bytes())
+    return alone
+
+
+def category(browser, name):
+    browser.click(f"//nav//a[normalize-space()='{name}']")
+
+
+def press(browser, label, button):
+    """Press "eye" or "information-circle" of the result with a label.
+
+    Snakemake shows two results as a switch over one row, more of them as rows.
+    """
+    switch, row = f"//label[normalize-space()='{label}']", f"//tr[td[normalize-space()='{label}']]"
+    browser.wait(lambda: browser.elements(f"{switch} | {row}"), label)
+    if browser.elements(switch):
+        browser.click(switch)
+        row = "//tbody/tr"
+    browser.click(f"{row}//*[@iconname='{button}']")
+
+
+@pytest.mark.yade
+@pytest.mark.slow
+@pytest.mark.skipif(not AVAILABLE, reason="needs Chromium and ChromeDriver")
+def test_report_opens_offline_and_clicks_through_to_figures_and_tables(report, tmp_path):
+    with Browser(tmp_path / "profile") as browser:
+        browser.open(report.as_uri())
+        browser.wait(lambda: "lumped masses" in browser.text(), "the description")
+        for name in ("Records", "Floor motions", "Incremental dynamic analyses", "Fragility",
+                     "Run times"):  # fmt: skip
+            assert browser.elements(f"//nav//a[normalize-space()='{name}']"), name
+
+        # Figure 9: the picture itself is drawn, and its caption quotes this study's façade
+        category(browser, "Incremental dynamic analyses")
+        press(browser, "9: IDA curves", "eye")
+        width = """const picture = document.querySelector('img[src^="data:image/png"]');
+                   return picture && picture.naturalWidth"""
+        assert browser.wait(lambda: browser.script(width), "Figure 9") > 500
+        press(browser, "9: IDA curves", "information-circle")
+        browser.wait(lambda: "DESCRIPTION" in browser.text().upper(), "the caption")
+        assert "height_m 5.75" in browser.text()
+        assert "W1" in browser.text()
+
+        # the collapse table is a page with one row a curve
+        browser.click("//nav//a[normalize-space()='Results']")
+        category(browser, "Incremental dynamic analyses")
+        press(browser, "collapse intensities", "eye")
+        browser.enter("//iframe")
+        browser.wait(lambda: "PGA collapse [g]" in browser.text(), "the table")
+        assert "RRS228" in browser.text()
+        assert len(browser.elements("//tbody/tr")) == 2
+        browser.leave()
+
+        # provenance says what the records are
+        browser.click("//nav//a[normalize-space()='Results']")
+        category(browser, "Records")
+        press(browser, "provenance of every record", "eye")
+        browser.enter("//iframe")
+        browser.wait(lambda: "seed: 1977" in browser.text(), "the provenance")
+        assert browser.text().count("surrogate\t") == 2
+        browser.leave()
+
+        failed = [line for line in browser.log() if line.startswith("SEVERE")]
+        assert not failed, failed  # as when anything is asked from a network
