@@ -1,0 +1,77 @@
+"""Accuracy and stability cases; imported inside YADE's Python."""
+
+import math
+
+import numpy as np
+from facade_cases import quiet
+
+from yade_scripts import energy, engine, facade, run_ida, run_stability, simulate
+from yade_scripts.stiffness import critical_step
+
+
+def limit(config, name, stiffness_factor, beta_s):
+    """Observed over predicted critical step."""
+    job = {**config, "beta_s": beta_s}
+    scene = run_stability.scene_of(job, name, stiffness_factor, beta_s)
+    return run_stability.bisect(scene, {}, tolerance=0.03)[0]
+
+
+def drift(config, seconds, ratio):
+    """Energies of an undamped frictionless free-rocking block."""
+    scene = facade.facade_scene(config, "free", 0.0, release_ratio=ratio)
+    probe = energy.EnergyProbe(scene, 0.02)
+    rules = simulate.StopRules(seconds + 1.0, seconds, overturn_ratio=1e9)
+    step, _ = simulate.choose_step(scene, config["numerics"])
+    simulate.run(scene, quiet(scene), step, rules, setup=probe.attach)
+    return {"total": probe.total.tolist(), "rows": probe.rows[-1]}
+
+
+def rest(config, model, beta_s, seconds):
+    """Largest |d| and last speed of a façade left alone."""
+    scene = facade.facade_scene(config, model, beta_s)
+    rules = simulate.StopRules(seconds + 1.0, seconds)
+    step, _ = simulate.choose_step(scene, config["numerics"])
+    h = simulate.run(scene, quiet(scene), step, rules)
+    late = h.time_s > 0.9 * seconds
+    return {"d": float(np.max(np.abs(h.d_m))), "drift": float(abs(h.d_m[-1] - h.d_m[0])),
+            "speed": float(np.max(np.abs(h.velocity_m_s[late]))), "status": h.status}  # fmt: skip
+
+
+def released(config, model, beta_s, ratio, seconds):
+    """Peak d/b, status and last rotation after a release."""
+    scene = facade.facade_scene(config, model, beta_s, release_ratio=ratio)
+    rules = simulate.StopRules(0.0, seconds, overturn_ratio=2.0)
+    step, _ = simulate.choose_step(scene, config["numerics"])
+    h = simulate.run(scene, quiet(scene), step, rules)
+    return {"status": h.status, "rotation": h.rotation_rad.tolist(), "d": h.d_m.tolist(),
+            "time": h.time_s.tolist(), "reason": h.reason}  # fmt: skip
+
+
+def shaken(config, model, beta_s, time_s, columns, fraction=None):
+    """Peak d/b of one run, with the history."""
+    numerics = {**config["numerics"], **({"step_fraction": fraction} if fraction else {})}
+    scene = facade.facade_scene(config, model, beta_s)
+    time_s = np.array(time_s)
+    columns = {k: np.array(v) for k, v in columns.items()}
+    motions = run_ida.scaled_motions(time_s, columns, scene.motions, 1.0)
+    step, _ = simulate.choose_step(scene, numerics)
+    rules = run_ida.stop_rules(numerics, time_s, motions)
+    h = simulate.run(scene, motions, step, rules, sample_s=0.002)
+    return {"peak": h.peak_d_over_b, "status": h.status, "d": h.d_m.tolist(),
+            "time": h.time_s.tolist(), "dt_s": step}  # fmt: skip
+
+
+def vibration(config, beta_s, fractions, duration_s, amplitude):
+    """Top displacement at a fixed instant of a façade that never uplifts, by step."""
+    scene = facade.facade_scene(config, "free", beta_s)
+    time_s = np.linspace(0.0, duration_s, 401)
+    motion = engine.Motion(time_s, amplitude * np.sin(2.0 * math.pi * time_s / duration_s) ** 2)
+    out = []
+    for fraction in fractions:
+        steps = round(duration_s / (fraction * critical_step(scene)))
+        rules = simulate.StopRules(10.0, duration_s, overturn_ratio=1e9)
+        # an end between two steps would hide the order of the scheme
+        h = simulate.run(scene, {"ground": motion}, duration_s / steps, rules,
+                         sample_s=duration_s / steps)  # fmt: skip
+        out.append((duration_s / steps, float(np.interp(0.9 * duration_s, h.time_s, h.d_m))))
+    return out

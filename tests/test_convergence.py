@@ -1,0 +1,138 @@
+"""Observed rates of convergence in step and nodes, and the rules that use them."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from rocking import accuracy
+from rocking.reference import ensemble_peaks, peak_d_over_b
+from yade_process import in_yade, resolved
+
+from yade_scripts import facade
+from yade_scripts.quadrature import gauss_lobatto
+from yade_scripts.stiffness import critical_step, lag_factors
+
+BETA_S = 0.00276
+
+
+def amplification(omega, zeta, dt, compensated):
+    """Eigenvalue of the scheme for one damped oscillator, with and without compensation."""
+    factor = 1.0 / (1.0 + 0.5 * dt * 2.0 * zeta * omega) if compensated else 1.0
+    k, c = factor * (omega * dt) ** 2, factor * 2.0 * zeta * omega * dt
+    values = np.linalg.eigvals([[2.0 - k - c, c - 1.0], [1.0, 0.0]])
+    return values[np.argmax(values.imag)]
+
+
+@pytest.mark.parametrize(("compensated", "order"), [(False, 1.0), (True, 2.0)])
+def test_order_of_the_lagged_dashpot(compensated, order):
+    """The complex frequency recovered from one step: first order as it is, second with factors."""
+    omega, zeta = 100.0, 0.4
+    exact = complex(-zeta * omega, omega * np.sqrt(1.0 - zeta**2))
+    steps = 0.02 / omega * 2.0 ** -np.arange(4)
+    found = [abs(np.log(amplification(omega, zeta, dt, compensated)) / dt - exact) for dt in steps]
+    assert accuracy.observed_rate(steps, found) == pytest.approx(order, abs=0.1)
+
+
+def test_lag_factors_are_those_of_the_rocking_mode():
+    """One return wall up the height: φᵀKφ/φᵀMφ of the rotation about the toe, by hand."""
+    config = resolved()
+    scene = facade.facade_scene(config, "W1", BETA_S)
+    dt = 1e-4
+    f, n = config["facade"], scene.nodes
+    h, b = f["height_m"], f["thickness_m"]
+    mass = f["density_kg_m3"] * h * b * f["width_m"]
+    wall = n.joint > 0
+    jkn = f["e_mpa"] * 1e6 / (0.5 * h) * 2 * config["return_wall"]["thickness_m"]
+    stiffness = jkn * (h**3 / 3.0 + f["shear_stiffness_ratio"] * h * b**2)  # normal and shear
+    inertia = mass * (h**2 + b**2) / 3.0
+    expected = 1.0 / (1.0 + 0.5 * dt * BETA_S * stiffness / inertia)
+    factors = lag_factors(scene, dt)
+    assert factors[wall] == pytest.approx(expected, rel=1e-9)
+    assert np.all(factors[~wall] == 1.0)
+    assert np.all(lag_factors(facade.facade_scene(config, "W1", 0.0), dt) == 1.0)
+
+
+@pytest.mark.yade
+@pytest.mark.parametrize(("beta_s", "order"), [(0.0, 2.0), (0.02, 1.0)])
+def test_order_of_the_step_in_yade(beta_s, order):
+    """A façade that never uplifts: without return walls nothing compensates the lag."""
+    got = in_yade("accuracy_cases", "vibration", config=resolved(), beta_s=beta_s,
+                  fractions=[0.2, 0.1, 0.05, 0.0125], duration_s=0.6, amplitude=0.05)  # fmt: skip
+    steps, values = np.array(got).T
+    # differences to the finest carry its own error: correct for the expected order
+    errors = np.abs(values[:3] - values[3]) / (1.0 - (steps[3] / steps[:3]) ** order)
+    assert accuracy.observed_rate(steps[:3], errors) == pytest.approx(order, abs=0.25)
+
+
+def test_nodes_of_a_partly_lifted_base_converge_at_second_order():
+    """Force of a triangular pressure over part of the width, against its integral."""
+    counts = np.array([5, 9, 17, 33, 65])
+    widths = np.linspace(0.15, 0.85, 141)
+    error = []
+    for n in counts:
+        x, w = gauss_lobatto(n)
+        force = np.maximum(0.0, widths[:, None] - x) @ w
+        error.append(np.sqrt(np.mean((force - 0.5 * widths**2) ** 2)))
+    assert accuracy.observed_rate(1.0 / (counts - 1), error) == pytest.approx(2.0, abs=0.3)
+
+
+@pytest.mark.yade
+@pytest.mark.parametrize(("model", "peak"), [("W1", 1.0), ("W2", 0.9)])
+def test_default_fidelity_against_the_planar_reference(model, peak, tmp_path):
+    """One strong cycle with floors that lag the ground: peak d/b within 1 % at the defaults."""
+    t = np.arange(0.0, 3.0, 0.005)
+    ground = np.where(t < 0.8, peak * np.sin(2.0 * np.pi * t / 0.8), 0.0)
+    columns = {"ground": ground}
+    for j in range(1, 5):
+        shift = 0.02 * j
+        u = t - shift
+        columns[f"floor{j}"] = np.where(
+            (u > 0) & (u < 0.8), (1.0 + 0.1 * j) * peak * np.sin(2.0 * np.pi * u / 0.8), 0.0
+        )
+    job = {**resolved(), "model": model, "beta_s": BETA_S}
+    path = tmp_path / "motion.csv"
+    pd.DataFrame({"time_s": t, **{f"{k}_m_s2": v for k, v in columns.items()}}).to_csv(
+        path, index=False
+    )
+    pga = float(np.max(np.abs(ground)))
+    expected = peak_d_over_b(job, path, "pos", pga / 9.81, nodes=25)
+    got = in_yade("accuracy_cases", "shaken", config=job, model=model, beta_s=BETA_S,
+                  time_s=t.tolist(),
+                  columns={k: v.tolist() for k, v in columns.items()})  # fmt: skip
+    assert 0.1 < expected < 0.9
+    assert got["peak"] == pytest.approx(expected, rel=0.01)
+    batch = ensemble_peaks(job, path, "pos", pga / 9.81, [1.0], dt_s=2.5e-4)
+    assert batch[0] == pytest.approx(expected, rel=0.01)
+
+
+def test_observed_rate_of_a_power_law():
+    h = np.array([0.1, 0.05, 0.025])
+    assert accuracy.observed_rate(h, 3.0 * h**1.5) == pytest.approx(1.5)
+    with pytest.raises(ValueError, match="at least 2"):
+        accuracy.observed_rate([0.1], [0.2])
+
+
+def test_pareto_front_holds_what_nothing_beats():
+    cost, error = np.array([1, 2, 3, 4, 2.0]), np.array([5, 3, 4, 1, 3.5])
+    assert accuracy.pareto_front(cost, error).tolist() == [True, True, False, True, False]
+
+
+def test_fidelity_takes_the_cheapest_pair_within_the_tolerance():
+    measured = {"W1": [{"nodes": 5, "step_fraction": 0.2, "error": 0.03},
+                       {"nodes": 9, "step_fraction": 0.1, "error": 0.008},
+                       {"nodes": 17, "step_fraction": 0.05, "error": 0.002}]}  # fmt: skip
+    numerics = {**resolved()["numerics"], "fidelity_tolerance": 0.01}
+    chosen = accuracy.choose_fidelity(numerics, "W1c", measured)
+    assert (chosen["nodes_height"], chosen["step_fraction"]) == (9, 0.1)
+    assert accuracy.choose_fidelity(resolved()["numerics"], "W1", measured)["nodes_height"] == 9
+    strict = {**numerics, "fidelity_tolerance": 1e-4}
+    with pytest.raises(ValueError, match=r"finest measured fidelity of W1 has an error of 0\.002"):
+        accuracy.choose_fidelity(strict, "W1", measured)
+    with pytest.raises(ValueError, match="no convergence was measured for W3"):
+        accuracy.choose_fidelity(numerics, "W3", measured)
+
+
+def test_step_of_the_default_scene_follows_its_stiffness():
+    """Critical step ∝ 1/√E without damping."""
+    soft, stiff = (critical_step(facade.facade_scene(resolved(facade={"e_mpa": e}), "W2", 0.0))
+                   for e in (450.0, 1800.0))  # fmt: skip
+    assert soft / stiff == pytest.approx(2.0, rel=1e-9)
