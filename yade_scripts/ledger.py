@@ -19,8 +19,7 @@ meanwhile, which is why the step is compared with the critical one before any ru
 
 import math
 
-import numpy as np
-
+DRIVE = "InterpolatingDirectedForceEngine"  # moves the supports
 TOLERANCE = 0.1  # of the energy that overturns the block
 
 
@@ -53,23 +52,25 @@ class EnergyLedger:
         from . import engine
 
         scene, omega = self.scene, built.omega
-        block = scene.blocks[self.index]
+        block, reference = scene.blocks[self.index], scene.index(scene.reference)
         self.omega, self.state = omega, omega.bodies[built.body[self.index]].state
-        self.base = omega.bodies[built.body[scene.index(scene.reference)]].state
-        self.ground = self.motions.get(scene.blocks[scene.index(scene.reference)].motion)
+        self.base = omega.bodies[built.body[reference]].state
+        self.forces = omega.forces
+        names = sorted({b.motion for b in scene.blocks if not b.free and b.motion})
+        drives = [e for e in omega.engines if type(e).__name__ == DRIVE]
+        curves = {name: _Curve(self.motions[name]) for name in names}
+        self.ground = curves.get(scene.blocks[reference].motion, lambda t: 0.0)
         self.walls = []
-        names = {b.motion for b in scene.blocks if not b.free and b.motion}
-        if len(names) > 1:  # with one motion no support moves relative to the base
-            for drive in omega.engines:
-                if type(drive).__name__ == "InterpolatingDirectedForceEngine":
-                    times, force = np.array(drive.times), np.array(drive.magnitudes)
-                    self.walls += [(i, omega.bodies[i].state, times, force) for i in drive.ids]
-        self.mass, self.inertia = block.mass_kg, np.array(block.inertia_kg_m2)
-        self.height = block.centre_m[2]
+        for name, drive in zip(names, drives, strict=True):
+            # with one motion no support moves relative to the base, and nothing works
+            if len(names) > 1 and name != scene.blocks[reference].motion:
+                states = [(i, omega.bodies[i].state) for i in drive.ids]
+                self.walls += [(i, state, state.mass, curves[name]) for i, state in states]
+        self.mass, self.inertia = block.mass_kg, block.inertia_kg_m2
+        self.weight, self.height = block.mass_kg * scene.gravity_m_s2, block.centre_m[2]
         depth, height = block.size_m[1], block.size_m[2]
-        self.scale = self.mass * scene.gravity_m_s2 * 0.5 * (math.hypot(depth, height) - height)
-        self.start = self.before = None
-        self.work = 0.0
+        self.scale = self.weight * 0.5 * (math.hypot(depth, height) - height)
+        self.start, self.before, self.work = None, (0.0, 0.0), 0.0
         __main__._energy_ledger = self
         period = max(1, round(self.sample_s / omega.dt))
         wrapper = engine.load_yade()
@@ -78,27 +79,23 @@ class EnergyLedger:
         ]
 
     def __call__(self):
-        """Take a sample."""
+        """Take a sample; plain floats, since this runs a thousand times a run."""
         t, ground = self.omega.time, self.base.vel[1]
-        velocity = np.array(self.state.vel) - (0.0, ground, 0.0)
-        spin = np.array(self.state.angVel)
-        energy = 0.5 * self.mass * velocity @ velocity + 0.5 * spin @ (self.inertia * spin)
-        energy += self.mass * self.scene.gravity_m_s2 * (self.state.pos[2] - self.height)
-        power = 0.0
-        if self.ground is not None:
-            acceleration = np.interp(
-                t, self.ground.time_s, self.ground.acceleration_m_s2, right=0.0
-            )
-            power = -self.mass * acceleration * velocity[1]
-        for i, wall, times, force in self.walls:
-            # what acts on a wall less what drives it is the contact's push on it
-            pushed = self.omega.forces.f(i)[1] - np.interp(t, times, force, right=0.0)
+        x, y, z = self.state.vel
+        y -= ground
+        energy = 0.5 * self.mass * (x * x + y * y + z * z)
+        energy += self.weight * (self.state.pos[2] - self.height)
+        for moment, rate in zip(self.inertia, self.state.angVel, strict=True):
+            energy += 0.5 * moment * rate * rate
+        power = -self.mass * self.ground(t) * y
+        for i, wall, mass, curve in self.walls:
+            # what acts on a wall less what drives it is the façade's push on it
+            pushed = self.forces.f(i)[1] - mass * curve(t)
             power -= pushed * (wall.vel[1] - ground)
-        if self.before is not None:
-            self.work += 0.5 * (power + self.before[1]) * (t - self.before[0])
-        self.before = t, power
         if self.start is None:
-            self.start = energy
+            self.start, self.before = energy, (t, power)
+        self.work += 0.5 * (power + self.before[1]) * (t - self.before[0])
+        self.before = t, power
         excess = (energy - self.start - self.work) / self.scale
         if self.reason:
             return
@@ -108,4 +105,21 @@ class EnergyLedger:
                 f"at t = {t:.4f} s: numerical failure"
             )
             self.omega.pause()
-        self.excess = max(self.excess, float(excess)) if math.isfinite(excess) else math.inf
+        self.excess = max(self.excess, excess) if math.isfinite(excess) else math.inf
+
+
+class _Curve:
+    """Acceleration of a motion at ascending times [m/s²], linear between samples."""
+
+    def __init__(self, motion):
+        self.time, self.value, self.at = motion.time_s, motion.acceleration_m_s2, 0
+
+    def __call__(self, t):
+        time, value, i = self.time, self.value, self.at
+        while i < len(time) - 2 and time[i + 1] < t:
+            i += 1
+        self.at = i
+        if t >= time[-1]:
+            return float(value[-1])
+        share = (t - time[i]) / (time[i + 1] - time[i])
+        return float(value[i] + share * (value[i + 1] - value[i]))

@@ -19,7 +19,7 @@ import numpy as np
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from yade_scripts import engine, models, perturb, run_ida, simulate
+from yade_scripts import engine, lifeline, memory, models, perturb, run_ida, simulate
 from yade_scripts.journal import Journal, run_key, source_digest, write_atomic
 from yade_scripts.scene import to_json
 
@@ -66,6 +66,7 @@ class Runner:
         self.pga = float(np.max(np.abs(columns["ground"])))
         self.digest = source_digest()
         self.scenes, self.reused, self.count = {}, 0, 0
+        self.ceiling = memory.Ceiling()
 
     def scene(self, extra_nodes, numerics):
         """Scene with so many extra nodes, and the hash of it and of its motions."""
@@ -89,7 +90,9 @@ class Runner:
         if row is None:
             history = run_ida.run_one(scene, self.time_s, self.columns, factor, numerics)
             row = run_ida.as_row(self.job["model"], self.record, self.direction, pga_g, history)
-            self.journal.put(key, row)
+            self.journal.put(key, row, history.reason)
+            if self.ceiling.reached():
+                memory.start_afresh()  # finished runs are in the journal
         else:
             self.reused += 1
         self.count += 1
@@ -182,6 +185,7 @@ def main(argv=None):
         parser.add_argument(f"--{name}", required=True, help=text)
     parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
     args = parser.parse_args(argv)
+    lifeline.follow()
     job = json.loads(Path(args.scene).read_text())
 
     def say(text):

@@ -19,7 +19,7 @@ import numpy as np
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from yade_scripts import engine, ledger, lifeline, models, simulate
+from yade_scripts import engine, ledger, lifeline, memory, models, simulate
 from yade_scripts.intensities import DIGITS, next_intensity
 from yade_scripts.journal import Journal, run_key, source_digest, write_atomic
 from yade_scripts.scene import to_json
@@ -130,7 +130,7 @@ def to_csv(rows):
     return text.getvalue()
 
 
-def analyse(job, time_s, columns, record, direction, journal, say):
+def analyse(job, time_s, columns, record, direction, journal, say, renew=None):
     """Run all intensities the strategy asks for; rows already in the journal are reused.
 
     Parameters
@@ -140,6 +140,8 @@ def analyse(job, time_s, columns, record, direction, journal, say):
     journal : Journal
     say : callable
         Receives one progress line a run.
+    renew : callable, optional
+        Called between runs when this process has grown too large; see `memory`.
 
     Returns
     -------
@@ -160,6 +162,7 @@ def analyse(job, time_s, columns, record, direction, journal, say):
     rows: list[dict] = []
     done: dict[float, str] = {}
     reused = 0
+    ceiling = memory.Ceiling()
     while (pga_g := next_intensity(done, settings)) is not None:
         key = run_key(base_key, pga_g)
         row = journal.get(key)
@@ -170,6 +173,8 @@ def analyse(job, time_s, columns, record, direction, journal, say):
             outcome = f"d/b {row['d_over_b'][:5]}" if row["d_over_b"] else history.reason
             say(f"run {len(rows) + 1}: {pga_g:.3f} g {row['status']}, {outcome} "
                 f"({history.wall_s:.1f} s)")  # fmt: skip
+            if renew is not None and ceiling.reached():
+                renew()
         else:
             reused += 1
         rows.append(row)
@@ -206,7 +211,7 @@ def main(argv=None):
             raise ValueError(f"{args.scene}: beta_s must be finite")
         engine.load_yade()
         rows = analyse(job, time_s, columns, args.record, args.direction,
-                       Journal(args.journal), say)  # fmt: skip
+                       Journal(args.journal), say, memory.start_afresh)  # fmt: skip
         write_atomic(args.output, to_csv(rows))
     except (ValueError, OSError, engine.EngineError) as error:
         print(f"error: {error}", file=sys.stderr)
