@@ -73,10 +73,7 @@ rule table_building_modes:
 
 rule table_building_alternatives:
     input:
-        plans=lambda w: [
-            building_plan(w),
-            *map(beside, cfg(w)["building"]["alternative_plans"]),
-        ],
+        plans=all_plans,
         modules=building_modules(),
     output:
         report(

@@ -21,9 +21,24 @@ def beside(path):
     return str(BASE / path if not path.exists() and (BASE / path).exists() else path)
 
 
+def plan_file(key, path):
+    """A plan file that exists; a missing one ends with one line."""
+    found = beside(path)
+    if not Path(found).exists():
+        stop(f"building.{key}: there is no file '{path}'")
+    return found
+
+
 def building_plan(wildcards):
     """Plan file of a job's run."""
-    return beside(cfg(wildcards)["building"]["plan"])
+    return plan_file("plan", cfg(wildcards)["building"]["plan"])
+
+
+def all_plans(wildcards):
+    """Plan file of a job's run and the alternatives to it."""
+    others = cfg(wildcards)["building"]["alternative_plans"]
+    rest = [plan_file("alternative_plans", path) for path in others]
+    return [building_plan(wildcards), *rest]
 
 
 def is_case_study(wildcards):
