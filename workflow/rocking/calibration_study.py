@@ -21,6 +21,7 @@ END = 3.0  # end of a history after the first impact, in units of 1/p: three reb
 LADDER = 0.85 * np.sqrt(2.0) ** np.arange(-2, 3)
 WHOLE_RANGE = 8  # further β over the study's whole range, for figure 4a
 SENSITIVITY = ((0.11, 1800.0, 0.8 / 0.11), (0.3, 4050.0, 15.0))  # b [m], E [MPa], h/b
+FACADE = (0.375, 1800.0, 17.28)  # the study's façade: softer on its base than any batch's wall
 
 
 def two_block_minimum(config):
@@ -121,8 +122,9 @@ def batch_cases(settings, number):
 def sensitivity_cases(settings):
     """Two walls with one thing changed at a time.
 
-    Role "stiffness" varies what the law describes; role "other" what it leaves out: release,
-    friction, shear stiffness, density, width at the same ratio, and the discretisation.
+    The third is the study's façade, for the law's range. Role "stiffness" varies what the law
+    describes; role "other" what it leaves out: release, friction, shear stiffness, width at the
+    same ratio, and the discretisation.
     """
     cases = []
     for number, (b, e_mpa, slenderness) in enumerate(SENSITIVITY, 1):
@@ -163,6 +165,18 @@ def sensitivity_cases(settings):
                 f"wall {number}: {change}", config, release,
                 beta_grid(config), role=role, change=change, wall=number,
             ))  # fmt: skip
+    b, e_mpa, slenderness = FACADE
+    r = settings["reference_ratio"]
+    for change, ratio, factor in (
+        ("façade", r, 1.0), ("façade, ratio 0.1", 0.1, 1.0), ("façade, ratio 0.5", 0.5, 1.0),
+        ("façade, density ×1.25", r, 1.25),
+    ):  # fmt: skip
+        config = batch_wall(settings, b, e_mpa, slenderness, ratio)
+        config["facade"]["density_kg_m3"] *= factor
+        cases.append(wall_case(
+            f"wall 3: {change}", config, settings["release_ratio"], beta_grid(config),
+            role="stiffness", change=change, wall=3,
+        ))  # fmt: skip
     return cases
 
 

@@ -12,12 +12,15 @@ FORMS = (
     (),
     ("slenderness",),
     ("return_wall_ratio",),
+    ("stiffness_ratio",),
+    ("base_stiffness",),
     ("slenderness", "return_wall_ratio"),
-    ("slenderness", "stiffness_ratio"),
-    ("slenderness", "return_wall_ratio", "stiffness_ratio"),
+    ("slenderness", "base_stiffness"),
+    ("return_wall_ratio", "base_stiffness"),
+    ("slenderness", "return_wall_ratio", "base_stiffness"),
     ("slenderness", "return_wall_ratio", "stiffness_ratio", "base_stiffness"),
 )
-WORTH = 0.10  # a further group has to lower the leave-one-out error by this share
+WORTH = 0.10  # more groups have to lower the leave-one-out error by this share
 COLUMNS = (
     "form", "walls", "parameters", "coefficients", "half_widths_95", "residual_std",
     "loo_error", "chosen",
@@ -32,10 +35,9 @@ def main(job):
     walls = table[[*names, "omega_c_rad_s"]].to_dict("records")
     betas = table.beta_fit_s.to_numpy()
     laws = [calibration.fit_law(walls, betas, form) for form in FORMS]
-    chosen = laws[0]
-    for law in laws[1:]:
-        if law.loo_error < (1.0 - WORTH) * chosen.loo_error:
-            chosen = law
+    least = min(law.loo_error for law in laws)
+    enough = [law for law in laws if (1.0 - WORTH) * law.loo_error <= least]
+    chosen = min(enough, key=lambda law: (len(law.names), law.loo_error))
     rows = []
     for law in laws:
         half = calibration.half_widths(law)

@@ -42,7 +42,9 @@ def panel_runs(axes, cases_path, histories_path, walls, limits):
     axes.plot([], [], "x", c="0.6", label="fewer than three impacts")
     axes.plot([], [], "o", mfc="none", mec="#D55E00", ms=7, label="best fit")
     axes.set(yscale="log", xlabel="h/b [–]", ylabel="β [ms]")
-    axes.legend(loc="lower right", fontsize=6.5)
+    axes.legend(loc="upper left", fontsize=6.5)
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.set_ylim(None, 120.0)
     plt.colorbar(drawn, ax=axes, label="misfit of e$_{exp}$/|e$_{1SR}$| [–]", pad=0.01,
                  extend="max")  # fmt: skip
 
@@ -87,7 +89,10 @@ def main(job):
     axes["b"].plot([], [], "--", c="0.4", lw=0.9, label="eq. 5")
     axes["b"].set(xlabel="h/b [–]", ylabel="best-fitting β [ms]", yscale="log")
     axes["b"].set_title(f"(b) best fits at r = {r0:g}", loc="left")
-    axes["b"].legend(fontsize=6.5)
+    axes["b"].set_ylim(0.5 * axes["b"].get_ylim()[0], None)
+    axes["b"].set_yticks([0.1, 0.2, 0.5, 1.0, 2.0], ["0.1", "0.2", "0.5", "1", "2"])
+    axes["b"].minorticks_off()
+    axes["b"].legend(loc="lower right", ncols=2, fontsize=6.5)
 
     fitted = walls[walls.role.isin(["reference", "ratio"])]
     for ratio, marker in zip(
@@ -107,7 +112,7 @@ def main(job):
     ])  # fmt: skip
     axes["c"].fill_between(x, band[1] * omega, band[2] * omega, color="0.5", alpha=0.15, lw=0)
     axes["c"].plot(x, band[0] * omega, "0.3", label=f"fitted law at r = {r0:g}, 90 % band")
-    axes["c"].set(xlabel="h/b [–]", ylabel="β·ω$_c$ [–]", ylim=(0.0, None))
+    axes["c"].set(xlabel="h/b [–]", ylabel="β·ω$_c$ [–]", ylim=(0.5, 1.45))
     axes["c"].set_title("(c) the same and the other return-wall ratios r, "
                         "ω$_c$ = √(j$_{kn}$r/ρb); colours as in (b)", loc="left")  # fmt: skip
     axes["c"].legend(ncols=4)

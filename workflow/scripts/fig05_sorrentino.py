@@ -50,10 +50,9 @@ def main(job):
                                alpha=0.45, lw=0, label="target" if n == 1 else None)  # fmt: skip
     axes["c"].axhline(wall["e_1sr"], c="k", ls=":", label=f"|e$_{{1SR}}$| = {wall['e_1sr']:.3f}")
     axes["c"].set(xlabel="impact n", ylabel="e$_{exp}$ [–]", xticks=range(1, IMPACTS + 1),
-                  ylim=(0.0, None))  # fmt: skip
-    axes["c"].set_title("(c) restitution (eq. 4); no point where the impact is missing",
-                        loc="left")  # fmt: skip
-    axes["c"].legend(loc="lower left")
+                  ylim=(0.0, 0.9))  # fmt: skip
+    axes["c"].set_title("(c) restitution, eq. 4 (colours as in a)", loc="left")
+    axes["c"].legend(loc="upper right")
     panel_ratio(axes["d"], [wall, *others], facade, calibration.read_law(job.input.law))
     style.save(figure, job.output)
 
@@ -96,7 +95,7 @@ def panel_ratio(axes, walls, facade, law):
     axes.axhspan(0.2, 0.4, color="#56B4E9", alpha=0.15, lw=0)
     axes.set(
         xscale="log", xlabel="return-wall ratio r = total thickness/width [–]", ylabel="β [ms]",
-        ylim=(0.0, None), xticks=list(r), xticklabels=[f"{v:g}" for v in r],
+        ylim=(0.0, 1.3), xticks=list(r), xticklabels=[f"{v:g}" for v in r],
     )  # fmt: skip
     axes.minorticks_off()
     axes.set_title("(d) sensitivity to the widths, which are not stated; blue: 0.2–0.4 ms",
