@@ -1,5 +1,7 @@
 """Which assembly builds the scene of a model, so that entry points need not know."""
 
+import math
+
 from . import facade, interlocking
 
 SINGLE_BLOCK = ("free", "W1", "W1c", "W2", "W2c")
@@ -33,6 +35,24 @@ def numerics(job):
     if job["model"] == "W3":
         section["step_fraction"] = job["w3"]["step_fraction"]
     return section
+
+
+def static_multiplier(job):
+    """Static λ at which the façade starts to turn [-]: b/h, and for W3 with its friction.
+
+    W3: λ0 of the kinematic curve, b/h + N_w Σ F_i y_i/(W h/2) with
+    F_i = μ γ t_s v h_b i at y_i = h − i·h_b above the hinge.
+    """
+    section, wall = job["facade"], job["return_wall"]
+    h, b = section["height_m"], section["thickness_m"]
+    if job["model"] != "W3":
+        return b / h
+    w3 = job["w3"]
+    course = w3["course_height_m"]
+    arms = sum(i * (h - i * course) for i in range(1, round(h / course)))
+    friction = math.tan(math.radians(w3["friction_deg"])) * wall["thickness_m"]
+    moment = wall["count"] * friction * w3["overlap_m"] * course * arms
+    return b / h + moment / (h * b * section["width_m"] * 0.5 * h)
 
 
 def motion_columns(scene, columns):

@@ -150,9 +150,7 @@ def analyse(job, time_s, columns, record, direction, journal, say, renew=None):
     """
     model, settings = job["model"], dict(job["ida"])
     if settings["start_g"] is None:
-        settings["start_g"] = round(
-            0.5 * job["facade"]["thickness_m"] / job["facade"]["height_m"], DIGITS
-        )
+        settings["start_g"] = round(0.5 * models.static_multiplier(job), DIGITS)
     scene, numerics = models.build_scene(job), models.numerics(job)
     columns = models.motion_columns(scene, columns)
     sign = {"pos": 1.0, "neg": -1.0}[direction]

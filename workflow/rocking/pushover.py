@@ -119,11 +119,12 @@ def smoothed(curve, column, width=0.02):
     return (total[high] - total[low]) / np.maximum(high - low, 1)
 
 
-def summary(curve, reach=0.5):
+def summary(curve, reach=0.5, bonded=False):
     """Peak, back-extrapolated λ0 and place between the bounds, up to d/b = `reach`.
 
     λ0 is the largest smoothed λ corrected for the base's compliance: with a rigid base
-    the kinematic curve starts at its largest value.
+    the kinematic curve starts at its largest value. A bonded contact (W1c) has a peak
+    of its own and no λ0.
 
     Returns
     -------
@@ -134,14 +135,15 @@ def summary(curve, reach=0.5):
     """
     part = curve[(curve["d_over_b"] <= reach) & (curve["d_over_b"] >= 0.0)]
     d = part["d_over_b"].to_numpy()
-    raw, corrected = smoothed(part, "lambda_dem"), smoothed(part, "lambda_dem_corrected")
     upper = part["lambda_kinematic"].to_numpy()
     lower = part["lambda_kinematic_lower"].to_numpy()
+    raw = smoothed(part, "lambda_dem") if np.isfinite(lower).all() else part["lambda_dem"]
+    corrected = smoothed(part, "lambda_dem_corrected")
     peak = int(np.argmax(raw))
     settled = d > 0.005  # before that the correction is the whole of the block's λ
-    lambda0 = float(corrected[settled].max())
+    lambda0 = math.nan if bonded else float(corrected[settled].max())
     out = {
-        "lambda_peak": float(raw[peak]), "d_over_b_peak": float(d[peak]),
+        "lambda_peak": float(np.asarray(raw)[peak]), "d_over_b_peak": float(d[peak]),
         "lambda0_dem": lambda0, "lambda0_kinematic": float(upper[0]),
         "ratio": lambda0 / float(upper[0]), "d_over_b_inside": math.nan,
     }  # fmt: skip

@@ -24,6 +24,7 @@ from yade_scripts.interlocking import interlocking_scene
 
 RULE_COLOURS = {"rigid": "#D55E00", "bonded": "#E69F00", "sliding": "#0072B2", "hinged": "#009E73"}
 FILLS = {"façade": "0.85", "header": "#E69F00", "brick": "#56B4E9", "half": "#9ad0ee"}
+SCHEME_D = 0.3
 SHOWN_D = 0.05  # d/b at which the joints are compared
 
 
@@ -65,19 +66,21 @@ def draw_blocks(axis, scene, config, theta=0.0):
             Polygon(shape, fc=FILLS[kind], ec="k", lw=0.4, zorder=2 + (kind == "header"))
         )
     axis.axhline(0.0, color="k", lw=0.8)
-    axis.set(aspect="equal", xlim=(-0.4, 1.35), ylim=(-0.15, h + 0.25), xlabel="y [m]",
-             ylabel="z [m]")  # fmt: skip
+    b = config["facade"]["thickness_m"]
+    axis.set(aspect="equal", xlim=(-0.1 - w3["brick_length_m"], 1.6 * b + SCHEME_D * b),
+             ylim=(-0.15, h + 0.25), xlabel="y [m]")  # fmt: skip
 
 
 def draw_elements(axes, scene, config):
     draw_blocks(axes[0], scene, config)
+    axes[0].set(ylabel="z [m]")
     axes[0].set_title("(a) elements", loc="left")
     for kind, text in (("façade", "façade"), ("header", "header"), ("brick", "return brick"),
                        ("half", "its half brick")):  # fmt: skip
-        axes[0].add_patch(Polygon([[9, 9]] * 3, fc=FILLS[kind], ec="k", lw=0.4, label=text))
-    axes[0].legend(loc="center right", fontsize=6.5)
-    draw_blocks(axes[1], scene, config, theta=float(theta_of(1.0, config["facade"])))
-    axes[1].set_title("(b) scheme at d/b = 1", loc="left")
+        axes[1].add_patch(Polygon([[9, 9]] * 3, fc=FILLS[kind], ec="k", lw=0.4, label=text))
+    draw_blocks(axes[1], scene, config, theta=float(theta_of(SCHEME_D, config["facade"])))
+    axes[1].set_title(f"(b) scheme at d/b = {SCHEME_D:g}", loc="left")
+    axes[1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=6.5)
 
 
 def draw_capacity(axis, curve, config):

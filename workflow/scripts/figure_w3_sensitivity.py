@@ -29,7 +29,9 @@ def main(job):
     y, ticks, labels = 0.0, [], []
     for key, title in GROUPS:
         y -= 0.6
-        axis.text(0.155, y, title, fontsize=7.5, fontweight="bold", va="center")
+        axis.text(
+            0.155, y, title, fontsize=7.5, fontweight="bold", va="center", backgroundcolor="white"
+        )
         rows = table[[group_of(n) == key for n in table["name"]]]
         for _, row in rows.iterrows():
             y -= 1.0

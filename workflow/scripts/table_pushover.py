@@ -11,7 +11,8 @@ from rocking.script import run
 def main(job):
     rows = []
     for path in job.input.curves:
-        rows.append({"case": Path(path).stem, **summary(pd.read_csv(path))})
+        model = Path(path).stem
+        rows.append({"case": model, **summary(pd.read_csv(path), bonded=model.endswith("c"))})
     for scene, raw, forces in zip(job.input.scenes, job.input.raw, job.input.forces, strict=True):
         config = json.loads(Path(scene).read_text())
         row = summary(complete_curve(pd.read_csv(raw), config, "W3"))
