@@ -104,7 +104,7 @@ class EnergyLedger:
                 f"energy from nowhere, {excess:.3g} of what overturns the façade, "
                 f"at t = {t:.4f} s: numerical failure"
             )
-            self.omega.pause()
+            self.omega.stopAtIter = self.omega.iter + 1  # see simulate._Monitor._stop
         self.excess = max(self.excess, excess) if math.isfinite(excess) else math.inf
 
 

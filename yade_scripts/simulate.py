@@ -158,7 +158,9 @@ class _Monitor:
     def _stop(self, status, reason):
         if not self.reason:
             self.status, self.reason = status, reason
-        self.omega.pause()
+        # not pause(): called from the running thread it lets the main thread go on and then
+        # waits for Python, which deadlocks with the next reset()
+        self.omega.stopAtIter = self.omega.iter + 1
 
 
 def run(scene, motions, dt_s, rules, *, sample_s=0.005, node_radius_m=1e-3, full_rotation=False,
