@@ -1,0 +1,136 @@
+"""Every command of the tutorial, README and configuration page is run, at least as a dry run."""
+
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+BIN = Path(sys.executable).parent
+# the same commands on a small workload: two intensities, a coarse step, no perturbed runs
+SMALL = """
+ida: {mode: grid, grid_g: [0.05, 0.9]}
+numerics: {step_fraction: 0.5, after_motion_s: 0}
+ensemble: {enabled: "off"}
+"""
+BLOCK = re.compile(
+    r"^(?P<indent> *)(?:<!-- (?P<mark>\w+) -->\n *)?```sh\n(?P<text>.*?)^ *```$", re.M | re.S
+)
+
+
+def blocks(name):
+    """Shell blocks of a page as (mark, text); a mark is an HTML comment in the line before."""
+    found = []
+    for match in BLOCK.finditer((ROOT / name).read_text("utf-8")):
+        lines = match["text"].splitlines()
+        found.append((match["mark"], "\n".join(x.removeprefix(match["indent"]) for x in lines)))
+    return found
+
+
+def commands(name):
+    """Single commands of a page's blocks, continued lines joined, comments dropped."""
+    out = []
+    for mark, text in blocks(name):
+        if mark is None and name == "docs/tutorial.md":
+            continue  # those are run as they are
+        for line in text.replace("\\\n", " ").splitlines():
+            words = shlex.split(line, comments=True)
+            if words:
+                out.append(words)
+    return out
+
+
+@pytest.fixture(scope="module")
+def clone(tmp_path_factory):
+    """The files that Git knows or would, with this virtual environment, and a small workload."""
+    folder = tmp_path_factory.mktemp("clone") / "rocking-facades"
+    listed = subprocess.run(
+        ["git", "ls-files", "-zco", "--exclude-standard"],
+        cwd=ROOT,
+        capture_output=True,
+        check=False,
+    )
+    if listed.returncode:
+        pytest.skip("not a Git working tree")
+    for name in filter(None, listed.stdout.decode().split("\0")):
+        if (ROOT / name).is_file():  # not one that is deleted here and not yet in Git
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / name, folder / name)
+    (folder / ".venv").symlink_to(BIN.parent)
+    with open(folder / "config/config.yaml", "a") as handle:
+        handle.write(SMALL)
+    return folder
+
+
+def shell(folder, text):
+    return subprocess.run(
+        ["bash", "-euo", "pipefail", "-c", text], cwd=folder, capture_output=True, text=True
+    )
+
+
+@pytest.mark.yade
+@pytest.mark.slow
+def test_tutorial_leads_from_a_clone_to_a_report(clone):
+    """All blocks in order, as a reader types them; installation apart, long ones as dry runs."""
+    marks = [mark for mark, _ in blocks("docs/tutorial.md")]
+    assert marks.count("setup") == 1
+    assert marks.index("setup") == 0
+    for mark, text in blocks("docs/tutorial.md"):
+        if mark == "setup":
+            assert "make setup" in text
+            continue
+        if mark == "dry":
+            text = text.replace(".venv/bin/snakemake", ".venv/bin/snakemake -n")
+        done = shell(clone, text)
+        assert done.returncode == 0, f"{text}\n{done.stdout[-1500:]}{done.stderr[-1500:]}"
+        if "as it should be" in text:
+            assert "did you mean 'facade.height_m'?" in done.stderr
+            assert "refused, as it should be" in done.stdout
+    results = clone / "results"
+    for path in (
+        "first/figures/fig09_ida.png", "my_facade/figures/fig09_ida.png",
+        "my_record/figures/record_MINE.png", "my_record/figures/fig09_ida.png",
+    ):  # fmt: skip
+        assert (results / path).stat().st_size > 10_000, path
+    assert "facade:\n  height_m: 5.2\n" in (results / "my_record/config.yaml").read_text()
+    report = (clone / "my_report.html").read_text()
+    assert "record_MINE.png" in report
+    assert "my_record.txt" in report
+
+
+def test_install_is_a_target_of_make():
+    for words in commands("README.md") + commands("docs/tutorial.md"):
+        if words[0] == "make":
+            done = subprocess.run([*words, "-n"], cwd=ROOT, capture_output=True, text=True)
+            assert done.returncode == 0, f"{words}: {done.stderr}"
+
+
+def snakemake_lines(name):
+    """Snakemake commands of a page that need no results, without doubles."""
+    lines = {}
+    for words in commands(name):
+        if Path(words[0]).name == "snakemake" and "--report" not in words:
+            lines[shlex.join(words[1:])] = words[1:]
+    return list(lines.values())
+
+
+PAGES = [(name, words) for name in ("README.md", "config/README.md")
+         for words in snakemake_lines(name)]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "words"), PAGES, ids=[shlex.join(w)[:60] for _, w in PAGES])
+def test_command_of_a_page_plans_jobs(clone, name, words):
+    """Each Snakemake command of the pages is accepted and finds its jobs."""
+    (clone / "motion.txt").write_text("0.0\n0.1\n-0.2\n0.1\n0.0\n")
+    (clone / "my_records.tsv").write_text(
+        "record\tfile\tformat\tdt_s\tunits\nMINE\tmotion.txt\t\t0.01\tg\n"
+    )
+    done = subprocess.run(
+        [str(BIN / "snakemake"), "-n", *words], cwd=clone, capture_output=True, text=True
+    )
+    assert done.returncode == 0, f"{name}: {shlex.join(words)}\n{done.stderr[-1500:]}"
+    assert "Job stats" in done.stdout + done.stderr
