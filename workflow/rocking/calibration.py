@@ -36,6 +36,13 @@ class RangeWarning(UserWarning):
     """β was asked for outside the range in which its law was fitted."""
 
 
+def joint_stiffness(config: Mapping) -> tuple[float, float]:
+    """jkn of base and return walls [Pa/m]: as stated, else E/h and E/L, L = h/2 unless stated."""
+    facade, wall = config["facade"], config["return_wall"]
+    e_pa, h = facade["e_mpa"] * 1e6, facade["height_m"]
+    return facade["base_stiffness_pa_m"] or e_pa / h, e_pa / (wall["length_m"] or 0.5 * h)
+
+
 def groups(config: Mapping) -> dict[str, float]:
     """Dimensionless groups of a façade, by name, and its contact frequency `omega_c_rad_s`.
 
@@ -56,9 +63,7 @@ def groups(config: Mapping) -> dict[str, float]:
     """
     facade, wall = config["facade"], config["return_wall"]
     h, b, density = facade["height_m"], facade["thickness_m"], facade["density_kg_m3"]
-    e_pa = facade["e_mpa"] * 1e6
-    base = facade["base_stiffness_pa_m"] or e_pa / h
-    back = e_pa / (wall["length_m"] or 0.5 * h)
+    base, back = joint_stiffness(config)
     ratio = wall["count"] * wall["thickness_m"] / facade["width_m"]
     return {
         "slenderness": h / b,

@@ -6,8 +6,7 @@ import math
 
 import numpy as np
 
-from rocking import closed_forms
-from rocking.calibration import groups
+from rocking import calibration, closed_forms
 from rocking.config import resolve
 from rocking.restitution import IMPACTS, TARGETS, e_exp, e_one_sided, misfit, rebounds
 from yade_scripts.quadrature import gauss_lobatto
@@ -15,7 +14,7 @@ from yade_scripts.scene import Block, NodeList, Scene, box_inertia
 from yade_scripts.stiffness import modes
 
 SECTIONS = ("facade", "return_wall", "smdof", "numerics")
-END = 3.0  # end of a history after the first impact, in units of 1/p: three rebounds are over
+END = 3.0  # end of a history after the first fall, in units of 1/p: three rebounds are over
 # β at which every wall is run, over 1/ω_c (see `calibration.groups`): around the fits, which lie
 # at 0.6 to 1.1; a fit that comes to lie at an end is marked
 LADDER = 0.85 * np.sqrt(2.0) ** np.arange(-2, 3)
@@ -59,7 +58,7 @@ def single_block_maximum(config):
 
 def beta_grid(config, whole_range=False):
     """β at which a wall is run [s], ascending: the ladder, and the study's range if asked for."""
-    betas = LADDER / groups(config)["omega_c_rad_s"]
+    betas = LADDER / calibration.groups(config)["omega_c_rad_s"]
     if whole_range:
         ends = two_block_minimum(config), single_block_maximum(config)
         betas = np.concatenate([betas, np.geomspace(*ends, WHOLE_RANGE)])
@@ -70,14 +69,21 @@ def wall_case(name, config, release_ratio, betas, *, end=END, **about):
     """One case of `run_free_rocking`, with what the tables say about it."""
     facade = config["facade"]
     p = closed_forms.block(facade["height_m"], facade["thickness_m"]).p_rad_s
-    first = closed_forms.quarter_period(release_ratio, p)
+    base = calibration.joint_stiffness(config)[0]
+    # on a soft base a small rebound is half a swing of the block on its springs, about its foot
+    # at half the frequency of the rotation about its centre, however low the rebound
+    swing = 2.0 * math.pi / closed_forms.base_rocking_frequency(
+        facade["height_m"], facade["thickness_m"], facade["density_kg_m3"],
+        base * facade["height_m"],
+    )  # fmt: skip
+    limit = closed_forms.quarter_period(release_ratio, p) + end / p + IMPACTS * swing
     return {
         "id": name,
         "config": {key: config[key] for key in SECTIONS},
         "model": "W1",
         "release_ratio": release_ratio,
         "beta_s": list(betas),
-        "limit_s": float(f"{first + end / p:.6g}"),
+        "limit_s": float(f"{limit:.6g}"),
         "about": about,
     }
 

@@ -118,12 +118,13 @@ rule fig06_shawa:
 
 
 # What the choice of the law changes in an IDA.
-CHOICES = [
-    (m, d, law)
-    for m in ("W1", "W2")
-    for d in ("pos", "neg")
-    for law in ("eq5", "fitted")
-]
+def choices(run):
+    return [
+        (model, direction, law)
+        for model in ("W1", "W2")
+        for direction in RUNS[run]["directions"]
+        for law in ("eq5", "fitted")
+    ]
 
 
 rule damping_choice_scene:
@@ -174,11 +175,11 @@ rule damping_choice:
     input:
         scenes=lambda w: [
             f"results/{w.run}/calibration/choice/{m}_{law}.json"
-            for m, _, law in CHOICES
+            for m, _, law in choices(w.run)
         ],
         ida=lambda w: [
             f"results/{w.run}/calibration/choice/{m}_{d}_{law}.csv"
-            for m, d, law in CHOICES
+            for m, d, law in choices(w.run)
         ],
         style=STYLE,
     output:
