@@ -5,6 +5,7 @@ acceleration of the ground and of the façade's base, to express intensities in 
 """
 
 import json
+import math
 
 import numpy as np
 from rocking.records import G_M_S2, read_csv
@@ -18,9 +19,15 @@ def main(job):
     period_s, below = float(job.wildcards.t1), int(job.wildcards.below)
     record = read_csv(job.input.record)
     n = chain["n_dof"]
+    damping_ratio = chain["damping_ratio"]
+    # floors that still move when the motion ends would leave the façade's supports on the way
+    # apart: free vibration until a thousandth is left, which a long period needs more time for
+    tail_s = chain["tail_s"]
+    if damping_ratio > 0.0:
+        tail_s = max(tail_s, math.log(1000.0) * period_s / (2.0 * math.pi * damping_ratio))
     motion = floor_motions(
-        record.acceleration_m_s2, record.dt_s, below + n, period_s, chain["damping_ratio"],
-        chain["damping_model"], tail_s=chain["tail_s"],
+        record.acceleration_m_s2, record.dt_s, below + n, period_s, damping_ratio,
+        chain["damping_model"], tail_s=tail_s,
     )  # fmt: skip
     levels = np.vstack([motion.ground_m_s2, motion.floors_m_s2])[below:]
     names = ["time_s", "ground_m_s2"] + [f"floor{j}_m_s2" for j in range(1, n + 1)]
