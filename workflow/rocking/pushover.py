@@ -113,7 +113,7 @@ def smoothed(curve, column, width=0.02):
     d, value = curve["d_over_b"].to_numpy(), curve[column].to_numpy()
     total = np.concatenate(([0.0], np.cumsum(value)))
     # at least the neighbours, at most the window; symmetric near the start
-    half = np.minimum(0.5 * width, np.maximum(d - d[0], 0.0))
+    half = np.minimum(0.5 * width, np.maximum(d - d[0], 0.0)) + 1e-9
     low = np.searchsorted(d, d - half, side="left")
     high = np.searchsorted(d, d + half, side="right")
     return (total[high] - total[low]) / np.maximum(high - low, 1)

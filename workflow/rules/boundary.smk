@@ -101,3 +101,24 @@ rule animation_collapse:
         config=params_of("facade", "return_wall", "w3", "pictures"),
     script:
         "../scripts/animation_collapse.py"
+
+
+rule table_claims:
+    input:
+        collapse="results/{run}/tables/ida_collapse.csv",
+        facts=record_facts,
+        pushover=lambda w: (
+            ["results/{run}/pushover/W3.csv"] if "W3" in cfg(w)["models"] else []
+        ),
+        modules=module("workflow/rocking/claims.py", "workflow/rocking/pushover.py"),
+    output:
+        report(
+            "results/{run}/tables/claims.csv",
+            caption=caption("table_claims"),
+            category="Boundary conditions",
+            labels={"table": "claims of the study"},
+        ),
+    log:
+        "results/{run}/logs/table_claims.log",
+    script:
+        "../scripts/table_claims.py"

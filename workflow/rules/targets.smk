@@ -55,6 +55,12 @@ def sensitivity_tables(run):
     ]
 
 
+def static_curves(run):
+    """Pushover curves behind Figure 9: of the models that have one of their own."""
+    models = [m for m in ("W1", "W1c", "W3") if m in RUNS[run]["models"]]
+    return [f"results/{run}/pushover/{m}.csv" for m in models]
+
+
 def yade_modules():
     """Modules of every run inside YADE."""
     return module(

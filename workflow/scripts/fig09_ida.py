@@ -1,4 +1,4 @@
-"""Figure 9: IDA curves of every model, a panel a record and direction, pushover in grey."""
+"""Figure 9: IDA curves of every model, a panel a record and direction, static capacity in grey."""
 
 import json
 from pathlib import Path
@@ -9,6 +9,7 @@ import pandas as pd
 from rocking import style
 from rocking.ensemble import bands
 from rocking.ida import branches, curve_key, read_curve
+from rocking.pushover import smoothed
 from rocking.script import run
 
 
@@ -17,6 +18,20 @@ def rigid_pushover(h, b):
     alpha = np.arctan2(b, h)
     theta = np.linspace(0.0, alpha, 50)
     return h * np.sin(theta) / b, np.tan(alpha - theta)
+
+
+GREY_LINES = {"W1": "-", "W1c": ":", "W3": "--"}
+
+
+def draw_pushover(axis, path, h, b):
+    """Static curve of a model in grey; without a table, the rigid block's."""
+    if path is None:
+        axis.plot(*rigid_pushover(h, b), color=style.GREY, lw=2, label="pushover, rigid block")
+        return
+    curve, model = pd.read_csv(path), Path(path).stem
+    value = smoothed(curve, "lambda_dem") if model == "W3" else curve["lambda_dem"]
+    axis.plot(curve["d_over_b"], value, color=style.GREY, lw=1.6, ls=GREY_LINES[model],
+              label=f"pushover {model}", zorder=1)  # fmt: skip
 
 
 def draw(axis, curve, model):
@@ -59,13 +74,12 @@ def main(job):
     figure, axes = plt.subplots(
         *shape, figsize=(max(5.0, 3.5 * shape[1]), 0.9 + 2.0 * shape[0]), squeeze=False, sharex=True
     )
-    d_push, lambda_push = rigid_pushover(facade["height_m"], facade["thickness_m"])
+    pushovers = list(getattr(job.input, "pushover", [])) or [None]
     for i, record in enumerate(p.records):
         for j, direction in enumerate(p.directions):
             axis = axes[i, j]
-            axis.plot(
-                d_push, lambda_push, color=style.GREY, lw=2, label="pushover of the rigid block"
-            )
+            for path in pushovers:
+                draw_pushover(axis, path, facade["height_m"], facade["thickness_m"])
             for ensemble in ensembles:
                 if curve_key(ensemble)[1:] == (record, direction):
                     draw_band(axis, ensemble, p.percentiles)
@@ -82,7 +96,7 @@ def main(job):
     for axis in axes[-1]:
         axis.set_xlabel("peak top displacement d/b [-]")
     handles, labels = axes[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=len(labels))
+    figure.legend(handles, labels, loc="outside upper center", ncols=min(len(labels), 5))
     style.save(figure, job.output)
 
 

@@ -5,15 +5,16 @@ from pathlib import Path
 
 import pandas as pd
 from rocking.claims import table
+from rocking.pushover import summary
 from rocking.script import run
 
 
 def main(job):
     facts = [json.loads(Path(path).read_text()) for path in job.input.facts]
-    pushover = pd.read_csv(job.input.pushover) if getattr(job.input, "pushover", None) else None
-    peaks = {} if pushover is None else dict(
-        zip(pushover["case"], pushover["lambda_peak"], strict=True)
-    )  # fmt: skip
+    peaks = {
+        Path(path).stem: summary(pd.read_csv(path))["lambda_peak"]
+        for path in getattr(job.input, "pushover", [])
+    }
     claims = table(pd.read_csv(job.input.collapse), peaks, {f["name"]: f["source"] for f in facts})
     claims.to_csv(job.output[0], index=False, lineterminator="\n")
 
