@@ -1,41 +1,7 @@
 # Calibration of β: free-rocking study, its law, both validations, an own wall.
-import yaml
 
 
-def study(run):
-    return RUNS[run]["calibration"]
-
-
-def study_groups(run):
-    count = len(study(run)["thickness_m"]) * len(study(run)["e_mpa"])
-    return [
-        *(f"batch{i}" for i in range(1, count + 1)),
-        "sensitivity",
-        "free_rocking_wall",
-    ]
-
-
-def beside(path):
-    """A file of the configuration: as given, or beside the Snakefile if it is not found there."""
-    near = BASE / path
-    return str(near if not Path(path).exists() and near.exists() else path)
-
-
-def group_files(pattern, groups=None):
-    return lambda w: [
-        pattern.format(run=w.run, group=group)
-        for group in groups or study_groups(w.run)
-    ]
-
-
-CASES = "results/{run}/calibration/cases_{group}.json"
-HISTORIES = "results/{run}/calibration/histories_{group}.npz"
-STUDY_MODULES = module(
-    "workflow/rocking/restitution.py",
-    "workflow/rocking/calibration.py",
-    "workflow/rocking/calibration_study.py",
-    "workflow/rocking/closed_forms.py",
-)
+include: "calibration_targets.smk"
 
 
 rule calibration_cases:
@@ -188,21 +154,6 @@ rule wall_beta:
         config=params_of("calibration", "facade", "return_wall"),
     script:
         "../scripts/calibrate_wall.py"
-
-
-def calibration_results(run):
-    tables = [
-        "free_rocking",
-        "beta_fit",
-        "beta_walls",
-        "beta_regression",
-        "shake_table",
-    ]
-    figures = ["fig04_calibration", "fig05_sorrentino", "fig06_shawa", "damping_choice"]
-    return [
-        *(f"results/{run}/tables/{name}.csv" for name in tables),
-        *(f"results/{run}/figures/{name}.png" for name in figures),
-    ]
 
 
 # `snakemake calibration`: the whole study.

@@ -27,15 +27,6 @@ rule fig05_sorrentino:
         "../scripts/fig05_sorrentino.py"
 
 
-def shake_table_files(wildcards):
-    """Record files of the shake-table motions; none for surrogates."""
-    try:
-        rows = read_table(beside(study(wildcards.run)["shake_table_records"]))
-    except RecordError as error:
-        stop(error)
-    return [row.path for row in rows.values() if row.path]
-
-
 rule shake_table_tests:
     input:
         wall=lambda w: beside(study(w.run)["shake_table_wall"]),
@@ -118,15 +109,6 @@ rule fig06_shawa:
 
 
 # What the choice of the law changes in an IDA.
-def choices(run):
-    return [
-        (model, direction, law)
-        for model in ("W1", "W2")
-        for direction in RUNS[run]["directions"]
-        for law in ("eq5", "fitted")
-    ]
-
-
 rule damping_choice_scene:
     input:
         law="results/{run}/calibration/beta_law.json",
