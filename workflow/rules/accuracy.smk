@@ -147,9 +147,30 @@ rule accuracy_reference:
         "../scripts/accuracy_reference.py"
 
 
+# Optional: needs requirements-engines.in.
+rule accuracy_engine:
+    input:
+        plan="results/{run}/accuracy/plan.json",
+        modules=module("yade_scripts/facade.py", "yade_scripts/stiffness.py"),
+    output:
+        "results/{run}/accuracy/engine_{engine}.csv",
+    log:
+        "results/{run}/logs/accuracy_engine_{engine}.log",
+    wildcard_constraints:
+        engine="mujoco",
+    script:
+        "../scripts/engine_{wildcards.engine}.py"
+
+
 rule speed_accuracy:
     input:
-        runs="results/{run}/accuracy/runs.csv",
+        runs=lambda w: [
+            f"results/{w.run}/accuracy/runs.csv",
+            *(
+                f"results/{w.run}/accuracy/engine_{engine}.csv"
+                for engine in cfg(w)["accuracy"]["engines"]
+            ),
+        ],
         reference="results/{run}/accuracy/reference.csv",
         modules=module("workflow/rocking/accuracy.py"),
     output:

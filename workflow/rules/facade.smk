@@ -4,8 +4,11 @@
 rule scene:
     input:
         modules=module(
-            "workflow/rocking/calibration.py", "workflow/rocking/closed_forms.py"
+            "workflow/rocking/accuracy.py",
+            "workflow/rocking/calibration.py",
+            "workflow/rocking/closed_forms.py",
         ),
+        fidelity=str(BASE / "config" / "fidelity.yaml"),
     output:
         "results/{run}/scenes/{model}.json",
     log:
