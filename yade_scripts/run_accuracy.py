@@ -36,7 +36,7 @@ METHODS = ("default", "nodes and step", "lag not compensated", "python drive", "
 
 
 def with_nodes(job, nodes):
-    """Copy of a scene file with n nodes along each return wall, 2n − 1 at the base; None: its own."""
+    """Copy of a scene file with n nodes a return wall, 2n − 1 at the base; None: its own."""
     if nodes is None:
         return job
     numerics = {**job["numerics"], "nodes_thickness": 2 * nodes - 1, "nodes_height": nodes,
