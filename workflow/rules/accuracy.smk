@@ -46,7 +46,7 @@ def accuracy_results(run):
 
 rule accuracy:
     input:
-        per_run(accuracy_results),
+        with_pages(per_run(accuracy_results)),
 
 
 rule stability:
@@ -76,7 +76,7 @@ rule figure_stability:
             "results/{run}/figures/stability.png",
             caption=caption("stability"),
             category="Accuracy and stability",
-            labels={"figure": "critical step"},
+            labels={"run": "{run}", "result": "critical step"},
         ),
         pdf="results/{run}/figures/stability.pdf",
     log:
@@ -178,7 +178,7 @@ rule speed_accuracy:
             "results/{run}/tables/speed_accuracy.csv",
             caption=caption("speed_accuracy"),
             category="Accuracy and stability",
-            labels={"table": "speed against accuracy"},
+            labels={"run": "{run}", "result": "speed against accuracy (CSV)"},
         ),
         fidelity="results/{run}/accuracy/fidelity.yaml",
     log:
@@ -199,7 +199,7 @@ rule figure_speed_accuracy:
             "results/{run}/figures/speed_accuracy.png",
             caption=caption("speed_accuracy"),
             category="Accuracy and stability",
-            labels={"figure": "speed against accuracy"},
+            labels={"run": "{run}", "result": "speed against accuracy"},
         ),
         pdf="results/{run}/figures/speed_accuracy.pdf",
     log:
@@ -234,7 +234,7 @@ rule figure_chaos:
             "results/{run}/figures/chaos.png",
             caption=caption("chaos"),
             category="Accuracy and stability",
-            labels={"figure": "perturbed ensembles"},
+            labels={"run": "{run}", "result": "perturbed ensembles"},
         ),
         pdf="results/{run}/figures/chaos.pdf",
     log:

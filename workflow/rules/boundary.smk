@@ -72,7 +72,7 @@ rule fig07_models:
             "results/{run}/figures/fig07_models.png",
             caption=caption("fig07"),
             category="Boundary conditions",
-            labels={"figure": "7: the five models"},
+            labels={"run": "{run}", "result": "7: the five models"},
         ),
         pdf="results/{run}/figures/fig07_models.pdf",
     log:
@@ -93,7 +93,7 @@ rule animation_collapse:
             "results/{run}/figures/collapse_{model}.gif",
             caption=caption("animation"),
             category="Boundary conditions",
-            labels={"figure": "collapse of {model}"},
+            labels={"run": "{run}", "result": "collapse of {model}"},
         ),
     log:
         "results/{run}/logs/animation_{model}.log",
@@ -116,7 +116,7 @@ rule table_claims:
             "results/{run}/tables/claims.csv",
             caption=caption("table_claims"),
             category="Boundary conditions",
-            labels={"table": "claims of the study"},
+            labels={"run": "{run}", "result": "claims of the study (CSV)"},
         ),
     log:
         "results/{run}/logs/table_claims.log",

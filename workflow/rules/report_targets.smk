@@ -39,16 +39,17 @@ REPORT_TABLES = {
         "Collapse PGA with floor motions over that with the ground motion everywhere. Censored: one"
         " of the two never collapsed, and the ratio is not used.",
     ),
-    "building_modes": (
-        "Building",
-        "periods beside the study's",
-        "Periods and effective mass ratios of the lowest modes, with the study's periods where the"
-        " mode corresponds to one.",
+    "claims": (
+        "Beside the study",
+        "claims of the study",
+        "What the study says about boundary conditions beside what this run measured. Collapse"
+        " intensities are the middle of their bracket, or the ensemble's median where one was run.",
     ),
-    "wme": (
-        "Building",
-        "2: weighted mean error beside the study's",
-        "Weighted mean error (eq. 1) of equal chains against SBDEM, with Table 2 of the study.",
+    "building_modes": (
+        "Beside the study",
+        "periods of the building",
+        "Periods and effective mass ratios of the lowest modes, with the study's periods where the"
+        " mode corresponds to one. Only the floor load was fitted, to the period of CBDEM along y.",
     ),
     "building_alternatives": (
         "Building",
@@ -56,15 +57,36 @@ REPORT_TABLES = {
         "The four periods that the study gives, for the plan in use and for others that its text"
         " allows.",
     ),
+    "wme": (
+        "Beside the study",
+        "2: weighted mean error of chains",
+        "Weighted mean error (eq. 1) of equal chains against SBDEM, with Table 2 of the study.",
+    ),
     "beta_fit": (
-        "Calibration of the damping",
-        "best-fitting β beside eq. 5",
+        "Beside the study",
+        "best-fitting β and eq. 5",
         "β whose rebounds come closest to the observed ones, beside eq. 5 of the study.",
     ),
-    "claims": (
-        "The study beside these results",
-        "claims",
-        "What the study states, and what was measured here.",
+    "free_rocking": (
+        "Calibration of the damping",
+        "rebounds and e_exp",
+        "Time of each of the first three impacts, the rotation |θn|/α reached after it, and e_exp"
+        " (eq. 4) beside |e_1SR| (eq. 3). A blank row is an impact without a rebound.",
+    ),
+    "pushover": (
+        "Boundary conditions",
+        "static capacities",
+        "Static capacities as pushed in YADE, beside the kinematic values.",
+    ),
+    "speed_accuracy": (
+        "Accuracy and stability",
+        "speed against accuracy",
+        "Error against a converged reference and speed, by scene, method, nodes and step.",
+    ),
+    "stability": (
+        "Accuracy and stability",
+        "critical step",
+        "Whether a step is stable by prediction and as observed, on both sides of the critical one.",
     ),
 }
 
