@@ -97,9 +97,12 @@ def test_tutorial_leads_from_a_clone_to_a_report(clone):
     ):  # fmt: skip
         assert (results / path).stat().st_size > 10_000, path
     assert "facade:\n  height_m: 5.2\n" in (results / "my_record/config.yaml").read_text()
+    provenance = (results / "my_record/report/provenance.html").read_text()
+    assert "my_record.txt" in provenance
+    assert "sha256: " in provenance
     report = (clone / "my_report.html").read_text()
-    assert "record_MINE.png" in report
-    assert "my_record.txt" in report
+    for name in ("figures/record_MINE.png", "figures/fig09_ida.png", "report/provenance.html"):
+        assert f"results/my_record/{name}" in report, name
 
 
 def test_install_is_a_target_of_make():

@@ -21,10 +21,10 @@ def main(job):
     n = chain["n_dof"]
     damping_ratio = chain["damping_ratio"]
     # floors that still move when the motion ends would leave the façade's supports on the way
-    # apart: free vibration until a thousandth is left, which a long period needs more time for
+    # apart: free vibration until a ten-thousandth is left, for which a long period needs more time
     tail_s = chain["tail_s"]
     if damping_ratio > 0.0:
-        tail_s = max(tail_s, math.log(1000.0) * period_s / (2.0 * math.pi * damping_ratio))
+        tail_s = max(tail_s, math.log(1e4) * period_s / (2.0 * math.pi * damping_ratio))
     motion = floor_motions(
         record.acceleration_m_s2, record.dt_s, below + n, period_s, damping_ratio,
         chain["damping_model"], tail_s=tail_s,
