@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = Path(sys.executable).parent / "snakemake"
 PARTS = ("Snakefile", "profiles", "workflow", "yade_scripts", "smdof", "config")
 STUDY = "study.yaml"  # in the workspace, a copy of the one given to `fill`
-OVERVIEW = ("tables/ida_collapse.csv", "tables/records.csv", "figures/fig09_ida.png")
+OVERVIEW = ("tables/ida_collapse.csv", "tables/records.csv")
 RESULTS = "results/trial"
 NOT_COMPARED = "wall_s"  # the one column that is a measurement of this run, not of the façade
 
@@ -25,6 +25,12 @@ class Workspace:
     def __init__(self, folder):
         """Name the folder; `fill` or `copy_of` puts the workflow there."""
         self.folder = Path(folder)
+        self.mounts = []  # mounted by a fault, newest last
+
+    def unmount(self):
+        """Undo the mounts of a fault."""
+        while self.mounts:
+            subprocess.run(["umount", "-l", str(self.mounts.pop())], check=True)
 
     def fill(self, study=ROOT / "tests" / "faults" / "study.yaml"):
         """Copy a study and the files of the workflow that it needs; return the workspace."""
@@ -49,15 +55,17 @@ class Workspace:
     def command(self, *more, targets=OVERVIEW, cores=2):
         """Command line of the study; the same before and after a fault."""
         files = [f"{RESULTS}/{name}" for name in targets]
-        return [str(SNAKEMAKE), *files, "--cores", str(cores), "--configfile", STUDY, *more]
+        more = more if "--cores" in more else ("--cores", str(cores), *more)
+        return [str(SNAKEMAKE), *files, "--configfile", STUDY, *more]
 
     def start(self, *more, prefix=(), log="run.log", **options):
         """Start the study in a session of its own; return the process."""
-        targets = options.pop("targets", OVERVIEW)
+        targets, extra = options.pop("targets", OVERVIEW), options.pop("extra", {})
         with open(self.folder.parent / f"{self.folder.name}-{log}", "w") as handle:
             return subprocess.Popen(
                 [*prefix, *self.command(*more, targets=targets)], cwd=self.folder, stdout=handle,
-                stderr=subprocess.STDOUT, start_new_session=True, env=environment(), **options,
+                stderr=subprocess.STDOUT, start_new_session=True,
+                env=environment(self.folder) | extra, **options,
             )  # fmt: skip
 
     def run(self, *more, log="run.log", **options):
@@ -122,9 +130,14 @@ class Workspace:
         ]
 
 
-def environment():
-    """Environment of a run: none of the settings of a run this one may be part of."""
-    return {k: v for k, v in os.environ.items() if not k.startswith(("ROCKING_", "SNAKEMAKE"))}
+def environment(folder=ROOT):
+    """Environment of a run of the workflow in `folder`.
+
+    Its packages come from there and not from where the virtual environment points to; settings
+    of a run that this one may be part of are left out.
+    """
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("ROCKING_", "SNAKEMAKE"))}
+    return kept | {"PYTHONPATH": f"{folder}:{folder}/workflow"}
 
 
 def comparable(path):

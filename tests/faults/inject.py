@@ -1,0 +1,198 @@
+"""Faults: each disturbs one run of the study in a workspace and says what it did.
+
+A fault is a function of (space, rng, seconds): a workspace ready to run, a seeded random
+generator, and how long an undisturbed run takes. It starts the study itself, breaks
+something at a random moment, waits until that run is over, and returns a short text.
+"""
+
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import time
+
+from .workspace import RESULTS, wait_until
+
+PATIENCE_S = 900.0  # longest wait for a disturbed run
+
+
+def _moment(process, rng, seconds):
+    """Wait for a random moment of a run; return it [s]."""
+    moment = rng.uniform(0.0, seconds)
+    end = time.monotonic() + moment
+    while time.monotonic() < end and process.poll() is None:
+        time.sleep(0.02)
+    return moment
+
+
+def _ended(process):
+    status = process.wait(PATIENCE_S)
+    return f"exit {status}"
+
+
+def _kill_run(number, whole_group):
+    def fault(space, rng, seconds):
+        process = space.start()
+        moment = _moment(process, rng, seconds)
+        if process.poll() is None:
+            (os.killpg if whole_group else os.kill)(process.pid, number)
+        return f"at {moment:.1f} s, {_ended(process)}"
+
+    return fault
+
+
+def _kill_job(number, word):
+    def fault(space, rng, seconds):
+        process = space.start()
+        wait = rng.uniform(0.0, 4.0)
+        jobs = wait_until(lambda: space.jobs(word) or process.poll() is not None, PATIENCE_S)
+        time.sleep(wait)
+        jobs = space.jobs(word)
+        victim = rng.choice(sorted(jobs)) if jobs else None
+        if victim:
+            try:
+                os.kill(victim, number)
+            except ProcessLookupError:
+                victim = None
+        what = f"{wait:.1f} s after it started" if victim else "had ended by itself"
+        return f"{what}, {_ended(process)}"
+
+    return fault
+
+
+def _first_error(space):
+    lines = [line.strip() for line in space.output().splitlines()]
+    said = [line for line in lines if line.startswith("error:") or "No space" in line]
+    return (said or [""])[0][:100]
+
+
+def full_disk(space, rng, seconds):
+    """The whole workspace on a disk that fills up; room is made afterwards."""
+    used = int(subprocess.run(["du", "-sk", str(space.folder)], capture_output=True, text=True,
+                              check=True).stdout.split()[0])  # fmt: skip
+    room = rng.randint(40, 3000)
+    size = f"size={used + room}k"
+    kept = space.folder.with_name(space.folder.name + "-kept")
+    space.folder.rename(kept)
+    space.folder.mkdir()
+    subprocess.run(["mount", "-t", "tmpfs", "-o", f"{size},mode=755", "tmpfs", str(space.folder)],
+                   check=True)  # fmt: skip
+    space.mounts.append(space.folder)
+    subprocess.run(["cp", "-a", f"{kept}/.", str(space.folder)], check=True)
+    shutil.rmtree(kept)
+    status = space.start().wait(PATIENCE_S)
+    subprocess.run(["mount", "-o", "remount,size=512m", str(space.folder)], check=True)
+    return f"{room} kB left, exit {status}, {_first_error(space)}"
+
+
+def file_limit(space, rng, seconds):
+    """No file may grow beyond a limit, as with a quota."""
+    limit = rng.choice([0, 200, 2_000, 20_000, 200_000, 2_000_000])
+
+    def restrict():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+
+    status = space.start(preexec_fn=restrict).wait(PATIENCE_S)
+    return f"files up to {limit} B, exit {status}, {_first_error(space)}"
+
+
+def read_only(space, rng, seconds):
+    """The results become read-only at a random moment, and writable again afterwards."""
+    top = space.folder / RESULTS
+    top.mkdir(parents=True, exist_ok=True)
+    moment = rng.choice([0.0, rng.uniform(0.0, seconds)])
+    process = space.start() if moment else None
+    time.sleep(moment)
+    if os.geteuid() == 0:  # permissions do not stop root; a mount does
+        subprocess.run(["mount", "--bind", str(top), str(top)], check=True)
+        space.mounts.append(top)
+        subprocess.run(["mount", "-o", "remount,ro,bind", str(top)], check=True)
+    else:
+        subprocess.run(["chmod", "-R", "a-w", str(top)], check=True)
+    status = (process or space.start()).wait(PATIENCE_S)
+    if os.geteuid() == 0:
+        space.unmount()
+    else:
+        subprocess.run(["chmod", "-R", "u+w", str(top)], check=True)
+    return f"from {moment:.1f} s, exit {status}, {_first_error(space)}"
+
+
+def two_at_once(space, rng, seconds):
+    """The same command twice in the same folder."""
+    first = space.start()
+    wait = rng.choice([0.0, rng.uniform(0.0, seconds)])
+    time.sleep(wait)
+    second = space.start(log="second.log")
+    statuses = sorted([first.wait(PATIENCE_S), second.wait(PATIENCE_S)])
+    refused = any("another run works in" in space.output(log) for log in ("run.log", "second.log"))
+    assert statuses[0] == 0, f"neither of two runs completed: exits {statuses}"
+    assert refused or statuses == [0, 0], f"exits {statuses} without a word why"
+    return f"second {wait:.1f} s later, {'refused in one line' if refused else 'both completed'}"
+
+
+def clock(space, rng, seconds):
+    """Half of the run under one clock; the files' times then moved, past and future."""
+    shift = rng.choice(["-400d", "-1d", "-2h", "+2h", "+1d"])
+    process = space.start(prefix=("faketime", "-f", shift) if shutil.which("faketime") else ())
+    moment = _moment(process, rng, seconds)
+    if process.poll() is None:
+        os.killpg(process.pid, signal.SIGKILL)
+    process.wait(PATIENCE_S)
+    files = [p for p in sorted((space.folder / RESULTS).rglob("*")) if p.is_file()]
+    for path in rng.sample(files, len(files) // 2):
+        when = time.time() + rng.uniform(-1e6, 1e6)
+        os.utime(path, (when, when))
+    return f"clock {shift} until {moment:.1f} s, times of {len(files) // 2} files moved"
+
+
+def torn_journal(space, rng, seconds):
+    """A killed run whose journals end in the middle of a line, with old temporary files."""
+    process = space.start()
+    wait_until(lambda: space.journal() or process.poll() is not None, PATIENCE_S)
+    time.sleep(rng.uniform(0.0, 3.0))
+    if process.poll() is None:
+        os.killpg(process.pid, signal.SIGKILL)
+    process.wait(PATIENCE_S)
+    wait_until(lambda: not space.processes(), 20.0)
+    cut = 0
+    for path in (space.folder / RESULTS / "cache").rglob("*.jsonl"):
+        size = rng.randint(0, path.stat().st_size)
+        os.truncate(path, size)
+        with open(path, "ab") as handle:
+            handle.write(rng.randbytes(rng.choice([0, 7, 300])))
+        cut += 1
+    for folder in ("ida/W1", "ida/W2"):
+        (space.folder / RESULTS / folder).mkdir(parents=True, exist_ok=True)
+        (space.folder / RESULTS / folder / ".BUCAR0_neg.csv.1.part").write_text("model,rec")
+    return f"{cut} journals cut at a random byte"
+
+
+FAULTS = {
+    "SIGKILL run": _kill_run(signal.SIGKILL, False),
+    "SIGKILL run and jobs": _kill_run(signal.SIGKILL, True),
+    "SIGTERM run": _kill_run(signal.SIGTERM, False),
+    "SIGTERM run and jobs": _kill_run(signal.SIGTERM, True),
+    "SIGINT run and jobs": _kill_run(signal.SIGINT, True),
+    "SIGKILL one YADE": _kill_job(signal.SIGKILL, "run_ida.py"),
+    "SIGTERM one YADE": _kill_job(signal.SIGTERM, "run_ida.py"),
+    "SIGKILL one script": _kill_job(signal.SIGKILL, ".snakemake/scripts"),
+    "full disk": full_disk,
+    "file size limit": file_limit,
+    "read-only results": read_only,
+    "two runs at once": two_at_once,
+    "clock change": clock,
+    "torn journal": torn_journal,
+}
+NEEDS_MOUNT = ("full disk",)
+
+
+def available():
+    """Names of the faults that this user can inject."""
+    return [name for name in FAULTS if name not in NEEDS_MOUNT or os.geteuid() == 0]
+
+
+def generator(seed, trial):
+    """Random generator of one trial."""
+    return random.Random(f"{seed}-{trial}")

@@ -1,0 +1,156 @@
+"""Killed, doubled and starved runs: the same command completes with the same results.
+
+A handful of the trials of tests/faults/trials.py, and the parts they rest on.
+"""
+
+import errno
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from rocking import run_lock
+
+from tests.faults import inject, trials
+from tests.faults.workspace import comparable, wait_until
+from yade_scripts import memory
+from yade_scripts.journal import Journal, write_atomic
+
+ROOT = Path(__file__).resolve().parents[1]
+
+
+@pytest.fixture(scope="module")
+def bench(tmp_path_factory):
+    return trials.Bench(tmp_path_factory.mktemp("faults"))
+
+
+@pytest.mark.yade
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("fault", "number"),
+    [("SIGKILL run", 2), ("SIGKILL one YADE", 6), ("two runs at once", 12), ("torn journal", 14)],
+)
+def test_the_same_command_completes_after_a_fault(bench, fault, number):
+    row = bench.trial(fault, number, seed=1)
+    assert row["outcome"] == trials.HELD, row["detail"]
+
+
+def test_every_fault_is_tried_and_a_seed_gives_the_same_trial():
+    assert set(trials.inject.available()) <= set(inject.FAULTS)
+    one, two = (inject.generator(1, 5).random() for _ in range(2))
+    assert one == two
+    assert one != inject.generator(1, 6).random()
+
+
+def test_wall_times_are_the_only_column_left_out_of_comparisons(tmp_path):
+    for name, wall, d in (("a", "1.0", "0.5"), ("b", "2.0", "0.5"), ("c", "1.0", "0.6")):
+        (tmp_path / f"{name}.csv").write_text(f"pga_g,d_over_b,wall_s\n0.1,{d},{wall}\n")
+    a, b, c = (comparable(tmp_path / f"{name}.csv") for name in "abc")
+    assert a == b
+    assert a != c
+
+
+HOLD = "import sys, time; sys.path[:0] = {path!r}; from rocking import run_lock;"
+HOLD += "run_lock.hold({folder!r}); print('held', flush=True); time.sleep(60)"
+
+
+def test_a_second_run_is_refused_until_the_first_is_gone_however_it_ended(tmp_path):
+    code = HOLD.format(path=[str(ROOT), str(ROOT / "workflow")], folder=str(tmp_path))
+    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE) as first:
+        assert first.stdout.readline() == b"held\n"
+        with pytest.raises(run_lock.Busy) as caught:
+            run_lock.hold(tmp_path)
+        assert f"process {first.pid}" in str(caught.value)
+        assert "\n" not in str(caught.value)
+        first.send_signal(signal.SIGKILL)
+    run_lock.hold(tmp_path)  # nothing to unlock by hand
+
+
+JOB = "import sys, time; sys.path.insert(0, {root!r}); from yade_scripts import lifeline;"
+JOB += "assert lifeline.follow(); print('on', flush=True); time.sleep(60)"
+
+
+def test_a_job_ends_when_its_run_is_killed():
+    with subprocess.Popen(["sleep", "60"]) as run:
+        job = subprocess.Popen(
+            [sys.executable, "-c", JOB.format(root=str(ROOT))], stdout=subprocess.PIPE,
+            env={**os.environ, "ROCKING_RUN_PID": str(run.pid)},
+        )  # fmt: skip
+        assert job.stdout.readline() == b"on\n"
+        assert job.poll() is None
+        run.kill()
+        run.wait()
+        assert job.wait(20) == 143
+        job.stdout.close()
+
+
+def test_a_job_whose_run_is_gone_already_does_not_start():
+    with subprocess.Popen(["true"]) as run:
+        run.wait()
+    done = subprocess.run(
+        [sys.executable, "-c", JOB.format(root=str(ROOT))], capture_output=True,
+        env={**os.environ, "ROCKING_RUN_PID": str(run.pid)},
+    )  # fmt: skip
+    assert (done.returncode, done.stdout) == (143, b"")
+
+
+@pytest.mark.parametrize("cut", [1, 5, 40, 41, 60])
+def test_a_journal_cut_anywhere_keeps_its_whole_lines_and_goes_on(tmp_path, cut):
+    path = tmp_path / "j.jsonl"
+    journal = Journal(path)
+    rows = {f"key{i}": {"status": "ok", "d_over_b": f"0.{i}"} for i in range(5)}
+    for key, row in rows.items():
+        journal.put(key, row, "at rest")
+    os.truncate(path, path.stat().st_size - cut)
+    again = Journal(path)
+    assert again.rows.items() <= rows.items()
+    assert len(again.rows) == 4 if cut < 60 else len(again.rows) >= 3
+    for key, row in rows.items():
+        if again.get(key) is None:
+            again.put(key, row, "at rest")
+    assert Journal(path).rows == rows
+    assert [json.loads(line)["reason"] for line in path.read_text().splitlines()] == ["at rest"] * 5
+
+
+def test_stale_parts_of_killed_jobs_neither_matter_nor_pile_up(tmp_path):
+    target = tmp_path / "table.csv"
+    for pid in (11, 12):
+        (tmp_path / f".table.csv.{pid}.part").write_text("half a ta")
+    (tmp_path / ".other.csv.11.part").write_text("of another file")
+    write_atomic(target, "whole\n")
+    assert target.read_text() == "whole\n"
+    assert sorted(p.name for p in tmp_path.iterdir()) == [".other.csv.11.part", "table.csv"]
+
+
+def test_a_full_disk_is_reported_with_the_file_and_leaves_the_old_one(tmp_path, monkeypatch):
+    target = tmp_path / "table.csv"
+    write_atomic(target, "old\n")
+
+    def full(*_):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(OSError, match=r"No space left on device.*table\.csv"):
+        write_atomic(target, "new\n")
+    assert target.read_text() == "old\n"
+    assert [p.name for p in tmp_path.iterdir()] == ["table.csv"]
+    with pytest.raises(OSError, match=r"No space left on device.*j\.jsonl"):
+        Journal(tmp_path / "j.jsonl").put("key", {})
+
+
+def test_memory_is_bounded_by_starting_afresh():
+    ceiling = memory.Ceiling(growth_mb=50.0)
+    assert not ceiling.reached()
+    ballast = b"x" * 80_000_000  # written to, so resident
+    assert ceiling.reached()
+    del ballast
+
+
+def test_waiting_ends_when_the_condition_holds_or_time_is_up():
+    began = time.monotonic()
+    assert wait_until(lambda: time.monotonic() - began > 0.05, 5.0)
+    assert not wait_until(lambda: False, 0.05)

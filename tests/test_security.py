@@ -1,0 +1,206 @@
+"""Names and values are data: nothing listens, nothing from a table becomes a command or a path."""
+
+import ast
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+import yaml
+from rocking import config
+from rocking.config_files import check_text
+from rocking.records import RecordError, read_table
+
+from tests.faults.workspace import RESULTS, SNAKEMAKE, Workspace, environment
+
+ROOT = Path(__file__).resolve().parents[1]
+SOURCES = sorted(
+    p
+    for top in ("smdof", "yade_scripts", "workflow")
+    for p in (ROOT / top).rglob("*.py")
+    if "__pycache__" not in p.parts
+)
+HOSTILE = (
+    "$(touch pwned)", "`touch pwned`", "a;touch pwned", "a|touch pwned", "a&&touch pwned",
+    "a>pwned", "../outside", "../../../outside", "/outside", ".hidden", "-rf", "--help", "a b",
+    "a'b", 'a"b', "a\\b", "{wildcards.run}", "{input}", "*", "~", "a\x00b", "a\x1b[2J", "", "..",
+    ".", "a/b", "COM\u202e1", "é", "a" * 300,
+)  # fmt: skip
+OBJECTS_OR_NETWORK = {
+    "pickle", "marshal", "shelve", "dill", "joblib", "socket", "http.server", "urllib.request",
+    "requests", "xmlrpc.server",
+}  # fmt: skip
+# placeholders in shell commands that need no quoting: each is limited to harmless words elsewhere
+UNQUOTED = {
+    "wildcards.direction": "pos|neg",
+    "params.direction": "an enumeration of the schema",
+    "params.gravity": "a number of the rule itself",
+    "params.steps": "an integer by its schema",
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_hostile_record_names_are_refused_in_one_line(name, tmp_path):
+    table = tmp_path / "records.tsv"
+    text = "record\tpga_g\tpgv_cm_s\tpgd_cm\tduration_s\n" + f"{name}\t0.2\t20\t5\t15\n"
+    table.write_bytes(text.encode())
+    with pytest.raises(RecordError) as caught:
+        read_table(table)
+    assert str(table) in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("name", [*HOSTILE, "main\n"])
+def test_hostile_run_and_record_names_in_the_configuration_are_refused(name):
+    with pytest.raises(config.ConfigError) as caught:
+        config.expand_scenarios({"run": name})
+    assert str(caught.value).isprintable()
+    with pytest.raises(config.ConfigError):
+        config.expand_scenarios({"records": [name]})
+    with pytest.raises(config.ConfigError):
+        config.expand_scenarios({"models": [name]})
+    with pytest.raises(config.ConfigError):
+        config.expand_scenarios({"directions": [name]})
+
+
+@pytest.mark.parametrize("name", ["../outside", "a;b", "$(touch pwned)", "a/b"])
+def test_hostile_scenario_names_are_refused(name):
+    with pytest.raises(config.ConfigError):
+        config.expand_scenarios({"scenarios": {name: {"seed": 2}}, "scenario": "all"})
+
+
+def shell_commands():
+    """Every shell command of the rules: (file, command)."""
+    for path in sorted((ROOT / "workflow" / "rules").glob("*.smk")):
+        text = path.read_text("utf-8")
+        for block in re.findall(r"^    shell:\n((?:        .*\n)+)", text, re.MULTILINE):
+            yield path.name, "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', block))
+
+
+def test_every_value_in_a_shell_command_is_quoted():
+    commands = list(shell_commands())
+    assert len(commands) >= 3
+    for name, command in commands:
+        for field in re.findall(r"(?<!\{)\{([^{}]+)\}", command):
+            if not field.endswith(":q"):
+                assert field in UNQUOTED, f"{name}: {{{field}}} is not quoted"
+
+
+def calls(tree):
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call):
+            yield ast.unparse(node.func), {k.arg: ast.unparse(k.value) for k in node.keywords}
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=lambda p: str(p.relative_to(ROOT)))
+def test_no_source_runs_text_or_loads_objects(path):
+    tree = ast.parse(path.read_text("utf-8"))
+    imported = {a.name for n in ast.walk(tree) if isinstance(n, ast.Import) for a in n.names}
+    assert not imported & {
+        "pickle",
+        "marshal",
+        "shelve",
+        "dill",
+        "joblib",
+        "socket",
+        "http.server",
+    } - (
+        {"socket"} if path.name == "run_lock.py" else set()  # asks for the machine's name
+    )
+    for function, keywords in calls(tree):
+        assert function not in ("eval", "exec", "os.system", "os.popen", "yaml.unsafe_load")
+        assert keywords.get("shell", "False") == "False", f"{function} through a shell"
+        assert keywords.get("allow_pickle", "False") == "False"
+        if function == "yaml.load":  # only with a loader made from the safe one
+            assert "SafeLoader" in path.read_text("utf-8")
+
+
+def test_configuration_files_cannot_make_objects():
+    with pytest.raises(config.ConfigError):
+        check_text("run: !!python/object/apply:os.system ['touch pwned']", "own.yaml")
+    assert not Path("pwned").exists()
+
+
+def test_every_locked_package_has_a_version_and_hashes():
+    text = (ROOT / "requirements.lock").read_text("utf-8").replace("\\\n", " ")
+    lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
+    lines = [line for line in lines if not line.strip().startswith("#")]
+    assert len(lines) > 20
+    for line in lines:
+        assert re.match(r"\S+==\S+ ", line.strip()), line[:80]
+        assert "--hash=sha256:" in line, line[:80]
+    assert "--require-hashes" in (ROOT / "tools" / "setup.sh").read_text("utf-8")
+
+
+def test_a_hostile_table_ends_snakemake_in_one_line(tmp_path):
+    table = tmp_path / "own.tsv"
+    table.write_text(
+        "record\tpga_g\tpgv_cm_s\tpgd_cm\tduration_s\n$(touch pwned)\t0.2\t20\t5\t15\n"
+    )
+    done = subprocess.run(
+        [str(SNAKEMAKE), "-n", "--quiet", "--snakefile", str(ROOT / "Snakefile"), "--directory",
+         str(tmp_path), "--config", "records_table=own.tsv"],
+        capture_output=True, text=True, env=environment(), cwd=tmp_path,
+    )  # fmt: skip
+    assert done.returncode == 1
+    said = [line for line in done.stderr.splitlines() if "touch pwned" in line]
+    assert len(said) == 1
+    assert "Traceback" not in done.stderr
+    assert not (tmp_path / "pwned").exists()
+
+
+def listening(pids):
+    """Sockets that listen (TCP) or are bound (UDP) among the open files of processes."""
+    inodes = set()
+    for table, state in (("tcp", "0A"), ("tcp6", "0A"), ("udp", "07"), ("udp6", "07")):
+        for line in Path(f"/proc/net/{table}").read_text().splitlines()[1:]:
+            fields = line.split()
+            if fields[3] == state:
+                inodes.add(f"socket:[{fields[9]}]")
+    found = []
+    for pid in pids:
+        try:
+            for handle in Path(f"/proc/{pid}/fd").iterdir():
+                if handle.readlink().name in inodes:
+                    found.append(pid)
+        except OSError:
+            continue
+    return found
+
+
+def test_the_probe_for_listening_sockets_sees_one():
+    import os
+    import socket
+
+    with socket.socket() as server:
+        server.bind(("127.0.0.1", 0))
+        server.listen()
+        assert listening([os.getpid()])
+
+
+@pytest.mark.yade
+@pytest.mark.slow
+def test_a_run_listens_on_no_port_and_its_folder_and_files_may_have_hostile_names(tmp_path):
+    space = Workspace(tmp_path / "it's a $(touch pwned); `touch pwned` & folder").fill()
+    record = tmp_path / "$(touch pwned) 'quoted'; touch pwned.csv"
+    lines = "".join(f"{0.01 * i:.2f},{0.5 if 20 < i < 60 else 0.0}\n" for i in range(200))
+    record.write_text("time_s,acceleration_m_s2\n" + lines)
+    (space.folder / "own.tsv").write_text(f"record\tfile\nBUCAR0\t{record}\n")
+    study = yaml.safe_load((space.folder / "study.yaml").read_text())
+    study |= {"records_table": "own.tsv", "models": ["W1"]}
+    study["ida"]["grid_g"] = [0.03, 0.3]
+    (space.folder / "study.yaml").write_text(yaml.safe_dump(study))
+    process = space.start(targets=("ida/W1/BUCAR0_neg.csv",))
+    seen_yade, looks = False, 0
+    while process.poll() is None:
+        found = space.processes()
+        assert listening([*found, process.pid]) == []
+        seen_yade |= any("run_ida" in line for line in found.values())
+        looks += 1
+    assert process.returncode == 0, space.output()[-3000:]
+    assert seen_yade
+    assert looks > 20
+    assert (space.folder / RESULTS / "ida/W1/BUCAR0_neg.csv").is_file()
+    assert [p for p in tmp_path.rglob("pwned*")] == []
+    shutil.rmtree(space.folder)
