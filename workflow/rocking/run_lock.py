@@ -11,7 +11,7 @@ import socket
 from pathlib import Path
 
 LOCK_FILE = Path(".snakemake") / "rocking.lock"
-_held = []  # open files
+_held: list = []  # open files
 
 
 class Busy(RuntimeError):
