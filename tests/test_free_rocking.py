@@ -3,11 +3,12 @@
 import json
 import math
 import subprocess
+import warnings
 
 import numpy as np
 import pytest
+from rocking import calibration, closed_forms
 from rocking import calibration_study as study
-from rocking import closed_forms
 from rocking.planar import Wall, simulate
 from rocking.restitution import e_exp, read_archive, rebounds
 from yade_process import PYTHON, ROOT, resolved
@@ -161,3 +162,36 @@ def test_missing_key_is_named(tmp_path):
     done, _ = run([broken], tmp_path)
     assert done.returncode == 1
     assert "case 1 has no limit_s" in done.stderr
+
+
+@pytest.mark.slow
+def test_committed_law_predicts_a_wall_it_has_not_seen(tmp_path):
+    """A wall between those of the study, fitted anew, lies in the law's 95 % prediction band."""
+    settings = resolved()["calibration"]
+    config = study.batch_wall(settings, 0.2, 2600.0, 9.0, 0.3)
+    one = study.wall_case("new", config, 0.5, study.beta_grid(config), role="test")
+    done, archive = run([one], tmp_path)
+    assert done.returncode == 0, done.stderr
+    wall = study.evaluate([one], read_archive(archive))[0]
+    fit = study.best_fit(wall["beta_s"], wall["e"] / wall["e_1sr"])
+    law, groups = calibration.read_law(), calibration.groups(config)
+    assert law.outside(groups) is None
+    _, low, high = law.predict(groups, level=0.95)
+    assert low < fit["beta_s"] < high
+
+
+@pytest.mark.parametrize(
+    "sections",
+    [
+        {},
+        {"facade": {**WALL, "e_mpa": 1800.0}, "return_wall": {"thickness_m": 0.11}},
+        {"facade": {"height_m": 3.0, "thickness_m": 0.25, "width_m": 3.0, "e_mpa": 4050.0,
+                    "density_kg_m3": 1810.0}, "return_wall": {"thickness_m": 0.25}},
+    ],
+    ids=["façade", "Sorrentino", "Shawa"],
+)  # fmt: skip
+def test_committed_law_covers_the_walls_of_the_study(sections):
+    config = resolved(**sections, damping={"law": "fitted"})
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert 1e-4 < calibration.beta_for(config) < 1e-2

@@ -135,8 +135,17 @@ class Law:
         return tuple(math.exp(mean + shift) / omega for shift in (0.0, -half, half))
 
     def to_json(self):
-        """Text of the law's file."""
-        return json.dumps(asdict(self), indent=1) + "\n"
+        """Text of the law's file, with 9 significant digits."""
+        return json.dumps(_rounded(asdict(self)), indent=1) + "\n"
+
+
+def _rounded(value):
+    """Copy nested dicts and lists with every float rounded to 9 significant digits."""
+    if isinstance(value, dict):
+        return {key: _rounded(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_rounded(item) for item in value]
+    return float(f"{value:.9g}") if isinstance(value, float) else value
 
 
 def fit_law(walls, betas_s, names):
