@@ -1,9 +1,14 @@
 # make setup   what is missing: YADE from Debian's packages, a virtual environment with pinned packages
 # make run     the main job (sets up first)
 # make test    the tests and linters (sets up first)
+# make faults  56 runs killed, starved or doubled at random moments; writes tables/faults.csv
+# make slurm   two records through a real SLURM of one node (root; installs slurm-wlm and munge)
+# make load    a study of 44 records in reduced form, with memory and progress over time
+# make audit   known vulnerabilities of the locked packages (needs the internet)
 CORES ?= $(shell nproc)
 SNAKEMAKE = .venv/bin/snakemake --cores $(CORES)
-.PHONY: setup run test lint
+RUN ?= main
+.PHONY: setup run test lint faults slurm load audit
 
 setup:
 	@bash tools/setup.sh
@@ -20,3 +25,15 @@ lint: setup
 	.venv/bin/snakefmt --check Snakefile workflow
 	.venv/bin/mypy
 	.venv/bin/python tools/lint_workflow.py
+
+faults: setup
+	.venv/bin/python tests/faults/trials.py --output results/$(RUN)/tables/faults.csv $(ARGS)
+
+slurm: setup
+	.venv/bin/python tests/slurm/run_study.py
+
+load: setup
+	.venv/bin/python tests/load/run_load.py --output results/$(RUN)/tables/load.csv $(ARGS)
+
+audit: setup
+	@bash tools/audit.sh

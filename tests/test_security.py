@@ -35,6 +35,7 @@ OBJECTS_OR_NETWORK = {
 UNQUOTED = {
     "wildcards.direction": "pos|neg",
     "params.direction": "an enumeration of the schema",
+    "params.pga": "a number by its schema",
     "params.gravity": "a number of the rule itself",
     "params.steps": "an integer by its schema",
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing and does nothing when nothing is: YADE from Debian's
-# packages, and the locked Python packages in .venv. Interrupted, it starts over.
+# packages, and the locked Python packages in .venv. Interrupted, it starts over; in a
+# folder that was moved or copied it installs anew; started twice, one waits for the other.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -19,10 +20,17 @@ if [ ${#packages[@]} -gt 0 ]; then
   DEBIAN_FRONTEND=noninteractive "${root[@]}" apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null
 fi
 
+# one installation at a time: pip inherits the lock, so one that outlives a killed
+# installation is waited for as well
+exec 9<requirements.lock
+if command -v flock >/dev/null; then
+  flock -n 9 || { say "waiting for another installation in this folder"; flock 9; }
+fi
+
 # the stamp is written last, so an interrupted installation is repeated
 stamp=.venv/.installed
 wanted=$(sha256sum requirements.lock | cut -d' ' -f1)
-if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
+if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ] || ! grep -qxF "$PWD" .venv/lib/python3*/site-packages/rocking_facades.pth; then
   say "installing Python packages into .venv"
   $python -m venv --clear .venv
   .venv/bin/pip install -q --disable-pip-version-check --require-hashes -r requirements.lock

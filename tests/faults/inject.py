@@ -11,9 +11,10 @@ import resource
 import shutil
 import signal
 import subprocess
+import sys
 import time
 
-from .workspace import RESULTS, wait_until
+from .workspace import RESULTS, ROOT, wait_until
 
 PATIENCE_S = 900.0  # longest wait for a disturbed run
 
@@ -169,6 +170,38 @@ def torn_journal(space, rng, seconds):
     return f"{cut} journals cut at a random byte"
 
 
+def interrupted_install(space, rng, seconds):
+    """The installation killed at a random moment, then given again."""
+    folder = space.folder.with_name("install")
+    shutil.rmtree(folder, ignore_errors=True)
+    (folder / "tools").mkdir(parents=True)
+    shutil.copy2(ROOT / "tools" / "setup.sh", folder / "tools")
+    shutil.copy2(ROOT / "requirements.lock", folder)
+    command = ["bash", "tools/setup.sh"]
+    process = subprocess.Popen(command, cwd=folder, start_new_session=True)
+    moment = rng.uniform(0.0, 30.0)
+    try:
+        process.wait(moment)
+    except subprocess.TimeoutExpired:
+        (os.killpg if rng.random() < 0.5 else os.kill)(process.pid, signal.SIGKILL)
+        process.wait()
+    subprocess.run(command, cwd=folder, check=True)
+    python = str(folder / ".venv" / "bin" / "python")
+    imports = "import snakemake, scipy, pandas, matplotlib, pytest, hypothesis"
+    subprocess.run([python, "-c", imports], check=True)
+    subprocess.run([python, "-m", "pip", "check", "-q"], check=True, stdout=subprocess.DEVNULL)
+    kept = [_packages(p) for p in (python, sys.executable)]
+    assert kept[0] == kept[1], f"packages differ: {set(kept[0]) ^ set(kept[1])}"
+    shutil.rmtree(folder)
+    return f"killed after {moment:.1f} s, then {len(kept[0])} packages as locked"
+
+
+def _packages(python):
+    listed = subprocess.run([python, "-m", "pip", "freeze", "--disable-pip-version-check"],
+                            capture_output=True, text=True, check=True).stdout  # fmt: skip
+    return sorted(listed.split())
+
+
 FAULTS = {
     "SIGKILL run": _kill_run(signal.SIGKILL, False),
     "SIGKILL run and jobs": _kill_run(signal.SIGKILL, True),
@@ -184,6 +217,7 @@ FAULTS = {
     "two runs at once": two_at_once,
     "clock change": clock,
     "torn journal": torn_journal,
+    "interrupted install": interrupted_install,
 }
 NEEDS_MOUNT = ("full disk",)
 
