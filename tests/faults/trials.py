@@ -101,10 +101,10 @@ class Bench:
         return HELD
 
 
-def write_table(rows, path):
-    """Write the table of trials, whole or not at all."""
+def write_atomic_csv(rows, columns, path):
+    """Write a table, whole or not at all."""
     text = io.StringIO()
-    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+    writer = csv.DictWriter(text, columns, lineterminator="\n")
     writer.writeheader()
     writer.writerows(rows)
     path = Path(path)
@@ -125,7 +125,7 @@ def run_trials(count, seed, output, faults=None, folder=None, say=print):
             row = bench.trial(faults[(number - 1) % len(faults)], number, seed)
             rows.append(row)
             if output:
-                write_table(rows, output)
+                write_atomic_csv(rows, COLUMNS, output)
             say(f"{number}/{count} {row['fault']}: {row['outcome']} ({row['detail']})")
     return rows
 

@@ -10,7 +10,7 @@ BASE = Path(workflow.basedir)
 sys.path[:0] = [str(BASE / "workflow"), str(BASE)]
 
 from rocking import config as configuration
-from rocking import run_lock
+from rocking import progress, run_lock
 from rocking.records import RecordError, read_table, surrogates_for
 from yade_scripts import lifeline
 from yade_scripts.journal import PHYSICS
@@ -116,3 +116,4 @@ onstart:
             configuration.write_resolved(resolved, f"results/{name}/config.yaml")
     except (run_lock.Busy, OSError) as error:
         stop(error)
+    progress.Progress(ida_curves()).watch()

@@ -40,6 +40,18 @@ def ida_tables(run):
     ]
 
 
+def ida_curves():
+    """Table, journal and number of runs of every curve of the study, for its progress."""
+    curves = []
+    for run, resolved in RUNS.items():
+        ida = resolved["ida"]
+        runs = len(ida["grid_g"]) if ida["mode"] == "grid" else None
+        for table in map(Path, ida_tables(run)):
+            journal = f"results/{run}/cache/ida/{table.parent.name}_{table.stem}.jsonl"
+            curves.append((table, journal, runs))
+    return curves
+
+
 def ensemble_tables(run):
     """Ensemble tables of a run; none where config switches them off."""
     if RUNS[run]["ensemble"]["enabled"] == "off":
