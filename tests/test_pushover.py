@@ -70,7 +70,7 @@ def test_bonded_contact_first_cracks_at_its_tensile_strength():
     first = slice(0, int(np.argmin(before)))
     slope = np.polyfit(curve[first, 1], curve[first, 0], 1)[0]
     assert np.isfinite(slope)
-    assert 0.97 * expected < curve[:, 1].max()
+    assert 0.97 * expected < curve[:, 1].max() < 1.08 * expected  # cracks unzip a little later
     after = curve[curve[:, 0] > 0.05]
     assert after[:, 1].max() < 0.04  # nothing left of the bond
 

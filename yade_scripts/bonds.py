@@ -23,6 +23,7 @@ but neither cohesion nor friction is a tie: no shear at all.
 """
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -115,7 +116,8 @@ class Bonds:
         self.node = np.array(sorted(spheres), int)
         self.intact = np.ones(len(self.node), bool)
         self.broken = []
-        self.runner, self.last = None, None
+        self.runner: Any = None
+        self.last: tuple | None = None
         n = self.node
         used = sorted(set(nodes.a[n]) | set(nodes.b[n]))
         slot = {block: k for k, block in enumerate(used)}
@@ -144,11 +146,11 @@ class Bonds:
 
     def _relative(self):
         """Displacement of each node on a relative to b, and the normal turned with b."""
-        poses = []
+        rows = []
         for state in self.states:
             p, q = state.pos, state.ori
-            poses.append((p[0], p[1], p[2], q[0], q[1], q[2], q[3]))
-        poses = np.array(poses)
+            rows.append((p[0], p[1], p[2], q[0], q[1], q[2], q[3]))
+        poses = np.array(rows)
         place = poses[:, :3] - self.shift
         turn = rotations(poses[:, 3:]) @ self.home_t
         turn_b = turn[self.b]

@@ -55,7 +55,9 @@ class Releases:
         # a clump's frame may be turned by half a turn about an axis; blocks start unturned
         self.home = {k: rotation(state.ori).T for k, state in self.states.items()}
         self.start = {k: tuple(state.pos) for k, state in self.states.items()}
-        self.arm, self.direction, self.edge, self.of_pair, self.slack = {}, {}, {}, {}, {}
+        self.arm, self.direction, self.edge = {}, {}, {}
+        self.of_pair: dict[tuple, list] = {}
+        self.slack: dict[tuple, float] = {}
         for i in self.node:
             a, b = pair = int(nodes.a[i]), int(nodes.b[i])
             self.arm[i] = nodes.position_m[i] - np.array(scene.blocks[a].centre_m)
@@ -124,7 +126,8 @@ class Faces:
     def __init__(self, scene):
         """Group the nodes of a scene by face."""
         nodes, rims = scene.nodes, scene.notes.get("rims", {})
-        self.scene, self.nodes_of = scene, {}
+        self.scene = scene
+        self.nodes_of: dict[tuple, list] = {}
         self.plain, self.press, self.hook = [], [], []
         bonded = nodes.bonded
         for i in range(len(nodes)):
@@ -207,7 +210,7 @@ class Faces:
             inside = np.abs((position[self.nodes_of[other]] - centre) @ axes) - half
             return bool(np.any(np.all(inside < MOTION_M, axis=1)))
 
-        bit = {}
+        bit: dict[tuple, int] = {}
         for key in keys:
             taken = {bit[k] for k in bit if meets(key, k) or meets(k, key)}
             free = [1 << n for n in range(BITS) if 1 << n not in taken]

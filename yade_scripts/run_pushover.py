@@ -18,6 +18,7 @@ import json
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -87,7 +88,9 @@ class _Recorder:
 
     def __init__(self, scene, weight_n, period_of_forces):
         self.scene, self.weight, self.each = scene, weight_n, period_of_forces
-        self.rows, self.forces, self.built = [], [], None
+        self.rows: list[tuple] = []
+        self.forces: list[tuple] = []
+        self.built: Any = None
 
     def attach(self, built, iter_period):
         """Start sampling every `iter_period` steps."""

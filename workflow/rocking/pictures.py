@@ -5,7 +5,7 @@ from matplotlib.collections import PolyCollection
 
 DEPTH = np.array([0.42, 0.22])  # screen displacement per metre of x, into the page
 RETURN_WALL_SHOWN_M = 2.2  # of the return-wall supports, which are longer than needed
-STRIPS = 20  # pieces of a tall block, so that its colour follows the displacement
+STRIPS = 20  # pieces of the façade, so that its colour follows the displacement
 
 
 def project(points):
@@ -73,7 +73,7 @@ def faces(frames, frame, walls, config, magnification=1.0):
     for centre, size, i in boxes(frames, walls, config):
         dy, dz, angle = moved[i]
         pivot = np.array(frames["blocks"][i]["centre_m"])
-        pieces = STRIPS if size[2] > 1.0 else 1
+        pieces = STRIPS if frames["blocks"][i]["name"] == "façade" else 1
         for k in range(pieces):
             low = centre[2] - 0.5 * size[2] + size[2] * k / pieces
             corner = _corners(centre, size, low, size[2] / pieces)
@@ -89,14 +89,9 @@ def faces(frames, frame, walls, config, magnification=1.0):
                 values.append(value)
                 middle = corner[list(face)].mean(axis=0)
                 depths.append((-centre[0] - (centre[1] < 0) * 1e-3, middle[1], middle[2]))
-    # far things first; the façade spans the width and stands in front of what is behind it
-    order = sorted(range(len(depths)), key=lambda n: _rank(depths[n]))
+    # painter's order: far wall, façade, near wall; within each from the back and below
+    order = sorted(range(len(depths)), key=lambda n: depths[n])
     return np.array(polygons)[order], np.array(values)[order]
-
-
-def _rank(depth):
-    """Painter's order: far wall, façade, near wall; within each from the back and below."""
-    return depth
 
 
 def _corners(centre, size, low, tall):
@@ -121,8 +116,8 @@ def _turn(points, pivot, angle):
 def draw(axis, frames, frame, walls, config, *, magnification=1.0, largest_m, limits, cmap):
     """Draw one frame; returns the collection, for a colour bar."""
     polygons, values = faces(frames, frame, walls, config, magnification)
-    collection = PolyCollection(polygons, array=values, cmap=cmap, edgecolors="0.25",
-                                linewidths=0.15)  # fmt: skip
+    collection = PolyCollection(polygons, array=values, cmap=cmap, edgecolors="0.75",
+                                linewidths=0.25)  # fmt: skip
     collection.set_clim(0.0, largest_m)
     axis.add_collection(collection)
     axis.set(xlim=limits[0], ylim=limits[1], aspect="equal")

@@ -14,7 +14,7 @@ CURVE_COLUMNS = [
 ]  # fmt: skip
 RULES = ("rigid", "bonded", "sliding", "hinged")
 # one change of the default W3 each; "header_*" without inclined joints, so only the rule differs
-VARIANTS = {
+VARIANTS: dict[str, dict] = {
     "default": {},
     **{f"header_{rule}": {"w3.header_joint": rule, "w3.lower_courses": 0} for rule in RULES},
     "lower_courses_0": {"w3.lower_courses": 0},

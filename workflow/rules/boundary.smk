@@ -34,7 +34,7 @@ rule frames:
     shell:
         "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction} --pga {params.pga}"
-        " --output {output:q} 2> >(tee {log:q} >&2)"
+        " --fall 2 --output {output:q} 2> >(tee {log:q} >&2)"
 
 
 rule collapse_frames:

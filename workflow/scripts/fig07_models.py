@@ -9,27 +9,34 @@ from rocking import pictures, style
 from rocking.script import run
 
 
+SHOWN_D = 0.6  # d/b
+
+
+def first_time(frames):
+    """When a façade first reaches d/b = 0.6, or else when it comes nearest."""
+    d = np.abs(np.array(frames["d_over_b"]))
+    return frames["time_s"][int(np.argmax(d >= min(SHOWN_D, d.max())))]
+
+
 def main(job):
     config = json.loads(job.params.config)
     shown = config["pictures"]
     frames = [json.loads(Path(path).read_text()) for path in job.input.frames]
     instant = shown["time_s"]
     if instant is None:
-        leader = next((f for f in frames if f["model"] == "W2"), frames[0])
-        instant = leader["time_s"][int(np.argmax(np.abs(leader["d_over_b"])))]
+        instant = min(first_time(f) for f in frames)
     at = [int(np.argmin(np.abs(np.array(f["time_s"]) - instant))) for f in frames]
     walls, k = config["return_wall"]["count"], shown["magnification"]
     h = config["facade"]["height_m"]
     largest = max(
         pictures.faces(f, i, walls, config)[1].max() for f, i in zip(frames, at, strict=True)
     )
-    limits = ((-3.4, 2.4), (-0.7, h + 0.9))
-    figure, axes = plt.subplots(1, len(frames), figsize=(1.75 * len(frames), 3.4), squeeze=False)
+    limits = ((-3.4, 3.1), (-0.7, h + 0.9))
+    figure, axes = plt.subplots(1, len(frames), figsize=(1.75 * len(frames), 2.9), squeeze=False)
     for axis, f, i in zip(axes[0], frames, at, strict=True):
         drawn = pictures.draw(axis, f, i, walls, config, magnification=k, largest_m=largest,
                               limits=limits, cmap="viridis")  # fmt: skip
-        fallen = " (overturned)" if f["time_s"][-1] < instant - 0.05 else ""
-        axis.set_title(f"{f['model']}: d/b = {f['d_over_b'][i]:.2f}{fallen}")
+        axis.set_title(f"{f['model']}: d/b = {abs(f['d_over_b'][i]):.2f}")
     bar = figure.colorbar(drawn, ax=axes[0].tolist(), shrink=0.6, pad=0.01)
     bar.set_label("displacement relative to the ground [m]")
     head = frames[0]
