@@ -137,6 +137,7 @@ rule wall_beta:
     input:
         cases="results/{run}/calibration/cases_own_wall.json",
         histories="results/{run}/calibration/histories_own_wall.npz",
+        law=str(BASE / "config" / "beta_law.json"),
         modules=STUDY_MODULES,
         style=STYLE,
     output:

@@ -23,7 +23,7 @@ def main(job):
     wall = study.evaluate(cases, read_archive(job.input.histories))[0]
     targets = study.targets_of(measured, wall["e_1sr"])
     fit = study.best_fit(wall["beta_s"], wall["e"] / wall["e_1sr"], targets)
-    rows = [first_row(fit, measured), *law_rows(config)]
+    rows = [first_row(fit, measured), *law_rows(config, job.input.law)]
     with open(job.output.table, "w", newline="") as handle:
         writer = csv.DictWriter(handle, COLUMNS, lineterminator="\n")
         writer.writeheader()
@@ -50,7 +50,7 @@ def first_row(fit, measured):
     }  # fmt: skip
 
 
-def law_rows(config):
+def law_rows(config, law_file):
     """β of the two laws for the same wall; a law that cannot be used is left out."""
     facade = config["facade"]
     values = facade["thickness_m"], facade["height_m"], facade["e_mpa"]
@@ -59,7 +59,7 @@ def law_rows(config):
         yield {"source": "eq. 5", "beta_s": printed, "low_s": math.nan, "high_s": math.nan,
                "misfit": math.nan, "remark": ""}  # fmt: skip
     try:
-        law = calibration.read_law()
+        law = calibration.read_law(law_file)
     except calibration.CalibrationError:
         return
     groups = calibration.groups(config)

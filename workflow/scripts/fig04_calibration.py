@@ -89,10 +89,10 @@ def main(job):
     axes["b"].plot([], [], "--", c="0.4", lw=0.9, label="eq. 5")
     axes["b"].set(xlabel="h/b [–]", ylabel="best-fitting β [ms]", yscale="log")
     axes["b"].set_title(f"(b) best fits at r = {r0:g}", loc="left")
-    axes["b"].set_ylim(0.5 * axes["b"].get_ylim()[0], None)
+    axes["b"].set_ylim(0.4 * axes["b"].get_ylim()[0], None)
     axes["b"].set_yticks([0.1, 0.2, 0.5, 1.0, 2.0], ["0.1", "0.2", "0.5", "1", "2"])
     axes["b"].minorticks_off()
-    axes["b"].legend(loc="lower right", ncols=2, fontsize=6.5)
+    axes["b"].legend(loc="lower right", ncols=2, fontsize=6, columnspacing=0.8, handletextpad=0.3)
 
     fitted = walls[walls.role.isin(["reference", "ratio"])]
     for ratio, marker in zip(
