@@ -14,6 +14,7 @@ import csv
 import io
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -139,6 +140,8 @@ def main():
     parser.add_argument("--faults", nargs="*", choices=list(inject.FAULTS), help="only these")
     parser.add_argument("--folder", help="where to work (default: the system's temporary folder)")
     args = parser.parse_args()
+    # started in the background, interrupts would be ignored here and in every run
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     rows = run_trials(args.trials, args.seed, args.output, args.faults, args.folder,
                       lambda text: print(text, file=sys.stderr, flush=True))  # fmt: skip
     return int(any(row["outcome"] != HELD for row in rows))

@@ -95,9 +95,10 @@ class Workspace:
 
     def jobs(self, word="run_ida.py"):
         """Python processes of jobs whose command line has `word`."""
-        found = self.processes()
         return [
-            p for p, line in found.items() if word in line and not line.startswith(("/bin", "bash"))
+            pid
+            for pid, line in self.processes().items()
+            if word in line and Path(line.split()[0]).name.startswith("python")
         ]
 
     def journal(self):
