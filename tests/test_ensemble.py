@@ -85,7 +85,7 @@ def test_perturbed_numerics_change_step_and_nodes_only():
 
 def test_ensembles_run_where_histories_do_not_repeat():
     curve = {0.1: "ok", 0.2: "ok", 0.3: "ok", 0.35: "failed", 0.4: "overturned", 0.5: "overturned"}
-    assert perturb.probe_intensities(curve) == [0.1, 0.2, 0.3, 0.4]
+    assert perturb.probe_intensities(curve) == [0.2, 0.3, 0.4]
     calm = dict.fromkeys((0.1, 0.2, 0.3, 0.4), 1e-6)
     auto = {**SETTINGS, "enabled": "auto"}
     assert perturb.sensitive_intensities(curve, calm, auto) == ([], False)

@@ -73,10 +73,11 @@ def sensitivity(value, perturbed):
 
 
 def probe_intensities(curve):
-    """Intensities of a curve whose sensitivity is measured [g]: up to its first collapse.
+    """Intensities of a curve whose sensitivity is measured [g]: near its first collapse.
 
-    Sensitivity does not grow steadily: an intensity that repeats may lie above one
-    that does not, so none is left out.
+    From NEAR_COLLAPSE of the first collapse up to it; without a collapse, all. Within
+    that range sensitivity does not grow steadily: an intensity that repeats may lie
+    above one that does not, so none is left out.
 
     Parameters
     ----------
@@ -84,7 +85,8 @@ def probe_intensities(curve):
         Status by PGA.
     """
     first = min((g for g, s in curve.items() if s == "overturned"), default=float("inf"))
-    return sorted(g for g, s in curve.items() if s != "failed" and g <= first)
+    lowest = NEAR_COLLAPSE * first if first < float("inf") else 0.0
+    return sorted(g for g, s in curve.items() if s != "failed" and lowest <= g <= first)
 
 
 def sensitive_intensities(curve, changes, settings):

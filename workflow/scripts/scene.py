@@ -4,14 +4,29 @@ import json
 
 from rocking.accuracy import choose_fidelity, read_fidelity
 from rocking.calibration import beta_for
+from rocking.config import resolve
 from rocking.script import run
+
+CHOSEN = ("nodes_thickness", "nodes_height", "nodes_per_block", "step_fraction", "step_s")
+
+
+def at_fidelity(numerics, model, measured):
+    """Nodes and step for the stated tolerance; what the user stated differently is kept.
+
+    W3 has its own numerics (section w3).
+    """
+    if model == "W3":
+        return numerics
+    defaults = resolve({})["numerics"]
+    stated = {key: numerics[key] for key in CHOSEN if numerics[key] != defaults[key]}
+    return {**choose_fidelity(numerics, model, measured), **stated}
 
 
 def main(job):
     scene = json.loads(job.params.scene)
     scene["model"] = job.wildcards.model
     scene["beta_s"] = beta_for(scene)
-    scene["numerics"] = choose_fidelity(
+    scene["numerics"] = at_fidelity(
         scene["numerics"], scene["model"], read_fidelity(job.input.fidelity)
     )
     with open(job.output[0], "w") as handle:
