@@ -131,6 +131,19 @@ def test_fidelity_takes_the_cheapest_pair_within_the_tolerance():
         accuracy.choose_fidelity(numerics, "W3", measured)
 
 
+def test_a_lucky_coarse_pair_is_not_taken_for_accurate():
+    """3 nodes at a long step hit the answer by chance; finer pairs do not bear it out."""
+    pairs = [(3, 0.2, 0.001), (3, 0.1, 0.05), (9, 0.2, 0.02), (9, 0.1, 0.004)]
+    table = pd.DataFrame([
+        {"model": "W1", "method": "nodes and step", "repeats": 1, "nodes": n,
+         "dt_over_dt_crit": f, "error": e} for n, f, e in pairs
+    ])  # fmt: skip
+    stray = table.iloc[[3]].assign(error=0.9, repeats=0)  # histories that do not repeat say nothing
+    measured = accuracy.fidelity_table(pd.concat([table, stray]))
+    found = {(p["nodes"], p["step_fraction"]): p["error"] for p in measured["W1"]}
+    assert found == {(3, 0.2): 0.05, (3, 0.1): 0.05, (9, 0.2): 0.02, (9, 0.1): 0.004}
+
+
 def test_step_of_the_default_scene_follows_its_stiffness():
     """Critical step ∝ 1/√E without damping."""
     soft, stiff = (critical_step(facade.facade_scene(resolved(facade={"e_mpa": e}), "W2", 0.0))

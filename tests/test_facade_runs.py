@@ -27,7 +27,8 @@ def test_contacts_in_yade_are_the_nodes_of_the_scene(model):
     yade = np.array(got["yade"])
     assert np.allclose(yade[:, :5], got["scene"], rtol=1e-9)
     # base nodes also carry the settlement W/Σkn; return-wall nodes only the imposed 0.1 mm
-    assert np.allclose(yade[5:, 5], 1e-4, rtol=1e-3)
+    base = resolved()["numerics"]["nodes_thickness"]
+    assert np.allclose(yade[base:, 5], 1e-4, rtol=1e-3)
 
 
 def test_driven_support_follows_its_motion():
@@ -46,7 +47,9 @@ def test_quarter_period_of_free_rocking(ratio):
     stiff = {
         "height_m": 2.0, "thickness_m": 0.1, "width_m": 1.0, "e_mpa": 1e5, "density_kg_m3": 1800.0,
     }  # fmt: skip
-    config = resolved(facade=stiff, return_wall={"count": 1, "thickness_m": 0.1})
+    # few nodes at the base: the closed form has a rigid toe, more nodes give it way
+    config = resolved(facade=stiff, return_wall={"count": 1, "thickness_m": 0.1},
+                      numerics={"nodes_thickness": 5})  # fmt: skip
     step = 0.2 * stiffness.critical_step(facade.facade_scene(config, "W1", 0.0))
     got = in_yade("facade_cases", "release", config=config, beta_s=0.0, ratio=ratio, dt_s=step,
                   limit_s=1.2, sample_s=2e-4)  # fmt: skip
