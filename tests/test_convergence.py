@@ -4,6 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking import accuracy
+from rocking.closed_forms import block, overturning_rectangular
 from rocking.reference import ensemble_peaks, peak_d_over_b
 from yade_process import in_yade, resolved
 
@@ -102,6 +103,22 @@ def test_default_fidelity_against_the_planar_reference(model, peak, tmp_path):
     assert got["peak"] == pytest.approx(expected, rel=0.01)
     batch = ensemble_peaks(job, path, "pos", pga / 9.81, [1.0], dt_s=2.5e-4)
     assert batch[0] == pytest.approx(expected, rel=0.01)
+
+
+@pytest.mark.yade
+@pytest.mark.parametrize(("factor", "status"), [(0.99, "ok"), (1.01, "overturned")])
+def test_overturning_threshold_of_a_rectangular_pulse(factor, status):
+    """x = 2: t1 = ln 2/p overturns; 1 % less stands, 1 % more falls, in the rigid limit of the base."""
+    facade_keys = {"height_m": 4.0, "thickness_m": 0.1, "e_mpa": 1e5, "base_stiffness_pa_m": 5e12}
+    config = resolved(facade=facade_keys, numerics={"nodes_thickness": 3, "step_fraction": 0.3})
+    alpha, _, p = block(4.0, 0.1)
+    t1, edge = overturning_rectangular(2.0, p), 1e-3
+    t = np.array([0.0, 0.1, 0.1 + edge, 0.1 + t1, 0.1 + t1 + edge, 5.0])
+    a = -2.0 * factor * alpha * 9.81 * np.array([0.0, 0.0, 1.0, 1.0, 0.0, 0.0])
+    got = in_yade("accuracy_cases", "shaken", config=config, model="W1", beta_s=1e-5,
+                  time_s=t.tolist(), columns={"ground": a.tolist()})  # fmt: skip
+    assert got["status"] == status
+    assert got["peak"] > 0.7
 
 
 def test_observed_rate_of_a_power_law():

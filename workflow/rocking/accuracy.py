@@ -139,8 +139,8 @@ def fidelity_table(table):
     """Worst error of every pair of nodes and step, over histories that repeat.
 
     A coarse pair may hit the answer by chance, so the error of a pair is the largest of
-    its own and of all finer ones (as many nodes or more, the same step or less). Cost is counted in node evaluations per simulated second, so that the table does
-    not depend on the machine.
+    its own and of all finer ones (as many nodes or more, the same step or less). Cost is
+    counted in node evaluations, so that the order does not depend on the machine.
 
     Parameters
     ----------
