@@ -20,9 +20,9 @@ TARGETS = (
 @pytest.fixture(scope="module")
 def clones(tmp_path_factory):
     """The study in two fresh copies, in different places, one job at a time and two."""
-    made = []
+    made, source = [], Workspace(tmp_path_factory.mktemp("source")).fill()
     for name, cores, zone in (("one", "1", "UTC"), ("a second place/two", "2", "Asia/Tokyo")):
-        space = Workspace(tmp_path_factory.mktemp("clones") / name).fill()
+        space = Workspace(tmp_path_factory.mktemp("clones") / name).copy_of(source)
         process = space.start("--cores", cores, targets=TARGETS, extra={"TZ": zone})
         assert process.wait() == 0, space.output()[-3000:]
         made.append(space)
