@@ -36,7 +36,7 @@ def main(job):
         row[1].set_title(f"×{shown:g}, −", loc="left")
         row[2].set_title("peaks", loc="left")
     axes[0, 0].legend(loc="upper right")
-    axes[0, 2].legend(fontsize=6.5)
+    axes[-1, 2].legend(loc="lower right", fontsize=6.5)
     for axis in axes[-1, :2]:
         axis.set_xlabel("time [s]")
     axes[-1, 2].set_xlabel("factor on the motion [–]")
@@ -79,7 +79,7 @@ def peaks(axis, mine, scales):
                       label=f"{NAMES[law]}, {'+' if direction == 'pos' else '−'}")  # fmt: skip
     axis.axhline(b, c="0.5", ls=":", lw=0.9)
     axis.text(scales[0], b, "overturned", va="bottom", fontsize=6.5, color="0.4")
-    axis.set(ylim=(0.0, 1.12 * b), xticks=scales)
+    axis.set(ylim=(0.0, 1.12 * b), xticks=scales, xticklabels=[f"{s:g}" for s in scales])
 
 
 run(main, globals())
