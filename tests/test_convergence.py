@@ -108,7 +108,7 @@ def test_default_fidelity_against_the_planar_reference(model, peak, tmp_path):
 @pytest.mark.yade
 @pytest.mark.parametrize(("factor", "status"), [(0.99, "ok"), (1.01, "overturned")])
 def test_overturning_threshold_of_a_rectangular_pulse(factor, status):
-    """x = 2: t1 = ln 2/p overturns; 1 % less stands, 1 % more falls, in the rigid limit of the base."""
+    """x = 2, t1 = ln 2/p: 1 % less stands, 1 % more falls, in the rigid limit of the base."""
     facade_keys = {"height_m": 4.0, "thickness_m": 0.1, "e_mpa": 1e5, "base_stiffness_pa_m": 5e12}
     config = resolved(facade=facade_keys, numerics={"nodes_thickness": 3, "step_fraction": 0.3})
     alpha, _, p = block(4.0, 0.1)

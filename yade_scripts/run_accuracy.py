@@ -158,8 +158,9 @@ def main(argv=None):
         engine.load_yade()
         rows = []
         for spec in plan["runs"]:
+            time_s, columns = motions[spec["record"]]
             job = with_nodes(jobs[spec["model"]], spec["nodes"])
-            history, ratio = run_case(job, *motions[spec["record"]], spec)
+            history, ratio = run_case(job, time_s, columns, spec)
             chain = facade.uses_chain(spec["model"])
             nodes = job["numerics"]["nodes_per_block" if chain else "nodes_height"]
             rows.append(as_row(spec, nodes, history, ratio))

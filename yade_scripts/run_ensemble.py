@@ -151,7 +151,8 @@ def analyse(runner, status, d_over_b):
     changes, sensitivity_rows = measure_sensitivity(runner, status, d_over_b, settings)
     members = perturb.draw_members(settings)
     wanted, collapse = perturb.sensitive_intensities(status, changes, settings)
-    rows, fractions = [], {}
+    rows: list[dict] = []
+    fractions: dict[float, float] = {}
     if collapse:
         start = min(g for g, s in status.items() if s == "overturned")
         tolerance = ida["tolerance_g"]
