@@ -282,7 +282,7 @@ def evaluate(cases, histories):
     list of dict
         case, e_1sr, beta_s (n,), found (list of Rebounds), e (n, 3), histories (n) of each wall.
     """
-    by_wall = {case["id"]: [] for case in cases}
+    by_wall: dict[str, list] = {case["id"]: [] for case in cases}
     for history in histories:
         by_wall[history["id"]].append(history)
     out = []

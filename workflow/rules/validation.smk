@@ -163,6 +163,7 @@ rule damping_choice:
             f"results/{w.run}/calibration/choice/{m}_{d}_{law}.csv"
             for m, d, law in choices(w.run)
         ],
+        facts=lambda w: f"results/{w.run}/records/{study(w.run)['choice_record']}.json",
         style=STYLE,
     output:
         table="results/{run}/tables/damping_choice.csv",

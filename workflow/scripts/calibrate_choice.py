@@ -16,6 +16,8 @@ COLUMNS = ("model", "record", "direction", "law", "beta_s", "pga_safe_g", "pga_c
 
 def main(job):
     rows, curves = [], {}
+    with open(job.input.facts) as handle:
+        record = style.provenance(json.load(handle))
     for scene_path, path in zip(job.input.scenes, job.input.ida, strict=True):
         with open(scene_path) as handle:
             scene = json.load(handle)
@@ -47,14 +49,15 @@ def main(job):
             for law, beta, stood, fell, collapse in curves[model, direction]:
                 below = stood[~(stood["pga_g"] >= collapse)].sort_values("pga_g")
                 colour = COLOURS[law]
-                axis.plot([0, *below["d_over_b"]], [0, *below["pga_g"]], "o-", c=colour,
+                wide = {"lw": 3.0, "ms": 6.0, "alpha": 0.5} if law == "eq5" else {}
+                axis.plot([0, *below["d_over_b"]], [0, *below["pga_g"]], "o-", c=colour, **wide,
                           label=f"{NAMES[law]}, β = {1e3 * beta:.2f} ms")  # fmt: skip
                 above = stood[stood["pga_g"] >= collapse]
                 axis.plot(above["d_over_b"], above["pga_g"], "o", c=colour)
                 axis.plot(fell["d_over_b"], fell["pga_g"], "o", c=colour, mfc="white",
                           clip_on=False)  # fmt: skip
             sign = {"pos": "+", "neg": "−"}[direction]
-            axis.set_title(f"{model}, {rows[0]['record']} {sign}", loc="left")
+            axis.set_title(f"{model}, {record} {sign}", loc="left")
             axis.set(xlabel="d/b [–]", ylabel="PGA [g]", xlim=(0, 1.02), ylim=(0, None))
     axes[0, 0].legend()
     style.save(figure, (job.output.png, job.output.pdf))
