@@ -7,6 +7,7 @@ from YADE. Strengths and stiffness are round numbers, so the closed forms are ex
 import os
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -169,7 +170,36 @@ def facade_loads():
         assert np.array_equal(back, columns.cohesion_n > 0.0)
 
 
-CASES = {f.__name__: f for f in (uniform_pull, elastic_both_ways, pure_shear, peeling)}
+def energy_is_kept():
+    """Free vibration of a bonded façade without dashpots, on driven supports that rest.
+
+    Bonds hold their preload inside the support: nothing leaks from it, and the sum of
+    kinetic, potential and elastic energy stays, to second order in the step.
+    """
+    from yade_scripts import energy, engine, simulate, stiffness
+
+    drift = []
+    for fraction in (0.1, 0.05):
+        scene = bonded_scene((0, 1, 0), 5, free="yzX", tension=1e9, cohesion=1e9)
+        nodes = scene.nodes
+        nodes.beta_s[:] = 0.0
+        moving = dict(velocity_m_s=(0.0, 0.01, 0.005), angular_velocity_rad_s=(0.01, 0.0, 0.0))
+        scene.blocks[0] = replace(scene.blocks[0], motion="ground")
+        scene.blocks[1] = replace(scene.blocks[1], motion=None, **moving)
+        still = engine.Motion(np.array([0.0, 10.0]), np.zeros(2))
+        probe = energy.EnergyProbe(scene, 0.002)
+        step = fraction * stiffness.critical_step(scene)
+        rules = simulate.StopRules(2.0, 2.0)
+        simulate.run(scene, {"ground": still}, step, rules, setup=probe.attach)
+        kinetic = probe.rows[0][1]
+        drift.append(np.abs(probe.total - probe.total[0]).max() / kinetic)
+    assert drift[0] < 0.02, drift
+    assert drift[1] < 0.4 * drift[0], drift
+
+
+CASES = {
+    f.__name__: f for f in (uniform_pull, elastic_both_ways, pure_shear, peeling, energy_is_kept)
+}
 
 
 @pytest.mark.yade

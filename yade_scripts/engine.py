@@ -86,6 +86,8 @@ class Built:
         YADE id of each block: the clump, or the first face of a support.
     node_body : list of int
         YADE id of each node's sphere (the dry one, for bonded nodes).
+    unturned : dict of int to quaternion
+        By free block, the inverse of its clump's orientation in the reference position.
     bonds : bonds.Bonds or None
         Follows the bonded nodes, if there are any.
     guide : motion.Guide or None
@@ -97,6 +99,7 @@ class Built:
     omega: object
     body: list
     node_body: list
+    unturned: dict
     bonds: Bonds | None = None
     guide: Guide | None = None
     releases: Releases | None = None
@@ -170,6 +173,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     if nodes.bonded.any() or scene.notes.get("rims"):
         omega.materials.append(dead)
     body, node_body, drives, bonded = [], [-1] * len(nodes), {}, {}
+    unturned: dict[int, object] = {}
     heaviest = max([b.mass_kg for b in scene.blocks if b.free] or [1.0])
     for index, block in enumerate(scene.blocks):
         keys = faces.of_block(index)
@@ -177,6 +181,8 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
             ids = [omega.bodies.append(faces.box(key, reach, rigid)) for key in keys]
             if not ids:
                 ids = [omega.bodies.append(utils.box((0, 0, 0), (1, 1, 1), mask=0))]
+            if len(ids) > 1 and block.motion is not None:
+                ids = [_joined(utils, omega, block, ids, rigid)]
             for i in ids:
                 state = omega.bodies[i].state
                 state.mass = SUPPORT_MASS_RATIO * heaviest
@@ -189,7 +195,8 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
         members = _members(utils, omega, scene, index, faces, keys, reach, rigid,
                            node_material, bond_material, dead, node_radius_m, node_body,
                            bonded)  # fmt: skip
-        body.append(_clump(omega, block, members, full_rotation))
+        clump, unturned[index] = _clump(omega, block, members, full_rotation)
+        body.append(clump)
 
     engines = [
         w.ForceResetter(),
@@ -222,7 +229,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     _place_members(w, omega)
     omega.engines = engines
     omega.dt = dt_s
-    built = Built(omega, body, node_body)
+    built = Built(omega, body, node_body, unturned)
     _attach(w, scene, motions, built, bonded, node_material, dead)
     return built
 
@@ -237,6 +244,12 @@ def _place_members(w, omega):
     omega.dt = 0.0
     omega.run(1, True)
     omega.resetTime()
+
+
+def planar_turn(built, index):
+    """Rotation of a free block about x since the reference position [rad], for planar motion."""
+    q = built.omega.bodies[built.body[index]].state.ori * built.unturned[index]
+    return 2.0 * np.arctan2(q[0], q[3]) if q[3] >= 0.0 else 2.0 * np.arctan2(-q[0], -q[3])
 
 
 def _attach(w, scene, motions, built, bonded, node_material, dead):
@@ -264,6 +277,19 @@ def _attach(w, scene, motions, built, bonded, node_material, dead):
         __main__._release_nodes = built.releases
         period = max(1, round(RELEASE_CHECK_S / omega.dt))
         omega.engines = omega.engines + [w.PyRunner(command="_release_nodes()", iterPeriod=period)]
+
+
+def _joined(utils, omega, block, faces, rigid):
+    """Clump the faces of a driven support, so that preloads between them stay inside it."""
+    carrier = omega.bodies.append(
+        utils.box(tuple(block.centre_m), (0.1, 0.1, 0.1), fixed=False, mask=0, material=rigid)
+    )
+    state = omega.bodies[carrier].state
+    state.mass, state.inertia = 1.0, (1.0, 2.0, 3.0)  # see _members
+    for face in faces:
+        member = omega.bodies[face].state
+        member.mass, member.inertia = 0.0, (0.0, 0.0, 0.0)
+    return omega.bodies.clump([carrier, *faces])
 
 
 def _members(utils, omega, scene, index, faces, keys, reach, rigid, node_material,
@@ -317,7 +343,10 @@ def _members(utils, omega, scene, index, faces, keys, reach, rigid, node_materia
 
 
 def _clump(omega, block, members, full_rotation):
-    """Join members to a clump with the block's mass, freedoms and initial pose; return its id."""
+    """Join members to a clump with the block's mass, freedoms and initial pose.
+
+    Returns its id and the inverse of its frame: YADE may start a clump turned by 180°.
+    """
     from yade import minieigenHP
 
     clump = omega.bodies.clump(members)
@@ -325,6 +354,7 @@ def _clump(omega, block, members, full_rotation):
     frame = np.array([list(row) for row in state.ori.toRotationMatrix()])
     if not np.allclose(np.abs(np.diag(frame)), 1.0, atol=1e-9):
         raise EngineError(f"YADE turned the frame of block '{block.name}'")
+    unturned = state.ori.inverse()
     state.mass = block.mass_kg
     state.inertia = tuple(block.inertia_kg_m2)
     state.blockedDOFs = "".join(d for d in "xyzXYZ" if d not in block.free)
@@ -337,4 +367,4 @@ def _clump(omega, block, members, full_rotation):
         state.ori = turn * state.ori
     state.vel = tuple(block.velocity_m_s)
     state.angVel = tuple(block.angular_velocity_rad_s)
-    return clump
+    return clump, unturned
