@@ -127,3 +127,21 @@ def test_floor_motions_carry_no_drift_between_supports():
 def test_nothing_listens_while_yade_runs():
     """YADE as a library opens neither its prompt nor its XML-RPC port."""
     assert in_yade("facade_cases", "listening_ports") == 0
+
+
+@pytest.mark.parametrize("width_m", [1.0, 2.0, 4.0])
+def test_planar_motion_does_not_depend_on_the_width(width_m):
+    """Per metre of width a façade is the same one, whatever frame YADE gives its clump."""
+    wall = {"height_m": 0.8, "thickness_m": 0.11, "width_m": width_m, "density_kg_m3": 1750.0}
+    config = resolved(facade=wall, return_wall={"count": 1, "thickness_m": 0.22 * width_m})
+    step = 0.2 * stiffness.critical_step(facade.facade_scene(config, "W1", 0.00025))
+    case = dict(config=config, beta_s=0.00025, ratio=0.5, dt_s=step, limit_s=0.6)
+    theta = np.array(in_yade("facade_cases", "release", **case)["rotation_rad"])
+    narrow = resolved(
+        facade=wall | {"width_m": 0.5}, return_wall={"count": 1, "thickness_m": 0.11}
+    )  # fmt: skip
+    other = np.array(
+        in_yade("facade_cases", "release", **case | {"config": narrow})["rotation_rad"]
+    )
+    assert theta[0] == pytest.approx(0.5 * np.arctan2(0.11, 0.8), rel=1e-6)
+    assert np.max(np.abs(theta - other)) < 1e-6

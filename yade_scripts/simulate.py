@@ -123,6 +123,7 @@ class _Monitor:
 
     def __init__(self, scene, built, rules):
         bodies = built.omega.bodies
+        self.unturned = built.unturned[scene.index(scene.monitor)]
         self.omega, self.rules = built.omega, rules
         self.block = bodies[built.body[scene.index(scene.monitor)]].state
         self.support = bodies[built.body[scene.index(scene.reference)]].state
@@ -137,9 +138,10 @@ class _Monitor:
         """Take a sample; pause the run when a stop rule applies."""
         t = self.omega.time + self.omega.dt  # positions are those after this step
         state, support = self.block, self.support
-        q = state.ori
+        q = state.ori * self.unturned
         # planar pose: rotation about x alone carries d; w, x suffice for its angle
-        angle = 2.0 * np.arctan2(q[0], q[3])
+        sign = 1.0 if q[3] >= 0.0 else -1.0  # q and −q are the same rotation
+        angle = 2.0 * np.arctan2(sign * q[0], sign * q[3])
         c, s = np.cos(angle), np.sin(angle)
         y, z = self.arm[1], self.arm[2]
         d = (state.pos[1] - self.centre[1]) + (c * y - s * z - y) - (support.pos[1] - self.start)
