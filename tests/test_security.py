@@ -34,8 +34,6 @@ OBJECTS_OR_NETWORK = {
 # placeholders in shell commands that need no quoting: each is limited to harmless words elsewhere
 UNQUOTED = {
     "wildcards.direction": "pos|neg",
-    "params.direction": "an enumeration of the schema",
-    "params.pga": "a number by its schema",
     "params.gravity": "a number of the rule itself",
     "params.steps": "an integer by its schema",
 }

@@ -33,7 +33,7 @@ rule frames:
         pga=lambda w: cfg(w)["pictures"]["pga_g"],
     shell:
         "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
-        " --record {params.record:q} --direction {params.direction} --pga {params.pga}"
+        " --record {params.record:q} --direction {params.direction:q} --pga {params.pga:q}"
         " --fall 2 --output {output:q} 2> >(tee {log:q} >&2)"
 
 
@@ -58,8 +58,8 @@ rule collapse_frames:
         interval=lambda w: cfg(w)["pictures"]["frame_interval_s"],
     shell:
         "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
-        " --record {params.record:q} --direction {params.direction} --collapse {input.ida:q}"
-        " --interval {params.interval} --fall 6 --output {output:q} 2> >(tee {log:q} >&2)"
+        " --record {params.record:q} --direction {params.direction:q} --collapse {input.ida:q}"
+        " --interval {params.interval:q} --fall 6 --output {output:q} 2> >(tee {log:q} >&2)"
 
 
 rule fig07_models:
