@@ -50,7 +50,7 @@ def main(job):
         return line, dot
 
     movie = FuncAnimation(figure, update, frames=len(shown), blit=False)
-    movie.save(job.output[0], writer=PillowWriter(fps=20))
+    movie.save(job.output[0], writer=PillowWriter(fps=20), dpi=90)
     plt.close(figure)
 
 
