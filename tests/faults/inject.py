@@ -21,7 +21,7 @@ PATIENCE_S = 900.0  # longest wait for a disturbed run
 
 def _moment(process, rng, seconds):
     """Wait for a random moment of a run; return it [s]."""
-    moment = rng.uniform(0.0, seconds)
+    moment = rng.uniform(0.0, 0.85 * seconds)
     end = time.monotonic() + moment
     while time.monotonic() < end and process.poll() is None:
         time.sleep(0.02)
@@ -73,7 +73,7 @@ def full_disk(space, rng, seconds):
     """The whole workspace on a disk that fills up; room is made afterwards."""
     used = int(subprocess.run(["du", "-sk", str(space.folder)], capture_output=True, text=True,
                               check=True).stdout.split()[0])  # fmt: skip
-    room = rng.randint(40, 3000)
+    room = round(10.0 ** rng.uniform(0.9, 3.0))  # kB; the study needs a few hundred
     size = f"size={used + room}k"
     kept = space.folder.with_name(space.folder.name + "-kept")
     space.folder.rename(kept)
@@ -90,7 +90,7 @@ def full_disk(space, rng, seconds):
 
 def file_limit(space, rng, seconds):
     """No file may grow beyond a limit, as with a quota."""
-    limit = rng.choice([0, 200, 2_000, 20_000, 200_000, 2_000_000])
+    limit = rng.choice([0, 200, 1_000, 3_000, 20_000, 200_000, 800_000])
 
     def restrict():
         resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
