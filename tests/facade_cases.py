@@ -13,12 +13,13 @@ def quiet(scene, duration_s=100.0):
     return dict.fromkeys(scene.motions, still)
 
 
-def drive(config, time_s, acceleration_m_s2, dt_s):
-    """Displacement of the driven base when its motion ends [m], while the façade rocks on it."""
+def drive(config, time_s, acceleration_m_s2, dt_s, until_s=None):
+    """Displacement of the driven base at `until_s` or its motion's end [m], façade on it."""
     scene = facade.facade_scene(config, "W1", 0.00276)
     motion = engine.Motion(np.array(time_s), np.array(acceleration_m_s2))
     kept = []
-    rules = simulate.StopRules(time_s[-1], time_s[-1], overturn_ratio=1e9)
+    until_s = until_s or time_s[-1]
+    rules = simulate.StopRules(until_s, until_s, overturn_ratio=1e9)
     simulate.run(scene, {"ground": motion}, dt_s, rules, setup=kept.append)
     return kept[0].omega.bodies[kept[0].body[0]].state.pos[1] - scene.blocks[0].centre_m[1]
 

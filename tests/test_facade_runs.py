@@ -41,6 +41,15 @@ def test_driven_support_follows_its_motion():
     assert got == pytest.approx(d, rel=1e-3)
 
 
+def test_support_keeps_its_speed_after_its_motion():
+    """A motion that is cut off while it accelerates ends there: constant speed from then on."""
+    t, a = pulse(1.5, duration_s=3.2, total_s=0.8)
+    case = dict(config=resolved(), time_s=t.tolist(), acceleration_m_s2=a.tolist(), dt_s=2e-4)
+    one, two, three = (in_yade("facade_cases", "drive", until_s=s, **case) for s in (1, 1.5, 2))
+    assert two - one == pytest.approx(three - two, rel=1e-6)
+    assert two - one > 0.1
+
+
 @pytest.mark.parametrize("ratio", [0.2, 0.5])
 def test_quarter_period_of_free_rocking(ratio):
     """Stiff contacts: time from release to the first impact is acosh(1/(1−θ0/α))/p."""

@@ -14,10 +14,19 @@ class Motion:
     Attributes
     ----------
     time_s, acceleration_m_s2 : ndarray, shape (n,)
+        A motion that does not end at zero gets one more sample that does: YADE holds the
+        last value, and floors that still ring would part from each other without end.
     """
 
     time_s: np.ndarray
     acceleration_m_s2: np.ndarray
+
+    def __post_init__(self):
+        """Let the acceleration end at zero."""
+        if self.acceleration_m_s2[-1] != 0.0:
+            end = 2.0 * self.time_s[-1] - self.time_s[-2]
+            self.time_s = np.append(self.time_s, end)
+            self.acceleration_m_s2 = np.append(self.acceleration_m_s2, 0.0)
 
     @property
     def duration_s(self):
