@@ -172,7 +172,10 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
 
     if nodes.bonded.any() or scene.notes.get("rims"):
         omega.materials.append(dead)
-    body, node_body, drives, bonded = [], [-1] * len(nodes), {}, {}
+    body: list[int] = []
+    node_body = [-1] * len(nodes)
+    drives: dict[str, list[int]] = {}
+    bonded: dict[int, tuple] = {}
     unturned: dict[int, object] = {}
     heaviest = max([b.mass_kg for b in scene.blocks if b.free] or [1.0])
     for index, block in enumerate(scene.blocks):

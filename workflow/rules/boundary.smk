@@ -3,18 +3,6 @@ PICTURE_SCRIPTS = module("workflow/rocking/pictures.py")
 ALL_MODELS = ["W1", "W1c", "W2", "W2c", "W3"]
 
 
-def picture_record(run):
-    """Record that the pictures of a run show."""
-    names = RECORDS[run]
-    return RUNS[run]["pictures"]["record"] or names[min(1, len(names) - 1)]
-
-
-def picture_motion(wildcards):
-    """Floor motions of that record."""
-    n = cfg(wildcards)["smdof"]["n_dof"]
-    return f"results/{wildcards.run}/smdof/{picture_record(wildcards.run)}_{n}dof.csv"
-
-
 rule frames:
     input:
         entry=module("yade_scripts/run_frames.py"),
@@ -122,3 +110,9 @@ rule table_claims:
         "results/{run}/logs/table_claims.log",
     script:
         "../scripts/table_claims.py"
+
+
+# `snakemake boundary --configfile config/scenarios/five_models.yaml`: Figures 7, 8 and 9 whole.
+rule boundary:
+    input:
+        with_pages(per_run(boundary_results)),

@@ -37,6 +37,7 @@ rule calibration_cases:
 
 rule free_rocking:
     input:
+        entry=module("yade_scripts/run_free_rocking.py"),
         cases=CASES,
         yade=ancient("results/{run}/yade.txt"),
         modules=yade_modules() + module("yade_scripts/run_free_rocking.py"),
@@ -48,9 +49,8 @@ rule free_rocking:
         "results/{run}/benchmarks/free_rocking_{group}.tsv"
     params:
         python=YADE_PYTHON,
-        entry=str(BASE / "yade_scripts" / "run_free_rocking.py"),
     shell:
-        "{params.python:q} {params.entry:q} --cases {input.cases:q} --output {output:q}"
+        "{params.python:q} {input.entry:q} --cases {input.cases:q} --output {output:q}"
         " 2> >(tee {log:q} >&2)"
 
 

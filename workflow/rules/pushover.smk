@@ -1,6 +1,6 @@
 # Static capacity curves in YADE: one job a model, and one a variant of W3.
-from rocking.pushover import RULES as HEADER_RULES
-from rocking.pushover import VARIANTS as W3_VARIANTS
+include: "boundary_targets.smk"
+
 
 PUSH_SECTIONS = (
     "facade",
@@ -99,19 +99,6 @@ rule pushover_curve:
         "results/{run}/logs/pushover_curve_{pushed}.log",
     script:
         "../scripts/pushover_curve.py"
-
-
-def pushover_curves(run):
-    """Capacity curves of a run."""
-    return [
-        f"results/{run}/pushover/{model}.csv"
-        for model in RUNS[run]["pushover"]["models"]
-    ]
-
-
-def variant_files(run, pattern, names=tuple(W3_VARIANTS)):
-    """Files of the variants of W3."""
-    return [f"results/{run}/w3/{pattern.format(name)}" for name in names]
 
 
 rule table_pushover:

@@ -49,6 +49,7 @@ rule shake_table_tests:
 
 rule shake_table:
     input:
+        entry=module("yade_scripts/run_shake_table.py"),
         tests="results/{run}/calibration/shake_table_tests.json",
         motions="results/{run}/calibration/shake_table_motions",
         yade=ancient("results/{run}/yade.txt"),
@@ -61,9 +62,8 @@ rule shake_table:
         "results/{run}/benchmarks/shake_table.tsv"
     params:
         python=YADE_PYTHON,
-        entry=str(BASE / "yade_scripts" / "run_shake_table.py"),
     shell:
-        "{params.python:q} {params.entry:q} --tests {input.tests:q} --output {output:q}"
+        "{params.python:q} {input.entry:q} --tests {input.tests:q} --output {output:q}"
         " 2> >(tee {log:q} >&2)"
 
 
@@ -129,6 +129,7 @@ rule damping_choice_scene:
 
 rule damping_choice_ida:
     input:
+        entry=module("yade_scripts/run_ida.py"),
         scene="results/{run}/calibration/choice/{model}_{law}.json",
         motion=lambda w: (
             f"results/{w.run}/smdof/{study(w.run)['choice_record']}"
@@ -144,11 +145,10 @@ rule damping_choice_ida:
         law="eq5|fitted",
     params:
         python=YADE_PYTHON,
-        entry=str(BASE / "yade_scripts" / "run_ida.py"),
         record=lambda w: study(w.run)["choice_record"],
         journal="results/{run}/cache/choice/{model}_{direction}_{law}.jsonl",
     shell:
-        "{params.python:q} {params.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {wildcards.direction}"
         " --journal {params.journal:q} --output {output:q} 2> >(tee {log:q} >&2)"
 

@@ -8,7 +8,6 @@ import numpy as np
 from rocking import pictures, style
 from rocking.script import run
 
-
 SHOWN_D = 0.6  # d/b
 
 
