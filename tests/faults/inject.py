@@ -165,8 +165,10 @@ def torn_journal(space, rng, seconds):
             handle.write(rng.randbytes(rng.choice([0, 7, 300])))
         cut += 1
     for folder in ("ida/W1", "ida/W2"):
-        (space.folder / RESULTS / folder).mkdir(parents=True, exist_ok=True)
-        (space.folder / RESULTS / folder / ".BUCAR0_neg.csv.1.part").write_text("model,rec")
+        table = space.folder / RESULTS / folder / "BUCAR0_neg.csv"
+        if not table.exists():  # a finished table has cleared such files away
+            table.parent.mkdir(parents=True, exist_ok=True)
+            table.with_name(f".{table.name}.1.part").write_text("model,rec")
     return f"{cut} journals cut at a random byte"
 
 
