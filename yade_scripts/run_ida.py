@@ -64,11 +64,18 @@ def scaled_motions(time_s, columns, names, factor):
     return {name: engine.Motion(time_s, factor * columns[name]) for name in names}
 
 
+def _end_of_shaking(time_s, motions):
+    """Time from which the ground is still [s]; floors may ring on, and rest is then measured."""
+    ground = motions.get("ground")
+    moving = np.flatnonzero(ground.acceleration_m_s2[: len(time_s)]) if ground else []
+    return float(time_s[moving[-1]]) if len(moving) else float(time_s[-1])
+
+
 def stop_rules(numerics, time_s, motions):
     """Stop rules of an earthquake run from section numerics of the configuration."""
     speed = max(m.peak_speed() for m in motions.values())
     return simulate.StopRules(
-        motion_s=float(time_s[-1]),
+        motion_s=_end_of_shaking(time_s, motions),
         limit_s=float(time_s[-1]) + numerics["after_motion_s"],
         overturn_ratio=numerics["overturn_ratio"],
         rest_velocity_m_s=numerics["rest_velocity_m_s"],
