@@ -71,20 +71,19 @@ def _first_error(space):
 
 def full_disk(space, rng, seconds):
     """The whole workspace on a disk that fills up; room is made afterwards."""
-    used = int(subprocess.run(["du", "-sk", str(space.folder)], capture_output=True, text=True,
-                              check=True).stdout.split()[0])  # fmt: skip
     room = round(10.0 ** rng.uniform(0.9, 3.0))  # kB; the study needs a few hundred
-    size = f"size={used + room}k"
     kept = space.folder.with_name(space.folder.name + "-kept")
     space.folder.rename(kept)
     space.folder.mkdir()
-    subprocess.run(["mount", "-t", "tmpfs", "-o", f"{size},mode=755", "tmpfs", str(space.folder)],
+    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64m,mode=755", "tmpfs", str(space.folder)],
                    check=True)  # fmt: skip
     space.mounts.append(space.folder)
     subprocess.run(["cp", "-a", f"{kept}/.", str(space.folder)], check=True)
     shutil.rmtree(kept)
+    ballast = space.folder / "ballast"
+    ballast.write_bytes(bytes(shutil.disk_usage(space.folder).free - room * 1024))
     status = space.start().wait(PATIENCE_S)
-    subprocess.run(["mount", "-o", "remount,size=512m", str(space.folder)], check=True)
+    ballast.unlink()
     return f"{room} kB left, exit {status}, {_first_error(space)}"
 
 
