@@ -67,7 +67,9 @@ def scaled_motions(time_s, columns, names, factor):
 def _end_of_shaking(time_s, motions):
     """Time from which the ground is still [s]; floors may ring on, and rest is then measured."""
     ground = motions.get("ground")
-    moving = np.flatnonzero(ground.acceleration_m_s2[: len(time_s)]) if ground else []
+    moving: np.ndarray | list = (
+        np.flatnonzero(ground.acceleration_m_s2[: len(time_s)]) if ground else []
+    )
     return float(time_s[moving[-1]]) if len(moving) else float(time_s[-1])
 
 
