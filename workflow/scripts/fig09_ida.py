@@ -34,8 +34,8 @@ def draw_pushover(axis, path, h, b):
               label=f"pushover {model}", zorder=1)  # fmt: skip
 
 
-def draw(axis, curve, model):
-    """Draw one curve; runs that overturned sit at d/b = 1, re-stabilised ones keep their line."""
+def draw(axis, curve, model, top):
+    """Draw one curve up to PGA `top`; runs that overturned sit at d/b = 1 with open symbols."""
     stood, fell = branches(curve)
     colour, marker = style.MODEL_COLOURS[model], style.MODEL_MARKERS[model]
     joined = curve[curve["status"] != "failed"]
@@ -44,6 +44,7 @@ def draw(axis, curve, model):
     axis.plot(np.r_[0, line["d_over_b"]], np.r_[0, line["pga_g"]], color=colour, zorder=2)
     axis.plot(stood["d_over_b"], stood["pga_g"], marker, color=colour, ls="", label=model,
               zorder=3)  # fmt: skip
+    fell = fell[fell["pga_g"] <= top]  # the frame does not clip symbols at d/b = 1
     axis.plot(fell["d_over_b"], fell["pga_g"], marker, color=colour, mfc="white", ls="",
               clip_on=False, zorder=4)  # fmt: skip
 
@@ -76,6 +77,7 @@ def main(job):
     )
     pushovers = list(getattr(job.input, "pushover", [])) or [None]
     for i, record in enumerate(p.records):
+        top = 1.15 * max(shown_pga(c) for c in curves if curve_key(c)[1] == record)
         for j, direction in enumerate(p.directions):
             axis = axes[i, j]
             for path in pushovers:
@@ -85,13 +87,10 @@ def main(job):
                     draw_band(axis, ensemble, p.percentiles)
             for curve in curves:
                 if curve_key(curve)[1:] == (record, direction):
-                    draw(axis, curve, curve_key(curve)[0])
+                    draw(axis, curve, curve_key(curve)[0], top)
             sign = {"pos": "+", "neg": "−"}[direction]
             axis.set_title(f"{style.provenance(facts[record])}, direction {sign}", loc="left")
             axis.set(xlim=(0, 1.0), ylabel="PGA [g]")
-            axis.set_ylim(bottom=0)
-        top = 1.15 * max(shown_pga(c) for c in curves if c.iloc[0]["record"] == record)
-        for axis in axes[i]:
             axis.set_ylim(0, top)
     for axis in axes[-1]:
         axis.set_xlabel("peak top displacement d/b [-]")
