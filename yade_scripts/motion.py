@@ -23,7 +23,8 @@ class Motion:
 
     def __post_init__(self):
         """Let the acceleration end at zero."""
-        if self.acceleration_m_s2[-1] != 0.0:
+        largest = np.max(np.abs(self.acceleration_m_s2))
+        if abs(self.acceleration_m_s2[-1]) > 1e-9 * largest:
             end = 2.0 * self.time_s[-1] - self.time_s[-2]
             self.time_s = np.append(self.time_s, end)
             self.acceleration_m_s2 = np.append(self.acceleration_m_s2, 0.0)
