@@ -50,24 +50,38 @@ def rebounds_of(histories):
     return {h["id"]: rebounds(h["time_s"], h["theta_over_alpha"]).peak[:2] for h in histories}
 
 
-def test_reference_table(tmp_path):
-    """Rebounds within 1 % of what the table's two columns span, with a back face that does not rub.
+def distance(value, printed):
+    """Relative distance from the interval that rounds to the printed three decimals."""
+    nearest = np.clip(value, printed - 5e-4, printed + 5e-4)
+    return np.abs(value - nearest) / printed
 
-    The columns are two solvers' values of one quantity and differ by up to 1.3 % themselves: at
-    5 nodes 0.078 and 0.079, where this one gives 0.0794 at the steps below, 0.0796 at finer ones.
-    A rebound moves by about 0.3 % from one time step to the next, so two steps are averaged.
-    """
+
+@pytest.fixture(scope="module")
+def table_rebounds(tmp_path_factory):
+    """Rebounds by node count; a rebound moves 0.3 % with the step, so two steps are averaged."""
     fractions = (0.02, 0.015)
     done, archive = run(
-        [case(f"{n} {f}", n, f, **CONVENTION) for n in TABLE for f in fractions], tmp_path
+        [case(f"{n} {f}", n, f, **CONVENTION) for n in TABLE for f in fractions],
+        tmp_path_factory.mktemp("table"),
     )
     assert done.returncode == 0, done.stderr
     found = rebounds_of(read_archive(archive))
-    for n, columns in TABLE.items():
-        mean = np.mean([found[f"{n} {f}"] for f in fractions], axis=0)
-        low, high = np.min(columns, axis=0) - 5e-4, np.max(columns, axis=0) + 5e-4
-        off = np.abs(mean - np.clip(mean, low, high)) / mean
-        assert np.all(off < 0.01), (n, mean, columns)
+    return {n: np.mean([found[f"{n} {f}"] for f in fractions], axis=0) for n in TABLE}
+
+
+# Known shortfall: 0.0794 here (0.0796 at finer steps) against 0.078, 1.1 % from its rounding;
+# the table's other column has 0.079 for the same rebound, and that one is met.
+MISSED = pytest.mark.xfail(strict=True, reason="5 nodes, first column, second rebound: 1.1 % off")
+
+
+@pytest.mark.parametrize("rebound", [0, 1], ids=["first", "second"])
+@pytest.mark.parametrize("column", [0, 1], ids=["yade", "planar"])
+@pytest.mark.parametrize("nodes", list(TABLE))
+def test_reference_table(table_rebounds, nodes, column, rebound, request):
+    """Every value of the table within 1 % of its rounding, with a back face that does not rub."""
+    if (nodes, column, rebound) == (5, 0, 1):
+        request.node.add_marker(MISSED)
+    assert distance(table_rebounds[nodes][rebound], TABLE[nodes][column][rebound]) < 0.01
 
 
 @pytest.mark.parametrize("convention", [CONVENTION, {}], ids=["table", "default"])
