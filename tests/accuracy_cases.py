@@ -55,7 +55,7 @@ def shaken(config, model, beta_s, time_s, columns, fraction=None):
     columns = {k: np.array(v) for k, v in columns.items()}
     motions = run_ida.scaled_motions(time_s, columns, scene.motions, 1.0)
     step, _ = simulate.choose_step(scene, numerics)
-    rules = run_ida.stop_rules(numerics, time_s, motions)
+    rules = run_ida.stop_rules(scene, numerics, time_s, motions)
     h = simulate.run(scene, motions, step, rules, sample_s=0.002)
     return {"peak": h.peak_d_over_b, "status": h.status, "d": h.d_m.tolist(),
             "time": h.time_s.tolist(), "dt_s": step}  # fmt: skip

@@ -28,7 +28,7 @@ def forced_run(config, model, factor):
     scene = facade.facade_scene(config, model, BETA_S)
     time_s, acceleration = _motion()
     motions = {name: engine.Motion(time_s, acceleration) for name in scene.motions}
-    rules = run_ida.stop_rules(config["numerics"], time_s, motions)
+    rules = run_ida.stop_rules(scene, config["numerics"], time_s, motions)
     step = factor * critical_step(scene)
     with_check = run_ida._attempt(scene, motions, step, rules, config["numerics"])
     without = simulate.run(scene, motions, step, rules)
@@ -41,10 +41,10 @@ def shaken_run(config, model, record, peak_g):
     time_s, columns = np.array(record["time_s"]), record["columns"]
     motions = {n: engine.Motion(time_s, peak_g * 9.81 * np.array(columns[n]))
                for n in scene.motions}  # fmt: skip
-    rules = run_ida.stop_rules(config["numerics"], time_s, motions)
+    rules = run_ida.stop_rules(scene, config["numerics"], time_s, motions)
     step, _ = simulate.choose_step(scene, config["numerics"])
-    check = ledger.EnergyLedger(scene, motions, 0.005)
-    history = simulate.run(scene, motions, step, rules, setup=check.attach)
+    check = ledger.EnergyLedger(scene, motions)
+    history = simulate.run(scene, motions, step, rules, check=check)
     return _outcome(history, excess=check.excess, walls=len(check.walls))
 
 
@@ -55,7 +55,7 @@ def poisoned_run(config, value, at_step):
     scene = facade.facade_scene(config, "W1", BETA_S)
     time_s, acceleration = _motion()
     motions = {name: engine.Motion(time_s, acceleration) for name in scene.motions}
-    rules = run_ida.stop_rules(config["numerics"], time_s, motions)
+    rules = run_ida.stop_rules(scene, config["numerics"], time_s, motions)
     step, _ = simulate.choose_step(scene, config["numerics"])
 
     def spoil(built):

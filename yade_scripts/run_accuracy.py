@@ -109,7 +109,7 @@ def run_case(job, time_s, columns, spec):
     if method == "Polyhedra":
         return _polyhedra(scene, motions[facade.GROUND], step), step / critical
     history = simulate.run(
-        scene, motions, step, run_ida.stop_rules(numerics, time_s, motions),
+        scene, motions, step, run_ida.stop_rules(scene, numerics, time_s, motions),
         sample_s=numerics["sample_interval_s"], node_radius_m=numerics["node_radius_m"],
         full_rotation=method == "full 3D",
         compensate_lag=method != "lag not compensated",

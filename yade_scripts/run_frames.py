@@ -107,7 +107,7 @@ def film(job, time_s, columns, direction, pga_g, interval_s, fall, until_s):
     pga = float(np.max(np.abs(columns["ground"])))
     factor = SIGNS[direction] * pga_g * run_ida.G / pga
     motions = run_ida.scaled_motions(time_s, columns, scene.motions, factor)
-    rules = run_ida.stop_rules(numerics, time_s, motions)
+    rules = run_ida.stop_rules(scene, numerics, time_s, motions)
     limit = min(rules.limit_s, until_s) if until_s else rules.limit_s
     rules = replace(rules, overturn_ratio=fall, limit_s=limit)
     step, _ = simulate.choose_step(scene, numerics)

@@ -64,20 +64,40 @@ def scaled_motions(time_s, columns, names, factor):
     return {name: engine.Motion(time_s, factor * columns[name]) for name in names}
 
 
-def _end_of_shaking(time_s, motions):
-    """Time from which the ground is still [s]; floors may ring on, and rest is then measured."""
-    ground = motions.get("ground")
-    moving: np.ndarray | list = (
-        np.flatnonzero(ground.acceleration_m_s2[: len(time_s)]) if ground else []
-    )
-    return float(time_s[moving[-1]]) if len(moving) else float(time_s[-1])
+def _end_of_shaking(time_s, motions, still_m_s2):
+    """Time from which no support accelerates more than `still_m_s2` [s]."""
+    n = len(time_s)
+    moving = np.zeros(n, bool)
+    for motion in motions.values():
+        moving |= np.abs(motion.acceleration_m_s2[:n]) > still_m_s2
+    return float(time_s[np.flatnonzero(moving)[-1]]) if moving.any() else 0.0
 
 
-def stop_rules(numerics, time_s, motions):
-    """Stop rules of an earthquake run from section numerics of the configuration."""
+def stop_rules(scene, numerics, time_s, motions):
+    """Stop rules of an earthquake run.
+
+    A motion is over when no support accelerates more than quiet_ratio·min(g b/h, peak):
+    g b/h lifts the façade, and below uplift the motion's own peak rules its response.
+    What follows cannot raise the peak d/b of a façade at rest.
+
+    Parameters
+    ----------
+    scene : Scene
+    numerics : dict
+        Section numerics of the configuration.
+    time_s : ndarray
+        Times of the motion file [s].
+    motions : dict of str to engine.Motion
+
+    Returns
+    -------
+    simulate.StopRules
+    """
     speed = max(m.peak_speed() for m in motions.values())
+    peak = max(float(np.max(np.abs(m.acceleration_m_s2))) for m in motions.values())
+    uplift = scene.gravity_m_s2 * scene.thickness_m / scene.monitor_point_m[2]
     return simulate.StopRules(
-        motion_s=_end_of_shaking(time_s, motions),
+        motion_s=_end_of_shaking(time_s, motions, numerics["quiet_ratio"] * min(uplift, peak)),
         limit_s=float(time_s[-1]) + numerics["after_motion_s"],
         overturn_ratio=numerics["overturn_ratio"],
         rest_velocity_m_s=numerics["rest_velocity_m_s"],
@@ -94,7 +114,7 @@ def run_one(scene, time_s, columns, factor, numerics):
     simulate.History
     """
     motions = scaled_motions(time_s, columns, scene.motions, factor)
-    rules = stop_rules(numerics, time_s, motions)
+    rules = stop_rules(scene, numerics, time_s, motions)
     step, _ = simulate.choose_step(scene, numerics)
     history = _attempt(scene, motions, step, rules, numerics)
     if history.status == simulate.FAILED and numerics["retry_half_step"]:
@@ -108,10 +128,11 @@ def run_one(scene, time_s, columns, factor, numerics):
 
 def _attempt(scene, motions, step, rules, numerics):
     """One run with the energy ledger beside it: energy from nowhere is never a collapse."""
-    sample_s = numerics["sample_interval_s"]
-    check = ledger.EnergyLedger(scene, motions, sample_s)
-    history = simulate.run(scene, motions, step, rules, sample_s=sample_s,
-                           node_radius_m=numerics["node_radius_m"], setup=check.attach)  # fmt: skip
+    check = ledger.EnergyLedger(scene, motions)
+    history = simulate.run(
+        scene, motions, step, rules, sample_s=numerics["sample_interval_s"],
+        node_radius_m=numerics["node_radius_m"], check=check,
+    )  # fmt: skip
     if check.reason and history.status != simulate.FAILED:
         history.status, history.reason = simulate.FAILED, check.reason
         history.peak_d_over_b = math.nan

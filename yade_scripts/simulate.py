@@ -1,5 +1,6 @@
 """One run in YADE: step a built scene, sample it, stop it, and say how it ended."""
 
+import math
 import time
 from dataclasses import dataclass, replace
 
@@ -9,6 +10,7 @@ from . import engine
 from .stiffness import critical_step, lag_factors
 
 OK, OVERTURNED, FAILED = "ok", "overturned", "failed"
+REST_RATIO = 0.5  # d/b
 
 
 class StepError(ValueError):
@@ -22,13 +24,14 @@ class StopRules:
     Attributes
     ----------
     motion_s : float
-        Duration of the input motion; rest counts only after it.
+        End of the input motion that matters; rest counts only after it.
     limit_s : float
         End of the run whatever happens.
     overturn_ratio : float
         d/b from which the façade counts as overturned.
     rest_velocity_m_s, rest_time_s : float
-        At rest: top velocity relative to the base below this for so long.
+        At rest: top velocity relative to the base below this for so long, and d/b below
+        REST_RATIO: a façade that lingers near its unstable balance is not at rest.
     max_speed_m_s : float
         Beyond this relative speed the run has failed numerically.
     """
@@ -127,32 +130,33 @@ class _Monitor:
         self.omega, self.rules = built.omega, rules
         self.block = bodies[built.body[scene.index(scene.monitor)]].state
         self.support = bodies[built.body[scene.index(scene.reference)]].state
-        self.centre = scene.blocks[scene.index(scene.monitor)].centre_m
-        self.arm = np.subtract(scene.monitor_point_m, self.centre)
+        centre = scene.blocks[scene.index(scene.monitor)].centre_m
+        self.centre_y = float(centre[1])
+        self.arm = tuple(float(p - c) for p, c in zip(scene.monitor_point_m, centre, strict=True))
         self.start = self.support.pos[1]
         self.b = scene.thickness_m
         self.rows, self.moving_until = [], 0.0
         self.status, self.reason = OK, ""
 
     def __call__(self):
-        """Take a sample; pause the run when a stop rule applies."""
+        """Take a sample; pause the run when a stop rule applies. Plain floats, for speed."""
         t = self.omega.time + self.omega.dt  # positions are those after this step
         state, support = self.block, self.support
         q = state.ori * self.unturned
         # planar pose: rotation about x alone carries d; w, x suffice for its angle
         sign = 1.0 if q[3] >= 0.0 else -1.0  # q and −q are the same rotation
-        angle = 2.0 * np.arctan2(sign * q[0], sign * q[3])
-        c, s = np.cos(angle), np.sin(angle)
-        y, z = self.arm[1], self.arm[2]
-        d = (state.pos[1] - self.centre[1]) + (c * y - s * z - y) - (support.pos[1] - self.start)
+        angle = 2.0 * math.atan2(sign * q[0], sign * q[3])
+        c, s = math.cos(angle), math.sin(angle)
+        _, y, z = self.arm
+        d = (state.pos[1] - self.centre_y) + (c * y - s * z - y) - (support.pos[1] - self.start)
         v = state.vel[1] - state.angVel[0] * (s * y + c * z) - support.vel[1]
         self.rows.append((t, d, v, -angle))
         rules = self.rules
-        if not (np.isfinite(d) and np.isfinite(v)) or abs(v) > rules.max_speed_m_s:
+        if not (math.isfinite(d) and math.isfinite(v)) or abs(v) > rules.max_speed_m_s:
             self._stop(FAILED, f"speed {v:.3g} m/s at t = {t:.4f} s: numerical failure")
         elif abs(d) >= rules.overturn_ratio * self.b:
             self._stop(OVERTURNED, f"d/b reached {rules.overturn_ratio:g} at t = {t:.3f} s")
-        elif abs(v) > rules.rest_velocity_m_s:
+        elif abs(v) > rules.rest_velocity_m_s or abs(d) > REST_RATIO * self.b:
             self.moving_until = t
         elif t > rules.motion_s and t - self.moving_until > rules.rest_time_s:
             self._stop(OK, f"at rest at t = {t:.3f} s")
@@ -166,7 +170,7 @@ class _Monitor:
 
 
 def run(scene, motions, dt_s, rules, *, sample_s=0.005, node_radius_m=1e-3, full_rotation=False,
-        setup=None, compensate_lag=True):  # fmt: skip
+        setup=None, check=None, compensate_lag=True):  # fmt: skip
     """Run a scene in YADE until it overturns, rests, fails or reaches the limit.
 
     Parameters
@@ -181,6 +185,9 @@ def run(scene, motions, dt_s, rules, *, sample_s=0.005, node_radius_m=1e-3, full
         See `engine.build`.
     setup : callable, optional
         Called with the `Built` scene before the first step (recorders, other engines).
+    check : ledger.EnergyLedger, optional
+        Sampled in the same call from YADE as the monitor: such a call costs as much as the
+        Python in it.
     compensate_lag : bool
         Correct the return walls' contacts for the late dashpot velocity, see
         `stiffness.lag_factors`.
@@ -202,6 +209,8 @@ def run(scene, motions, dt_s, rules, *, sample_s=0.005, node_radius_m=1e-3, full
     wrapper, omega = engine.load_yade(), built.omega
     monitor = _Monitor(scene, built, rules)
     __main__._sample_scene = monitor
+    if check is not None and check.attach(built):
+        __main__._sample_scene = lambda: (monitor(), check())
     period = max(1, round(sample_s / dt_s))
     omega.engines = omega.engines + [
         wrapper.PyRunner(command="_sample_scene()", iterPeriod=period, initRun=True)
