@@ -51,6 +51,19 @@ def release(config, beta_s, ratio, dt_s, limit_s, sample_s=0.001):
     return {"time_s": h.time_s.tolist(), "rotation_rad": h.rotation_rad.tolist()}
 
 
+def rebound_histories(config, beta_s, ratio, limit_s, fractions):
+    """Histories of a release, dashpots as YADE has them, by fraction of the critical step."""
+    found = {}
+    for fraction in fractions:
+        scene = facade.facade_scene(config, "W1", beta_s, release_ratio=ratio)
+        step, _ = simulate.choose_step(scene, {**config["numerics"], "step_fraction": fraction})
+        rules = simulate.StopRules(limit_s, limit_s, overturn_ratio=1e9)
+        h = simulate.run(scene, quiet(scene), step, rules, sample_s=limit_s / 2500,
+                         compensate_lag=False)  # fmt: skip
+        found[str(fraction)] = [h.time_s.tolist(), h.rotation_rad.tolist()]
+    return found
+
+
 def shaken(config, model, beta_s, time_s, columns, factor, planar=True):
     """Peak d/b, status and reason of one earthquake run."""
     scene = facade.facade_scene(config, model, beta_s, planar=planar)

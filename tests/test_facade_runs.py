@@ -111,8 +111,8 @@ def test_run_that_stops_when_shaking_no_longer_matters_misses_nothing(late):
     assert short["peak"] == pytest.approx(whole["peak"], rel=1e-5)
     assert whole["reason"].startswith("time limit")
     assert len(short["d"]) < 0.6 * len(whole["d"])
-    first = in_yade("facade_cases", "shaken", config=resolved(),
-                    **{**case, "columns": {"ground": a.tolist()}, "time_s": t.tolist()})  # fmt: skip
+    case |= {"columns": {"ground": a.tolist()}, "time_s": t.tolist()}
+    first = in_yade("facade_cases", "shaken", config=resolved(), **case)
     assert (short["peak"] > 1.05 * first["peak"]) == late
 
 

@@ -11,7 +11,7 @@ from rocking import calibration, closed_forms
 from rocking import calibration_study as study
 from rocking.planar import Wall, simulate
 from rocking.restitution import e_exp, read_archive, rebounds
-from yade_process import PYTHON, ROOT, resolved
+from yade_process import PYTHON, ROOT, in_yade, resolved
 
 pytestmark = pytest.mark.yade
 
@@ -56,32 +56,35 @@ def distance(value, printed):
     return np.abs(value - nearest) / printed
 
 
+STEPS = (0.05, 0.02, 0.015)  # of the critical step; rebounds scatter by ±1 % above
+
+
 @pytest.fixture(scope="module")
-def table_rebounds(tmp_path_factory):
-    """Rebounds by node count; a rebound moves 0.3 % with the step, so two steps are averaged."""
-    fractions = (0.02, 0.015)
-    done, archive = run(
-        [case(f"{n} {f}", n, f, **CONVENTION) for n in TABLE for f in fractions],
-        tmp_path_factory.mktemp("table"),
-    )
-    assert done.returncode == 0, done.stderr
-    found = rebounds_of(read_archive(archive))
-    return {n: np.mean([found[f"{n} {f}"] for f in fractions], axis=0) for n in TABLE}
-
-
-# Known shortfall: 0.0794 here (0.0796 at finer steps) against 0.078, 1.1 % from its rounding;
-# the table's other column has 0.079 for the same rebound, and that one is met.
-MISSED = pytest.mark.xfail(strict=True, reason="5 nodes, first column, second rebound: 1.1 % off")
+def table_rebounds():
+    """Rebounds by node count and step with dashpots as YADE's law has them, like the table's."""
+    found = {}
+    for n in TABLE:
+        config = case("", n, 0.1, **CONVENTION)["config"]
+        histories = in_yade("facade_cases", "rebound_histories", config=config, beta_s=BETA,
+                            ratio=0.5, limit_s=1.2, fractions=STEPS)  # fmt: skip
+        alpha = math.atan2(WALL["thickness_m"], WALL["height_m"])
+        for fraction, (t, theta) in histories.items():
+            found[n, float(fraction)] = rebounds(np.array(t), np.array(theta) / alpha).peak[:2]
+    return found
 
 
 @pytest.mark.parametrize("rebound", [0, 1], ids=["first", "second"])
 @pytest.mark.parametrize("column", [0, 1], ids=["yade", "planar"])
 @pytest.mark.parametrize("nodes", list(TABLE))
-def test_reference_table(table_rebounds, nodes, column, rebound, request):
-    """Every value of the table within 1 % of its rounding, with a back face that does not rub."""
-    if (nodes, column, rebound) == (5, 0, 1):
-        request.node.add_marker(MISSED)
-    assert distance(table_rebounds[nodes][rebound], TABLE[nodes][column][rebound]) < 0.01
+@pytest.mark.parametrize("step", STEPS)
+def test_reference_table(table_rebounds, nodes, column, rebound, step):
+    """Every value of the table within 1 % of its rounding, with a back face that does not rub.
+
+    The corrected dashpots of an ordinary run give up to 1.5 % more, nearer to the independent
+    solver (next test); 0.0794 instead of the table's 0.078 is the largest such difference.
+    """
+    found = table_rebounds[nodes, step][rebound]
+    assert distance(found, TABLE[nodes][column][rebound]) < 0.01
 
 
 @pytest.mark.parametrize("convention", [CONVENTION, {}], ids=["table", "default"])
