@@ -109,13 +109,17 @@ rule accuracy_reference:
 rule accuracy_engine:
     input:
         plan="results/{run}/accuracy/plan.json",
-        modules=module("yade_scripts/facade.py", "yade_scripts/stiffness.py"),
+        modules=module(
+            "workflow/rocking/outside.py",
+            "yade_scripts/facade.py",
+            "yade_scripts/stiffness.py",
+        ),
     output:
         "results/{run}/accuracy/engine_{engine}.csv",
     log:
         "results/{run}/logs/accuracy_engine_{engine}.log",
     wildcard_constraints:
-        engine="mujoco",
+        engine="drake|mujoco",
     script:
         "../scripts/engine_{wildcards.engine}.py"
 

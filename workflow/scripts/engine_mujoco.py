@@ -7,22 +7,15 @@ impedance so that contacts do not stiffen each other. MuJoCo's friction has no s
 scene is solved in the base's frame: gravity carries the ground acceleration.
 """
 
-import json
 import math
-import sys
 import time
-from pathlib import Path
 
 import numpy as np
-import pandas as pd
+from rocking.outside import AFTER_S, SAMPLE_S, Peak, compare
 from rocking.script import run
-
-from yade_scripts import facade
-from yade_scripts.stiffness import critical_step
 
 IMPEDANCE = 1e-3
 RADIUS_M = 1e-3
-SIGNS = {"pos": 1.0, "neg": -1.0}
 
 
 def model_text(scene, dt_s, scale=1.0):
@@ -56,8 +49,8 @@ def model_text(scene, dt_s, scale=1.0):
 {body}</body></worldbody></mujoco>"""
 
 
-def run_case(scene, time_s, acceleration, dt_s, after_s=2.0):
-    """Peak |d|/b of one history, its status, simulated and wall time."""
+def run_case(scene, time_s, acceleration, dt_s):
+    """Peak of one history, simulated and wall time; see `outside.compare`."""
     import mujoco
 
     first = mujoco.MjModel.from_xml_string(model_text(scene, dt_s))
@@ -65,60 +58,20 @@ def run_case(scene, time_s, acceleration, dt_s, after_s=2.0):
         model_text(scene, dt_s, float(first.body_invweight0[1, 0]))
     )
     data = mujoco.MjData(model)
-    steps = math.ceil((time_s[-1] + after_s) / dt_s)
+    steps = math.ceil((time_s[-1] + AFTER_S) / dt_s)
     ground = np.interp(np.arange(steps) * dt_s, time_s, acceleration, right=0.0).tolist()
-    arm_y, arm_z = np.subtract(scene.monitor_point_m, scene.blocks[1].centre_m)[1:]
-    y0 = scene.blocks[1].displacement_m[1]
-    peak, status, every = 0.0, "ok", max(1, round(0.002 / dt_s))
+    peak, every = Peak(scene), max(1, round(SAMPLE_S / dt_s))
     began = time.perf_counter()
     for n in range(steps):
         model.opt.gravity[1] = -ground[n]
         mujoco.mj_step(model, data)
-        if n % every == 0:
-            y, _, angle = data.qpos
-            d = y0 + y + math.cos(angle) * arm_y - math.sin(angle) * arm_z - arm_y
-            peak = max(peak, abs(d))
-            if not math.isfinite(d):
-                status = "failed"
-                break
-            if peak >= scene.thickness_m:
-                status = "overturned"
-                break
-    return peak / scene.thickness_m, status, (n + 1) * dt_s, time.perf_counter() - began
+        if n % every == 0 and peak.add(data.qpos[0], data.qpos[2]):
+            break
+    return peak, (n + 1) * dt_s, time.perf_counter() - began
 
 
 def main(job):
-    try:
-        import mujoco  # noqa: F401
-    except ImportError:
-        raise ValueError(
-            "MuJoCo is not installed: pip install -r requirements-engines.in"
-        ) from None
-    plan = json.loads(Path(job.input.plan).read_text())
-    rows = []
-    for case in plan["cases"]:
-        if case["model"] != "W1":
-            continue
-        scene_job = json.loads(Path(plan["scenes"]["W1"]).read_text())
-        motion = pd.read_csv(plan["motions"][case["record"]])
-        ground = motion["ground_m_s2"].to_numpy()
-        factor = SIGNS[case["direction"]] * case["pga_g"] * 9.81 / np.max(np.abs(ground))
-        scene = facade.facade_scene(scene_job, "W1", scene_job["beta_s"])
-        critical = critical_step(scene)
-        for fraction in (0.2, 0.1, 0.05):
-            dt = fraction * critical
-            peak, status, simulated, wall = run_case(
-                scene, motion["time_s"].to_numpy(), factor * ground, dt
-            )
-            rows.append({
-                "case": case["case"], "model": "W1", "record": case["record"],
-                "direction": case["direction"], "pga_g": case["pga_g"], "method": "MuJoCo",
-                "nodes": scene_job["numerics"]["nodes_height"], "factor": 1.0, "dt_s": dt,
-                "dt_over_dt_crit": fraction, "d_over_b": peak, "status": status,
-                "steps": round(simulated / dt), "simulated_s": simulated, "wall_s": wall,
-            })  # fmt: skip
-            print(rows[-1], file=sys.stderr)
-    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    compare(job, "MuJoCo", "mujoco", run_case, (0.2, 0.1, 0.05))
 
 
 if __name__ == "__main__":

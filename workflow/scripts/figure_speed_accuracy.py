@@ -9,7 +9,7 @@ from rocking.script import run
 OTHERS = {
     "default": ("*", "black"), "lag not compensated": ("X", "#CC79A7"),
     "python drive": ("P", "#009E73"), "full 3D": ("D", "#E69F00"),
-    "MuJoCo": ("s", "#56B4E9"), "Siconos": ("h", "#8C510A"), "Polyhedra": ("v", "#D55E00"),
+    "MuJoCo": ("s", "#56B4E9"), "Drake": ("h", "#8C510A"), "Polyhedra": ("v", "#D55E00"),
 }  # fmt: skip
 NODES = ("o", "^", "<", ">", "p")
 
