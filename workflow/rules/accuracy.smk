@@ -173,7 +173,7 @@ rule figure_speed_accuracy:
 rule ensemble_members:
     input:
         ensembles=lambda w: accuracy_curves(w, "_ensemble"),
-        scenes="results/{run}/scenes/W2.json",
+        scene="results/{run}/scenes/W2.json",
         motions=accuracy_motions,
         modules=module("workflow/rocking/ensemble.py", "workflow/rocking/reference.py"),
     output:

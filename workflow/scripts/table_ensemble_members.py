@@ -1,6 +1,7 @@
 """Members that a stable median needs, and the planar solver's median where members are many."""
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -21,8 +22,7 @@ def compare(job, table, motions):
     pga_g = float(spread.idxmax())
     mine = usable[usable["pga_g"] == pga_g]
     row = mine.iloc[0]
-    with open(job.input.scenes[0]) as handle:
-        scene = json.load(handle)
+    scene = json.loads(Path(job.input.scene).read_text())
     values = ensemble_peaks(scene, motions[row["record"]], row["direction"], pga_g,
                             mine["amplitude_factor"])  # fmt: skip
     return pga_g, float(np.median(values))
@@ -30,15 +30,14 @@ def compare(job, table, motions):
 
 def main(job):
     motions = dict(zip(job.params.records, job.input.motions, strict=True))
-    rows, compared = [], False
+    rows = []
     for path in job.input.ensembles:
         table = pd.read_csv(path)
         if table.empty:
             continue
         reference = None
-        if not compared and table.iloc[0]["model"] == "W2":
+        if table.iloc[0]["model"] == "W2":
             reference = compare(job, table, motions)
-            compared = reference is not None
         for pga_g, part in table.groupby("pga_g"):
             values = part["d_over_b"].dropna().clip(upper=1.0)
             first = part.iloc[0]
