@@ -17,6 +17,7 @@ SECTIONS = ("facade", "return_wall", "smdof", "numerics")
 END = 3.0  # end of a history after the first fall, in units of 1/p: three rebounds are over
 # β at which every wall is run, over 1/ω_c (see `calibration.groups`): around the fits, which lie
 # at 0.6 to 1.1; a fit that comes to lie at an end is marked
+AS_GOOD = 0.01  # misfits that differ by less, in e_exp/|e_1SR|, fit equally well
 LADDER = 0.85 * np.sqrt(2.0) ** np.arange(-2, 3)
 WHOLE_RANGE = 8  # further β over the study's whole range, for figure 4a
 SENSITIVITY = ((0.11, 1800.0, 0.8 / 0.11), (0.3, 4050.0, 15.0))  # b [m], E [MPa], h/b
@@ -221,7 +222,8 @@ def best_fit(betas_s, e_ratio, targets=TARGETS):
     Returns
     -------
     dict
-        beta_s, misfit       the best; nan if no β has every impact
+        beta_s, misfit       the middle of the β that fit best within AS_GOOD, in ln β; nan if
+                             no β has every impact
         at_edge              whether it is the smallest or largest β that could be judged
         single_s             list: β at which impact n alone is at the middle of its range, nan
                              where it never is
@@ -245,13 +247,19 @@ def best_fit(betas_s, e_ratio, targets=TARGETS):
     if not len(judged):
         return {"beta_s": math.nan, "misfit": math.nan, "at_edge": False, "single_s": single,
                 "low_s": math.nan, "high_s": math.nan, "ratio": [math.nan] * count}  # fmt: skip
-    best = judged[np.argmin(error[judged])]
+    least = judged[np.argmin(error[judged])]
+    # the middle of the β that fit as well: ranges leave the least misfit flat, or with a kink
+    # at either end, and a thousandth of e would move the winner by several per cent
+    poorer = np.flatnonzero(~(error <= error[least] + AS_GOOD))
+    first = max(poorer[poorer < least], default=-1) + 1
+    last = min(poorer[poorer > least], default=len(fine)) - 1
+    best = int(np.argmin(np.abs(fine - 0.5 * (fine[first] + fine[last]))))
     beta = float(np.exp(fine[best]))
     every = [beta, *(s for s in single if math.isfinite(s))]
     return {
         "beta_s": beta,
         "misfit": float(error[best]),
-        "at_edge": bool(best in (judged[0], judged[-1])),
+        "at_edge": bool(least in (judged[0], judged[-1])),
         "single_s": single,
         "low_s": min(every),
         "high_s": max(every),

@@ -67,7 +67,7 @@ def compare(job, method, package, run_case, fractions):
     plan = json.loads(Path(job.input.plan).read_text())
     scene_job = json.loads(Path(plan["scenes"]["W1"]).read_text())
     scene = facade.facade_scene(scene_job, "W1", scene_job["beta_s"])
-    critical = critical_step(scene)
+    critical = float(critical_step(scene))
     rows = []
     for case in (c for c in plan["cases"] if c["model"] == "W1"):
         motion = pd.read_csv(plan["motions"][case["record"]])

@@ -2,6 +2,7 @@
 
 import matplotlib.pyplot as plt
 import pandas as pd
+from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from rocking import style
 from rocking.accuracy import pareto_front
 from rocking.script import run
@@ -38,6 +39,10 @@ def panel(axis, table, model):
     axis.axhline(1.0, color="0.4", lw=0.8, ls=":")
     axis.set(xscale="log", yscale="log", title=model,
              xlabel="wall time over simulated time (-)")  # fmt: skip
+    axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    for side in (axis.xaxis, axis.yaxis):
+        side.set_major_formatter(FormatStrFormatter("%g"))
+        side.set_minor_formatter(NullFormatter())
 
 
 def main(job):
