@@ -215,8 +215,8 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
         mass = omega.bodies[ids[0]].state.mass
         engines.append(
             w.InterpolatingDirectedForceEngine(
-                times=[float(t) for t in motion.time_s],
-                magnitudes=[float(mass * a) for a in motion.acceleration_m_s2],
+                times=motion.time_s.tolist(),
+                magnitudes=(mass * motion.acceleration_m_s2).tolist(),
                 direction=(0, 1, 0),
                 ids=ids,
                 wrap=False,
