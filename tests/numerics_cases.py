@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from yade_scripts import engine, facade, ledger, run_ida, simulate
+from yade_scripts import engine, facade, ledger, models, run_ida, simulate
 from yade_scripts.journal import Journal
 from yade_scripts.stiffness import critical_step
 
@@ -25,7 +25,7 @@ def _outcome(history, **more):
 
 def forced_run(config, model, factor):
     """A run whose step is `factor` times the critical one, which the entry points refuse."""
-    scene = facade.facade_scene(config, model, BETA_S)
+    scene = models.build_scene({**config, "model": model, "beta_s": BETA_S})
     time_s, acceleration = _motion()
     motions = {name: engine.Motion(time_s, acceleration) for name in scene.motions}
     rules = run_ida.stop_rules(scene, config["numerics"], time_s, motions)
@@ -37,12 +37,13 @@ def forced_run(config, model, factor):
 
 def shaken_run(config, model, record, peak_g):
     """Largest energy from nowhere in a run at its proper step, and how the run ended."""
-    scene = facade.facade_scene(config, model, BETA_S)
+    scene = models.build_scene({**config, "model": model, "beta_s": BETA_S})
     time_s, columns = np.array(record["time_s"]), record["columns"]
-    motions = {n: engine.Motion(time_s, peak_g * 9.81 * np.array(columns[n]))
-               for n in scene.motions}  # fmt: skip
+    columns = models.motion_columns(scene, {n: np.array(v) for n, v in columns.items()})
+    motions = {n: engine.Motion(time_s, peak_g * 9.81 * columns[n]) for n in scene.motions}
     rules = run_ida.stop_rules(scene, config["numerics"], time_s, motions)
-    step, _ = simulate.choose_step(scene, config["numerics"])
+    numerics = models.numerics({**config, "model": model})
+    step, _ = simulate.choose_step(scene, numerics)
     check = ledger.EnergyLedger(scene, motions)
     history = simulate.run(scene, motions, step, rules, check=check)
     return _outcome(history, excess=check.excess, walls=len(check.walls))

@@ -209,7 +209,8 @@ def run(scene, motions, dt_s, rules, *, sample_s=0.005, node_radius_m=1e-3, full
     wrapper, omega = engine.load_yade(), built.omega
     monitor = _Monitor(scene, built, rules)
     __main__._sample_scene = monitor
-    if check is not None and check.attach(built):
+    if check is not None:
+        check.attach(built)
         __main__._sample_scene = lambda: (monitor(), check())
     period = max(1, round(sample_s / dt_s))
     omega.engines = omega.engines + [
