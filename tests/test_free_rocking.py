@@ -194,6 +194,27 @@ def test_committed_law_predicts_a_wall_it_has_not_seen(tmp_path):
     assert low < fit["beta_s"] < high
 
 
+@pytest.mark.slow
+def test_fit_is_the_same_within_one_percent_with_twice_the_nodes_and_half_the_step(tmp_path):
+    settings = resolved()["calibration"]
+    finer = {"nodes_thickness": 2 * settings["nodes_thickness"] - 1,
+             "nodes_height": 2 * settings["nodes_height"] - 1,
+             "step_fraction": 0.5 * settings["step_fraction"]}  # fmt: skip
+    cases = []
+    for name, numerics in (("default", {}), ("finer", finer)):
+        config = study.batch_wall(settings, 0.11, 1800.0, 0.8 / 0.11, 0.22, **numerics)
+        betas = study.beta_grid(config)[1:4]  # the fit lies between them
+        cases.append(study.wall_case(name, config, 0.5, betas, role="test"))
+    done, archive = run(cases, tmp_path)
+    assert done.returncode == 0, done.stderr
+    default, fine = (
+        study.best_fit(wall["beta_s"], wall["e"] / wall["e_1sr"])
+        for wall in study.evaluate(cases, read_archive(archive))
+    )
+    assert default["beta_s"] == pytest.approx(fine["beta_s"], rel=0.01)
+    assert default["single_s"] == pytest.approx(fine["single_s"], rel=0.01)
+
+
 @pytest.mark.parametrize(
     "sections",
     [
