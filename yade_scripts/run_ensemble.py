@@ -149,6 +149,8 @@ def analyse(runner, status, d_over_b):
     if settings["enabled"] == "off":
         return [], []
     changes, sensitivity_rows = measure_sensitivity(runner, status, d_over_b, settings)
+    if runner.job["model"] not in settings["models"]:
+        return [], sensitivity_rows
     members = perturb.draw_members(settings)
     wanted, collapse = perturb.sensitive_intensities(status, changes, settings)
     rows: list[dict] = []
