@@ -121,7 +121,7 @@ def snakemake_lines(name):
     return list(lines.values())
 
 
-PAGES = [(name, words) for name in ("README.md", "config/README.md")
+PAGES = [(name, words) for name in ("README.md", "config/README.md", "docs/accuracy.md")
          for words in snakemake_lines(name)]  # fmt: skip
 
 
