@@ -103,3 +103,18 @@ def test_surrogates_and_recordings_are_judged_apart():
     assert list(found.columns) == claims.COLUMNS
     assert found["records"].str.startswith(("file: ", "surrogate: ")).all()
     assert found.groupby("records").size().tolist() == [3, 3]
+
+
+def test_one_that_never_fell_is_stronger_than_its_largest_intensity():
+    """W1c stood to 2 g in one case, W1 to 0.1 g in another: the first decides, the second not."""
+    table = collapse_table(W1={**W1, "BUCAR0+": None}, W1c={**scaled(3.0, 3.0), "HVSC1-": None})
+    stood = {("W1c", "HVSC1", "neg"): 2.0, ("W1", "BUCAR0", "pos"): 0.1}
+    for (model, record, direction), pga in stood.items():
+        row = (table["model"] == model) & (table["record"] == record)
+        table.loc[row & (table["direction"] == direction), "pga_safe_g"] = pga
+    row = next(r for r in claims.evaluate(table, {}) if r["claim"].startswith("cohesion clearly"))
+    assert row["holds"]
+    assert "7 of 7 (W1c never fell in HVSC1-)" in row["measured"]
+    table.loc[table["pga_safe_g"] == 2.0, "pga_safe_g"] = 0.3  # less than W1's: decides nothing
+    row = next(r for r in claims.evaluate(table, {}) if r["claim"].startswith("cohesion clearly"))
+    assert "6 of 6" in row["measured"]
