@@ -129,6 +129,16 @@ def test_static_multiplier_is_the_kinematic_one():
     assert models.static_multiplier(job("W1")) == pytest.approx(B / H)
 
 
+def test_static_multiplier_of_a_bonded_facade_is_its_first_crack():
+    """0.07 MPa over two walls of 0.375 m, tension linear from the toe: ∫ f_t t (z/h) z dz."""
+    z = np.linspace(0.0, H, 2001)
+    pull = 2 * 0.07e6 * 0.375 * z / H
+    moment = np.sum(0.5 * (pull[1:] * z[1:] + pull[:-1] * z[:-1]) * np.diff(z))
+    weight = 1800.0 * 9.81 * H * B * 4.4
+    expected = B / H + moment / (0.5 * weight * H)
+    assert models.static_multiplier(job("W1c")) == pytest.approx(expected, rel=1e-6)
+
+
 def test_smoothing_keeps_straight_lines():
     d = np.sort(np.r_[0.0, np.random.default_rng(1).uniform(0, 1, 400), 1.0])
     even = pd.DataFrame({"d_over_b": np.linspace(0, 1, 401), "v": np.linspace(3, 5, 401)})

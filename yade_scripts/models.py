@@ -3,6 +3,7 @@
 import math
 
 from . import facade, interlocking
+from .scene import Scene
 
 SINGLE_BLOCK = ("free", "W1", "W1c", "W2", "W2c")
 
@@ -38,13 +39,20 @@ def numerics(job):
 
 
 def static_multiplier(job):
-    """Static λ at which the façade starts to turn [-]: b/h, and for W3 with its friction.
+    """Static λ at which the façade starts to turn [-]: b/h, and more for W1c and W3.
 
+    W1c: b/h + N_w f_t t_s h²/3/(W h/2), at which the top of the bond reaches its tensile
+    strength f_t if tension grows linearly from the toe. (Of W2c no such number is known:
+    floors that move apart tear its bonds.)
     W3: λ0 of the kinematic curve, b/h + N_w Σ F_i y_i/(W h/2) with
     F_i = μ γ t_s v h_b i at y_i = h − i·h_b above the hinge.
     """
     section, wall = job["facade"], job["return_wall"]
     h, b = section["height_m"], section["thickness_m"]
+    if job["model"] == "W1c":
+        weight = section["density_kg_m3"] * Scene.gravity_m_s2 * h * b * section["width_m"]
+        bond = wall["count"] * wall["tension_mpa"] * 1e6 * wall["thickness_m"] * h**2 / 3.0
+        return b / h + bond / (0.5 * weight * h)
     if job["model"] != "W3":
         return b / h
     w3 = job["w3"]
