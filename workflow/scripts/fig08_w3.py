@@ -79,8 +79,7 @@ def draw_elements(axes, scene, config):
                        ("half", "its half brick")):  # fmt: skip
         axes[1].add_patch(Polygon([[9, 9]] * 3, fc=FILLS[kind], ec="k", lw=0.4, label=text))
     draw_blocks(axes[1], scene, config, theta=float(theta_of(SCHEME_D, config["facade"])))
-    axes[1].set_title(f"(b) scheme at d/b = {SCHEME_D:g}", loc="left")
-    axes[1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=6.5)
+    axes[1].set_title(f"(b) d/b = {SCHEME_D:g}", loc="left")
 
 
 def draw_capacity(axis, curve, config):
@@ -119,9 +118,9 @@ def draw_rules(axes, cases):
     axes[1].set(xscale="symlog", xlabel="normal force of the joint [kN]", ylabel="z [m]")
     axes[1].set_title(f"(e) bed joints at d/b = {SHOWN_D:g}", loc="left")
     axes[0].set(xlim=(0, 1), ylim=(0.02, 5), xlabel="d/b [-]", ylabel="λ [-]")
-    axes[0].set_title("(d) header rules, no inclined joints", loc="left")
+    axes[0].set_title("(d) header rules, level joints", loc="left")
     axes[2].axhline(1.0, color="k", ls="--", lw=0.8)
-    axes[2].set(xlim=(0, 1), xlabel="d/b [-]", ylabel="ΣN·z over Σγt$_s$vh$_b$i·z [-]")
+    axes[2].set(xlim=(0, 1), xlabel="d/b [-]", ylabel="ΣN·z / Σγt$_s$vh$_b$i·z [-]")
     axes[2].set_title("(f) what friction has to work with", loc="left")
     axes[0].legend(fontsize=6.5, title="header joint", title_fontsize=6.5)
     axes[1].legend(fontsize=6.5)
@@ -136,10 +135,11 @@ def main(job):
         curve = complete_curve(pd.read_csv(raw), config, "W3")
         cases[name] = curve, joint_forces(pd.read_csv(forces), config)
     figure = plt.figure(figsize=(9.2, 7.4))
-    grid = figure.add_gridspec(2, 12, height_ratios=(1.25, 1.0))
-    top = [figure.add_subplot(grid[0, s]) for s in (slice(0, 3), slice(3, 6), slice(6, 12))]
-    low = [figure.add_subplot(grid[1, s]) for s in (slice(0, 4), slice(4, 8), slice(8, 12))]
+    above, below = figure.subfigures(2, 1, height_ratios=(1.15, 1.0))
+    top = above.subplots(1, 3, width_ratios=(1.0, 1.0, 3.6))
+    low = below.subplots(1, 3)
     draw_elements(top[:2], interlocking_scene(configs[-1], configs[-1]["beta_s"]), configs[-1])
+    above.legend(*top[1].get_legend_handles_labels(), loc="outside lower left", ncols=4)
     draw_capacity(top[2], cases["default"][0], configs[-1])
     draw_rules(low, cases)
     style.save(figure, job.output)

@@ -6,6 +6,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
+from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from rocking import style
 from rocking.ensemble import bands
 from rocking.ida import branches, curve_key, read_curve
@@ -20,6 +21,7 @@ def rigid_pushover(h, b):
     return h * np.sin(theta) / b, np.tan(alpha - theta)
 
 
+LOG_RATIO = 8.0  # between the strongest and the weakest model of a record
 GREY_LINES = {"W1": "-", "W1c": ":", "W3": "--"}
 
 
@@ -77,7 +79,8 @@ def main(job):
     )
     pushovers = list(getattr(job.input, "pushover", [])) or [None]
     for i, record in enumerate(p.records):
-        top = 1.15 * max(shown_pga(c) for c in curves if curve_key(c)[1] == record)
+        shown = [shown_pga(c) for c in curves if curve_key(c)[1] == record]
+        top, weakest = 1.15 * max(shown), min(shown)
         for j, direction in enumerate(p.directions):
             axis = axes[i, j]
             for path in pushovers:
@@ -92,6 +95,12 @@ def main(job):
             axis.set_title(f"{style.provenance(facts[record])}, direction {sign}", loc="left")
             axis.set(xlim=(0, 1.0), ylabel="PGA [g]")
             axis.set_ylim(0, top)
+            if top > LOG_RATIO * weakest:  # bonded façades stand so much that the others vanish
+                axis.set_yscale("log")
+                axis.set_ylim(0.2 * weakest, 1.1 * top)
+                axis.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+                axis.yaxis.set_major_formatter(FormatStrFormatter("%g"))
+                axis.yaxis.set_minor_formatter(NullFormatter())
     for axis in axes[-1]:
         axis.set_xlabel("peak top displacement d/b [-]")
     handles, labels = axes[0, 0].get_legend_handles_labels()
