@@ -36,14 +36,17 @@ def draw_pushover(axis, path, h, b):
               label=f"pushover {model}", zorder=1)  # fmt: skip
 
 
-def draw(axis, curve, model, top):
-    """Draw one curve up to PGA `top`; runs that overturned sit at d/b = 1 with open symbols."""
+def draw(axis, curve, model, top, origin):
+    """Draw one curve up to PGA `top`; runs that overturned sit at d/b = 1 with open symbols.
+
+    The line starts at `origin`: at rest, or nowhere on a logarithmic axis.
+    """
     stood, fell = branches(curve)
     colour, marker = style.MODEL_COLOURS[model], style.MODEL_MARKERS[model]
     joined = curve[curve["status"] != "failed"]
     first = fell["pga_g"].min() if len(fell) else np.inf
     line = joined[joined["pga_g"] <= first]
-    axis.plot(np.r_[0, line["d_over_b"]], np.r_[0, line["pga_g"]], color=colour, zorder=2)
+    axis.plot([*origin, *line["d_over_b"]], [*origin, *line["pga_g"]], color=colour, zorder=2)
     axis.plot(stood["d_over_b"], stood["pga_g"], marker, color=colour, ls="", label=model,
               zorder=3)  # fmt: skip
     fell = fell[fell["pga_g"] <= top]  # the frame does not clip symbols at d/b = 1
@@ -78,9 +81,11 @@ def main(job):
         *shape, figsize=(max(5.0, 3.5 * shape[1]), 0.9 + 2.0 * shape[0]), squeeze=False, sharex=True
     )
     pushovers = list(getattr(job.input, "pushover", [])) or [None]
+    shown = {r: [shown_pga(c) for c in curves if curve_key(c)[1] == r] for r in p.records}
+    # bonded façades may stand so much that the others vanish
+    logarithmic = any(max(values) > LOG_RATIO * min(values) for values in shown.values())
     for i, record in enumerate(p.records):
-        shown = [shown_pga(c) for c in curves if curve_key(c)[1] == record]
-        top, weakest = 1.15 * max(shown), min(shown)
+        top, weakest = 1.15 * max(shown[record]), min(shown[record])
         for j, direction in enumerate(p.directions):
             axis = axes[i, j]
             for path in pushovers:
@@ -90,12 +95,12 @@ def main(job):
                     draw_band(axis, ensemble, p.percentiles)
             for curve in curves:
                 if curve_key(curve)[1:] == (record, direction):
-                    draw(axis, curve, curve_key(curve)[0], top)
+                    draw(axis, curve, curve_key(curve)[0], top, () if logarithmic else (0.0,))
             sign = {"pos": "+", "neg": "−"}[direction]
             axis.set_title(f"{style.provenance(facts[record])}, direction {sign}", loc="left")
             axis.set(xlim=(0, 1.0), ylabel="PGA [g]")
             axis.set_ylim(0, top)
-            if top > LOG_RATIO * weakest:  # bonded façades stand so much that the others vanish
+            if logarithmic:
                 axis.set_yscale("log")
                 axis.set_ylim(0.2 * weakest, 1.1 * top)
                 axis.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
