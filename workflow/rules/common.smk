@@ -10,7 +10,7 @@ BASE = Path(workflow.basedir)
 sys.path[:0] = [str(BASE / "workflow"), str(BASE)]
 
 from rocking import config as configuration
-from rocking import progress, run_lock
+from rocking import file_times, progress, run_lock
 from rocking.records import RecordError, read_table, surrogates_for
 from yade_scripts import lifeline
 from yade_scripts.journal import PHYSICS
@@ -113,6 +113,7 @@ onstart:
     try:
         run_lock.hold()
         for name, resolved in RUNS.items():
+            file_times.settle(f"results/{name}")
             configuration.write_resolved(resolved, f"results/{name}/config.yaml")
     except (run_lock.Busy, OSError) as error:
         stop(error)
