@@ -14,10 +14,10 @@ from yade_scripts.scene import Block, NodeList, Scene, box_inertia
 from yade_scripts.stiffness import modes
 
 SECTIONS = ("facade", "return_wall", "smdof", "numerics")
+AS_GOOD = 0.01  # misfits that differ by less, in e_exp/|e_1SR|, fit equally well
 END = 3.0  # end of a history after the first fall, in units of 1/p: three rebounds are over
 # β at which every wall is run, over 1/ω_c (see `calibration.groups`): around the fits, which lie
 # at 0.6 to 1.1; a fit that comes to lie at an end is marked
-AS_GOOD = 0.01  # misfits that differ by less, in e_exp/|e_1SR|, fit equally well
 LADDER = 0.85 * np.sqrt(2.0) ** np.arange(-2, 3)
 WHOLE_RANGE = 8  # further β over the study's whole range, for figure 4a
 SENSITIVITY = ((0.11, 1800.0, 0.8 / 0.11), (0.3, 4050.0, 15.0))  # b [m], E [MPa], h/b

@@ -30,7 +30,6 @@ def main(job):
         chain["damping_model"], tail_s=tail_s,
     )  # fmt: skip
     levels = np.vstack([motion.ground_m_s2, motion.floors_m_s2])[below:]
-    levels[:, -1] = 0.0  # the drive of the supports keeps its last acceleration for ever
     names = ["time_s", "ground_m_s2"] + [f"floor{j}_m_s2" for j in range(1, n + 1)]
     np.savetxt(job.output.motion, np.column_stack([motion.time_s, levels.T]), fmt="%.9g",
                delimiter=",", header=",".join(names), comments="")  # fmt: skip
