@@ -10,6 +10,7 @@ in `bonds`.
 
 import glob
 import io
+import math
 import os
 import sys
 from dataclasses import dataclass
@@ -249,10 +250,19 @@ def _place_members(w, omega):
     omega.resetTime()
 
 
-def planar_turn(built, index):
-    """Rotation of a free block about x since the reference position [rad], for planar motion."""
-    q = built.omega.bodies[built.body[index]].state.ori * built.unturned[index]
-    return 2.0 * np.arctan2(q[0], q[3]) if q[3] >= 0.0 else 2.0 * np.arctan2(-q[0], -q[3])
+def planar_turn(state, unturned):
+    """Rotation of a free block about x since the reference position [rad], for planar motion.
+
+    Parameters
+    ----------
+    state : State
+        YADE's state of the block.
+    unturned : quaternion
+        Of the block, from `Built.unturned`.
+    """
+    q = state.ori * unturned
+    sign = 1.0 if q[3] >= 0.0 else -1.0  # q and −q are the same rotation
+    return 2.0 * math.atan2(sign * q[0], sign * q[3])
 
 
 def _attach(w, scene, motions, built, bonded, node_material, dead):

@@ -108,7 +108,7 @@ class _Recorder:
         facade = scene.index(scene.monitor)
         body = self.built.body[facade]
         state, block = omega.bodies[body].state, scene.blocks[facade]
-        turn = engine.planar_turn(self.built, facade)
+        turn = engine.planar_turn(state, self.built.unturned[facade])
         y, z = np.subtract(scene.monitor_point_m, block.centre_m)[1:]
         d = state.pos[1] - block.centre_m[1] + np.cos(turn) * y - np.sin(turn) * z - y
         self.rows.append((d / scene.thickness_m, -omega.forces.f(body)[1] / self.weight))

@@ -142,10 +142,7 @@ class _Monitor:
         """Take a sample; pause the run when a stop rule applies. Plain floats, for speed."""
         t = self.omega.time + self.omega.dt  # positions are those after this step
         state, support = self.block, self.support
-        q = state.ori * self.unturned
-        # planar pose: rotation about x alone carries d; w, x suffice for its angle
-        sign = 1.0 if q[3] >= 0.0 else -1.0  # q and −q are the same rotation
-        angle = 2.0 * math.atan2(sign * q[0], sign * q[3])
+        angle = engine.planar_turn(state, self.unturned)  # rotation about x alone carries d
         c, s = math.cos(angle), math.sin(angle)
         _, y, z = self.arm
         d = (state.pos[1] - self.centre_y) + (c * y - s * z - y) - (support.pos[1] - self.start)
