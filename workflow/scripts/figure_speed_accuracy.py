@@ -16,7 +16,7 @@ FIRST_CASE = ("lag not compensated", "python drive", "full 3D", "Polyhedra")  # 
 NODES = ("o", "^", "<", ">", "p")
 
 
-def panel(axis, table, model):
+def panel(axis, table, model, markers):
     """Worst error over the cases of one model that repeat, against mean wall time."""
     part = table[(table["model"] == model) & (table["repeats"] == 1)].copy()
     part["cost"] = 1.0 / part["realtime_factor"]
@@ -27,8 +27,8 @@ def panel(axis, table, model):
     points = points.dropna(subset="error")
     points["error"] = points["error"].clip(lower=1e-4)
     grid = points[points["method"] == "nodes and step"]
-    for marker, (nodes, group) in zip(NODES, grid.groupby("nodes"), strict=False):
-        axis.plot(group["cost"], 100 * group["error"], marker, ls="", color="#0072B2",
+    for nodes, group in grid.groupby("nodes"):
+        axis.plot(group["cost"], 100 * group["error"], markers[nodes], ls="", color="#0072B2",
                   mfc="none", label=f"{nodes:g} nodes")  # fmt: skip
     for method, (marker, colour) in OTHERS.items():
         group = points[points["method"] == method]
@@ -52,13 +52,15 @@ def main(job):
     table = pd.read_csv(job.input.table)
     table["model"] = table["scene"].str.split().str[0]
     models = sorted(table["model"].unique())
+    counts = sorted(table.loc[table["method"] == "nodes and step", "nodes"].unique())
+    markers = {nodes: NODES[i % len(NODES)] for i, nodes in enumerate(counts)}
     figure, axes = plt.subplots(
         1, len(models), figsize=(3.6 * len(models) + 1.6, 3.8), sharey=True, squeeze=False,
         layout="constrained",
     )  # fmt: skip
     handles = {}
     for axis, model in zip(axes[0], models, strict=True):
-        panel(axis, table, model)
+        panel(axis, table, model, markers)
         lines, labels = axis.get_legend_handles_labels()
         handles.update(dict(zip(labels, lines, strict=True)))
     axes[0, 0].set_ylabel("worst error in peak d/b (%)")
