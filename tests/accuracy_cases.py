@@ -5,7 +5,7 @@ import math
 import numpy as np
 from facade_cases import quiet
 
-from yade_scripts import energy, engine, facade, run_ida, run_stability, simulate
+from yade_scripts import energy, engine, facade, run_energy, run_ida, run_stability, simulate
 from yade_scripts.stiffness import critical_step
 
 
@@ -75,3 +75,15 @@ def vibration(config, beta_s, fractions, duration_s, amplitude):
                          sample_s=duration_s / steps)  # fmt: skip
         out.append((duration_s / steps, float(np.interp(0.9 * duration_s, h.time_s, h.d_m))))
     return out
+
+
+def balanced(config, model, beta_s, time_s, columns, fraction):
+    """Books of one run: last row, largest residual, and the energy that overturns the façade."""
+    numerics = {**config["numerics"], "step_fraction": fraction}
+    job = {**config, "numerics": numerics, "model": model, "beta_s": beta_s}
+    columns = {k: np.array(v) for k, v in columns.items()}
+    history, books, overturning_j = run_energy.balanced_run(job, np.array(time_s), columns, 1.0)
+    rows = np.array(books.rows)
+    return {"status": history.status, "peak": history.peak_d_over_b, "broken": rows[-1][7],
+            "last": rows[-1].tolist(), "residual": float(np.max(np.abs(rows[:, -1]))),
+            "overturning": overturning_j}  # fmt: skip

@@ -34,6 +34,44 @@ def test_dashpots_only_take_energy():
     assert t[-1] > 2.0
 
 
+def shake(amplitude_m_s2, relative=0.0):
+    """Two cycles of 0.8 s for the base, and floors that move `relative` times more."""
+    t = np.linspace(0.0, 2.4, 241)
+    ground = amplitude_m_s2 * np.where(t < 1.6, np.sin(2 * np.pi * t / 0.8), 0.0)
+    floors = {f"floor{j}": ((1.0 + relative * j / 4) * ground).tolist() for j in range(1, 5)}
+    return {"time_s": t.tolist(), "columns": {"ground": ground.tolist(), **floors}}
+
+
+@pytest.mark.parametrize(("model", "amplitude", "relative"), [("W1", 1.5, 0.0), ("W2", 0.5, 0.2)])
+def test_books_of_a_run_balance_to_second_order(model, amplitude, relative):
+    """Input = stored + dashpots + friction; what the books miss falls with the step squared."""
+    coarse, fine = (
+        in_yade("accuracy_cases", "balanced", config=resolved(), model=model, beta_s=0.002,
+                fraction=fraction, **shake(amplitude, relative))
+        for fraction in (0.2, 0.05)
+    )  # fmt: skip
+    assert coarse["status"] == fine["status"] == "ok"
+    assert fine["peak"] > 0.1  # it rocks
+    assert fine["residual"] < 1e-3 * fine["overturning"]
+    assert np.log(coarse["residual"] / fine["residual"]) / np.log(4.0) > 1.5
+    _, put_in, _, _, _, dashpots, friction, fracture, _ = fine["last"]
+    assert dashpots > 0.25 * put_in
+    assert friction > 0.0
+    assert fracture == 0.0
+
+
+def test_books_count_what_breaking_bonds_take():
+    """A bonded façade torn off by parting floors: no node breaks for less than in pure tension."""
+    config = resolved()
+    got = in_yade("accuracy_cases", "balanced", config=config, model="W2c", beta_s=0.002,
+                  fraction=0.05, **shake(1.0, 0.5))  # fmt: skip
+    wall, f = config["return_wall"], config["facade"]
+    area = wall["count"] * wall["thickness_m"] * f["height_m"]
+    jkn = f["e_mpa"] * 1e6 / (0.5 * f["height_m"])
+    assert got["broken"] > 0.95 * (wall["tension_mpa"] * 1e6) ** 2 * area / (2.0 * jkn)
+    assert got["residual"] < 1e-3 * got["overturning"]
+
+
 def _peaks(theta):
     inner = (theta[1:-1] > theta[:-2]) & (theta[1:-1] >= theta[2:]) & (theta[1:-1] > 0.002)
     return theta[1:-1][inner]

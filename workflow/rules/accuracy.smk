@@ -1,5 +1,6 @@
 # Accuracy and stability: `snakemake accuracy`.
 include: "accuracy_targets.smk"
+include: "energy.smk"
 
 
 rule accuracy:

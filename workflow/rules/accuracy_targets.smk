@@ -33,12 +33,21 @@ def accuracy_motions(wildcards):
     ]
 
 
+def energy_histories(wildcards):
+    """Balanced runs of the study: every model and record, in its first direction."""
+    settings = cfg(wildcards)["accuracy"]
+    return [
+        f"results/{wildcards.run}/energy/{model}/{record}_{settings['directions'][0]}"
+        f"_{settings['energy_share']:g}.csv"
+        for model in settings["energy_models"]
+        for record in accuracy_records(wildcards)
+    ]
+
+
 def accuracy_results(run):
     """What the target makes for one run."""
-    names = ("speed_accuracy", "stability")
+    names = ("speed_accuracy", "stability", "energy_balance")
     return [
-        f"results/{run}/tables/stability.csv",
-        f"results/{run}/tables/speed_accuracy.csv",
-        f"results/{run}/tables/ensemble_members.csv",
+        *(f"results/{run}/tables/{name}.csv" for name in (*names, "ensemble_members")),
         *(f"results/{run}/figures/{name}.png" for name in (*names, "chaos")),
     ]

@@ -1,0 +1,63 @@
+# Energy balance of single runs; part of the accuracy study.
+
+
+rule energy_balance:
+    input:
+        entry=module("yade_scripts/run_energy.py"),
+        scene="results/{run}/scenes/{model}.json",
+        motion=ida_motion,
+        curve="results/{run}/ida/{model}/{record}_{direction}.csv",
+        yade="results/{run}/yade.txt",
+        modules=yade_modules()
+        + module("yade_scripts/balance.py", "yade_scripts/run_ensemble.py"),
+    output:
+        "results/{run}/energy/{model}/{record}_{direction}_{share}.csv",
+    log:
+        "results/{run}/logs/energy_{model}_{record}_{direction}_{share}.log",
+    wildcard_constraints:
+        share=r"\d+(\.\d+)?",
+    params:
+        python=YADE_PYTHON,
+    shell:
+        "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
+        " --record {wildcards.record:q} --direction {wildcards.direction}"
+        " --curve {input.curve:q} --share {wildcards.share} --output {output:q}"
+        " 2> >(tee {log:q} >&2)"
+
+
+rule table_energy_balance:
+    input:
+        energy_histories,
+    output:
+        report(
+            "results/{run}/tables/energy_balance.csv",
+            caption=caption("energy_balance"),
+            category="Accuracy and stability",
+            labels={"run": "{run}", "result": "energy balance (CSV)"},
+        ),
+    log:
+        "results/{run}/logs/table_energy_balance.log",
+    params:
+        share=lambda w: cfg(w)["accuracy"]["energy_share"],
+    script:
+        "../scripts/table_energy_balance.py"
+
+
+rule figure_energy_balance:
+    input:
+        histories=energy_histories,
+        style=STYLE,
+    output:
+        png=report(
+            "results/{run}/figures/energy_balance.png",
+            caption=caption("energy_balance"),
+            category="Accuracy and stability",
+            labels={"run": "{run}", "result": "energy balance"},
+        ),
+        pdf="results/{run}/figures/energy_balance.pdf",
+    log:
+        "results/{run}/logs/figure_energy_balance.log",
+    params:
+        share=lambda w: cfg(w)["accuracy"]["energy_share"],
+    script:
+        "../scripts/figure_energy_balance.py"
