@@ -169,11 +169,12 @@ def test_a_lucky_coarse_pair_is_not_taken_for_accurate():
     """3 nodes at a long step hit the answer by chance; finer pairs do not bear it out."""
     pairs = [(3, 0.2, 0.001), (3, 0.1, 0.05), (9, 0.2, 0.02), (9, 0.1, 0.004)]
     table = pd.DataFrame([
-        {"model": "W1", "method": "nodes and step", "repeats": 1, "nodes": n,
+        {"model": "W1", "method": "nodes and step", "amplification": 3.0, "nodes": n,
          "dt_over_dt_crit": f, "error": e} for n, f, e in pairs
     ])  # fmt: skip
-    stray = table.iloc[[3]].assign(error=0.9, repeats=0)  # histories that do not repeat say nothing
-    measured = accuracy.fidelity_table(pd.concat([table, stray]))
+    # 0.02 where changes grow 100 times says no more than 0.002 where they grow 10 times
+    sensitive = table.iloc[[3]].assign(error=0.02, amplification=100.0)
+    measured = accuracy.fidelity_table(pd.concat([table, sensitive]), 10.0)
     found = {(p["nodes"], p["step_fraction"]): p["error"] for p in measured["W1"]}
     assert found == {(3, 0.2): 0.05, (3, 0.1): 0.05, (9, 0.2): 0.02, (9, 0.1): 0.004}
 

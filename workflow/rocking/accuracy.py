@@ -9,7 +9,7 @@ import yaml
 
 TABLE_COLUMNS = (
     "scene", "method", "nodes", "dt_over_dt_crit", "error", "realtime_factor", "wall_s",
-    "d_over_b", "d_over_b_reference", "repeats", "default",
+    "d_over_b", "d_over_b_reference", "repeats", "default", "amplification",
 )  # fmt: skip
 
 
@@ -97,7 +97,8 @@ def errors(runs, reference, limit):
     Returns
     -------
     DataFrame
-        TABLE_COLUMNS; error is |d/b − reference|/reference, NaN for failed runs.
+        TABLE_COLUMNS; error is |d/b − reference|/reference, NaN for failed runs, and
+        amplification the change of d/b over the relative change of amplitude that caused it.
     """
     exact = reference.set_index("case")["d_over_b"]
     base = runs[(runs["method"] == "default") & (runs["factor"] == 1.0)].set_index("case")
@@ -113,6 +114,7 @@ def errors(runs, reference, limit):
         "d_over_b": value, "d_over_b_reference": target,
         "repeats": (rows["case"].map(change) <= limit).astype(int),
         "default": (rows["method"] == "default").astype(int),
+        "amplification": rows["case"].map(change / (twin["factor"] - 1.0).abs()),
     })  # fmt: skip
 
 
@@ -135,24 +137,30 @@ def pareto_front(cost, error):
     return front
 
 
-def fidelity_table(table):
-    """Worst error of every pair of nodes and step, over histories that repeat.
+def fidelity_table(table, trusted):
+    """Worst error of every pair of nodes and step.
 
-    A coarse pair may hit the answer by chance, so the error of a pair is the largest of
-    its own and of all finer ones (as many nodes or more, the same step or less). Cost is
-    counted in node evaluations, so that the order does not depend on the machine.
+    Nodes and step act like a small change of amplitude, so where a history amplifies such
+    changes more than the most that is still trusted, its error is counted in proportion less:
+    what the same change would have made of a history just trusted. A coarse pair may hit the
+    answer by chance, so the error of a pair is the largest of its own and of all finer ones
+    (as many nodes or more, the same step or less). Cost is counted in node evaluations, so
+    that the order does not depend on the machine.
 
     Parameters
     ----------
     table : DataFrame
         From `errors`, with a column `model`.
+    trusted : float
+        Amplification up to which one history is trusted.
 
     Returns
     -------
     dict
         Model to a list of {nodes, step_fraction, error}, cheapest first.
     """
-    chosen = table[(table["method"] == "nodes and step") & (table["repeats"] == 1)]
+    chosen = table[table["method"] == "nodes and step"].copy()
+    chosen["error"] *= (trusted / chosen["amplification"]).clip(upper=1.0)
     out = {}
     for model, part in chosen.groupby("model"):
         worst = part.groupby(["nodes", "dt_over_dt_crit"], as_index=False)["error"].max()

@@ -174,7 +174,10 @@ rule figure_speed_accuracy:
 rule ensemble_members:
     input:
         ensembles=lambda w: accuracy_curves(w, "_ensemble"),
-        scene="results/{run}/scenes/W2.json",
+        scenes=lambda w: [
+            f"results/{w.run}/scenes/{model}.json"
+            for model in cfg(w)["accuracy"]["models"]
+        ],
         motions=accuracy_motions,
         modules=module("workflow/rocking/ensemble.py", "workflow/rocking/reference.py"),
     output:
