@@ -153,3 +153,20 @@ def test_full_model_gives_the_curve_of_the_half_model():
     half, full = pushed("hinged")[0], pushed("hinged", half=False)[0]
     assert np.allclose(half[:, 0], full[:, 0], atol=1e-5)
     assert np.abs(half[:, 1] - full[:, 1]).max() < 1e-3
+
+
+@pytest.mark.yade
+def test_peaks_at_the_default_step_are_those_at_half_of_it():
+    """Below collapse d/b changes by less than 2 % with half the step."""
+    data = job()
+    t = np.linspace(0.0, 2.4, 241)
+    ground = 1.7 * np.where(t < 1.6, np.sin(2.0 * np.pi * t / 0.8), 0.0)
+    columns = {f"floor{j}": ((1.0 + 0.1 * j) * ground).tolist() for j in range(1, 5)}
+    step = data["w3"]["step_fraction"]
+    (status, peak), (_, finer) = in_yade(
+        "w3_cases", "shake_case", job=data, fractions=[step, 0.5 * step], time_s=t.tolist(),
+        columns={"ground": ground.tolist(), **columns},
+    )  # fmt: skip
+    assert status == "ok"
+    assert 0.2 < finer < 0.9  # it rocks and stands
+    assert peak == pytest.approx(finer, rel=0.02)

@@ -13,3 +13,21 @@ def push_case(job, speed_m_s=0.1, reach=0.08):
         force_samples=30,
     )  # fmt: skip
     return {"curve": curve.tolist(), "forces": forces_csv(scene, forces), "broken": len(broken)}
+
+
+def shake_case(job, fractions, time_s, columns):
+    """Peak d/b of W3 under prescribed floor motions, by step over the critical one."""
+    import numpy as np
+
+    from yade_scripts import models, run_ida
+
+    scene = models.build_scene(job)
+    time_s = np.array(time_s)
+    columns = {name: np.array(values) for name, values in columns.items()}
+    columns = models.motion_columns(scene, columns)
+    out = []
+    for fraction in fractions:
+        numerics = {**models.numerics(job), "step_fraction": fraction}
+        history = run_ida.run_one(scene, time_s, columns, 1.0, numerics)
+        out.append([history.status, history.peak_d_over_b])
+    return out

@@ -53,6 +53,7 @@ rule fig09_ida:
     input:
         ida=lambda w: ida_tables(w.run),
         ensemble=lambda w: ensemble_tables(w.run),
+        sensitivity=lambda w: sensitivity_tables(w.run),
         pushover=lambda w: static_curves(w.run),
         facts=record_facts,
         style=STYLE,

@@ -63,6 +63,21 @@ def draw_band(axis, ensemble, percentiles):
                        zorder=1)  # fmt: skip
 
 
+def doubtful(sensitivity, ensembles):
+    """Points of a curve that do not repeat and have no ensemble: one history says little.
+
+    Parameters
+    ----------
+    sensitivity : DataFrame
+        Sensitivity table of the curve; it may be empty.
+    ensembles : list of DataFrame
+        Ensembles that were run.
+    """
+    if sensitivity.empty or curve_key(sensitivity) in [curve_key(e) for e in ensembles]:
+        return sensitivity.iloc[:0]
+    return sensitivity[(sensitivity["repeats"] == 0) & (sensitivity["d_over_b"] < 1.0)]
+
+
 def shown_pga(curve):
     """Largest intensity worth showing: the first collapse, or a run that stands above it."""
     stood, fell = branches(curve)
@@ -76,6 +91,8 @@ def main(job):
     curves = [read_curve(path) for path in job.input.ida]
     ensembles = [pd.read_csv(path) for path in getattr(job.input, "ensemble", [])]
     ensembles = [table for table in ensembles if len(table)]
+    sensitivities = [pd.read_csv(path) for path in getattr(job.input, "sensitivity", [])]
+    doubts = [doubtful(table, ensembles) for table in sensitivities]
     shape = (len(p.records), len(p.directions))
     figure, axes = plt.subplots(
         *shape, figsize=(max(5.0, 3.5 * shape[1]), 0.9 + 2.0 * shape[0]), squeeze=False, sharex=True
@@ -96,6 +113,10 @@ def main(job):
             for curve in curves:
                 if curve_key(curve)[1:] == (record, direction):
                     draw(axis, curve, curve_key(curve)[0], top, () if logarithmic else (0.0,))
+            for points in doubts:
+                if len(points) and curve_key(points)[1:] == (record, direction):
+                    axis.plot(points["d_over_b"], points["pga_g"], "o", ls="", ms=8, mfc="none",
+                              mec="0.3", mew=0.7, label="does not repeat", zorder=5)  # fmt: skip
             sign = {"pos": "+", "neg": "−"}[direction]
             axis.set_title(f"{style.provenance(facts[record])}, direction {sign}", loc="left")
             axis.set(xlim=(0, 1.0), ylabel="PGA [g]")
@@ -108,8 +129,12 @@ def main(job):
                 axis.yaxis.set_minor_formatter(NullFormatter())
     for axis in axes[-1]:
         axis.set_xlabel("peak top displacement d/b [-]")
-    handles, labels = axes[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=min(len(labels), 5))
+    legend = {}
+    for axis in axes.flat:
+        for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
+            legend.setdefault(label, handle)
+    figure.legend(legend.values(), legend.keys(), loc="outside upper center",
+                  ncols=min(len(legend), 5))  # fmt: skip
     style.save(figure, job.output)
 
 
