@@ -1,14 +1,17 @@
 """Observed rates of convergence in step and nodes, and the rules that use them."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import accuracy
+from rocking import accuracy, reference
 from rocking.closed_forms import block, overturning_half_sine, overturning_rectangular
 from rocking.reference import ensemble_peaks, peak_d_over_b
 from yade_process import in_yade, resolved
 
 from yade_scripts import facade
+from yade_scripts.motion import STANDARD_GRAVITY_M_S2, amplitude
 from yade_scripts.quadrature import gauss_lobatto
 from yade_scripts.stiffness import critical_step, lag_factors
 
@@ -95,13 +98,13 @@ def test_default_fidelity_against_the_planar_reference(model, peak, tmp_path):
         path, index=False
     )
     pga = float(np.max(np.abs(ground)))
-    expected = peak_d_over_b(job, path, "pos", pga / 9.81, nodes=25)
+    expected = peak_d_over_b(job, path, "pos", pga / STANDARD_GRAVITY_M_S2, nodes=25)
     got = in_yade("accuracy_cases", "shaken", config=job, model=model, beta_s=BETA_S,
                   time_s=t.tolist(),
                   columns={k: v.tolist() for k, v in columns.items()})  # fmt: skip
     assert 0.1 < expected < 0.9
     assert got["peak"] == pytest.approx(expected, rel=0.01)
-    batch = ensemble_peaks(job, path, "pos", pga / 9.81, [1.0], dt_s=2.5e-4)
+    batch = ensemble_peaks(job, path, "pos", pga / STANDARD_GRAVITY_M_S2, [1.0], dt_s=2.5e-4)
     assert batch[0] == pytest.approx(expected, rel=0.01)
 
 
@@ -136,6 +139,27 @@ def test_overturning_threshold_of_a_half_sine_pulse(omega_over_p, factor, status
     got = pulse_on_a_rigid_base(t, x)
     assert got["status"] == status
     assert got["peak"] > 0.7
+
+
+def test_reference_and_runs_scale_a_motion_alike(tmp_path, monkeypatch):
+    """The largest ground acceleration is the PGA in standard gravity, mirrored for "neg"."""
+    path, t = tmp_path / "motion.csv", np.linspace(0.0, 1.0, 11)
+    rows = np.column_stack([t, -2.0 * np.sin(2.0 * np.pi * t)])
+    np.savetxt(path, rows, delimiter=",", header="time_s,ground_m_s2", comments="")
+    scales = []
+
+    def stand_in(wall, motion, scale, **settings):
+        scales.append(scale)
+        return SimpleNamespace(status="ok", d_over_b=np.zeros(3))
+
+    monkeypatch.setattr(reference, "simulate", stand_in)
+    job = {**resolved(), "model": "W1", "beta_s": BETA_S}
+    for direction in ("pos", "neg"):
+        reference.peak_d_over_b(job, path, direction, 0.3)
+    peak = np.max(np.abs(rows[:, 1]))
+    np.testing.assert_allclose(np.array(scales) * peak, [0.3 * 9.80665, -0.3 * 9.80665])
+    given = [amplitude(rows[:, 1], direction, 0.3) for direction in ("pos", "neg")]
+    np.testing.assert_array_equal(given, scales)
 
 
 def test_observed_rate_of_a_power_law():

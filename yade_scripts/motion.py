@@ -5,6 +5,22 @@ from dataclasses import dataclass
 import numpy as np
 
 GUIDE_INTERVAL_S = 5e-4  # guided blocks move at constant speed for so long
+STANDARD_GRAVITY_M_S2 = 9.80665  # the g in which PGA is stated; gravity itself is the scene's
+SIGNS = {"pos": 1.0, "neg": -1.0}  # of the record along the outward normal
+
+
+def amplitude(ground_m_s2, direction, pga_g):
+    """Factor that brings a motion to a peak ground acceleration; its sign is the direction.
+
+    Parameters
+    ----------
+    ground_m_s2 : ndarray
+    direction : str
+        "pos" or "neg".
+    pga_g : float
+        In standard gravity.
+    """
+    return SIGNS[direction] * pga_g * STANDARD_GRAVITY_M_S2 / float(np.max(np.abs(ground_m_s2)))
 
 
 @dataclass

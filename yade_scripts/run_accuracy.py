@@ -28,6 +28,7 @@ if __package__ in (None, ""):
 
 from yade_scripts import engine, facade, polyhedra, run_ida, simulate
 from yade_scripts.journal import write_atomic
+from yade_scripts.motion import amplitude
 
 COLUMNS = ("case", "model", "record", "direction", "pga_g", "method", "nodes", "factor", "dt_s",
            "dt_over_dt_crit", "d_over_b", "status", "steps", "simulated_s", "wall_s")  # fmt: skip
@@ -100,10 +101,7 @@ def run_case(job, time_s, columns, spec):
     scene = facade.facade_scene(
         {**job, "numerics": numerics}, job["model"], job["beta_s"], planar=method != "full 3D"
     )
-    sign = {"pos": 1.0, "neg": -1.0}[spec["direction"]]
-    factor = (
-        sign * spec["factor"] * spec["pga_g"] * run_ida.G / float(np.max(np.abs(columns["ground"])))
-    )
+    factor = spec["factor"] * amplitude(columns["ground"], spec["direction"], spec["pga_g"])
     motions = run_ida.scaled_motions(time_s, columns, scene.motions, factor)
     step, critical = simulate.choose_step(scene, numerics)
     if method == "Polyhedra":

@@ -14,14 +14,13 @@ import json
 import sys
 from pathlib import Path
 
-import numpy as np
-
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from yade_scripts import balance, engine, models, run_ida, simulate
 from yade_scripts.intensities import DIGITS
 from yade_scripts.journal import write_atomic
+from yade_scripts.motion import SIGNS, amplitude
 from yade_scripts.run_ensemble import read_curve
 
 HEAD = ("model", "record", "direction", "pga_g", "status", "dt_s", "overturning_j")
@@ -83,7 +82,7 @@ def main(argv=None):
         ("curve", "finished IDA table (CSV)"), ("output", "history to write (CSV)"),
     ):  # fmt: skip
         parser.add_argument(f"--{name}", required=True, help=text)
-    parser.add_argument("--direction", required=True, choices=("pos", "neg"))
+    parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
     parser.add_argument("--share", required=True, type=float, help="of the collapse intensity")
     args = parser.parse_args(argv)
     try:
@@ -92,8 +91,7 @@ def main(argv=None):
         job = json.loads(Path(args.scene).read_text())
         time_s, columns = run_ida.read_motion(args.motion)
         pga_g = round(args.share * collapse_pga(read_curve(args.curve)[0]), DIGITS)
-        sign = {"pos": 1.0, "neg": -1.0}[args.direction]
-        factor = sign * pga_g * run_ida.G / float(np.max(np.abs(columns["ground"])))
+        factor = amplitude(columns["ground"], args.direction, pga_g)
         engine.load_yade()
         history, books, overturning_j = balanced_run(job, time_s, columns, factor)
     except (ValueError, OSError, engine.EngineError) as error:

@@ -21,6 +21,7 @@ if __package__ in (None, ""):
 
 from yade_scripts import engine, lifeline, memory, models, perturb, run_ida, simulate
 from yade_scripts.journal import Journal, run_key, source_digest, write_atomic
+from yade_scripts.motion import SIGNS, amplitude
 from yade_scripts.scene import to_json
 
 COLUMNS = (
@@ -31,7 +32,6 @@ SENSITIVITY_COLUMNS = (
     "model", "record", "direction", "pga_g", "perturbation", "d_over_b", "d_over_b_perturbed",
     "change", "repeats",
 )  # fmt: skip
-SIGNS = {"pos": 1.0, "neg": -1.0}
 
 
 def read_curve(path):
@@ -63,7 +63,6 @@ class Runner:
         """Keep what every run shares; see `run_ida.analyse` for the parameters."""
         self.job, self.time_s, self.columns = job, time_s, columns
         self.record, self.direction, self.journal, self.say = record, direction, journal, say
-        self.pga = float(np.max(np.abs(columns["ground"])))
         self.digest = source_digest()
         self.scenes, self.reused, self.count = {}, 0, 0
         self.ceiling = memory.Ceiling()
@@ -84,7 +83,8 @@ class Runner:
         """Row of one member at one intensity (contract of the ensemble table)."""
         numerics = perturb.perturbed_numerics(models.numerics(self.job), member)
         scene, base = self.scene(member.extra_nodes, numerics)
-        factor = SIGNS[self.direction] * member.amplitude_factor * pga_g * run_ida.G / self.pga
+        ground = self.columns["ground"]
+        factor = member.amplitude_factor * amplitude(ground, self.direction, pga_g)
         key = run_key(base, numerics, factor)
         row = self.journal.get(key)
         if row is None:

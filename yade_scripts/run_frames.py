@@ -22,8 +22,7 @@ if __package__ in (None, ""):
 
 from yade_scripts import engine, models, run_ida, simulate
 from yade_scripts.journal import write_atomic
-
-SIGNS = {"pos": 1.0, "neg": -1.0}
+from yade_scripts.motion import SIGNS, amplitude
 
 
 def collapse_intensity(path):
@@ -104,8 +103,7 @@ def film(job, time_s, columns, direction, pga_g, interval_s, fall, until_s):
     """
     scene, numerics = models.build_scene(job), models.numerics(job)
     columns = models.motion_columns(scene, columns)
-    pga = float(np.max(np.abs(columns["ground"])))
-    factor = SIGNS[direction] * pga_g * run_ida.G / pga
+    factor = amplitude(columns["ground"], direction, pga_g)
     motions = run_ida.scaled_motions(time_s, columns, scene.motions, factor)
     rules = run_ida.stop_rules(scene, numerics, time_s, motions)
     limit = min(rules.limit_s, until_s) if until_s else rules.limit_s

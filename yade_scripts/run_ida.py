@@ -22,9 +22,9 @@ if __package__ in (None, ""):
 from yade_scripts import engine, ledger, lifeline, memory, models, simulate
 from yade_scripts.intensities import DIGITS, next_intensity
 from yade_scripts.journal import Journal, run_key, source_digest, write_atomic
+from yade_scripts.motion import SIGNS, amplitude
 from yade_scripts.scene import to_json
 
-G = 9.80665  # the g in which records and PGA are stated; gravity itself is the scene's
 COLUMNS = (
     "model", "record", "direction", "pga_g", "d_over_b", "collapsed", "status", "dt_s",
     "steps", "wall_s",
@@ -183,10 +183,8 @@ def analyse(job, time_s, columns, record, direction, journal, say, renew=None):
         settings["start_g"] = round(0.5 * models.static_multiplier(job), DIGITS)
     scene, numerics = models.build_scene(job), models.numerics(job)
     columns = models.motion_columns(scene, columns)
-    sign = {"pos": 1.0, "neg": -1.0}[direction]
-    pga = float(np.max(np.abs(columns["ground"])))
     motion_bytes = b"".join(columns[n].tobytes() for n in scene.motions) + time_s.tobytes()
-    base_key = run_key(to_json(scene), motion_bytes, numerics, sign, source_digest())
+    base_key = run_key(to_json(scene), motion_bytes, numerics, direction, source_digest())
     rows: list[dict] = []
     done: dict[float, str] = {}
     reused = 0
@@ -195,7 +193,8 @@ def analyse(job, time_s, columns, record, direction, journal, say, renew=None):
         key = run_key(base_key, pga_g)
         row = journal.get(key)
         if row is None:
-            history = run_one(scene, time_s, columns, sign * pga_g * G / pga, numerics)
+            factor = amplitude(columns["ground"], direction, pga_g)
+            history = run_one(scene, time_s, columns, factor, numerics)
             row = as_row(model, record, direction, pga_g, history)
             journal.put(key, row, history.reason)
             outcome = f"d/b {row['d_over_b'][:5]}" if row["d_over_b"] else history.reason
@@ -218,7 +217,7 @@ def main(argv=None):
     parser.add_argument("--scene", required=True, help="scene file (JSON)")
     parser.add_argument("--motion", required=True, help="floor motions (CSV)")
     parser.add_argument("--record", required=True)
-    parser.add_argument("--direction", required=True, choices=("pos", "neg"))
+    parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
     parser.add_argument("--journal", required=True, help="finished runs (JSON lines)")
     parser.add_argument("--output", required=True, help="table to write (CSV)")
     args = parser.parse_args(argv)

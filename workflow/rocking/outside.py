@@ -10,9 +10,9 @@ import numpy as np
 import pandas as pd
 
 from yade_scripts import facade
+from yade_scripts.motion import amplitude
 from yade_scripts.stiffness import critical_step
 
-SIGNS = {"pos": 1.0, "neg": -1.0}
 SAMPLE_S = 0.002
 AFTER_S = 2.0  # simulated beyond the motion
 
@@ -72,7 +72,7 @@ def compare(job, method, package, run_case, fractions):
     for case in (c for c in plan["cases"] if c["model"] == "W1"):
         motion = pd.read_csv(plan["motions"][case["record"]])
         ground = motion["ground_m_s2"].to_numpy()
-        factor = SIGNS[case["direction"]] * case["pga_g"] * 9.81 / np.max(np.abs(ground))
+        factor = amplitude(ground, case["direction"], case["pga_g"])
         for fraction in fractions:
             dt = fraction * critical
             peak, simulated, wall = run_case(

@@ -4,10 +4,9 @@ import csv
 
 import numpy as np
 
-from .planar import Motion, Wall, simulate, simulate_batch
+from yade_scripts.motion import amplitude
 
-G_M_S2 = 9.81
-SIGNS = {"pos": 1.0, "neg": -1.0}
+from .planar import Motion, Wall, simulate, simulate_batch
 
 
 def wall_of(job, nodes):
@@ -27,23 +26,22 @@ def wall_of(job, nodes):
 
 
 def read_motion(path, model):
-    """Motion of the base and of the return walls, and the record's PGA [m/s²]."""
+    """Motion of the base and of the return walls."""
     with open(path, newline="") as handle:
         header = next(csv.reader(handle))
     data = np.loadtxt(path, delimiter=",", skiprows=1)
     if header[:2] != ["time_s", "ground_m_s2"]:
         raise ValueError(f"{path}: expected columns time_s, ground_m_s2, …, got {header[:3]}")
     floors = data[:, 2:].T if model == "W2" else None
-    motion = Motion(float(data[1, 0] - data[0, 0]), data[:, 1], floors)
-    return motion, float(np.max(np.abs(data[:, 1])))
+    return Motion(float(data[1, 0] - data[0, 0]), data[:, 1], floors)
 
 
 def peak_d_over_b(job, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-5):
     """Largest |d|/b of one history, 1 if it overturns."""
-    motion, pga = read_motion(motion_path, job["model"])
+    motion = read_motion(motion_path, job["model"])
     history = simulate(
         wall_of(job, nodes), motion, tolerance=tolerance, stop_d_over_b=1.0,
-        scale=SIGNS[direction] * pga_g * G_M_S2 / pga,
+        scale=amplitude(motion.base_m_s2, direction, pga_g),
     )  # fmt: skip
     if history.status == "failed":
         return float("nan")
@@ -57,7 +55,7 @@ def ensemble_peaks(job, motion_path, direction, pga_g, factors, *, nodes=17, dt_
     -------
     ndarray, shape (len(factors),)
     """
-    motion, pga = read_motion(motion_path, job["model"])
-    scales = SIGNS[direction] * pga_g * G_M_S2 / pga * np.asarray(factors, float)
+    motion = read_motion(motion_path, job["model"])
+    scales = amplitude(motion.base_m_s2, direction, pga_g) * np.asarray(factors, float)
     result = simulate_batch(wall_of(job, nodes), motion, scales, dt_s=dt_s, stop_d_over_b=1.0)
     return np.minimum(result.peak_d_over_b, 1.0)

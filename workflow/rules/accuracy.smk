@@ -92,6 +92,7 @@ rule accuracy_reference:
                 for name in ("adaptive", "batch", "contact", "motion", "wall")
             ),
             "workflow/rocking/reference.py",
+            "yade_scripts/motion.py",
         ),
     output:
         "results/{run}/accuracy/reference.csv",
@@ -113,6 +114,7 @@ rule accuracy_engine:
         modules=module(
             "workflow/rocking/outside.py",
             "yade_scripts/facade.py",
+            "yade_scripts/motion.py",
             "yade_scripts/stiffness.py",
         ),
     output:
@@ -179,7 +181,11 @@ rule ensemble_members:
             for model in cfg(w)["accuracy"]["models"]
         ],
         motions=accuracy_motions,
-        modules=module("workflow/rocking/ensemble.py", "workflow/rocking/reference.py"),
+        modules=module(
+            "workflow/rocking/ensemble.py",
+            "workflow/rocking/reference.py",
+            "yade_scripts/motion.py",
+        ),
     output:
         "results/{run}/tables/ensemble_members.csv",
     log:
