@@ -117,4 +117,4 @@ onstart:
             configuration.write_resolved(resolved, f"results/{name}/config.yaml")
     except (run_lock.Busy, OSError) as error:
         stop(error)
-    progress.Progress(ida_curves()).watch()
+    progress.Progress(ida_curves(workflow.dag)).watch()

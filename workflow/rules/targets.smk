@@ -40,15 +40,14 @@ def ida_tables(run):
     ]
 
 
-def ida_curves():
-    """Table, journal and number of runs of every curve of the study, for its progress."""
+def ida_curves(dag):
+    """Table, journal and number of runs of every curve of a DAG, for its progress."""
     curves = []
-    for run, resolved in RUNS.items():
-        ida = resolved["ida"]
-        runs = len(ida["grid_g"]) if ida["mode"] == "grid" else None
-        for table in map(Path, ida_tables(run)):
-            journal = f"results/{run}/cache/ida/{table.parent.name}_{table.stem}.jsonl"
-            curves.append((table, journal, runs))
+    for job in dag.jobs:
+        if job.rule.name in ("ida", "reduction_ida"):
+            ida = cfg(job.wildcards)["ida"]
+            runs = len(ida["grid_g"]) if ida["mode"] == "grid" else None
+            curves.append((Path(job.output[0]), job.params.journal, runs))
     return curves
 
 
