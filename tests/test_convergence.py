@@ -198,7 +198,9 @@ def test_a_lucky_coarse_pair_is_not_taken_for_accurate():
     ])  # fmt: skip
     # 0.02 where changes grow 100 times says no more than 0.002 where they grow 10 times
     sensitive = table.iloc[[3]].assign(error=0.02, amplification=100.0)
-    measured = accuracy.fidelity_table(pd.concat([table, sensitive]), 10.0)
+    table = pd.concat([table, sensitive])
+    assert all(p["nodes"] == 9 for p in accuracy.fidelity_table(table, 10.0, 5)["W1"])
+    measured = accuracy.fidelity_table(table, 10.0, 3)
     found = {(p["nodes"], p["step_fraction"]): p["error"] for p in measured["W1"]}
     assert found == {(3, 0.2): 0.05, (3, 0.1): 0.05, (9, 0.2): 0.02, (9, 0.1): 0.004}
 

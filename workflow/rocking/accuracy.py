@@ -137,7 +137,7 @@ def pareto_front(cost, error):
     return front
 
 
-def fidelity_table(table, trusted):
+def fidelity_table(table, trusted, fewest_nodes):
     """Worst error of every pair of nodes and step.
 
     Nodes and step act like a small change of amplitude, so where a history amplifies such
@@ -153,13 +153,16 @@ def fidelity_table(table, trusted):
         From `errors`, with a column `model`.
     trusted : float
         Amplification up to which one history is trusted.
+    fewest_nodes : int
+        Pairs with fewer are left out.
 
     Returns
     -------
     dict
         Model to a list of {nodes, step_fraction, error}, cheapest first.
     """
-    chosen = table[table["method"] == "nodes and step"].copy()
+    usable = (table["method"] == "nodes and step") & (table["nodes"] >= fewest_nodes)
+    chosen = table[usable].copy()
     chosen["error"] *= (trusted / chosen["amplification"]).clip(upper=1.0)
     out = {}
     for model, part in chosen.groupby("model"):

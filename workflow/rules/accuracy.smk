@@ -150,6 +150,7 @@ rule speed_accuracy:
         "results/{run}/logs/speed_accuracy.log",
     params:
         ensemble=lambda w: cfg(w)["ensemble"],
+        fewest_nodes=lambda w: cfg(w)["accuracy"]["fewest_nodes"],
     script:
         "../scripts/table_speed_accuracy.py"
 

@@ -18,7 +18,8 @@ def main(job):
     threshold = ensemble["sensitivity_threshold"]
     table = errors(runs, reference, threshold)
     table["model"] = table["scene"].str.split().str[0]
-    fidelity = fidelity_table(table, threshold / ensemble["sensitivity_perturbation"])
+    trusted = threshold / ensemble["sensitivity_perturbation"]
+    fidelity = fidelity_table(table, trusted, job.params.fewest_nodes)
     table = table.sort_values(["scene", "method", "nodes", "dt_over_dt_crit"])
     table[list(TABLE_COLUMNS)].to_csv(
         job.output.table, index=False, float_format="%.6g", lineterminator="\n"
