@@ -90,6 +90,19 @@ def retried_run(config, factor, retry):
     return _outcome(history, tried_s=step)
 
 
+def struck_run(config, interval_s, retry):
+    """Return walls that strike a standing façade across a gap, as an ordinary run of the IDA."""
+    config = {**config, "facade": {**config["facade"], "gap_m": 0.02}}
+    scene = facade.facade_scene(config, "W2", BETA_S)
+    # 0.2 m/s within 0.1 s, held for 0.2 s, and to rest again
+    time_s = np.array([0.0, 0.001, 0.1, 0.101, 0.3, 0.301, 0.4, 0.401, 2.0])
+    push = 2.0 * np.array([0.0, 1.0, 1.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0])
+    columns = {f"floor{j}": push for j in range(1, 5)} | {"ground": np.zeros(time_s.size)}
+    numerics = {**config["numerics"], "retry_half_step": retry, "sample_interval_s": interval_s}
+    history = run_ida.run_one(scene, time_s, columns, 1.0, numerics)
+    return _outcome(history, peak=history.peak_d_over_b)
+
+
 def failed_analysis(config, folder):
     """A whole analysis in which every run fails at both steps; its rows and what it says."""
     time_s, acceleration = _motion()

@@ -87,6 +87,20 @@ def test_a_failed_run_is_tried_once_more_at_half_the_step():
 
 
 @yade
+def test_a_blow_between_two_samples_is_not_a_failure():
+    """The push of a short impact is missed by coarse samples: the second try sees it."""
+    coarse = resolved()["numerics"]["sample_interval_s"]
+    alone = in_yade(CASES, "struck_run", config=resolved(), interval_s=coarse, retry=False)
+    assert alone["status"] == "failed"
+    assert "energy from nowhere" in alone["reason"]
+    again = in_yade(CASES, "struck_run", config=resolved(), interval_s=coarse, retry=True)
+    fine = in_yade(CASES, "struck_run", config=resolved(), interval_s=0.001, retry=False)
+    assert again["status"] == fine["status"] == "ok"
+    assert again["peak"] == pytest.approx(fine["peak"], rel=0.01)
+    assert 0.3 < fine["peak"] < 0.9
+
+
+@yade
 def test_a_failed_row_is_blank_and_its_reason_is_in_the_journal_and_the_log(tmp_path):
     config = resolved(ida={"mode": "grid", "grid_g": [0.03, 0.04]})
     outcome = in_yade(CASES, "failed_analysis", config=config, folder=str(tmp_path))

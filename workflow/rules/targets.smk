@@ -74,9 +74,7 @@ def static_curves(run):
 
 def yade_modules():
     """Modules of every run inside YADE."""
-    return module(
-        *(f"yade_scripts/{name}.py" for name in PHYSICS), "yade_scripts/run_ida.py"
-    )
+    return module(*(f"yade_scripts/{name}.py" for name in PHYSICS))
 
 
 def main_results(run):
