@@ -21,7 +21,7 @@ rule energy_balance:
     shell:
         "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
-        " --curve {input.curve:q} --share {wildcards.share} --output {output:q}"
+        " --curve {input.curve:q} --share {wildcards.share:q} --output {output:q}"
         " 2> >(tee {log:q} >&2)"
 
 
