@@ -246,7 +246,7 @@ def _place_members(w, omega):
     """
     omega.engines = [w.ForceResetter(), w.NewtonIntegrator(damping=0.0)]
     omega.dt = 0.0
-    omega.run(1, True)
+    omega.step()
     omega.resetTime()
 
 

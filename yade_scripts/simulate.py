@@ -11,6 +11,7 @@ from .stiffness import critical_step, lag_factors
 
 OK, OVERTURNED, FAILED = "ok", "overturned", "failed"
 REST_RATIO = 0.5  # d/b
+POLL_S = 1e-3
 
 
 class StepError(ValueError):
@@ -216,7 +217,10 @@ def run(scene, motions, dt_s, rules, *, sample_s=0.005, node_radius_m=1e-3, full
     if setup is not None:
         setup(built)
     began = time.perf_counter()
-    omega.run(int(np.ceil(rules.limit_s / dt_s)), True)
+    omega.run(int(np.ceil(rules.limit_s / dt_s)))
+    while omega.running:  # wait() alone looks every 40 ms, a tenth of a short run
+        time.sleep(POLL_S)
+    omega.wait()  # raises what a runner raised
     wall = time.perf_counter() - began
     rows = np.array(monitor.rows, float).reshape(-1, 4)
     if not monitor.reason:
