@@ -2,10 +2,11 @@
 
 import math
 
+import energy_probe
 import numpy as np
 from facade_cases import quiet
 
-from yade_scripts import energy, engine, facade, run_energy, run_ida, run_stability, simulate
+from yade_scripts import engine, facade, run_energy, run_ida, run_stability, simulate
 from yade_scripts.stiffness import critical_step
 
 
@@ -19,7 +20,7 @@ def limit(config, name, stiffness_factor, beta_s):
 def drift(config, seconds, ratio):
     """Energies of an undamped frictionless free-rocking block."""
     scene = facade.facade_scene(config, "free", 0.0, release_ratio=ratio)
-    probe = energy.EnergyProbe(scene, 0.02)
+    probe = energy_probe.EnergyProbe(scene, 0.02)
     rules = simulate.StopRules(seconds + 1.0, seconds, overturn_ratio=1e9)
     step, _ = simulate.choose_step(scene, config["numerics"])
     simulate.run(scene, quiet(scene), step, rules, setup=probe.attach)

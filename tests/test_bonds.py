@@ -176,7 +176,9 @@ def energy_is_kept():
     Bonds hold their preload inside the support: nothing leaks from it, and the sum of
     kinetic, potential and elastic energy stays, to second order in the step.
     """
-    from yade_scripts import energy, engine, simulate, stiffness
+    import energy_probe
+
+    from yade_scripts import engine, simulate, stiffness
 
     drift = []
     for fraction in (0.1, 0.05):
@@ -187,7 +189,7 @@ def energy_is_kept():
         scene.blocks[0] = replace(scene.blocks[0], motion="ground")
         scene.blocks[1] = replace(scene.blocks[1], motion=None, **moving)
         still = engine.Motion(np.array([0.0, 10.0]), np.zeros(2))
-        probe = energy.EnergyProbe(scene, 0.002)
+        probe = energy_probe.EnergyProbe(scene, 0.002)
         step = fraction * stiffness.critical_step(scene)
         rules = simulate.StopRules(2.0, 2.0)
         simulate.run(scene, {"ground": still}, step, rules, setup=probe.attach)

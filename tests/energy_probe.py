@@ -8,7 +8,7 @@ order in the step.
 
 import numpy as np
 
-from . import engine
+from yade_scripts import engine
 
 
 class EnergyProbe:
