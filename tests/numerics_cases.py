@@ -1,6 +1,9 @@
 """Runs forced to fail numerically; imported inside YADE's Python."""
 
 import math
+import os
+import signal
+import threading
 
 import numpy as np
 
@@ -101,6 +104,24 @@ def struck_run(config, interval_s, retry):
     numerics = {**config["numerics"], "retry_half_step": retry, "sample_interval_s": interval_s}
     history = run_ida.run_one(scene, time_s, columns, 1.0, numerics)
     return _outcome(history, peak=history.peak_d_over_b)
+
+
+def interrupted_run(config):
+    """Ctrl-C in the middle of a long run, and a run after it in the same process."""
+    scene = facade.facade_scene(config, "W1", BETA_S)
+    time_s, acceleration = _motion()
+    motions = {name: engine.Motion(time_s, acceleration) for name in scene.motions}
+    step = 0.1 * critical_step(scene)
+    timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    caught = False
+    try:
+        simulate.run(scene, motions, step, simulate.StopRules(1e5, 1e5, overturn_ratio=1e9))
+    except KeyboardInterrupt:
+        caught = True
+    running = engine.load_yade().Omega().running
+    after = simulate.run(scene, motions, step, simulate.StopRules(1.0, 1.0))
+    return {"caught": caught, "running": running, "end_s": float(after.time_s[-1])}
 
 
 def failed_analysis(config, folder):

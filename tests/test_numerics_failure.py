@@ -101,6 +101,14 @@ def test_a_blow_between_two_samples_is_not_a_failure():
 
 
 @yade
+def test_an_interrupted_run_stops_yade_too():
+    outcome = in_yade(CASES, "interrupted_run", config=resolved())
+    assert outcome["caught"]
+    assert not outcome["running"]
+    assert outcome["end_s"] == pytest.approx(1.0, abs=0.02)
+
+
+@yade
 def test_a_failed_row_is_blank_and_its_reason_is_in_the_journal_and_the_log(tmp_path):
     config = resolved(ida={"mode": "grid", "grid_g": [0.03, 0.04]})
     outcome = in_yade(CASES, "failed_analysis", config=config, folder=str(tmp_path))

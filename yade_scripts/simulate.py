@@ -218,8 +218,12 @@ def run(scene, motions, dt_s, rules, *, sample_s=0.005, node_radius_m=1e-3, full
         setup(built)
     began = time.perf_counter()
     omega.run(int(np.ceil(rules.limit_s / dt_s)))
-    while omega.running:  # wait() alone looks every 40 ms, a tenth of a short run
-        time.sleep(POLL_S)
+    try:
+        while omega.running:  # wait() alone looks every 40 ms, a tenth of a short run
+            time.sleep(POLL_S)
+    except KeyboardInterrupt:
+        omega.pause()  # its thread must not outlive Python's
+        raise
     omega.wait()  # raises what a runner raised
     wall = time.perf_counter() - began
     rows = np.array(monitor.rows, float).reshape(-1, 4)
