@@ -112,11 +112,13 @@ def interrupted_run(config):
     time_s, acceleration = _motion()
     motions = {name: engine.Motion(time_s, acceleration) for name in scene.motions}
     step = 0.1 * critical_step(scene)
+    # a shell's background jobs, and what they start, ignore the signal
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
-    timer.start()
     caught = False
     try:
-        simulate.run(scene, motions, step, simulate.StopRules(1e5, 1e5, overturn_ratio=1e9))
+        simulate.run(scene, motions, step, simulate.StopRules(1e3, 1e3, overturn_ratio=1e9),
+                     setup=lambda built: timer.start())  # fmt: skip
     except KeyboardInterrupt:
         caught = True
     running = engine.load_yade().Omega().running
