@@ -34,8 +34,12 @@ def rest(config, model, beta_s, seconds):
     step, _ = simulate.choose_step(scene, config["numerics"])
     h = simulate.run(scene, quiet(scene), step, rules)
     late = h.time_s > 0.9 * seconds
-    return {"d": float(np.max(np.abs(h.d_m))), "drift": float(abs(h.d_m[-1] - h.d_m[0])),
-            "speed": float(np.max(np.abs(h.velocity_m_s[late]))), "status": h.status}  # fmt: skip
+    return {
+        "d": float(np.max(np.abs(h.d_m))),
+        "drift": float(abs(h.d_m[-1] - h.d_m[0])),
+        "speed": float(np.max(np.abs(h.velocity_m_s[late]))),
+        "status": h.status,
+    }
 
 
 def released(config, model, beta_s, ratio, seconds):
@@ -44,8 +48,13 @@ def released(config, model, beta_s, ratio, seconds):
     rules = simulate.StopRules(0.0, seconds, overturn_ratio=2.0)
     step, _ = simulate.choose_step(scene, config["numerics"])
     h = simulate.run(scene, quiet(scene), step, rules)
-    return {"status": h.status, "rotation": h.rotation_rad.tolist(), "d": h.d_m.tolist(),
-            "time": h.time_s.tolist(), "reason": h.reason}  # fmt: skip
+    return {
+        "status": h.status,
+        "rotation": h.rotation_rad.tolist(),
+        "d": h.d_m.tolist(),
+        "time": h.time_s.tolist(),
+        "reason": h.reason,
+    }
 
 
 def shaken(config, model, beta_s, time_s, columns, fraction=None):
@@ -58,8 +67,13 @@ def shaken(config, model, beta_s, time_s, columns, fraction=None):
     step, _ = simulate.choose_step(scene, numerics)
     rules = run_ida.stop_rules(scene, numerics, time_s, motions)
     h = simulate.run(scene, motions, step, rules, sample_s=0.002)
-    return {"peak": h.peak_d_over_b, "status": h.status, "d": h.d_m.tolist(),
-            "time": h.time_s.tolist(), "dt_s": step}  # fmt: skip
+    return {
+        "peak": h.peak_d_over_b,
+        "status": h.status,
+        "d": h.d_m.tolist(),
+        "time": h.time_s.tolist(),
+        "dt_s": step,
+    }
 
 
 def vibration(config, beta_s, fractions, duration_s, amplitude):
@@ -72,8 +86,9 @@ def vibration(config, beta_s, fractions, duration_s, amplitude):
         steps = round(duration_s / (fraction * critical_step(scene)))
         rules = simulate.StopRules(10.0, duration_s, overturn_ratio=1e9)
         # an end between two steps would hide the order of the scheme
-        h = simulate.run(scene, {"ground": motion}, duration_s / steps, rules,
-                         sample_s=duration_s / steps)  # fmt: skip
+        h = simulate.run(
+            scene, {"ground": motion}, duration_s / steps, rules, sample_s=duration_s / steps
+        )
         out.append((duration_s / steps, float(np.interp(0.9 * duration_s, h.time_s, h.d_m))))
     return out
 
@@ -85,6 +100,11 @@ def balanced(config, model, beta_s, time_s, columns, fraction):
     columns = {k: np.array(v) for k, v in columns.items()}
     history, books, overturning_j = run_energy.balanced_run(job, np.array(time_s), columns, 1.0)
     rows = np.array(books.rows)
-    return {"status": history.status, "peak": history.peak_d_over_b, "broken": rows[-1][7],
-            "last": rows[-1].tolist(), "residual": float(np.max(np.abs(rows[:, -1]))),
-            "overturning": overturning_j}  # fmt: skip
+    return {
+        "status": history.status,
+        "peak": history.peak_d_over_b,
+        "broken": rows[-1][7],
+        "last": rows[-1].tolist(),
+        "residual": float(np.max(np.abs(rows[:, -1]))),
+        "overturning": overturning_j,
+    }

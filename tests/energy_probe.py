@@ -33,8 +33,9 @@ class EnergyProbe:
         self.omega = omega
         self.blocks = [
             (block, omega.bodies[built.body[i]].state)
-            for i, block in enumerate(self.scene.blocks) if block.free
-        ]  # fmt: skip
+            for i, block in enumerate(self.scene.blocks)
+            if block.free
+        ]
         period = max(1, round(self.sample_s / omega.dt))
         __main__._energy_before, __main__._energy_after = self._before, self._after
         engines = list(omega.engines)

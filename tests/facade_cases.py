@@ -58,8 +58,9 @@ def rebound_histories(config, beta_s, ratio, limit_s, fractions):
         scene = facade.facade_scene(config, "W1", beta_s, release_ratio=ratio)
         step, _ = simulate.choose_step(scene, {**config["numerics"], "step_fraction": fraction})
         rules = simulate.StopRules(limit_s, limit_s, overturn_ratio=1e9)
-        h = simulate.run(scene, quiet(scene), step, rules, sample_s=limit_s / 2500,
-                         compensate_lag=False)  # fmt: skip
+        h = simulate.run(
+            scene, quiet(scene), step, rules, sample_s=limit_s / 2500, compensate_lag=False
+        )
         found[str(fraction)] = [h.time_s.tolist(), h.rotation_rad.tolist()]
     return found
 
@@ -89,13 +90,15 @@ def drive_speed(config, model, beta_s, time_s, columns):
         wrapper = engine.load_yade()
         omega = built.omega
         engines = [
-            e for e in omega.engines
+            e
+            for e in omega.engines
             if type(e).__name__ not in ("InterpolatingDirectedForceEngine", "PyRunner")
-        ]  # fmt: skip
+        ]
         supports = [
             (omega.bodies[i].state, motions[b.motion])
-            for i, b in zip(built.body, scene.blocks, strict=True) if b.motion
-        ]  # fmt: skip
+            for i, b in zip(built.body, scene.blocks, strict=True)
+            if b.motion
+        ]
 
         def step_supports():
             t, dt = omega.time, omega.dt

@@ -24,17 +24,86 @@ from rocking import config as module  # noqa: E402
 from rocking import config_files, config_schema  # noqa: E402
 
 HOSTILE = [
-    "../../etc/passwd", "/tmp/x", "a/b", "..", ".", ".hidden", "-rf", "; rm -rf .", "$(id)", "`id`",
-    "a\nb", "a\0b", "a\x1b[31m", "é", "\ud800", "x" * 5000, "{run}", "{{run}}", "%s", "nan", "inf",
-    "1e999", "1_000", "٣", "0x10", "1e-3", " 7 ", "", "~", "null", "true", "on", "all", "a,b", ",",
-    "!!python/object/apply:os.system ['id']", "<<", "run", "facade.height_m", "..facade", "facade.",
-]  # fmt: skip
+    "../../etc/passwd",
+    "/tmp/x",
+    "a/b",
+    "..",
+    ".",
+    ".hidden",
+    "-rf",
+    "; rm -rf .",
+    "$(id)",
+    "`id`",
+    "a\nb",
+    "a\0b",
+    "a\x1b[31m",
+    "é",
+    "\ud800",
+    "x" * 5000,
+    "{run}",
+    "{{run}}",
+    "%s",
+    "nan",
+    "inf",
+    "1e999",
+    "1_000",
+    "٣",
+    "0x10",
+    "1e-3",
+    " 7 ",
+    "",
+    "~",
+    "null",
+    "true",
+    "on",
+    "all",
+    "a,b",
+    ",",
+    "!!python/object/apply:os.system ['id']",
+    "<<",
+    "run",
+    "facade.height_m",
+    "..facade",
+    "facade.",
+]
 ODD = [
-    None, True, False, 0, -1, 1, 2**62, 2**63, -(2**70), 10**5000, 0.0, -0.0, 1e-300, 1e308, -1e308,
-    float("nan"), float("inf"), [], {}, [[]], [{}], {"": 1}, {None: 1}, {1: 2}, {(1, 2): 3}, b"x",
-    {1, 2}, (1, 2), datetime.date(2024, 5, 17), datetime.datetime(2024, 5, 17, 1, 2), 1j, object(),
-    [1, "a", None], [0.1] * 3000, [None] * 30000, "x",
-]  # fmt: skip
+    None,
+    True,
+    False,
+    0,
+    -1,
+    1,
+    2**62,
+    2**63,
+    -(2**70),
+    10**5000,
+    0.0,
+    -0.0,
+    1e-300,
+    1e308,
+    -1e308,
+    float("nan"),
+    float("inf"),
+    [],
+    {},
+    [[]],
+    [{}],
+    {"": 1},
+    {None: 1},
+    {1: 2},
+    {(1, 2): 3},
+    b"x",
+    {1, 2},
+    (1, 2),
+    datetime.date(2024, 5, 17),
+    datetime.datetime(2024, 5, 17, 1, 2),
+    1j,
+    object(),
+    [1, "a", None],
+    [0.1] * 3000,
+    [None] * 30000,
+    "x",
+]
 
 
 def value_near(schema, rng):
@@ -71,11 +140,15 @@ def near_valid(rng):
         out[name] = inner if keys else value_near(part, rng)
     leaves = list(config_schema.leaves(config_schema.whole()))
     if rng.random() < 0.3:
-        out["grid"] = {p: [value_near(s, rng) for _ in range(rng.randint(1, 3))]
-                       for p, s in rng.sample(leaves, rng.randint(1, 2))}  # fmt: skip
+        out["grid"] = {
+            p: [value_near(s, rng) for _ in range(rng.randint(1, 3))]
+            for p, s in rng.sample(leaves, rng.randint(1, 2))
+        }
     if rng.random() < 0.3:
-        out["scenarios"] = {name: {p: value_near(s, rng) for p, s in rng.sample(leaves, 2)}
-                            for name in rng.sample(["a", "b", "tall", "../x"], 2)}  # fmt: skip
+        out["scenarios"] = {
+            name: {p: value_near(s, rng) for p, s in rng.sample(leaves, 2)}
+            for name in rng.sample(["a", "b", "tall", "../x"], 2)
+        }
         out["scenario"] = rng.choice([None, "all", "a", "a,b", ["a"], 3])
     return out
 
@@ -111,8 +184,26 @@ def from_text(rng, texts):
     text = rng.choice(texts)
     for _ in range(rng.randint(1, 6)):
         i, j = sorted(rng.randint(0, len(text)) for _ in range(2))
-        piece = rng.choice([text[i : min(j, i + 20)], ":", "\n", "  ", "- ", "{", "]", "&a ", "*a",
-                            "<<: ", "-", "1e9", ".inf", "#", "'", "!!int "])  # fmt: skip
+        piece = rng.choice(
+            [
+                text[i : min(j, i + 20)],
+                ":",
+                "\n",
+                "  ",
+                "- ",
+                "{",
+                "]",
+                "&a ",
+                "*a",
+                "<<: ",
+                "-",
+                "1e9",
+                ".inf",
+                "#",
+                "'",
+                "!!int ",
+            ]
+        )
         text = text[:i] + piece + text[min(j, i + rng.randint(0, 10)) :]
     return text
 

@@ -22,8 +22,14 @@ def _motion(duration_s=4.0, peak_g=QUIET):
 
 
 def _outcome(history, **more):
-    return {"status": history.status, "reason": history.reason, "steps": history.steps,
-            "blank": math.isnan(history.peak_d_over_b), "dt_s": history.dt_s, **more}  # fmt: skip
+    return {
+        "status": history.status,
+        "reason": history.reason,
+        "steps": history.steps,
+        "blank": math.isnan(history.peak_d_over_b),
+        "dt_s": history.dt_s,
+        **more,
+    }
 
 
 def forced_run(config, model, factor):
@@ -117,8 +123,13 @@ def interrupted_run(config):
     timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
     caught = False
     try:
-        simulate.run(scene, motions, step, simulate.StopRules(1e3, 1e3, overturn_ratio=1e9),
-                     setup=lambda built: timer.start())  # fmt: skip
+        simulate.run(
+            scene,
+            motions,
+            step,
+            simulate.StopRules(1e3, 1e3, overturn_ratio=1e9),
+            setup=lambda built: timer.start(),
+        )
     except KeyboardInterrupt:
         caught = True
     running = engine.load_yade().Omega().running
@@ -133,8 +144,15 @@ def failed_analysis(config, folder):
     proper, simulate.choose_step = simulate.choose_step, lambda *_: (0.0168, 0.0168)
     try:
         job = {**config, "model": "W1", "beta_s": BETA_S}
-        rows = run_ida.analyse(job, time_s, {"ground": acceleration}, "A", "pos",
-                               Journal(f"{folder}/j.jsonl"), said.append)  # fmt: skip
+        rows = run_ida.analyse(
+            job,
+            time_s,
+            {"ground": acceleration},
+            "A",
+            "pos",
+            Journal(f"{folder}/j.jsonl"),
+            said.append,
+        )
     finally:
         simulate.choose_step = proper
     return {"rows": rows, "said": said}

@@ -63,14 +63,23 @@ def _geonet_component(label, a, dt_s, corrected):
         else f"Raw readings in units of 1.00 mm/s/s  at intervals of {dt_s:.3f} s"
     )
     lines = [
-        f"{kind} accelerogram 20990101_000000_ABCD", "Site ABCD", "A school", "Instrument X",
-        "Resolution: 18-bit", "Accelerogram 20990101_000000_ABCD", "10 km from somewhere",
-        "2099 January 1  00:00:00 UT", "Epicentre unknown",
-        f"Number of points  {n}    Duration  {n * dt_s:.2f} s", step, "Data is unfiltered",
+        f"{kind} accelerogram 20990101_000000_ABCD",
+        "Site ABCD",
+        "A school",
+        "Instrument X",
+        "Resolution: 18-bit",
+        "Accelerogram 20990101_000000_ABCD",
+        "10 km from somewhere",
+        "2099 January 1  00:00:00 UT",
+        "Epicentre unknown",
+        f"Number of points  {n}    Duration  {n * dt_s:.2f} s",
+        step,
+        "Data is unfiltered",
         f"Component {label}",
         f"Acceleration:  Peak {peak:8.1f} mm/s/s at   0.50 s     RMS     10.0 mm/s/s",
-        "Velocity record", "Displacement record",
-    ]  # fmt: skip
+        "Velocity record",
+        "Displacement record",
+    ]
     lines += [format(0, "8d") * 10] * 3
     counts = [n, 0, 0, n, n if corrected else 0, n if corrected else 0, 0, 0, 0, 0]
     lines += ["".join(format(count, "8d") for count in counts)]
@@ -94,10 +103,17 @@ def esm():
     a = motion()
     peak = a[np.argmax(np.abs(a))] * 100
     lines = [
-        "EVENT_NAME: A", "STATION_CODE: ABC", f"SAMPLING_INTERVAL_S: {DT_S:.6f}",
-        f"NDATA: {len(a)}", "DURATION_S: 1.0", "STREAM: HNE", "UNITS: cm/s^2",
-        f"PGA_CM/S^2: {peak:.6f}", "DATA_TYPE: ACCELERATION", "USER5: ",
-    ]  # fmt: skip
+        "EVENT_NAME: A",
+        "STATION_CODE: ABC",
+        f"SAMPLING_INTERVAL_S: {DT_S:.6f}",
+        f"NDATA: {len(a)}",
+        "DURATION_S: 1.0",
+        "STREAM: HNE",
+        "UNITS: cm/s^2",
+        f"PGA_CM/S^2: {peak:.6f}",
+        "DATA_TYPE: ACCELERATION",
+        "USER5: ",
+    ]
     return Sample("esm.ASC", _bytes(lines + [format(v, ".6f") for v in a * 100]), a, 1e-8)
 
 
@@ -129,8 +145,10 @@ def _csmip_channel(number, label, a):
     lines += [f"PEAK ACCELERATION = {peak:10.3f}    CM/SEC/SEC  AT   10.940   SEC."]
     lines += [format(0, "5d") * 16] * 3 + [format(0, "10.3f") * 8] * 3
     for quantity, unit, scale in (
-        ("ACCEL", "CM/SEC/SEC", 1), ("VELOC", "CM/SEC", 0.1), ("DISPL", "CM", 0.01),
-    ):  # fmt: skip
+        ("ACCEL", "CM/SEC/SEC", 1),
+        ("VELOC", "CM/SEC", 0.1),
+        ("DISPL", "CM", 0.01),
+    ):
         lines += [
             f" {len(a)} POINTS OF {quantity} DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: {unit})"
         ]
@@ -147,13 +165,7 @@ def csmip():
 def smc():
     a = motion()
     cm = 100 * a
-    lines = [
-        "2 CORRECTED ACCELEROGRAM",
-        "*",
-        "ABC",
-        "1999 1 1",
-        "Moment Mag=",
-    ]
+    lines = ["2 CORRECTED ACCELEROGRAM", "*", "ABC", "1999 1 1", "Moment Mag="]
     lines += ["station = Somewhere component=    360", "epicentral dist =", "inst type=X", *"***"]
     integers = [-32768] * 48
     integers[15], integers[16] = 2, len(a)
@@ -174,10 +186,14 @@ def knet():
     lines = ["Origin Time       2099/01/01 00:00:00", "Lat.              35.0"]
     lines += [f"Key {i}" for i in range(8)]
     lines += [
-        f"Sampling Freq(Hz) {1 / DT_S:.0f}Hz", "Duration Time(s)  2", "Dir.              E-W",
-        "Scale Factor      3920(gal)/6182761", f"Max. Acc. (gal)   {np.abs(gal).max():.3f}",
-        "Last Correction   2099/01/01 00:00:00", "Memo.             ",
-    ]  # fmt: skip
+        f"Sampling Freq(Hz) {1 / DT_S:.0f}Hz",
+        "Duration Time(s)  2",
+        "Dir.              E-W",
+        "Scale Factor      3920(gal)/6182761",
+        f"Max. Acc. (gal)   {np.abs(gal).max():.3f}",
+        "Last Correction   2099/01/01 00:00:00",
+        "Memo.             ",
+    ]
     lines += [row[1:] + " " for row in _rows(counts, ">9d", 8)]
     return Sample("knet.EW", _bytes(lines), a, 1e-4)
 
@@ -205,6 +221,17 @@ def single_column():
 def all_samples():
     """Return one sample of every format and variant."""
     return [
-        at2(0), at2(1), at2(2), geonet(False), geonet(True), esm(), cosmos(), csmip(), smc(),
-        knet(), two_column(), csv(), single_column(),
-    ]  # fmt: skip
+        at2(0),
+        at2(1),
+        at2(2),
+        geonet(False),
+        geonet(True),
+        esm(),
+        cosmos(),
+        csmip(),
+        smc(),
+        knet(),
+        two_column(),
+        csv(),
+        single_column(),
+    ]

@@ -27,8 +27,9 @@ def bonded_scene(normal, nodes_up, *, free, gravity=0.0, tension=TENSION, cohesi
     points, weights = gauss_lobatto(nodes_up)
     upright = normal == (0, 1, 0)
     place = (points - (0.0 if upright else 0.5)) * HEIGHT
-    line = np.stack([0 * points, 0 * place if upright else place,
-                     place if upright else 0 * points], axis=1)  # fmt: skip
+    line = np.stack(
+        [0 * points, 0 * place if upright else place, place if upright else 0 * points], axis=1
+    )
     centre = (0.0, 0.25, 0.5 * HEIGHT) if upright else (0.0, 0.0, 0.25)
     size = (1.0, 0.5, HEIGHT) if upright else (1.0, HEIGHT, 0.5)
     blocks = [  # the weight has settled
@@ -46,11 +47,20 @@ def bonded_scene(normal, nodes_up, *, free, gravity=0.0, tension=TENSION, cohesi
     ]
     nodes = NodeList()
     nodes.add_joint(
-        "joint", 1, 0, line, normal, weights * AREA, JKN, JKS, beta_s=BETA,
-        friction_rad=FRICTION, tension_pa=tension, cohesion_pa=cohesion,
-    )  # fmt: skip
-    return Scene(blocks, nodes.joints, nodes.done(), "block", (0, 0, 0), "support", 1.0,
-                 gravity)  # fmt: skip
+        "joint",
+        1,
+        0,
+        line,
+        normal,
+        weights * AREA,
+        JKN,
+        JKS,
+        beta_s=BETA,
+        friction_rad=FRICTION,
+        tension_pa=tension,
+        cohesion_pa=cohesion,
+    )
+    return Scene(blocks, nodes.joints, nodes.done(), "block", (0, 0, 0), "support", 1.0, gravity)
 
 
 def pull(scene, speed, travel, samples=250):
@@ -123,14 +133,27 @@ def peeling():
     for n in (3, 5, 9, 17):
         scene = bonded_scene((0, 1, 0), n, free="X", cohesion=1e9)
         joints = NodeList()
-        joints.add_joint("joint", 1, 0, scene.nodes.position_m, (0, 1, 0), scene.nodes.area_m2,
-                         JKN, 1.0, beta_s=BETA, friction_rad=FRICTION, tension_pa=TENSION,
-                         cohesion_pa=1e9)  # fmt: skip
+        joints.add_joint(
+            "joint",
+            1,
+            0,
+            scene.nodes.position_m,
+            (0, 1, 0),
+            scene.nodes.area_m2,
+            JKN,
+            1.0,
+            beta_s=BETA,
+            friction_rad=FRICTION,
+            tension_pa=TENSION,
+            cohesion_pa=1e9,
+        )
         # the foot is a stiff tie: it holds y and leaves the rotation free
-        joints.add_joint("foot", 1, 0, [(0, 0, 0)], (0, 1, 0), [1.0], 3e11, 1.0, beta_s=1e-5,
-                         tension_pa=1e15)  # fmt: skip
-        scene = Scene(scene.blocks, joints.joints, joints.done(), "block", (0, 0, 0), "support",
-                      1.0, 0.0)  # fmt: skip
+        joints.add_joint(
+            "foot", 1, 0, [(0, 0, 0)], (0, 1, 0), [1.0], 3e11, 1.0, beta_s=1e-5, tension_pa=1e15
+        )
+        scene = Scene(
+            scene.blocks, joints.joints, joints.done(), "block", (0, 0, 0), "support", 1.0, 0.0
+        )
         table, bonds = pull(scene, 0.01, 3e-4, samples=600)
         y, force = table[:, 0], table[:, 2]
         crack = 2.0 / 3.0 * TENSION * AREA
@@ -151,14 +174,28 @@ def facade_loads():
     from yade_scripts.facade import facade_scene
 
     config = {
-        "facade": {"height_m": 6.48, "thickness_m": 0.375, "width_m": 4.4,
-                   "density_kg_m3": 1800.0, "e_mpa": 1800.0, "friction_deg": 30.0,
-                   "shear_stiffness_ratio": 0.33, "gap_m": 0.0, "tilt_deg": 0.0,
-                   "base_stiffness_pa_m": None},
-        "return_wall": {"count": 2, "thickness_m": 0.375, "length_m": None,
-                        "friction_deg": 30.0, "cohesion_mpa": 0.1, "tension_mpa": 0.07},
+        "facade": {
+            "height_m": 6.48,
+            "thickness_m": 0.375,
+            "width_m": 4.4,
+            "density_kg_m3": 1800.0,
+            "e_mpa": 1800.0,
+            "friction_deg": 30.0,
+            "shear_stiffness_ratio": 0.33,
+            "gap_m": 0.0,
+            "tilt_deg": 0.0,
+            "base_stiffness_pa_m": None,
+        },
+        "return_wall": {
+            "count": 2,
+            "thickness_m": 0.375,
+            "length_m": None,
+            "friction_deg": 30.0,
+            "cohesion_mpa": 0.1,
+            "tension_mpa": 0.07,
+        },
         "smdof": {"n_dof": 4},
-    }  # fmt: skip
+    }
     for model, nodes in (("W1c", 3), ("W1c", 9), ("W2c", 3), ("W2c", 9)):
         config["numerics"] = {"nodes_thickness": 5, "nodes_height": nodes, "nodes_per_block": nodes}
         columns = facade_scene(config, model, 0.00276).nodes

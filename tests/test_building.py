@@ -26,10 +26,15 @@ JOINTS, BRICK = Joints(), Brick()
 E_BED = JOINTS.bed_jkn_pa_m * BRICK.height_m  # 307.2 MPa
 DENSITY = 1800.0
 SETTINGS = {
-    "coarsening": 6.0, "brick_length_m": 0.24, "brick_height_m": 0.06, "brick_width_m": 0.12,
-    "density_kg_m3": DENSITY, "timber_density_kg_m3": 600.0, "fit_period_s": 0.25,
+    "coarsening": 6.0,
+    "brick_length_m": 0.24,
+    "brick_height_m": 0.06,
+    "brick_width_m": 0.12,
+    "density_kg_m3": DENSITY,
+    "timber_density_kg_m3": 600.0,
+    "fit_period_s": 0.25,
     **{name: getattr(JOINTS, name) for name in JOINTS.__dataclass_fields__},
-}  # fmt: skip
+}
 
 
 def single_wall(length, height, thickness=0.12, **keys):
@@ -87,9 +92,13 @@ def test_corner_interlocks():
 
 @settings(max_examples=20, deadline=None)
 @given(
-    length=st.floats(1.5, 6.0), height=st.floats(0.5, 3.0), thickness=st.floats(0.1, 0.5),
-    coarsening=st.floats(1.0, 5.0), jamb=st.floats(0.05, 0.5), head=st.floats(0.2, 0.9),
-)  # fmt: skip
+    length=st.floats(1.5, 6.0),
+    height=st.floats(0.5, 3.0),
+    thickness=st.floats(0.1, 0.5),
+    coarsening=st.floats(1.0, 5.0),
+    jamb=st.floats(0.05, 0.5),
+    head=st.floats(0.2, 0.9),
+)
 def test_any_wall_closes(length, height, thickness, coarsening, jamb, head):
     opening = Opening("door", jamb * length, 0.4 * length, 0.0, head * height)
     plan = single_wall(length, height, thickness, openings=(opening,))
@@ -211,8 +220,10 @@ def test_pile_converges_to_a_shear_rigid_section_beam_at_second_order():
     errors = []
     for parts in (8, 16, 32):
         slab = Brick(4.0, height / parts, width)
-        stiff = {"bed_jkn_pa_m": E_BED / slab.height_m,
-                 "bed_jks_pa_m": JOINTS.bed_jks_pa_m * 0.06 / slab.height_m}  # fmt: skip
+        stiff = {
+            "bed_jkn_pa_m": E_BED / slab.height_m,
+            "bed_jks_pa_m": JOINTS.bed_jks_pa_m * 0.06 / slab.height_m,
+        }
         joints = replace(JOINTS, **stiff)
         modes = Solver(
             build(single_wall(1.0, height, width), brick=slab, joints=joints).scene
@@ -278,10 +289,17 @@ def opening(name="gap", x=1.0, width=0.5, sill=0.6, height=0.6):
         (mapping(height_m="tall"), ["'north'", "height_m", "'tall'"]),
         (mapping(thickness_m=-0.1), ["'north'", "thickness_m", "-0.1"]),
         ({"name": "test", "walls": []}, ["walls"]),
-        ({**mapping(), "floors": [{"name": "up", "level_m": 2.0, "walls": ["north", "south"],
-                                   "extent_m": [0, 3]}]}, ["'up'", "'south'"]),
+        (
+            {
+                **mapping(),
+                "floors": [
+                    {"name": "up", "level_m": 2.0, "walls": ["north", "south"], "extent_m": [0, 3]}
+                ],
+            },
+            ["'up'", "'south'"],
+        ),
     ],
-)  # fmt: skip
+)
 def test_bad_plans_are_refused_by_name(data, words):
     with pytest.raises(PlanError) as refusal:
         plan_from_dict(data, "plan.yaml")
@@ -310,8 +328,12 @@ def test_wall_without_support_is_refused_by_name():
 
 
 def test_floating_brick_is_refused_by_name():
-    ring = [opening("left", 0.5, 0.5, 0.6, 1.2), opening("right", 2.0, 0.5, 0.6, 1.2),
-            opening("below", 0.5, 2.0, 0.0, 0.6), opening("above", 0.5, 2.0, 1.8, 0.3)]  # fmt: skip
+    ring = [
+        opening("left", 0.5, 0.5, 0.6, 1.2),
+        opening("right", 2.0, 0.5, 0.6, 1.2),
+        opening("below", 0.5, 2.0, 0.0, 0.6),
+        opening("above", 0.5, 2.0, 1.8, 0.3),
+    ]
     plan = plan_from_dict(mapping(openings=ring))
     with pytest.raises(PlanError, match=r"brick 'north/c\d+/w\d/b\d+' at .* floats"):
         build(plan)

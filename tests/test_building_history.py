@@ -113,11 +113,17 @@ def test_explicit_run_agrees_with_modal_superposition(wall, ground, tmp_path):
     time, motion = ground
     assert Path(YADE_PYTHON).exists() or pytest.skip("no Debian Python")
     rate = mass_damping_rate(modes.omega[modes.largest("y")], 0.05)
-    scene.notes.update(rate_1_s=rate, duration_s=1.5,
-                       step_s=0.8 * 2.0 / largest_frequency(solver.k, solver.mass))  # fmt: skip
+    scene.notes.update(
+        rate_1_s=rate, duration_s=1.5, step_s=0.8 * 2.0 / largest_frequency(solver.k, solver.mass)
+    )
     (tmp_path / "scene.json").write_text(to_json(scene))
-    np.savetxt(tmp_path / "motion.csv", np.column_stack([time, motion]), delimiter=",",
-               header="time_s,acceleration_m_s2", comments="")  # fmt: skip
+    np.savetxt(
+        tmp_path / "motion.csv",
+        np.column_stack([time, motion]),
+        delimiter=",",
+        header="time_s,acceleration_m_s2",
+        comments="",
+    )
     entry = str(ROOT / "yade_scripts" / "building" / "explicit.py")
     words = [YADE_PYTHON, entry, "--scene", "scene.json", "--motion", "motion.csv"]
     done = subprocess.run(
@@ -135,8 +141,10 @@ def test_explicit_run_agrees_with_modal_superposition(wall, ground, tmp_path):
     # the step that the stability limit forbids is noticed, not reported as a motion
     failed = subprocess.run(
         [*words, "--output", "bad.csv", "--step", str(scene.notes["step_s"] * 1.4)],
-        cwd=tmp_path, capture_output=True, text=True,
-    )  # fmt: skip
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
     assert failed.returncode != 0
     assert "step is too long" in failed.stderr
     assert not (tmp_path / "bad.csv").exists()

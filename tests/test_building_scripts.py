@@ -44,19 +44,48 @@ def folder(tmp_path_factory, settings):
     plan, fit = {"plan": str(PLAN)}, {"plan": str(PLAN), "fit": "fit.json"}
     steps = [("building_fit.py", {"input": plan, "output": {"fit": "fit.json"}, "params": params})]
     for model in ("CBDEM", "SBDEM"):
-        steps.append(("building_modal.py", {"input": fit, "output": {"modes": f"{model}.npz"},
-                      "params": params, "wildcards": {"building": model}}))  # fmt: skip
+        steps.append(
+            (
+                "building_modal.py",
+                {
+                    "input": fit,
+                    "output": {"modes": f"{model}.npz"},
+                    "params": params,
+                    "wildcards": {"building": model},
+                },
+            )
+        )
     steps += [
-        ("table_building_modes.py", {"input": {"cbdem": "CBDEM.npz", "sbdem": "SBDEM.npz"},
-         "output": {"table": "modes.csv"}, "params": {"paper": False}}),
-        ("building_history.py", {"input": {**fit, "modes": "SBDEM.npz", "record": "pulse.csv"},
-         "output": {"history": "history.csv"}, "params": params,
-         "wildcards": {"building": "SBDEM"}}),
-        ("table_wme.py", {"input": {"modes": "SBDEM.npz", "histories": ["history.csv"],
-                                    "records": ["pulse.csv"]},
-         "output": {"wme": "wme.csv", "chain": "chain.csv", "config": "chain.yaml"},
-         "params": {**params, "records": ["pulse"], "paper": False}}),
-    ]  # fmt: skip
+        (
+            "table_building_modes.py",
+            {
+                "input": {"cbdem": "CBDEM.npz", "sbdem": "SBDEM.npz"},
+                "output": {"table": "modes.csv"},
+                "params": {"paper": False},
+            },
+        ),
+        (
+            "building_history.py",
+            {
+                "input": {**fit, "modes": "SBDEM.npz", "record": "pulse.csv"},
+                "output": {"history": "history.csv"},
+                "params": params,
+                "wildcards": {"building": "SBDEM"},
+            },
+        ),
+        (
+            "table_wme.py",
+            {
+                "input": {
+                    "modes": "SBDEM.npz",
+                    "histories": ["history.csv"],
+                    "records": ["pulse.csv"],
+                },
+                "output": {"wme": "wme.csv", "chain": "chain.csv", "config": "chain.yaml"},
+                "params": {**params, "records": ["pulse"], "paper": False},
+            },
+        ),
+    ]
     for name, job in steps:
         done = script(name, path, **job)
         assert done.returncode == 0, f"{name}: {done.stderr}"
@@ -66,8 +95,13 @@ def folder(tmp_path_factory, settings):
 def test_tables_follow_the_contract(folder):
     modes = pd.read_csv(folder / "modes.csv")
     assert list(modes.columns) == [
-        "model", "mode", "direction", "period_s", "effective_mass_ratio", "period_paper_s",
-    ]  # fmt: skip
+        "model",
+        "mode",
+        "direction",
+        "period_s",
+        "effective_mass_ratio",
+        "period_paper_s",
+    ]
     assert modes["period_paper_s"].isna().all()  # the study's periods are of another building
     assert np.all(modes.groupby(["model", "direction"])["period_s"].diff().dropna() <= 0.0)
     wme = pd.read_csv(folder / "wme.csv")
@@ -96,8 +130,13 @@ def test_a_bad_plan_ends_in_one_line(tmp_path, settings):
     data = yaml.safe_load(PLAN.read_text())
     data["walls"][0]["openings"][0]["from_start_m"] = 5.5
     (tmp_path / "plan.yaml").write_text(yaml.safe_dump(data))
-    done = script("building_fit.py", tmp_path, input={"plan": "plan.yaml"},
-                  output={"fit": "fit.json"}, params={"building": settings})  # fmt: skip
+    done = script(
+        "building_fit.py",
+        tmp_path,
+        input={"plan": "plan.yaml"},
+        output={"fit": "fit.json"},
+        params={"building": settings},
+    )
     assert done.returncode == 1
     assert done.stderr.count("\n") == 1
     for word in ("plan.yaml", "'left'", "'window 1a'", "5.5 to 6.5 m", "0 to 6 m"):

@@ -14,9 +14,13 @@ from rocking.config import resolve
 
 def facade(**keys):
     wall = keys.pop("return_wall", {})
-    return resolve({"facade": {"height_m": 0.8, "thickness_m": 0.11, "width_m": 1.0, **keys},
-                    "return_wall": {"thickness_m": 0.11, **wall},
-                    "damping": {"law": "fitted"}})  # fmt: skip
+    return resolve(
+        {
+            "facade": {"height_m": 0.8, "thickness_m": 0.11, "width_m": 1.0, **keys},
+            "return_wall": {"thickness_m": 0.11, **wall},
+            "damping": {"law": "fitted"},
+        }
+    )
 
 
 def with_law(config, law, **keys):
@@ -54,14 +58,17 @@ def synthetic_walls():
     for h_over_b in (5.0, 8.0, 12.0, 16.0):
         for t_w in (0.05, 0.11, 0.2):
             for e_mpa in (1800.0, 4050.0):
-                config = facade(height_m=0.11 * h_over_b, e_mpa=e_mpa,
-                                return_wall={"thickness_m": t_w})  # fmt: skip
+                config = facade(
+                    height_m=0.11 * h_over_b, e_mpa=e_mpa, return_wall={"thickness_m": t_w}
+                )
                 walls.append(cal.groups(config))
     betas = [
-        math.exp(TRUE["c0"]) * w["slenderness"] ** TRUE["slenderness"]
-        * w["return_wall_ratio"] ** TRUE["return_wall_ratio"] / w["omega_c_rad_s"]
+        math.exp(TRUE["c0"])
+        * w["slenderness"] ** TRUE["slenderness"]
+        * w["return_wall_ratio"] ** TRUE["return_wall_ratio"]
+        / w["omega_c_rad_s"]
         for w in walls
-    ]  # fmt: skip
+    ]
     return walls, np.array(betas)
 
 
@@ -106,8 +113,15 @@ def test_band_covers_new_walls_at_its_level():
 def test_groups_scale_out_of_similar_walls():
     """Walls that are geometrically similar, with E ∝ length, have the same groups."""
     one = cal.groups(facade())
-    two = cal.groups(facade(height_m=1.6, thickness_m=0.22, width_m=2.0, e_mpa=3600.0,
-                            return_wall={"thickness_m": 0.22}))  # fmt: skip
+    two = cal.groups(
+        facade(
+            height_m=1.6,
+            thickness_m=0.22,
+            width_m=2.0,
+            e_mpa=3600.0,
+            return_wall={"thickness_m": 0.22},
+        )
+    )
     for name in one:
         if name != "omega_c_rad_s":
             assert two[name] == pytest.approx(one[name], rel=1e-12)

@@ -4,8 +4,16 @@ import pandas as pd
 import pytest
 from rocking import claims
 
-W1 = {"BUCAR0+": 0.1, "BUCAR0-": 0.12, "RRS228+": 0.15, "RRS228-": 0.4, "1ST280+": 1.0,
-      "1ST280-": 0.8, "HVSC1+": 0.5, "HVSC1-": 0.6}  # fmt: skip
+W1 = {
+    "BUCAR0+": 0.1,
+    "BUCAR0-": 0.12,
+    "RRS228+": 0.15,
+    "RRS228-": 0.4,
+    "1ST280+": 1.0,
+    "1ST280-": 0.8,
+    "HVSC1+": 0.5,
+    "HVSC1-": 0.6,
+}
 SMALL = claims.MARGINAL
 
 
@@ -14,13 +22,18 @@ def collapse_table(**models):
     rows = []
     for model, cases in models.items():
         for case, pga in cases.items():
-            rows.append({
-                "model": model, "record": case[:-1],
-                "direction": {"+": "pos", "-": "neg"}[case[-1]],
-                "pga_safe_g": None if pga is None else pga - 0.005,
-                "pga_collapse_g": None if pga is None else pga + 0.005,
-                "pga_median_g": None, "pga_p10_g": None, "pga_p90_g": None,
-            })  # fmt: skip
+            rows.append(
+                {
+                    "model": model,
+                    "record": case[:-1],
+                    "direction": {"+": "pos", "-": "neg"}[case[-1]],
+                    "pga_safe_g": None if pga is None else pga - 0.005,
+                    "pga_collapse_g": None if pga is None else pga + 0.005,
+                    "pga_median_g": None,
+                    "pga_p10_g": None,
+                    "pga_p90_g": None,
+                }
+            )
     return pd.DataFrame(rows)
 
 
@@ -34,9 +47,12 @@ def verdicts(**models):
 
 
 AS_CLAIMED = {
-    "W1": W1, "W2": scaled(0.95, 0.4), "W1c": scaled(3.0, 3.0), "W2c": scaled(0.95, 0.42),
+    "W1": W1,
+    "W2": scaled(0.95, 0.4),
+    "W1c": scaled(3.0, 3.0),
+    "W2c": scaled(0.95, 0.42),
     "W3": {c: 0.3 * (1.0 if c[:-1] in ("BUCAR0", "RRS228") else 4.0) + 0.0 for c in W1},
-}  # fmt: skip
+}
 AS_CLAIMED["W3"]["RRS228-"] = 0.33
 
 
@@ -51,17 +67,18 @@ def test_the_study_itself_would_hold():
     [
         ("W2 is equally or more vulnerable than W1", {"W2": {**scaled(0.95, 0.4), "HVSC1-": 0.7}}),
         ("amplification reduces the capacity by as much as 60 %", {"W2": scaled(0.95, 0.8)}),
-        ("the reduction is small for five curves and marked for the others",
-         {"W2": scaled(0.4, 0.95)}),
+        (
+            "the reduction is small for five curves and marked for the others",
+            {"W2": scaled(0.4, 0.95)},
+        ),
         ("cohesion clearly raises the capacity of W1", {"W1c": {**W1, "HVSC1+": 0.45}}),
         ("with cohesion W2 detaches early: W2c collapses prematurely", {"W2c": scaled(4.0, 4.0)}),
         ("cohesion does not help W2", {"W2c": scaled(2.0, 2.0)}),
         ("interlocking and friction raise the capacity", {"W3": scaled(0.5, 0.3)}),
         ("W3 is near its pushover for BUCAR0 and RRS228", {"W3": {c: 2.0 for c in W1}}),
-        ("W3 is much higher than its pushover for 1ST280 and HVSC1",
-         {"W3": {c: 0.3 for c in W1}}),
+        ("W3 is much higher than its pushover for 1ST280 and HVSC1", {"W3": {c: 0.3 for c in W1}}),
     ],
-)  # fmt: skip
+)
 def test_each_claim_can_fail(claim, change):
     found = verdicts(**{**AS_CLAIMED, **change})
     assert not found[claim]["holds"]
@@ -70,9 +87,11 @@ def test_each_claim_can_fail(claim, change):
 def test_a_bracket_decides_nothing_within_its_width():
     """W2 above W1 by less than both half brackets is not "stronger"."""
     assert verdicts(W1={"RRS228-": 0.4}, W2={"RRS228-": 0.409})[
-        "W2 is equally or more vulnerable than W1"]["holds"]  # fmt: skip
+        "W2 is equally or more vulnerable than W1"
+    ]["holds"]
     assert not verdicts(W1={"RRS228-": 0.4}, W2={"RRS228-": 0.42})[
-        "W2 is equally or more vulnerable than W1"]["holds"]  # fmt: skip
+        "W2 is equally or more vulnerable than W1"
+    ]["holds"]
 
 
 def test_models_that_were_not_run_make_no_claim():

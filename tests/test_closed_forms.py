@@ -18,8 +18,12 @@ def linear_rocking(acceleration, alpha, p, end, breaks=(), theta0=0.0):
     for start, stop in zip(edges[:-1], edges[1:], strict=True):
         state = solve_ivp(
             lambda t, y: [y[1], p**2 * (y[0] - alpha + acceleration(t) / 9.81)],
-            (start, stop), state, "DOP853", rtol=1e-11, atol=1e-14,
-        ).y[:, -1]  # fmt: skip
+            (start, stop),
+            state,
+            "DOP853",
+            rtol=1e-11,
+            atol=1e-14,
+        ).y[:, -1]
     return state
 
 
@@ -50,8 +54,13 @@ def test_finite_quarter_period():
     hit.terminal = True
     solution = solve_ivp(
         lambda t, y: [y[1], -(p**2) * np.sin(alpha - y[0])],
-        (0.0, 9.0), [0.6 * alpha, 0.0], "DOP853", events=hit, rtol=1e-12, atol=1e-14,
-    )  # fmt: skip
+        (0.0, 9.0),
+        [0.6 * alpha, 0.0],
+        "DOP853",
+        events=hit,
+        rtol=1e-12,
+        atol=1e-14,
+    )
     assert cf.quarter_period_finite(0.6, h, b) == pytest.approx(solution.t[-1], rel=1e-9)
     slender = cf.block(10.0, 0.01)
     expected = cf.quarter_period(0.6, slender.p_rad_s)
@@ -153,9 +162,14 @@ def test_overturning_index_of_sampled_pulses():
 
 def interlocking(theta, **changes):
     values = dict(
-        FACADE, w_m=4.4, density_kg_m3=1800.0, return_thickness_m=0.375, course_height_m=0.324,
-        overlap_m=0.125, friction_deg=30.0,
-    )  # fmt: skip
+        FACADE,
+        w_m=4.4,
+        density_kg_m3=1800.0,
+        return_thickness_m=0.375,
+        course_height_m=0.324,
+        overlap_m=0.125,
+        friction_deg=30.0,
+    )
     return cf.capacity_interlocking(theta, **(values | changes))
 
 

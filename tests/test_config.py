@@ -43,8 +43,17 @@ def test_every_key_is_described_and_its_default_is_valid(path, schema):
 
 
 def test_units_in_names_agree_with_the_schema():
-    suffixes = {"_m": "m", "_s": "s", "_g": "g", "_hz": "Hz", "_deg": "°", "_mpa": "MPa",
-                "_kg_m3": "kg/m³", "_pa_m": "Pa/m", "_m_s": "m/s"}  # fmt: skip
+    suffixes = {
+        "_m": "m",
+        "_s": "s",
+        "_g": "g",
+        "_hz": "Hz",
+        "_deg": "°",
+        "_mpa": "MPa",
+        "_kg_m3": "kg/m³",
+        "_pa_m": "Pa/m",
+        "_m_s": "m/s",
+    }
     for path, schema in LEAVES:
         ending = max((e for e in suffixes if path.endswith(e)), key=len, default=None)
         if ending is not None:
@@ -76,14 +85,26 @@ def test_an_empty_configuration_is_the_study():
 
 
 def test_text_from_the_command_line_resolves_like_numbers():
-    typed = {"facade": {"height_m": 7, "gap_m": 0.001, "base_stiffness_pa_m": None},
-             "numerics": {"nodes_height": 7, "retry_half_step": False},
-             "ensemble": {"enabled": True}, "records": ["A", "B"], "models": ["W1"],
-             "ida": {"grid_g": [0.1, 0.2]}, "run": "2024", "smdof": {}}  # fmt: skip
-    text = {"facade": {"height_m": "7.0", "gap_m": "1e-3", "base_stiffness_pa_m": "null"},
-            "numerics": {"nodes_height": "7", "retry_half_step": "false"},
-            "ensemble": {"enabled": "on"}, "records": "A, B", "models": "W1",
-            "ida": {"grid_g": "0.1,0.2"}, "run": 2024, "smdof": None}  # fmt: skip
+    typed = {
+        "facade": {"height_m": 7, "gap_m": 0.001, "base_stiffness_pa_m": None},
+        "numerics": {"nodes_height": 7, "retry_half_step": False},
+        "ensemble": {"enabled": True},
+        "records": ["A", "B"],
+        "models": ["W1"],
+        "ida": {"grid_g": [0.1, 0.2]},
+        "run": "2024",
+        "smdof": {},
+    }
+    text = {
+        "facade": {"height_m": "7.0", "gap_m": "1e-3", "base_stiffness_pa_m": "null"},
+        "numerics": {"nodes_height": "7", "retry_half_step": "false"},
+        "ensemble": {"enabled": "on"},
+        "records": "A, B",
+        "models": "W1",
+        "ida": {"grid_g": "0.1,0.2"},
+        "run": 2024,
+        "smdof": None,
+    }
     assert resolve(typed) == resolve(text)
     assert json.dumps(resolve(typed)) == json.dumps(resolve(text))  # types too
     assert resolve({"run": datetime.date(2024, 5, 17)})["run"] == "2024-05-17"  # YAML's reading
@@ -128,7 +149,7 @@ def test_resolving_leaves_its_input_and_the_schemas_alone():
         ({"facade": {"height_m": b"x"}}, "facade.height_m: a value of type bytes has no"),
         ({"grid": {"facade.height_m": [1]}}, "'grid' describes several runs"),
     ],
-)  # fmt: skip
+)
 def test_refusals_name_the_key_and_what_was_expected(config, message):
     assert refusal(config).startswith(f"config: {message}")
 
@@ -147,7 +168,7 @@ def test_refusals_name_the_key_and_what_was_expected(config, message):
         ({"ida": {"start_g": 3}}, "ida.start_g = 3: expected a value below ida.max_pga_g = 3"),
         ({"ensemble": {"percentiles": [60, 90]}}, "ensemble.percentiles = [60, 90]: expected one"),
     ],
-)  # fmt: skip
+)
 def test_impossible_geometry_and_combinations_are_refused(config, message):
     assert refusal(config).startswith(f"config: {message}")
 
@@ -180,9 +201,10 @@ def test_cycles_and_bombs_are_refused_quickly():
     for _ in range(8):
         bomb = [bomb] * 10
     assert "more than 20000 values" in refusal({"facade": bomb})
-    assert "combinations" in refusal({"grid": {"facade.height_m": list(range(40)),
-                                               "facade.width_m": list(range(40))}},
-                                     expand_scenarios)  # fmt: skip
+    assert "combinations" in refusal(
+        {"grid": {"facade.height_m": list(range(40)), "facade.width_m": list(range(40))}},
+        expand_scenarios,
+    )
 
 
 def test_relevant_changes_with_its_own_sections_only():
@@ -196,9 +218,15 @@ def test_relevant_changes_with_its_own_sections_only():
 
 
 def test_the_written_configuration_gives_the_run_again(tmp_path):
-    one = resolve({"run": "tall", "facade": {"height_m": 1e-5, "thickness_m": "1e-6"},
-                   "numerics": {"node_radius_m": 1e-7}, "ensemble": {"enabled": "off"},
-                   "records": ["1ST280", "2024"]})  # fmt: skip
+    one = resolve(
+        {
+            "run": "tall",
+            "facade": {"height_m": 1e-5, "thickness_m": "1e-6"},
+            "numerics": {"node_radius_m": 1e-7},
+            "ensemble": {"enabled": "off"},
+            "records": ["1ST280", "2024"],
+        }
+    )
     path = tmp_path / "new" / "config.yaml"
     write_resolved(one, path)
     assert list(expand_scenarios(yaml.safe_load(path.read_text("utf-8"))).values()) == [one]

@@ -59,8 +59,15 @@ def test_lag_factors_are_those_of_the_rocking_mode():
 @pytest.mark.parametrize(("beta_s", "order"), [(0.0, 2.0), (0.02, 1.0)])
 def test_order_of_the_step_in_yade(beta_s, order):
     """A façade that never uplifts: without return walls nothing compensates the lag."""
-    got = in_yade("accuracy_cases", "vibration", config=resolved(), beta_s=beta_s,
-                  fractions=[0.2, 0.1, 0.05, 0.0125], duration_s=0.6, amplitude=0.05)  # fmt: skip
+    got = in_yade(
+        "accuracy_cases",
+        "vibration",
+        config=resolved(),
+        beta_s=beta_s,
+        fractions=[0.2, 0.1, 0.05, 0.0125],
+        duration_s=0.6,
+        amplitude=0.05,
+    )
     steps, values = np.array(got).T
     # differences to the finest carry its own error: correct for the expected order
     errors = np.abs(values[:3] - values[3]) / (1.0 - (steps[3] / steps[:3]) ** order)
@@ -99,9 +106,15 @@ def test_default_fidelity_against_the_planar_reference(model, peak, tmp_path):
     )
     pga = float(np.max(np.abs(ground)))
     expected = peak_d_over_b(job, path, "pos", pga / STANDARD_GRAVITY_M_S2, nodes=25)
-    got = in_yade("accuracy_cases", "shaken", config=job, model=model, beta_s=BETA_S,
-                  time_s=t.tolist(),
-                  columns={k: v.tolist() for k, v in columns.items()})  # fmt: skip
+    got = in_yade(
+        "accuracy_cases",
+        "shaken",
+        config=job,
+        model=model,
+        beta_s=BETA_S,
+        time_s=t.tolist(),
+        columns={k: v.tolist() for k, v in columns.items()},
+    )
     assert 0.1 < expected < 0.9
     assert got["peak"] == pytest.approx(expected, rel=0.01)
     batch = ensemble_peaks(job, path, "pos", pga / STANDARD_GRAVITY_M_S2, [1.0], dt_s=2.5e-4)
@@ -113,8 +126,15 @@ def pulse_on_a_rigid_base(time_s, acceleration_over_alpha_g):
     facade_keys = {"height_m": 4.0, "thickness_m": 0.1, "e_mpa": 1e5, "base_stiffness_pa_m": 5e12}
     config = resolved(facade=facade_keys, numerics={"nodes_thickness": 3, "step_fraction": 0.3})
     a = -block(4.0, 0.1)[0] * 9.81 * np.asarray(acceleration_over_alpha_g)
-    return in_yade("accuracy_cases", "shaken", config=config, model="W1", beta_s=1e-5,
-                   time_s=list(time_s), columns={"ground": a.tolist()})  # fmt: skip
+    return in_yade(
+        "accuracy_cases",
+        "shaken",
+        config=config,
+        model="W1",
+        beta_s=1e-5,
+        time_s=list(time_s),
+        columns={"ground": a.tolist()},
+    )
 
 
 @pytest.mark.yade
@@ -175,9 +195,13 @@ def test_pareto_front_holds_what_nothing_beats():
 
 
 def test_fidelity_takes_the_cheapest_pair_within_the_tolerance():
-    measured = {"W1": [{"nodes": 5, "step_fraction": 0.2, "error": 0.03},
-                       {"nodes": 9, "step_fraction": 0.1, "error": 0.008},
-                       {"nodes": 17, "step_fraction": 0.05, "error": 0.002}]}  # fmt: skip
+    measured = {
+        "W1": [
+            {"nodes": 5, "step_fraction": 0.2, "error": 0.03},
+            {"nodes": 9, "step_fraction": 0.1, "error": 0.008},
+            {"nodes": 17, "step_fraction": 0.05, "error": 0.002},
+        ]
+    }
     numerics = {**resolved()["numerics"], "fidelity_tolerance": 0.01}
     chosen = accuracy.choose_fidelity(numerics, "W1c", measured)
     assert (chosen["nodes_height"], chosen["step_fraction"]) == (9, 0.1)
@@ -192,10 +216,19 @@ def test_fidelity_takes_the_cheapest_pair_within_the_tolerance():
 def test_a_lucky_coarse_pair_is_not_taken_for_accurate():
     """3 nodes at a long step hit the answer by chance; finer pairs do not bear it out."""
     pairs = [(3, 0.2, 0.001), (3, 0.1, 0.05), (9, 0.2, 0.02), (9, 0.1, 0.004)]
-    table = pd.DataFrame([
-        {"model": "W1", "method": "nodes and step", "amplification": 3.0, "nodes": n,
-         "dt_over_dt_crit": f, "error": e} for n, f, e in pairs
-    ])  # fmt: skip
+    table = pd.DataFrame(
+        [
+            {
+                "model": "W1",
+                "method": "nodes and step",
+                "amplification": 3.0,
+                "nodes": n,
+                "dt_over_dt_crit": f,
+                "error": e,
+            }
+            for n, f, e in pairs
+        ]
+    )
     # 0.02 where changes grow 100 times says no more than 0.002 where they grow 10 times
     sensitive = table.iloc[[3]].assign(error=0.02, amplification=100.0)
     table = pd.concat([table, sensitive])
@@ -207,6 +240,8 @@ def test_a_lucky_coarse_pair_is_not_taken_for_accurate():
 
 def test_step_of_the_default_scene_follows_its_stiffness():
     """Critical step ∝ 1/√E without damping."""
-    soft, stiff = (critical_step(facade.facade_scene(resolved(facade={"e_mpa": e}), "W2", 0.0))
-                   for e in (450.0, 1800.0))  # fmt: skip
+    soft, stiff = (
+        critical_step(facade.facade_scene(resolved(facade={"e_mpa": e}), "W2", 0.0))
+        for e in (450.0, 1800.0)
+    )
     assert soft / stiff == pytest.approx(2.0, rel=1e-9)

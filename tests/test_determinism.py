@@ -12,9 +12,11 @@ import pytest
 from tests.faults.workspace import RESULTS, Workspace, comparable
 
 TARGETS = (
-    "tables/ida_collapse.csv", "tables/records.csv", "figures/fig09_ida.png",
+    "tables/ida_collapse.csv",
+    "tables/records.csv",
+    "figures/fig09_ida.png",
     "figures/record_BUCAR0.png",
-)  # fmt: skip
+)
 
 
 @pytest.fixture(scope="module")

@@ -25,8 +25,15 @@ def test_undamped_rocking_keeps_its_energy_for_a_minute():
 
 def test_dashpots_only_take_energy():
     """A damped release loses energy at every impact and never gains."""
-    got = in_yade("accuracy_cases", "released", config=resolved(), model="W1", beta_s=0.0004,
-                  ratio=0.6, seconds=15.0)  # fmt: skip
+    got = in_yade(
+        "accuracy_cases",
+        "released",
+        config=resolved(),
+        model="W1",
+        beta_s=0.0004,
+        ratio=0.6,
+        seconds=15.0,
+    )
     theta, t = np.array(got["rotation"]), np.array(got["time"])
     peaks = [p for p in _peaks(theta) if p > 1e-4]
     assert len(peaks) >= 3
@@ -46,10 +53,17 @@ def shake(amplitude_m_s2, relative=0.0):
 def test_books_of_a_run_balance_to_second_order(model, amplitude, relative):
     """Input = stored + dashpots + friction; what the books miss falls with the step squared."""
     coarse, fine = (
-        in_yade("accuracy_cases", "balanced", config=resolved(), model=model, beta_s=0.002,
-                fraction=fraction, **shake(amplitude, relative))
+        in_yade(
+            "accuracy_cases",
+            "balanced",
+            config=resolved(),
+            model=model,
+            beta_s=0.002,
+            fraction=fraction,
+            **shake(amplitude, relative),
+        )
         for fraction in (0.2, 0.05)
-    )  # fmt: skip
+    )
     assert coarse["status"] == fine["status"] == "ok"
     assert fine["peak"] > 0.1  # it rocks
     assert fine["residual"] < 1e-3 * fine["overturning"]
@@ -63,8 +77,15 @@ def test_books_of_a_run_balance_to_second_order(model, amplitude, relative):
 def test_books_count_what_breaking_bonds_take():
     """A bonded façade torn off by parting floors: no node breaks for less than in pure tension."""
     config = resolved()
-    got = in_yade("accuracy_cases", "balanced", config=config, model="W2c", beta_s=0.002,
-                  fraction=0.05, **shake(1.0, 0.5))  # fmt: skip
+    got = in_yade(
+        "accuracy_cases",
+        "balanced",
+        config=config,
+        model="W2c",
+        beta_s=0.002,
+        fraction=0.05,
+        **shake(1.0, 0.5),
+    )
     wall, f = config["return_wall"], config["facade"]
     area = wall["count"] * wall["thickness_m"] * f["height_m"]
     jkn = f["e_mpa"] * 1e6 / (0.5 * f["height_m"])

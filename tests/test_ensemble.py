@@ -15,11 +15,16 @@ NUMERICS = resolved()["numerics"]
 def table(pga_g, capacity, members):
     """Ensemble of façades whose capacities are known; d/b grows linearly up to collapse."""
     rows = [
-        {"pga_g": g, "member": i, "collapsed": int(g * members[i] >= capacity),
-         "d_over_b": min(1.0, 0.8 * g * members[i] / capacity),
-         "status": "overturned" if g * members[i] >= capacity else "ok"}
-        for g in pga_g for i in range(len(members))
-    ]  # fmt: skip
+        {
+            "pga_g": g,
+            "member": i,
+            "collapsed": int(g * members[i] >= capacity),
+            "d_over_b": min(1.0, 0.8 * g * members[i] / capacity),
+            "status": "overturned" if g * members[i] >= capacity else "ok",
+        }
+        for g in pga_g
+        for i in range(len(members))
+    ]
     return pd.DataFrame(rows)
 
 
@@ -111,8 +116,11 @@ def test_levels_bracket_the_band(centre, width):
     assert min(fractions.values()) <= 0.1
     assert max(fractions.values()) >= 0.9
     levels = sorted(fractions)
-    steep = [(a, b) for a, b in zip(levels[:-1], levels[1:], strict=True)
-             if fractions[b] - fractions[a] > 0.5]  # fmt: skip
+    steep = [
+        (a, b)
+        for a, b in zip(levels[:-1], levels[1:], strict=True)
+        if fractions[b] - fractions[a] > 0.5
+    ]
     assert all(b - a <= 0.0101 for a, b in steep)
 
 
@@ -126,8 +134,9 @@ def test_levels_end_at_their_largest_number():
 
 def test_more_members_are_needed_where_the_spread_is_wide():
     rng = np.random.default_rng(0)
-    narrow, wide = (ensemble.members_needed(0.4 + s * rng.standard_normal(400), 0.05, 1)
-                    for s in (0.01, 0.15))  # fmt: skip
+    narrow, wide = (
+        ensemble.members_needed(0.4 + s * rng.standard_normal(400), 0.05, 1) for s in (0.01, 0.15)
+    )
     assert narrow == 3
     # the median of n normal values has a deviation of 1.2533 σ/√n; 90 % within 1.645 of it
     expected = (1.645 * 1.2533 * 0.15 / 0.05) ** 2

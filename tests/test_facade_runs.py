@@ -34,8 +34,14 @@ def test_contacts_in_yade_are_the_nodes_of_the_scene(model):
 def test_driven_support_follows_its_motion():
     """The base's displacement is the double integral of its acceleration, façade or not."""
     t, a = pulse(1.5)
-    got = in_yade("facade_cases", "drive", config=resolved(), time_s=t.tolist(),
-                  acceleration_m_s2=a.tolist(), dt_s=1e-4)  # fmt: skip
+    got = in_yade(
+        "facade_cases",
+        "drive",
+        config=resolved(),
+        time_s=t.tolist(),
+        acceleration_m_s2=a.tolist(),
+        dt_s=1e-4,
+    )
     v = np.concatenate(([0.0], np.cumsum(0.5 * PULSE_DT * (a[1:] + a[:-1]))))
     d = np.cumsum(PULSE_DT * v[:-1] + PULSE_DT**2 * (2 * a[:-1] + a[1:]) / 6)[-1]
     assert got == pytest.approx(d, rel=1e-3)
@@ -54,14 +60,27 @@ def test_support_keeps_its_speed_after_its_motion():
 def test_quarter_period_of_free_rocking(ratio):
     """Stiff contacts: time from release to the first impact is acosh(1/(1−θ0/α))/p."""
     stiff = {
-        "height_m": 2.0, "thickness_m": 0.1, "width_m": 1.0, "e_mpa": 1e5, "density_kg_m3": 1800.0,
-    }  # fmt: skip
+        "height_m": 2.0,
+        "thickness_m": 0.1,
+        "width_m": 1.0,
+        "e_mpa": 1e5,
+        "density_kg_m3": 1800.0,
+    }
     # few nodes at the base: the closed form has a rigid toe, more nodes give it way
-    config = resolved(facade=stiff, return_wall={"count": 1, "thickness_m": 0.1},
-                      numerics={"nodes_thickness": 5})  # fmt: skip
+    config = resolved(
+        facade=stiff, return_wall={"count": 1, "thickness_m": 0.1}, numerics={"nodes_thickness": 5}
+    )
     step = 0.2 * stiffness.critical_step(facade.facade_scene(config, "W1", 0.0))
-    got = in_yade("facade_cases", "release", config=config, beta_s=0.0, ratio=ratio, dt_s=step,
-                  limit_s=1.2, sample_s=2e-4)  # fmt: skip
+    got = in_yade(
+        "facade_cases",
+        "release",
+        config=config,
+        beta_s=0.0,
+        ratio=ratio,
+        dt_s=step,
+        limit_s=1.2,
+        sample_s=2e-4,
+    )
     t, theta = np.array(got["time_s"]), np.array(got["rotation_rad"])
     # the wall stops the façade at θ = 0: follow the last free samples down to it
     last = int(np.argmin(theta[t < 1.0])) - 3
@@ -74,8 +93,14 @@ def test_quarter_period_of_free_rocking(ratio):
 def test_two_runs_agree_to_the_last_bit():
     """A run does not depend on what the process ran before it."""
     t, a = pulse(1.0)
-    case = dict(config=resolved(), model="W1", beta_s=0.00276, time_s=t.tolist(),
-                columns={"ground": a.tolist()}, factor=1.0)  # fmt: skip
+    case = dict(
+        config=resolved(),
+        model="W1",
+        beta_s=0.00276,
+        time_s=t.tolist(),
+        columns={"ground": a.tolist()},
+        factor=1.0,
+    )
     one, two = (in_yade("facade_cases", "shaken", **case) for _ in range(2))
     assert one == two
     assert one["status"] == "ok"
@@ -103,8 +128,13 @@ def test_run_that_stops_when_shaking_no_longer_matters_misses_nothing(late):
     coda = 0.02 * np.sin(2.0 * np.pi * 5.0 * time_s) * (time_s > t[-1])
     if late:  # stronger than the first
         shock += 1.1 * np.interp(time_s - t[-1] - 8.0, t, a, left=0.0, right=0.0)
-    case = dict(model="W1", beta_s=0.00276, time_s=time_s.tolist(), factor=1.0,
-                columns={"ground": (shock + coda).tolist()})  # fmt: skip
+    case = dict(
+        model="W1",
+        beta_s=0.00276,
+        time_s=time_s.tolist(),
+        factor=1.0,
+        columns={"ground": (shock + coda).tolist()},
+    )
     short = in_yade("facade_cases", "shaken", config=resolved(), **case)
     patient = {"quiet_ratio": 0.0, "rest_velocity_m_s": 1e-9}
     whole = in_yade("facade_cases", "shaken", config=resolved(numerics=patient), **case)
@@ -123,11 +153,16 @@ def test_static_capacity_of_a_compliant_base():
     ramp = np.minimum(t / 8.0, 1.0)
     f = config["facade"]
     jkn = facade.joint_stiffness(config)[0]
-    limit = 9.81 * tip_over_compliant_base(
-        f["height_m"], f["thickness_m"], f["density_kg_m3"], jkn
-    )[1]  # fmt: skip
-    case = dict(config=config, model="W1", beta_s=0.00276, time_s=t.tolist(),
-                columns={"ground": (-ramp).tolist()})  # fmt: skip
+    limit = (
+        9.81 * tip_over_compliant_base(f["height_m"], f["thickness_m"], f["density_kg_m3"], jkn)[1]
+    )
+    case = dict(
+        config=config,
+        model="W1",
+        beta_s=0.00276,
+        time_s=t.tolist(),
+        columns={"ground": (-ramp).tolist()},
+    )
     below = in_yade("facade_cases", "shaken", factor=0.97 * limit, **case)
     above = in_yade("facade_cases", "shaken", factor=1.03 * limit, **case)
     assert below["status"] == "ok"
@@ -137,8 +172,14 @@ def test_static_capacity_of_a_compliant_base():
 def test_full_three_dimensional_scene_agrees_with_the_planar_one():
     """Symmetric façade, symmetric motion: three dimensions add nothing to the planar model."""
     t, a = pulse(1.0)
-    case = dict(config=resolved(), beta_s=0.00276, time_s=t.tolist(),
-                columns={"ground": a.tolist()}, factor=1.0, model="W1")  # fmt: skip
+    case = dict(
+        config=resolved(),
+        beta_s=0.00276,
+        time_s=t.tolist(),
+        columns={"ground": a.tolist()},
+        factor=1.0,
+        model="W1",
+    )
     planar = in_yade("facade_cases", "shaken", **case)
     full = in_yade("facade_cases", "shaken", planar=False, **case)
     assert planar["status"] == "ok"
@@ -171,9 +212,7 @@ def test_planar_motion_does_not_depend_on_the_width(width_m):
     step = 0.2 * stiffness.critical_step(facade.facade_scene(config, "W1", 0.00025))
     case = dict(config=config, beta_s=0.00025, ratio=0.5, dt_s=step, limit_s=0.6)
     theta = np.array(in_yade("facade_cases", "release", **case)["rotation_rad"])
-    narrow = resolved(
-        facade=wall | {"width_m": 0.5}, return_wall={"count": 1, "thickness_m": 0.11}
-    )  # fmt: skip
+    narrow = resolved(facade=wall | {"width_m": 0.5}, return_wall={"count": 1, "thickness_m": 0.11})
     other = np.array(
         in_yade("facade_cases", "release", **case | {"config": narrow})["rotation_rad"]
     )

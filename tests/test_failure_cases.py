@@ -14,8 +14,9 @@ BETA_S = 0.00276
 @pytest.mark.parametrize(("model", "beta_s"), [("W1", 0.0), ("W2", BETA_S)])
 def test_flat_on_flat_at_rest_for_a_minute(model, beta_s):
     """No creep, no drift, no rattling growth: 60 s within a millionth of the thickness."""
-    got = in_yade("accuracy_cases", "rest", config=resolved(), model=model, beta_s=beta_s,
-                  seconds=60.0)  # fmt: skip
+    got = in_yade(
+        "accuracy_cases", "rest", config=resolved(), model=model, beta_s=beta_s, seconds=60.0
+    )
     assert got["status"] == "ok"
     assert got["d"] < 1e-6 * 0.375
     assert got["speed"] < 1e-6
@@ -24,20 +25,41 @@ def test_flat_on_flat_at_rest_for_a_minute(model, beta_s):
 def test_release_just_below_the_edge_returns_or_falls_by_the_static_pivot():
     """θ0/α = 0.99 lies beyond the compliant base's static limit: it falls outward, at once."""
     config = resolved()
-    got = in_yade("accuracy_cases", "released", config=config, model="W1", beta_s=BETA_S,
-                  ratio=0.99, seconds=20.0)  # fmt: skip
+    got = in_yade(
+        "accuracy_cases",
+        "released",
+        config=config,
+        model="W1",
+        beta_s=BETA_S,
+        ratio=0.99,
+        seconds=20.0,
+    )
     assert got["status"] == "overturned"
     stiff = resolved(facade={"e_mpa": 50000.0})
-    got = in_yade("accuracy_cases", "released", config=stiff, model="W1", beta_s=0.0005,
-                  ratio=0.95, seconds=20.0)  # fmt: skip
+    got = in_yade(
+        "accuracy_cases",
+        "released",
+        config=stiff,
+        model="W1",
+        beta_s=0.0005,
+        ratio=0.95,
+        seconds=20.0,
+    )
     assert got["status"] == "ok"
     assert max(got["rotation"][1:]) <= 1.001 * got["rotation"][0]
 
 
 def test_tiny_release_settles():
     """θ0/α = 0.001 is within the elastic deformation of the base: it settles, less friction."""
-    got = in_yade("accuracy_cases", "released", config=resolved(), model="W1", beta_s=BETA_S,
-                  ratio=0.001, seconds=10.0)  # fmt: skip
+    got = in_yade(
+        "accuracy_cases",
+        "released",
+        config=resolved(),
+        model="W1",
+        beta_s=BETA_S,
+        ratio=0.001,
+        seconds=10.0,
+    )
     assert got["status"] == "ok"
     alpha = np.arctan2(0.375, 6.48)
     assert np.max(np.abs(got["rotation"])) < 0.01 * alpha
@@ -47,8 +69,15 @@ def test_tiny_release_settles():
 @pytest.mark.parametrize(("h", "b"), [(6.0, 0.15), (1.0, 0.5)])
 def test_very_slender_and_stocky_blocks_come_to_rest(h, b):
     config = resolved(facade={"height_m": h, "thickness_m": b})
-    got = in_yade("accuracy_cases", "released", config=config, model="W1", beta_s=0.001,
-                  ratio=0.3, seconds=30.0)  # fmt: skip
+    got = in_yade(
+        "accuracy_cases",
+        "released",
+        config=config,
+        model="W1",
+        beta_s=0.001,
+        ratio=0.3,
+        seconds=30.0,
+    )
     assert got["status"] == "ok"
     late = np.array(got["rotation"])[-50:]
     assert np.ptp(late) < 1e-3 * np.arctan2(b, h)
@@ -66,8 +95,15 @@ def compare(config, beta_s, t, a, tmp_path, nodes=25):
     job = {**config, "model": "W1", "beta_s": beta_s}
     pga_g = float(np.max(np.abs(a))) / 9.81
     expected = peak_d_over_b(job, path, "pos", pga_g, nodes=nodes)
-    got = in_yade("accuracy_cases", "shaken", config=config, model="W1", beta_s=beta_s,
-                  time_s=t.tolist(), columns={"ground": a.tolist()})  # fmt: skip
+    got = in_yade(
+        "accuracy_cases",
+        "shaken",
+        config=config,
+        model="W1",
+        beta_s=beta_s,
+        time_s=t.tolist(),
+        columns={"ground": a.tolist()},
+    )
     assert got["status"] == "ok"
     return got["peak"], expected
 
@@ -96,13 +132,22 @@ def test_a_record_with_a_huge_sampling_step(tmp_path):
 def test_sliding_against_the_closed_form():
     """A stocky free block on a base with μ = tan 8°, rectangular pulse: Newmark's slip."""
     friction = np.tan(np.radians(8.0))
-    config = resolved(facade={"height_m": 0.8, "thickness_m": 0.4, "friction_deg": 8.0,
-                              "e_mpa": 50000.0})  # fmt: skip
+    config = resolved(
+        facade={"height_m": 0.8, "thickness_m": 0.4, "friction_deg": 8.0, "e_mpa": 50000.0}
+    )
     t = np.arange(0.0, 4.0, 0.002)
     pulse = 0.3  # mean of the flanks
     a = np.clip(np.minimum(t, pulse + 0.002 - t) / 0.002, 0.0, 1.0) * 3.0
-    got = in_yade("accuracy_cases", "shaken", config=config, model="free", beta_s=1e-4,
-                  time_s=t.tolist(), columns={"ground": a.tolist()}, fraction=0.2)  # fmt: skip
+    got = in_yade(
+        "accuracy_cases",
+        "shaken",
+        config=config,
+        model="free",
+        beta_s=1e-4,
+        time_s=t.tolist(),
+        columns={"ground": a.tolist()},
+        fraction=0.2,
+    )
     assert got["status"] == "ok"
     expected = slip_rectangular_pulse(3.0, pulse, friction)
     assert abs(got["d"][-1]) == pytest.approx(expected, rel=0.02)

@@ -77,9 +77,10 @@ JOB += "assert lifeline.follow(); print('on', flush=True); time.sleep(60)"
 def test_a_job_ends_when_its_run_is_killed():
     with subprocess.Popen(["sleep", "60"]) as run:
         job = subprocess.Popen(
-            [sys.executable, "-c", JOB.format(root=str(ROOT))], stdout=subprocess.PIPE,
+            [sys.executable, "-c", JOB.format(root=str(ROOT))],
+            stdout=subprocess.PIPE,
             env={**os.environ, "ROCKING_RUN_PID": str(run.pid)},
-        )  # fmt: skip
+        )
         assert job.stdout.readline() == b"on\n"
         assert job.poll() is None
         run.kill()
@@ -92,9 +93,10 @@ def test_a_job_whose_run_is_gone_already_does_not_start():
     with subprocess.Popen(["true"]) as run:
         run.wait()
     done = subprocess.run(
-        [sys.executable, "-c", JOB.format(root=str(ROOT))], capture_output=True,
+        [sys.executable, "-c", JOB.format(root=str(ROOT))],
+        capture_output=True,
         env={**os.environ, "ROCKING_RUN_PID": str(run.pid)},
-    )  # fmt: skip
+    )
     assert (done.returncode, done.stdout) == (143, b"")
 
 

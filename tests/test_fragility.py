@@ -72,8 +72,9 @@ def test_stripes_agree_with_the_binomial_likelihood():
         p = ndtr((np.log(levels) - theta[0]) / np.exp(theta[1]))
         return -stats.binom.logpmf(collapses, runs, p).sum()
 
-    best = minimize(negative, [-1.0, -1.0], method="Nelder-Mead",
-                    options={"xatol": 1e-9, "fatol": 1e-12}).x  # fmt: skip
+    best = minimize(
+        negative, [-1.0, -1.0], method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-12}
+    ).x
     found = fragility.fit(low, high)
     assert found.median == pytest.approx(np.exp(best[0]), rel=1e-6)
     assert found.dispersion == pytest.approx(np.exp(best[1]), rel=1e-6)
@@ -83,8 +84,7 @@ def test_agrees_with_scipys_fit_of_censored_data():
     low, high = climb(draws(25, 4), top=0.5)
     with np.errstate(divide="ignore"):
         data = stats.CensoredData(
-            interval=np.log(np.c_[low, high][np.isfinite(high)]),
-            right=np.log(low[np.isinf(high)]),
+            interval=np.log(np.c_[low, high][np.isfinite(high)]), right=np.log(low[np.isinf(high)])
         )
     mean, sd = stats.norm.fit(data)
     found = fragility.fit(low, high)
@@ -182,8 +182,9 @@ def test_band_holds_the_curve_and_widens_with_fewer_records():
 def harmonic(amplitude_g=0.3, period_s=1.0, cycles=40, dt_s=0.005):
     """A sine of acceleration from rest: v = (aT/2π)(1 − cos), so PGV = aT/π."""
     t = np.arange(0.0, cycles * period_s + dt_s / 2, dt_s)
-    return Record("harmonic", amplitude_g * 9.80665 * np.sin(2 * np.pi * t / period_s), dt_s,
-                  "surrogate")  # fmt: skip
+    return Record(
+        "harmonic", amplitude_g * 9.80665 * np.sin(2 * np.pi * t / period_s), dt_s, "surrogate"
+    )
 
 
 def test_measures_of_a_harmonic_are_those_of_the_closed_forms():

@@ -19,30 +19,57 @@ WALL = {"height_m": 0.8, "thickness_m": 0.11, "width_m": 1.0, "density_kg_m3": 1
 BETA = 0.000125
 # First and second rebound θ/α by nodes across b and up h, released at θ0/α = 0.5: YADE, and a
 # planar solver with the same nodes. The table states neither friction nor shear stiffness.
-TABLE = {3: ((0.182, 0.076), (0.182, 0.076)), 5: ((0.186, 0.078), (0.186, 0.079)),
-         9: ((0.186, 0.079), (0.185, 0.079))}  # fmt: skip
+TABLE = {
+    3: ((0.182, 0.076), (0.182, 0.076)),
+    5: ((0.186, 0.078), (0.186, 0.079)),
+    9: ((0.186, 0.079), (0.185, 0.079)),
+}
 CONVENTION = {"base_deg": 35.0, "back_deg": 0.0, "shear": 0.7}
 
 
-def case(name, nodes, fraction, *, base_deg=30.0, back_deg=30.0, shear=0.33, betas=(BETA,),
-         limit_s=1.2, **facade):  # fmt: skip
+def case(
+    name,
+    nodes,
+    fraction,
+    *,
+    base_deg=30.0,
+    back_deg=30.0,
+    shear=0.33,
+    betas=(BETA,),
+    limit_s=1.2,
+    **facade,
+):
     config = resolved(
         models=["W1"],
         facade={**WALL, "friction_deg": base_deg, "shear_stiffness_ratio": shear, **facade},
         return_wall={"thickness_m": 0.11, "friction_deg": back_deg},
         numerics={"nodes_thickness": nodes, "nodes_height": nodes, "step_fraction": fraction},
     )
-    return {"id": name, "config": {key: config[key] for key in study.SECTIONS}, "model": "W1",
-            "release_ratio": 0.5, "beta_s": list(betas), "limit_s": limit_s}  # fmt: skip
+    return {
+        "id": name,
+        "config": {key: config[key] for key in study.SECTIONS},
+        "model": "W1",
+        "release_ratio": 0.5,
+        "beta_s": list(betas),
+        "limit_s": limit_s,
+    }
 
 
 def run(cases, folder):
     """Run cases as the workflow does; returns the process and the archive's path."""
     (folder / "cases.json").write_text(json.dumps(cases))
     done = subprocess.run(
-        [PYTHON, ROOT / "yade_scripts" / "run_free_rocking.py", "--cases", folder / "cases.json",
-         "--output", folder / "histories.npz"], capture_output=True, text=True,
-    )  # fmt: skip
+        [
+            PYTHON,
+            ROOT / "yade_scripts" / "run_free_rocking.py",
+            "--cases",
+            folder / "cases.json",
+            "--output",
+            folder / "histories.npz",
+        ],
+        capture_output=True,
+        text=True,
+    )
     return done, folder / "histories.npz"
 
 
@@ -65,8 +92,15 @@ def table_rebounds():
     found = {}
     for n in TABLE:
         config = case("", n, 0.1, **CONVENTION)["config"]
-        histories = in_yade("facade_cases", "rebound_histories", config=config, beta_s=BETA,
-                            ratio=0.5, limit_s=1.2, fractions=STEPS)  # fmt: skip
+        histories = in_yade(
+            "facade_cases",
+            "rebound_histories",
+            config=config,
+            beta_s=BETA,
+            ratio=0.5,
+            limit_s=1.2,
+            fractions=STEPS,
+        )
         alpha = math.atan2(WALL["thickness_m"], WALL["height_m"])
         for fraction, (t, theta) in histories.items():
             found[n, float(fraction)] = rebounds(np.array(t), np.array(theta) / alpha).peak[:2]
@@ -92,10 +126,19 @@ def test_independent_solver_with_the_same_nodes(tmp_path, convention):
     """YADE and the planar solver, which share no code, agree within 1 % on both rebounds."""
     keys = {"base_deg": 30.0, "back_deg": 30.0, "shear": 0.33, **convention}
     wall = Wall(
-        0.8, 0.11, 1.0, 1750.0, 1.8e9, beta_s=BETA, return_thickness_m=0.22,
-        shear_ratio=keys["shear"], base_friction_deg=keys["base_deg"],
-        back_friction_deg=keys["back_deg"], nodes_base=5, nodes_up=5,
-    )  # fmt: skip
+        0.8,
+        0.11,
+        1.0,
+        1750.0,
+        1.8e9,
+        beta_s=BETA,
+        return_thickness_m=0.22,
+        shear_ratio=keys["shear"],
+        base_friction_deg=keys["base_deg"],
+        back_friction_deg=keys["back_deg"],
+        nodes_base=5,
+        nodes_up=5,
+    )
     expected = simulate(wall, duration_s=0.9, theta0_over_alpha=0.5, tolerance=1e-5).rebounds()
     fractions = (0.02, 0.015)
     done, archive = run([case(f"{f}", 5, f, **convention) for f in fractions], tmp_path)
@@ -197,9 +240,11 @@ def test_committed_law_predicts_a_wall_it_has_not_seen(tmp_path):
 @pytest.mark.slow
 def test_fit_is_the_same_within_one_percent_with_twice_the_nodes_and_half_the_step(tmp_path):
     settings = resolved()["calibration"]
-    finer = {"nodes_thickness": 2 * settings["nodes_thickness"] - 1,
-             "nodes_height": 2 * settings["nodes_height"] - 1,
-             "step_fraction": 0.5 * settings["step_fraction"]}  # fmt: skip
+    finer = {
+        "nodes_thickness": 2 * settings["nodes_thickness"] - 1,
+        "nodes_height": 2 * settings["nodes_height"] - 1,
+        "step_fraction": 0.5 * settings["step_fraction"],
+    }
     cases = []
     for name, numerics in (("default", {}), ("finer", finer)):
         config = study.batch_wall(settings, 0.11, 1800.0, 0.8 / 0.11, 0.22, **numerics)
@@ -220,11 +265,19 @@ def test_fit_is_the_same_within_one_percent_with_twice_the_nodes_and_half_the_st
     [
         {},
         {"facade": {**WALL, "e_mpa": 1800.0}, "return_wall": {"thickness_m": 0.11}},
-        {"facade": {"height_m": 3.0, "thickness_m": 0.25, "width_m": 3.0, "e_mpa": 4050.0,
-                    "density_kg_m3": 1810.0}, "return_wall": {"thickness_m": 0.25}},
+        {
+            "facade": {
+                "height_m": 3.0,
+                "thickness_m": 0.25,
+                "width_m": 3.0,
+                "e_mpa": 4050.0,
+                "density_kg_m3": 1810.0,
+            },
+            "return_wall": {"thickness_m": 0.25},
+        },
     ],
     ids=["façade", "Sorrentino", "Shawa"],
-)  # fmt: skip
+)
 def test_committed_law_covers_the_walls_of_the_study(sections):
     config = resolved(**sections, damping={"law": "fitted"})
     with warnings.catch_warnings():

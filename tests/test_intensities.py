@@ -81,8 +81,11 @@ def test_journal_survives_a_torn_line(tmp_path):
     assert sorted(again.rows) == ["key0", "key1", "key2"]
     again.put("key4", {"value": 4})
     assert [json.loads(line)["key"] for line in path.read_text().splitlines()] == [
-        "key0", "key1", "key2", "key4",
-    ]  # fmt: skip
+        "key0",
+        "key1",
+        "key2",
+        "key4",
+    ]
 
 
 def test_run_key_separates_its_parts():

@@ -66,9 +66,12 @@ def test_motion_between_floors_is_linear_in_height():
 
 @pytest.mark.parametrize(
     ("change", "word"),
-    [({"course_height_m": 0.5}, "course_height_m"), ({"overlap_m": 0.25}, "overlap_m"),
-     ({"header_joint": "glued"}, "header_joint")],
-)  # fmt: skip
+    [
+        ({"course_height_m": 0.5}, "course_height_m"),
+        ({"overlap_m": 0.25}, "overlap_m"),
+        ({"header_joint": "glued"}, "header_joint"),
+    ],
+)
 def test_impossible_geometry_is_refused_by_key(change, word):
     data = job()
     data["w3"] = {**data["w3"], **change}
@@ -164,9 +167,13 @@ def test_peaks_at_the_default_step_are_those_at_half_of_it():
     columns = {f"floor{j}": ((1.0 + 0.1 * j) * ground).tolist() for j in range(1, 5)}
     step = data["w3"]["step_fraction"]
     (status, peak), (_, finer) = in_yade(
-        "w3_cases", "shake_case", job=data, fractions=[step, 0.5 * step], time_s=t.tolist(),
+        "w3_cases",
+        "shake_case",
+        job=data,
+        fractions=[step, 0.5 * step],
+        time_s=t.tolist(),
         columns={"ground": ground.tolist(), **columns},
-    )  # fmt: skip
+    )
     assert status == "ok"
     assert 0.2 < finer < 0.9  # it rocks and stands
     assert peak == pytest.approx(finer, rel=0.02)

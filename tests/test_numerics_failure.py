@@ -52,8 +52,10 @@ def test_energy_balances_in_sound_runs_that_rock_and_overturn(model, peak_g):
     pulse = np.sin(2 * np.pi * time_s / 0.7) * (time_s < 2.1)
     motion = floor_motions(pulse, 0.005, 4, 0.27, 0.05, "modal", tail_s=0.0)
     columns = {f"floor{j + 1}": row.tolist() for j, row in enumerate(motion.floors_m_s2)}
-    record = {"time_s": motion.time_s.tolist(),
-              "columns": {"ground": motion.ground_m_s2.tolist(), **columns}}  # fmt: skip
+    record = {
+        "time_s": motion.time_s.tolist(),
+        "columns": {"ground": motion.ground_m_s2.tolist(), **columns},
+    }
     config = resolved(numerics={"step_fraction": 0.1})
     outcome = in_yade(CASES, "shaken_run", config=config, model=model, record=record, peak_g=peak_g)
     assert outcome["status"] != "failed"
@@ -139,6 +141,13 @@ def test_failed_rows_are_neither_drawn_nor_counted_as_collapse(tmp_path):
 def test_failed_runs_neither_stop_the_climb_nor_bound_the_collapse():
     done = {0.1: "ok", 0.2: "failed", 0.4: "overturned", 0.5: "failed"}
     assert collapse_bounds(done) == (0.1, 0.4)
-    settings = {"mode": "adaptive", "start_g": 0.1, "growth": 2.0, "max_pga_g": 1.6,
-                "tolerance_g": 0.01, "tolerance_ratio": 0.05, "beyond_collapse": 0}  # fmt: skip
+    settings = {
+        "mode": "adaptive",
+        "start_g": 0.1,
+        "growth": 2.0,
+        "max_pga_g": 1.6,
+        "tolerance_g": 0.01,
+        "tolerance_ratio": 0.05,
+        "beyond_collapse": 0,
+    }
     assert next_intensity({0.1: "ok", 0.2: "failed"}, settings) == 0.4

@@ -21,17 +21,28 @@ real_record = pytest.mark.skipif(not RECORD.exists(), reason="the real record is
 
 def sorrentino(**changes):
     values = dict(
-        h_m=0.8, b_m=0.11, density_kg_m3=1750.0, e_pa=1.8e9, beta_s=0.000125,
-        return_thickness_m=0.22, nodes_base=3, nodes_up=3,
-    )  # fmt: skip
+        h_m=0.8,
+        b_m=0.11,
+        density_kg_m3=1750.0,
+        e_pa=1.8e9,
+        beta_s=0.000125,
+        return_thickness_m=0.22,
+        nodes_base=3,
+        nodes_up=3,
+    )
     return Wall(**(values | changes))
 
 
 def facade(**changes):
     values = dict(
-        h_m=6.48, b_m=0.375, w_m=4.4, density_kg_m3=1800.0, e_pa=1.8e9, beta_s=0.00276,
+        h_m=6.48,
+        b_m=0.375,
+        w_m=4.4,
+        density_kg_m3=1800.0,
+        e_pa=1.8e9,
+        beta_s=0.00276,
         return_thickness_m=0.75,
-    )  # fmt: skip
+    )
     return Wall(**(values | changes))
 
 
@@ -177,9 +188,12 @@ def test_rebounds_of_the_design(nodes, quadrature, expected):
     first rebound is 0.176–0.181. Tolerance: 1 %, plus half the last printed digit.
     """
     wall = sorrentino(
-        nodes_base=nodes, nodes_up=nodes, quadrature=quadrature,
-        back_friction_deg=0.0, shear_ratio=0.5,
-    )  # fmt: skip
+        nodes_base=nodes,
+        nodes_up=nodes,
+        quadrature=quadrature,
+        back_friction_deg=0.0,
+        shear_ratio=0.5,
+    )
     rebounds = simulate(wall, duration_s=0.9, theta0_over_alpha=0.5).rebounds()[:2]
     assert rebounds == pytest.approx(expected, rel=0.01, abs=0.0015)
 

@@ -25,8 +25,9 @@ def script(name, folder, **parts):
         words.append(f"--{part}")
         words += [f"{k}={v if isinstance(v, str) else json.dumps(v)}" for k, v in values.items()]
     path = os.pathsep.join([str(ROOT), str(ROOT / "workflow")])
-    done = subprocess.run(words, cwd=folder, capture_output=True, text=True,
-                          env={**os.environ, "PYTHONPATH": path})  # fmt: skip
+    done = subprocess.run(
+        words, cwd=folder, capture_output=True, text=True, env={**os.environ, "PYTHONPATH": path}
+    )
     assert done.returncode == 0, done.stderr
 
 
@@ -59,15 +60,36 @@ def fragility(tmp_path_factory):
         curves.append(curve(folder / f"W1_{i}.csv", "W1", f"R{i}", "pos", pga * 0.97, pga * 1.03))
     curves.append(curve(folder / "W1_never.csv", "W1", "R2", "neg", 3.0, None))
     names = {k: str(folder / f"{k}.csv") for k in ("fragility", "measures", "brackets", "curves")}
-    settings = {"measures": ["pgv_cm_s", "pga_g", "p_pgv_over_g"], "confidence": 0.9,
-                "resamples": 200, "min_records": 12, "seed": 1}  # fmt: skip
-    script("fragility_table", folder, input={"ida": curves[:5], "records": records}, output=names,
-           params={"fragility": settings, "facade": {"height_m": 6.48, "thickness_m": 0.375},
-                   "smdof": {"period_s": 0.27, "damping_ratio": 0.05}})  # fmt: skip
+    settings = {
+        "measures": ["pgv_cm_s", "pga_g", "p_pgv_over_g"],
+        "confidence": 0.9,
+        "resamples": 200,
+        "min_records": 12,
+        "seed": 1,
+    }
+    script(
+        "fragility_table",
+        folder,
+        input={"ida": curves[:5], "records": records},
+        output=names,
+        params={
+            "fragility": settings,
+            "facade": {"height_m": 6.48, "thickness_m": 0.375},
+            "smdof": {"period_s": 0.27, "damping_ratio": 0.05},
+        },
+    )
     with_never = {k: v.replace(".csv", "_all.csv") for k, v in names.items()}
-    script("fragility_table", folder, input={"ida": curves, "records": records}, output=with_never,
-           params={"fragility": settings, "facade": {"height_m": 6.48, "thickness_m": 0.375},
-                   "smdof": {"period_s": 0.27, "damping_ratio": 0.05}})  # fmt: skip
+    script(
+        "fragility_table",
+        folder,
+        input={"ida": curves, "records": records},
+        output=with_never,
+        params={
+            "fragility": settings,
+            "facade": {"height_m": 6.48, "thickness_m": 0.375},
+            "smdof": {"period_s": 0.27, "damping_ratio": 0.05},
+        },
+    )
     return {k: pd.read_csv(v) for k, v in names.items()}, pd.read_csv(with_never["fragility"])
 
 
@@ -109,8 +131,14 @@ def test_motion_of_a_facade_up_the_building_is_that_of_the_floors_it_stands_on(t
     path = record(tmp_path, "R")
     out = {"motion": str(tmp_path / "m.csv"), "facts": str(tmp_path / "m.json")}
     chain = {"n_dof": 2, "damping_ratio": 0.05, "damping_model": "modal", "tail_s": 1.0}
-    script("capacity_reduction_motion", tmp_path, input={"record": path}, output=out,
-           params={"smdof": chain}, wildcards={"t1": "0.3", "below": str(below)})  # fmt: skip
+    script(
+        "capacity_reduction_motion",
+        tmp_path,
+        input={"record": path},
+        output=out,
+        params={"smdof": chain},
+        wildcards={"t1": "0.3", "below": str(below)},
+    )
     given = pd.read_csv(path)["acceleration_m_s2"].to_numpy()
     tail_s = np.log(1e4) * 0.3 / (2 * np.pi * 0.05)  # longer than the 1 s asked for
     whole = floor_motions(given, 0.01, below + 2, 0.3, 0.05, "modal", tail_s=tail_s)
@@ -136,18 +164,35 @@ def test_capacity_ratio_is_in_ground_acceleration(tmp_path):
     record(tmp_path, "R")
     case = tmp_path / "T0.3_below4"
     case.mkdir()
-    facts = {"record": "R", "t1_s": 0.3, "masses_below": 4, "base_height_ratio": 0.5,
-             "pga_g": 0.3, "base_peak_g": 0.6}  # fmt: skip
+    facts = {
+        "record": "R",
+        "t1_s": 0.3,
+        "masses_below": 4,
+        "base_height_ratio": 0.5,
+        "pga_g": 0.3,
+        "base_peak_g": 0.6,
+    }
     (case / "R.json").write_text(json.dumps(facts))
-    w1 = [curve(tmp_path / "w1p.csv", "W1", "R", "pos", 0.29, 0.31),
-          curve(tmp_path / "w1n.csv", "W1", "R", "neg", 0.29, 0.31)]  # fmt: skip
-    w2 = [curve(case / "R_pos.csv", "W2", "R", "pos", 0.29, 0.31),
-          curve(case / "R_neg.csv", "W2", "R", "neg", 3.0, None)]  # fmt: skip
+    w1 = [
+        curve(tmp_path / "w1p.csv", "W1", "R", "pos", 0.29, 0.31),
+        curve(tmp_path / "w1n.csv", "W1", "R", "neg", 0.29, 0.31),
+    ]
+    w2 = [
+        curve(case / "R_pos.csv", "W2", "R", "pos", 0.29, 0.31),
+        curve(case / "R_neg.csv", "W2", "R", "neg", 3.0, None),
+    ]
     out = {"table": "t.csv", "png": "f.png", "pdf": "f.pdf"}
-    script("figure_capacity_reduction", tmp_path,
-           input={"w1": w1, "w2": w2, "facts": [str(case / "R.json")],
-                  "records": [str(tmp_path / "R.json")]},
-           output={k: str(tmp_path / v) for k, v in out.items()})  # fmt: skip
+    script(
+        "figure_capacity_reduction",
+        tmp_path,
+        input={
+            "w1": w1,
+            "w2": w2,
+            "facts": [str(case / "R.json")],
+            "records": [str(tmp_path / "R.json")],
+        },
+        output={k: str(tmp_path / v) for k, v in out.items()},
+    )
     table = pd.read_csv(tmp_path / "t.csv").set_index("direction")
     assert table.loc["pos", "ratio"] == pytest.approx(0.5)
     assert table["censored"].to_dict() == {"pos": 0, "neg": 1}

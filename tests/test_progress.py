@@ -60,6 +60,9 @@ def test_the_thread_prints_what_changed(curves):
 
 def test_durations_and_missing_files(tmp_path):
     assert [spoken(s) for s in (5, 90, 6000, 90_000)] == [
-        "less than a minute", "2 min", "100 min", "25 h 0 min",
-    ]  # fmt: skip
+        "less than a minute",
+        "2 min",
+        "100 min",
+        "25 h 0 min",
+    ]
     assert count_lines(tmp_path / "none") == 0

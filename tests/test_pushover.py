@@ -98,11 +98,13 @@ def first_crack(scene):
         limits = [
             (nodes.tension_n[i] / nodes.kn_n_m[i] - rows[i][1] @ rows[i][0] @ weight)
             / (rows[i][1] @ rows[i][0] @ push)
-            for i in range(len(nodes)) if bonded[i] and rows[i][1] @ rows[i][0] @ push > 0
-        ]  # fmt: skip
+            for i in range(len(nodes))
+            if bonded[i] and rows[i][1] @ rows[i][0] @ push > 0
+        ]
         found = min(limits)
-        opening = np.array([rows[i][1] @ rows[i][0] @ (weight + found * push)
-                            for i in range(len(nodes))])  # fmt: skip
+        opening = np.array(
+            [rows[i][1] @ rows[i][0] @ (weight + found * push) for i in range(len(nodes))]
+        )
         now = bonded | (opening <= 0.0)
         if np.array_equal(now, active):
             return found

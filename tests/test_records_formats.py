@@ -262,11 +262,23 @@ def test_declared_numbers_are_checked_before_anything_is_made_of_them(tmp_path):
 @pytest.mark.parametrize(
     ("text", "unit"),
     [
-        ("g", "g"), ("G", "g"), ("g's", "g"), ("m/s2", "m/s2"), ("M/S^2", "m/s2"), ("m/s²", "m/s2"),
-        ("cm/s/s", "cm/s2"), ("CM/SEC/SEC", "cm/s2"), ("cm/sec2", "cm/s2"), ("gal", "cm/s2"),
-        ("mm/s/s", "mm/s2"), ("m / s**2", "m/s2"), ("cm/s", None), ("m", None), ("kg", None),
+        ("g", "g"),
+        ("G", "g"),
+        ("g's", "g"),
+        ("m/s2", "m/s2"),
+        ("M/S^2", "m/s2"),
+        ("m/s²", "m/s2"),
+        ("cm/s/s", "cm/s2"),
+        ("CM/SEC/SEC", "cm/s2"),
+        ("cm/sec2", "cm/s2"),
+        ("gal", "cm/s2"),
+        ("mm/s/s", "mm/s2"),
+        ("m / s**2", "m/s2"),
+        ("cm/s", None),
+        ("m", None),
+        ("kg", None),
     ],
-)  # fmt: skip
+)
 def test_spellings_of_units(text, unit):
     assert unit_name(text) == unit
 

@@ -62,8 +62,14 @@ def test_significant_duration_of_a_box():
 
 def test_records_row_has_the_contract_s_columns():
     assert list(records_row(sine())) == [
-        "record", "source", "dt_s", "duration_s", "pga_g", "pgv_cm_s", "pgd_cm",
-    ]  # fmt: skip
+        "record",
+        "source",
+        "dt_s",
+        "duration_s",
+        "pga_g",
+        "pgv_cm_s",
+        "pgd_cm",
+    ]
 
 
 @pytest.mark.parametrize(
@@ -117,10 +123,14 @@ def test_filters_halve_at_their_corners_without_phase():
 @pytest.mark.parametrize(
     "options",
     [
-        {"method": "spline"}, {"method": "poly", "order": 20}, {"highpass_hz": 0},
-        {"lowpass_hz": 100.0}, {"highpass_hz": 5, "lowpass_hz": 2}, {"filter_order": 0},
+        {"method": "spline"},
+        {"method": "poly", "order": 20},
+        {"highpass_hz": 0},
+        {"lowpass_hz": 100.0},
+        {"highpass_hz": 5, "lowpass_hz": 2},
+        {"filter_order": 0},
     ],
-)  # fmt: skip
+)
 def test_impossible_treatments_are_refused(options):
     with pytest.raises(RecordError, match="record sine"):
         treat(sine(), **options)
@@ -132,8 +142,12 @@ def test_load_takes_the_configuration_s_section(tmp_path):
     table = tmp_path / "t.tsv"
     table.write_text(f"record\tfile\tunits\na\t{sample.name}\tm/s2\n")
     section = {
-        "method": "poly", "order": 2, "highpass_hz": None, "lowpass_hz": 8.0, "filter_order": 3,
-    }  # fmt: skip
+        "method": "poly",
+        "order": 2,
+        "highpass_hz": None,
+        "lowpass_hz": 8.0,
+        "filter_order": 3,
+    }
     assert load("a", table, baseline=section).baseline.startswith("polynomial of degree 2 removed;")
     assert load("a", table, baseline="mean").baseline == "mean removed"
     assert load("a", table).baseline == "none"

@@ -80,10 +80,16 @@ def test_pulse_is_the_derivative_of_its_velocity(cycles, phase_deg):
 
 # Peaks of recorded motions of many kinds, and of magnitudes far apart (pga_g, pgv, pgd, duration)
 OTHERS = [
-    (0.84, 166.1, 28.8, 14.9), (1.1, 46.1, 14.6, 20.5), (0.32, 71.9, 29.3, 39.3),
-    (0.136, 18.8, 4.87, 35.2), (0.308, 23.1, 10.65, 40.0), (0.82, 81.3, 17.7, 48.0),
-    (0.05, 3.0, 0.5, 20.0), (0.4, 125.0, 90.0, 60.0), (0.001, 0.1, 0.05, 30.0),
-]  # fmt: skip
+    (0.84, 166.1, 28.8, 14.9),
+    (1.1, 46.1, 14.6, 20.5),
+    (0.32, 71.9, 29.3, 39.3),
+    (0.136, 18.8, 4.87, 35.2),
+    (0.308, 23.1, 10.65, 40.0),
+    (0.82, 81.3, 17.7, 48.0),
+    (0.05, 3.0, 0.5, 20.0),
+    (0.4, 125.0, 90.0, 60.0),
+    (0.001, 0.1, 0.05, 30.0),
+]
 
 
 @pytest.mark.parametrize("targets", OTHERS)
@@ -158,8 +164,9 @@ def test_nested_aliases_stay_small(tmp_path):
 
 def real(name):
     paths = {
-        "RRS228": "RRS228_northridge_rinaldi_228.AT2", "1ST280": "1ST280_nahanni_site1_280.csv",
-    }  # fmt: skip
+        "RRS228": "RRS228_northridge_rinaldi_228.AT2",
+        "1ST280": "1ST280_nahanni_site1_280.csv",
+    }
     path = REAL / paths[name]
     if not path.is_file():
         pytest.skip("the real record is not here")

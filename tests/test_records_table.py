@@ -33,8 +33,11 @@ def test_the_study_s_four_motions():
     rows = read_table(PAPER)
     assert list(rows) == ["BUCAR0", "RRS228", "1ST280", "HVSC1"]
     assert rows["HVSC1"].targets == {
-        "pga_g": 1.58, "pgv_cm_s": 106.6, "pgd_cm": 21.77, "duration_s": 29.0,
-    }  # fmt: skip
+        "pga_g": 1.58,
+        "pgv_cm_s": 106.6,
+        "pgd_cm": 21.77,
+        "duration_s": 29.0,
+    }
     assert rows["BUCAR0"].about["mw"] == 7.5
     assert {row.source for row in rows.values()} == {"surrogate"}
 
@@ -43,9 +46,12 @@ def test_a_user_s_table_needs_few_columns(table, tmp_path):
     sample = samples.geonet()
     (tmp_path / sample.name).write_bytes(sample.data)
     path = table(
-        "record\tfile\tcomponent", "# a comment", f"mine\t{sample.name}\tS64E", "",
+        "record\tfile\tcomponent",
+        "# a comment",
+        f"mine\t{sample.name}\tS64E",
+        "",
         f"absolute\t{tmp_path / sample.name}\t#2",
-    )  # fmt: skip
+    )
     assert list(read_table(path)) == ["mine", "absolute"]
     mine = load("mine", path)
     np.testing.assert_allclose(mine.acceleration_m_s2, sample.acceleration_m_s2, atol=6e-5)
@@ -65,9 +71,26 @@ def test_format_units_and_step_of_the_table_are_used(table, tmp_path):
 
 @pytest.mark.parametrize(
     "name",
-    ["../up", "a/b", "/abs", "a b", "$(touch x)", "`x`", "a;b", ".hidden", "-rf", "", "é", "a\\b",
-     "x" * 65, "{wild}", "a|b", "a*", "a\x0b"],
-)  # fmt: skip
+    [
+        "../up",
+        "a/b",
+        "/abs",
+        "a b",
+        "$(touch x)",
+        "`x`",
+        "a;b",
+        ".hidden",
+        "-rf",
+        "",
+        "é",
+        "a\\b",
+        "x" * 65,
+        "{wild}",
+        "a|b",
+        "a*",
+        "a\x0b",
+    ],
+)
 def test_hostile_names_are_refused(table, name):
     message = refusal(table(f"record\t{TARGETS}", f"{name}\t0.2\t20\t5\t10"))
     assert "line 2" in message

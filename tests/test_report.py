@@ -11,10 +11,16 @@ ROOT = Path(__file__).resolve().parent.parent
 SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
 SCRIPTS = ROOT / "workflow" / "scripts"
 STUDY = [
-    "--config", "run=shown", "records=RRS228,HVSC1", "directions=pos", "models=W1",
-    "facade={height_m: 5.75}", "ida={mode: grid, grid_g: [0.02, 0.9]}",
-    "numerics={step_fraction: 0.5, after_motion_s: 0}", "ensemble={enabled: off}",
-]  # fmt: skip
+    "--config",
+    "run=shown",
+    "records=RRS228,HVSC1",
+    "directions=pos",
+    "models=W1",
+    "facade={height_m: 5.75}",
+    "ida={mode: grid, grid_g: [0.02, 0.9]}",
+    "numerics={step_fraction: 0.5, after_motion_s: 0}",
+    "ensemble={enabled: off}",
+]
 
 
 def page_of(tmp_path, text, name="ida_collapse"):
@@ -23,11 +29,23 @@ def page_of(tmp_path, text, name="ida_collapse"):
     table.write_text(text)
     style = ROOT / "workflow/report/table.css"
     done = subprocess.run(
-        [sys.executable, str(SCRIPTS / "report_table.py"), "--input", f"table={table}",
-         f"style={style}", "--output", str(page), "--params", "title=a <title>", "text=Words."],
-        capture_output=True, text=True, cwd=ROOT,
+        [
+            sys.executable,
+            str(SCRIPTS / "report_table.py"),
+            "--input",
+            f"table={table}",
+            f"style={style}",
+            "--output",
+            str(page),
+            "--params",
+            "title=a <title>",
+            "text=Words.",
+        ],
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
         env={"PYTHONPATH": f"{ROOT}:{ROOT / 'workflow'}"},
-    )  # fmt: skip
+    )
     assert done.returncode == 0, done.stderr
     return page.read_text()
 
@@ -48,10 +66,20 @@ def test_a_page_escapes_its_text_writes_units_and_marks_the_study(tmp_path):
 
 def study(folder, *words):
     return subprocess.run(
-        [SNAKEMAKE, "--snakefile", str(ROOT / "Snakefile"), "--cores", "1", "--nolock", *STUDY,
-         *words],
-        cwd=folder, capture_output=True, text=True,
-    )  # fmt: skip
+        [
+            SNAKEMAKE,
+            "--snakefile",
+            str(ROOT / "Snakefile"),
+            "--cores",
+            "1",
+            "--nolock",
+            *STUDY,
+            *words,
+        ],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+    )
 
 
 @pytest.fixture(scope="module")
@@ -91,8 +119,13 @@ def test_report_opens_offline_and_clicks_through_to_figures_and_tables(report, t
     with Browser(tmp_path / "profile") as browser:
         browser.open(report.as_uri())
         browser.wait(lambda: "lumped masses" in browser.text(), "the description")
-        for name in ("Records", "Floor motions", "Incremental dynamic analyses", "Fragility",
-                     "Run times"):  # fmt: skip
+        for name in (
+            "Records",
+            "Floor motions",
+            "Incremental dynamic analyses",
+            "Fragility",
+            "Run times",
+        ):
             assert browser.elements(f"//nav//a[normalize-space()='{name}']"), name
 
         # Figure 9: the picture itself is drawn, and its caption quotes this study's façade

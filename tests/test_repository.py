@@ -17,8 +17,10 @@ def test_citation_version_and_licence_agree_with_the_package():
     assert citation["version"] == package["version"]
     assert (ROOT / "LICENSE").read_text("utf-8").startswith(f"{citation['license']} License")
     assert {"cff-version", "message", "title", "authors"} <= set(citation)  # required by CFF 1.2
-    assert re.search(rf"## (Unreleased|{re.escape(package['version'])})",
-                     (ROOT / "CHANGELOG.md").read_text("utf-8"))  # fmt: skip
+    assert re.search(
+        rf"## (Unreleased|{re.escape(package['version'])})",
+        (ROOT / "CHANGELOG.md").read_text("utf-8"),
+    )
 
 
 def test_contributing_names_places_and_targets_that_exist():

@@ -57,9 +57,11 @@ def test_known_restitution_is_recovered(e, two_sided):
 
 @settings(max_examples=40, deadline=None)
 @given(
-    theta0=st.floats(0.3, 0.9), e=st.floats(0.35, 0.9), dt=st.floats(1e-4, 8e-4),
+    theta0=st.floats(0.3, 0.9),
+    e=st.floats(0.35, 0.9),
+    dt=st.floats(1e-4, 8e-4),
     dip=st.floats(1e-3, 0.05),
-)  # fmt: skip
+)
 def test_recovery_does_not_depend_on_sampling_or_contact(theta0, e, dt, dip):
     time, theta, _ = rocking(theta0, e, 4, dt, dip=dip)
     assert e_exp(rebounds(time, theta)) == pytest.approx([e] * 3, rel=2e-3)

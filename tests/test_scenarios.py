@@ -19,11 +19,15 @@ LEAVES = list(config_schema.leaves(config_schema.whole()))
 
 def test_a_grid_gives_every_combination():
     runs = expand_scenarios(
-        {"run": "s", "facade": {"width_m": 6},
-         "grid": {"facade.height_m": [5.0, "6.48", 8], "damping": {"law": ["eq5", "value"]}}}
-    )  # fmt: skip
-    assert list(runs) == [f"s-height_m_{h}-law_{law}" for h in ("5", "6.48", "8")
-                          for law in ("eq5", "value")]  # fmt: skip
+        {
+            "run": "s",
+            "facade": {"width_m": 6},
+            "grid": {"facade.height_m": [5.0, "6.48", 8], "damping": {"law": ["eq5", "value"]}},
+        }
+    )
+    assert list(runs) == [
+        f"s-height_m_{h}-law_{law}" for h in ("5", "6.48", "8") for law in ("eq5", "value")
+    ]
     one = runs["s-height_m_8-law_eq5"]
     assert (one["run"], one["facade"]["height_m"]) == ("s-height_m_8-law_eq5", 8.0)
     assert (one["facade"]["width_m"], one["damping"]["law"]) == (6.0, "eq5")
@@ -62,8 +66,10 @@ def test_scenarios_are_laid_over_the_base_and_chosen_by_name():
     ("config", "message"),
     [
         ({"scenarios": {"a": {"facade.hight_m": 8}}}, "scenario 'a': unknown key 'facade.hight_m'"),
-        ({"scenarios": {"a": {}, "b": {"facade.height_m": -8}}, "scenario": "a"},
-         "scenario 'b': facade.height_m = -8"),
+        (
+            {"scenarios": {"a": {}, "b": {"facade.height_m": -8}}, "scenario": "a"},
+            "scenario 'b': facade.height_m = -8",
+        ),
         ({"scenarios": {"a": {}}, "facade": {"width_m": 0}}, "facade.width_m = 0: expected"),
         ({"scenarios": {"a": {}}, "scenario": "b"}, "scenario = 'b': expected all or one of: a"),
         ({"scenario": "b"}, "scenario = 'b': expected all or one of: no scenarios are defined"),
@@ -81,7 +87,7 @@ def test_scenarios_are_laid_over_the_base_and_chosen_by_name():
         ({"grid": [1]}, "grid = [1]: expected keys with a list of values each"),
         (None, "expected keys and values at the top level"),
     ],
-)  # fmt: skip
+)
 def test_faults_of_a_study_are_named(config, message):
     with pytest.raises(ConfigError) as caught:
         expand_scenarios(config)
@@ -121,13 +127,19 @@ EXPECTED = [
     {"tall": {"facade.height_m": 7.0}},
     {"own_facade": {"facade.height_m": 7.2, "damping.law": "eq5", "facade.friction_deg": 30.0}},
     {"own_facade": {"facade.height_m": 7.2, "damping.law": "value"}},
-    {f"study-height_m_{h}-law_{law}": {"facade.height_m": float(h), "damping.law": law}
-     for h in ("5", "6.48", "8") for law in ("value", "eq5")},
-    {"building-stiff": {"smdof.period_s": 0.15}, "building-study": {"smdof.period_s": 0.27},
-     "building-flexible": {"smdof.period_s": 0.45}},
+    {
+        f"study-height_m_{h}-law_{law}": {"facade.height_m": float(h), "damping.law": law}
+        for h in ("5", "6.48", "8")
+        for law in ("value", "eq5")
+    },
+    {
+        "building-stiff": {"smdof.period_s": 0.15},
+        "building-study": {"smdof.period_s": 0.27},
+        "building-flexible": {"smdof.period_s": 0.45},
+    },
     {"building-stiff": {"smdof.period_s": 0.15, "smdof.damping_ratio": 0.05}},
     {f"walls-thickness_m_{b}": {"facade.thickness_m": float(b)} for b in ("0.25", "0.375", "0.5")},
-]  # fmt: skip
+]
 WORKFLOW = """\
 import json, sys
 sys.path.insert(0, {workflow!r})

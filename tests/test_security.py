@@ -22,15 +22,48 @@ SOURCES = sorted(
     if "__pycache__" not in p.parts
 )
 HOSTILE = (
-    "$(touch pwned)", "`touch pwned`", "a;touch pwned", "a|touch pwned", "a&&touch pwned",
-    "a>pwned", "../outside", "../../../outside", "/outside", ".hidden", "-rf", "--help", "a b",
-    "a'b", 'a"b', "a\\b", "{wildcards.run}", "{input}", "*", "~", "a\x00b", "a\x1b[2J", "", "..",
-    ".", "a/b", "COM\u202e1", "é", "a" * 300,
-)  # fmt: skip
+    "$(touch pwned)",
+    "`touch pwned`",
+    "a;touch pwned",
+    "a|touch pwned",
+    "a&&touch pwned",
+    "a>pwned",
+    "../outside",
+    "../../../outside",
+    "/outside",
+    ".hidden",
+    "-rf",
+    "--help",
+    "a b",
+    "a'b",
+    'a"b',
+    "a\\b",
+    "{wildcards.run}",
+    "{input}",
+    "*",
+    "~",
+    "a\x00b",
+    "a\x1b[2J",
+    "",
+    "..",
+    ".",
+    "a/b",
+    "COM\u202e1",
+    "é",
+    "a" * 300,
+)
 OBJECTS_OR_NETWORK = {
-    "pickle", "marshal", "shelve", "dill", "joblib", "socket", "http.server", "urllib.request",
-    "requests", "xmlrpc.server",
-}  # fmt: skip
+    "pickle",
+    "marshal",
+    "shelve",
+    "dill",
+    "joblib",
+    "socket",
+    "http.server",
+    "urllib.request",
+    "requests",
+    "xmlrpc.server",
+}
 # placeholders in shell commands that need no quoting: each is limited to harmless words elsewhere
 UNQUOTED = {
     "wildcards.direction": "pos|neg",
@@ -138,10 +171,22 @@ def test_a_hostile_table_ends_snakemake_in_one_line(tmp_path):
         "record\tpga_g\tpgv_cm_s\tpgd_cm\tduration_s\n$(touch pwned)\t0.2\t20\t5\t15\n"
     )
     done = subprocess.run(
-        [str(SNAKEMAKE), "-n", "--quiet", "--snakefile", str(ROOT / "Snakefile"), "--directory",
-         str(tmp_path), "--config", "records_table=own.tsv"],
-        capture_output=True, text=True, env=environment(), cwd=tmp_path,
-    )  # fmt: skip
+        [
+            str(SNAKEMAKE),
+            "-n",
+            "--quiet",
+            "--snakefile",
+            str(ROOT / "Snakefile"),
+            "--directory",
+            str(tmp_path),
+            "--config",
+            "records_table=own.tsv",
+        ],
+        capture_output=True,
+        text=True,
+        env=environment(),
+        cwd=tmp_path,
+    )
     assert done.returncode == 1
     said = [line for line in done.stderr.splitlines() if "touch pwned" in line]
     assert len(said) == 1

@@ -19,11 +19,19 @@ H, B, TILT = 3.0, 0.25, 0.348
 def wall(**facade):
     config = resolved(
         models=["W1"],
-        facade={"height_m": H, "thickness_m": B, "width_m": 3.0, "density_kg_m3": 1810.0,
-                "e_mpa": 4050.0, "gap_m": 0.004, "tilt_deg": TILT, **facade},
+        facade={
+            "height_m": H,
+            "thickness_m": B,
+            "width_m": 3.0,
+            "density_kg_m3": 1810.0,
+            "e_mpa": 4050.0,
+            "gap_m": 0.004,
+            "tilt_deg": TILT,
+            **facade,
+        },
         return_wall={"thickness_m": 0.25},
         numerics={"step_fraction": 0.2, "after_motion_s": 1.0},
-    )  # fmt: skip
+    )
     return {key: config[key] for key in SECTIONS}
 
 
@@ -32,15 +40,37 @@ def shaken(folder, motions, **facade):
     tests = []
     for name, time, acceleration in motions:
         path = folder / f"{name}.csv"
-        np.savetxt(path, np.stack([time, acceleration], axis=1), "%.9g", ",",
-                   header="time_s,ground_m_s2", comments="")  # fmt: skip
-        tests.append({"id": name, "config": wall(**facade), "model": "W1", "beta_s": 0.00086,
-                      "motion": str(path), "factor": 1.0})  # fmt: skip
+        np.savetxt(
+            path,
+            np.stack([time, acceleration], axis=1),
+            "%.9g",
+            ",",
+            header="time_s,ground_m_s2",
+            comments="",
+        )
+        tests.append(
+            {
+                "id": name,
+                "config": wall(**facade),
+                "model": "W1",
+                "beta_s": 0.00086,
+                "motion": str(path),
+                "factor": 1.0,
+            }
+        )
     (folder / "tests.json").write_text(json.dumps(tests))
     done = subprocess.run(
-        [PYTHON, ROOT / "yade_scripts" / "run_shake_table.py", "--tests", folder / "tests.json",
-         "--output", folder / "out.npz"], capture_output=True, text=True,
-    )  # fmt: skip
+        [
+            PYTHON,
+            ROOT / "yade_scripts" / "run_shake_table.py",
+            "--tests",
+            folder / "tests.json",
+            "--output",
+            folder / "out.npz",
+        ],
+        capture_output=True,
+        text=True,
+    )
     assert done.returncode == 0, done.stderr
     return {r["id"]: r for r in read_archive(folder / "out.npz")}
 
@@ -92,9 +122,17 @@ def test_gap_lets_it_lean_back_that_far_only(tmp_path):
 def test_missing_key_is_named(tmp_path):
     (tmp_path / "tests.json").write_text(json.dumps([{"id": "a"}]))
     done = subprocess.run(
-        [PYTHON, ROOT / "yade_scripts" / "run_shake_table.py", "--tests", tmp_path / "tests.json",
-         "--output", tmp_path / "out.npz"], capture_output=True, text=True,
-    )  # fmt: skip
+        [
+            PYTHON,
+            ROOT / "yade_scripts" / "run_shake_table.py",
+            "--tests",
+            tmp_path / "tests.json",
+            "--output",
+            tmp_path / "out.npz",
+        ],
+        capture_output=True,
+        text=True,
+    )
     assert done.returncode == 1
     assert "test 1 has no config" in done.stderr
     assert done.stderr.count("\n") == 1

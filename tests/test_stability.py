@@ -16,8 +16,14 @@ BETA_S = 0.00276
     [("W1", 1.0, BETA_S), ("W2", 31.6, 10 * BETA_S), ("stack", 0.0316, 0.0)],
 )
 def test_observed_limit_is_the_predicted_one(name, stiffness, beta_s):
-    got = in_yade("accuracy_cases", "limit", config=resolved(), name=name,
-                  stiffness_factor=stiffness, beta_s=beta_s)  # fmt: skip
+    got = in_yade(
+        "accuracy_cases",
+        "limit",
+        config=resolved(),
+        name=name,
+        stiffness_factor=stiffness,
+        beta_s=beta_s,
+    )
     assert got == pytest.approx(1.0, abs=0.05)
 
 

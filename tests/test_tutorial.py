@@ -92,9 +92,11 @@ def test_tutorial_leads_from_a_clone_to_a_report(clone):
             assert "refused, as it should be" in done.stdout
     results = clone / "results"
     for path in (
-        "first/figures/fig09_ida.png", "my_facade/figures/fig09_ida.png",
-        "my_record/figures/record_MINE.png", "my_record/figures/fig09_ida.png",
-    ):  # fmt: skip
+        "first/figures/fig09_ida.png",
+        "my_facade/figures/fig09_ida.png",
+        "my_record/figures/record_MINE.png",
+        "my_record/figures/fig09_ida.png",
+    ):
         assert (results / path).stat().st_size > 10_000, path
     assert "facade:\n  height_m: 5.2\n" in (results / "my_record/config.yaml").read_text()
     provenance = (results / "my_record/report/provenance.html").read_text()
@@ -121,8 +123,11 @@ def snakemake_lines(name):
     return list(lines.values())
 
 
-PAGES = [(name, words) for name in ("README.md", "config/README.md", "docs/accuracy.md")
-         for words in snakemake_lines(name)]  # fmt: skip
+PAGES = [
+    (name, words)
+    for name in ("README.md", "config/README.md", "docs/accuracy.md")
+    for words in snakemake_lines(name)
+]
 
 
 @pytest.mark.parametrize(("name", "words"), PAGES, ids=[shlex.join(w)[:60] for _, w in PAGES])

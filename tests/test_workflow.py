@@ -11,18 +11,25 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
 SMALL = [
-    "--config", "run=small", "records=RRS228", "directions=pos", "models=W1",
-    "ida={mode: grid, grid_g: [0.05, 0.4]}", "numerics={step_fraction: 0.5}",
+    "--config",
+    "run=small",
+    "records=RRS228",
+    "directions=pos",
+    "models=W1",
+    "ida={mode: grid, grid_g: [0.05, 0.4]}",
+    "numerics={step_fraction: 0.5}",
     "ensemble={enabled: off}",
-]  # fmt: skip
+]
 
 
 def snakemake(folder, *words):
     """Run Snakemake in a folder of its own, with the project's Snakefile and configuration."""
     return subprocess.run(
         [SNAKEMAKE, "--snakefile", str(ROOT / "Snakefile"), "--cores", "1", "--nolock", *words],
-        cwd=folder, capture_output=True, text=True,
-    )  # fmt: skip
+        cwd=folder,
+        capture_output=True,
+        text=True,
+    )
 
 
 @pytest.fixture(scope="module")

@@ -9,9 +9,8 @@ def push_case(job, speed_m_s=0.1, reach=0.08):
     engine.load_yade()
     scene = models.build_scene(job)
     curve, forces, broken = push(
-        scene, models.numerics(job), speed_m_s=speed_m_s, reach=reach, samples=300,
-        force_samples=30,
-    )  # fmt: skip
+        scene, models.numerics(job), speed_m_s=speed_m_s, reach=reach, samples=300, force_samples=30
+    )
     return {"curve": curve.tolist(), "forces": forces_csv(scene, forces), "broken": len(broken)}
 
 

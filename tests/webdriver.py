@@ -14,10 +14,17 @@ CHROMEDRIVER = shutil.which("chromedriver")
 AVAILABLE = bool(CHROMIUM and CHROMEDRIVER)
 ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # key of an element's reference in the protocol
 FLAGS = [
-    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-    "--disable-background-networking", "--disable-component-update", "--disable-sync",
-    "--allow-file-access-from-files", "--window-size=1400,1000",
-]  # fmt: skip
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--allow-file-access-from-files",
+    "--window-size=1400,1000",
+]
 
 
 class Browser:

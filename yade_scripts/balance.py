@@ -24,8 +24,17 @@ import numpy as np
 from . import engine
 from .bonds import FACE_OFFSET_M, PRELOAD_M
 
-COLUMNS = ("time_s", "input_j", "kinetic_j", "potential_j", "elastic_j", "dashpots_j",
-           "friction_j", "fracture_j", "residual_j")  # fmt: skip
+COLUMNS = (
+    "time_s",
+    "input_j",
+    "kinetic_j",
+    "potential_j",
+    "elastic_j",
+    "dashpots_j",
+    "friction_j",
+    "fracture_j",
+    "residual_j",
+)
 SLIPPING = 1.0 - 1e-9  # of μ Fn
 PRELOAD_DEPTH_M = PRELOAD_M + FACE_OFFSET_M  # of both spheres of a bond at rest
 
@@ -128,18 +137,45 @@ class EnergyBalance:
             bonded = contact.id1 in self.preloaded or contact.id2 in self.preloaded
             keys.append((contact.id1, contact.id2))
             ends.append((self.slot[contact.id1], self.slot[contact.id2]))
-            rows.append((
-                x[0], x[1], x[2], n[0], n[1], n[2], s[0], s[1], s[2],
-                f[0] * n[0] + f[1] * n[1] + f[2] * n[2], g.penetrationDepth,
-                p.kn, p.ks, p.cs, p.tangensOfFrictionAngle,
-                PRELOAD_DEPTH_M if bonded else 0.0,
-            ))  # fmt: skip
+            rows.append(
+                (
+                    x[0],
+                    x[1],
+                    x[2],
+                    n[0],
+                    n[1],
+                    n[2],
+                    s[0],
+                    s[1],
+                    s[2],
+                    f[0] * n[0] + f[1] * n[1] + f[2] * n[2],
+                    g.penetrationDepth,
+                    p.kn,
+                    p.ks,
+                    p.cs,
+                    p.tangensOfFrictionAngle,
+                    PRELOAD_DEPTH_M if bonded else 0.0,
+                )
+            )
         table = np.array(rows, float).reshape(-1, 16)
         a, b = np.array(ends, int).reshape(-1, 2).T
         shear, (force, depth, kn, ks, cs, friction, preload) = table[:, 6:9], table[:, 9:16].T
         pressed = 0.5 * kn * (depth**2 - preload**2)
-        return _Moment(keys, a, b, table[:, 0:3], table[:, 3:6], depth, force, shear,
-                       kn, ks, cs, friction, pressed)  # fmt: skip
+        return _Moment(
+            keys,
+            a,
+            b,
+            table[:, 0:3],
+            table[:, 3:6],
+            depth,
+            force,
+            shear,
+            kn,
+            ks,
+            cs,
+            friction,
+            pressed,
+        )
 
     def _before(self):
         """Forces and contacts at the step, and the velocities half a step before it."""
@@ -177,8 +213,12 @@ class EnergyBalance:
         """Velocity of the first body past the second at every contact, shape (n, 3) [m/s]."""
         c = self.now
         arm_a, arm_b = c.point - self.place[c.a], c.point - self.place[c.b]
-        return (speed[c.a, :3] + np.cross(speed[c.a, 3:], arm_a)
-                - speed[c.b, :3] - np.cross(speed[c.b, 3:], arm_b))  # fmt: skip
+        return (
+            speed[c.a, :3]
+            + np.cross(speed[c.a, 3:], arm_a)
+            - speed[c.b, :3]
+            - np.cross(speed[c.b, 3:], arm_b)
+        )
 
     def _losses(self, travel, sticks):
         """Friction and fracture since the last step [J]; keeps what the next one needs."""

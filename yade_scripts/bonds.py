@@ -215,8 +215,10 @@ class Bonds:
         node = int(self.node[k])
         press, hook, plain = self.spheres[node]
         for sphere, material in (
-            (press, self.dead), (hook, self.dead), (plain, self.materials[node]),
-        ):  # fmt: skip
+            (press, self.dead),
+            (hook, self.dead),
+            (plain, self.materials[node]),
+        ):
             set_material(self.omega.bodies[sphere], material)
         self.intact[k] = False
         self.broken.append((float(self.omega.time), node))

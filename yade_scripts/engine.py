@@ -29,10 +29,17 @@ PARTNER_STIFFNESS = 1e30  # materials combine in series; the face must not softe
 NO_STIFFNESS = 1e-12  # N/m
 UNLIMITED_FRICTION = 1.57  # rad
 NEEDED_CLASSES = (
-    "Box", "Sphere", "ViscElMat", "Ip2_ViscElMat_ViscElMat_ViscElPhys", "Ig2_Box_Sphere_ScGeom",
-    "Law2_ScGeom_ViscElPhys_Basic", "InterpolatingDirectedForceEngine", "NewtonIntegrator",
-    "InsertionSortCollider", "PyRunner",
-)  # fmt: skip
+    "Box",
+    "Sphere",
+    "ViscElMat",
+    "Ip2_ViscElMat_ViscElMat_ViscElPhys",
+    "Ig2_Box_Sphere_ScGeom",
+    "Law2_ScGeom_ViscElPhys_Basic",
+    "InterpolatingDirectedForceEngine",
+    "NewtonIntegrator",
+    "InsertionSortCollider",
+    "PyRunner",
+)
 
 
 class EngineError(RuntimeError):
@@ -142,9 +149,13 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     nodes = scene.nodes
     reach = 4.0 * max(max(b.size_m) for b in scene.blocks)
     rigid = w.ViscElMat(
-        density=1e-12, kn=PARTNER_STIFFNESS, ks=PARTNER_STIFFNESS,
-        cn=PARTNER_STIFFNESS, cs=PARTNER_STIFFNESS, frictionAngle=UNLIMITED_FRICTION,
-    )  # fmt: skip
+        density=1e-12,
+        kn=PARTNER_STIFFNESS,
+        ks=PARTNER_STIFFNESS,
+        cn=PARTNER_STIFFNESS,
+        cs=PARTNER_STIFFNESS,
+        frictionAngle=UNLIMITED_FRICTION,
+    )
     omega.materials.append(rigid)
     materials = {}
     # not 0: of two materials YADE takes the larger when one of them is 0
@@ -152,14 +163,21 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     dead = w.ViscElMat(density=1e-12, kn=none, ks=none, cn=none, cs=none, frictionAngle=0.0)
 
     def node_material(i):
-        key = tuple(float(v[i]) for v in (nodes.kn_n_m, nodes.ks_n_m, nodes.beta_s,
-                                          nodes.friction_rad))  # fmt: skip
+        key = tuple(
+            float(v[i]) for v in (nodes.kn_n_m, nodes.ks_n_m, nodes.beta_s, nodes.friction_rad)
+        )
         return viscoelastic(key)
 
     def bond_material(i):  # half a node; the shear of a tie slips freely
         angle = 0.0 if is_tie(nodes, i) else UNLIMITED_FRICTION
-        return viscoelastic((float(0.5 * nodes.kn_n_m[i]), float(0.5 * nodes.ks_n_m[i]),
-                             float(nodes.beta_s[i]), angle))  # fmt: skip
+        return viscoelastic(
+            (
+                float(0.5 * nodes.kn_n_m[i]),
+                float(0.5 * nodes.ks_n_m[i]),
+                float(nodes.beta_s[i]),
+                angle,
+            )
+        )
 
     def viscoelastic(key):
         if key not in materials:
@@ -196,9 +214,22 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
                 drives.setdefault(block.motion, []).extend(ids)
             body.append(ids[0])
             continue
-        members = _members(utils, omega, scene, index, faces, keys, reach, rigid,
-                           node_material, bond_material, dead, node_radius_m, node_body,
-                           bonded)  # fmt: skip
+        members = _members(
+            utils,
+            omega,
+            scene,
+            index,
+            faces,
+            keys,
+            reach,
+            rigid,
+            node_material,
+            bond_material,
+            dead,
+            node_radius_m,
+            node_body,
+            bonded,
+        )
         clump, unturned[index] = _clump(omega, block, members, full_rotation)
         body.append(clump)
 
@@ -221,7 +252,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
                 direction=(0, 1, 0),
                 ids=ids,
                 wrap=False,
-            )  # fmt: skip
+            )
         )
         for i in ids:  # velocities live at half steps: start half a step back
             omega.bodies[i].state.vel = (0, -0.5 * dt_s * float(motion.acceleration_m_s2[0]), 0)
@@ -305,15 +336,33 @@ def _joined(utils, omega, block, faces, rigid):
     return omega.bodies.clump([carrier, *faces])
 
 
-def _members(utils, omega, scene, index, faces, keys, reach, rigid, node_material,
-             bond_material, dead, radius_m, node_body, bonded):  # fmt: skip
+def _members(
+    utils,
+    omega,
+    scene,
+    index,
+    faces,
+    keys,
+    reach,
+    rigid,
+    node_material,
+    bond_material,
+    dead,
+    radius_m,
+    node_body,
+    bonded,
+):
     """Append carrier, node spheres and faces of a free block; return their ids."""
     block, nodes = scene.blocks[index], scene.nodes
     centre = np.array(block.centre_m)
     carrier = utils.box(
-        center=tuple(centre), extents=tuple(0.5 * s for s in block.size_m),
-        fixed=False, wire=True, material=rigid, mask=0,
-    )  # fmt: skip
+        center=tuple(centre),
+        extents=tuple(0.5 * s for s in block.size_m),
+        fixed=False,
+        wire=True,
+        material=rigid,
+        mask=0,
+    )
     ids = [omega.bodies.append(carrier)]
     state = omega.bodies[ids[0]].state
     state.mass = block.mass_kg
@@ -324,9 +373,11 @@ def _members(utils, omega, scene, index, faces, keys, reach, rigid, node_materia
         position = nodes.position_m[i] + radius_m * nodes.normal[i]
         is_bonded = faces.press[i] is not None
         sphere = utils.sphere(
-            tuple(position), radius_m, material=dead if is_bonded else node_material(i),
+            tuple(position),
+            radius_m,
+            material=dead if is_bonded else node_material(i),
             mask=faces.bit[faces.plain[i]],
-        )  # fmt: skip
+        )
         node_body[i] = omega.bodies.append(sphere)
         new = [node_body[i]]
         if is_bonded:
@@ -337,7 +388,7 @@ def _members(utils, omega, scene, index, faces, keys, reach, rigid, node_materia
                         PRELOAD_M,
                         material=bond_material(i),
                         mask=faces.bit[key],
-                    )  # fmt: skip
+                    )
                 )
                 for key in (faces.press[i], faces.hook[i])
             ]

@@ -92,9 +92,16 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     ratio = facade["shear_stiffness_ratio"]
 
     blocks = [
-        Block(BASE, (0.0, 0.5 * b, -0.5), (2 * width, 4 * h, 1.0), 1.0, (1.0, 1.0, 1.0),
-              free="", motion=GROUND)
-    ]  # fmt: skip
+        Block(
+            BASE,
+            (0.0, 0.5 * b, -0.5),
+            (2 * width, 4 * h, 1.0),
+            1.0,
+            (1.0, 1.0, 1.0),
+            free="",
+            motion=GROUND,
+        )
+    ]
     nodes = NodeList()
     points, weights = gauss_lobatto(numerics["nodes_thickness"])
     # Debris under the base (tilt) belongs to the block as protruding nodes: it
@@ -102,29 +109,51 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     protrusion = (1.0 - points) * b * math.tan(tilt)
     base_xyz = np.stack([np.zeros_like(points), points * b, -protrusion], axis=1)
     columns, column_weights = _columns(planar, width / math.sqrt(3.0))
-    positions, areas, gaps = _spread(base_xyz, weights * b * width, columns, column_weights,
-                                     gap_m=-protrusion)  # fmt: skip
+    positions, areas, gaps = _spread(
+        base_xyz, weights * b * width, columns, column_weights, gap_m=-protrusion
+    )
     # index 1 is the façade, appended to `blocks` below
     nodes.add_joint(
-        BASE, 1, 0, positions, (0, 0, 1), areas, jkn_base, ratio * jkn_base,
-        beta_s=beta_s, friction_rad=math.radians(facade["friction_deg"]), gap_m=gaps,
-    )  # fmt: skip
+        BASE,
+        1,
+        0,
+        positions,
+        (0, 0, 1),
+        areas,
+        jkn_base,
+        ratio * jkn_base,
+        beta_s=beta_s,
+        friction_rad=math.radians(facade["friction_deg"]),
+        gap_m=gaps,
+    )
     # lift of each base node in the pose turned about the toe; debris lies under a tilted base
     angle = release_ratio * math.atan2(b, h)
     lift = (1.0 - points) * b * math.sin(angle)
     settlement = _settlement(mass * GRAVITY_M_S2, weights * b * width * jkn_base, lift)
     displacement, rotation = _initial_pose(h, b, tilt + angle, settlement)
     blocks.append(
-        Block(FACADE, (0.0, 0.5 * b, 0.5 * h), (width, b, h), mass,
-              box_inertia(mass, (width, b, h)), free="yzX" if planar else "xyzXYZ",
-              displacement_m=displacement, rotation_rad=rotation)
-    )  # fmt: skip
+        Block(
+            FACADE,
+            (0.0, 0.5 * b, 0.5 * h),
+            (width, b, h),
+            mass,
+            box_inertia(mass, (width, b, h)),
+            free="yzX" if planar else "xyzXYZ",
+            displacement_m=displacement,
+            rotation_rad=rotation,
+        )
+    )
     if model != "free" and facade.get("sides") != "two":
         _add_return_walls(config, model, beta_s, blocks, nodes, jkn_back, planar)
     return Scene(
-        blocks, nodes.joints, nodes.done(), monitor=FACADE, monitor_point_m=(0.0, 0.5 * b, h),
-        reference=BASE, thickness_m=b,
-    )  # fmt: skip
+        blocks,
+        nodes.joints,
+        nodes.done(),
+        monitor=FACADE,
+        monitor_point_m=(0.0, 0.5 * b, h),
+        reference=BASE,
+        thickness_m=b,
+    )
 
 
 def _columns(planar, distance_m):
@@ -183,15 +212,30 @@ def _add_return_walls(config, model, beta_s, blocks, nodes, jkn_back, planar):
         name = f"return wall {j}"
         motion = floor_motion(j) if uses_chain(model) else GROUND
         blocks.append(
-            Block(name, (0.0, -0.5 * h - facade["gap_m"], low + 0.5 * tall), (total, h, tall),
-                  1.0, (1.0, 1.0, 1.0), free="", motion=motion)
-        )  # fmt: skip
+            Block(
+                name,
+                (0.0, -0.5 * h - facade["gap_m"], low + 0.5 * tall),
+                (total, h, tall),
+                1.0,
+                (1.0, 1.0, 1.0),
+                free="",
+                motion=motion,
+            )
+        )
         line = np.stack([0 * points, 0 * points, low + points * tall], axis=1)
         positions, areas, _ = _spread(line, weights * tall * total, columns, column_weights)
         nodes.add_joint(
-            name, 1, len(blocks) - 1, positions, (0, 1, 0), areas, jkn_back,
-            facade["shear_stiffness_ratio"] * jkn_back, beta_s=beta_s,
-            friction_rad=math.radians(wall["friction_deg"]), gap_m=facade["gap_m"],
+            name,
+            1,
+            len(blocks) - 1,
+            positions,
+            (0, 1, 0),
+            areas,
+            jkn_back,
+            facade["shear_stiffness_ratio"] * jkn_back,
+            beta_s=beta_s,
+            friction_rad=math.radians(wall["friction_deg"]),
+            gap_m=facade["gap_m"],
             tension_pa=wall["tension_mpa"] * 1e6 if bonded else 0.0,
             cohesion_pa=wall["cohesion_mpa"] * 1e6 if bonded else 0.0,
-        )  # fmt: skip
+        )

@@ -141,9 +141,9 @@ class Faces:
             self.press.append(self._add(i, normal, level + FACE_OFFSET_M, None) if on else None)
             self.hook.append(self._add(i, -normal, FACE_OFFSET_M - level, None) if on else None)
         self.local = len(self.nodes_of) > BITS
-        self.bit = self._colour() if self.local else {
-            key: 1 << n for n, key in enumerate(self.nodes_of)
-        }  # fmt: skip
+        self.bit = (
+            self._colour() if self.local else {key: 1 << n for n, key in enumerate(self.nodes_of)}
+        )
 
     def _add(self, i, normal, level, rim):
         key = (int(self.scene.nodes.b[i]), tuple(np.round(normal, 12)), round(level, 9), rim)
@@ -192,9 +192,14 @@ class Faces:
         axis_to = minieigenHP.Quaternion()
         axis_to.setFromTwoVectors(minieigenHP.Vector3(0, 0, 1), minieigenHP.Vector3(*normal))
         return utils.box(
-            center=tuple(centre), extents=tuple(float(v) for v in half), orientation=axis_to,
-            fixed=False, wire=True, material=material, mask=self.bit[key],
-        )  # fmt: skip
+            center=tuple(centre),
+            extents=tuple(float(v) for v in half),
+            orientation=axis_to,
+            fixed=False,
+            wire=True,
+            material=material,
+            mask=self.bit[key],
+        )
 
     def _colour(self):
         """Give faces bits so that faces whose boxes and nodes could meet never share one.

@@ -76,8 +76,10 @@ class _Assembly:
         facade, wall, w3 = config["facade"], config["return_wall"], config["w3"]
         self.h, self.b = facade["height_m"], facade["thickness_m"]
         self.course, self.v, self.length = (
-            w3["course_height_m"], w3["overlap_m"], w3["brick_length_m"],
-        )  # fmt: skip
+            w3["course_height_m"],
+            w3["overlap_m"],
+            w3["brick_length_m"],
+        )
         self.t, self.density, self.w3 = wall["thickness_m"], facade["density_kg_m3"], w3
         self.courses = round(self.h / self.course)
         if abs(self.courses * self.course - self.h) > 1e-6 * self.h or self.courses < 2:
@@ -103,9 +105,11 @@ class _Assembly:
         self.blocks, self.nodes, self.rims, self.motions = [], NodeList(), {}, {}
         self.beds = []
         self.bed = dict(
-            jkn_pa_m=w3["jkn_pa_m"], jks_pa_m=w3["jks_pa_m"],
-            beta_s=w3["joint_beta_s"], friction_rad=math.radians(w3["friction_deg"]),
-        )  # fmt: skip
+            jkn_pa_m=w3["jkn_pa_m"],
+            jks_pa_m=w3["jks_pa_m"],
+            beta_s=w3["joint_beta_s"],
+            friction_rad=math.radians(w3["friction_deg"]),
+        )
 
     def scene(self):
         """Assemble everything."""
@@ -114,14 +118,22 @@ class _Assembly:
             self._wall(f"wall {wall}" if self.walls > 1 else "wall", x)
         debris = [b.name for b in self.blocks if " header " in b.name]
         notes = {
-            "rims": self.rims, "debris": debris, "motions": self.motions,
-            "bed_joints": self.beds, "walls": self.walls,
-        }  # fmt: skip
+            "rims": self.rims,
+            "debris": debris,
+            "motions": self.motions,
+            "bed_joints": self.beds,
+            "walls": self.walls,
+        }
         return Scene(
-            self.blocks, self.nodes.joints, self.nodes.done(), monitor=FACADE,
-            monitor_point_m=(0.0, 0.5 * self.b, self.h), reference=BASE, thickness_m=self.b,
+            self.blocks,
+            self.nodes.joints,
+            self.nodes.done(),
+            monitor=FACADE,
+            monitor_point_m=(0.0, 0.5 * self.b, self.h),
+            reference=BASE,
+            thickness_m=self.b,
             notes=notes,
-        )  # fmt: skip
+        )
 
     def _facade(self):
         """Ground, façade and the base joint between them."""
@@ -131,18 +143,39 @@ class _Assembly:
         jkn, _ = joint_stiffness(self.config)
         settlement = mass * GRAVITY_M_S2 / (jkn * self.b * self.width)
         self.blocks += [
-            Block(BASE, (0.0, 0.5 * self.b, -0.5), (2 * self.width, 4 * self.h, 1.0), 1.0,
-                  (1.0, 1.0, 1.0), free="", motion=GROUND),
-            Block(FACADE, (0.0, 0.5 * self.b, 0.5 * self.h), size, mass, box_inertia(mass, size),
-                  free="yzX", displacement_m=(0.0, 0.0, -settlement)),
-        ]  # fmt: skip
+            Block(
+                BASE,
+                (0.0, 0.5 * self.b, -0.5),
+                (2 * self.width, 4 * self.h, 1.0),
+                1.0,
+                (1.0, 1.0, 1.0),
+                free="",
+                motion=GROUND,
+            ),
+            Block(
+                FACADE,
+                (0.0, 0.5 * self.b, 0.5 * self.h),
+                size,
+                mass,
+                box_inertia(mass, size),
+                free="yzX",
+                displacement_m=(0.0, 0.0, -settlement),
+            ),
+        ]
         points, weights = gauss_lobatto(self.config["numerics"]["nodes_thickness"])
         line = np.stack([0 * points, points * self.b, 0 * points], axis=1)
         self.nodes.add_joint(
-            BASE, 1, 0, line, UP, weights * self.b * self.width, jkn,
-            facade["shear_stiffness_ratio"] * jkn, beta_s=self.beta,
+            BASE,
+            1,
+            0,
+            line,
+            UP,
+            weights * self.b * self.width,
+            jkn,
+            facade["shear_stiffness_ratio"] * jkn,
+            beta_s=self.beta,
             friction_rad=math.radians(facade["friction_deg"]),
-        )  # fmt: skip
+        )
 
     def _wall(self, wall, x):
         """One return wall: bricks, headers, and their joints from the bottom up."""
@@ -162,8 +195,11 @@ class _Assembly:
             rear = self.length - self.v
             place = [(x, y, course * self.course) for y in (-self.v, -self.length)]
             name = f"{wall} half brick {course}"
-            soft = {**self.bed, "jkn_pa_m": 0.5 * self.bed["jkn_pa_m"],
-                    "jks_pa_m": 0.5 * self.bed["jks_pa_m"]}  # fmt: skip
+            soft = {
+                **self.bed,
+                "jkn_pa_m": 0.5 * self.bed["jkn_pa_m"],
+                "jks_pa_m": 0.5 * self.bed["jks_pa_m"],
+            }
             self.nodes.add_joint(name, brick, above, place, DOWN, 0.5 * self.t * rear, **soft)
             self.rims[name] = self._brick_rim()
             brick = above
@@ -187,9 +223,16 @@ class _Assembly:
             inertia += np.array(own) + m * np.array([dy**2 + dz**2, dz**2, dy**2])
         motion = self._motion(parts[0][2])
         self.blocks.append(
-            Block(f"{wall} brick {course}", tuple(centre), (self.t, self.length, self.course),
-                  float(masses.sum()), tuple(inertia), free="zX", motion=motion)
-        )  # fmt: skip
+            Block(
+                f"{wall} brick {course}",
+                tuple(centre),
+                (self.t, self.length, self.course),
+                float(masses.sum()),
+                tuple(inertia),
+                free="zX",
+                motion=motion,
+            )
+        )
         return len(self.blocks) - 1
 
     def _motion(self, z):
@@ -211,36 +254,61 @@ class _Assembly:
         size = (self.t, self.v, self.course)
         mass = self.density * self.t * self.v * self.course
         self.blocks.append(
-            Block(f"{wall} header {course}", (x, -0.5 * self.v, middle), size, mass,
-                  box_inertia(mass, size), free="yzX")
-        )  # fmt: skip
+            Block(
+                f"{wall} header {course}",
+                (x, -0.5 * self.v, middle),
+                size,
+                mass,
+                box_inertia(mass, size),
+                free="yzX",
+            )
+        )
         header, area = len(self.blocks) - 1, self.t * self.course
         name = f"{wall} header joint {course}"
-        stiffness = dict(jkn_pa_m=w3["jkn_pa_m"], jks_pa_m=w3["jks_pa_m"],
-                         beta_s=w3["joint_beta_s"])  # fmt: skip
+        stiffness = dict(
+            jkn_pa_m=w3["jkn_pa_m"], jks_pa_m=w3["jks_pa_m"], beta_s=w3["joint_beta_s"]
+        )
         pair = [(x, 0.0, middle - GAUSS * self.course), (x, 0.0, middle + GAUSS * self.course)]
         if course <= w3["lower_courses"]:
             # a plane through the joint along which façade and header part as it rises
             slope = math.radians(w3["lower_inclination_deg"])
             self.nodes.add_joint(
-                name, header, 1, pair, (0.0, -math.cos(slope), -math.sin(slope)), 0.5 * area,
+                name,
+                header,
+                1,
+                pair,
+                (0.0, -math.cos(slope), -math.sin(slope)),
+                0.5 * area,
                 friction_rad=math.radians(w3["friction_deg"]),
                 tension_pa=w3["lower_tension_mpa"] * 1e6,
-                cohesion_pa=w3["lower_cohesion_mpa"] * 1e6, **stiffness,
-            )  # fmt: skip
+                cohesion_pa=w3["lower_cohesion_mpa"] * 1e6,
+                **stiffness,
+            )
         elif rule == "bonded":
             self.nodes.add_joint(
-                name, header, 1, pair, BACK, 0.5 * area,
+                name,
+                header,
+                1,
+                pair,
+                BACK,
+                0.5 * area,
                 friction_rad=math.radians(w3["friction_deg"]),
                 tension_pa=w3["header_tension_mpa"] * 1e6,
-                cohesion_pa=w3["header_cohesion_mpa"] * 1e6, **stiffness,
-            )  # fmt: skip
+                cohesion_pa=w3["header_cohesion_mpa"] * 1e6,
+                **stiffness,
+            )
         else:
             tied = pair if rule == "sliding" else [(x, 0.0, middle)]
             self.nodes.add_joint(
-                name, header, 1, tied, BACK, area / len(tied),
-                tension_pa=w3["header_tension_mpa"] * 1e6, **stiffness,
-            )  # fmt: skip
+                name,
+                header,
+                1,
+                tied,
+                BACK,
+                area / len(tied),
+                tension_pa=w3["header_tension_mpa"] * 1e6,
+                **stiffness,
+            )
         return header
 
     def _brick_rim(self):
@@ -264,7 +332,14 @@ class _Assembly:
         bottom = (course - 1) * self.course
         place = [(x, 0.0, bottom), (x, 0.0, bottom + self.course)]
         self.nodes.add_joint(
-            f"{wall} back {course}", brick, 1, place, BACK, 0.5 * self.t * self.course,
-            self.w3["jkn_pa_m"], self.w3["jks_pa_m"], beta_s=self.beta,
+            f"{wall} back {course}",
+            brick,
+            1,
+            place,
+            BACK,
+            0.5 * self.t * self.course,
+            self.w3["jkn_pa_m"],
+            self.w3["jks_pa_m"],
+            beta_s=self.beta,
             friction_rad=math.radians(self.config["return_wall"]["friction_deg"]),
-        )  # fmt: skip
+        )

@@ -13,9 +13,20 @@ from pathlib import Path
 
 # what a run's numbers depend on; a change in any of these files makes old rows stale
 PHYSICS = (
-    "quadrature", "scene", "stiffness", "facade", "interlocking", "models", "faces", "bonds",
-    "motion", "engine", "simulate", "ledger", "run_ida",
-)  # fmt: skip
+    "quadrature",
+    "scene",
+    "stiffness",
+    "facade",
+    "interlocking",
+    "models",
+    "faces",
+    "bonds",
+    "motion",
+    "engine",
+    "simulate",
+    "ledger",
+    "run_ida",
+)
 
 
 def source_digest(modules=PHYSICS):

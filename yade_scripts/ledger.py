@@ -62,8 +62,13 @@ class EnergyLedger:
         for index, block in enumerate(scene.blocks):
             if block.free:
                 body = built.body[index]
-                own = (omega.bodies[body].state, block.mass_kg, block.inertia_kg_m2,
-                       block.mass_kg * scene.gravity_m_s2, block.centre_m[2])  # fmt: skip
+                own = (
+                    omega.bodies[body].state,
+                    block.mass_kg,
+                    block.inertia_kg_m2,
+                    block.mass_kg * scene.gravity_m_s2,
+                    block.centre_m[2],
+                )
                 if block.motion:
                     self.guided.append((body, *own))
                 else:

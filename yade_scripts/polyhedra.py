@@ -47,8 +47,9 @@ def run(scene, motion, dt_s, limit_s, *, sample_s=0.005, damping=0.2):
     nodes = scene.nodes
     base = nodes.joint == 0
     jkn = float(nodes.kn_n_m[base].sum() / nodes.area_m2[base].sum())
-    material = w.PolyhedraMat(density=1.0, young=jkn, poisson=1.0,
-                              frictionAngle=float(nodes.friction_rad[0]))  # fmt: skip
+    material = w.PolyhedraMat(
+        density=1.0, young=jkn, poisson=1.0, frictionAngle=float(nodes.friction_rad[0])
+    )
     omega.materials.append(material)
 
     def brick(size, centre, fixed):
@@ -98,11 +99,13 @@ def run(scene, motion, dt_s, limit_s, *, sample_s=0.005, damping=0.2):
         w.InterpolatingDirectedForceEngine(
             times=[float(t) for t in motion.time_s],
             magnitudes=[float(heavy * a) for a in motion.acceleration_m_s2],
-            direction=(0, 1, 0), ids=[s.id for s in supports], wrap=False,
+            direction=(0, 1, 0),
+            ids=[s.id for s in supports],
+            wrap=False,
         ),
         w.NewtonIntegrator(damping=damping, gravity=(0, 0, -scene.gravity_m_s2)),
         w.PyRunner(command="_polyhedra_sample()", iterPeriod=max(1, round(sample_s / dt_s))),
-    ]  # fmt: skip
+    ]
     omega.dt = dt_s
     began = time.perf_counter()
     omega.run(int(np.ceil(limit_s / dt_s)), True)

@@ -30,18 +30,43 @@ from yade_scripts import engine, facade, polyhedra, run_ida, simulate
 from yade_scripts.journal import write_atomic
 from yade_scripts.motion import amplitude
 
-COLUMNS = ("case", "model", "record", "direction", "pga_g", "method", "nodes", "factor", "dt_s",
-           "dt_over_dt_crit", "d_over_b", "status", "steps", "simulated_s", "wall_s")  # fmt: skip
-METHODS = ("default", "nodes and step", "lag not compensated", "python drive", "full 3D",
-           "Polyhedra")  # fmt: skip
+COLUMNS = (
+    "case",
+    "model",
+    "record",
+    "direction",
+    "pga_g",
+    "method",
+    "nodes",
+    "factor",
+    "dt_s",
+    "dt_over_dt_crit",
+    "d_over_b",
+    "status",
+    "steps",
+    "simulated_s",
+    "wall_s",
+)
+METHODS = (
+    "default",
+    "nodes and step",
+    "lag not compensated",
+    "python drive",
+    "full 3D",
+    "Polyhedra",
+)
 
 
 def with_nodes(job, nodes):
     """Copy of a scene file with n nodes a return wall, 2n − 1 at the base; None: its own."""
     if nodes is None:
         return job
-    numerics = {**job["numerics"], "nodes_thickness": 2 * nodes - 1, "nodes_height": nodes,
-                "nodes_per_block": nodes}  # fmt: skip
+    numerics = {
+        **job["numerics"],
+        "nodes_thickness": 2 * nodes - 1,
+        "nodes_height": nodes,
+        "nodes_per_block": nodes,
+    }
     return {**job, "numerics": numerics}
 
 
@@ -107,12 +132,16 @@ def run_case(job, time_s, columns, spec):
     if method == "Polyhedra":
         return _polyhedra(scene, motions[facade.GROUND], step), step / critical
     history = simulate.run(
-        scene, motions, step, run_ida.stop_rules(scene, numerics, time_s, motions),
-        sample_s=numerics["sample_interval_s"], node_radius_m=numerics["node_radius_m"],
+        scene,
+        motions,
+        step,
+        run_ida.stop_rules(scene, numerics, time_s, motions),
+        sample_s=numerics["sample_interval_s"],
+        node_radius_m=numerics["node_radius_m"],
         full_rotation=method == "full 3D",
         compensate_lag=method != "lag not compensated",
         setup=drive_from_python(motions) if method == "python drive" else None,
-    )  # fmt: skip
+    )
     return history, step / critical
 
 
@@ -135,12 +164,17 @@ def as_row(spec, nodes, history, ratio):
     """Row of one run; `nodes` along an edge of the return walls' contact."""
     return {
         **{k: spec[k] for k in ("case", "model", "record", "direction", "method")},
-        "pga_g": f"{spec['pga_g']:.4f}", "nodes": str(nodes), "factor": f"{spec['factor']:.9g}",
-        "dt_s": f"{history.dt_s:.6e}", "dt_over_dt_crit": f"{ratio:.5g}",
-        "d_over_b": f"{history.peak_d_over_b:.6f}", "status": history.status,
-        "steps": str(history.steps), "simulated_s": f"{history.time_s[-1]:.3f}",
+        "pga_g": f"{spec['pga_g']:.4f}",
+        "nodes": str(nodes),
+        "factor": f"{spec['factor']:.9g}",
+        "dt_s": f"{history.dt_s:.6e}",
+        "dt_over_dt_crit": f"{ratio:.5g}",
+        "d_over_b": f"{history.peak_d_over_b:.6f}",
+        "status": history.status,
+        "steps": str(history.steps),
+        "simulated_s": f"{history.time_s[-1]:.3f}",
         "wall_s": f"{history.wall_s:.3f}",
-    }  # fmt: skip
+    }
 
 
 def main(argv=None):

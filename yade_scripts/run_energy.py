@@ -57,10 +57,14 @@ def balanced_run(job, time_s, columns, factor):
     step, _ = simulate.choose_step(scene, numerics)
     books = balance.EnergyBalance(scene, numerics["sample_interval_s"])
     history = simulate.run(
-        scene, motions, step, run_ida.stop_rules(scene, numerics, time_s, motions),
-        sample_s=numerics["sample_interval_s"], node_radius_m=numerics["node_radius_m"],
+        scene,
+        motions,
+        step,
+        run_ida.stop_rules(scene, numerics, time_s, motions),
+        sample_s=numerics["sample_interval_s"],
+        node_radius_m=numerics["node_radius_m"],
         setup=books.attach,
-    )  # fmt: skip
+    )
     return history, books, balance.overturning_energy(scene)
 
 
@@ -78,9 +82,12 @@ def main(argv=None):
     """Parse the command line, run, write the history; return the exit status."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     for name, text in (
-        ("scene", "scene file (JSON)"), ("motion", "floor motions (CSV)"), ("record", "name"),
-        ("curve", "finished IDA table (CSV)"), ("output", "history to write (CSV)"),
-    ):  # fmt: skip
+        ("scene", "scene file (JSON)"),
+        ("motion", "floor motions (CSV)"),
+        ("record", "name"),
+        ("curve", "finished IDA table (CSV)"),
+        ("output", "history to write (CSV)"),
+    ):
         parser.add_argument(f"--{name}", required=True, help=text)
     parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
     parser.add_argument("--share", required=True, type=float, help="of the collapse intensity")
@@ -97,8 +104,15 @@ def main(argv=None):
     except (ValueError, OSError, engine.EngineError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
-    facts = (job["model"], args.record, args.direction, f"{pga_g:.4f}", history.status,
-             f"{history.dt_s:.6e}", f"{overturning_j:.6g}")  # fmt: skip
+    facts = (
+        job["model"],
+        args.record,
+        args.direction,
+        f"{pga_g:.4f}",
+        history.status,
+        f"{history.dt_s:.6e}",
+        f"{overturning_j:.6g}",
+    )
     write_atomic(args.output, to_csv(facts, books.rows))
     return 0
 

@@ -25,13 +25,30 @@ from yade_scripts.motion import SIGNS, amplitude
 from yade_scripts.scene import to_json
 
 COLUMNS = (
-    "model", "record", "direction", "pga_g", "member", "amplitude_factor", "d_over_b",
-    "collapsed", "status", "dt_s", "steps", "wall_s",
-)  # fmt: skip
+    "model",
+    "record",
+    "direction",
+    "pga_g",
+    "member",
+    "amplitude_factor",
+    "d_over_b",
+    "collapsed",
+    "status",
+    "dt_s",
+    "steps",
+    "wall_s",
+)
 SENSITIVITY_COLUMNS = (
-    "model", "record", "direction", "pga_g", "perturbation", "d_over_b", "d_over_b_perturbed",
-    "change", "repeats",
-)  # fmt: skip
+    "model",
+    "record",
+    "direction",
+    "pga_g",
+    "perturbation",
+    "d_over_b",
+    "d_over_b_perturbed",
+    "change",
+    "repeats",
+)
 
 
 def read_curve(path):
@@ -75,8 +92,9 @@ class Runner:
             self.columns = models.motion_columns(scene, self.columns)
             motion = b"".join(self.columns[n].tobytes() for n in scene.motions)
             self.scenes[extra_nodes] = (
-                scene, run_key(to_json(scene), motion + self.time_s.tobytes(), self.digest)
-            )  # fmt: skip
+                scene,
+                run_key(to_json(scene), motion + self.time_s.tobytes(), self.digest),
+            )
         return self.scenes[extra_nodes]
 
     def run(self, pga_g, member):
@@ -97,9 +115,10 @@ class Runner:
             self.reused += 1
         self.count += 1
         return {
-            **row, "member": str(member.number),
+            **row,
+            "member": str(member.number),
             "amplitude_factor": f"{member.amplitude_factor:.9f}",
-        }  # fmt: skip
+        }
 
 
 def measure_sensitivity(runner, status, d_over_b, settings):
@@ -117,13 +136,19 @@ def measure_sensitivity(runner, status, d_over_b, settings):
         row = runner.run(g, perturb.Member(0, 1.0 + size))
         value = float(row["d_over_b"] or "nan")
         changes[g] = perturb.sensitivity(d_over_b[g], value)
-        rows.append({
-            "model": row["model"], "record": row["record"], "direction": row["direction"],
-            "pga_g": row["pga_g"], "perturbation": f"{size:.3g}",
-            "d_over_b": f"{d_over_b[g]:.6f}", "d_over_b_perturbed": f"{value:.6f}",
-            "change": f"{changes[g]:.3e}",
-            "repeats": str(int(changes[g] <= settings["sensitivity_threshold"])),
-        })  # fmt: skip
+        rows.append(
+            {
+                "model": row["model"],
+                "record": row["record"],
+                "direction": row["direction"],
+                "pga_g": row["pga_g"],
+                "perturbation": f"{size:.3g}",
+                "d_over_b": f"{d_over_b[g]:.6f}",
+                "d_over_b_perturbed": f"{value:.6f}",
+                "change": f"{changes[g]:.3e}",
+                "repeats": str(int(changes[g] <= settings["sensitivity_threshold"])),
+            }
+        )
     worst = max(changes.values(), default=float("nan"))
     runner.say(f"sensitivity at {len(changes)} intensities: at most {worst:.2g}")
     return changes, rows
@@ -180,11 +205,14 @@ def main(argv=None):
     """Parse the command line, run the ensemble, write the tables; return the exit status."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     for name, text in (
-        ("scene", "scene file (JSON)"), ("motion", "floor motions (CSV)"), ("record", "name"),
-        ("curve", "finished IDA table (CSV)"), ("journal", "finished runs (JSON lines)"),
+        ("scene", "scene file (JSON)"),
+        ("motion", "floor motions (CSV)"),
+        ("record", "name"),
+        ("curve", "finished IDA table (CSV)"),
+        ("journal", "finished runs (JSON lines)"),
         ("output", "ensemble table to write (CSV)"),
         ("sensitivity", "sensitivity table to write (CSV)"),
-    ):  # fmt: skip
+    ):
         parser.add_argument(f"--{name}", required=True, help=text)
     parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
     args = parser.parse_args(argv)
@@ -192,15 +220,17 @@ def main(argv=None):
     job = json.loads(Path(args.scene).read_text())
 
     def say(text):
-        print(f"[{job['model']} {args.record} {args.direction}] {text}", file=sys.stderr,
-              flush=True)  # fmt: skip
+        print(
+            f"[{job['model']} {args.record} {args.direction}] {text}", file=sys.stderr, flush=True
+        )
 
     try:
         time_s, columns = run_ida.read_motion(args.motion)
         status, d_over_b = read_curve(args.curve)
         engine.load_yade()
-        runner = Runner(job, time_s, columns, args.record, args.direction,
-                        Journal(args.journal), say)  # fmt: skip
+        runner = Runner(
+            job, time_s, columns, args.record, args.direction, Journal(args.journal), say
+        )
         rows, sensitivity_rows = analyse(runner, status, d_over_b)
     except (ValueError, OSError, engine.EngineError) as error:
         print(f"error: {error}", file=sys.stderr)

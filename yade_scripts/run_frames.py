@@ -111,19 +111,32 @@ def film(job, time_s, columns, direction, pga_g, interval_s, fall, until_s):
     step, _ = simulate.choose_step(scene, numerics)
     camera = Camera(scene)
     history = simulate.run(
-        scene, motions, step, rules, sample_s=min(interval_s, numerics["sample_interval_s"]),
-        node_radius_m=numerics["node_radius_m"], setup=camera.attach(interval_s),
-    )  # fmt: skip
+        scene,
+        motions,
+        step,
+        rules,
+        sample_s=min(interval_s, numerics["sample_interval_s"]),
+        node_radius_m=numerics["node_radius_m"],
+        setup=camera.attach(interval_s),
+    )
     blocks = [
-        {"name": b.name, "centre_m": list(map(float, b.centre_m)),
-         "size_m": list(map(float, b.size_m)), "free": b.free}
+        {
+            "name": b.name,
+            "centre_m": list(map(float, b.centre_m)),
+            "size_m": list(map(float, b.size_m)),
+            "free": b.free,
+        }
         for b in scene.blocks
-    ]  # fmt: skip
+    ]
     d = np.interp(camera.times, history.time_s, history.d_m) / scene.thickness_m
     return {
-        "time_s": camera.times, "moved": camera.rows, "blocks": blocks,
-        "d_over_b": np.round(d, 6).tolist(), "status": history.status, "pga_g": pga_g,
-    }  # fmt: skip
+        "time_s": camera.times,
+        "moved": camera.rows,
+        "blocks": blocks,
+        "d_over_b": np.round(d, 6).tolist(),
+        "status": history.status,
+        "pga_g": pga_g,
+    }
 
 
 def main(argv=None):
@@ -147,8 +160,9 @@ def main(argv=None):
         job = json.loads(Path(args.scene).read_text())
         time_s, columns = run_ida.read_motion(args.motion)
         engine.load_yade()
-        frames = film(job, time_s, columns, args.direction, pga_g, args.interval, args.fall,
-                      args.until)  # fmt: skip
+        frames = film(
+            job, time_s, columns, args.direction, pga_g, args.interval, args.fall, args.until
+        )
     except (ValueError, OSError, engine.EngineError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

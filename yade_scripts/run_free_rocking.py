@@ -96,9 +96,13 @@ def free_rocking(config, model, beta_s, release_ratio, limit_s, samples=SAMPLES)
     )
     quiet = {facade.GROUND: engine.Motion(np.array([0.0, limit_s + 1.0]), np.zeros(2))}
     return simulate.run(
-        scene, quiet, step, rules, sample_s=limit_s / samples,
+        scene,
+        quiet,
+        step,
+        rules,
+        sample_s=limit_s / samples,
         node_radius_m=config["numerics"].get("node_radius_m", 1e-3),
-    )  # fmt: skip
+    )
 
 
 def run_cases(cases, say):
@@ -119,13 +123,21 @@ def run_cases(cases, say):
             history = free_rocking(
                 case["config"], case["model"], beta, case["release_ratio"], case["limit_s"]
             )
-            runs.append({
-                "id": case["id"], "beta_s": beta, "status": history.status,
-                "reason": history.reason, "dt_s": history.dt_s, "steps": history.steps,
-            })  # fmt: skip
+            runs.append(
+                {
+                    "id": case["id"],
+                    "beta_s": beta,
+                    "status": history.status,
+                    "reason": history.reason,
+                    "dt_s": history.dt_s,
+                    "steps": history.steps,
+                }
+            )
             histories.append((history.time_s, history.rotation_rad / alpha))
-        say(f"wall {number} of {len(cases)}: {case['id']}, {len(case['beta_s'])} β "
-            f"({time.perf_counter() - began:.1f} s)")  # fmt: skip
+        say(
+            f"wall {number} of {len(cases)}: {case['id']}, {len(case['beta_s'])} β "
+            f"({time.perf_counter() - began:.1f} s)"
+        )
     return runs, histories
 
 

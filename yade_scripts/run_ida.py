@@ -27,9 +27,17 @@ from yade_scripts.scene import to_json
 
 RETRY_SAMPLING = 0.1  # of the sampling interval, for a run tried once more
 COLUMNS = (
-    "model", "record", "direction", "pga_g", "d_over_b", "collapsed", "status", "dt_s",
-    "steps", "wall_s",
-)  # fmt: skip
+    "model",
+    "record",
+    "direction",
+    "pga_g",
+    "d_over_b",
+    "collapsed",
+    "status",
+    "dt_s",
+    "steps",
+    "wall_s",
+)
 
 
 def read_motion(path):
@@ -135,9 +143,14 @@ def _attempt(scene, motions, step, rules, numerics):
     """One run with the energy ledger beside it: energy from nowhere is never a collapse."""
     check = ledger.EnergyLedger(scene, motions)
     history = simulate.run(
-        scene, motions, step, rules, sample_s=numerics["sample_interval_s"],
-        node_radius_m=numerics["node_radius_m"], check=check,
-    )  # fmt: skip
+        scene,
+        motions,
+        step,
+        rules,
+        sample_s=numerics["sample_interval_s"],
+        node_radius_m=numerics["node_radius_m"],
+        check=check,
+    )
     if check.reason and history.status != simulate.FAILED:
         history.status, history.reason = simulate.FAILED, check.reason
         history.peak_d_over_b = math.nan
@@ -148,12 +161,17 @@ def as_row(model, record, direction, pga_g, history):
     """Return the contract's row of one run; d/b stays blank where the run failed."""
     failed = history.status == simulate.FAILED
     return {
-        "model": model, "record": record, "direction": direction, "pga_g": f"{pga_g:.4f}",
+        "model": model,
+        "record": record,
+        "direction": direction,
+        "pga_g": f"{pga_g:.4f}",
         "d_over_b": "" if failed else f"{min(history.peak_d_over_b, 1.0):.6f}",
         "collapsed": "" if failed else str(int(history.status == simulate.OVERTURNED)),
-        "status": history.status, "dt_s": f"{history.dt_s:.6e}", "steps": str(history.steps),
+        "status": history.status,
+        "dt_s": f"{history.dt_s:.6e}",
+        "steps": str(history.steps),
         "wall_s": f"{history.wall_s:.3f}",
-    }  # fmt: skip
+    }
 
 
 def to_csv(rows):
@@ -203,8 +221,10 @@ def analyse(job, time_s, columns, record, direction, journal, say, renew=None):
             row = as_row(model, record, direction, pga_g, history)
             journal.put(key, row, history.reason)
             outcome = f"d/b {row['d_over_b'][:5]}" if row["d_over_b"] else history.reason
-            say(f"run {len(rows) + 1}: {pga_g:.3f} g {row['status']}, {outcome} "
-                f"({history.wall_s:.1f} s)")  # fmt: skip
+            say(
+                f"run {len(rows) + 1}: {pga_g:.3f} g {row['status']}, {outcome} "
+                f"({history.wall_s:.1f} s)"
+            )
             if renew is not None and ceiling.reached():
                 renew()
         else:
@@ -234,16 +254,25 @@ def main(argv=None):
         return 1
 
     def say(text):
-        print(f"[{job['model']} {args.record} {args.direction}] {text}", file=sys.stderr,
-              flush=True)  # fmt: skip
+        print(
+            f"[{job['model']} {args.record} {args.direction}] {text}", file=sys.stderr, flush=True
+        )
 
     try:
         time_s, columns = read_motion(args.motion)
         if not math.isfinite(job["beta_s"]):
             raise ValueError(f"{args.scene}: beta_s must be finite")
         engine.load_yade()
-        rows = analyse(job, time_s, columns, args.record, args.direction,
-                       Journal(args.journal), say, memory.start_afresh)  # fmt: skip
+        rows = analyse(
+            job,
+            time_s,
+            columns,
+            args.record,
+            args.direction,
+            Journal(args.journal),
+            say,
+            memory.start_afresh,
+        )
         write_atomic(args.output, to_csv(rows))
     except (ValueError, OSError, engine.EngineError) as error:
         print(f"error: {error}", file=sys.stderr)

@@ -60,8 +60,9 @@ def push_motion(speed_m_s, travel_m, start=0.005, growth_s=0.8):
     edge = 1e-6 * np.diff(time_s)
     slope = np.diff(speed) / np.diff(time_s)
     knots = np.stack([time_s[:-1] + edge, time_s[1:]], axis=1).ravel()
-    return engine.Motion(np.concatenate(([0.0], knots)),
-                         np.concatenate(([slope[0]], np.repeat(slope, 2))))  # fmt: skip
+    return engine.Motion(
+        np.concatenate(([0.0], knots)), np.concatenate(([slope[0]], np.repeat(slope, 2)))
+    )
 
 
 def contact_table(scene, built):
@@ -168,9 +169,16 @@ def forces_csv(scene, forces):
         for i in range(len(nodes)):
             z = nodes.position_m[i, 2]
             writer.writerow(
-                [f"{d:.6f}", scene.joints[nodes.joint[i]], i, f"{z:.6g}",
-                 f"{-z * np.sin(turn):.6g}", f"{normal[i]:.6g}", f"{shear[i]:.6g}"]
-            )  # fmt: skip
+                [
+                    f"{d:.6f}",
+                    scene.joints[nodes.joint[i]],
+                    i,
+                    f"{z:.6g}",
+                    f"{-z * np.sin(turn):.6g}",
+                    f"{normal[i]:.6g}",
+                    f"{shear[i]:.6g}",
+                ]
+            )
     return text.getvalue()
 
 
@@ -186,10 +194,13 @@ def main(argv=None):
         scene, settings = models.build_scene(job), job["pushover"]
         engine.load_yade()
         curve, forces, broken = push(
-            scene, models.numerics(job), speed_m_s=settings["speed_m_s"],
-            reach=settings["reach_d_over_b"], samples=settings["samples"],
+            scene,
+            models.numerics(job),
+            speed_m_s=settings["speed_m_s"],
+            reach=settings["reach_d_over_b"],
+            samples=settings["samples"],
             force_samples=settings["force_samples"] if args.forces else 0,
-        )  # fmt: skip
+        )
     except (ValueError, OSError, engine.EngineError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
@@ -197,8 +208,11 @@ def main(argv=None):
     write_atomic(args.output, ",".join(COLUMNS) + "\n" + rows)
     if args.forces:
         write_atomic(args.forces, forces_csv(scene, forces))
-    print(f"[{job['model']}] pushover: peak λ = {curve[:, 1].max():.4f}, "
-          f"{len(broken)} bonded nodes broke", file=sys.stderr)  # fmt: skip
+    print(
+        f"[{job['model']}] pushover: peak λ = {curve[:, 1].max():.4f}, "
+        f"{len(broken)} bonded nodes broke",
+        file=sys.stderr,
+    )
     return 0
 
 

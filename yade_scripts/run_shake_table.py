@@ -70,11 +70,16 @@ def run_test(test):
 def pack(tests, histories):
     """Bytes of the NumPy archive: `runs` (JSON), `length`, `time_s`, `d_m`."""
     runs = [
-        {"id": test["id"], "status": h.status, "reason": h.reason,
-         "peak_d_over_b": None if h.status == "failed" else h.peak_d_over_b,
-         "dt_s": h.dt_s, "steps": h.steps}
+        {
+            "id": test["id"],
+            "status": h.status,
+            "reason": h.reason,
+            "peak_d_over_b": None if h.status == "failed" else h.peak_d_over_b,
+            "dt_s": h.dt_s,
+            "steps": h.steps,
+        }
         for test, h in zip(tests, histories, strict=True)
-    ]  # fmt: skip
+    ]
     text = io.BytesIO()
     np.savez_compressed(
         text,
@@ -99,8 +104,12 @@ def main(argv=None):
         for number, test in enumerate(tests, 1):
             history = run_test(test)
             histories.append(history)
-            print(f"[shake table] test {number} of {len(tests)}: {test['id']}, {history.status} "
-                  f"({history.wall_s:.1f} s)", file=sys.stderr, flush=True)  # fmt: skip
+            print(
+                f"[shake table] test {number} of {len(tests)}: {test['id']}, {history.status} "
+                f"({history.wall_s:.1f} s)",
+                file=sys.stderr,
+                flush=True,
+            )
     except (ValueError, OSError, engine.EngineError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

@@ -29,18 +29,40 @@ from yade_scripts.quadrature import gauss_lobatto
 from yade_scripts.scene import Block, NodeList, Scene, box_inertia
 from yade_scripts.stiffness import assemble, critical_step
 
-COLUMNS = ("scene", "stiffness_factor", "beta_s", "dt_s", "dt_over_dt_crit", "stable_predicted",
-           "stable_observed", "growth")  # fmt: skip
-LIMIT_COLUMNS = ("scene", "stiffness_factor", "beta_s", "dt_crit_predicted_s",
-                 "dt_crit_observed_s", "ratio")  # fmt: skip
+COLUMNS = (
+    "scene",
+    "stiffness_factor",
+    "beta_s",
+    "dt_s",
+    "dt_over_dt_crit",
+    "stable_predicted",
+    "stable_observed",
+    "growth",
+)
+LIMIT_COLUMNS = (
+    "scene",
+    "stiffness_factor",
+    "beta_s",
+    "dt_crit_predicted_s",
+    "dt_crit_observed_s",
+    "ratio",
+)
 SCENES = ("W1", "W2", "stack")
 BETA_FACTORS = (0.0, 0.3, 1.0, 3.0, 10.0)
 STIFFNESS_FACTORS = (10**-1.5, 10**-0.75, 1.0, 10**0.75, 10**1.5)
 UNSTABLE_GROWTH = 100.0  # undamped stable cases stay below 10, unstable ones pass 1000
 
 
-def stack_scene(count, beta_s, *, size_m=(1.0, 0.4, 0.3), density_kg_m3=1800.0, jkn_pa_m=1e9,
-                ratio=0.33, nodes=3):  # fmt: skip
+def stack_scene(
+    count,
+    beta_s,
+    *,
+    size_m=(1.0, 0.4, 0.3),
+    density_kg_m3=1800.0,
+    jkn_pa_m=1e9,
+    ratio=0.33,
+    nodes=3,
+):
     """Stack of equal blocks on a support, planar: a scene with many interfaces in series.
 
     Parameters
@@ -60,30 +82,63 @@ def stack_scene(count, beta_s, *, size_m=(1.0, 0.4, 0.3), density_kg_m3=1800.0, 
     """
     lx, ly, lz = size_m
     mass = density_kg_m3 * lx * ly * lz
-    blocks = [Block("base", (0.0, 0.5 * ly, -0.5), (2.0, 2.0, 1.0), 1.0, (1.0,) * 3, free="",
-                    motion=facade.GROUND)]  # fmt: skip
+    blocks = [
+        Block(
+            "base",
+            (0.0, 0.5 * ly, -0.5),
+            (2.0, 2.0, 1.0),
+            1.0,
+            (1.0,) * 3,
+            free="",
+            motion=facade.GROUND,
+        )
+    ]
     listed = NodeList()
     points, weights = gauss_lobatto(nodes)
     for i in range(count):
-        blocks.append(Block(f"block {i + 1}", (0.0, 0.5 * ly, (i + 0.5) * lz), size_m, mass,
-                            box_inertia(mass, size_m), free="yzX"))  # fmt: skip
+        blocks.append(
+            Block(
+                f"block {i + 1}",
+                (0.0, 0.5 * ly, (i + 0.5) * lz),
+                size_m,
+                mass,
+                box_inertia(mass, size_m),
+                free="yzX",
+            )
+        )
         line = np.stack([0 * points, points * ly, 0 * points + i * lz], axis=1)
         listed.add_joint(
-            f"joint {i + 1}", i + 1, i, line, (0, 0, 1), weights * lx * ly, jkn_pa_m,
-            ratio * jkn_pa_m, beta_s=beta_s, friction_rad=math.radians(60),
-        )  # fmt: skip
+            f"joint {i + 1}",
+            i + 1,
+            i,
+            line,
+            (0, 0, 1),
+            weights * lx * ly,
+            jkn_pa_m,
+            ratio * jkn_pa_m,
+            beta_s=beta_s,
+            friction_rad=math.radians(60),
+        )
     return Scene(
-        blocks, listed.joints, listed.done(), monitor=f"block {count}",
-        monitor_point_m=(0.0, 0.5 * ly, count * lz), reference="base", thickness_m=ly,
-    )  # fmt: skip
+        blocks,
+        listed.joints,
+        listed.done(),
+        monitor=f"block {count}",
+        monitor_point_m=(0.0, 0.5 * ly, count * lz),
+        reference="base",
+        thickness_m=ly,
+    )
 
 
 def scene_of(job, name, stiffness_factor, beta_s):
     """Scene of the map: a façade model or the stack of ten, with scaled joint stiffness."""
     if name == "stack":
         return stack_scene(10, beta_s, jkn_pa_m=1e9 * stiffness_factor)
-    scaled = {**job, "facade": {**job["facade"], "friction_deg": 80.0, "gap_m": 0.0},
-              "return_wall": {**job["return_wall"], "friction_deg": 80.0}}  # fmt: skip
+    scaled = {
+        **job,
+        "facade": {**job["facade"], "friction_deg": 80.0, "gap_m": 0.0},
+        "return_wall": {**job["return_wall"], "friction_deg": 80.0},
+    }
     scaled["facade"]["e_mpa"] = job["facade"]["e_mpa"] * stiffness_factor
     return facade.facade_scene(scaled, name, beta_s)
 
@@ -110,8 +165,11 @@ def pressed(scene, acceleration_m_s2):
         pose = np.zeros(6)
         mine = matrices.dof[:, 0] == i
         pose[matrices.dof[mine, 1]] = u[mine]
-        blocks[i] = replace(blocks[i], displacement_m=tuple(map(float, pose[:3])),
-                            rotation_rad=tuple(map(float, pose[3:])))  # fmt: skip
+        blocks[i] = replace(
+            blocks[i],
+            displacement_m=tuple(map(float, pose[:3])),
+            rotation_rad=tuple(map(float, pose[3:])),
+        )
     return replace(scene, blocks=blocks)
 
 
@@ -178,11 +236,16 @@ def bisect(scene, label, *, low=0.9, high=1.1, tolerance=0.01):
 
     def stable(ratio):
         grown = growth(scene, ratio * critical)
-        rows.append({
-            **label, "dt_s": f"{ratio * critical:.6e}", "dt_over_dt_crit": f"{ratio:.5f}",
-            "stable_predicted": str(int(ratio < 1.0)),
-            "stable_observed": str(int(grown < UNSTABLE_GROWTH)), "growth": f"{grown:.3e}",
-        })  # fmt: skip
+        rows.append(
+            {
+                **label,
+                "dt_s": f"{ratio * critical:.6e}",
+                "dt_over_dt_crit": f"{ratio:.5f}",
+                "stable_predicted": str(int(ratio < 1.0)),
+                "stable_observed": str(int(grown < UNSTABLE_GROWTH)),
+                "growth": f"{grown:.3e}",
+            }
+        )
         return grown < UNSTABLE_GROWTH
 
     if not stable(low) or stable(high):
@@ -193,8 +256,13 @@ def bisect(scene, label, *, low=0.9, high=1.1, tolerance=0.01):
     return 0.5 * (low + high), rows
 
 
-def study(job, names=SCENES, beta_factors=BETA_FACTORS, stiffness_factors=STIFFNESS_FACTORS,
-          say=lambda text: None):  # fmt: skip
+def study(
+    job,
+    names=SCENES,
+    beta_factors=BETA_FACTORS,
+    stiffness_factors=STIFFNESS_FACTORS,
+    say=lambda text: None,
+):
     """Map of the critical step over scenes, damping and stiffness.
 
     Returns
@@ -208,15 +276,22 @@ def study(job, names=SCENES, beta_factors=BETA_FACTORS, stiffness_factors=STIFFN
             for multiple in beta_factors:
                 beta = multiple * job["beta_s"]
                 scene = scene_of(job, name, factor, beta)
-                label = {"scene": name, "stiffness_factor": f"{factor:.5g}",
-                         "beta_s": f"{beta:.6g}"}  # fmt: skip
+                label = {
+                    "scene": name,
+                    "stiffness_factor": f"{factor:.5g}",
+                    "beta_s": f"{beta:.6g}",
+                }
                 ratio, more = bisect(scene, label)
                 rows += more
                 critical = critical_step(scene)
-                limits.append({
-                    **label, "dt_crit_predicted_s": f"{critical:.6e}",
-                    "dt_crit_observed_s": f"{ratio * critical:.6e}", "ratio": f"{ratio:.4f}",
-                })  # fmt: skip
+                limits.append(
+                    {
+                        **label,
+                        "dt_crit_predicted_s": f"{critical:.6e}",
+                        "dt_crit_observed_s": f"{ratio * critical:.6e}",
+                        "ratio": f"{ratio:.4f}",
+                    }
+                )
         worst = max(abs(float(r["ratio"]) - 1.0) for r in limits if r["scene"] == name)
         say(f"{name}: observed within {100 * worst:.1f} % of the predicted critical step")
     return rows, limits

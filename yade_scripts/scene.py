@@ -226,11 +226,18 @@ class NodeList:
             raise ValueError(f"joint '{name}': β must not be negative, got {beta_s} s")
         self.joints.append(name)
         columns = {
-            "a": a, "b": b, "joint": len(self.joints) - 1, "area_m2": areas,
-            "kn_n_m": jkn_pa_m * areas, "ks_n_m": jks_pa_m * areas, "beta_s": beta_s,
-            "friction_rad": friction_rad, "gap_m": gap_m,
-            "tension_n": tension_pa * areas, "cohesion_n": cohesion_pa * areas,
-        }  # fmt: skip
+            "a": a,
+            "b": b,
+            "joint": len(self.joints) - 1,
+            "area_m2": areas,
+            "kn_n_m": jkn_pa_m * areas,
+            "ks_n_m": jks_pa_m * areas,
+            "beta_s": beta_s,
+            "friction_rad": friction_rad,
+            "gap_m": gap_m,
+            "tension_n": tension_pa * areas,
+            "cohesion_n": cohesion_pa * areas,
+        }
         for key, value in columns.items():
             self._rows[key].append(np.broadcast_to(np.asarray(value), (count,)))
         self._rows["position_m"].append(positions)

@@ -115,9 +115,11 @@ def cubic_peak(time_s, value, rate):
         h, y0, y1, m0, m1 = step[i], value[i], value[i + 1], rate[i], rate[i + 1]
         s = np.linspace(0.0, 1.0, 33)
         curve = (
-            (2 * s**3 - 3 * s**2 + 1) * y0 + (s**3 - 2 * s**2 + s) * h * m0
-            + (3 * s**2 - 2 * s**3) * y1 + (s**3 - s**2) * h * m1
-        )  # fmt: skip
+            (2 * s**3 - 3 * s**2 + 1) * y0
+            + (s**3 - 2 * s**2 + s) * h * m0
+            + (3 * s**2 - 2 * s**3) * y1
+            + (s**3 - s**2) * h * m1
+        )
         best = max(best, float(np.max(np.abs(curve))))
     return best
 
@@ -167,8 +169,19 @@ class _Monitor:
         self.omega.stopAtIter = self.omega.iter + 1
 
 
-def run(scene, motions, dt_s, rules, *, sample_s=0.005, node_radius_m=1e-3, full_rotation=False,
-        setup=None, check=None, compensate_lag=True):  # fmt: skip
+def run(
+    scene,
+    motions,
+    dt_s,
+    rules,
+    *,
+    sample_s=0.005,
+    node_radius_m=1e-3,
+    full_rotation=False,
+    setup=None,
+    check=None,
+    compensate_lag=True,
+):
     """Run a scene in YADE until it overturns, rests, fails or reaches the limit.
 
     Parameters
@@ -198,8 +211,9 @@ def run(scene, motions, dt_s, rules, *, sample_s=0.005, node_radius_m=1e-3, full
 
     if compensate_lag:
         factors = lag_factors(scene, dt_s)
-        nodes = replace(scene.nodes, kn_n_m=scene.nodes.kn_n_m * factors,
-                        ks_n_m=scene.nodes.ks_n_m * factors)  # fmt: skip
+        nodes = replace(
+            scene.nodes, kn_n_m=scene.nodes.kn_n_m * factors, ks_n_m=scene.nodes.ks_n_m * factors
+        )
         scene = replace(scene, nodes=nodes)
     built = engine.build(
         scene, motions, dt_s, node_radius_m=node_radius_m, full_rotation=full_rotation
@@ -235,6 +249,14 @@ def run(scene, motions, dt_s, rules, *, sample_s=0.005, node_radius_m=1e-3, full
     if monitor.status == FAILED:
         peak = np.nan
     return History(
-        time_s, d, v, rotation, peak / scene.thickness_m, monitor.status, monitor.reason,
-        dt_s, int(omega.iter), wall,
-    )  # fmt: skip
+        time_s,
+        d,
+        v,
+        rotation,
+        peak / scene.thickness_m,
+        monitor.status,
+        monitor.reason,
+        dt_s,
+        int(omega.iter),
+        wall,
+    )

@@ -75,8 +75,9 @@ def full_disk(space, rng, seconds):
     kept = space.folder.with_name(space.folder.name + "-kept")
     space.folder.rename(kept)
     space.folder.mkdir()
-    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64m,mode=755", "tmpfs", str(space.folder)],
-                   check=True)  # fmt: skip
+    subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", "size=64m,mode=755", "tmpfs", str(space.folder)], check=True
+    )
     space.mounts.append(space.folder)
     subprocess.run(["cp", "-a", f"{kept}/.", str(space.folder)], check=True)
     shutil.rmtree(kept)
@@ -200,16 +201,21 @@ def interrupted_install(space, rng, seconds):
 
 
 def _packages(python):
-    listed = subprocess.run([python, "-m", "pip", "freeze", "--disable-pip-version-check"],
-                            capture_output=True, text=True, check=True).stdout  # fmt: skip
+    listed = subprocess.run(
+        [python, "-m", "pip", "freeze", "--disable-pip-version-check"],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
     return {_plain(line) for line in listed.split()}
 
 
 def _locked(path):
     """Packages of a lock file: those for every machine, and those under a condition."""
     lines = re.findall(r"^([\w.-]+==[\w.+!-]+)( *;)?", path.read_text(), re.M)
-    return tuple({_plain(name) for name, mark in lines if bool(mark) == wanted}
-                 for wanted in (False, True))  # fmt: skip
+    return tuple(
+        {_plain(name) for name, mark in lines if bool(mark) == wanted} for wanted in (False, True)
+    )
 
 
 def _plain(requirement):

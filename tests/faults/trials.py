@@ -88,8 +88,9 @@ class Bench:
             return f"FAILED: the same command ended with {status}: {text[-300:]}"
         digests = space.digests()
         if digests != self.reference:
-            names = {n for n in {*digests, *self.reference}
-                     if digests.get(n) != self.reference.get(n)}  # fmt: skip
+            names = {
+                n for n in {*digests, *self.reference} if digests.get(n) != self.reference.get(n)
+            }
             kept = self.folder.parent / f"{self.folder.name}-failed-{len(names)}"
             shutil.copytree(space.folder / RESULTS, kept, dirs_exist_ok=True)
             return f"FAILED: differs in {', '.join(sorted(names))}; kept in {kept}"
@@ -142,8 +143,14 @@ def main():
     args = parser.parse_args()
     # started in the background, interrupts would be ignored here and in every run
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    rows = run_trials(args.trials, args.seed, args.output, args.faults, args.folder,
-                      lambda text: print(text, file=sys.stderr, flush=True))  # fmt: skip
+    rows = run_trials(
+        args.trials,
+        args.seed,
+        args.output,
+        args.faults,
+        args.folder,
+        lambda text: print(text, file=sys.stderr, flush=True),
+    )
     return int(any(row["outcome"] != HELD for row in rows))
 
 

@@ -63,10 +63,14 @@ class Workspace:
         targets, extra = options.pop("targets", OVERVIEW), options.pop("extra", {})
         with open(self.folder.parent / f"{self.folder.name}-{log}", "w") as handle:
             return subprocess.Popen(
-                [*prefix, *self.command(*more, targets=targets)], cwd=self.folder, stdout=handle,
-                stderr=subprocess.STDOUT, start_new_session=True,
-                env=environment(self.folder) | extra, **options,
-            )  # fmt: skip
+                [*prefix, *self.command(*more, targets=targets)],
+                cwd=self.folder,
+                stdout=handle,
+                stderr=subprocess.STDOUT,
+                start_new_session=True,
+                env=environment(self.folder) | extra,
+                **options,
+            )
 
     def run(self, *more, log="run.log", **options):
         """Run the study; return its exit status and what it printed."""

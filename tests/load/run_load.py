@@ -62,12 +62,16 @@ def observe(space, process, began, rows, peaks, until=None):
         for pid in yade:
             peaks[pid] = max(peaks.get(pid, 0.0), memory_mb(pid))
         runs = len(space.journal())
-        rows.append({
-            "time_s": f"{time.monotonic() - began:.0f}", "runs": runs,
-            "curves": len(list((space.folder / RESULTS / "ida").rglob("*.csv"))),
-            "processes": len(found), "largest_mb": f"{max(map(memory_mb, yade), default=0):.0f}",
-            "total_mb": f"{sum(map(memory_mb, found)):.0f}",
-        })  # fmt: skip
+        rows.append(
+            {
+                "time_s": f"{time.monotonic() - began:.0f}",
+                "runs": runs,
+                "curves": len(list((space.folder / RESULTS / "ida").rglob("*.csv"))),
+                "processes": len(found),
+                "largest_mb": f"{max(map(memory_mb, yade), default=0):.0f}",
+                "total_mb": f"{sum(map(memory_mb, found)):.0f}",
+            }
+        )
         if until and until(runs):
             return
         time.sleep(1.0)
@@ -86,10 +90,17 @@ def main():
     space = Workspace(top / "work").fill()
     make_records(space.folder, args.records)
     grid = [round(float(g), 4) for g in np.linspace(0.05, 0.75, args.intensities)]
-    (space.folder / "study.yaml").write_text(yaml.safe_dump({
-        "run": "trial", "records_table": "load.tsv", "ida": {"mode": "grid", "grid_g": grid},
-        "numerics": {"step_fraction": args.step_fraction}, "ensemble": {"enabled": "off"},
-    }))  # fmt: skip
+    (space.folder / "study.yaml").write_text(
+        yaml.safe_dump(
+            {
+                "run": "trial",
+                "records_table": "load.tsv",
+                "ida": {"mode": "grid", "grid_g": grid},
+                "numerics": {"step_fraction": args.step_fraction},
+                "ensemble": {"enabled": "off"},
+            }
+        )
+    )
     whole = args.records * 2 * 2 * args.intensities
     began, rows, peaks = time.monotonic(), [], {}
     cores = ("--cores", str(args.cores))
@@ -102,8 +113,11 @@ def main():
     kept, stopped = space.journal(), time.monotonic()
     process = space.start(*cores, log="resumed.log")
     observe(space, process, began, rows, peaks)
-    said = [line for line in (space.output() + space.output("resumed.log")).splitlines()
-            if line.startswith("progress:")]  # fmt: skip
+    said = [
+        line
+        for line in (space.output() + space.output("resumed.log")).splitlines()
+        if line.startswith("progress:")
+    ]
     finished = space.journal()
     order = [peaks[pid] for pid in peaks]  # in the order of the jobs
     half = len(order) // 2
@@ -120,8 +134,10 @@ def main():
         write_atomic_csv(rows, COLUMNS, args.output)
     for name, held in checks.items():
         print("ok  " if held else "FAIL", name)
-    print(f"{time.monotonic() - began:.0f} s, largest job {max(order):.0f} MB, all processes "
-          f"{max(float(r['total_mb']) for r in rows):.0f} MB at most")  # fmt: skip
+    print(
+        f"{time.monotonic() - began:.0f} s, largest job {max(order):.0f} MB, all processes "
+        f"{max(float(r['total_mb']) for r in rows):.0f} MB at most"
+    )
     print(*said[-2:], sep="\n")
     if not all(checks.values()):
         print(space.output("resumed.log")[-2000:])

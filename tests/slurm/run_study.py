@@ -21,10 +21,18 @@ from tests.faults.workspace import Workspace, wait_until  # noqa: E402
 HERE = Path(__file__).resolve().parent
 # this SLURM keeps no accounts: ask the controller, and often, since the study is short
 PROFILE = (
-    "--workflow-profile", "profiles/slurm", "--slurm-status-command", "squeue",
-    "--slurm-no-account", "--seconds-between-status-checks", "2",
-    "--slurm-init-seconds-before-status-checks", "2", "--latency-wait", "10",
-)  # fmt: skip
+    "--workflow-profile",
+    "profiles/slurm",
+    "--slurm-status-command",
+    "squeue",
+    "--slurm-no-account",
+    "--seconds-between-status-checks",
+    "2",
+    "--slurm-init-seconds-before-status-checks",
+    "2",
+    "--latency-wait",
+    "10",
+)
 
 
 def say(text):

@@ -8,9 +8,19 @@ import pandas as pd
 import yaml
 
 TABLE_COLUMNS = (
-    "scene", "method", "nodes", "dt_over_dt_crit", "error", "realtime_factor", "wall_s",
-    "d_over_b", "d_over_b_reference", "repeats", "default", "amplification",
-)  # fmt: skip
+    "scene",
+    "method",
+    "nodes",
+    "dt_over_dt_crit",
+    "error",
+    "realtime_factor",
+    "wall_s",
+    "d_over_b",
+    "d_over_b_reference",
+    "repeats",
+    "default",
+    "amplification",
+)
 
 
 def collapse_pga(curve):
@@ -39,8 +49,16 @@ def choose_cases(curves, shares):
         for share in shares:
             pga_g = round(share * collapse_pga(curve), 4)
             name = f"{model} {record} {direction} {pga_g:g} g"
-            cases.append({"case": name, "model": model, "record": record,
-                          "direction": direction, "pga_g": pga_g, "share": share})  # fmt: skip
+            cases.append(
+                {
+                    "case": name,
+                    "model": model,
+                    "record": record,
+                    "direction": direction,
+                    "pga_g": pga_g,
+                    "share": share,
+                }
+            )
     return cases
 
 
@@ -68,8 +86,9 @@ def plan_runs(cases, settings, sensitivity):
         runs.append(base | {"method": "default"})
         runs.append(base | {"method": "default", "factor": 1.0 + sensitivity})
         grid = itertools.product(settings["nodes"], settings["step_fractions"])
-        runs += [base | {"method": "nodes and step", "nodes": n, "step_fraction": f}
-                 for n, f in grid]  # fmt: skip
+        runs += [
+            base | {"method": "nodes and step", "nodes": n, "step_fraction": f} for n, f in grid
+        ]
     seen = set()
     for case in cases:  # other ways of running the default: the first case of each model
         if case["model"] not in seen:
@@ -107,15 +126,22 @@ def errors(runs, reference, limit):
     rows = runs[runs["factor"] == 1.0]
     target = rows["case"].map(exact)
     value = rows["d_over_b"].where(rows["status"] != "failed").clip(upper=1.0)
-    return pd.DataFrame({
-        "scene": rows["case"], "method": rows["method"], "nodes": rows["nodes"],
-        "dt_over_dt_crit": rows["dt_over_dt_crit"], "error": (value - target).abs() / target,
-        "realtime_factor": rows["simulated_s"] / rows["wall_s"], "wall_s": rows["wall_s"],
-        "d_over_b": value, "d_over_b_reference": target,
-        "repeats": (rows["case"].map(change) <= limit).astype(int),
-        "default": (rows["method"] == "default").astype(int),
-        "amplification": rows["case"].map(change / (twin["factor"] - 1.0).abs()),
-    })  # fmt: skip
+    return pd.DataFrame(
+        {
+            "scene": rows["case"],
+            "method": rows["method"],
+            "nodes": rows["nodes"],
+            "dt_over_dt_crit": rows["dt_over_dt_crit"],
+            "error": (value - target).abs() / target,
+            "realtime_factor": rows["simulated_s"] / rows["wall_s"],
+            "wall_s": rows["wall_s"],
+            "d_over_b": value,
+            "d_over_b_reference": target,
+            "repeats": (rows["case"].map(change) <= limit).astype(int),
+            "default": (rows["method"] == "default").astype(int),
+            "amplification": rows["case"].map(change / (twin["factor"] - 1.0).abs()),
+        }
+    )
 
 
 def observed_rate(step, error):
@@ -173,10 +199,13 @@ def fidelity_table(table, trusted, fewest_nodes):
         ]
         worst["cost"] = 1.0 / worst["dt_over_dt_crit"] * (20.0 + worst["nodes"])
         out[str(model)] = [
-            {"nodes": int(r.nodes), "step_fraction": float(r.dt_over_dt_crit),
-             "error": float(f"{r.error:.3g}")}
+            {
+                "nodes": int(r.nodes),
+                "step_fraction": float(r.dt_over_dt_crit),
+                "error": float(f"{r.error:.3g}"),
+            }
             for r in worst.sort_values("cost").itertuples()
-        ]  # fmt: skip
+        ]
     return out
 
 
@@ -215,9 +244,13 @@ def choose_fidelity(numerics, model, measured):
         )
     nodes = good[0]["nodes"]
     return {
-        **numerics, "nodes_thickness": 2 * nodes - 1, "nodes_height": nodes,
-        "nodes_per_block": nodes, "step_fraction": good[0]["step_fraction"], "step_s": None,
-    }  # fmt: skip
+        **numerics,
+        "nodes_thickness": 2 * nodes - 1,
+        "nodes_height": nodes,
+        "nodes_per_block": nodes,
+        "step_fraction": good[0]["step_fraction"],
+        "step_s": None,
+    }
 
 
 def read_fidelity(path):

@@ -43,8 +43,16 @@ def two_block_minimum(config):
         centre = (0.0, 0.5 * b, 0.5 * h * (i - 0.5))
         blocks.append(Block(f"half {i}", centre, half, mass, box_inertia(mass, half), free="yzX"))
         line = np.stack([0 * points, points * b, np.full(3, 0.5 * h * (i - 1))], axis=1)
-        nodes.add_joint(f"joint {i}", i, i - 1, line, (0, 0, 1), weights * b * width, jkn,
-                        facade["shear_stiffness_ratio"] * jkn)  # fmt: skip
+        nodes.add_joint(
+            f"joint {i}",
+            i,
+            i - 1,
+            line,
+            (0, 0, 1),
+            weights * b * width,
+            jkn,
+            facade["shear_stiffness_ratio"] * jkn,
+        )
     scene = Scene(blocks, nodes.joints, nodes.done(), "half 2", (0.0, 0.5 * b, h), "base", b)
     return 1.0 / float(modes(scene)[0][-1])
 
@@ -73,10 +81,16 @@ def wall_case(name, config, release_ratio, betas, *, end=END, **about):
     base = calibration.joint_stiffness(config)[0]
     # on a soft base a small rebound is half a swing of the block on its springs, about its foot
     # at half the frequency of the rotation about its centre, however low the rebound
-    swing = 2.0 * math.pi / closed_forms.base_rocking_frequency(
-        facade["height_m"], facade["thickness_m"], facade["density_kg_m3"],
-        base * facade["height_m"],
-    )  # fmt: skip
+    swing = (
+        2.0
+        * math.pi
+        / closed_forms.base_rocking_frequency(
+            facade["height_m"],
+            facade["thickness_m"],
+            facade["density_kg_m3"],
+            base * facade["height_m"],
+        )
+    )
     limit = closed_forms.quarter_period(release_ratio, p) + end / p + IMPACTS * swing
     return {
         "id": name,
@@ -91,13 +105,20 @@ def wall_case(name, config, release_ratio, betas, *, end=END, **about):
 
 def batch_wall(settings, b, e_mpa, slenderness, ratio, **numerics):
     """Resolved configuration of a batch's wall, of unit width."""
-    return resolve({
-        "models": ["W1"],
-        "facade": {"height_m": float(f"{slenderness * b:.6g}"), "thickness_m": b, "width_m": 1.0,
-                   "density_kg_m3": settings["density_kg_m3"], "e_mpa": e_mpa},
-        "return_wall": {"count": 2, "thickness_m": 0.5 * ratio},
-        "numerics": {**study_numerics(settings), **numerics},
-    })  # fmt: skip
+    return resolve(
+        {
+            "models": ["W1"],
+            "facade": {
+                "height_m": float(f"{slenderness * b:.6g}"),
+                "thickness_m": b,
+                "width_m": 1.0,
+                "density_kg_m3": settings["density_kg_m3"],
+                "e_mpa": e_mpa,
+            },
+            "return_wall": {"count": 2, "thickness_m": 0.5 * ratio},
+            "numerics": {**study_numerics(settings), **numerics},
+        }
+    )
 
 
 def study_numerics(settings):
@@ -118,11 +139,15 @@ def batch_cases(settings, number):
         for ratio in sorted({*settings["return_wall_ratio"], settings["reference_ratio"]}):
             config = batch_wall(settings, b, e_mpa, slenderness, ratio)
             reference = ratio == settings["reference_ratio"]
-            cases.append(wall_case(
-                f"b{b:g}_E{e_mpa:g}_s{slenderness:g}_r{ratio:g}", config,
-                settings["release_ratio"], beta_grid(config, reference and number == 1),
-                role="reference" if reference else "ratio",
-            ))  # fmt: skip
+            cases.append(
+                wall_case(
+                    f"b{b:g}_E{e_mpa:g}_s{slenderness:g}_r{ratio:g}",
+                    config,
+                    settings["release_ratio"],
+                    beta_grid(config, reference and number == 1),
+                    role="reference" if reference else "ratio",
+                )
+            )
     return cases
 
 
@@ -138,9 +163,11 @@ def sensitivity_cases(settings):
         h = slenderness * b
         r = settings["reference_ratio"]
         base = batch_wall(settings, b, e_mpa, slenderness, r)
-        twice = {"nodes_thickness": 2 * settings["nodes_thickness"],
-                 "nodes_height": 2 * settings["nodes_height"],
-                 "step_fraction": 0.5 * settings["step_fraction"]}  # fmt: skip
+        twice = {
+            "nodes_thickness": 2 * settings["nodes_thickness"],
+            "nodes_height": 2 * settings["nodes_height"],
+            "step_fraction": 0.5 * settings["step_fraction"],
+        }
         jkn = e_mpa * 1e6 / h
         low, high = 0.6 * settings["release_ratio"], 1.4 * settings["release_ratio"]
         density = settings["density_kg_m3"]
@@ -159,31 +186,51 @@ def sensitivity_cases(settings):
             ("base friction 45°", "other", {"facade": {"friction_deg": 45.0}}, None),
             ("jks/jkn 1", "other", {"facade": {"shear_stiffness_ratio": 1.0}}, None),
             ("density ×1.25", "stiffness", {"facade": {"density_kg_m3": 1.25 * density}}, None),
-            ("width ×0.5, same ratio", "other",
-             {"facade": {"width_m": 0.5}, "return_wall": {"thickness_m": 0.25 * r}}, None),
+            (
+                "width ×0.5, same ratio",
+                "other",
+                {"facade": {"width_m": 0.5}, "return_wall": {"thickness_m": 0.25 * r}},
+                None,
+            ),
             ("nodes ×2, step ×0.5", "other", {"numerics": twice}, None),
-        ]  # fmt: skip
+        ]
         for change, role, overrides, release in rows:
             config = copy.deepcopy(base)
             for section, keys in overrides.items():
                 config[section].update(keys)
             release = settings["release_ratio"] if release is None else release
-            cases.append(wall_case(
-                f"wall {number}: {change}", config, release,
-                beta_grid(config), role=role, change=change, wall=number,
-            ))  # fmt: skip
+            cases.append(
+                wall_case(
+                    f"wall {number}: {change}",
+                    config,
+                    release,
+                    beta_grid(config),
+                    role=role,
+                    change=change,
+                    wall=number,
+                )
+            )
     b, e_mpa, slenderness = FACADE
     r = settings["reference_ratio"]
     for change, ratio, factor in (
-        ("façade", r, 1.0), ("façade, ratio 0.1", 0.1, 1.0), ("façade, ratio 0.5", 0.5, 1.0),
+        ("façade", r, 1.0),
+        ("façade, ratio 0.1", 0.1, 1.0),
+        ("façade, ratio 0.5", 0.5, 1.0),
         ("façade, density ×1.25", r, 1.25),
-    ):  # fmt: skip
+    ):
         config = batch_wall(settings, b, e_mpa, slenderness, ratio)
         config["facade"]["density_kg_m3"] *= factor
-        cases.append(wall_case(
-            f"wall 3: {change}", config, settings["release_ratio"], beta_grid(config),
-            role="stiffness", change=change, wall=3,
-        ))  # fmt: skip
+        cases.append(
+            wall_case(
+                f"wall 3: {change}",
+                config,
+                settings["release_ratio"],
+                beta_grid(config),
+                role="stiffness",
+                change=change,
+                wall=3,
+            )
+        )
     return cases
 
 
@@ -200,8 +247,16 @@ def wall_cases(settings, wall, ratios=(), betas=None):
         grid = beta_grid(config)
         listed = [] if betas is None else list(betas)
         name = f"{wall['run']}" + ("" if ratio is None else f" r{ratio:g}")
-        cases.append(wall_case(name, config, settings["release_ratio"],
-                               sorted({*grid, *listed}), end=2.0 * END, role="wall"))  # fmt: skip
+        cases.append(
+            wall_case(
+                name,
+                config,
+                settings["release_ratio"],
+                sorted({*grid, *listed}),
+                end=2.0 * END,
+                role="wall",
+            )
+        )
     return cases
 
 
@@ -245,8 +300,15 @@ def best_fit(betas_s, e_ratio, targets=TARGETS):
     error = misfit(curves, 1.0, targets)
     judged = np.flatnonzero(np.isfinite(error))
     if not len(judged):
-        return {"beta_s": math.nan, "misfit": math.nan, "at_edge": False, "single_s": single,
-                "low_s": math.nan, "high_s": math.nan, "ratio": [math.nan] * count}  # fmt: skip
+        return {
+            "beta_s": math.nan,
+            "misfit": math.nan,
+            "at_edge": False,
+            "single_s": single,
+            "low_s": math.nan,
+            "high_s": math.nan,
+            "ratio": [math.nan] * count,
+        }
     least = judged[np.argmin(error[judged])]
     # the middle of the β that fit as well: ranges leave the least misfit flat, or with a kink
     # at either end, and a thousandth of e would move the winner by several per cent
@@ -299,12 +361,14 @@ def evaluate(cases, histories):
         if [r["beta_s"] for r in runs] != case["beta_s"]:
             raise ValueError(f"histories of wall '{case['id']}' do not belong to its case")
         found = [rebounds(r["time_s"], r["theta_over_alpha"]) for r in runs]
-        out.append({
-            "case": case,
-            "e_1sr": e_one_sided(facade["height_m"], facade["thickness_m"]),
-            "beta_s": np.array(case["beta_s"]),
-            "found": found,
-            "e": np.array([e_exp(f) for f in found]),
-            "histories": runs,
-        })  # fmt: skip
+        out.append(
+            {
+                "case": case,
+                "e_1sr": e_one_sided(facade["height_m"], facade["thickness_m"]),
+                "beta_s": np.array(case["beta_s"]),
+                "found": found,
+                "e": np.array([e_exp(f) for f in found]),
+                "histories": runs,
+            }
+        )
     return out

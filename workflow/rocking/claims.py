@@ -106,24 +106,48 @@ def evaluate(collapse, static_peak):
             measured, holds = result
             rows.append({"claim": claim, "paper": paper, "measured": measured, "holds": holds})
 
-    add("W2 is equally or more vulnerable than W1", "all eight curves",
-        _compare(found, "W2", "W1", "<"))  # fmt: skip
-    add("amplification reduces the capacity by as much as 60 %", "60 %",
-        _largest_reduction(capacity))  # fmt: skip
-    add("the reduction is small for five curves and marked for the others",
-        f"small for {', '.join(MARGINAL)}", _marginal(capacity))  # fmt: skip
-    add("cohesion clearly raises the capacity of W1", "W1c above W1",
-        _compare(found, "W1c", "W1", ">", strict=True))  # fmt: skip
-    add("with cohesion W2 detaches early: W2c collapses prematurely", "W2c below W1c",
-        _compare(found, "W2c", "W1c", "<"))  # fmt: skip
+    add(
+        "W2 is equally or more vulnerable than W1",
+        "all eight curves",
+        _compare(found, "W2", "W1", "<"),
+    )
+    add(
+        "amplification reduces the capacity by as much as 60 %",
+        "60 %",
+        _largest_reduction(capacity),
+    )
+    add(
+        "the reduction is small for five curves and marked for the others",
+        f"small for {', '.join(MARGINAL)}",
+        _marginal(capacity),
+    )
+    add(
+        "cohesion clearly raises the capacity of W1",
+        "W1c above W1",
+        _compare(found, "W1c", "W1", ">", strict=True),
+    )
+    add(
+        "with cohesion W2 detaches early: W2c collapses prematurely",
+        "W2c below W1c",
+        _compare(found, "W2c", "W1c", "<"),
+    )
     add("cohesion does not help W2", "premature collapse", _no_help(capacity))
-    add("interlocking and friction raise the capacity", "W3 above W2",
-        _compare(found, "W3", "W2", ">", strict=True))  # fmt: skip
+    add(
+        "interlocking and friction raise the capacity",
+        "W3 above W2",
+        _compare(found, "W3", "W2", ">", strict=True),
+    )
     peak = static_peak.get("W3")
-    add("W3 is near its pushover for BUCAR0 and RRS228", f"within a factor {CLOSE:g}",
-        _against_static(capacity, peak, ("BUCAR0", "RRS228"), near=True))  # fmt: skip
-    add("W3 is much higher than its pushover for 1ST280 and HVSC1", f"above {HIGHER:g} times",
-        _against_static(capacity, peak, ("1ST280", "HVSC1"), near=False))  # fmt: skip
+    add(
+        "W3 is near its pushover for BUCAR0 and RRS228",
+        f"within a factor {CLOSE:g}",
+        _against_static(capacity, peak, ("BUCAR0", "RRS228"), near=True),
+    )
+    add(
+        "W3 is much higher than its pushover for 1ST280 and HVSC1",
+        f"above {HIGHER:g} times",
+        _against_static(capacity, peak, ("1ST280", "HVSC1"), near=False),
+    )
     return rows
 
 
@@ -133,8 +157,10 @@ def _largest_reduction(capacity):
         return None
     reduction = 1.0 - pair[0] / pair[1]
     where = reduction.idxmax()
-    return (f"{100 * reduction.max():.0f} % ({where}); median {100 * reduction.median():.0f} %",
-            bool(abs(reduction.max() - REDUCTION) <= TOLERANCE))  # fmt: skip
+    return (
+        f"{100 * reduction.max():.0f} % ({where}); median {100 * reduction.median():.0f} %",
+        bool(abs(reduction.max() - REDUCTION) <= TOLERANCE),
+    )
 
 
 def _marginal(capacity):
@@ -146,8 +172,10 @@ def _marginal(capacity):
     marked = reduction[~reduction.index.isin(MARGINAL)]
     if not len(small) or not len(marked):
         return None
-    text = (f"small: {100 * small.min():.0f} to {100 * small.max():.0f} %; "
-            f"marked: {100 * marked.min():.0f} to {100 * marked.max():.0f} %")  # fmt: skip
+    text = (
+        f"small: {100 * small.min():.0f} to {100 * small.max():.0f} %; "
+        f"marked: {100 * marked.min():.0f} to {100 * marked.max():.0f} %"
+    )
     return text, bool(small.max() < marked.min())
 
 
@@ -171,9 +199,11 @@ def _against_static(capacity, peak, records, near):
     if not len(found):
         return None
     ratio = found / peak
-    text = f"{ratio.min():.2f} to {ratio.max():.2f} times λ = {peak:.3f} (" + ", ".join(
-        f"{case} {value:.2f}" for case, value in ratio.items()
-    ) + ")"  # fmt: skip
+    text = (
+        f"{ratio.min():.2f} to {ratio.max():.2f} times λ = {peak:.3f} ("
+        + ", ".join(f"{case} {value:.2f}" for case, value in ratio.items())
+        + ")"
+    )
     if near:
         return text, bool(np.all((ratio < CLOSE) & (ratio > 1.0 / CLOSE)))
     return text, bool((ratio > HIGHER).all())

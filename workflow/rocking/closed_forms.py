@@ -222,9 +222,20 @@ def capacity_rigid(theta_rad, h_m, b_m):
 
 
 def capacity_interlocking(
-    theta_rad, *, h_m, b_m, w_m, density_kg_m3, return_thickness_m, course_height_m, overlap_m,
-    friction_deg, bound="upper", return_walls=2, gravity_m_s2=G_M_S2,
-):  # fmt: skip
+    theta_rad,
+    *,
+    h_m,
+    b_m,
+    w_m,
+    density_kg_m3,
+    return_thickness_m,
+    course_height_m,
+    overlap_m,
+    friction_deg,
+    bound="upper",
+    return_walls=2,
+    gravity_m_s2=G_M_S2,
+):
     """Kinematic capacity curve of a façade that rocks away from interlocked return walls.
 
     Joint i = 1…n − 1 from the top lies at y_i = h − i·h_b above the hinge and
@@ -257,9 +268,14 @@ def capacity_interlocking(
     Casapulla et al. (2019b), as used for the capacity curves of the study.
     """
     _positive(
-        h_m=h_m, b_m=b_m, w_m=w_m, density_kg_m3=density_kg_m3, overlap_m=overlap_m,
-        return_thickness_m=return_thickness_m, course_height_m=course_height_m,
-    )  # fmt: skip
+        h_m=h_m,
+        b_m=b_m,
+        w_m=w_m,
+        density_kg_m3=density_kg_m3,
+        overlap_m=overlap_m,
+        return_thickness_m=return_thickness_m,
+        course_height_m=course_height_m,
+    )
     courses = round(h_m / course_height_m)
     if courses < 1 or abs(courses * course_height_m - h_m) > 1e-6 * h_m:
         raise ValueError(f"course_height_m: {course_height_m} m does not divide h_m = {h_m} m")
@@ -320,6 +336,8 @@ def tip_over_compliant_base(h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2=G_M_
     alpha = math.atan2(b_m, h_m)
     found = minimize_scalar(
         lambda t: -capacity_compliant_base(t, h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2),
-        bounds=(0.0, alpha), method="bounded", options={"xatol": 1e-10 * alpha},
-    )  # fmt: skip
+        bounds=(0.0, alpha),
+        method="bounded",
+        options={"xatol": 1e-10 * alpha},
+    )
     return float(found.x), float(-found.fun)

@@ -68,8 +68,11 @@ def whole(folder: Path = FOLDER) -> dict:
     """Return the schema of a complete configuration, assembled from the sections."""
     parts = dict(sections(folder))
     top = parts.pop(TOP)
-    return {"type": "object", "additionalProperties": False,
-            "properties": {**top["properties"], **parts}}  # fmt: skip
+    return {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {**top["properties"], **parts},
+    }
 
 
 def leaves(schema: dict, prefix: str = "") -> Iterator[tuple[str, dict]]:
@@ -243,8 +246,11 @@ def _kind(kind: str, schema: dict) -> str:
     if kind == "array":
         low, high = schema.get("minItems", 0), schema.get("maxItems")
         count = f"{low} " if low == high else (f"{low} or more " if low else "")
-        traits = [w for k, w in (("uniqueItems", "different"), ("ascending", "ascending"))
-                  if schema.get(k)]  # fmt: skip
+        traits = [
+            w
+            for k, w in (("uniqueItems", "different"), ("ascending", "ascending"))
+            if schema.get(k)
+        ]
         words = " ".join([*traits, "values"])
         return f"a list of {count}{words}, each {expectation(schema.get('items', {}))}"
     if kind == "string":
@@ -257,8 +263,12 @@ def _range(schema: dict) -> str:
     low, high = schema.get("minimum"), schema.get("maximum")
     if low is not None and high is not None:
         return f" from {show(low)} to {show(high)}"
-    bounds = {">": schema.get("exclusiveMinimum"), "≥": low,
-              "<": schema.get("exclusiveMaximum"), "≤": high}  # fmt: skip
+    bounds = {
+        ">": schema.get("exclusiveMinimum"),
+        "≥": low,
+        "<": schema.get("exclusiveMaximum"),
+        "≤": high,
+    }
     limits = [f"{sign} {show(value)}" for sign, value in bounds.items() if value is not None]
     return " " + " and ".join(limits) if limits else ""
 
@@ -314,6 +324,11 @@ def refuse_invalid(value: Any, known: dict) -> None:
     """Raise `ConfigError` for the first error of `value`; unknown keys come before the rest."""
     errors = list(jsonschema.Draft202012Validator(known).iter_errors(value))
     if errors:
-        first = min(errors, key=lambda e: (e.validator != "additionalProperties",
-                                           [str(s) for s in e.absolute_path]))  # fmt: skip
+        first = min(
+            errors,
+            key=lambda e: (
+                e.validator != "additionalProperties",
+                [str(s) for s in e.absolute_path],
+            ),
+        )
         raise refusal(first, known)

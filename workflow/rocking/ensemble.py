@@ -37,8 +37,14 @@ def bands(ensemble_rows, percentiles=(10.0, 90.0)):
     DataFrame
         pga_g, members, probability, d_over_b_low, d_over_b_median, d_over_b_high; ascending PGA.
     """
-    columns = ["pga_g", "members", "probability", "d_over_b_low", "d_over_b_median",
-               "d_over_b_high"]  # fmt: skip
+    columns = [
+        "pga_g",
+        "members",
+        "probability",
+        "d_over_b_low",
+        "d_over_b_median",
+        "d_over_b_high",
+    ]
     table = _valid(ensemble_rows)
     if table.empty:
         return pd.DataFrame(columns=columns)

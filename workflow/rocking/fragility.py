@@ -160,8 +160,11 @@ def _fit_weighted(low, high, weights):
     """
     with np.errstate(divide="ignore"):
         x = np.stack([np.log(low), np.log(high)])  # −∞ and ∞ where open
-    centre = np.where(np.isfinite(x[0]) & np.isfinite(x[1]), 0.5 * (x[0] + x[1]),
-                      np.where(np.isfinite(x[0]), x[0], x[1]))  # fmt: skip
+    centre = np.where(
+        np.isfinite(x[0]) & np.isfinite(x[1]),
+        0.5 * (x[0] + x[1]),
+        np.where(np.isfinite(x[0]), x[0], x[1]),
+    )
     total = weights.sum(axis=1)
     shift = weights @ centre / total
     spread = np.sqrt(weights @ centre**2 / total - shift**2 + 1e-12)

@@ -5,13 +5,27 @@ import pandas as pd
 from yade_scripts.intensities import collapse_bounds
 
 COLLAPSE_COLUMNS = [
-    "model", "record", "direction", "pga_safe_g", "pga_collapse_g", "pga_median_g", "pga_p10_g",
+    "model",
+    "record",
+    "direction",
+    "pga_safe_g",
+    "pga_collapse_g",
+    "pga_median_g",
+    "pga_p10_g",
     "pga_p90_g",
-]  # fmt: skip
+]
 COLUMNS = {
-    "model", "record", "direction", "pga_g", "d_over_b", "collapsed", "status", "dt_s", "steps",
+    "model",
+    "record",
+    "direction",
+    "pga_g",
+    "d_over_b",
+    "collapsed",
+    "status",
+    "dt_s",
+    "steps",
     "wall_s",
-}  # fmt: skip
+}
 
 
 def read_curve(path):
@@ -45,9 +59,12 @@ def collapse_row(curve):
     safe, collapse = collapse_bounds(done)
     model, record, direction = curve_key(curve)
     return {
-        "model": model, "record": record, "direction": direction,
-        "pga_safe_g": safe, "pga_collapse_g": collapse,
-    }  # fmt: skip
+        "model": model,
+        "record": record,
+        "direction": direction,
+        "pga_safe_g": safe,
+        "pga_collapse_g": collapse,
+    }
 
 
 def branches(curve):

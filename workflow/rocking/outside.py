@@ -78,12 +78,24 @@ def compare(job, method, package, run_case, fractions):
             peak, simulated, wall = run_case(
                 scene, motion["time_s"].to_numpy(), factor * ground, dt
             )
-            rows.append({
-                "case": case["case"], "model": "W1", "record": case["record"],
-                "direction": case["direction"], "pga_g": case["pga_g"], "method": method,
-                "nodes": scene_job["numerics"]["nodes_height"], "factor": 1.0, "dt_s": dt,
-                "dt_over_dt_crit": fraction, "d_over_b": peak.value, "status": peak.status,
-                "steps": round(simulated / dt), "simulated_s": simulated, "wall_s": wall,
-            })  # fmt: skip
+            rows.append(
+                {
+                    "case": case["case"],
+                    "model": "W1",
+                    "record": case["record"],
+                    "direction": case["direction"],
+                    "pga_g": case["pga_g"],
+                    "method": method,
+                    "nodes": scene_job["numerics"]["nodes_height"],
+                    "factor": 1.0,
+                    "dt_s": dt,
+                    "dt_over_dt_crit": fraction,
+                    "d_over_b": peak.value,
+                    "status": peak.status,
+                    "steps": round(simulated / dt),
+                    "simulated_s": simulated,
+                    "wall_s": wall,
+                }
+            )
             print(rows[-1], file=sys.stderr)
     pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")

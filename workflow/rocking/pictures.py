@@ -99,9 +99,17 @@ def _corners(centre, size, low, tall):
     y0, y1 = centre[1] - 0.5 * size[1], centre[1] + 0.5 * size[1]
     z0, z1 = low, low + tall
     return np.array(
-        [[x0, y0, z0], [x0, y1, z0], [x0, y1, z1], [x0, y0, z1],
-         [x1, y0, z0], [x1, y1, z0], [x1, y1, z1], [x1, y0, z1]]
-    )  # fmt: skip
+        [
+            [x0, y0, z0],
+            [x0, y1, z0],
+            [x0, y1, z1],
+            [x0, y0, z1],
+            [x1, y0, z0],
+            [x1, y1, z0],
+            [x1, y1, z1],
+            [x1, y0, z1],
+        ]
+    )
 
 
 def _turn(points, pivot, angle):
@@ -116,8 +124,9 @@ def _turn(points, pivot, angle):
 def draw(axis, frames, frame, walls, config, *, magnification=1.0, largest_m, limits, cmap):
     """Draw one frame; returns the collection, for a colour bar."""
     polygons, values = faces(frames, frame, walls, config, magnification)
-    collection = PolyCollection(polygons, array=values, cmap=cmap, edgecolors="0.75",
-                                linewidths=0.25)  # fmt: skip
+    collection = PolyCollection(
+        polygons, array=values, cmap=cmap, edgecolors="0.75", linewidths=0.25
+    )
     collection.set_clim(0.0, largest_m)
     axis.add_collection(collection)
     axis.set(xlim=limits[0], ylim=limits[1], aspect="equal")

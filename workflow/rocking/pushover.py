@@ -9,9 +9,14 @@ import pandas as pd
 from . import closed_forms
 
 CURVE_COLUMNS = [
-    "d_over_b", "lambda_dem", "lambda_kinematic", "lambda_kinematic_lower", "lambda_elastic",
-    "lambda_elastic_lower", "lambda_dem_corrected",
-]  # fmt: skip
+    "d_over_b",
+    "lambda_dem",
+    "lambda_kinematic",
+    "lambda_kinematic_lower",
+    "lambda_elastic",
+    "lambda_elastic_lower",
+    "lambda_dem_corrected",
+]
 RULES = ("rigid", "bonded", "sliding", "hinged")
 # one change of the default W3 each; "header_*" without inclined joints, so only the rule differs
 VARIANTS: dict[str, dict] = {
@@ -86,7 +91,7 @@ def closed_form(d_over_b, config, model):
             friction_deg=w3["friction_deg"],
             bound=bound,
             return_walls=wall["count"],
-        )  # fmt: skip
+        )
         for bound in ("upper", "lower")
     ]
     return bounds[0], bounds[1], compliant - rigid
@@ -104,7 +109,7 @@ def complete_curve(raw, config, model):
             "lambda_elastic": upper + shift,
             "lambda_elastic_lower": lower + shift,
             "lambda_dem_corrected": raw["lambda_dem"] - shift,
-        }  # fmt: skip
+        }
     )[CURVE_COLUMNS]
 
 
@@ -143,10 +148,13 @@ def summary(curve, reach=0.5, bonded=False):
     settled = d > 0.005  # before that the correction is the whole of the block's λ
     lambda0 = math.nan if bonded else float(corrected[settled].max())
     out = {
-        "lambda_peak": float(np.asarray(raw)[peak]), "d_over_b_peak": float(d[peak]),
-        "lambda0_dem": lambda0, "lambda0_kinematic": float(upper[0]),
-        "ratio": lambda0 / float(upper[0]), "d_over_b_inside": math.nan,
-    }  # fmt: skip
+        "lambda_peak": float(np.asarray(raw)[peak]),
+        "d_over_b_peak": float(d[peak]),
+        "lambda0_dem": lambda0,
+        "lambda0_kinematic": float(upper[0]),
+        "ratio": lambda0 / float(upper[0]),
+        "d_over_b_inside": math.nan,
+    }
     if np.isfinite(lower).all():
         slack = 0.01 * float(upper[0])
         outside = np.flatnonzero((corrected < lower - slack) | (corrected > upper + slack))

@@ -15,14 +15,23 @@ def wall_of(job, nodes):
     e_pa = facade["e_mpa"] * 1e6
     free = job["model"] == "free"
     return Wall(
-        facade["height_m"], facade["thickness_m"], facade["width_m"], facade["density_kg_m3"],
-        e_pa, job["beta_s"], 0.0 if free else wall["count"] * wall["thickness_m"],
+        facade["height_m"],
+        facade["thickness_m"],
+        facade["width_m"],
+        facade["density_kg_m3"],
+        e_pa,
+        job["beta_s"],
+        0.0 if free else wall["count"] * wall["thickness_m"],
         base_jkn_pa_m=facade["base_stiffness_pa_m"],
         back_jkn_pa_m=e_pa / wall["length_m"] if wall["length_m"] else None,
-        shear_ratio=facade["shear_stiffness_ratio"], base_friction_deg=facade["friction_deg"],
-        back_friction_deg=wall["friction_deg"], nodes_base=nodes, nodes_up=nodes,
-        segments=job["smdof"]["n_dof"] if job["model"] == "W2" else 1, gap_m=facade["gap_m"],
-    )  # fmt: skip
+        shear_ratio=facade["shear_stiffness_ratio"],
+        base_friction_deg=facade["friction_deg"],
+        back_friction_deg=wall["friction_deg"],
+        nodes_base=nodes,
+        nodes_up=nodes,
+        segments=job["smdof"]["n_dof"] if job["model"] == "W2" else 1,
+        gap_m=facade["gap_m"],
+    )
 
 
 def read_motion(path, model):
@@ -40,9 +49,12 @@ def peak_d_over_b(job, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-
     """Largest |d|/b of one history, 1 if it overturns."""
     motion = read_motion(motion_path, job["model"])
     history = simulate(
-        wall_of(job, nodes), motion, tolerance=tolerance, stop_d_over_b=1.0,
+        wall_of(job, nodes),
+        motion,
+        tolerance=tolerance,
+        stop_d_over_b=1.0,
         scale=amplitude(motion.base_m_s2, direction, pga_g),
-    )  # fmt: skip
+    )
     if history.status == "failed":
         return float("nan")
     return min(1.0, float(np.max(np.abs(history.d_over_b))))

@@ -46,9 +46,11 @@ def _from_command_line(doc):
         parser.add_argument(f"--{kind}", nargs="*", default=[], metavar="name=value")
     args = parser.parse_args()
     return SimpleNamespace(
-        **{kind: _Named(**_pairs(getattr(args, kind)))
-           for kind in ("input", "output", "params", "wildcards")}
-    )  # fmt: skip
+        **{
+            kind: _Named(**_pairs(getattr(args, kind)))
+            for kind in ("input", "output", "params", "wildcards")
+        }
+    )
 
 
 def run(main, namespace):

@@ -15,11 +15,19 @@ def one(arguments):
     scene, motion, case, settings = arguments
     began = time.perf_counter()
     peak = peak_d_over_b(
-        scene, motion, case["direction"], case["pga_g"], nodes=settings["reference_nodes"],
+        scene,
+        motion,
+        case["direction"],
+        case["pga_g"],
+        nodes=settings["reference_nodes"],
         tolerance=settings["reference_tolerance"],
-    )  # fmt: skip
-    return {**case, "d_over_b": peak, "nodes": settings["reference_nodes"],
-            "wall_s": time.perf_counter() - began}  # fmt: skip
+    )
+    return {
+        **case,
+        "d_over_b": peak,
+        "nodes": settings["reference_nodes"],
+        "wall_s": time.perf_counter() - began,
+    }
 
 
 def main(job):

@@ -34,16 +34,28 @@ def main(job):
     right.axhline(1.0, color="k", ls=":", lw=0.8)
     (line,) = right.plot([], [], color=style.MODEL_COLOURS[frames["model"]])
     (dot,) = right.plot([], [], "o", color=style.MODEL_COLOURS[frames["model"]])
-    right.set(xlim=(time_s[shown[0]], time_s[shown[-1]]), xlabel="time [s]",
-              ylabel="top displacement d/b [-]", ylim=(-0.1, 1.1 * d.max()))  # fmt: skip
+    right.set(
+        xlim=(time_s[shown[0]], time_s[shown[-1]]),
+        xlabel="time [s]",
+        ylabel="top displacement d/b [-]",
+        ylim=(-0.1, 1.1 * d.max()),
+    )
     sign = {"pos": "+", "neg": "−"}[frames["direction"]]
     figure.suptitle(f"{frames['model']}, {frames['record']}{sign}, PGA {frames['pga_g']:.3g} g")
 
     def update(k):
         i = shown[k]
         left.clear()
-        pictures.draw(left, frames, i, walls, config, largest_m=largest, cmap="viridis",
-                      limits=((-3.4, 4.6), (-0.7, h + 0.9)))  # fmt: skip
+        pictures.draw(
+            left,
+            frames,
+            i,
+            walls,
+            config,
+            largest_m=largest,
+            cmap="viridis",
+            limits=((-3.4, 4.6), (-0.7, h + 0.9)),
+        )
         left.set_title(f"t = {time_s[i]:.2f} s, d/b = {d[i]:.2f}")
         line.set_data(time_s[: i + 1], d[: i + 1])
         dot.set_data([time_s[i]], [d[i]])

@@ -28,14 +28,22 @@ def main(job):
     modes = solver.modes(12)
     ended = time.perf_counter()
     row = {
-        "model": model, "coarsening": coarsening, "bricks": len(building.bricks),
-        "interfaces": len(building.interfaces), "dofs": len(solver.mass),
+        "model": model,
+        "coarsening": coarsening,
+        "bricks": len(building.bricks),
+        "interfaces": len(building.interfaces),
+        "dofs": len(solver.mass),
         "period_y_s": modes.period_s[translation_mode(modes)],
-        "period_rz_s": modes.period_s[twist_mode(modes)], "period_1_s": modes.period_s[0],
-        "build_s": built - began, "factorise_s": factorised - built, "modes_s": ended - factorised,
-        "wall_s": ended - began, "cpu_s": time.process_time() - began_cpu,
-        "memory_mb": memory_mb(), "memory_at_start_mb": at_start,
-    }  # fmt: skip
+        "period_rz_s": modes.period_s[twist_mode(modes)],
+        "period_1_s": modes.period_s[0],
+        "build_s": built - began,
+        "factorise_s": factorised - built,
+        "modes_s": ended - factorised,
+        "wall_s": ended - began,
+        "cpu_s": time.process_time() - began_cpu,
+        "memory_mb": memory_mb(),
+        "memory_at_start_mb": at_start,
+    }
     with open(job.output[0], "w") as handle:
         json.dump({k: v if isinstance(v, str) else float(v) for k, v in row.items()}, handle)
 

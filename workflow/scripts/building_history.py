@@ -20,10 +20,20 @@ def main(job):
     rate = mass_damping_rate(modes.omega[translation_mode(modes)], settings["damping_ratio"])
     top = building.scene.index(building.scene.monitor)
     history = modal_history(modes, [top], record.acceleration_m_s2, record.dt_s, rate)
-    columns = (history.time_s, history.ground_m_s2, history.acceleration_m_s2[0],
-               history.displacement_m[0])  # fmt: skip
-    np.savetxt(job.output[0], np.column_stack(columns), fmt="%.9g", delimiter=",", comments="",
-               header="time_s,ground_m_s2,top_m_s2,top_m")  # fmt: skip
+    columns = (
+        history.time_s,
+        history.ground_m_s2,
+        history.acceleration_m_s2[0],
+        history.displacement_m[0],
+    )
+    np.savetxt(
+        job.output[0],
+        np.column_stack(columns),
+        fmt="%.9g",
+        delimiter=",",
+        comments="",
+        header="time_s,ground_m_s2,top_m_s2,top_m",
+    )
 
 
 run(main, globals())

@@ -27,12 +27,17 @@ def main(job):
         below = stood[~(stood["pga_g"] >= collapse)]
         key = scene["model"], curve["direction"].iloc[0]
         law = scene["damping"]["law"]
-        rows.append({
-            "model": key[0], "record": curve["record"].iloc[0], "direction": key[1], "law": law,
-            "beta_s": f"{scene['beta_s']:.6g}",
-            "pga_safe_g": f"{below['pga_g'].max():.4f}" if len(below) else "",
-            "pga_collapse_g": f"{collapse:.4f}" if np.isfinite(collapse) else "",
-        })  # fmt: skip
+        rows.append(
+            {
+                "model": key[0],
+                "record": curve["record"].iloc[0],
+                "direction": key[1],
+                "law": law,
+                "beta_s": f"{scene['beta_s']:.6g}",
+                "pga_safe_g": f"{below['pga_g'].max():.4f}" if len(below) else "",
+                "pga_collapse_g": f"{collapse:.4f}" if np.isfinite(collapse) else "",
+            }
+        )
         curves.setdefault(key, []).append((law, scene["beta_s"], stood, fell, collapse))
     with open(job.output.table, "w", newline="") as handle:
         writer = csv.DictWriter(handle, COLUMNS, lineterminator="\n")
@@ -41,8 +46,8 @@ def main(job):
     models = list(dict.fromkeys(m for m, _ in curves))
     directions = list(dict.fromkeys(d for _, d in curves))
     figure, axes = plt.subplots(
-        len(models), len(directions), figsize=(7.0, 2.5 * len(models)), squeeze=False,
-    )  # fmt: skip
+        len(models), len(directions), figsize=(7.0, 2.5 * len(models)), squeeze=False
+    )
     for i, model in enumerate(models):
         for j, direction in enumerate(directions):
             axis = axes[i, j]
@@ -50,12 +55,19 @@ def main(job):
                 below = stood[~(stood["pga_g"] >= collapse)].sort_values("pga_g")
                 colour = COLOURS[law]
                 wide = {"lw": 3.0, "ms": 6.0, "alpha": 0.5} if law == "eq5" else {}
-                axis.plot([0, *below["d_over_b"]], [0, *below["pga_g"]], "o-", c=colour, **wide,
-                          label=f"{NAMES[law]}, β = {1e3 * beta:.2f} ms")  # fmt: skip
+                axis.plot(
+                    [0, *below["d_over_b"]],
+                    [0, *below["pga_g"]],
+                    "o-",
+                    c=colour,
+                    **wide,
+                    label=f"{NAMES[law]}, β = {1e3 * beta:.2f} ms",
+                )
                 above = stood[stood["pga_g"] >= collapse]
                 axis.plot(above["d_over_b"], above["pga_g"], "o", c=colour)
-                axis.plot(fell["d_over_b"], fell["pga_g"], "o", c=colour, mfc="white",
-                          clip_on=False)  # fmt: skip
+                axis.plot(
+                    fell["d_over_b"], fell["pga_g"], "o", c=colour, mfc="white", clip_on=False
+                )
             sign = {"pos": "+", "neg": "−"}[direction]
             axis.set_title(f"{model}, {record} {sign}", loc="left")
             axis.set(xlabel="d/b [–]", ylabel="PGA [g]", xlim=(0, 1.02), ylim=(0, None))

@@ -11,11 +11,31 @@ from rocking.script import run
 
 GROUPS = ("slenderness", "return_wall_ratio", "stiffness_ratio", "base_stiffness")
 COLUMNS = (
-    "wall", "role", "b_m", "h_m", "e_mpa", "density_kg_m3", *GROUPS, "omega_c_rad_s",
-    "release_ratio", "e_1sr", "beta_fit_s", "misfit", "e1_over_e1sr", "e2_over_e1sr",
-    "e3_over_e1sr", "beta_1_s", "beta_2_s", "beta_3_s", "beta_min_s", "beta_max_s", "beta_eq5_s",
-    "runs", "runs_with_three_impacts", "remark",
-)  # fmt: skip
+    "wall",
+    "role",
+    "b_m",
+    "h_m",
+    "e_mpa",
+    "density_kg_m3",
+    *GROUPS,
+    "omega_c_rad_s",
+    "release_ratio",
+    "e_1sr",
+    "beta_fit_s",
+    "misfit",
+    "e1_over_e1sr",
+    "e2_over_e1sr",
+    "e3_over_e1sr",
+    "beta_1_s",
+    "beta_2_s",
+    "beta_3_s",
+    "beta_min_s",
+    "beta_max_s",
+    "beta_eq5_s",
+    "runs",
+    "runs_with_three_impacts",
+    "remark",
+)
 CONTRACT = ("b_m", "h_m", "e_mpa", "beta_fit_s", "beta_eq5_s")
 
 
@@ -35,18 +55,26 @@ def row_of(wall):
         remark = "best β at the end of the range that could be judged"
     groups = calibration.groups(case["config"])
     return {
-        "wall": case["id"], "role": case["about"]["role"], "b_m": f"{b:.6g}", "h_m": f"{h:.6g}",
-        "e_mpa": f"{e_mpa:.6g}", "density_kg_m3": f"{facade['density_kg_m3']:.6g}",
+        "wall": case["id"],
+        "role": case["about"]["role"],
+        "b_m": f"{b:.6g}",
+        "h_m": f"{h:.6g}",
+        "e_mpa": f"{e_mpa:.6g}",
+        "density_kg_m3": f"{facade['density_kg_m3']:.6g}",
         **{name: number(groups[name]) for name in (*GROUPS, "omega_c_rad_s")},
-        "release_ratio": f"{case['release_ratio']:.6g}", "e_1sr": number(wall["e_1sr"]),
-        "beta_fit_s": number(fit["beta_s"]), "misfit": number(fit["misfit"]),
+        "release_ratio": f"{case['release_ratio']:.6g}",
+        "e_1sr": number(wall["e_1sr"]),
+        "beta_fit_s": number(fit["beta_s"]),
+        "misfit": number(fit["misfit"]),
         **{f"e{n}_over_e1sr": number(v) for n, v in enumerate(fit["ratio"], 1)},
         **{f"beta_{n}_s": number(v) for n, v in enumerate(fit["single_s"], 1)},
         "beta_min_s": f"{study.two_block_minimum(case['config']):.6g}",
         "beta_max_s": f"{study.single_block_maximum(case['config']):.6g}",
         "beta_eq5_s": number(closed_forms.beta_one_sided(b, h, e_mpa)),
-        "runs": len(wall["found"]), "runs_with_three_impacts": complete, "remark": remark,
-    }  # fmt: skip
+        "runs": len(wall["found"]),
+        "runs_with_three_impacts": complete,
+        "remark": remark,
+    }
 
 
 def write(path, columns, rows):

@@ -22,9 +22,15 @@ FORMS = (
 )
 WORTH = 0.10  # more groups have to lower the leave-one-out error by this share
 COLUMNS = (
-    "form", "walls", "parameters", "coefficients", "half_widths_95", "residual_std",
-    "loo_error", "chosen",
-)  # fmt: skip
+    "form",
+    "walls",
+    "parameters",
+    "coefficients",
+    "half_widths_95",
+    "residual_std",
+    "loo_error",
+    "chosen",
+)
 
 
 def main(job):
@@ -41,15 +47,19 @@ def main(job):
     rows = []
     for law in laws:
         half = calibration.half_widths(law)
-        rows.append({
-            "form": "beta·omega_c = exp(c0)" + "".join(f"·{n}^c{i}" for i, n in
-                                                        enumerate(law.names, 1)),
-            "walls": len(betas), "parameters": len(law.coefficients),
-            "coefficients": " ".join(f"{c:.4f}" for c in law.coefficients),
-            "half_widths_95": " ".join(f"{c:.4f}" for c in half),
-            "residual_std": f"{law.residual_std:.4f}", "loo_error": f"{law.loo_error:.4f}",
-            "chosen": int(law is chosen),
-        })  # fmt: skip
+        rows.append(
+            {
+                "form": "beta·omega_c = exp(c0)"
+                + "".join(f"·{n}^c{i}" for i, n in enumerate(law.names, 1)),
+                "walls": len(betas),
+                "parameters": len(law.coefficients),
+                "coefficients": " ".join(f"{c:.4f}" for c in law.coefficients),
+                "half_widths_95": " ".join(f"{c:.4f}" for c in half),
+                "residual_std": f"{law.residual_std:.4f}",
+                "loo_error": f"{law.loo_error:.4f}",
+                "chosen": int(law is chosen),
+            }
+        )
     for label, part in (
         ("all walls", table),
         ("reference ratio", table[table.role == "reference"]),
@@ -57,33 +67,48 @@ def main(job):
         b, e_mpa, s = (part[c].to_numpy() for c in ("b_m", "e_mpa", "slenderness"))
         fitted = part.beta_fit_s.to_numpy()
         printed = np.sqrt(np.mean(np.log(fitted / part.beta_eq5_s.to_numpy()) ** 2))
-        rows.append({
-            "form": f"eq. 5 as printed, {label}", "walls": len(part), "parameters": 5,
-            "residual_std": f"{printed:.4f}", "chosen": 0,
-        })  # fmt: skip
+        rows.append(
+            {
+                "form": f"eq. 5 as printed, {label}",
+                "walls": len(part),
+                "parameters": 5,
+                "residual_std": f"{printed:.4f}",
+                "chosen": 0,
+            }
+        )
         try:
             found, error, loo = dimensional_error(b, e_mpa, s, fitted)
         except calibration.CalibrationError:
             continue
-        rows.append({
-            "form": f"(b·c1 + E·c2 + c3)·exp(h/b·(E·c4 + c5)) refitted, {label}",
-            "walls": len(part), "parameters": 5,
-            "coefficients": " ".join(f"{c:.4g}" for c in found),
-            "residual_std": f"{error:.4f}", "loo_error": f"{loo:.4f}", "chosen": 0,
-        })  # fmt: skip
+        rows.append(
+            {
+                "form": f"(b·c1 + E·c2 + c3)·exp(h/b·(E·c4 + c5)) refitted, {label}",
+                "walls": len(part),
+                "parameters": 5,
+                "coefficients": " ".join(f"{c:.4g}" for c in found),
+                "residual_std": f"{error:.4f}",
+                "loo_error": f"{loo:.4f}",
+                "chosen": 0,
+            }
+        )
     reference = table[table.role == "reference"]
     here = reference[[*names, "omega_c_rad_s"]].to_dict("records")
     for form in ((), ("slenderness",)):
         law = calibration.fit_law(here, reference.beta_fit_s.to_numpy(), form)
-        rows.append({
-            "form": "beta·omega_c = exp(c0)" + "".join(f"·{n}^c1" for n in form)
-                    + ", reference ratio",
-            "walls": len(here), "parameters": len(law.coefficients),
-            "coefficients": " ".join(f"{c:.4f}" for c in law.coefficients),
-            "half_widths_95": " ".join(f"{c:.4f}" for c in calibration.half_widths(law)),
-            "residual_std": f"{law.residual_std:.4f}", "loo_error": f"{law.loo_error:.4f}",
-            "chosen": 0,
-        })  # fmt: skip
+        rows.append(
+            {
+                "form": "beta·omega_c = exp(c0)"
+                + "".join(f"·{n}^c1" for n in form)
+                + ", reference ratio",
+                "walls": len(here),
+                "parameters": len(law.coefficients),
+                "coefficients": " ".join(f"{c:.4f}" for c in law.coefficients),
+                "half_widths_95": " ".join(f"{c:.4f}" for c in calibration.half_widths(law)),
+                "residual_std": f"{law.residual_std:.4f}",
+                "loo_error": f"{law.loo_error:.4f}",
+                "chosen": 0,
+            }
+        )
     with open(job.output.table, "w", newline="") as handle:
         writer = csv.DictWriter(handle, COLUMNS, lineterminator="\n", restval="")
         writer.writeheader()

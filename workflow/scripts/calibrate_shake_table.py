@@ -28,11 +28,15 @@ def tests_of(wall, record, motion, tilt, settings, laws):
                     "motion": motion,
                     "factor": sign * scale,
                     "about": {
-                        "record": record.name, "source": record.source, "scale": scale,
-                        "direction": direction, "law": law, "tilt_deg": tilt,
+                        "record": record.name,
+                        "source": record.source,
+                        "scale": scale,
+                        "direction": direction,
+                        "law": law,
+                        "tilt_deg": tilt,
                         "pga_g": scale * measures(record)["pga_g"],
                     },
-                }  # fmt: skip
+                }
 
 
 def main(job):
@@ -55,9 +59,13 @@ def main(job):
         record = load(name, job.input.table, baseline=job.params.baseline, seed=job.params.seed)
         motion = os.path.join(job.output.motions, f"{name}.csv")
         np.savetxt(
-            motion, np.stack([record.time_s, record.acceleration_m_s2], axis=1), "%.9g", ",",
-            header="time_s,ground_m_s2", comments="",
-        )  # fmt: skip
+            motion,
+            np.stack([record.time_s, record.acceleration_m_s2], axis=1),
+            "%.9g",
+            ",",
+            header="time_s,ground_m_s2",
+            comments="",
+        )
         tests += tests_of(wall, record, motion, tilt, settings, laws)
     with open(job.output.tests, "w") as handle:
         json.dump(tests, handle, indent=1, sort_keys=True)

@@ -45,9 +45,13 @@ def first_row(fit, measured):
     elif fit["at_edge"]:
         remark += "; at the end of the range that could be judged"
     return {
-        "source": "free rocking of this wall", "beta_s": fit["beta_s"], "low_s": fit["low_s"],
-        "high_s": fit["high_s"], "misfit": fit["misfit"], "remark": remark,
-    }  # fmt: skip
+        "source": "free rocking of this wall",
+        "beta_s": fit["beta_s"],
+        "low_s": fit["low_s"],
+        "high_s": fit["high_s"],
+        "misfit": fit["misfit"],
+        "remark": remark,
+    }
 
 
 def law_rows(config, law_file):
@@ -56,16 +60,28 @@ def law_rows(config, law_file):
     values = facade["thickness_m"], facade["height_m"], facade["e_mpa"]
     printed = closed_forms.beta_one_sided(*values)
     if printed > 0.0:
-        yield {"source": "eq. 5", "beta_s": printed, "low_s": math.nan, "high_s": math.nan,
-               "misfit": math.nan, "remark": ""}  # fmt: skip
+        yield {
+            "source": "eq. 5",
+            "beta_s": printed,
+            "low_s": math.nan,
+            "high_s": math.nan,
+            "misfit": math.nan,
+            "remark": "",
+        }
     try:
         law = calibration.read_law(law_file)
     except calibration.CalibrationError:
         return
     groups = calibration.groups(config)
     beta, low, high = law.predict(groups)
-    yield {"source": "fitted law", "beta_s": beta, "low_s": low, "high_s": high,
-           "misfit": math.nan, "remark": law.outside(groups) or "band: 90 %"}  # fmt: skip
+    yield {
+        "source": "fitted law",
+        "beta_s": beta,
+        "low_s": low,
+        "high_s": high,
+        "misfit": math.nan,
+        "remark": law.outside(groups) or "band: 90 %",
+    }
 
 
 def draw(job, config, wall, targets, rows, fit):
@@ -80,8 +96,13 @@ def draw(job, config, wall, targets, rows, fit):
         left.axvline(1e3 * fit["beta_s"], c="#D55E00", label=f"best: {1e3 * fit['beta_s']:.3g} ms")
         left.axvspan(1e3 * fit["low_s"], 1e3 * fit["high_s"], color="#D55E00", alpha=0.1, lw=0)
     for row, style_of in zip(rows[1:], ("--", "-."), strict=False):
-        left.axvline(1e3 * row["beta_s"], c="0.4", ls=style_of, lw=0.9,
-                     label=f"{row['source']}: {1e3 * row['beta_s']:.3g} ms")  # fmt: skip
+        left.axvline(
+            1e3 * row["beta_s"],
+            c="0.4",
+            ls=style_of,
+            lw=0.9,
+            label=f"{row['source']}: {1e3 * row['beta_s']:.3g} ms",
+        )
     left.set(xscale="log", xlabel="β [ms]", ylabel="e$_{exp}$ [–]", ylim=(0.0, None))
     ticks = [float(f"{b:.2g}") for b in beta]
     left.set_xticks(ticks, [f"{b:g}" for b in ticks])
@@ -90,12 +111,18 @@ def draw(job, config, wall, targets, rows, fit):
     left.legend(fontsize=6.3)
     error = misfit(wall["e"] / wall["e_1sr"], 1.0, targets)
     shown = range(0, len(beta), 2)
-    for i, colour in zip(shown, plt.get_cmap("viridis")(np.linspace(0.0, 0.85, len(shown))),
-                         strict=False):  # fmt: skip
+    for i, colour in zip(
+        shown, plt.get_cmap("viridis")(np.linspace(0.0, 0.85, len(shown))), strict=False
+    ):
         h = wall["histories"][i]
         text = "fewer than 3 impacts" if np.isnan(error[i]) else f"misfit {error[i]:.2f}"
-        right.plot(h["time_s"], h["theta_over_alpha"], c=colour, lw=0.9,
-                   label=f"β = {beta[i]:.2g} ms, {text}")  # fmt: skip
+        right.plot(
+            h["time_s"],
+            h["theta_over_alpha"],
+            c=colour,
+            lw=0.9,
+            label=f"β = {beta[i]:.2g} ms, {text}",
+        )
     right.set(xlabel="time [s]", ylabel="θ/α [–]")
     right.set_title("(b) free rocking", loc="left")
     right.legend(fontsize=6.3)

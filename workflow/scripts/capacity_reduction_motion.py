@@ -26,13 +26,24 @@ def main(job):
     if damping_ratio > 0.0:
         tail_s = max(tail_s, math.log(1e4) * period_s / (2.0 * math.pi * damping_ratio))
     motion = floor_motions(
-        record.acceleration_m_s2, record.dt_s, below + n, period_s, damping_ratio,
-        chain["damping_model"], tail_s=tail_s,
-    )  # fmt: skip
+        record.acceleration_m_s2,
+        record.dt_s,
+        below + n,
+        period_s,
+        damping_ratio,
+        chain["damping_model"],
+        tail_s=tail_s,
+    )
     levels = np.vstack([motion.ground_m_s2, motion.floors_m_s2])[below:]
     names = ["time_s", "ground_m_s2"] + [f"floor{j}_m_s2" for j in range(1, n + 1)]
-    np.savetxt(job.output.motion, np.column_stack([motion.time_s, levels.T]), fmt="%.9g",
-               delimiter=",", header=",".join(names), comments="")  # fmt: skip
+    np.savetxt(
+        job.output.motion,
+        np.column_stack([motion.time_s, levels.T]),
+        fmt="%.9g",
+        delimiter=",",
+        header=",".join(names),
+        comments="",
+    )
     facts = {
         "record": record.name,
         "t1_s": period_s,

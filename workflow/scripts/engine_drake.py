@@ -40,18 +40,26 @@ def _add_contacts(plant, body, scene):
         if len(mine) == 0:
             continue
         face = plant.RegisterCollisionGeometry(
-            plant.world_body(), HalfSpace.MakePose(np.eye(3)[axis], nodes.position_m[mine[0]]),
-            HalfSpace(), f"face {axis}", _contact(FACE_STIFFNESS, 0.0, 1e6),
-        )  # fmt: skip
+            plant.world_body(),
+            HalfSpace.MakePose(np.eye(3)[axis], nodes.position_m[mine[0]]),
+            HalfSpace(),
+            f"face {axis}",
+            _contact(FACE_STIFFNESS, 0.0, 1e6),
+        )
         spheres = []
         for i in mine:
             friction = np.tan(nodes.friction_rad[i])
             at = nodes.position_m[i] - centre + RADIUS_M * nodes.normal[i]
-            spheres.append(plant.RegisterCollisionGeometry(
-                body, RigidTransform(at), Sphere(RADIUS_M), f"node {i}",
-                # two frictions combine as 2μ₁μ₂/(μ₁ + μ₂): half of it against a rough face
-                _contact(nodes.kn_n_m[i], nodes.beta_s[i], 0.5 * friction),
-            ))  # fmt: skip
+            spheres.append(
+                plant.RegisterCollisionGeometry(
+                    body,
+                    RigidTransform(at),
+                    Sphere(RADIUS_M),
+                    f"node {i}",
+                    # two frictions combine as 2μ₁μ₂/(μ₁ + μ₂): half of it against a rough face
+                    _contact(nodes.kn_n_m[i], nodes.beta_s[i], 0.5 * friction),
+                )
+            )
         pairs.append((face, spheres))
     return pairs
 
@@ -60,12 +68,7 @@ def build(scene, time_s, acceleration, dt_s):
     """Diagram, plant and body of a planar façade scene."""
     from pydrake.geometry import CollisionFilterDeclaration, GeometrySet
     from pydrake.multibody.plant import AddMultibodyPlantSceneGraph, DiscreteContactApproximation
-    from pydrake.multibody.tree import (
-        PrismaticJoint,
-        RevoluteJoint,
-        SpatialInertia,
-        UnitInertia,
-    )
+    from pydrake.multibody.tree import PrismaticJoint, RevoluteJoint, SpatialInertia, UnitInertia
     from pydrake.systems.framework import DiagramBuilder
     from pydrake.systems.primitives import TrajectorySource
     from pydrake.trajectories import PiecewisePolynomial

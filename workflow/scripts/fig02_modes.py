@@ -37,8 +37,14 @@ def main(job):
             mode = choose(modes)
             motion = drawing.block_motion(modes, mode, len(building.scene.blocks))
             size = np.linalg.norm(motion[:, :3], axis=1).max()
-            drawing.draw(ax, building, motion=motion, scale=LARGEST_M / size, colour_map=colours,
-                         edge_width=0.08)  # fmt: skip
+            drawing.draw(
+                ax,
+                building,
+                motion=motion,
+                scale=LARGEST_M / size,
+                colour_map=colours,
+                edge_width=0.08,
+            )
             title = f"({next(letters)}) {model}, mode {mode + 1}: {name}, "
             title += f"T = {modes.period_s[mode]:.3f} s"
             if job.params.paper:
@@ -48,8 +54,9 @@ def main(job):
                 f" inertia about z {modes.effective_ratio[mode, 5]:.2f}"
             )
             ax.set_title(title, fontsize=7)
-    bar = figure.colorbar(plt.cm.ScalarMappable(cmap=colours), ax=axes, shrink=0.4, aspect=30,
-                          location="bottom")  # fmt: skip
+    bar = figure.colorbar(
+        plt.cm.ScalarMappable(cmap=colours), ax=axes, shrink=0.4, aspect=30, location="bottom"
+    )
     bar.set_label("displacement over the largest [-]")
     style.save(figure, job.output)
 

@@ -31,9 +31,14 @@ def panel_runs(axes, cases_path, histories_path, walls, limits):
         axes.plot(np.full(missing.sum(), s), wall["beta_s"][missing] * MS, "x", c="0.6", ms=4)
         judged = wall["beta_s"][~missing] * MS
         drawn = axes.scatter(
-            np.full(len(judged), s), judged, c=error[~missing], cmap="viridis", norm=scale, s=16,
+            np.full(len(judged), s),
+            judged,
+            c=error[~missing],
+            cmap="viridis",
+            norm=scale,
+            s=16,
             zorder=3,
-        )  # fmt: skip
+        )
         row = walls[walls.wall == wall["case"]["id"]].iloc[0]
         axes.plot(s, row.beta_fit_s * MS, "o", mfc="none", mec="#D55E00", ms=8, mew=1.4, zorder=4)
     x, low, high = limits
@@ -45,8 +50,9 @@ def panel_runs(axes, cases_path, histories_path, walls, limits):
     axes.legend(loc="upper left", fontsize=6.5)
     axes.yaxis.set_major_formatter("{x:g}")
     axes.set_ylim(None, 120.0)
-    plt.colorbar(drawn, ax=axes, label="misfit of e$_{exp}$/|e$_{1SR}$| [–]", pad=0.01,
-                 extend="max")  # fmt: skip
+    plt.colorbar(
+        drawn, ax=axes, label="misfit of e$_{exp}$/|e$_{1SR}$| [–]", pad=0.01, extend="max"
+    )
 
 
 def law_curve(law, config, b, slenderness, level=0.9):
@@ -83,8 +89,13 @@ def main(job):
         axes["b"].plot(x, beta * MS, c=colour)
         printed = np.array([closed_forms.beta_one_sided(b, s * b, e_mpa) for s in x])
         axes["b"].plot(x, printed * MS, "--", c=colour, lw=0.9)
-        axes["b"].plot(part.slenderness, part.beta_fit_s * MS, "o", c=colour,
-                       label=f"b = {b:g} m, E = {e_mpa:g} MPa")  # fmt: skip
+        axes["b"].plot(
+            part.slenderness,
+            part.beta_fit_s * MS,
+            "o",
+            c=colour,
+            label=f"b = {b:g} m, E = {e_mpa:g} MPa",
+        )
     axes["b"].plot([], [], "0.4", label="fitted law, 90 % band")
     axes["b"].plot([], [], "--", c="0.4", lw=0.9, label="eq. 5")
     axes["b"].set(xlabel="h/b [–]", ylabel="best-fitting β [ms]", yscale="log")
@@ -99,22 +110,34 @@ def main(job):
         sorted(fitted.return_wall_ratio.unique()), RATIO_MARKERS, strict=False
     ):
         for (b, e_mpa), colour in zip(study.batches(settings), COLOURS, strict=False):
-            part = fitted[(fitted.return_wall_ratio == ratio) & (fitted.b_m == b)
-                          & (fitted.e_mpa == e_mpa)]  # fmt: skip
-            axes["c"].plot(part.slenderness, part.beta_fit_s * part.omega_c_rad_s, marker, c=colour,
-                           ms=4.5, alpha=0.85)  # fmt: skip
+            part = fitted[
+                (fitted.return_wall_ratio == ratio) & (fitted.b_m == b) & (fitted.e_mpa == e_mpa)
+            ]
+            axes["c"].plot(
+                part.slenderness,
+                part.beta_fit_s * part.omega_c_rad_s,
+                marker,
+                c=colour,
+                ms=4.5,
+                alpha=0.85,
+            )
         axes["c"].plot([], [], marker, c="0.3", label=f"r = {ratio:g}")
     config = study.batch_wall(settings, first_b, first_e, x[0], r0)
     band = law_curve(law, config, first_b, x)
-    omega = np.array([
-        calibration.groups(study.batch_wall(settings, first_b, first_e, s, r0))["omega_c_rad_s"]
-        for s in x
-    ])  # fmt: skip
+    omega = np.array(
+        [
+            calibration.groups(study.batch_wall(settings, first_b, first_e, s, r0))["omega_c_rad_s"]
+            for s in x
+        ]
+    )
     axes["c"].fill_between(x, band[1] * omega, band[2] * omega, color="0.5", alpha=0.15, lw=0)
     axes["c"].plot(x, band[0] * omega, "0.3", label=f"fitted law at r = {r0:g}, 90 % band")
     axes["c"].set(xlabel="h/b [–]", ylabel="β·ω$_c$ [–]", ylim=(0.5, 1.45))
-    axes["c"].set_title("(c) the same and the other return-wall ratios r, "
-                        "ω$_c$ = √(j$_{kn}$r/ρb); colours as in (b)", loc="left")  # fmt: skip
+    axes["c"].set_title(
+        "(c) the same and the other return-wall ratios r, "
+        "ω$_c$ = √(j$_{kn}$r/ρb); colours as in (b)",
+        loc="left",
+    )
     axes["c"].legend(ncols=4)
     style.save(figure, job.output)
 

@@ -41,16 +41,25 @@ def main(job):
     axes["a"].legend(title="β", ncols=2)
     axes["a"].set(xlabel="time [s]", ylabel="θ/α [–]", xlim=(0.0, None))
     axes["a"].set_title("(a) complete histories", loc="left")
-    axes["b"].set(xlabel="time [s]", ylabel="θ/α [–]", xlim=(first - 0.02, 1.05 * end),
-                  ylim=(-0.02, 0.2))  # fmt: skip
+    axes["b"].set(
+        xlabel="time [s]", ylabel="θ/α [–]", xlim=(first - 0.02, 1.05 * end), ylim=(-0.02, 0.2)
+    )
     axes["b"].set_title("(b) after the first impact", loc="left")
     for n, (low, high) in enumerate(TARGETS, 1):
         low, high = low * wall["e_1sr"], high * wall["e_1sr"]
-        axes["c"].fill_between([n - 0.2, n + 0.2], low - 0.004, high + 0.004, color="#D55E00",
-                               alpha=0.45, lw=0, label="target" if n == 1 else None)  # fmt: skip
+        axes["c"].fill_between(
+            [n - 0.2, n + 0.2],
+            low - 0.004,
+            high + 0.004,
+            color="#D55E00",
+            alpha=0.45,
+            lw=0,
+            label="target" if n == 1 else None,
+        )
     axes["c"].axhline(wall["e_1sr"], c="k", ls=":", label=f"|e$_{{1SR}}$| = {wall['e_1sr']:.3f}")
-    axes["c"].set(xlabel="impact n", ylabel="e$_{exp}$ [–]", xticks=range(1, IMPACTS + 1),
-                  ylim=(0.0, 0.9))  # fmt: skip
+    axes["c"].set(
+        xlabel="impact n", ylabel="e$_{exp}$ [–]", xticks=range(1, IMPACTS + 1), ylim=(0.0, 0.9)
+    )
     axes["c"].set_title("(c) restitution, eq. 4 (colours as in a)", loc="left")
     axes["c"].legend(loc="upper right")
     panel_ratio(axes["d"], [wall, *others], facade, calibration.read_law(job.input.law))
@@ -89,17 +98,23 @@ def panel_ratio(axes, walls, facade, law):
     beta, low, high = 1e3 * np.array(band).T
     axes.fill_between(grid, low, high, color="0.5", alpha=0.18, lw=0)
     axes.plot(grid, beta, c="0.4", lw=0.9, label="fitted law, 90 % band")
-    printed = closed_forms.beta_one_sided(facade["thickness_m"], facade["height_m"],
-                                          facade["e_mpa"])  # fmt: skip
+    printed = closed_forms.beta_one_sided(
+        facade["thickness_m"], facade["height_m"], facade["e_mpa"]
+    )
     axes.axhline(1e3 * printed, c="k", ls=":", label=f"eq. 5: {1e3 * printed:.3f} ms")
     axes.axhspan(0.2, 0.4, color="#56B4E9", alpha=0.15, lw=0)
     axes.set(
-        xscale="log", xlabel="return-wall ratio r = total thickness/width [–]", ylabel="β [ms]",
-        ylim=(0.0, 1.3), xticks=list(r), xticklabels=[f"{v:g}" for v in r],
-    )  # fmt: skip
+        xscale="log",
+        xlabel="return-wall ratio r = total thickness/width [–]",
+        ylabel="β [ms]",
+        ylim=(0.0, 1.3),
+        xticks=list(r),
+        xticklabels=[f"{v:g}" for v in r],
+    )
     axes.minorticks_off()
-    axes.set_title("(d) sensitivity to the widths, which are not stated; blue: 0.2–0.4 ms",
-                   loc="left")  # fmt: skip
+    axes.set_title(
+        "(d) sensitivity to the widths, which are not stated; blue: 0.2–0.4 ms", loc="left"
+    )
     axes.legend(ncols=2, fontsize=6.5)
 
 

@@ -21,9 +21,12 @@ def main(job):
     scales = sorted({t["about"]["scale"] for t in tests})
     shown = min(scales, key=lambda s: abs(s - 1.0))
     figure, axes = plt.subplots(
-        len(names), 3, figsize=(7.4, 2.1 * len(names) + 0.4), squeeze=False,
+        len(names),
+        3,
+        figsize=(7.4, 2.1 * len(names) + 0.4),
+        squeeze=False,
         width_ratios=(1.25, 1.25, 1.0),
-    )  # fmt: skip
+    )
     for row, name in zip(axes, names, strict=True):
         mine = [(t, d) for t, d in runs if t["about"]["record"] == name]
         for axis, direction in zip(row, ("pos", "neg"), strict=False):
@@ -31,8 +34,9 @@ def main(job):
         row[1].sharey(row[0])
         peaks(row[2], mine, scales)
         about = mine[0][0]["about"]
-        row[0].set_title(f"{name} ({about['source']}), φ = {about['tilt_deg']:g}°, ×{shown:g}, +",
-                         loc="left")  # fmt: skip
+        row[0].set_title(
+            f"{name} ({about['source']}), φ = {about['tilt_deg']:g}°, ×{shown:g}, +", loc="left"
+        )
         row[1].set_title(f"×{shown:g}, −", loc="left")
         row[2].set_title("peaks", loc="left")
     axes[0, 0].legend(loc="upper right")
@@ -58,8 +62,13 @@ def histories(axis, mine, direction, shown):
             continue
         d = relative(test, done)
         colour = COLOURS[about["law"]]
-        axis.plot(done["time_s"], d, c=colour, lw=0.8,
-                  label=f"{NAMES[about['law']]}, β = {1e3 * test['beta_s']:.2f} ms")  # fmt: skip
+        axis.plot(
+            done["time_s"],
+            d,
+            c=colour,
+            lw=0.8,
+            label=f"{NAMES[about['law']]}, β = {1e3 * test['beta_s']:.2f} ms",
+        )
         if done["status"] == "overturned":
             axis.plot(done["time_s"][-1], d[-1], "x", c=colour, ms=6)
 
@@ -69,14 +78,28 @@ def peaks(axis, mine, scales):
     for law, colour in COLOURS.items():
         for direction, marker, fill in (("pos", "o", colour), ("neg", "v", "none")):
             wanted = (law, direction)
-            chosen = [(t, d) for t, d in mine
-                      if (t["about"]["law"], t["about"]["direction"]) == wanted]  # fmt: skip
+            chosen = [
+                (t, d) for t, d in mine if (t["about"]["law"], t["about"]["direction"]) == wanted
+            ]
             chosen.sort(key=lambda pair: pair[0]["about"]["scale"])
-            y = [b if d["status"] == "overturned" else np.nan if d["status"] == "failed"
-                 else float(relative(t, d).max()) for t, d in chosen]  # fmt: skip
-            axis.plot([t["about"]["scale"] for t, _ in chosen], y, marker, c=colour, mfc=fill,
-                      ls="-", lw=0.7,
-                      label=f"{NAMES[law]}, {'+' if direction == 'pos' else '−'}")  # fmt: skip
+            y = [
+                b
+                if d["status"] == "overturned"
+                else np.nan
+                if d["status"] == "failed"
+                else float(relative(t, d).max())
+                for t, d in chosen
+            ]
+            axis.plot(
+                [t["about"]["scale"] for t, _ in chosen],
+                y,
+                marker,
+                c=colour,
+                mfc=fill,
+                ls="-",
+                lw=0.7,
+                label=f"{NAMES[law]}, {'+' if direction == 'pos' else '−'}",
+            )
     axis.axhline(b, c="0.5", ls=":", lw=0.9)
     axis.text(scales[0], b, "overturned", va="bottom", fontsize=6.5, color="0.4")
     axis.set(ylim=(0.0, 1.12 * b), xticks=scales, xticklabels=[f"{s:g}" for s in scales])

@@ -33,8 +33,17 @@ def main(job):
     limits = ((-3.4, 3.1), (-0.7, h + 0.9))
     figure, axes = plt.subplots(1, len(frames), figsize=(1.75 * len(frames), 2.9), squeeze=False)
     for axis, f, i in zip(axes[0], frames, at, strict=True):
-        drawn = pictures.draw(axis, f, i, walls, config, magnification=k, largest_m=largest,
-                              limits=limits, cmap="viridis")  # fmt: skip
+        drawn = pictures.draw(
+            axis,
+            f,
+            i,
+            walls,
+            config,
+            magnification=k,
+            largest_m=largest,
+            limits=limits,
+            cmap="viridis",
+        )
         axis.set_title(f"{f['model']}: d/b = {abs(f['d_over_b'][i]):.2f}")
     bar = figure.colorbar(drawn, ax=axes[0].tolist(), shrink=0.6, pad=0.01)
     bar.set_label("displacement relative to the ground [m]")
@@ -42,8 +51,9 @@ def main(job):
     sign = {"pos": "+", "neg": "−"}[head["direction"]]
     figure.suptitle(
         f"{head['record']}{sign}, PGA {head['pga_g']:g} g, t = {instant:.2f} s; "
-        f"displacements × {k:g}", fontsize=8.5
-    )  # fmt: skip
+        f"displacements × {k:g}",
+        fontsize=8.5,
+    )
     style.save(figure, job.output)
 
 

@@ -67,16 +67,24 @@ def draw_blocks(axis, scene, config, theta=0.0):
         )
     axis.axhline(0.0, color="k", lw=0.8)
     b = config["facade"]["thickness_m"]
-    axis.set(aspect="equal", xlim=(-0.1 - w3["brick_length_m"], 1.6 * b + SCHEME_D * b),
-             ylim=(-0.15, h + 0.25), xlabel="y [m]")  # fmt: skip
+    axis.set(
+        aspect="equal",
+        xlim=(-0.1 - w3["brick_length_m"], 1.6 * b + SCHEME_D * b),
+        ylim=(-0.15, h + 0.25),
+        xlabel="y [m]",
+    )
 
 
 def draw_elements(axes, scene, config):
     draw_blocks(axes[0], scene, config)
     axes[0].set(ylabel="z [m]")
     axes[0].set_title("(a) elements", loc="left")
-    for kind, text in (("façade", "façade"), ("header", "header"), ("brick", "return brick"),
-                       ("half", "its half brick")):  # fmt: skip
+    for kind, text in (
+        ("façade", "façade"),
+        ("header", "header"),
+        ("brick", "return brick"),
+        ("half", "its half brick"),
+    ):
         axes[1].add_patch(Polygon([[9, 9]] * 3, fc=FILLS[kind], ec="k", lw=0.4, label=text))
     draw_blocks(axes[1], scene, config, theta=float(theta_of(SCHEME_D, config["facade"])))
     axes[1].set_title(f"(b) d/b = {SCHEME_D:g}", loc="left")
@@ -85,14 +93,20 @@ def draw_elements(axes, scene, config):
 def draw_capacity(axis, curve, config):
     d = np.linspace(1e-4, 1.0, 400)
     upper, lower, shift = closed_form(d, config, "W3")
-    axis.fill_between(d, lower, upper, color=style.GREY, alpha=0.5, lw=0,
-                      label="kinematic bounds, rigid base")  # fmt: skip
+    axis.fill_between(
+        d, lower, upper, color=style.GREY, alpha=0.5, lw=0, label="kinematic bounds, rigid base"
+    )
     axis.plot(d, upper + shift, color="k", ls="--", lw=0.8, label="bounds, compliant base")
     axis.plot(d, lower + shift, color="k", ls="--", lw=0.8)
     colour = style.MODEL_COLOURS["W3"]
     axis.plot(curve["d_over_b"], smoothed(curve, "lambda_dem"), color=colour, label="YADE")
-    axis.plot(curve["d_over_b"], smoothed(curve, "lambda_dem_corrected"), color=colour, ls=":",
-              label="YADE, base corrected")  # fmt: skip
+    axis.plot(
+        curve["d_over_b"],
+        smoothed(curve, "lambda_dem_corrected"),
+        color=colour,
+        ls=":",
+        label="YADE, base corrected",
+    )
     upper_block = closed_form(d, config, "free")[0]
     axis.plot(d, upper_block, color=style.GREY, lw=1, label="bare façade, tan(α − θ)")
     axis.set(xlim=(0, 1), ylim=(0, 0.32), xlabel="d/b [-]", ylabel="λ [-]")
@@ -105,8 +119,12 @@ def draw_rules(axes, cases):
         curve, joints = cases[rule]
         colour = RULE_COLOURS[rule]
         part = curve[curve["d_over_b"] > 0.002]
-        axes[0].semilogy(part["d_over_b"], np.maximum(smoothed(part, "lambda_dem"), 1e-3),
-                         color=colour, label=rule)  # fmt: skip
+        axes[0].semilogy(
+            part["d_over_b"],
+            np.maximum(smoothed(part, "lambda_dem"), 1e-3),
+            color=colour,
+            label=rule,
+        )
         nearest = joints["d_over_b"].unique()
         nearest = nearest[np.argmin(np.abs(nearest - SHOWN_D))]
         at = joints[joints["d_over_b"] == nearest]

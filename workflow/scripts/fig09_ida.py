@@ -32,8 +32,15 @@ def draw_pushover(axis, path, h, b):
         return
     curve, model = pd.read_csv(path), Path(path).stem
     value = smoothed(curve, "lambda_dem") if model == "W3" else curve["lambda_dem"]
-    axis.plot(curve["d_over_b"], value, color=style.GREY, lw=1.6, ls=GREY_LINES[model],
-              label=f"pushover {model}", zorder=1)  # fmt: skip
+    axis.plot(
+        curve["d_over_b"],
+        value,
+        color=style.GREY,
+        lw=1.6,
+        ls=GREY_LINES[model],
+        label=f"pushover {model}",
+        zorder=1,
+    )
 
 
 def draw(axis, curve, model, top, origin):
@@ -47,20 +54,33 @@ def draw(axis, curve, model, top, origin):
     first = fell["pga_g"].min() if len(fell) else np.inf
     line = joined[joined["pga_g"] <= first]
     axis.plot([*origin, *line["d_over_b"]], [*origin, *line["pga_g"]], color=colour, zorder=2)
-    axis.plot(stood["d_over_b"], stood["pga_g"], marker, color=colour, ls="", label=model,
-              zorder=3)  # fmt: skip
+    axis.plot(stood["d_over_b"], stood["pga_g"], marker, color=colour, ls="", label=model, zorder=3)
     fell = fell[fell["pga_g"] <= top]  # the frame does not clip symbols at d/b = 1
-    axis.plot(fell["d_over_b"], fell["pga_g"], marker, color=colour, mfc="white", ls="",
-              clip_on=False, zorder=4)  # fmt: skip
+    axis.plot(
+        fell["d_over_b"],
+        fell["pga_g"],
+        marker,
+        color=colour,
+        mfc="white",
+        ls="",
+        clip_on=False,
+        zorder=4,
+    )
 
 
 def draw_band(axis, ensemble, percentiles):
     """Shade the ensemble's percentile band of d/b."""
     table = bands(ensemble, percentiles)
     colour = style.MODEL_COLOURS[curve_key(ensemble)[0]]
-    axis.fill_betweenx(table["pga_g"], table["d_over_b_low"].clip(upper=1.0),
-                       table["d_over_b_high"].clip(upper=1.0), color=colour, alpha=0.22, lw=0,
-                       zorder=1)  # fmt: skip
+    axis.fill_betweenx(
+        table["pga_g"],
+        table["d_over_b_low"].clip(upper=1.0),
+        table["d_over_b_high"].clip(upper=1.0),
+        color=colour,
+        alpha=0.22,
+        lw=0,
+        zorder=1,
+    )
 
 
 def doubtful(sensitivity, ensembles):
@@ -115,8 +135,18 @@ def main(job):
                     draw(axis, curve, curve_key(curve)[0], top, () if logarithmic else (0.0,))
             for points in doubts:
                 if len(points) and curve_key(points)[1:] == (record, direction):
-                    axis.plot(points["d_over_b"], points["pga_g"], "o", ls="", ms=8, mfc="none",
-                              mec="0.3", mew=0.7, label="does not repeat", zorder=5)  # fmt: skip
+                    axis.plot(
+                        points["d_over_b"],
+                        points["pga_g"],
+                        "o",
+                        ls="",
+                        ms=8,
+                        mfc="none",
+                        mec="0.3",
+                        mew=0.7,
+                        label="does not repeat",
+                        zorder=5,
+                    )
             sign = {"pos": "+", "neg": "−"}[direction]
             axis.set_title(f"{style.provenance(facts[record])}, direction {sign}", loc="left")
             axis.set(xlim=(0, 1.0), ylabel="PGA [g]")
@@ -133,8 +163,9 @@ def main(job):
     for axis in axes.flat:
         for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
             legend.setdefault(label, handle)
-    figure.legend(legend.values(), legend.keys(), loc="outside upper center",
-                  ncols=min(len(legend), 5))  # fmt: skip
+    figure.legend(
+        legend.values(), legend.keys(), loc="outside upper center", ncols=min(len(legend), 5)
+    )
     style.save(figure, job.output)
 
 

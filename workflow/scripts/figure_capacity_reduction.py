@@ -10,8 +10,17 @@ from rocking import style
 from rocking.ida import collapse_row, read_curve
 from rocking.script import run
 
-COLUMNS = ["record", "source", "direction", "t1_s", "base_height_ratio", "pga_w1_g", "pga_w2_g",
-           "ratio", "censored"]  # fmt: skip
+COLUMNS = [
+    "record",
+    "source",
+    "direction",
+    "t1_s",
+    "base_height_ratio",
+    "pga_w1_g",
+    "pga_w2_g",
+    "ratio",
+    "censored",
+]
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
 
 
@@ -46,8 +55,19 @@ def main(job):
         if of_base is None or w1 is None:
             continue  # every run failed
         w2 = of_base * peak["pga_g"] / peak["base_peak_g"]
-        rows.append((record, source[record], direction, case["t1_s"], case["base_height_ratio"],
-                     w1, w2, w2 / w1, int(open1 or open2)))  # fmt: skip
+        rows.append(
+            (
+                record,
+                source[record],
+                direction,
+                case["t1_s"],
+                case["base_height_ratio"],
+                w1,
+                w2,
+                w2 / w1,
+                int(open1 or open2),
+            )
+        )
     table = pd.DataFrame(rows, columns=COLUMNS)
     table.to_csv(job.output.table, index=False, float_format="%.6g", lineterminator="\n")
 
@@ -61,14 +81,16 @@ def main(job):
         axis.plot(middle.index, middle, "o-", color=colour, label=f"{label}: median")
         axis.plot(low.index, low, ":", color=colour, label="10th percentile")
     axis.axhline(1.0, color="k", lw=0.7)
-    axis.set(xlabel="first period of the building T1 [s]",
-             ylabel="collapse PGA, W2 over W1 [-]")  # fmt: skip
+    axis.set(xlabel="first period of the building T1 [s]", ylabel="collapse PGA, W2 over W1 [-]")
     axis.set_ylim(bottom=0)
     axis.set_xlim(left=0)
     axis.legend(loc="best", ncols=max(1, used["base_height_ratio"].nunique()), fontsize=7)
     kinds = " and ".join(sorted(set(table["source"])))
-    axis.set_title(f"{table['record'].nunique()} records ({kinds}), "
-                   f"{table['direction'].nunique()} direction(s)", loc="left")  # fmt: skip
+    axis.set_title(
+        f"{table['record'].nunique()} records ({kinds}), "
+        f"{table['direction'].nunique()} direction(s)",
+        loc="left",
+    )
     style.save(figure, [job.output.png, job.output.pdf])
 
 

@@ -13,22 +13,38 @@ def main(job):
     percentiles = job.params.percentiles
     count = max(1, len(tables))
     figure, axes = plt.subplots(
-        2, count, figsize=(2.6 * count + 1.2, 4.6), squeeze=False, sharex="col", sharey="row",
+        2,
+        count,
+        figsize=(2.6 * count + 1.2, 4.6),
+        squeeze=False,
+        sharex="col",
+        sharey="row",
         layout="constrained",
-    )  # fmt: skip
+    )
     for (top, bottom), table in zip(axes.T, tables, strict=False):
         model, record, direction = table.iloc[0][["model", "record", "direction"]]
         colour = style.MODEL_COLOURS[model]
         band = bands(table, percentiles)
         stood = table[table["status"] == "ok"]
         top.plot(stood["pga_g"], stood["d_over_b"], ".", color=style.GREY, ms=3, label="member")
-        top.fill_between(band["pga_g"], band["d_over_b_low"], band["d_over_b_high"],
-                         color=colour, alpha=0.25, lw=0, label="10–90 %")  # fmt: skip
+        top.fill_between(
+            band["pga_g"],
+            band["d_over_b_low"],
+            band["d_over_b_high"],
+            color=colour,
+            alpha=0.25,
+            lw=0,
+            label="10–90 %",
+        )
         top.plot(band["pga_g"], band["d_over_b_median"], "o-", color=colour, label="median")
         top.set_title(f"{model} {record} {'+' if direction == 'pos' else '−'}")
         bottom.plot(band["pga_g"], band["probability"], "o", color=colour, label="share")
-        bottom.plot(band["pga_g"], monotone(band["probability"], band["members"]), color=colour,
-                    label="non-decreasing fit")  # fmt: skip
+        bottom.plot(
+            band["pga_g"],
+            monotone(band["probability"], band["members"]),
+            color=colour,
+            label="non-decreasing fit",
+        )
         median = collapse_percentiles(table, percentiles)[0]
         bottom.axvline(median, color="0.4", lw=0.8, ls=":")
         bottom.set_xlabel("PGA (g)")

@@ -6,9 +6,10 @@ from rocking import style
 from rocking.script import run
 
 LOSSES = {
-    "dashpots_j": ("dashpots", "#0072B2"), "friction_j": ("friction", "#E69F00"),
+    "dashpots_j": ("dashpots", "#0072B2"),
+    "friction_j": ("friction", "#E69F00"),
     "fracture_j": ("broken bonds", "#CC79A7"),
-}  # fmt: skip
+}
 STORED = ("kinetic_j", "potential_j", "elastic_j")
 LEAST = 1e-6  # of the overturning energy, below which a residual is not drawn
 
@@ -22,12 +23,14 @@ def panel(top, bottom, history):
     lost = 0.0 * energy["input_j"]
     for column, (label, colour) in LOSSES.items():
         if energy[column].abs().max() > LEAST:
-            top.fill_between(t, lost, lost + energy[column], color=colour, lw=0, alpha=0.6,
-                             label=label)  # fmt: skip
+            top.fill_between(
+                t, lost, lost + energy[column], color=colour, lw=0, alpha=0.6, label=label
+            )
             lost = lost + energy[column]
     stored = energy[list(STORED)].sum(axis=1)
-    top.fill_between(t, lost, lost + stored, color=style.GREY, lw=0,
-                     label="kinetic, potential, elastic")  # fmt: skip
+    top.fill_between(
+        t, lost, lost + stored, color=style.GREY, lw=0, label="kinetic, potential, elastic"
+    )
     top.plot(t, energy["input_j"], color="black", lw=0.8, label="input")
     sign = "+" if facts["direction"] == "pos" else "−"
     top.set_title(f"{facts['model']} {facts['record']} {sign}, {facts['pga_g']:.3f} g")
@@ -39,9 +42,14 @@ def panel(top, bottom, history):
 def main(job):
     histories = [pd.read_csv(path) for path in job.input.histories]
     figure, axes = plt.subplots(
-        2, len(histories), figsize=(2.3 * len(histories) + 1.8, 4.4), squeeze=False,
-        sharex="col", layout="constrained", height_ratios=[2, 1],
-    )  # fmt: skip
+        2,
+        len(histories),
+        figsize=(2.3 * len(histories) + 1.8, 4.4),
+        squeeze=False,
+        sharex="col",
+        layout="constrained",
+        height_ratios=[2, 1],
+    )
     handles = {}
     for (top, bottom), history in zip(axes.T, histories, strict=True):
         panel(top, bottom, history)

@@ -32,16 +32,22 @@ def main(job):
     )
     axes[0].set_title("absolute acceleration, peak beside each", loc="left")
     axes[0].plot([time[-1]] * 2, [0.0, 1.0], color="k", lw=1.5)
-    axes[0].annotate("1 g", (time[-1], 0.5), xytext=(-3, 0), textcoords="offset points",
-                     ha="right", va="center")  # fmt: skip
+    axes[0].annotate(
+        "1 g", (time[-1], 0.5), xytext=(-3, 0), textcoords="offset points", ha="right", va="center"
+    )
     periods = np.geomspace(0.03, 4.0, 140)
     for motion, colour, label in zip(motions, colours, labels, strict=True):
         spectrum = response_spectrum(motion * G_M_S2, time[1] - time[0], periods)
         axes[1].loglog(periods, spectrum.psa_m_s2 / G_M_S2, color=colour, label=label)
     axes[1].axvline(chain["period_s"], color="k", lw=0.7, ls=":")
-    axes[1].annotate(f"T1 = {chain['period_s']:g} s", (chain["period_s"], 0.02), rotation=90,
-                     xycoords=("data", "axes fraction"), xytext=(3, 0),
-                     textcoords="offset points")  # fmt: skip
+    axes[1].annotate(
+        f"T1 = {chain['period_s']:g} s",
+        (chain["period_s"], 0.02),
+        rotation=90,
+        xycoords=("data", "axes fraction"),
+        xytext=(3, 0),
+        textcoords="offset points",
+    )
     axes[1].set(xlabel="period [s]", ylabel="pseudo-acceleration, 5 % damping [g]")
     axes[1].legend(loc="lower left")
     figure.suptitle(

@@ -19,9 +19,16 @@ def main(job):
         x = np.arange(len(names)) + (i - 0.5 * (len(models) - 1)) * width
         middle = part["dispersion"].to_numpy()
         error = np.abs(part[["ci_low", "ci_high"]].to_numpy().T - middle)
-        axis.errorbar(x, middle, np.where(np.isfinite(error), error, 0.0), ls="", capsize=2,
-                      marker=style.MODEL_MARKERS[model], color=style.MODEL_COLOURS[model],
-                      label=model)  # fmt: skip
+        axis.errorbar(
+            x,
+            middle,
+            np.where(np.isfinite(error), error, 0.0),
+            ls="",
+            capsize=2,
+            marker=style.MODEL_MARKERS[model],
+            color=style.MODEL_COLOURS[model],
+            label=model,
+        )
     axis.set_xticks(range(len(names)), [MEASURES[name].symbol for name in names])
     axis.set(ylabel="dispersion β of collapse intensity [-]", xlim=(-0.6, len(names) - 0.4))
     axis.set_ylim(bottom=0)

@@ -25,8 +25,9 @@ def main(job):
     ):
         axes[key].plot(record.time_s, values, lw=0.8)
         axes[key].set_ylabel(label)
-        axes[key].text(0.99, 0.95, f"peak {peak}", transform=axes[key].transAxes, ha="right",
-                       va="top")  # fmt: skip
+        axes[key].text(
+            0.99, 0.95, f"peak {peak}", transform=axes[key].transAxes, ha="right", va="top"
+        )
     axes["d"].set_xlabel("time [s]")
     periods = np.geomspace(0.02, 5.0, 160)
     spectrum = response_spectrum(record.acceleration_m_s2, record.dt_s, periods)

@@ -11,18 +11,27 @@ def main(job):
     limits = pd.read_csv(job.input.limits)
     scenes = list(dict.fromkeys(limits["scene"]))
     figure, axes = plt.subplots(
-        1, len(scenes), figsize=(3.0 * len(scenes) + 0.8, 3.2), sharey=True, squeeze=False,
+        1,
+        len(scenes),
+        figsize=(3.0 * len(scenes) + 0.8, 3.2),
+        sharey=True,
+        squeeze=False,
         layout="constrained",
-    )  # fmt: skip
+    )
     for axis, scene in zip(axes[0], scenes, strict=True):
         part = limits[limits["scene"] == scene]
         grid = part.pivot(index="beta_s", columns="stiffness_factor", values="ratio")
         image = axis.imshow(
-            100.0 * (grid.to_numpy() - 1.0), origin="lower", aspect="auto", cmap="RdBu_r",
-            vmin=-5.0, vmax=5.0,
-        )  # fmt: skip
-        steps = part.pivot(index="beta_s", columns="stiffness_factor",
-                           values="dt_crit_observed_s").to_numpy()  # fmt: skip
+            100.0 * (grid.to_numpy() - 1.0),
+            origin="lower",
+            aspect="auto",
+            cmap="RdBu_r",
+            vmin=-5.0,
+            vmax=5.0,
+        )
+        steps = part.pivot(
+            index="beta_s", columns="stiffness_factor", values="dt_crit_observed_s"
+        ).to_numpy()
         for (i, j), step in np.ndenumerate(steps):
             axis.text(j, i, f"{step:.2g}", ha="center", va="center", fontsize=6)
         axis.set_xticks(range(grid.shape[1]), [f"{v:.2g}" for v in grid.columns])

@@ -7,9 +7,13 @@ from rocking import style
 from rocking.script import run
 
 GROUPS = (
-    ("header", "header joint"), ("lower", "inclined joints"), ("overlap", "overlap"),
-    ("friction", "friction"), ("course", "course height"), ("numerical", "numerical band"),
-)  # fmt: skip
+    ("header", "header joint"),
+    ("lower", "inclined joints"),
+    ("overlap", "overlap"),
+    ("friction", "friction"),
+    ("course", "course height"),
+    ("numerical", "numerical band"),
+)
 NUMERICAL = ("half_step", "nodes_9", "nodes_33", "half_speed", "full_model")
 
 
@@ -45,10 +49,17 @@ def main(job):
         y -= 0.6
     axis.plot([], [], "o", color=style.MODEL_COLOURS["W3"], label="YADE, base corrected")
     axis.plot([], [], "|", color="k", ms=9, mew=1.5, label="kinematic curve")
-    axis.axvline(default["lambda0_dem"], color=style.MODEL_COLOURS["W3"], ls=":", lw=1,
-                 label="default")  # fmt: skip
-    axis.set(yticks=ticks, yticklabels=labels, ylim=(y, 0.5), xscale="log",
-             xlabel="λ$_0$ up to d/b = 0.5 [-]", xlim=(0.15, 5.0))  # fmt: skip
+    axis.axvline(
+        default["lambda0_dem"], color=style.MODEL_COLOURS["W3"], ls=":", lw=1, label="default"
+    )
+    axis.set(
+        yticks=ticks,
+        yticklabels=labels,
+        ylim=(y, 0.5),
+        xscale="log",
+        xlabel="λ$_0$ up to d/b = 0.5 [-]",
+        xlim=(0.15, 5.0),
+    )
     shown = np.array([0.2, 0.3, 0.5, 1.0, 2.0, 5.0])
     axis.set_xticks(shown, [f"{v:g}" for v in shown])
     axis.minorticks_off()

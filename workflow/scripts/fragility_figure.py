@@ -30,8 +30,9 @@ def main(job):
     names = list(dict.fromkeys(fits["im"]))
     columns = min(2, len(names))
     rows = -(-len(names) // columns)
-    figure, axes = plt.subplots(rows, columns, figsize=(3.5 * columns, 0.5 + 2.3 * rows),
-                                squeeze=False, sharey=True)  # fmt: skip
+    figure, axes = plt.subplots(
+        rows, columns, figsize=(3.5 * columns, 0.5 + 2.3 * rows), squeeze=False, sharey=True
+    )
     for axis, name in zip(axes.flat, names, strict=False):
         for _, fit in fits[fits["im"] == name].iterrows():
             colour = style.MODEL_COLOURS[fit["model"]]
@@ -39,24 +40,35 @@ def main(job):
             curve = curves[of_fit]
             data = steps(brackets[(brackets["model"] == fit["model"]) & (brackets["im"] == name)])
             if data is not None:
-                axis.step(data.quantiles, data.probabilities, where="post", color=colour, lw=0.8,
-                          ls=":")  # fmt: skip
+                axis.step(
+                    data.quantiles, data.probabilities, where="post", color=colour, lw=0.8, ls=":"
+                )
             if curve.empty:
                 continue
-            axis.fill_between(curve["intensity"], curve["band_low"], curve["band_high"],
-                              color=colour, alpha=0.18, lw=0)  # fmt: skip
+            axis.fill_between(
+                curve["intensity"],
+                curve["band_low"],
+                curve["band_high"],
+                color=colour,
+                alpha=0.18,
+                lw=0,
+            )
             label = f"{fit['model']}: {fit['median']:.3g}, β {fit['dispersion']:.2f}"
             axis.plot(curve["intensity"], curve["probability"], color=colour, label=label)
         axis.set_xscale("log")
-        spread = curves.loc[(curves["im"] == name) & curves["probability"].between(0.005, 0.995),
-                            "intensity"]  # fmt: skip
+        spread = curves.loc[
+            (curves["im"] == name) & curves["probability"].between(0.005, 0.995), "intensity"
+        ]
         if len(spread):
             axis.set_xlim(spread.min(), spread.max())
         plain(axis)
         axis.set(xlabel=MEASURES[name].label, ylim=(0, 1))
         if axis.get_legend_handles_labels()[0]:
-            axis.legend(loc="upper left", title=f"median [{MEASURES[name].unit}], dispersion",
-                        title_fontsize=7)  # fmt: skip
+            axis.legend(
+                loc="upper left",
+                title=f"median [{MEASURES[name].unit}], dispersion",
+                title_fontsize=7,
+            )
         else:
             axis.text(0.5, 0.5, "not determined", transform=axis.transAxes, ha="center")
     for axis in list(axes.flat)[len(names) :]:

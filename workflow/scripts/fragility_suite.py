@@ -41,16 +41,19 @@ def suite(count=COUNT, seed=SEED):
         ratio = draw(rng, 2.4, 0.5, 1.2, 8.0)
         pgd_cm = ratio * pgv_cm_s**2 / (pga_g * G_M_S2 * 100.0)
         duration_s = draw(rng, 20.0, 0.3, 10.0, 40.0)
-        rows.append((f"S{i:02d}", f"{pga_g:.3f}", f"{pgv_cm_s:.1f}", f"{pgd_cm:.2f}",
-                     f"{duration_s:.1f}"))  # fmt: skip
+        rows.append(
+            (f"S{i:02d}", f"{pga_g:.3f}", f"{pgv_cm_s:.1f}", f"{pgd_cm:.2f}", f"{duration_s:.1f}")
+        )
     return rows
 
 
 def main(job):
     lines = [COLUMNS, *suite()]
     with open(job.output[0], "w") as handle:
-        handle.write("# Peaks of surrogates; written by workflow/scripts/fragility_suite.py, "
-                     "which states the rule.\n")  # fmt: skip
+        handle.write(
+            "# Peaks of surrogates; written by workflow/scripts/fragility_suite.py, "
+            "which states the rule.\n"
+        )
         handle.writelines("\t".join(line) + "\n" for line in lines)
 
 

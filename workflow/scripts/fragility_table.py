@@ -30,8 +30,9 @@ def brackets(ida, factors, measures):
         high = np.inf if row["pga_collapse_g"] is None else row["pga_collapse_g"]
         for name in measures:
             factor = factors[row["record"]][name]
-            rows.append((row["model"], row["record"], row["direction"], name,
-                         low * factor, high * factor))  # fmt: skip
+            rows.append(
+                (row["model"], row["record"], row["direction"], name, low * factor, high * factor)
+            )
     return pd.DataFrame(rows, columns=["model", "record", "direction", "im", "low", "high"])
 
 
@@ -67,8 +68,9 @@ def main(job):
             part = of_model[of_model["im"] == name]
             low, high = part["low"].to_numpy(), part["high"].to_numpy()
             found = fragility.fit(low, high)
-            draws = fragility.bootstrap(low, high, part["record"], settings["resamples"],
-                                        settings["seed"])  # fmt: skip
+            draws = fragility.bootstrap(
+                low, high, part["record"], settings["resamples"], settings["seed"]
+            )
             known = np.isfinite(found.median)
             blank = (np.nan, np.nan)
             median_ci = draws.interval("median", confidence) if known else blank
@@ -78,27 +80,75 @@ def main(job):
             better = np.nan
             if known and reference is not None and name != "pga_g":
                 better = np.mean(draws.dispersion < 0.999 * reference)
-            fits.append((model, name, found.median, found.dispersion, *median_ci, len(part),
-                         int(np.isinf(high).sum()), part["record"].nunique(),
-                         remark(found, part, settings)))  # fmt: skip
-            efficiency.append((model, name, found.dispersion, *spread_ci, better, len(part),
-                               part["record"].nunique()))  # fmt: skip
+            fits.append(
+                (
+                    model,
+                    name,
+                    found.median,
+                    found.dispersion,
+                    *median_ci,
+                    len(part),
+                    int(np.isinf(high).sum()),
+                    part["record"].nunique(),
+                    remark(found, part, settings),
+                )
+            )
+            efficiency.append(
+                (
+                    model,
+                    name,
+                    found.dispersion,
+                    *spread_ci,
+                    better,
+                    len(part),
+                    part["record"].nunique(),
+                )
+            )
             if known:
                 x = found.median * np.exp(np.linspace(-REACH, REACH, POINTS) * found.dispersion)
                 lower, upper = draws.band(x, confidence)
-                curves += list(zip([model] * POINTS, [name] * POINTS, x, found.probability(x),
-                                   lower, upper, strict=True))  # fmt: skip
+                curves += list(
+                    zip(
+                        [model] * POINTS,
+                        [name] * POINTS,
+                        x,
+                        found.probability(x),
+                        lower,
+                        upper,
+                        strict=True,
+                    )
+                )
     pd.DataFrame(
-        fits, columns=["model", "im", "median", "dispersion", "ci_low", "ci_high", "n",
-                       "n_censored", "n_records", "remark"],
-    ).to_csv(job.output.fragility, **FORMAT)  # fmt: skip
+        fits,
+        columns=[
+            "model",
+            "im",
+            "median",
+            "dispersion",
+            "ci_low",
+            "ci_high",
+            "n",
+            "n_censored",
+            "n_records",
+            "remark",
+        ],
+    ).to_csv(job.output.fragility, **FORMAT)
     pd.DataFrame(
-        efficiency, columns=["model", "im", "dispersion", "ci_low", "ci_high", "less_than_pga",
-                             "n", "n_records"],
-    ).to_csv(job.output.measures, **FORMAT)  # fmt: skip
+        efficiency,
+        columns=[
+            "model",
+            "im",
+            "dispersion",
+            "ci_low",
+            "ci_high",
+            "less_than_pga",
+            "n",
+            "n_records",
+        ],
+    ).to_csv(job.output.measures, **FORMAT)
     pd.DataFrame(
         curves, columns=["model", "im", "intensity", "probability", "band_low", "band_high"]
-    ).to_csv(job.output.curves, **FORMAT)  # fmt: skip
+    ).to_csv(job.output.curves, **FORMAT)
     table.to_csv(job.output.brackets, **FORMAT)
 
 

@@ -27,10 +27,14 @@ def main(job):
         if "mw" in about:
             event += f", Mw {about['mw']:g}"
         cells = [
-            html.escape(facts["name"]), facts["source"], html.escape(event),
-            f"{facts['dt_s']:g}", html.escape(facts["units_read"]),
-            html.escape(facts["baseline"]), listed(facts["details"]),
-        ]  # fmt: skip
+            html.escape(facts["name"]),
+            facts["source"],
+            html.escape(event),
+            f"{facts['dt_s']:g}",
+            html.escape(facts["units_read"]),
+            html.escape(facts["baseline"]),
+            listed(facts["details"]),
+        ]
         body.append(
             "<tr>"
             + "".join(f'<td class="{k}">{c}</td>' for k, c in zip(KINDS, cells, strict=True))
@@ -46,9 +50,10 @@ def main(job):
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
         f"<title>Provenance</title><style>\n{Path(job.input.style).read_text()}</style></head>\n"
         f"<body>\n<h1>Provenance of every record</h1>\n<p>{html.escape(text)}</p>\n"
-        f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n" + "\n".join(body)
+        f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n"
+        + "\n".join(body)
         + "\n</tbody>\n</table>\n</body></html>\n"
-    )  # fmt: skip
+    )
 
 
 run(main, globals())

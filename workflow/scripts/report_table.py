@@ -11,13 +11,40 @@ from rocking.script import run
 
 # endings of column names in tables, longest first, and how a reader writes the unit
 UNITS = {
-    "_cm_s": "cm/s", "_m_s2": "m/s²", "_m_s": "m/s", "_kg_m3": "kg/m³", "_pa_m": "Pa/m",
-    "_mpa": "MPa", "_deg": "°", "_mb": "MB", "_cm": "cm", "_hz": "Hz", "_m": "m", "_s": "s",
+    "_cm_s": "cm/s",
+    "_m_s2": "m/s²",
+    "_m_s": "m/s",
+    "_kg_m3": "kg/m³",
+    "_pa_m": "Pa/m",
+    "_mpa": "MPa",
+    "_deg": "°",
+    "_mb": "MB",
+    "_cm": "cm",
+    "_hz": "Hz",
+    "_m": "m",
+    "_s": "s",
     "_g": "g",
-}  # fmt: skip
-WORDS = {"pga": "PGA", "pgv": "PGV", "pgd": "PGD", "w1": "W1", "w2": "W2", "t1": "T1", "im": "IM",
-         "ci": "CI", "beta": "β", "eq5": "eq. 5", "cpu": "CPU", "wme": "WME", "dof": "DOF",
-         "n": "n", "paper": "study", "p10": "10 %", "p90": "90 %", "yade": "YADE"}  # fmt: skip
+}
+WORDS = {
+    "pga": "PGA",
+    "pgv": "PGV",
+    "pgd": "PGD",
+    "w1": "W1",
+    "w2": "W2",
+    "t1": "T1",
+    "im": "IM",
+    "ci": "CI",
+    "beta": "β",
+    "eq5": "eq. 5",
+    "cpu": "CPU",
+    "wme": "WME",
+    "dof": "DOF",
+    "n": "n",
+    "paper": "study",
+    "p10": "10 %",
+    "p90": "90 %",
+    "yade": "YADE",
+}
 
 
 def heading(column):
@@ -60,10 +87,11 @@ def rows(table):
     kinds = {name: kind(name, table[name]) for name in table.columns}
     head = "".join(f'<th class="{kinds[n]}">{html.escape(heading(n))}</th>' for n in table.columns)
     body = "\n".join(
-        "<tr>" + "".join(f'<td class="{kinds[n]}">{cell(row[n])}</td>' for n in table.columns)
+        "<tr>"
+        + "".join(f'<td class="{kinds[n]}">{cell(row[n])}</td>' for n in table.columns)
         + "</tr>"
         for row in table.to_dict("records")
-    )  # fmt: skip
+    )
     return f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>\n</table>"
 
 

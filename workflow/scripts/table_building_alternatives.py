@@ -26,12 +26,34 @@ def main(job):
             for direction, mode in (("y", translation_mode(modes)), ("rz", twist_mode(modes))):
                 period, paper = modes.period_s[mode], PAPER_PERIODS_S[model, direction]
                 ratio = modes.effective_ratio[mode, DIRECTIONS.index(direction)]
-                rows.append((plan.name, load, building.masonry_mass_kg, building.mass_kg, model,
-                             mode + 1, direction, period, round(ratio, 6), paper,
-                             period / paper - 1.0))  # fmt: skip
-    columns = ["plan", "floor_load_kg_m2", "masonry_mass_kg", "mass_kg", "model", "mode",
-               "direction", "period_s", "effective_mass_ratio", "period_paper_s",
-               "relative_difference"]  # fmt: skip
+                rows.append(
+                    (
+                        plan.name,
+                        load,
+                        building.masonry_mass_kg,
+                        building.mass_kg,
+                        model,
+                        mode + 1,
+                        direction,
+                        period,
+                        round(ratio, 6),
+                        paper,
+                        period / paper - 1.0,
+                    )
+                )
+    columns = [
+        "plan",
+        "floor_load_kg_m2",
+        "masonry_mass_kg",
+        "mass_kg",
+        "model",
+        "mode",
+        "direction",
+        "period_s",
+        "effective_mass_ratio",
+        "period_paper_s",
+        "relative_difference",
+    ]
     table = pd.DataFrame(rows, columns=columns)
     table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
 

@@ -40,17 +40,24 @@ def main(job):
     points = [building.scene.index(building.scene.monitor), corner(building.scene)]
     explicit = {
         name: np.loadtxt(path, delimiter=",", skiprows=1)
-        for name, path in (("without dead load", job.input.plain),
-                           ("sudden gravity", job.input.loaded))
-    }  # fmt: skip
+        for name, path in (
+            ("without dead load", job.input.plain),
+            ("sudden gravity", job.input.loaded),
+        )
+    }
     keep = record.time_s <= explicit["sudden gravity"][-1, 0] + record.dt_s
     ground = record.acceleration_m_s2[keep]
     modal = {
         name: modal_history(modes, points, ground, record.dt_s, notes["rate_1_s"], gravity_m_s2=g)
         for name, g in (("without dead load", 0.0), ("sudden gravity", GRAVITY_M_S2))
     }
-    facts = (job.wildcards.record, building.scene.notes["bricks"], len(building.scene.nodes),
-             notes["step_s"], len(explicit["sudden gravity"]))  # fmt: skip
+    facts = (
+        job.wildcards.record,
+        building.scene.notes["bricks"],
+        len(building.scene.nodes),
+        notes["step_s"],
+        len(explicit["sudden gravity"]),
+    )
     rows = []
     for name, one in explicit.items():
         for other, two in modal.items():
@@ -60,11 +67,21 @@ def main(job):
                     ("displacement", 3 + i, two.displacement_m[i]),
                 ):
                     grid = smdof.common_grid(two.time_s, values, one[:, 0], one[:, column])
-                    rows.append((*facts, name, other, point, quantity,
-                                 smdof.weighted_mean_error(*grid)))  # fmt: skip
-    columns = ["record", "bricks", "pairs", "step_s", "steps", "explicit", "modal", "point",
-               "quantity",
-               "wme"]  # fmt: skip
+                    rows.append(
+                        (*facts, name, other, point, quantity, smdof.weighted_mean_error(*grid))
+                    )
+    columns = [
+        "record",
+        "bricks",
+        "pairs",
+        "step_s",
+        "steps",
+        "explicit",
+        "modal",
+        "point",
+        "quantity",
+        "wme",
+    ]
     pd.DataFrame(rows, columns=columns).to_csv(
         job.output.table, index=False, float_format="%.6g", lineterminator="\n"
     )
@@ -93,13 +110,27 @@ def _figure(job, explicit, modal, second_s):
             peak = max(peak, np.abs(y[x <= 1.0]).max() / G_M_S2)
             spectrum = top_motion(x, y, 0.5, HIGHEST_HZ).curves["power_spectrum"]
             power.loglog(*spectrum, line, color=colour, lw=1.0)
-        history.set(xlabel="time [s]", ylabel=f"acceleration along y, {point} [g]", xlim=(0, 1.0),
-                    ylim=(-1.1 * peak, 1.1 * peak))  # fmt: skip
-        power.set(xlabel="frequency [Hz]", ylabel="power density [(m/s²)²/Hz]",
-                  xlim=(0.5, HIGHEST_HZ), ylim=(1e-5, None))  # fmt: skip
+        history.set(
+            xlabel="time [s]",
+            ylabel=f"acceleration along y, {point} [g]",
+            xlim=(0, 1.0),
+            ylim=(-1.1 * peak, 1.1 * peak),
+        )
+        power.set(
+            xlabel="frequency [Hz]",
+            ylabel="power density [(m/s²)²/Hz]",
+            xlim=(0.5, HIGHEST_HZ),
+            ylim=(1e-5, None),
+        )
         power.axvline(1.0 / second_s, color="0.5", lw=0.8, ls="--")
-        power.text(1.05 / second_s, 0.97, f"second mode along y,\nT = {second_s:.3f} s",
-                   transform=power.get_xaxis_transform(), fontsize=7, va="top")  # fmt: skip
+        power.text(
+            1.05 / second_s,
+            0.97,
+            f"second mode along y,\nT = {second_s:.3f} s",
+            transform=power.get_xaxis_transform(),
+            fontsize=7,
+            va="top",
+        )
         history.set_title(f"({'ac'[row]}) {point}, first second", loc="left")
         power.set_title(f"({'bd'[row]}) {point}, power spectrum of the run", loc="left")
     with open(job.input.facts) as handle:

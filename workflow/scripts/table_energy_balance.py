@@ -3,8 +3,15 @@
 import pandas as pd
 from rocking.script import run
 
-TERMS = ("input_j", "kinetic_j", "potential_j", "elastic_j", "dashpots_j", "friction_j",
-         "fracture_j")  # fmt: skip
+TERMS = (
+    "input_j",
+    "kinetic_j",
+    "potential_j",
+    "elastic_j",
+    "dashpots_j",
+    "friction_j",
+    "fracture_j",
+)
 
 
 def main(job):
@@ -13,13 +20,16 @@ def main(job):
         history = pd.read_csv(path)
         facts = history.iloc[0][["model", "record", "direction", "pga_g", "status", "dt_s"]]
         worst = history["residual_j"].abs().max()
-        rows.append({
-            **facts, **history.iloc[-1][list(TERMS)], "largest_residual_j": worst,
-            "residual_over_input": worst / history["input_j"].abs().max(),
-            "residual_over_overturning": worst / history["overturning_j"].iloc[0],
-        })  # fmt: skip
-    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.6g",
-                              lineterminator="\n")  # fmt: skip
+        rows.append(
+            {
+                **facts,
+                **history.iloc[-1][list(TERMS)],
+                "largest_residual_j": worst,
+                "residual_over_input": worst / history["input_j"].abs().max(),
+                "residual_over_overturning": worst / history["overturning_j"].iloc[0],
+            }
+        )
+    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
 
 
 run(main, globals())

@@ -22,8 +22,13 @@ def compare(scenes, motions, table):
     for pga_g in spread.index:
         mine = usable[usable["pga_g"] == pga_g]
         row = mine.iloc[0]
-        values = ensemble_peaks(scenes[row["model"]], motions[row["record"]], row["direction"],
-                                float(pga_g), mine["amplitude_factor"])  # fmt: skip
+        values = ensemble_peaks(
+            scenes[row["model"]],
+            motions[row["record"]],
+            row["direction"],
+            float(pga_g),
+            mine["amplitude_factor"],
+        )
         found[pga_g] = float(np.median(values))
     return found
 
@@ -43,15 +48,30 @@ def main(job):
         for pga_g, part in table.groupby("pga_g"):
             values = part["d_over_b"].dropna().clip(upper=1.0)
             first = part.iloc[0]
-            rows.append({
-                "model": first["model"], "record": first["record"],
-                "direction": first["direction"], "pga_g": pga_g, "members": len(values),
-                "d_over_b_median": values.median(), "d_over_b_std": values.std(),
-                "members_needed": members_needed(values, TOLERANCE, 1) if len(values) else None,
-                "d_over_b_median_reference": reference.get(pga_g),
-            })  # fmt: skip
-    columns = ["model", "record", "direction", "pga_g", "members", "d_over_b_median",
-               "d_over_b_std", "members_needed", "d_over_b_median_reference"]  # fmt: skip
+            rows.append(
+                {
+                    "model": first["model"],
+                    "record": first["record"],
+                    "direction": first["direction"],
+                    "pga_g": pga_g,
+                    "members": len(values),
+                    "d_over_b_median": values.median(),
+                    "d_over_b_std": values.std(),
+                    "members_needed": members_needed(values, TOLERANCE, 1) if len(values) else None,
+                    "d_over_b_median_reference": reference.get(pga_g),
+                }
+            )
+    columns = [
+        "model",
+        "record",
+        "direction",
+        "pga_g",
+        "members",
+        "d_over_b_median",
+        "d_over_b_std",
+        "members_needed",
+        "d_over_b_median_reference",
+    ]
     pd.DataFrame(rows, columns=columns).to_csv(
         job.output[0], index=False, float_format="%.6g", lineterminator="\n"
     )

@@ -15,11 +15,14 @@ def rows_of(wall):
         for n in range(IMPACTS):
             happened = n < len(found)
             yield {
-                "wall": wall["case"]["id"], "beta_s": f"{beta:.6g}", "n": n + 1,
+                "wall": wall["case"]["id"],
+                "beta_s": f"{beta:.6g}",
+                "n": n + 1,
                 "time_s": f"{found.impact_time_s[n]:.6g}" if happened else "",
                 "theta_over_alpha": f"{found.peak[n]:.6g}" if happened else "",
-                "e_exp": f"{e[n]:.6g}" if happened else "", "e_1sr": f"{wall['e_1sr']:.6g}",
-            }  # fmt: skip
+                "e_exp": f"{e[n]:.6g}" if happened else "",
+                "e_1sr": f"{wall['e_1sr']:.6g}",
+            }
 
 
 def main(job):

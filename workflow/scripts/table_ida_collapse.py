@@ -10,8 +10,9 @@ def main(job):
     ensembles = [pd.read_csv(path) for path in getattr(job.input, "ensemble", [])]
     bands = {
         curve_key(table): collapse_percentiles(table, job.params.percentiles)
-        for table in ensembles if len(table)
-    }  # fmt: skip
+        for table in ensembles
+        if len(table)
+    }
     rows = []
     for path in job.input.ida:
         curve = read_curve(path)

@@ -6,8 +6,17 @@ import pandas as pd
 from rocking.ida import read_curve
 from rocking.script import run
 
-COLUMNS = ["model", "record", "direction", "runs", "steps", "wall_runs_s", "wall_s", "cpu_s",
-           "max_rss_mb"]  # fmt: skip
+COLUMNS = [
+    "model",
+    "record",
+    "direction",
+    "runs",
+    "steps",
+    "wall_runs_s",
+    "wall_s",
+    "cpu_s",
+    "max_rss_mb",
+]
 
 
 def main(job):
@@ -16,8 +25,14 @@ def main(job):
     for path in job.input.ida:
         curve = read_curve(path)
         model, record, direction = (curve[k][0] for k in ("model", "record", "direction"))
-        row = [model, record, direction, len(curve), int(curve["steps"].sum()),
-               curve["wall_s"].sum()]  # fmt: skip
+        row = [
+            model,
+            record,
+            direction,
+            len(curve),
+            int(curve["steps"].sum()),
+            curve["wall_s"].sum(),
+        ]
         measured = folder / f"ida_{model}_{record}_{direction}.tsv"
         if measured.is_file():  # absent where results were copied from another place
             times = pd.read_csv(measured, sep="\t").iloc[0]

@@ -27,14 +27,16 @@ def main(job):
     period = float(modes.period_s[mode])
     ranges = (settings["wme_longest_period_s"], settings["wme_highest_frequency_hz"])
     rows = []
-    for name, history, motion in zip(job.params.records, job.input.histories, job.input.records,
-                                     strict=True):  # fmt: skip
+    for name, history, motion in zip(
+        job.params.records, job.input.histories, job.input.records, strict=True
+    ):
         data = np.loadtxt(history, delimiter=",", skiprows=1)
         reference = top_motion(data[:, 0], data[:, 2], *ranges)
         record = read_csv(motion)
         for n in N_DOF:
-            chain = chain_top(record.acceleration_m_s2, record.dt_s, n, period,
-                              settings["damping_ratio"])  # fmt: skip
+            chain = chain_top(
+                record.acceleration_m_s2, record.dt_s, n, period, settings["damping_ratio"]
+            )
             errors = reference.wme(top_motion(*chain, *ranges))
             for quantity in QUANTITIES:
                 paper = PAPER_WME.get((quantity, name))

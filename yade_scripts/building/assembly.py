@@ -41,8 +41,15 @@ class Building:
         return sum(b.mass_kg for b in self.scene.blocks if b.free)
 
 
-def build(plan, *, brick=None, coarsening=1.0, joints=None, density_kg_m3=1800.0,
-          timber_density_kg_m3=600.0):  # fmt: skip
+def build(
+    plan,
+    *,
+    brick=None,
+    coarsening=1.0,
+    joints=None,
+    density_kg_m3=1800.0,
+    timber_density_kg_m3=600.0,
+):
     """Build the brick model of a plan.
 
     Every interface becomes 2 × 2 Gauss points that carry a bonded linear spring,
@@ -101,15 +108,27 @@ def build(plan, *, brick=None, coarsening=1.0, joints=None, density_kg_m3=1800.0
     extent = high.max(axis=0) - low.min(axis=0)
     middle = 0.5 * (high.max(axis=0) + low.min(axis=0))
     blocks.append(
-        Block(GROUND, (middle[0], middle[1], -0.1), (extent[0], extent[1], 0.2), 1e9,
-              (1e9, 1e9, 1e9), free="", motion="ground")
-    )  # fmt: skip
+        Block(
+            GROUND,
+            (middle[0], middle[1], -0.1),
+            (extent[0], extent[1], 0.2),
+            1e9,
+            (1e9, 1e9, 1e9),
+            free="",
+            motion="ground",
+        )
+    )
     monitor = _monitor(plan, blocks, floors)
     scene = Scene(
-        blocks, list(KINDS), _nodes(faces, len(blocks) - 1), monitor.name,
-        tuple(monitor.centre_m), GROUND, plan.walls[0].thickness_m,
+        blocks,
+        list(KINDS),
+        _nodes(faces, len(blocks) - 1),
+        monitor.name,
+        tuple(monitor.centre_m),
+        GROUND,
+        plan.walls[0].thickness_m,
         notes={"plan": plan.name, "coarsening": float(coarsening), "bricks": len(bricks)},
-    )  # fmt: skip
+    )
     return Building(plan, brick.coarsened(coarsening), bricks, faces, scene, floors)
 
 
@@ -138,12 +157,20 @@ def _nodes(faces, ground):
     b = np.where(faces.b < 0, ground, faces.b)
     zero = np.zeros(4 * n)
     return Nodes(
-        a=np.repeat(faces.a, 4), b=np.repeat(b, 4), joint=np.repeat(faces.kind, 4),
-        position_m=position.reshape(-1, 3), normal=np.repeat(np.eye(3)[faces.axis], 4, axis=0),
-        area_m2=area, kn_n_m=np.repeat(faces.jkn_pa_m, 4) * area,
-        ks_n_m=np.repeat(faces.jks_pa_m, 4) * area, beta_s=zero, friction_rad=zero.copy(),
-        gap_m=zero.copy(), tension_n=np.full(4 * n, BOND_N), cohesion_n=np.full(4 * n, BOND_N),
-    )  # fmt: skip
+        a=np.repeat(faces.a, 4),
+        b=np.repeat(b, 4),
+        joint=np.repeat(faces.kind, 4),
+        position_m=position.reshape(-1, 3),
+        normal=np.repeat(np.eye(3)[faces.axis], 4, axis=0),
+        area_m2=area,
+        kn_n_m=np.repeat(faces.jkn_pa_m, 4) * area,
+        ks_n_m=np.repeat(faces.jks_pa_m, 4) * area,
+        beta_s=zero,
+        friction_rad=zero.copy(),
+        gap_m=zero.copy(),
+        tension_n=np.full(4 * n, BOND_N),
+        cohesion_n=np.full(4 * n, BOND_N),
+    )
 
 
 def check_support(plan, bricks, faces, count):

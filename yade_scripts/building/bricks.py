@@ -114,13 +114,7 @@ def _crossings(plan, wall):
         if other.axis != wall.axis and overlap_in_plan(wall, other):
             low, high = other.footprint()[wall.axis]
             out.append(
-                (
-                    other,
-                    (
-                        max(0.0, low - wall.origin_m),
-                        min(wall.length_m, high - wall.origin_m),
-                    ),
-                )
+                (other, (max(0.0, low - wall.origin_m), min(wall.length_m, high - wall.origin_m)))
             )
     return out
 

@@ -215,6 +215,12 @@ def interfaces(bricks, timber_low, timber_high, floors, joints, brick):
     is_timber = np.isin(kind, [KINDS.index("beam"), KINDS.index("panel")])
     compliance[is_timber] += 1.0 / np.array([joints.timber_jkn_pa_m, joints.timber_jks_pa_m])
     return Interfaces(
-        a, b, axis, 0.5 * (lower + upper), 0.5 * (upper - lower),
-        1.0 / compliance[:, 0], 1.0 / compliance[:, 1], kind,
-    )  # fmt: skip
+        a,
+        b,
+        axis,
+        0.5 * (lower + upper),
+        0.5 * (upper - lower),
+        1.0 / compliance[:, 0],
+        1.0 / compliance[:, 1],
+        kind,
+    )

@@ -30,9 +30,13 @@ from yade_scripts.engine import EngineError, load_yade
 from yade_scripts.scene import Block, Nodes, Scene
 
 NEEDED = (
-    "CohFrictMat", "Ip2_CohFrictMat_CohFrictMat_CohFrictPhys", "Ig2_Sphere_Sphere_ScGeom6D",
-    "Law2_ScGeom6D_CohFrictPhys_CohesionMoment", "LinearDragEngine", "PyRunner",
-)  # fmt: skip
+    "CohFrictMat",
+    "Ip2_CohFrictMat_CohFrictMat_CohFrictPhys",
+    "Ig2_Sphere_Sphere_ScGeom6D",
+    "Law2_ScGeom6D_CohFrictPhys_CohesionMoment",
+    "LinearDragEngine",
+    "PyRunner",
+)
 # The normal of a pair turns by (shear displacement)/(2r). A radius far above any joint
 # displacement keeps the springs linear; without a collider it may exceed the brick.
 NODE_RADIUS_M = 0.1
@@ -46,8 +50,9 @@ def read_scene(path):
     nodes = Nodes(**{k: np.array(v) for k, v in data.pop("nodes").items()})
     blocks = []
     for fields in data.pop("blocks"):
-        values: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v
-                                  for k, v in fields.items()}  # fmt: skip
+        values: dict[str, Any] = {
+            k: tuple(v) if isinstance(v, list) else v for k, v in fields.items()
+        }
         blocks.append(Block(**values))
     return Scene(blocks=blocks, nodes=nodes, **data)
 
@@ -80,9 +85,15 @@ class ExplicitBuilding:
         self.omega = omega = w.Omega()
         omega.reset()
         material = w.CohFrictMat(
-            density=1e-12, young=1.0, poisson=0.3, frictionAngle=0.5, isCohesive=True,
-            momentRotationLaw=False, normalCohesion=1e30, shearCohesion=1e30,
-        )  # fmt: skip
+            density=1e-12,
+            young=1.0,
+            poisson=0.3,
+            frictionAngle=0.5,
+            isCohesive=True,
+            momentRotationLaw=False,
+            normalCohesion=1e30,
+            shearCohesion=1e30,
+        )
         omega.materials.append(material)
         self.body, pairs, dragged = self._bodies(utils, material, rate_1_s)
         self.newton = w.NewtonIntegrator(damping=0.0, gravity=(0, 0, 0))
@@ -234,9 +245,12 @@ def main(arguments=None):
     motion = np.array([[float(v) for v in row[:2]] for row in rows[1:]])
     rate, step, duration = (
         scene.notes[key] if given is None else given
-        for key, given in (("rate_1_s", options.rate), ("step_s", options.step),
-                           ("duration_s", options.duration))
-    )  # fmt: skip
+        for key, given in (
+            ("rate_1_s", options.rate),
+            ("step_s", options.step),
+            ("duration_s", options.duration),
+        )
+    )
     if options.steps is not None:
         duration = options.steps * step
     duration = min(duration, motion[-1, 0])
@@ -255,11 +269,15 @@ def main(arguments=None):
             handle.write(",".join(f"{value:.9g}" for value in row) + "\n")
     if options.cost:
         cost = {
-            "blocks": len(scene.blocks), "pairs": len(scene.nodes), "steps": len(t),
-            "step_s": step, "build_s": clocks[1][0] - clocks[0][0],
-            "run_s": clocks[2][0] - clocks[1][0], "run_cpu_s": clocks[2][1] - clocks[1][1],
+            "blocks": len(scene.blocks),
+            "pairs": len(scene.nodes),
+            "steps": len(t),
+            "step_s": step,
+            "build_s": clocks[1][0] - clocks[0][0],
+            "run_s": clocks[2][0] - clocks[1][0],
+            "run_cpu_s": clocks[2][1] - clocks[1][1],
             "memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0,
-        }  # fmt: skip
+        }
         with open(options.cost, "w", encoding="utf-8") as handle:
             json.dump(cost, handle, indent=1)
 

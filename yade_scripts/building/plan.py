@@ -206,8 +206,9 @@ def plan_from_dict(data, source="plan"):
         for k, item in enumerate(data.get("floors") or ())
     )
     rest = {k: v for k, v in data.items() if k not in ("walls", "floors")}
-    plan = _record(Plan, {**rest, "walls": walls, "floors": floors}, source,
-                   {"walls": tuple, "floors": tuple})  # fmt: skip
+    plan = _record(
+        Plan, {**rest, "walls": walls, "floors": floors}, source, {"walls": tuple, "floors": tuple}
+    )
     check(plan, source)
     return plan
 
@@ -261,8 +262,13 @@ def _check_floor(plan, floor, where):
     clear = abs(two.offset_m - one.offset_m) - (one.thickness_m + two.thickness_m) / 2.0
     if clear <= 0.0:
         raise PlanError(f"{where}: no clear span between '{one.name}' and '{two.name}'")
-    for key in ("beam_spacing_m", "beam_width_m", "beam_height_m", "bearing_m",
-                "panel_thickness_m"):  # fmt: skip
+    for key in (
+        "beam_spacing_m",
+        "beam_width_m",
+        "beam_height_m",
+        "bearing_m",
+        "panel_thickness_m",
+    ):
         if getattr(floor, key) <= 0.0:
             raise PlanError(f"{where}: {key} must be positive, got {getattr(floor, key)}")
     if floor.load_kg_m2 < 0.0:

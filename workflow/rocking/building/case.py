@@ -11,8 +11,12 @@ from yade_scripts.building.plan import PlanError, plan_from_dict
 from .modes import Solver
 
 MODELS = ("CBDEM", "SBDEM")
-PAPER_PERIODS_S = {("CBDEM", "y"): 0.25, ("SBDEM", "y"): 0.27,
-                   ("CBDEM", "rz"): 0.16, ("SBDEM", "rz"): 0.17}  # fmt: skip
+PAPER_PERIODS_S = {
+    ("CBDEM", "y"): 0.25,
+    ("SBDEM", "y"): 0.27,
+    ("CBDEM", "rz"): 0.16,
+    ("SBDEM", "rz"): 0.17,
+}
 LARGEST_LOAD_KG_M2 = 20000.0
 
 
@@ -61,10 +65,13 @@ def build_model(settings, plan, model, load_kg_m2=None, coarsening=None):
     brick = Brick(*(settings[f"brick_{part}_m"] for part in ("length", "height", "width")))
     stiffness = {k: v for k, v in settings.items() if k.endswith(("_jkn_pa_m", "_jks_pa_m"))}
     return build(
-        plan, brick=brick, coarsening=settings["coarsening"] if coarsening is None else coarsening,
-        joints=Joints(**stiffness), density_kg_m3=settings["density_kg_m3"],
+        plan,
+        brick=brick,
+        coarsening=settings["coarsening"] if coarsening is None else coarsening,
+        joints=Joints(**stiffness),
+        density_kg_m3=settings["density_kg_m3"],
         timber_density_kg_m3=settings["timber_density_kg_m3"],
-    )  # fmt: skip
+    )
 
 
 def translation_mode(modes, direction="y"):

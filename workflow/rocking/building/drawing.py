@@ -61,8 +61,9 @@ def block_motion(modes, mode, count):
     return motion
 
 
-def draw(ax, building, *, motion=None, scale=1.0, colour_map=None, view=VIEW, edge_width=0.15,
-         without=()):  # fmt: skip
+def draw(
+    ax, building, *, motion=None, scale=1.0, colour_map=None, view=VIEW, edge_width=0.15, without=()
+):
     """Draw a brick model.
 
     Parameters
@@ -106,9 +107,14 @@ def draw(ax, building, *, motion=None, scale=1.0, colour_map=None, view=VIEW, ed
     order = np.argsort(corners.mean(axis=1) @ eye, kind="stable")
     flat = np.stack([corners @ right, corners @ up], axis=-1)[order]
     ax.add_collection(
-        PolyCollection(list(flat), facecolors=colours[order], edgecolors=edges[order],
-                       linewidths=edge_width, rasterized=True)
-    )  # fmt: skip
+        PolyCollection(
+            list(flat),
+            facecolors=colours[order],
+            edgecolors=edges[order],
+            linewidths=edge_width,
+            rasterized=True,
+        )
+    )
     ax.set_aspect("equal")
     ax.autoscale_view()
     ax.axis("off")
@@ -164,8 +170,15 @@ def plan_view(ax, plan, label):
         (x0, x1), (y0, y1) = wall.footprint()
         ax.add_patch(_box((x0, y0), x1 - x0, y1 - y0, MASONRY))
         angle = 0 if wall.axis == 0 else 90
-        ax.text((x0 + x1) / 2, (y0 + y1) / 2, wall.name, ha="center", va="center",
-                rotation=angle, fontsize=6)  # fmt: skip
+        ax.text(
+            (x0 + x1) / 2,
+            (y0 + y1) / 2,
+            wall.name,
+            ha="center",
+            va="center",
+            rotation=angle,
+            fontsize=6,
+        )
         xs += [x0, x1]
         ys += [y0, y1]
     _dimensions(ax, [min(xs), max(xs)], min(ys) - 0.35, horizontal=True)
@@ -195,6 +208,12 @@ def _dimensions(ax, marks, line, *, horizontal):
     for low, high in zip(marks[:-1], marks[1:], strict=True):
         middle, text = (low + high) / 2, f"{high - low:.2f}"
         where = (middle, line - 0.12) if horizontal else (line - 0.12, middle)
-        ax.text(*where, text, ha="center" if horizontal else "right",
-                va="top" if horizontal else "center", fontsize=5.5, color="0.25",
-                rotation=0)  # fmt: skip
+        ax.text(
+            *where,
+            text,
+            ha="center" if horizontal else "right",
+            va="top" if horizontal else "center",
+            fontsize=5.5,
+            color="0.25",
+            rotation=0,
+        )

@@ -37,8 +37,18 @@ def mass_damping_rate(omega_rad_s, damping_ratio):
     return 2.0 * damping_ratio * omega_rad_s
 
 
-def modal_history(modes, blocks, ground_m_s2, dt_s, rate_1_s, *, direction="y",
-                  points_per_period=20, smallest_ratio=1e-7, gravity_m_s2=0.0):  # fmt: skip
+def modal_history(
+    modes,
+    blocks,
+    ground_m_s2,
+    dt_s,
+    rate_1_s,
+    *,
+    direction="y",
+    points_per_period=20,
+    smallest_ratio=1e-7,
+    gravity_m_s2=0.0,
+):
     """Response of the centroids of some blocks to a ground motion.
 
     Parameters

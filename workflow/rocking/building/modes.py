@@ -143,9 +143,11 @@ class Solver:
         self._order = equation_order(scene, self.dof)
         try:
             self._lu = splu(
-                sparse.csc_array(self.k[self._order][:, self._order]), permc_spec="NATURAL",
-                diag_pivot_thresh=0.0, options={"SymmetricMode": True},
-            )  # fmt: skip
+                sparse.csc_array(self.k[self._order][:, self._order]),
+                permc_spec="NATURAL",
+                diag_pivot_thresh=0.0,
+                options={"SymmetricMode": True},
+            )
         except RuntimeError as error:
             raise ValueError("the stiffness is singular: some block is not held") from error
 
@@ -193,7 +195,11 @@ def largest_frequency(k, mass):
     scale = sparse.diags_array(1.0 / np.sqrt(mass))
     start = np.random.default_rng(0).standard_normal(len(mass))
     value = eigsh(
-        sparse.csr_array(scale @ k @ scale), k=1, which="LA", v0=start, tol=1e-3,
+        sparse.csr_array(scale @ k @ scale),
+        k=1,
+        which="LA",
+        v0=start,
+        tol=1e-3,
         return_eigenvectors=False,
-    )  # fmt: skip
+    )
     return float(np.sqrt(value[0]))

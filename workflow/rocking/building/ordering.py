@@ -30,9 +30,12 @@ def block_order(scene):
     centres = np.array([block.centre_m for block in scene.blocks], float)
     busy = graph.sum(axis=1) > MANY_NEIGHBOURS
     return np.concatenate(
-        [_dissect(np.flatnonzero(free & ~busy), graph, centres),
-         np.flatnonzero(free & busy), np.flatnonzero(~free)]
-    )  # fmt: skip
+        [
+            _dissect(np.flatnonzero(free & ~busy), graph, centres),
+            np.flatnonzero(free & busy),
+            np.flatnonzero(~free),
+        ]
+    )
 
 
 def _dissect(blocks, graph, centres):

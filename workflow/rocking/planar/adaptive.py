@@ -215,16 +215,26 @@ def simulate(
         return np.array([abs(d) <= stop_d_over_b])  # False if not finite
 
     steps, rejected = march(
-        equations, equations.initial(theta0_over_alpha * wall.alpha_rad), motion,
-        np.array([float(scale)]), duration, tolerance, max_step_s, min_step_s, observe,
-    )  # fmt: skip
+        equations,
+        equations.initial(theta0_over_alpha * wall.alpha_rad),
+        motion,
+        np.array([float(scale)]),
+        duration,
+        tolerance,
+        max_step_s,
+        min_step_s,
+        observe,
+    )
     columns = dict(zip(_COLUMNS, np.array(rows).T, strict=True))
     last = columns["d_over_b"][-1]
     return History(
         theta_over_alpha=columns["theta_rad"] / wall.alpha_rad,
         overturned=bool(np.nanmax(np.abs(columns["d_over_b"])) >= 1.0),
-        status=ended(last, stop_d_over_b), steps=steps, rejected=rejected, **columns,
-    )  # fmt: skip
+        status=ended(last, stop_d_over_b),
+        steps=steps,
+        rejected=rejected,
+        **columns,
+    )
 
 
 def ended(d_over_b, stop_d_over_b):
@@ -235,9 +245,20 @@ def ended(d_over_b, stop_d_over_b):
 
 
 _COLUMNS = (
-    "time_s", "y_m", "z_m", "theta_rad", "vy_m_s", "vz_m_s", "omega_rad_s",
-    "contact_work_j", "input_work_j", "d_over_b", "kinetic_j", "potential_j", "elastic_j",
-)  # fmt: skip
+    "time_s",
+    "y_m",
+    "z_m",
+    "theta_rad",
+    "vy_m_s",
+    "vz_m_s",
+    "omega_rad_s",
+    "contact_work_j",
+    "input_work_j",
+    "d_over_b",
+    "kinetic_j",
+    "potential_j",
+    "elastic_j",
+)
 
 
 def checked(wall, motion, duration_s):

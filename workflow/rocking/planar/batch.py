@@ -108,9 +108,16 @@ def simulate_batch(
 
     if dt_s is None:
         steps, _ = march(
-            equations, state, motion, scales.copy(), duration, tolerance, max_step_s,
-            min_step_s, observe,
-        )  # fmt: skip
+            equations,
+            state,
+            motion,
+            scales.copy(),
+            duration,
+            tolerance,
+            max_step_s,
+            min_step_s,
+            observe,
+        )
     else:
         steps = _fixed(equations, state, motion, scales.copy(), duration, dt_s, observe)
     return BatchResult(

@@ -102,8 +102,12 @@ class Wall:
             if not (math.isfinite(getattr(self, name)) and getattr(self, name) > 0.0):
                 raise ValueError(f"{name}: expected a positive value, got {getattr(self, name)}")
         for name in (
-            "beta_s", "return_thickness_m", "gap_m", "base_friction_deg", "back_friction_deg"
-        ):  # fmt: skip
+            "beta_s",
+            "return_thickness_m",
+            "gap_m",
+            "base_friction_deg",
+            "back_friction_deg",
+        ):
             if not (math.isfinite(getattr(self, name)) and getattr(self, name) >= 0.0):
                 raise ValueError(f"{name}: expected at least 0, got {getattr(self, name)}")
         heights = self.segment_heights_m

@@ -16,13 +16,7 @@ MIN_PGA_G, MAX_PGA_G = 1e-5, 5.0  # the strongest motions recorded reach about 4
 MIN_DT_S, MAX_DT_S = 1e-4, 0.1
 
 UNITS_M_S2 = {"g": G_M_S2, "m/s2": 1.0, "cm/s2": 1e-2, "mm/s2": 1e-3}
-_ALIASES = {
-    "g": "g",
-    "g's": "g",
-    "gs": "g",
-    "gal": "cm/s2",
-    "gals": "cm/s2",
-}
+_ALIASES = {"g": "g", "g's": "g", "gs": "g", "gal": "cm/s2", "gals": "cm/s2"}
 
 
 def unit_name(text):

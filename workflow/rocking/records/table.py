@@ -157,6 +157,13 @@ def _row(text, number, cells):
         if cells.get(column)
     }
     return Row(
-        name, path, form, numbers.get("dt_s"), units, cells.get("component") or None,
-        targets, about, number,
-    )  # fmt: skip
+        name,
+        path,
+        form,
+        numbers.get("dt_s"),
+        units,
+        cells.get("component") or None,
+        targets,
+        about,
+        number,
+    )
