@@ -6,15 +6,17 @@ import energy_probe
 import numpy as np
 from facade_cases import quiet
 
-from yade_scripts import engine, facade, run_energy, run_ida, run_stability, simulate
-from yade_scripts.stiffness import critical_step
+from yade_scripts.engine import adapter, simulate
+from yade_scripts.model import facade
+from yade_scripts.model.stiffness import critical_step
+from yade_scripts.studies import energy, ida, stability
 
 
 def limit(config, name, stiffness_factor, beta_s):
     """Observed over predicted critical step."""
     job = {**config, "beta_s": beta_s}
-    scene = run_stability.scene_of(job, name, stiffness_factor, beta_s)
-    return run_stability.bisect(scene, {}, tolerance=0.03)[0]
+    scene = stability.scene_of(job, name, stiffness_factor, beta_s)
+    return stability.bisect(scene, {}, tolerance=0.03)[0]
 
 
 def drift(config, seconds, ratio):
@@ -63,9 +65,9 @@ def shaken(config, model, beta_s, time_s, columns, fraction=None):
     scene = facade.facade_scene(config, model, beta_s)
     time_s = np.array(time_s)
     columns = {k: np.array(v) for k, v in columns.items()}
-    motions = run_ida.scaled_motions(time_s, columns, scene.motions, 1.0)
+    motions = ida.scaled_motions(time_s, columns, scene.motions, 1.0)
     step, _ = simulate.choose_step(scene, numerics)
-    rules = run_ida.stop_rules(scene, numerics, time_s, motions)
+    rules = ida.stop_rules(scene, numerics, time_s, motions)
     h = simulate.run(scene, motions, step, rules, sample_s=0.002)
     return {
         "peak": h.peak_d_over_b,
@@ -80,7 +82,7 @@ def vibration(config, beta_s, fractions, duration_s, amplitude):
     """Top displacement at a fixed instant of a façade that never uplifts, by step."""
     scene = facade.facade_scene(config, "free", beta_s)
     time_s = np.linspace(0.0, duration_s, 401)
-    motion = engine.Motion(time_s, amplitude * np.sin(2.0 * math.pi * time_s / duration_s) ** 2)
+    motion = adapter.Motion(time_s, amplitude * np.sin(2.0 * math.pi * time_s / duration_s) ** 2)
     out = []
     for fraction in fractions:
         steps = round(duration_s / (fraction * critical_step(scene)))
@@ -98,7 +100,7 @@ def balanced(config, model, beta_s, time_s, columns, fraction):
     numerics = {**config["numerics"], "step_fraction": fraction}
     job = {**config, "numerics": numerics, "model": model, "beta_s": beta_s}
     columns = {k: np.array(v) for k, v in columns.items()}
-    history, books, overturning_j = run_energy.balanced_run(job, np.array(time_s), columns, 1.0)
+    history, books, overturning_j = energy.balanced_run(job, np.array(time_s), columns, 1.0)
     rows = np.array(books.rows)
     return {
         "status": history.status,

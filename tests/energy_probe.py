@@ -8,7 +8,7 @@ order in the step.
 
 import numpy as np
 
-from yade_scripts import engine
+from yade_scripts.engine import adapter
 
 
 class EnergyProbe:
@@ -29,7 +29,7 @@ class EnergyProbe:
         """Place one runner before and one after the integrator."""
         import __main__
 
-        wrapper, omega = engine.load_yade(), built.omega
+        wrapper, omega = adapter.load_yade(), built.omega
         self.omega = omega
         self.blocks = [
             (block, omega.bodies[built.body[i]].state)

@@ -4,19 +4,21 @@ import os
 
 import numpy as np
 
-from yade_scripts import engine, facade, run_ida, simulate
+from yade_scripts.engine import adapter, simulate
+from yade_scripts.model import facade
+from yade_scripts.studies import ida
 
 
 def quiet(scene, duration_s=100.0):
     """Motions of supports that stay where they are."""
-    still = engine.Motion(np.array([0.0, duration_s]), np.zeros(2))
+    still = adapter.Motion(np.array([0.0, duration_s]), np.zeros(2))
     return dict.fromkeys(scene.motions, still)
 
 
 def drive(config, time_s, acceleration_m_s2, dt_s, until_s=None):
     """Displacement of the driven base at `until_s` or its motion's end [m], façade on it."""
     scene = facade.facade_scene(config, "W1", 0.00276)
-    motion = engine.Motion(np.array(time_s), np.array(acceleration_m_s2))
+    motion = adapter.Motion(np.array(time_s), np.array(acceleration_m_s2))
     kept = []
     until_s = until_s or time_s[-1]
     rules = simulate.StopRules(until_s, until_s, overturn_ratio=1e9)
@@ -28,7 +30,7 @@ def contacts(config, model, beta_s):
     """Contact parameters in YADE beside those of the scene, every node pressed into its face."""
     scene = facade.facade_scene(config, model, beta_s)
     scene.nodes.gap_m = scene.nodes.gap_m - 1e-4
-    built = engine.build(scene, quiet(scene), 1e-7)
+    built = adapter.build(scene, quiet(scene), 1e-7)
     built.omega.run(1, True)
     node_of = {body: node for node, body in enumerate(built.node_body)}
     out = [None] * len(scene.nodes)
@@ -69,7 +71,7 @@ def shaken(config, model, beta_s, time_s, columns, factor, planar=True):
     """Peak d/b, status and reason of one earthquake run."""
     scene = facade.facade_scene(config, model, beta_s, planar=planar)
     columns = {name: np.array(values) for name, values in columns.items()}
-    h = run_ida.run_one(scene, np.array(time_s), columns, factor, config["numerics"])
+    h = ida.run_one(scene, np.array(time_s), columns, factor, config["numerics"])
     return {"peak": h.peak_d_over_b, "status": h.status, "reason": h.reason, "d": h.d_m.tolist()}
 
 
@@ -79,7 +81,7 @@ def drive_speed(config, model, beta_s, time_s, columns):
 
     scene = facade.facade_scene(config, model, beta_s)
     time_s = np.array(time_s)
-    motions = run_ida.scaled_motions(
+    motions = ida.scaled_motions(
         time_s, {k: np.array(v) for k, v in columns.items()}, scene.motions, 1.0
     )
     step, _ = simulate.choose_step(scene, config["numerics"])
@@ -87,7 +89,7 @@ def drive_speed(config, model, beta_s, time_s, columns):
     inside = simulate.run(scene, motions, step, rules)
 
     def python_drive(built):
-        wrapper = engine.load_yade()
+        wrapper = adapter.load_yade()
         omega = built.omega
         engines = [
             e
@@ -115,7 +117,7 @@ def drive_speed(config, model, beta_s, time_s, columns):
 
 def listening_ports():
     """Number of TCP sockets this process listens on after YADE is loaded and has run."""
-    engine.load_yade().Omega().run(1, True)
+    adapter.load_yade().Omega().run(1, True)
     inodes = set()
     for fd in os.listdir("/proc/self/fd"):
         try:

@@ -20,8 +20,9 @@ import yaml
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "workflow"))
 
-from rocking import config as module  # noqa: E402
-from rocking import config_files, config_schema  # noqa: E402
+from rocking.configuration import config as module  # noqa: E402
+from rocking.configuration import files  # noqa: E402
+from rocking.configuration import schema as config_schema  # noqa: E402
 
 HOSTILE = [
     "../../etc/passwd",
@@ -212,7 +213,7 @@ def attempt(given):
     """Outcome of one configuration; AssertionError says which promise was broken."""
     try:
         if isinstance(given, str):
-            config_files.check_text(given, "own.yaml")
+            files.check_text(given, "own.yaml")
             given = yaml.safe_load(given)
         runs = module.expand_scenarios(given)
     except config_schema.ConfigError as error:

@@ -7,9 +7,11 @@ import threading
 
 import numpy as np
 
-from yade_scripts import engine, facade, ledger, models, run_ida, simulate
-from yade_scripts.journal import Journal
-from yade_scripts.stiffness import critical_step
+from yade_scripts.engine import adapter, ledger, simulate
+from yade_scripts.model import facade, models
+from yade_scripts.model.stiffness import critical_step
+from yade_scripts.studies import ida
+from yade_scripts.studies.journal import Journal
 
 BETA_S = 0.00276
 SAMPLE_STEPS = 5  # steps between samples of `poisoned_run`
@@ -36,10 +38,10 @@ def forced_run(config, model, factor):
     """A run whose step is `factor` times the critical one, which the entry points refuse."""
     scene = models.build_scene({**config, "model": model, "beta_s": BETA_S})
     time_s, acceleration = _motion()
-    motions = {name: engine.Motion(time_s, acceleration) for name in scene.motions}
-    rules = run_ida.stop_rules(scene, config["numerics"], time_s, motions)
+    motions = {name: adapter.Motion(time_s, acceleration) for name in scene.motions}
+    rules = ida.stop_rules(scene, config["numerics"], time_s, motions)
     step = factor * critical_step(scene)
-    with_check = run_ida._attempt(scene, motions, step, rules, config["numerics"])
+    with_check = ida._attempt(scene, motions, step, rules, config["numerics"])
     without = simulate.run(scene, motions, step, rules)
     return _outcome(with_check, unchecked=without.status)
 
@@ -49,8 +51,8 @@ def shaken_run(config, model, record, peak_g):
     scene = models.build_scene({**config, "model": model, "beta_s": BETA_S})
     time_s, columns = np.array(record["time_s"]), record["columns"]
     columns = models.motion_columns(scene, {n: np.array(v) for n, v in columns.items()})
-    motions = {n: engine.Motion(time_s, peak_g * 9.81 * columns[n]) for n in scene.motions}
-    rules = run_ida.stop_rules(scene, config["numerics"], time_s, motions)
+    motions = {n: adapter.Motion(time_s, peak_g * 9.81 * columns[n]) for n in scene.motions}
+    rules = ida.stop_rules(scene, config["numerics"], time_s, motions)
     numerics = models.numerics({**config, "model": model})
     step, _ = simulate.choose_step(scene, numerics)
     check = ledger.EnergyLedger(scene, motions)
@@ -64,8 +66,8 @@ def poisoned_run(config, value, at_step):
 
     scene = facade.facade_scene(config, "W1", BETA_S)
     time_s, acceleration = _motion()
-    motions = {name: engine.Motion(time_s, acceleration) for name in scene.motions}
-    rules = run_ida.stop_rules(scene, config["numerics"], time_s, motions)
+    motions = {name: adapter.Motion(time_s, acceleration) for name in scene.motions}
+    rules = ida.stop_rules(scene, config["numerics"], time_s, motions)
     step, _ = simulate.choose_step(scene, config["numerics"])
 
     def spoil(built):
@@ -76,7 +78,7 @@ def poisoned_run(config, value, at_step):
                 state.vel = (0.0, float(value), 0.0)
 
         __main__._spoil = at_one_step
-        wrapper = engine.load_yade()
+        wrapper = adapter.load_yade()
         built.omega.engines = [
             wrapper.PyRunner(command="_spoil()", iterPeriod=1, initRun=True)
         ] + built.omega.engines
@@ -93,7 +95,7 @@ def retried_run(config, factor, retry):
     proper, simulate.choose_step = simulate.choose_step, lambda *_: (step, step)
     try:
         numerics = {**config["numerics"], "retry_half_step": retry}
-        history = run_ida.run_one(scene, time_s, {"ground": acceleration}, 1.0, numerics)
+        history = ida.run_one(scene, time_s, {"ground": acceleration}, 1.0, numerics)
     finally:
         simulate.choose_step = proper
     return _outcome(history, tried_s=step)
@@ -108,7 +110,7 @@ def struck_run(config, interval_s, retry):
     push = 2.0 * np.array([0.0, 1.0, 1.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0])
     columns = {f"floor{j}": push for j in range(1, 5)} | {"ground": np.zeros(time_s.size)}
     numerics = {**config["numerics"], "retry_half_step": retry, "sample_interval_s": interval_s}
-    history = run_ida.run_one(scene, time_s, columns, 1.0, numerics)
+    history = ida.run_one(scene, time_s, columns, 1.0, numerics)
     return _outcome(history, peak=history.peak_d_over_b)
 
 
@@ -116,7 +118,7 @@ def interrupted_run(config):
     """Ctrl-C in the middle of a long run, and a run after it in the same process."""
     scene = facade.facade_scene(config, "W1", BETA_S)
     time_s, acceleration = _motion()
-    motions = {name: engine.Motion(time_s, acceleration) for name in scene.motions}
+    motions = {name: adapter.Motion(time_s, acceleration) for name in scene.motions}
     step = 0.1 * critical_step(scene)
     # a shell's background jobs, and what they start, ignore the signal
     signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -132,7 +134,7 @@ def interrupted_run(config):
         )
     except KeyboardInterrupt:
         caught = True
-    running = engine.load_yade().Omega().running
+    running = adapter.load_yade().Omega().running
     after = simulate.run(scene, motions, step, simulate.StopRules(1.0, 1.0))
     return {"caught": caught, "running": running, "end_s": float(after.time_s[-1])}
 
@@ -144,7 +146,7 @@ def failed_analysis(config, folder):
     proper, simulate.choose_step = simulate.choose_step, lambda *_: (0.0168, 0.0168)
     try:
         job = {**config, "model": "W1", "beta_s": BETA_S}
-        rows = run_ida.analyse(
+        rows = ida.analyse(
             job,
             time_s,
             {"ground": acceleration},

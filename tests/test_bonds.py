@@ -12,8 +12,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from yade_scripts.quadrature import gauss_lobatto
-from yade_scripts.scene import Block, NodeList, Scene, box_inertia
+from yade_scripts.model.quadrature import gauss_lobatto
+from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 
 JKN, JKS = 5.0e8, 2.0e8  # Pa/m
 TENSION, COHESION = 7.0e4, 1.0e5  # Pa
@@ -66,13 +66,14 @@ def bonded_scene(normal, nodes_up, *, free, gravity=0.0, tension=TENSION, cohesi
 def pull(scene, speed, travel, samples=250):
     """Move the block along y at constant speed; return travel, force on the support, breaks."""
     import __main__
-    from yade_scripts import engine, stiffness
+    from yade_scripts.engine import adapter
+    from yade_scripts.model import stiffness
 
     dt = 0.1 * stiffness.critical_step(scene)
     ramp = 0.02 * travel / abs(speed)
     time = np.array([0.0, ramp, 1.001 * ramp, 10.0])
-    motion = engine.Motion(time, np.array([1.0, 1.0, 0.0, 0.0]) * speed / ramp)
-    built = engine.build(scene, {"push": motion}, dt)
+    motion = adapter.Motion(time, np.array([1.0, 1.0, 0.0, 0.0]) * speed / ramp)
+    built = adapter.build(scene, {"push": motion}, dt)
     omega = built.omega
     support = [b.id for b in omega.bodies if b.state.blockedDOFs == "xyzXYZ" and not b.isClump]
     rows = []
@@ -83,7 +84,7 @@ def pull(scene, speed, travel, samples=250):
 
     __main__._sample_pull = sample
     each = max(1, int(travel / abs(speed) / dt / samples))
-    runner = engine.load_yade().PyRunner(command="_sample_pull()", iterPeriod=each)
+    runner = adapter.load_yade().PyRunner(command="_sample_pull()", iterPeriod=each)
     omega.engines = omega.engines + [runner]
     omega.run(int(travel / abs(speed) / dt), True)
     table = np.array(rows, float)
@@ -171,7 +172,7 @@ def peeling():
 
 def facade_loads():
     """W1c and W2c: the façade's back joint carries σt·A in a uniform pull, whatever the nodes."""
-    from yade_scripts.facade import facade_scene
+    from yade_scripts.model.facade import facade_scene
 
     config = {
         "facade": {
@@ -215,7 +216,8 @@ def energy_is_kept():
     """
     import energy_probe
 
-    from yade_scripts import engine, simulate, stiffness
+    from yade_scripts.engine import adapter, simulate
+    from yade_scripts.model import stiffness
 
     drift = []
     for fraction in (0.1, 0.05):
@@ -225,7 +227,7 @@ def energy_is_kept():
         moving = dict(velocity_m_s=(0.0, 0.01, 0.005), angular_velocity_rad_s=(0.01, 0.0, 0.0))
         scene.blocks[0] = replace(scene.blocks[0], motion="ground")
         scene.blocks[1] = replace(scene.blocks[1], motion=None, **moving)
-        still = engine.Motion(np.array([0.0, 10.0]), np.zeros(2))
+        still = adapter.Motion(np.array([0.0, 10.0]), np.zeros(2))
         probe = energy_probe.EnergyProbe(scene, 0.002)
         step = fraction * stiffness.critical_step(scene)
         rules = simulate.StopRules(2.0, 2.0)
@@ -261,7 +263,7 @@ def run_in_yade(code):
         "    mark = types.SimpleNamespace(yade=lambda f: f, parametrize=lambda *a: lambda f: f)\n"
         "    sys.modules['pytest'] = types.SimpleNamespace(mark=mark)\n"
         "from yade_scripts import engine\n"
-        "try:\n    engine.load_yade()\nexcept engine.EngineError as error:\n"
+        "try:\n    adapter.load_yade()\nexcept adapter.EngineError as error:\n"
         "    print(error); sys.exit(77)\n"
     )
     interpreter = os.environ.get("YADE_PYTHON", "/usr/bin/python3")

@@ -15,11 +15,11 @@ from scipy.optimize import brentq
 from scipy.sparse import csc_array
 from scipy.sparse.linalg import splu, spsolve
 
-from yade_scripts import stiffness
-from yade_scripts.building.assembly import build
-from yade_scripts.building.bricks import Brick, lay
-from yade_scripts.building.contacts import KINDS, Joints
-from yade_scripts.building.plan import Opening, Plan, PlanError, Wall, plan_from_dict
+from yade_scripts.model import stiffness
+from yade_scripts.model.building.assembly import build
+from yade_scripts.model.building.bricks import Brick, lay
+from yade_scripts.model.building.contacts import KINDS, Joints
+from yade_scripts.model.building.plan import Opening, Plan, PlanError, Wall, plan_from_dict
 
 BUILDINGS = Path(__file__).parents[1] / "config" / "buildings"
 JOINTS, BRICK = Joints(), Brick()

@@ -11,9 +11,9 @@ from rocking.building.modes import Solver, largest_frequency
 from scipy.sparse.linalg import spsolve
 
 import smdof
-from yade_scripts.building.assembly import build
-from yade_scripts.building.plan import Plan, Wall
-from yade_scripts.scene import to_json
+from yade_scripts.model.building.assembly import build
+from yade_scripts.model.building.plan import Plan, Wall
+from yade_scripts.model.scene import to_json
 
 ROOT = Path(__file__).parents[1]
 YADE_PYTHON = "/usr/bin/python3"

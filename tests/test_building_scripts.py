@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import yaml
-from rocking import config
+from rocking.configuration import config
 from rocking.records import Record, write_csv
 
 ROOT = Path(__file__).parents[1]

@@ -7,9 +7,9 @@ import warnings
 
 import numpy as np
 import pytest
-from rocking import calibration as cal
-from rocking import closed_forms
-from rocking.config import resolve
+from rocking.calibration import beta as cal
+from rocking.configuration.config import resolve
+from rocking.mechanics import closed_forms
 
 
 def facade(**keys):

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from rocking import calibration, closed_forms
-from rocking import calibration_study as study
-from rocking.config import resolve
+from rocking.calibration import beta, study
+from rocking.configuration.config import resolve
+from rocking.mechanics import closed_forms
 
 SETTINGS = resolve({})["calibration"]
 BETAS = np.array([1e-4, 2e-4, 4e-4, 8e-4, 1.6e-3])
@@ -99,7 +99,7 @@ def test_similar_walls_have_similar_ranges():
 
 def test_walls_of_a_batch():
     cases = study.batch_cases(SETTINGS, 1)
-    ratios = {calibration.groups(c["config"])["return_wall_ratio"] for c in cases}
+    ratios = {beta.groups(c["config"])["return_wall_ratio"] for c in cases}
     assert sorted(ratios) == pytest.approx(sorted(SETTINGS["return_wall_ratio"]))
     assert len({c["id"] for c in cases}) == len(cases)
     for c in cases:
@@ -114,7 +114,7 @@ def test_walls_of_a_batch():
 def test_sensitivity_changes_one_thing():
     """The unchanged wall comes first; a change of width at the same ratio changes no group."""
     cases = study.sensitivity_cases(SETTINGS)
-    groups = {c["id"]: calibration.groups(c["config"]) for c in cases}
+    groups = {c["id"]: beta.groups(c["config"]) for c in cases}
     for number in (1, 2):
         base = groups[f"wall {number}: none"]
         assert groups[f"wall {number}: width ×0.5, same ratio"] == pytest.approx(base)

@@ -2,7 +2,7 @@
 
 import pandas as pd
 import pytest
-from rocking import claims
+from rocking.curves import claims
 
 W1 = {
     "BUCAR0+": 0.1,

@@ -9,8 +9,9 @@ import fuzz_config
 import jsonschema
 import pytest
 import yaml
-from rocking import config_files, config_schema
-from rocking.config import (
+from rocking.configuration import files
+from rocking.configuration import schema as config_schema
+from rocking.configuration.config import (
     ConfigError,
     check_files,
     expand_scenarios,
@@ -252,7 +253,7 @@ def test_a_key_that_stands_twice_is_refused_with_its_line(tmp_path):
     path.write_bytes(b"run: \xff\n")
     assert "not UTF-8" in refusal([path], check_files)
     assert "No such file" in refusal([tmp_path / "absent.yaml"], check_files)
-    assert "YAML" in refusal([], lambda _: config_files.check_text("[" * 5000, "deep.yaml"))
+    assert "YAML" in refusal([], lambda _: files.check_text("[" * 5000, "deep.yaml"))
 
 
 def test_fuzzed_configurations_resolve_or_are_refused_in_one_line():

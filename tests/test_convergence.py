@@ -5,15 +5,16 @@ from types import SimpleNamespace
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import accuracy, reference
-from rocking.closed_forms import block, overturning_half_sine, overturning_rectangular
-from rocking.reference import ensemble_peaks, peak_d_over_b
+from rocking.accuracy import study
+from rocking.curves import reference
+from rocking.curves.reference import ensemble_peaks, peak_d_over_b
+from rocking.mechanics.closed_forms import block, overturning_half_sine, overturning_rectangular
 from yade_process import in_yade, resolved
 
-from yade_scripts import facade
-from yade_scripts.motion import STANDARD_GRAVITY_M_S2, amplitude
-from yade_scripts.quadrature import gauss_lobatto
-from yade_scripts.stiffness import critical_step, lag_factors
+from yade_scripts.model import facade
+from yade_scripts.model.motion import STANDARD_GRAVITY_M_S2, amplitude
+from yade_scripts.model.quadrature import gauss_lobatto
+from yade_scripts.model.stiffness import critical_step, lag_factors
 
 BETA_S = 0.00276
 
@@ -33,7 +34,7 @@ def test_order_of_the_lagged_dashpot(compensated, order):
     exact = complex(-zeta * omega, omega * np.sqrt(1.0 - zeta**2))
     steps = 0.02 / omega * 2.0 ** -np.arange(4)
     found = [abs(np.log(amplification(omega, zeta, dt, compensated)) / dt - exact) for dt in steps]
-    assert accuracy.observed_rate(steps, found) == pytest.approx(order, abs=0.1)
+    assert study.observed_rate(steps, found) == pytest.approx(order, abs=0.1)
 
 
 def test_lag_factors_are_those_of_the_rocking_mode():
@@ -71,7 +72,7 @@ def test_order_of_the_step_in_yade(beta_s, order):
     steps, values = np.array(got).T
     # differences to the finest carry its own error: correct for the expected order
     errors = np.abs(values[:3] - values[3]) / (1.0 - (steps[3] / steps[:3]) ** order)
-    assert accuracy.observed_rate(steps[:3], errors) == pytest.approx(order, abs=0.25)
+    assert study.observed_rate(steps[:3], errors) == pytest.approx(order, abs=0.25)
 
 
 def test_nodes_of_a_partly_lifted_base_converge_at_second_order():
@@ -83,7 +84,7 @@ def test_nodes_of_a_partly_lifted_base_converge_at_second_order():
         x, w = gauss_lobatto(n)
         force = np.maximum(0.0, widths[:, None] - x) @ w
         error.append(np.sqrt(np.mean((force - 0.5 * widths**2) ** 2)))
-    assert accuracy.observed_rate(1.0 / (counts - 1), error) == pytest.approx(2.0, abs=0.3)
+    assert study.observed_rate(1.0 / (counts - 1), error) == pytest.approx(2.0, abs=0.3)
 
 
 @pytest.mark.yade
@@ -184,14 +185,14 @@ def test_reference_and_runs_scale_a_motion_alike(tmp_path, monkeypatch):
 
 def test_observed_rate_of_a_power_law():
     h = np.array([0.1, 0.05, 0.025])
-    assert accuracy.observed_rate(h, 3.0 * h**1.5) == pytest.approx(1.5)
+    assert study.observed_rate(h, 3.0 * h**1.5) == pytest.approx(1.5)
     with pytest.raises(ValueError, match="at least 2"):
-        accuracy.observed_rate([0.1], [0.2])
+        study.observed_rate([0.1], [0.2])
 
 
 def test_pareto_front_holds_what_nothing_beats():
     cost, error = np.array([1, 2, 3, 4, 2.0]), np.array([5, 3, 4, 1, 3.5])
-    assert accuracy.pareto_front(cost, error).tolist() == [True, True, False, True, False]
+    assert study.pareto_front(cost, error).tolist() == [True, True, False, True, False]
 
 
 def test_fidelity_takes_the_cheapest_pair_within_the_tolerance():
@@ -203,14 +204,14 @@ def test_fidelity_takes_the_cheapest_pair_within_the_tolerance():
         ]
     }
     numerics = {**resolved()["numerics"], "fidelity_tolerance": 0.01}
-    chosen = accuracy.choose_fidelity(numerics, "W1c", measured)
+    chosen = study.choose_fidelity(numerics, "W1c", measured)
     assert (chosen["nodes_height"], chosen["step_fraction"]) == (9, 0.1)
-    assert accuracy.choose_fidelity(resolved()["numerics"], "W1", measured)["nodes_height"] == 9
+    assert study.choose_fidelity(resolved()["numerics"], "W1", measured)["nodes_height"] == 9
     strict = {**numerics, "fidelity_tolerance": 1e-4}
     with pytest.raises(ValueError, match=r"finest measured fidelity of W1 has an error of 0\.002"):
-        accuracy.choose_fidelity(strict, "W1", measured)
+        study.choose_fidelity(strict, "W1", measured)
     with pytest.raises(ValueError, match="no convergence was measured for W3"):
-        accuracy.choose_fidelity(numerics, "W3", measured)
+        study.choose_fidelity(numerics, "W3", measured)
 
 
 def test_a_lucky_coarse_pair_is_not_taken_for_accurate():
@@ -232,8 +233,8 @@ def test_a_lucky_coarse_pair_is_not_taken_for_accurate():
     # 0.02 where changes grow 100 times says no more than 0.002 where they grow 10 times
     sensitive = table.iloc[[3]].assign(error=0.02, amplification=100.0)
     table = pd.concat([table, sensitive])
-    assert all(p["nodes"] == 9 for p in accuracy.fidelity_table(table, 10.0, 5)["W1"])
-    measured = accuracy.fidelity_table(table, 10.0, 3)
+    assert all(p["nodes"] == 9 for p in study.fidelity_table(table, 10.0, 5)["W1"])
+    measured = study.fidelity_table(table, 10.0, 3)
     found = {(p["nodes"], p["step_fraction"]): p["error"] for p in measured["W1"]}
     assert found == {(3, 0.2): 0.05, (3, 0.1): 0.05, (9, 0.2): 0.02, (9, 0.1): 0.004}
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import ensemble
+from rocking.curves import ensemble
 from yade_process import resolved
 
-from yade_scripts import perturb
+from yade_scripts.studies import perturb
 
 SETTINGS = resolved()["ensemble"]
 NUMERICS = resolved()["numerics"]

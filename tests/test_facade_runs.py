@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from rocking.closed_forms import block, quarter_period, tip_over_compliant_base
+from rocking.mechanics.closed_forms import block, quarter_period, tip_over_compliant_base
 from yade_process import in_yade, resolved
 
 from smdof.chain import floor_motions
-from yade_scripts import facade, stiffness
+from yade_scripts.model import facade, stiffness
 
 pytestmark = pytest.mark.yade
 

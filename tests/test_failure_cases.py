@@ -3,8 +3,8 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.reference import peak_d_over_b
-from rocking.sliding import slip_rectangular_pulse
+from rocking.curves.reference import peak_d_over_b
+from rocking.mechanics.sliding import slip_rectangular_pulse
 from yade_process import in_yade, resolved
 
 pytestmark = pytest.mark.yade

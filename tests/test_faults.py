@@ -13,12 +13,12 @@ import time
 from pathlib import Path
 
 import pytest
-from rocking import run_lock
+from rocking.runtime import run_lock
 
 from tests.faults import inject, trials
 from tests.faults.workspace import comparable, wait_until
-from yade_scripts import memory
-from yade_scripts.journal import Journal, write_atomic
+from yade_scripts.engine import memory
+from yade_scripts.studies.journal import Journal, write_atomic
 
 ROOT = Path(__file__).resolve().parents[1]
 

@@ -2,7 +2,7 @@
 
 import os
 
-from rocking.file_times import settle
+from rocking.runtime.file_times import settle
 
 
 def test_only_files_from_the_future_are_dated_to_the_present(tmp_path):

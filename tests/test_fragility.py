@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from rocking import fragility
-from rocking.closed_forms import block
-from rocking.intensity_measures import MEASURES, per_pga, record_measures
+from rocking.curves import fragility
+from rocking.curves.intensity_measures import MEASURES, per_pga, record_measures
+from rocking.mechanics.closed_forms import block
 from rocking.records import Record
 from scipy import stats
 from scipy.optimize import minimize

@@ -7,10 +7,10 @@ import warnings
 
 import numpy as np
 import pytest
-from rocking import calibration, closed_forms
-from rocking import calibration_study as study
+from rocking.calibration import beta, study
+from rocking.calibration.restitution import e_exp, read_archive, rebounds
+from rocking.mechanics import closed_forms
 from rocking.planar import Wall, simulate
-from rocking.restitution import e_exp, read_archive, rebounds
 from yade_process import PYTHON, ROOT, in_yade, resolved
 
 pytestmark = pytest.mark.yade
@@ -231,7 +231,7 @@ def test_committed_law_predicts_a_wall_it_has_not_seen(tmp_path):
     assert done.returncode == 0, done.stderr
     wall = study.evaluate([one], read_archive(archive))[0]
     fit = study.best_fit(wall["beta_s"], wall["e"] / wall["e_1sr"])
-    law, groups = calibration.read_law(), calibration.groups(config)
+    law, groups = beta.read_law(), beta.groups(config)
     assert law.outside(groups) is None
     _, low, high = law.predict(groups, level=0.95)
     assert low < fit["beta_s"] < high
@@ -282,4 +282,4 @@ def test_committed_law_covers_the_walls_of_the_study(sections):
     config = resolved(**sections, damping={"law": "fitted"})
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert 1e-4 < calibration.beta_for(config) < 1e-2
+        assert 1e-4 < beta.beta_for(config) < 1e-2

@@ -5,8 +5,8 @@ import json
 import pytest
 from yade_process import resolved
 
-from yade_scripts import intensities
-from yade_scripts.journal import Journal, run_key, write_atomic
+from yade_scripts.studies import intensities
+from yade_scripts.studies.journal import Journal, run_key, write_atomic
 
 
 def drive(settings, outcome):

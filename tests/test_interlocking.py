@@ -6,12 +6,12 @@ import io
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.pushover import closed_form, friction_moment_ratio, joint_forces, theta_of
+from rocking.curves.pushover import closed_form, friction_moment_ratio, joint_forces, theta_of
 from yade_process import in_yade, resolved
 
-from yade_scripts import interlocking, models
-from yade_scripts.faces import BITS, Faces
-from yade_scripts.stiffness import assemble, critical_step
+from yade_scripts.engine.faces import BITS, Faces
+from yade_scripts.model import interlocking, models
+from yade_scripts.model.stiffness import assemble, critical_step
 
 COURSES = 10
 SMALL = dict(course_height_m=0.648, lower_courses=0)  # half as many courses, twice as high

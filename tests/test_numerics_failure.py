@@ -5,11 +5,11 @@ import json
 import numpy as np
 import pytest
 from numerics_cases import SAMPLE_STEPS
-from rocking.ida import branches, collapse_row, read_curve
+from rocking.curves.ida import branches, collapse_row, read_curve
 from yade_process import in_yade, resolved
 
 from smdof.chain import floor_motions
-from yade_scripts.intensities import collapse_bounds, next_intensity
+from yade_scripts.studies.intensities import collapse_bounds, next_intensity
 
 CASES = "numerics_cases"
 yade = pytest.mark.yade

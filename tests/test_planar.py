@@ -4,16 +4,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from rocking import closed_forms as cf
+from rocking.mechanics import closed_forms as cf
+from rocking.mechanics.sliding import sliding_response
 from rocking.planar import Motion, Wall, simulate, simulate_batch
 from rocking.planar.batch import _fixed
 from rocking.planar.contact import SLIP, THETA, Equations, Y, Z
 from rocking.planar.motion import integrate_linear
 from rocking.planar.wall import rule
-from rocking.sliding import sliding_response
 
 from smdof import floor_motions
-from yade_scripts.quadrature import gauss_lobatto
+from yade_scripts.model.quadrature import gauss_lobatto
 
 RECORD = Path(__file__).parents[1] / "../shared/records/RRS228_northridge_rinaldi_228.AT2"
 real_record = pytest.mark.skipif(not RECORD.exists(), reason="the real record is not shipped")

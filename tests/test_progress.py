@@ -4,7 +4,7 @@ import io
 import time
 
 import pytest
-from rocking.progress import USUAL_RUNS, Progress, count_lines, spoken
+from rocking.runtime.progress import USUAL_RUNS, Progress, count_lines, spoken
 
 
 def grow(path, lines):

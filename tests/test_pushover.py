@@ -3,12 +3,19 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import closed_forms
-from rocking.pushover import closed_form, complete_curve, smoothed, summary, theta_of, variant
+from rocking.curves.pushover import (
+    closed_form,
+    complete_curve,
+    smoothed,
+    summary,
+    theta_of,
+    variant,
+)
+from rocking.mechanics import closed_forms
 from yade_process import in_yade, resolved
 
-from yade_scripts import models
-from yade_scripts.run_pushover import push_motion
+from yade_scripts.model import models
+from yade_scripts.studies.pushover import push_motion
 
 H, B, W, RHO = 6.48, 0.375, 4.4, 1800.0
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from rocking import closed_forms
-from rocking.restitution import e_exp, e_one_sided, misfit, rebounds
+from rocking.calibration.restitution import e_exp, e_one_sided, misfit, rebounds
+from rocking.mechanics import closed_forms
 
 P = 4.27  # 1/s, of a wall 0.8 m high
 

@@ -10,11 +10,17 @@ from pathlib import Path
 
 import pytest
 import yaml
-from rocking import config_docs, config_schema
-from rocking.config import ConfigError, check_files, expand_scenarios, relevant, resolve
+from rocking.configuration import docs, schema
+from rocking.configuration.config import (
+    ConfigError,
+    check_files,
+    expand_scenarios,
+    relevant,
+    resolve,
+)
 
 ROOT = Path(__file__).resolve().parents[1]
-LEAVES = list(config_schema.leaves(config_schema.whole()))
+LEAVES = list(schema.leaves(schema.whole()))
 
 
 def test_a_grid_gives_every_combination():
@@ -96,19 +102,19 @@ def test_faults_of_a_study_are_named(config, message):
 
 
 def test_the_page_follows_the_schemas(capsys):
-    assert config_docs.main(["--check"]) == 0, "run python -m rocking.config_docs"
-    page = config_docs.README.read_text("utf-8")
+    assert docs.main(["--check"]) == 0, "run python -m rocking.configuration.docs"
+    page = docs.README.read_text("utf-8")
     for path, _ in LEAVES:
         assert f"| `{path.partition('.')[2] or path}` |" in page
 
 
 def test_drift_of_the_page_is_found(tmp_path, monkeypatch, capsys):
     stale = tmp_path / "README.md"
-    stale.write_text(config_docs.render().replace("6.48", "6.5"), "utf-8")
-    monkeypatch.setattr(config_docs, "README", stale)
-    assert config_docs.main(["--check"]) == 1
-    assert config_docs.main([]) == 0
-    assert config_docs.main(["--check"]) == 0
+    stale.write_text(docs.render().replace("6.48", "6.5"), "utf-8")
+    monkeypatch.setattr(docs, "README", stale)
+    assert docs.main(["--check"]) == 1
+    assert docs.main([]) == 0
+    assert docs.main(["--check"]) == 0
 
 
 SHIPPED = [ROOT / "config" / "config.yaml", *sorted((ROOT / "config" / "scenarios").glob("*.yaml"))]
@@ -120,7 +126,7 @@ def test_shipped_files_resolve(path):
     assert expand_scenarios(yaml.safe_load(path.read_text("utf-8")))
 
 
-COMMANDS = re.findall(r"^snakemake .*$", config_docs.README.read_text("utf-8"), re.MULTILINE)
+COMMANDS = re.findall(r"^snakemake .*$", docs.README.read_text("utf-8"), re.MULTILINE)
 EXPECTED = [
     {"tall": {"facade.height_m": 7.0, "facade.width_m": 4.4}},
     {"two": {"records": ["RRS228", "1ST280"], "directions": ["neg"], "models": ["W1", "W2"]}},

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from yade_process import resolved
 
-from yade_scripts import facade, stiffness
-from yade_scripts.quadrature import gauss_lobatto
-from yade_scripts.scene import Block, NodeList, Scene, box_inertia, to_json
+from yade_scripts.model import facade, stiffness
+from yade_scripts.model.quadrature import gauss_lobatto
+from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia, to_json
 
 
 @pytest.mark.parametrize("count", [2, 3, 4, 5, 9, 17])

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 import yaml
-from rocking import config
-from rocking.config_files import check_text
+from rocking.configuration import config
+from rocking.configuration.files import check_text
 from rocking.records import RecordError, read_table
 
 from tests.faults.workspace import RESULTS, SNAKEMAKE, Workspace, environment

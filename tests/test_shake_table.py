@@ -6,9 +6,9 @@ import subprocess
 
 import numpy as np
 import pytest
-from rocking import closed_forms
-from rocking.calibration_study import SECTIONS
-from rocking.restitution import read_archive
+from rocking.calibration.restitution import read_archive
+from rocking.calibration.study import SECTIONS
+from rocking.mechanics import closed_forms
 from yade_process import PYTHON, ROOT, resolved
 
 pytestmark = pytest.mark.yade

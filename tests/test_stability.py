@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 from yade_process import in_yade, resolved
 
-from yade_scripts import facade, run_stability, simulate
-from yade_scripts.stiffness import critical_step
+from yade_scripts.engine import simulate
+from yade_scripts.model import facade
+from yade_scripts.model.stiffness import critical_step
+from yade_scripts.studies import stability
 
 BETA_S = 0.00276
 
@@ -40,7 +42,7 @@ def test_spectral_radius_passes_one_at_the_critical_step(zeta, ratio):
 
 def test_stack_is_softer_than_its_joints_and_needs_a_smaller_step():
     """A chain of equal masses: ω_max grows towards 2√(k/m) with its length."""
-    limits = [critical_step(run_stability.stack_scene(n, 0.0)) for n in (1, 2, 10, 20)]
+    limits = [critical_step(stability.stack_scene(n, 0.0)) for n in (1, 2, 10, 20)]
     assert np.all(np.diff(limits) < 0.0)
     assert limits[3] / limits[2] > 0.99
 

@@ -3,10 +3,11 @@
 
 def push_case(job, speed_m_s=0.1, reach=0.08):
     """Push W3 a little way; return the curve, the joint forces as CSV and the broken bonds."""
-    from yade_scripts import engine, models
-    from yade_scripts.run_pushover import forces_csv, push
+    from yade_scripts.engine import adapter
+    from yade_scripts.model import models
+    from yade_scripts.studies.pushover import forces_csv, push
 
-    engine.load_yade()
+    adapter.load_yade()
     scene = models.build_scene(job)
     curve, forces, broken = push(
         scene, models.numerics(job), speed_m_s=speed_m_s, reach=reach, samples=300, force_samples=30
@@ -18,7 +19,8 @@ def shake_case(job, fractions, time_s, columns):
     """Peak d/b of W3 under prescribed floor motions, by step over the critical one."""
     import numpy as np
 
-    from yade_scripts import models, run_ida
+    from yade_scripts.model import models
+    from yade_scripts.studies import ida
 
     scene = models.build_scene(job)
     time_s = np.array(time_s)
@@ -27,6 +29,6 @@ def shake_case(job, fractions, time_s, columns):
     out = []
     for fraction in fractions:
         numerics = {**models.numerics(job), "step_fraction": fraction}
-        history = run_ida.run_one(scene, time_s, columns, 1.0, numerics)
+        history = ida.run_one(scene, time_s, columns, 1.0, numerics)
         out.append([history.status, history.peak_d_over_b])
     return out

@@ -28,6 +28,6 @@ def in_yade(module, function, **arguments):
 
 def resolved(**sections):
     """Default configuration with some keys of some sections replaced."""
-    from rocking import config
+    from rocking.configuration import config
 
     return config.resolve(sections)

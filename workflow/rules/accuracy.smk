@@ -10,7 +10,7 @@ rule accuracy:
 
 rule stability:
     input:
-        entry=module("yade_scripts/run_stability.py"),
+        entry=module("yade_scripts/studies/stability.py"),
         scene="results/{run}/scenes/W2.json",
         yade="results/{run}/yade.txt",
         modules=yade_modules(),
@@ -52,7 +52,7 @@ rule accuracy_plan:
             for model in cfg(w)["accuracy"]["models"]
         ],
         motions=accuracy_motions,
-        modules=module("workflow/rocking/accuracy.py"),
+        modules=module("workflow/rocking/accuracy/study.py"),
     output:
         "results/{run}/accuracy/plan.json",
     log:
@@ -66,7 +66,7 @@ rule accuracy_plan:
 
 rule accuracy_runs:
     input:
-        entry=module("yade_scripts/run_accuracy.py"),
+        entry=module("yade_scripts/studies/accuracy.py"),
         plan="results/{run}/accuracy/plan.json",
         yade="results/{run}/yade.txt",
         modules=yade_modules(),
@@ -91,8 +91,8 @@ rule accuracy_reference:
                 f"workflow/rocking/planar/{name}.py"
                 for name in ("adaptive", "batch", "contact", "motion", "wall")
             ),
-            "workflow/rocking/reference.py",
-            "yade_scripts/motion.py",
+            "workflow/rocking/curves/reference.py",
+            "yade_scripts/model/motion.py",
         ),
     output:
         "results/{run}/accuracy/reference.csv",
@@ -112,10 +112,10 @@ rule accuracy_engine:
     input:
         plan="results/{run}/accuracy/plan.json",
         modules=module(
-            "workflow/rocking/outside.py",
-            "yade_scripts/facade.py",
-            "yade_scripts/motion.py",
-            "yade_scripts/stiffness.py",
+            "workflow/rocking/accuracy/outside.py",
+            "yade_scripts/model/facade.py",
+            "yade_scripts/model/motion.py",
+            "yade_scripts/model/stiffness.py",
         ),
     output:
         "results/{run}/accuracy/engine_{engine}.csv",
@@ -137,7 +137,7 @@ rule speed_accuracy:
             ),
         ],
         reference="results/{run}/accuracy/reference.csv",
-        modules=module("workflow/rocking/accuracy.py"),
+        modules=module("workflow/rocking/accuracy/study.py"),
     output:
         table=report(
             "results/{run}/tables/speed_accuracy.csv",
@@ -159,7 +159,7 @@ rule figure_speed_accuracy:
     input:
         table="results/{run}/tables/speed_accuracy.csv",
         style=STYLE,
-        modules=module("workflow/rocking/accuracy.py"),
+        modules=module("workflow/rocking/accuracy/study.py"),
     output:
         png=report(
             "results/{run}/figures/speed_accuracy.png",
@@ -183,9 +183,9 @@ rule ensemble_members:
         ],
         motions=accuracy_motions,
         modules=module(
-            "workflow/rocking/ensemble.py",
-            "workflow/rocking/reference.py",
-            "yade_scripts/motion.py",
+            "workflow/rocking/curves/ensemble.py",
+            "workflow/rocking/curves/reference.py",
+            "yade_scripts/model/motion.py",
         ),
     output:
         "results/{run}/tables/ensemble_members.csv",
@@ -201,7 +201,7 @@ rule figure_chaos:
     input:
         ensembles=lambda w: accuracy_curves(w, "_ensemble"),
         style=STYLE,
-        modules=module("workflow/rocking/ensemble.py"),
+        modules=module("workflow/rocking/curves/ensemble.py"),
     output:
         png=report(
             "results/{run}/figures/chaos.png",

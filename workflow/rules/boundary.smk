@@ -1,11 +1,11 @@
 # Pictures of the models, and what the study says about boundary conditions.
-PICTURE_SCRIPTS = module("workflow/rocking/pictures.py")
+PICTURE_SCRIPTS = module("workflow/rocking/figures/pictures.py")
 ALL_MODELS = ["W1", "W1c", "W2", "W2c", "W3"]
 
 
 rule frames:
     input:
-        entry=module("yade_scripts/run_frames.py"),
+        entry=module("yade_scripts/studies/frames.py"),
         scene="results/{run}/scenes/{model}.json",
         motion=picture_motion,
         yade="results/{run}/yade.txt",
@@ -27,7 +27,7 @@ rule frames:
 
 rule collapse_frames:
     input:
-        entry=module("yade_scripts/run_frames.py"),
+        entry=module("yade_scripts/studies/frames.py"),
         scene="results/{run}/scenes/{model}.json",
         motion=picture_motion,
         ida=lambda w: (
@@ -98,7 +98,7 @@ rule table_claims:
         pushover=lambda w: (
             ["results/{run}/pushover/W3.csv"] if "W3" in cfg(w)["models"] else []
         ),
-        modules=module("workflow/rocking/claims.py", "workflow/rocking/pushover.py"),
+        modules=module("workflow/rocking/curves/claims.py", "workflow/rocking/curves/pushover.py"),
     output:
         report(
             "results/{run}/tables/claims.csv",

@@ -282,13 +282,13 @@ rule building_explicit_scene:
 # The drawing's building under the record, with its dead load applied at once or left out.
 rule building_explicit:
     input:
-        entry=module("yade_scripts/building/explicit.py"),
+        entry=module("yade_scripts/studies/explicit_building.py"),
         scene=explicit_scene,
         record="results/{run}/records/{record}.csv",
         yade="results/{run}/yade.txt",
         modules=module(
-            "yade_scripts/engine.py",
-            "yade_scripts/scene.py",
+            "yade_scripts/engine/adapter.py",
+            "yade_scripts/model/scene.py",
         ),
     output:
         history="results/{run}/building/explicit_{load}_{record}.csv",
@@ -345,7 +345,7 @@ rule table_building_explicit:
 
 rule building_explicit_cost:
     input:
-        entry=module("yade_scripts/building/explicit.py"),
+        entry=module("yade_scripts/studies/explicit_building.py"),
         scene="results/{run}/building/explicit_scene_{coarsening}.json",
         record=lambda w: f"results/{w.run}/records/{wme_records(w.run)[0]}.csv",
         yade="results/{run}/yade.txt",

@@ -51,7 +51,7 @@ def building_modules(*more):
     assembly = "__init__ plan bricks floors contacts assembly".split()
     return module(
         *(f"yade_scripts/building/{name}.py" for name in assembly),
-        "yade_scripts/stiffness.py",
+        "yade_scripts/model/stiffness.py",
         "workflow/rocking/building/case.py",
         "workflow/rocking/building/modes.py",
         "workflow/rocking/building/ordering.py",

@@ -7,7 +7,7 @@ include: "calibration_targets.smk"
 rule calibration_cases:
     input:
         modules=module(
-            "workflow/rocking/calibration_study.py", "yade_scripts/stiffness.py"
+            "workflow/rocking/calibration/study.py", "yade_scripts/model/stiffness.py"
         ),
         wall=lambda w: (
             beside(study(w.run)["free_rocking_wall"])
@@ -37,10 +37,10 @@ rule calibration_cases:
 
 rule free_rocking:
     input:
-        entry=module("yade_scripts/run_free_rocking.py"),
+        entry=module("yade_scripts/studies/free_rocking.py"),
         cases=CASES,
         yade=ancient("results/{run}/yade.txt"),
-        modules=yade_modules() + module("yade_scripts/run_free_rocking.py"),
+        modules=yade_modules() + module("yade_scripts/studies/free_rocking.py"),
     output:
         HISTORIES,
     log:
@@ -94,7 +94,7 @@ rule beta_fit:
 rule beta_law:
     input:
         "results/{run}/tables/beta_walls.csv",
-        modules=module("workflow/rocking/calibration.py"),
+        modules=module("workflow/rocking/calibration/beta.py"),
     output:
         law="results/{run}/calibration/beta_law.json",
         table=report(

@@ -33,10 +33,10 @@ def group_files(pattern, groups=None):
 CASES = "results/{run}/calibration/cases_{group}.json"
 HISTORIES = "results/{run}/calibration/histories_{group}.npz"
 STUDY_MODULES = module(
-    "workflow/rocking/restitution.py",
-    "workflow/rocking/calibration.py",
-    "workflow/rocking/calibration_study.py",
-    "workflow/rocking/closed_forms.py",
+    "workflow/rocking/calibration/restitution.py",
+    "workflow/rocking/calibration/beta.py",
+    "workflow/rocking/calibration/study.py",
+    "workflow/rocking/mechanics/closed_forms.py",
 )
 
 

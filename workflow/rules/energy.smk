@@ -3,13 +3,13 @@
 
 rule energy_balance:
     input:
-        entry=module("yade_scripts/run_energy.py"),
+        entry=module("yade_scripts/studies/energy.py"),
         scene="results/{run}/scenes/{model}.json",
         motion=ida_motion,
         curve="results/{run}/ida/{model}/{record}_{direction}.csv",
         yade="results/{run}/yade.txt",
         modules=yade_modules()
-        + module("yade_scripts/balance.py", "yade_scripts/run_ensemble.py"),
+        + module("yade_scripts/engine/balance.py", "yade_scripts/studies/ensemble.py"),
     output:
         "results/{run}/energy/{model}/{record}_{direction}_{share}.csv",
     log:

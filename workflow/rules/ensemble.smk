@@ -3,12 +3,12 @@
 
 rule ida_ensemble:
     input:
-        entry=module("yade_scripts/run_ensemble.py"),
+        entry=module("yade_scripts/studies/ensemble.py"),
         scene="results/{run}/scenes/{model}.json",
         motion=ida_motion,
         curve="results/{run}/ida/{model}/{record}_{direction}.csv",
         modules=yade_modules()
-        + module("yade_scripts/perturb.py", "yade_scripts/run_ensemble.py"),
+        + module("yade_scripts/studies/perturb.py", "yade_scripts/studies/ensemble.py"),
     output:
         ensemble="results/{run}/ida/{model}/{record}_{direction}_ensemble.csv",
         sensitivity="results/{run}/ida/{model}/{record}_{direction}_sensitivity.csv",

@@ -4,9 +4,9 @@
 rule scene:
     input:
         modules=module(
-            "workflow/rocking/accuracy.py",
-            "workflow/rocking/calibration.py",
-            "workflow/rocking/closed_forms.py",
+            "workflow/rocking/accuracy/study.py",
+            "workflow/rocking/calibration/beta.py",
+            "workflow/rocking/mechanics/closed_forms.py",
         ),
         fidelity=str(BASE / "config" / "fidelity.yaml"),
     output:
@@ -31,8 +31,8 @@ rule scene:
 # One early job that says in one line whether this machine can run YADE scenes.
 rule yade_check:
     input:
-        entry=module("yade_scripts/check_yade.py"),
-        modules=module("yade_scripts/engine.py"),
+        entry=module("yade_scripts/studies/check_yade.py"),
+        modules=module("yade_scripts/engine/adapter.py"),
     output:
         "results/{run}/yade.txt",
     log:

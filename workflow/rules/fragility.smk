@@ -19,8 +19,8 @@ rule fragility_table:
         ida=lambda w: ida_tables(w.run),
         records=lambda w: [path.replace(".json", ".csv") for path in record_facts(w)],
         modules=module(
-            "workflow/rocking/fragility.py",
-            "workflow/rocking/intensity_measures.py",
+            "workflow/rocking/curves/fragility.py",
+            "workflow/rocking/curves/intensity_measures.py",
             "smdof/spectra.py",
         ),
     output:
@@ -105,7 +105,7 @@ rule reduction_motion:
 
 use rule ida as reduction_ida with:
     input:
-        entry=module("yade_scripts/run_ida.py"),
+        entry=module("yade_scripts/studies/ida.py"),
         scene="results/{run}/scenes/W2.json",
         motion="results/{run}/capacity_reduction/T{t1}_below{below}/{record}.csv",
         yade="results/{run}/yade.txt",

@@ -3,7 +3,7 @@
 
 rule ida:
     input:
-        entry=module("yade_scripts/run_ida.py"),
+        entry=module("yade_scripts/studies/ida.py"),
         scene="results/{run}/scenes/{model}.json",
         motion=ida_motion,
         yade="results/{run}/yade.txt",

@@ -11,9 +11,9 @@ PUSH_SECTIONS = (
     "pushover",
     "w3",
 )
-PUSH_MODULES = yade_modules() + module("yade_scripts/run_pushover.py")
+PUSH_MODULES = yade_modules() + module("yade_scripts/studies/pushover.py")
 PUSH_SCRIPTS = module(
-    "workflow/rocking/pushover.py", "workflow/rocking/closed_forms.py"
+    "workflow/rocking/curves/pushover.py", "workflow/rocking/mechanics/closed_forms.py"
 )
 
 
@@ -24,7 +24,7 @@ wildcard_constraints:
 
 rule pushover_scene:
     input:
-        modules=module("workflow/rocking/calibration.py") + PUSH_SCRIPTS,
+        modules=module("workflow/rocking/calibration/beta.py") + PUSH_SCRIPTS,
     output:
         "results/{run}/pushover/scenes/{pushed}.json",
     log:
@@ -37,7 +37,7 @@ rule pushover_scene:
 
 rule pushover_variant_scene:
     input:
-        modules=module("workflow/rocking/calibration.py") + PUSH_SCRIPTS,
+        modules=module("workflow/rocking/calibration/beta.py") + PUSH_SCRIPTS,
     output:
         "results/{run}/w3/scenes/{variant}.json",
     log:
@@ -50,7 +50,7 @@ rule pushover_variant_scene:
 
 rule pushover:
     input:
-        entry=module("yade_scripts/run_pushover.py"),
+        entry=module("yade_scripts/studies/pushover.py"),
         scene="results/{run}/pushover/scenes/{pushed}.json",
         yade="results/{run}/yade.txt",
         modules=PUSH_MODULES,
@@ -70,7 +70,7 @@ rule pushover:
 
 rule pushover_variant:
     input:
-        entry=module("yade_scripts/run_pushover.py"),
+        entry=module("yade_scripts/studies/pushover.py"),
         scene="results/{run}/w3/scenes/{variant}.json",
         yade="results/{run}/yade.txt",
         modules=PUSH_MODULES,

@@ -49,11 +49,11 @@ rule shake_table_tests:
 
 rule shake_table:
     input:
-        entry=module("yade_scripts/run_shake_table.py"),
+        entry=module("yade_scripts/studies/shake_table.py"),
         tests="results/{run}/calibration/shake_table_tests.json",
         motions="results/{run}/calibration/shake_table_motions",
         yade=ancient("results/{run}/yade.txt"),
-        modules=yade_modules() + module("yade_scripts/run_shake_table.py"),
+        modules=yade_modules() + module("yade_scripts/studies/shake_table.py"),
     output:
         "results/{run}/calibration/shake_table_histories.npz",
     log:
@@ -71,7 +71,7 @@ rule shake_table_table:
     input:
         tests="results/{run}/calibration/shake_table_tests.json",
         histories="results/{run}/calibration/shake_table_histories.npz",
-        modules=module("workflow/rocking/restitution.py"),
+        modules=module("workflow/rocking/calibration/restitution.py"),
     output:
         report(
             "results/{run}/tables/shake_table.csv",
@@ -89,7 +89,7 @@ rule fig06_shawa:
     input:
         tests="results/{run}/calibration/shake_table_tests.json",
         histories="results/{run}/calibration/shake_table_histories.npz",
-        modules=module("workflow/rocking/restitution.py"),
+        modules=module("workflow/rocking/calibration/restitution.py"),
         style=STYLE,
     output:
         png=report(
@@ -113,7 +113,7 @@ rule damping_choice_scene:
     input:
         law="results/{run}/calibration/beta_law.json",
         modules=module(
-            "workflow/rocking/calibration.py", "workflow/rocking/closed_forms.py"
+            "workflow/rocking/calibration/beta.py", "workflow/rocking/mechanics/closed_forms.py"
         ),
     output:
         "results/{run}/calibration/choice/{model}_{law}.json",
@@ -129,7 +129,7 @@ rule damping_choice_scene:
 
 rule damping_choice_ida:
     input:
-        entry=module("yade_scripts/run_ida.py"),
+        entry=module("yade_scripts/studies/ida.py"),
         scene="results/{run}/calibration/choice/{model}_{law}.json",
         motion=lambda w: (
             f"results/{w.run}/smdof/{study(w.run)['choice_record']}"

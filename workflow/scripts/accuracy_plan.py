@@ -3,8 +3,8 @@
 import json
 
 import pandas as pd
-from rocking.accuracy import choose_cases, plan_runs
-from rocking.script import run
+from rocking.accuracy.study import choose_cases, plan_runs
+from rocking.runtime.script import run
 
 
 def main(job):

@@ -6,8 +6,8 @@ import time
 from concurrent.futures import ProcessPoolExecutor
 
 import pandas as pd
-from rocking.reference import peak_d_over_b
-from rocking.script import run
+from rocking.curves.reference import peak_d_over_b
+from rocking.runtime.script import run
 
 
 def one(arguments):

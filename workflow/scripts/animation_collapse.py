@@ -6,8 +6,8 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.animation import FuncAnimation, PillowWriter
-from rocking import pictures, style
-from rocking.script import run
+from rocking.figures import pictures, style
+from rocking.runtime.script import run
 
 LONGEST_FRAMES = 160
 

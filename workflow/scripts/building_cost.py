@@ -6,7 +6,7 @@ import time
 
 from rocking.building.case import build_model, read_plan, translation_mode, twist_mode
 from rocking.building.modes import Solver
-from rocking.script import run
+from rocking.runtime.script import run
 
 
 def memory_mb():

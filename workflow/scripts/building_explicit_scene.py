@@ -5,9 +5,9 @@ import json
 from rocking.building.case import build_model, read_plan, translation_mode
 from rocking.building.history import mass_damping_rate
 from rocking.building.modes import Solver, largest_frequency
-from rocking.script import run
+from rocking.runtime.script import run
 
-from yade_scripts.scene import to_json
+from yade_scripts.model.scene import to_json
 
 
 def main(job):

@@ -3,7 +3,7 @@
 import json
 
 from rocking.building.case import fit_floor_load, read_plan
-from rocking.script import run
+from rocking.runtime.script import run
 
 
 def main(job):

@@ -7,7 +7,7 @@ from rocking.building.case import build_model, read_plan, translation_mode
 from rocking.building.history import mass_damping_rate, modal_history
 from rocking.building.modes import Modes
 from rocking.records import read_csv
-from rocking.script import run
+from rocking.runtime.script import run
 
 
 def main(job):

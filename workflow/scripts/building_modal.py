@@ -4,7 +4,7 @@ import json
 
 from rocking.building.case import build_model, read_plan
 from rocking.building.modes import Solver
-from rocking.script import run
+from rocking.runtime.script import run
 
 
 def main(job):

@@ -3,9 +3,9 @@
 import json
 
 import yaml
-from rocking import calibration_study as study
-from rocking.config import resolve
-from rocking.script import run
+from rocking.calibration import study
+from rocking.configuration.config import resolve
+from rocking.runtime.script import run
 
 
 def read_wall(path):

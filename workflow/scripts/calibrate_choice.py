@@ -5,9 +5,9 @@ import json
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rocking import style
-from rocking.ida import branches, read_curve
-from rocking.script import run
+from rocking.curves.ida import branches, read_curve
+from rocking.figures import style
+from rocking.runtime.script import run
 
 COLOURS = {"eq5": "#0072B2", "fitted": "#D55E00"}
 NAMES = {"eq5": "eq. 5", "fitted": "fitted law"}

@@ -2,8 +2,8 @@
 
 import json
 
-from rocking.calibration import beta_for
-from rocking.script import run
+from rocking.calibration.beta import beta_for
+from rocking.runtime.script import run
 
 
 def main(job):

@@ -4,10 +4,10 @@ import csv
 import json
 import math
 
-from rocking import calibration, closed_forms
-from rocking import calibration_study as study
-from rocking.restitution import read_archive
-from rocking.script import run
+from rocking.calibration import beta, study
+from rocking.calibration.restitution import read_archive
+from rocking.mechanics import closed_forms
+from rocking.runtime.script import run
 
 GROUPS = ("slenderness", "return_wall_ratio", "stiffness_ratio", "base_stiffness")
 COLUMNS = (
@@ -53,7 +53,7 @@ def row_of(wall):
         remark = "no β gives three impacts"
     elif fit["at_edge"]:
         remark = "best β at the end of the range that could be judged"
-    groups = calibration.groups(case["config"])
+    groups = beta.groups(case["config"])
     return {
         "wall": case["id"],
         "role": case["about"]["role"],

@@ -4,9 +4,9 @@ import csv
 
 import numpy as np
 import pandas as pd
-from rocking import calibration
-from rocking.calibration import dimensional_error
-from rocking.script import run
+from rocking.calibration import beta
+from rocking.calibration.beta import dimensional_error
+from rocking.runtime.script import run
 
 FORMS = (
     (),
@@ -40,13 +40,13 @@ def main(job):
     names = ["slenderness", "return_wall_ratio", "stiffness_ratio", "base_stiffness"]
     walls = table[[*names, "omega_c_rad_s"]].to_dict("records")
     betas = table.beta_fit_s.to_numpy()
-    laws = [calibration.fit_law(walls, betas, form) for form in FORMS]
+    laws = [beta.fit_law(walls, betas, form) for form in FORMS]
     least = min(law.loo_error for law in laws)
     enough = [law for law in laws if (1.0 - WORTH) * law.loo_error <= least]
     chosen = min(enough, key=lambda law: (len(law.names), law.loo_error))
     rows = []
     for law in laws:
-        half = calibration.half_widths(law)
+        half = beta.half_widths(law)
         rows.append(
             {
                 "form": "beta·omega_c = exp(c0)"
@@ -78,7 +78,7 @@ def main(job):
         )
         try:
             found, error, loo = dimensional_error(b, e_mpa, s, fitted)
-        except calibration.CalibrationError:
+        except beta.CalibrationError:
             continue
         rows.append(
             {
@@ -94,7 +94,7 @@ def main(job):
     reference = table[table.role == "reference"]
     here = reference[[*names, "omega_c_rad_s"]].to_dict("records")
     for form in ((), ("slenderness",)):
-        law = calibration.fit_law(here, reference.beta_fit_s.to_numpy(), form)
+        law = beta.fit_law(here, reference.beta_fit_s.to_numpy(), form)
         rows.append(
             {
                 "form": "beta·omega_c = exp(c0)"
@@ -103,7 +103,7 @@ def main(job):
                 "walls": len(here),
                 "parameters": len(law.coefficients),
                 "coefficients": " ".join(f"{c:.4f}" for c in law.coefficients),
-                "half_widths_95": " ".join(f"{c:.4f}" for c in calibration.half_widths(law)),
+                "half_widths_95": " ".join(f"{c:.4f}" for c in beta.half_widths(law)),
                 "residual_std": f"{law.residual_std:.4f}",
                 "loo_error": f"{law.loo_error:.4f}",
                 "chosen": 0,

@@ -6,10 +6,10 @@ import os
 
 import numpy as np
 import yaml
-from rocking.calibration import beta_for
-from rocking.config import ConfigError, resolve
+from rocking.calibration.beta import beta_for
+from rocking.configuration.config import ConfigError, resolve
 from rocking.records import load, measures, read_table
-from rocking.script import run
+from rocking.runtime.script import run
 
 SECTIONS = ("facade", "return_wall", "smdof", "numerics")
 

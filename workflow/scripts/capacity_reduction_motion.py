@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 from rocking.records import G_M_S2, read_csv
-from rocking.script import run
+from rocking.runtime.script import run
 
 from smdof.chain import floor_motions
 

@@ -10,8 +10,8 @@ is solved in the base's frame: an actuator along y carries −m a_g from a sourc
 import time
 
 import numpy as np
-from rocking.outside import AFTER_S, SAMPLE_S, Peak, compare
-from rocking.script import run
+from rocking.accuracy.outside import AFTER_S, SAMPLE_S, Peak, compare
+from rocking.runtime.script import run
 
 RADIUS_M = 1e-3
 FACE_STIFFNESS = 1e20  # N/m: in series with the node's own

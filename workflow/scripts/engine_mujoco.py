@@ -11,8 +11,8 @@ import math
 import time
 
 import numpy as np
-from rocking.outside import AFTER_S, SAMPLE_S, Peak, compare
-from rocking.script import run
+from rocking.accuracy.outside import AFTER_S, SAMPLE_S, Peak, compare
+from rocking.runtime.script import run
 
 IMPEDANCE = 1e-3
 RADIUS_M = 1e-3

@@ -4,7 +4,6 @@ import json
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rocking import style
 from rocking.building import drawing
 from rocking.building.case import (
     PAPER_PERIODS_S,
@@ -14,7 +13,8 @@ from rocking.building.case import (
     twist_mode,
 )
 from rocking.building.modes import Modes
-from rocking.script import run
+from rocking.figures import style
+from rocking.runtime.script import run
 
 LARGEST_M = 0.7  # drawn displacement of the block that moves most
 

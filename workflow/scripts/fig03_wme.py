@@ -4,12 +4,12 @@ import json
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rocking import style
 from rocking.building.case import translation_mode
 from rocking.building.comparison import N_DOF, chain_top, top_motion
 from rocking.building.modes import Modes
+from rocking.figures import style
 from rocking.records import G_M_S2, read_csv
-from rocking.script import run
+from rocking.runtime.script import run
 
 SHADES = ("#fdae6b", "#e6a100", "#009E73", "#0072B2", "#7b3294")
 

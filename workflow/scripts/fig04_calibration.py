@@ -6,10 +6,12 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from matplotlib.colors import Normalize
-from rocking import calibration, closed_forms, style
-from rocking import calibration_study as study
-from rocking.restitution import misfit, read_archive
-from rocking.script import run
+from rocking.calibration import beta as calibration
+from rocking.calibration import study
+from rocking.calibration.restitution import misfit, read_archive
+from rocking.figures import style
+from rocking.mechanics import closed_forms
+from rocking.runtime.script import run
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")
 RATIO_MARKERS = "v^sDP*X<>"

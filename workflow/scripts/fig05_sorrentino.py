@@ -4,10 +4,12 @@ import json
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rocking import calibration, closed_forms, style
-from rocking import calibration_study as study
-from rocking.restitution import IMPACTS, TARGETS, read_archive
-from rocking.script import run
+from rocking.calibration import beta as calibration
+from rocking.calibration import study
+from rocking.calibration.restitution import IMPACTS, TARGETS, read_archive
+from rocking.figures import style
+from rocking.mechanics import closed_forms
+from rocking.runtime.script import run
 
 
 def nearest(wall, beta):

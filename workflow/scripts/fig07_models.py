@@ -5,8 +5,8 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rocking import pictures, style
-from rocking.script import run
+from rocking.figures import pictures, style
+from rocking.runtime.script import run
 
 SHOWN_D = 0.6  # d/b
 

@@ -7,8 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from matplotlib.patches import Polygon
-from rocking import style
-from rocking.pushover import (
+from rocking.curves.pushover import (
     RULES,
     closed_form,
     complete_curve,
@@ -17,10 +16,11 @@ from rocking.pushover import (
     smoothed,
     theta_of,
 )
-from rocking.script import run
+from rocking.figures import style
+from rocking.runtime.script import run
 
-from yade_scripts.facade import FACADE
-from yade_scripts.interlocking import interlocking_scene
+from yade_scripts.model.facade import FACADE
+from yade_scripts.model.interlocking import interlocking_scene
 
 RULE_COLOURS = {"rigid": "#D55E00", "bonded": "#E69F00", "sliding": "#0072B2", "hinged": "#009E73"}
 FILLS = {"façade": "0.85", "header": "#E69F00", "brick": "#56B4E9", "half": "#9ad0ee"}

@@ -7,11 +7,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
-from rocking import style
-from rocking.ensemble import bands
-from rocking.ida import branches, curve_key, read_curve
-from rocking.pushover import smoothed
-from rocking.script import run
+from rocking.curves.ensemble import bands
+from rocking.curves.ida import branches, curve_key, read_curve
+from rocking.curves.pushover import smoothed
+from rocking.figures import style
+from rocking.runtime.script import run
 
 
 def rigid_pushover(h, b):

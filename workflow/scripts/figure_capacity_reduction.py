@@ -6,9 +6,9 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from rocking import style
-from rocking.ida import collapse_row, read_curve
-from rocking.script import run
+from rocking.curves.ida import collapse_row, read_curve
+from rocking.figures import style
+from rocking.runtime.script import run
 
 COLUMNS = [
     "record",

@@ -2,9 +2,9 @@
 
 import matplotlib.pyplot as plt
 import pandas as pd
-from rocking import style
-from rocking.ensemble import bands, collapse_percentiles, monotone
-from rocking.script import run
+from rocking.curves.ensemble import bands, collapse_percentiles, monotone
+from rocking.figures import style
+from rocking.runtime.script import run
 
 
 def main(job):

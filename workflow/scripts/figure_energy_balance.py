@@ -2,8 +2,8 @@
 
 import matplotlib.pyplot as plt
 import pandas as pd
-from rocking import style
-from rocking.script import run
+from rocking.figures import style
+from rocking.runtime.script import run
 
 LOSSES = {
     "dashpots_j": ("dashpots", "#0072B2"),

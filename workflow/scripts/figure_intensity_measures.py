@@ -3,9 +3,9 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from rocking import style
-from rocking.intensity_measures import MEASURES
-from rocking.script import run
+from rocking.curves.intensity_measures import MEASURES
+from rocking.figures import style
+from rocking.runtime.script import run
 
 
 def main(job):

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rocking import style
+from rocking.figures import style
 from rocking.records import G_M_S2, integrate, measures, read_csv
-from rocking.script import run
+from rocking.runtime.script import run
 
 from smdof.spectra import response_spectrum
 

@@ -3,9 +3,9 @@
 import matplotlib.pyplot as plt
 import pandas as pd
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
-from rocking import style
-from rocking.accuracy import pareto_front
-from rocking.script import run
+from rocking.accuracy.study import pareto_front
+from rocking.figures import style
+from rocking.runtime.script import run
 
 OTHERS = {
     "default": ("*", "black"),

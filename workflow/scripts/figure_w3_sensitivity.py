@@ -3,8 +3,8 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from rocking import style
-from rocking.script import run
+from rocking.figures import style
+from rocking.runtime.script import run
 
 GROUPS = (
     ("header", "header joint"),

@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 from rocking.records import read_csv
-from rocking.script import run
+from rocking.runtime.script import run
 
 from smdof.chain import floor_motions
 

@@ -17,7 +17,7 @@ The seed is fixed, so the table never changes; a test compares it with the commi
 
 import numpy as np
 from rocking.records import G_M_S2
-from rocking.script import run
+from rocking.runtime.script import run
 
 COUNT, SEED = 44, 44
 COLUMNS = ("record", "pga_g", "pgv_cm_s", "pgd_cm", "duration_s")

@@ -7,12 +7,12 @@ fragility/curves.csv (fitted probability with its band).
 
 import numpy as np
 import pandas as pd
-from rocking import fragility
-from rocking.closed_forms import block
-from rocking.ida import collapse_row, read_curve
-from rocking.intensity_measures import per_pga, record_measures
+from rocking.curves import fragility
+from rocking.curves.ida import collapse_row, read_curve
+from rocking.curves.intensity_measures import per_pga, record_measures
+from rocking.mechanics.closed_forms import block
 from rocking.records import read_csv
-from rocking.script import run
+from rocking.runtime.script import run
 
 POINTS = 121
 REACH = 3.5  # dispersions either side of the median

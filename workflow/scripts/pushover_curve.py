@@ -4,8 +4,8 @@ import json
 from pathlib import Path
 
 import pandas as pd
-from rocking.pushover import complete_curve
-from rocking.script import run
+from rocking.curves.pushover import complete_curve
+from rocking.runtime.script import run
 
 
 def main(job):

@@ -2,9 +2,9 @@
 
 import json
 
-from rocking.calibration import beta_for
-from rocking.pushover import variant
-from rocking.script import run
+from rocking.calibration.beta import beta_for
+from rocking.curves.pushover import variant
+from rocking.runtime.script import run
 
 
 def main(job):

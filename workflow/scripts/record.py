@@ -1,7 +1,7 @@
 """Read or generate one accelerogram and write it in the workflow's own form."""
 
 from rocking.records import load, write_csv
-from rocking.script import run
+from rocking.runtime.script import run
 
 
 def main(job):

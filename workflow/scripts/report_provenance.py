@@ -4,7 +4,7 @@ import html
 import json
 from pathlib import Path
 
-from rocking.script import run
+from rocking.runtime.script import run
 
 KINDS = ("short", "short", "words", "number", "short", "words", "words")
 

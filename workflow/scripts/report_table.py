@@ -6,8 +6,8 @@ import re
 from pathlib import Path
 
 import pandas as pd
-from rocking.intensity_measures import MEASURES
-from rocking.script import run
+from rocking.curves.intensity_measures import MEASURES
+from rocking.runtime.script import run
 
 # endings of column names in tables, longest first, and how a reader writes the unit
 UNITS = {

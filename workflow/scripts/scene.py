@@ -2,10 +2,10 @@
 
 import json
 
-from rocking.accuracy import choose_fidelity, read_fidelity
-from rocking.calibration import beta_for
-from rocking.config import resolve
-from rocking.script import run
+from rocking.accuracy.study import choose_fidelity, read_fidelity
+from rocking.calibration.beta import beta_for
+from rocking.configuration.config import resolve
+from rocking.runtime.script import run
 
 CHOSEN = ("nodes_thickness", "nodes_height", "nodes_per_block", "step_fraction", "step_s")
 

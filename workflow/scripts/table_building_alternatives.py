@@ -11,7 +11,7 @@ from rocking.building.case import (
     twist_mode,
 )
 from rocking.building.modes import DIRECTIONS, Solver
-from rocking.script import run
+from rocking.runtime.script import run
 
 
 def main(job):

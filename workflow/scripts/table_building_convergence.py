@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pandas as pd
-from rocking.script import run
+from rocking.runtime.script import run
 
 
 def main(job):

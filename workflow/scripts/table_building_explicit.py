@@ -11,16 +11,16 @@ import json
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from rocking import style
 from rocking.building.case import build_model, read_plan, translation_mode
 from rocking.building.comparison import top_motion
 from rocking.building.history import modal_history
 from rocking.building.modes import Solver
+from rocking.figures import style
 from rocking.records import G_M_S2, read_csv
-from rocking.script import run
+from rocking.runtime.script import run
 
 import smdof
-from yade_scripts.building.explicit import corner
+from yade_scripts.studies.explicit_building import corner
 
 GRAVITY_M_S2 = 9.81
 MODES = 300

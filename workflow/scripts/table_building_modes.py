@@ -3,7 +3,7 @@
 import pandas as pd
 from rocking.building.case import PAPER_PERIODS_S, translation_mode, twist_mode
 from rocking.building.modes import DIRECTIONS, Modes
-from rocking.script import run
+from rocking.runtime.script import run
 
 ROWS = 12  # modes listed for each model
 

@@ -4,9 +4,9 @@ import json
 from pathlib import Path
 
 import pandas as pd
-from rocking.claims import table
-from rocking.pushover import summary
-from rocking.script import run
+from rocking.curves.claims import table
+from rocking.curves.pushover import summary
+from rocking.runtime.script import run
 
 
 def main(job):

@@ -1,7 +1,7 @@
 """Where the energy of each run went, and what the books miss (tables/energy_balance.csv)."""
 
 import pandas as pd
-from rocking.script import run
+from rocking.runtime.script import run
 
 TERMS = (
     "input_j",

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from rocking.ensemble import members_needed
-from rocking.reference import ensemble_peaks
-from rocking.script import run
+from rocking.curves.ensemble import members_needed
+from rocking.curves.reference import ensemble_peaks
+from rocking.runtime.script import run
 
 TOLERANCE = 0.05  # half width of the interval about the median of d/b
 LEVELS = 2

@@ -3,9 +3,9 @@
 import csv
 import json
 
-from rocking import calibration_study as study
-from rocking.restitution import IMPACTS, read_archive
-from rocking.script import run
+from rocking.calibration import study
+from rocking.calibration.restitution import IMPACTS, read_archive
+from rocking.runtime.script import run
 
 COLUMNS = ("wall", "beta_s", "n", "time_s", "theta_over_alpha", "e_exp", "e_1sr")
 

@@ -1,9 +1,9 @@
 """Collapse intensities of every curve (tables/ida_collapse.csv)."""
 
 import pandas as pd
-from rocking.ensemble import collapse_percentiles
-from rocking.ida import COLLAPSE_COLUMNS, collapse_row, curve_key, read_curve
-from rocking.script import run
+from rocking.curves.ensemble import collapse_percentiles
+from rocking.curves.ida import COLLAPSE_COLUMNS, collapse_row, curve_key, read_curve
+from rocking.runtime.script import run
 
 
 def main(job):

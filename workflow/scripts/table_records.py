@@ -2,7 +2,7 @@
 
 import pandas as pd
 from rocking.records import RECORDS_COLUMNS, read_csv, records_row
-from rocking.script import run
+from rocking.runtime.script import run
 
 
 def main(job):

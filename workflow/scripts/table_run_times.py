@@ -3,8 +3,8 @@
 from pathlib import Path
 
 import pandas as pd
-from rocking.ida import read_curve
-from rocking.script import run
+from rocking.curves.ida import read_curve
+from rocking.runtime.script import run
 
 COLUMNS = [
     "model",

@@ -4,8 +4,8 @@ import csv
 import json
 import math
 
-from rocking.restitution import read_archive
-from rocking.script import run
+from rocking.calibration.restitution import read_archive
+from rocking.runtime.script import run
 
 COLUMNS = (
     "record",

@@ -2,8 +2,8 @@
 
 import pandas as pd
 import yaml
-from rocking.accuracy import TABLE_COLUMNS, errors, fidelity_table
-from rocking.script import run
+from rocking.accuracy.study import TABLE_COLUMNS, errors, fidelity_table
+from rocking.runtime.script import run
 
 HEADER = (
     "# Worst measured error in d/b by nodes and step, cheapest first (rocking/accuracy.py:\n"

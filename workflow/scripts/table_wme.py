@@ -17,7 +17,7 @@ from rocking.building.comparison import (
 )
 from rocking.building.modes import Modes
 from rocking.records import read_csv
-from rocking.script import run
+from rocking.runtime.script import run
 
 
 def main(job):

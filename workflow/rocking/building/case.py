@@ -3,10 +3,10 @@
 import yaml
 from scipy.optimize import brentq
 
-from yade_scripts.building.assembly import build
-from yade_scripts.building.bricks import Brick
-from yade_scripts.building.contacts import Joints
-from yade_scripts.building.plan import PlanError, plan_from_dict
+from yade_scripts.model.building.assembly import build
+from yade_scripts.model.building.bricks import Brick
+from yade_scripts.model.building.contacts import Joints
+from yade_scripts.model.building.plan import PlanError, plan_from_dict
 
 from .modes import Solver
 

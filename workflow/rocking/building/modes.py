@@ -10,8 +10,8 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
-from yade_scripts import stiffness
-from yade_scripts.scene import Nodes
+from yade_scripts.model import stiffness
+from yade_scripts.model.scene import Nodes
 
 from .ordering import equation_order
 

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.polynomial import legendre
 from scipy.optimize import brentq
 
-from ..closed_forms import block
+from rocking.mechanics.closed_forms import block
 
 
 def rule(kind, count):

@@ -1,0 +1,331 @@
+"""Where β comes from: the value given, the study's eq. 5, or this project's own regression.
+
+The regression is a power law between dimensionless groups. A contact that is linear while
+closed dissipates by ζ = βω/2, so β times a contact frequency is the natural unknown:
+
+    β·ω_c = exp(c0) · Π x_i^c_i,      ω_c = √(jkn·r/(ρ·b))
+
+with jkn the joint stiffness at the return walls, r their total thickness over the façade's
+width, and ω_c the frequency of the façade's mass on its return walls. The coefficients stand
+in `config/beta_law.json`, which the calibration study generates and a person copies there.
+"""
+
+import json
+import math
+import warnings
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+from scipy import optimize, stats
+
+from rocking.mechanics import closed_forms
+
+LAW_FILE = Path(__file__).resolve().parents[2] / "config" / "beta_law.json"
+# the walls from which eq. 5 was regressed
+EQ5_THICKNESS_M = (0.11, 0.30)
+EQ5_MODULUS_MPA = (1800.0, 4050.0)
+
+
+class CalibrationError(ValueError):
+    """A calibration that cannot be done or used; the text is one line."""
+
+
+class RangeWarning(UserWarning):
+    """β was asked for outside the range in which its law was fitted."""
+
+
+def joint_stiffness(config: Mapping) -> tuple[float, float]:
+    """jkn of base and return walls [Pa/m]: as stated, else E/h and E/L, L = h/2 unless stated."""
+    facade, wall = config["facade"], config["return_wall"]
+    e_pa, h = facade["e_mpa"] * 1e6, facade["height_m"]
+    return facade["base_stiffness_pa_m"] or e_pa / h, e_pa / (wall["length_m"] or 0.5 * h)
+
+
+def groups(config: Mapping) -> dict[str, float]:
+    """Dimensionless groups of a façade, by name, and its contact frequency `omega_c_rad_s`.
+
+    Parameters
+    ----------
+    config : mapping
+        Resolved configuration; sections facade and return_wall.
+
+    Returns
+    -------
+    dict
+        slenderness        h/b
+        return_wall_ratio  r = count·t_w/w
+        stiffness_ratio    jkn of the return walls over jkn of the base
+        base_stiffness     jkn_base/(ρ·g), which is E/(ρgh) unless stated: height over the
+                           settlement under the own weight
+        omega_c_rad_s      √(jkn·r/(ρ·b)) [rad/s], which makes β dimensionless
+    """
+    facade, wall = config["facade"], config["return_wall"]
+    h, b, density = facade["height_m"], facade["thickness_m"], facade["density_kg_m3"]
+    base, back = joint_stiffness(config)
+    ratio = wall["count"] * wall["thickness_m"] / facade["width_m"]
+    return {
+        "slenderness": h / b,
+        "return_wall_ratio": ratio,
+        "stiffness_ratio": back / base,
+        "base_stiffness": base / (density * closed_forms.G_M_S2),
+        "omega_c_rad_s": math.sqrt(back * ratio / (density * b)),
+    }
+
+
+@dataclass(frozen=True)
+class Law:
+    """A fitted power law β·ω_c = exp(c0)·Π x_i^c_i.
+
+    Attributes
+    ----------
+    names : tuple of str
+        Groups x_i (see `groups`).
+    coefficients : tuple of float, length 1 + len(names)
+        c0, then the exponents.
+    covariance : tuple of tuples
+        Of the coefficients.
+    residual_std : float
+        Standard deviation of ln β about the law.
+    freedom : int
+        Degrees of freedom left by the fit.
+    ranges : dict of str to (float, float)
+        Smallest and largest value of every group among the fitted walls.
+    loo_error : float
+        Root mean square of the leave-one-out residuals of ln β.
+    """
+
+    names: tuple
+    coefficients: tuple
+    covariance: tuple
+    residual_std: float
+    freedom: int
+    ranges: dict
+    loo_error: float
+
+    def outside(self, values):
+        """Return one line about the first group outside the fitted range, or None."""
+        for name, (low, high) in self.ranges.items():
+            value = values[name]
+            if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
+                return f"{name} = {value:.4g} outside the fitted {low:.4g} to {high:.4g}"
+        return None
+
+    def predict(self, values, level=0.9):
+        """β [s] and its prediction band for a new wall.
+
+        Parameters
+        ----------
+        values : dict
+            See `groups`.
+        level : float
+            Probability between the ends of the band (Student's t, in ln β).
+
+        Returns
+        -------
+        beta, low, high : float
+            [s]
+        """
+        row = np.array([1.0, *(math.log(values[name]) for name in self.names)])
+        mean = float(row @ np.array(self.coefficients))
+        spread = math.sqrt(self.residual_std**2 + float(row @ np.array(self.covariance) @ row))
+        half = float(stats.t.ppf(0.5 + 0.5 * level, self.freedom)) * spread
+        omega = values["omega_c_rad_s"]
+        return tuple(math.exp(mean + shift) / omega for shift in (0.0, -half, half))
+
+    def to_json(self):
+        """Text of the law's file, with 9 significant digits."""
+        return json.dumps(_rounded(asdict(self)), indent=1) + "\n"
+
+
+def _rounded(value):
+    """Copy nested dicts and lists with every float rounded to 9 significant digits."""
+    if isinstance(value, dict):
+        return {key: _rounded(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_rounded(item) for item in value]
+    return float(f"{value:.9g}") if isinstance(value, float) else value
+
+
+def fit_law(walls, betas_s, names):
+    """Least-squares power law through fitted β.
+
+    Ordinary least squares of ln(β·ω_c) on ln x. The leave-one-out residual of wall i is
+    r_i/(1 − H_ii) with H the hat matrix, exactly what refitting without it would give.
+
+    Parameters
+    ----------
+    walls : list of dict
+        `groups` of each wall.
+    betas_s : array_like, shape (n,)
+        Best-fitting β of each [s].
+    names : sequence of str
+        Groups to use.
+
+    Returns
+    -------
+    Law
+
+    Raises
+    ------
+    CalibrationError
+        For too few walls, a β that is not positive, or groups that do not vary independently.
+    """
+    betas = np.asarray(betas_s, float)
+    if len(walls) != len(betas) or len(betas) < len(names) + 3:
+        raise CalibrationError(
+            f"regression of β: {len(betas)} walls, expected at least {len(names) + 3} "
+            f"for {len(names)} groups"
+        )
+    if not (np.all(np.isfinite(betas)) and np.all(betas > 0.0)):
+        raise CalibrationError("regression of β: expected positive, finite β for every wall")
+    x = np.array([[1.0, *(math.log(w[name]) for name in names)] for w in walls])
+    y = np.log(betas * np.array([w["omega_c_rad_s"] for w in walls]))
+    if np.linalg.matrix_rank(x) < x.shape[1]:
+        raise CalibrationError(f"regression of β: {', '.join(names)} do not vary independently")
+    inverse = np.linalg.inv(x.T @ x)
+    coefficients = inverse @ x.T @ y
+    residual = y - x @ coefficients
+    freedom = len(y) - x.shape[1]
+    variance = float(residual @ residual) / freedom
+    leverage = np.einsum("ij,jk,ik->i", x, inverse, x)
+    loo = residual / (1.0 - leverage)
+    every = [name for name in walls[0] if name != "omega_c_rad_s"]
+    return Law(
+        names=tuple(names),
+        coefficients=tuple(map(float, coefficients)),
+        covariance=tuple(tuple(map(float, row)) for row in variance * inverse),
+        residual_std=math.sqrt(variance),
+        freedom=freedom,
+        ranges={n: (min(w[n] for w in walls), max(w[n] for w in walls)) for n in every},
+        loo_error=float(np.sqrt(np.mean(loo**2))),
+    )
+
+
+def half_widths(law, level=0.95):
+    """Half widths of the coefficients' confidence intervals (Student's t)."""
+    factor = float(stats.t.ppf(0.5 + 0.5 * level, law.freedom))
+    return factor * np.sqrt(np.diag(np.array(law.covariance)))
+
+
+def dimensional_error(b_m, e_mpa, slenderness, betas_s):
+    """Refit eq. 5's own form, β = (c1·b + c2·E + c3)·exp(h/b·(c4·E + c5)), for comparison.
+
+    Nonlinear least squares of ln β from the printed coefficients; the leave-one-out error
+    comes from refitting without each wall.
+
+    Returns
+    -------
+    coefficients : ndarray, shape (5,)
+        For b in m and E in MPa.
+    residual_std, loo_error : float
+        Of ln β.
+
+    Raises
+    ------
+    CalibrationError
+        For fewer walls than the form needs.
+    """
+    x = np.stack([np.asarray(v, float) for v in (b_m, e_mpa, slenderness)], axis=1)
+    y = np.log(np.asarray(betas_s, float))
+    if len(y) < 8:
+        raise CalibrationError(f"eq. 5's form: {len(y)} walls, expected at least 8")
+    printed = np.array([1.0 / 384.0, -1.0 / 5.6e6, 0.00074, -1.0 / 1.2e5, 6572.0 / 1.2e5])
+
+    def log_beta(scaled, rows):
+        c = scaled * printed
+        front = np.maximum(c[0] * rows[:, 0] + c[1] * rows[:, 1] + c[2], 1e-9)
+        return np.log(front) + rows[:, 2] * (c[3] * rows[:, 1] + c[4])
+
+    def solve(keep):
+        return optimize.least_squares(
+            lambda c: log_beta(c, x[keep]) - y[keep], np.ones(5), x_scale="jac"
+        ).x
+
+    every = np.arange(len(y))
+    best = solve(every)
+    residual = y - log_beta(best, x)
+    left_out = [y[i] - log_beta(solve(every[every != i]), x[i : i + 1])[0] for i in every]
+    return (
+        best * printed,
+        float(np.sqrt(residual @ residual / (len(y) - 5))),
+        float(np.sqrt(np.mean(np.square(left_out)))),
+    )
+
+
+def read_law(path=LAW_FILE):
+    """Read a law's file.
+
+    Raises
+    ------
+    CalibrationError
+        In one line if the file is absent or is not a law.
+    """
+    try:
+        data = json.loads(Path(path).read_text("utf-8"))
+        law = Law(**data)
+        if len(law.coefficients) != 1 + len(law.names) or not np.all(np.isfinite(law.coefficients)):
+            raise ValueError("coefficients do not match the names")
+    except OSError:
+        raise CalibrationError(
+            f"{path}: not found; `snakemake calibration` makes one, to be copied there"
+        ) from None
+    except (ValueError, TypeError) as error:
+        raise CalibrationError(f"{path}: expected a fitted law of β ({error})") from None
+    return law
+
+
+def beta_for(config: Mapping, law_file=LAW_FILE) -> float:
+    """β [s] of a façade's contacts by the law its configuration chooses.
+
+    Parameters
+    ----------
+    config : mapping
+        Resolved configuration; `damping.law` is value, eq5 or fitted.
+    law_file : path
+        Coefficients of `fitted`.
+
+    Warns
+    -----
+    RangeWarning
+        Outside the range of the walls behind eq. 5 or behind the fitted law.
+
+    Raises
+    ------
+    CalibrationError
+        Where eq. 5 gives no positive β, for a free-standing façade with `fitted`, or without
+        a usable law file.
+    """
+    damping, facade = config["damping"], config["facade"]
+    if damping["law"] == "value":
+        return float(damping["beta_s"])
+    if facade["sides"] == "two":
+        raise CalibrationError(
+            f"config: damping.law = {damping['law']}: expected value with facade.sides = two, "
+            "since both laws describe impacts against return walls"
+        )
+    if damping["law"] == "eq5":
+        b, e_mpa = facade["thickness_m"], facade["e_mpa"]
+        beta = closed_forms.beta_one_sided(b, facade["height_m"], e_mpa)
+        if not beta > 0.0:
+            raise CalibrationError(
+                f"config: damping.law = eq5: β = {beta:.3g} s for thickness_m = {b:g}, "
+                f"e_mpa = {e_mpa:g}; expected a wall for which eq. 5 is positive"
+            )
+        for name, value, (low, high) in (
+            ("thickness_m", b, EQ5_THICKNESS_M),
+            ("e_mpa", e_mpa, EQ5_MODULUS_MPA),
+        ):
+            if not low <= value <= high:
+                _warn(f"eq5: {name} = {value:g} outside its walls, {low:g} to {high:g}")
+        return beta
+    law, values = read_law(law_file), groups(config)
+    problem = law.outside(values)
+    if problem:
+        _warn(f"fitted: {problem}")
+    return law.predict(values)[0]
+
+
+def _warn(text):
+    warnings.warn(f"damping.law = {text}", RangeWarning, stacklevel=3)

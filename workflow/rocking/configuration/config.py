@@ -1,0 +1,322 @@
+"""The configuration: defaults filled in, validated, expanded into the runs of a study.
+
+A user's configuration holds what differs from the defaults; `resolve` completes it from the
+schemas (see `config_schema`), `check` looks at keys together, `expand_scenarios` makes one
+resolved configuration for each run. Everything wrong is a `ConfigError` of one line.
+"""
+
+import itertools
+import json
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from rocking.configuration import schema as config_schema
+from rocking.configuration.files import check_files, write_resolved
+from rocking.configuration.schema import STUDY_KEYS, ConfigError, show
+
+__all__ = [
+    "ConfigError",
+    "check",
+    "check_files",
+    "expand_scenarios",
+    "relevant",
+    "resolve",
+    "write_resolved",
+]
+
+MAX_RUNS = 1000
+MIN_SLENDERNESS = 2.0  # h/b; a stockier block slides or crushes before it rocks
+
+
+def resolve(config: Mapping) -> dict[str, Any]:
+    """Complete a configuration with the defaults of every section, and validate it.
+
+    Parameters
+    ----------
+    config : mapping
+        What the user gave: top-level keys and sections, without `scenario`, `scenarios`, `grid`.
+
+    Returns
+    -------
+    dict
+        Every key of every schema; numbers as float, whole numbers as int, in the order of the
+        schemas. Equal configurations give equal results, however they were written.
+
+    Raises
+    ------
+    ConfigError
+        In one line: an unknown key with the nearest known one, or a key's path, its value and
+        what was expected.
+    """
+    if not isinstance(config, Mapping):
+        raise ConfigError("expected keys and values at the top level")
+    values = config_schema.plain(config)
+    for key in STUDY_KEYS:
+        if values.pop(key, None):
+            raise ConfigError(f"'{key}' describes several runs; use expand_scenarios")
+    known = config_schema.whole()
+    resolved = config_schema.complete(values, known)
+    config_schema.refuse_invalid(resolved, known)
+    check(resolved)
+    return resolved
+
+
+def check(resolved: Mapping) -> None:
+    """Check keys of a resolved configuration against each other.
+
+    Limits that one key sets for another come from the schemas (`below`, `at_most`, `ascending`);
+    geometry that cannot stand and combinations that mean nothing are written out here.
+
+    Raises
+    ------
+    ConfigError
+        In one line with the key, its value and what was expected.
+    """
+    for path, schema in config_schema.leaves(config_schema.whole()):
+        value = _at(resolved, path)
+        for word in ("below", "at_most"):
+            limit = _at(resolved, schema[word]) if word in schema else None
+            if value is None or limit is None:
+                continue
+            if value > limit or (word == "below" and value == limit):
+                text = f"{word.replace('_', ' ')} {schema[word]} = {show(limit)}"
+                raise ConfigError(f"{path} = {show(value)}: expected a value {text}")
+        if schema.get("ascending") and any(a >= b for a, b in itertools.pairwise(value)):
+            raise ConfigError(f"{path} = {show(value)}: expected ascending values")
+    _check_geometry(resolved["facade"], resolved["return_wall"])
+    if resolved["facade"]["sides"] == "two" and resolved["models"] != ["W1"]:
+        raise ConfigError(
+            f"models = {show(resolved['models'])}: expected [W1] with facade.sides = two, "
+            "since a free-standing façade has no return walls"
+        )
+    bonded = [model for model in resolved["models"] if model.endswith("c")]
+    if bonded and resolved["facade"]["gap_m"] > 0.0:
+        raise ConfigError(
+            f"facade.gap_m = {show(resolved['facade']['gap_m'])}: expected 0 (m) with the bonded "
+            f"models {show(bonded)}"
+        )
+    low, high = resolved["ensemble"]["percentiles"]
+    if not low < 50.0 < high:
+        raise ConfigError(
+            f"ensemble.percentiles = {show([low, high])}: expected one below and one above 50 (%)"
+        )
+
+
+def _check_geometry(facade: Mapping, wall: Mapping) -> None:
+    h, b = facade["height_m"], facade["thickness_m"]
+    if h < MIN_SLENDERNESS * b:
+        raise ConfigError(
+            f"facade.height_m = {show(h)}: expected at least {show(MIN_SLENDERNESS)} × "
+            f"facade.thickness_m = {show(MIN_SLENDERNESS * b)} (m), for a wall that rocks"
+        )
+    slenderness_deg = math.degrees(math.atan2(b, h))
+    tilt = facade["tilt_deg"]
+    if tilt >= slenderness_deg:
+        raise ConfigError(
+            f"facade.tilt_deg = {show(tilt)}: expected less than "
+            f"atan(thickness/height) = {slenderness_deg:.4g} (°), or the façade has fallen already"
+        )
+    if facade["sides"] == "two":
+        return
+    total = wall["count"] * wall["thickness_m"]
+    if total > facade["width_m"] * (1.0 + 1e-9):
+        raise ConfigError(
+            f"return_wall.count = {wall['count']}: expected count × thickness_m = {show(total)} "
+            f"within facade.width_m = {show(facade['width_m'])} (m)"
+        )
+
+
+def _at(resolved: Mapping, path: str) -> Any:
+    value: Any = resolved
+    for key in path.split("."):
+        value = value[key]
+    return value
+
+
+def relevant(resolved: Mapping, *paths: str) -> str:
+    """Return the named sections or keys as canonical JSON, for the `params` of a rule.
+
+    A rule that names what it depends on reruns when that changes, and only then.
+
+    Parameters
+    ----------
+    resolved : mapping
+        A resolved configuration.
+    *paths : str
+        Sections ("facade"), top-level keys ("seed") or dotted paths ("numerics.step_s").
+
+    Raises
+    ------
+    KeyError
+        If the configuration has no such section or key.
+    """
+    parts = {path: _at(resolved, path) for path in paths}
+    return json.dumps(parts, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+
+
+def expand_scenarios(config: Mapping) -> dict[str, dict[str, Any]]:
+    """Return the resolved configuration of every run of a study, by run name.
+
+    `scenarios` maps names to overrides (nested or with dotted keys); `scenario` chooses one, a list
+    or `all` of them; `grid` maps dotted keys to lists of values and gives every combination. Runs
+    are called <run>, <run>-<scenario>, <run>-<key>_<value>-… or <run>-<scenario>-<key>_<value>-….
+
+    Raises
+    ------
+    ConfigError
+        In one line that names the scenario; scenarios that are not chosen are validated too.
+    """
+    if not isinstance(config, Mapping):
+        raise ConfigError("expected keys and values at the top level")
+    base = config_schema.plain(config)
+    wanted, scenarios, grid = (base.pop(key, None) for key in STUDY_KEYS)
+    cells = _grid(grid)
+    named = _scenarios(scenarios)
+    if len(cells) * max(len(named), 1) > MAX_RUNS:
+        raise ConfigError(f"scenarios and grid make more than {MAX_RUNS} runs")
+    chosen = _chosen(wanted, named)
+    runs: dict[str, dict] = {}
+    for name, overrides in (named or {"": {}}).items():
+        for label, cell in cells.items():
+            ending = "-".join(part for part in (name, label) if part)
+            given = _merge(_merge(base, overrides), cell)
+            try:
+                one = resolve(given)
+                if ending:
+                    one = resolve({**given, "run": f"{one['run']}-{ending}"})
+            except ConfigError as error:
+                if not ending or error.detail == _fault(base):
+                    raise
+                raise ConfigError(f"scenario '{ending}': {error.detail}") from None
+            if one["run"] in runs:
+                raise ConfigError(f"two runs would be called '{one['run']}'")
+            if not named or name in chosen:
+                runs[one["run"]] = one
+    return runs
+
+
+def _fault(config: dict) -> str | None:
+    """Return what is wrong with a configuration, None if nothing is."""
+    try:
+        resolve(config)
+    except ConfigError as error:
+        return error.detail
+    return None
+
+
+def _scenarios(given: Any) -> dict[str, dict]:
+    if given is None:
+        return {}
+    if not isinstance(given, dict):
+        raise ConfigError(f"scenarios = {show(given)}: expected names with overrides under each")
+    out = {}
+    for name, overrides in given.items():
+        if overrides is not None and not isinstance(overrides, dict):
+            raise ConfigError(f"scenarios.{name} = {show(overrides)}: expected keys and values")
+        nested = _nest(overrides or {}, f"scenarios.{name}")
+        for key in ("run", *STUDY_KEYS):
+            if key in nested:
+                raise ConfigError(f"scenarios.{name}.{key}: a scenario cannot set '{key}'")
+        out[name] = nested
+    if "" in out or "all" in out:
+        raise ConfigError("scenarios: expected names other than 'all' and the empty one")
+    return out
+
+
+def _chosen(wanted: Any, named: dict) -> set[str]:
+    if wanted is None or wanted == "all":
+        return set(named)
+    names = wanted if isinstance(wanted, list) else str(wanted).split(",")
+    for name in names:
+        if not isinstance(name, str) or name.strip() not in named:
+            known = ", ".join(named) or "no scenarios are defined"
+            raise ConfigError(f"scenario = {show(name)}: expected all or one of: {known}")
+    return {name.strip() for name in names}
+
+
+def _grid(given: Any) -> dict[str, dict]:
+    """Return {label: overrides} for every combination of a grid; {"": {}} without one."""
+    if given is None:
+        return {"": {}}
+    if not isinstance(given, dict):
+        raise ConfigError(f"grid = {show(given)}: expected keys with a list of values each")
+    known = config_schema.whole()
+    schemas = dict(config_schema.leaves(known))
+    axes = []
+    lists = _flatten(given)
+    count = math.prod(len(v) if isinstance(v, list) else 1 for v in lists.values())
+    if count > MAX_RUNS:
+        raise ConfigError(f"grid: {count} combinations, expected at most {MAX_RUNS}")
+    short = [path.rpartition(".")[2] for path in lists]
+    for path, values in lists.items():
+        if path == "run":
+            raise ConfigError("grid.run: a grid names its runs itself")
+        if path in known["properties"] and path not in schemas:
+            raise ConfigError(f"grid.{path}: expected a key of that section, as in {path}.…")
+        if path not in schemas:
+            raise (
+                ConfigError("grid.run: a grid names its runs itself")
+                if path == "run"
+                else (config_schema.unknown_key(path, known))
+            )
+        if not isinstance(values, list) or not values:
+            raise ConfigError(f"grid.{path} = {show(values)}: expected a list of values")
+        leaf = path.rpartition(".")[2]
+        leaf = leaf if short.count(leaf) == 1 else path
+        points = [config_schema.complete(value, schemas[path]) for value in values]
+        labels = [f"{leaf}_{_word(point)}" for point in points]
+        if len(set(labels)) < len(labels):
+            raise ConfigError(f"grid.{path} = {show(values)}: expected different values")
+        axes.append([(label, {path: point}) for label, point in zip(labels, points, strict=True)])
+    return {
+        "-".join(label for label, _ in cell): _nest(
+            {k: v for _, part in cell for k, v in part.items()}, "grid"
+        )
+        for cell in itertools.product(*axes)
+    }
+
+
+def _word(value: Any) -> str:
+    """Return a value as part of a run's name; text that does not suit one is refused later."""
+    if isinstance(value, list):
+        return "_".join(_word(v) for v in value)
+    if isinstance(value, float):
+        return format(value, ".10g").replace("+", "")
+    return value if isinstance(value, str) else show(value)
+
+
+def _flatten(given: dict, prefix: str = "") -> dict[str, Any]:
+    out: dict[str, Any] = {}
+    for key, value in given.items():
+        path = f"{prefix}{key}"
+        for name, item in (
+            _flatten(value, f"{path}.") if isinstance(value, dict) else {path: value}
+        ).items():
+            if name in out:
+                raise ConfigError(f"grid.{name}: given twice")
+            out[name] = item
+    return out
+
+
+def _nest(given: dict, where: str) -> dict:
+    """Turn dotted keys into sections."""
+    out: dict[str, Any] = {}
+    for key, value in given.items():
+        head, *rest = key.split(".")
+        for part in reversed(rest):
+            value = {part: value}
+        if head in out and not (isinstance(out[head], dict) and isinstance(value, dict)):
+            raise ConfigError(f"{where}.{key}: given twice")
+        out[head] = _merge(out[head], value) if head in out else value
+    return out
+
+
+def _merge(base: dict, overrides: dict) -> dict:
+    """Lay overrides over base, section by section; lists and single values are replaced."""
+    out = dict(base)
+    for key, value in overrides.items():
+        old = out.get(key)
+        both = isinstance(old, dict) and isinstance(value, dict)
+        out[key] = _merge(old, value) if both else value  # type: ignore[arg-type]
+    return out

@@ -1,0 +1,131 @@
+"""Writes config/README.md from the schemas.
+
+`python -m rocking.configuration.docs --check` finds drift.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+from rocking.configuration import schema as config_schema
+
+README = Path(__file__).resolve().parents[2] / "config" / "README.md"
+EXAMPLES = README.parent / "scenarios"
+
+INTRO = """\
+# Configuration
+
+<!-- Written by `python -m rocking.configuration.docs` from workflow/schemas/; edit those. -->
+
+`config/config.yaml` holds what differs from the defaults below; an empty one runs the study. A
+misspelt key is refused by name with the nearest right one, a value out of range with its unit. The
+complete configuration of each run, defaults included, is saved beside its results.
+
+## Changing values
+
+On the command line, a section's keys go in braces; what is not named keeps its value:
+
+```sh
+snakemake --cores 2 --config run=tall 'facade={height_m: 7.0}'
+snakemake --cores 2 --config run=two records=RRS228,1ST280 directions=neg models=W1,W2
+```
+
+`run` names the folder, so the first command fills `results/tall/` and leaves `results/main/` as it
+is. One file can be asked for as well; `--` ends the list that `--config` takes:
+
+```sh
+snakemake --cores 2 --config run=tall 'facade={height_m: 7.0}' -- results/tall/ida/W1/RRS228_neg.csv
+```
+
+For more than a few values write a file of your own and give it with `--configfile`; it is laid over
+`config/config.yaml` section by section, and `--config` over both:
+
+```sh
+snakemake --cores 2 --configfile config/scenarios/own_facade.yaml
+snakemake --cores 2 --configfile config/scenarios/own_facade.yaml --config 'damping={law: value}'
+```
+
+## Studies: several runs at once
+
+| key | meaning |
+|---|---|
+| `grid` | Dotted keys with lists of values; a run `<run>-<key>_<value>-…` for each combination. |
+| `scenarios` | Names with overrides under each; a run `<run>-<name>` for each. |
+| `scenario` | Which of the scenarios to run: a name, a list, or `all` (the default). |
+
+Every run is validated before anything is computed, and has its own folder. Three façade heights
+and two dampings, `config/scenarios/heights_and_damping.yaml`, are:
+
+```yaml
+{example}```
+
+```sh
+snakemake --cores 2 --configfile config/scenarios/heights_and_damping.yaml
+snakemake --cores 2 --configfile config/scenarios/buildings.yaml
+snakemake --cores 2 --configfile config/scenarios/buildings.yaml --config scenario=stiff
+snakemake --cores 2 --config run=walls 'grid={facade.thickness_m: [0.25, 0.375, 0.5]}'
+```
+
+`scenarios` and `grid` together give every scenario at every point of the grid.
+
+## Notes on writing values
+
+- Lists replace lists, they are not joined. Commas make a list on the command line.
+- `null` means "derived": the meaning column says from what.
+- A configuration file with `__use_yte__: true` is a template that Snakemake evaluates as Python;
+  run such files only from people you trust. Plain files are read with YAML's safe loader.
+
+## Parameters
+
+Units are SI unless the key's name says otherwise; "-" is dimensionless.
+"""
+
+
+def render() -> str:
+    """Return the text of config/README.md: how to override, then a table for each section."""
+    example = EXAMPLES / "heights_and_damping.yaml"
+    lines = [INTRO.replace("{example}", example.read_text("utf-8"))]
+    for name, schema in config_schema.sections().items():
+        heading = "Top level" if name == config_schema.TOP else f"`{name}`"
+        lines += [f"### {heading}: {schema.get('title', name).lower()}", ""]
+        lines += [" ".join(schema.get("description", "").split()), ""]
+        lines += ["| key | unit | default | allowed | meaning |", "|---|---|---|---|---|"]
+        lines += [_row(path, part) for path, part in config_schema.leaves(schema)]
+        lines.append("")
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def _row(path: str, schema: dict) -> str:
+    default = schema.get("default")
+    shown = default if isinstance(default, str) else _text(default)
+    allowed = config_schema.expectation({k: v for k, v in schema.items() if k != "unit"})
+    meaning = " ".join(schema.get("description", "").split())
+    cells = [f"`{path}`", schema.get("unit", "-"), f"`{shown}`", allowed, meaning]
+    return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
+
+
+def _text(value: object) -> str:
+    if isinstance(value, list):
+        return "[" + ", ".join(v if isinstance(v, str) else _text(v) for v in value) + "]"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{k}: {_text(v)}" for k, v in value.items()) + "}"
+    return value if isinstance(value, str) else config_schema.show(value)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Write the page, or with `--check` say whether it is up to date; return the exit status."""
+    parser = argparse.ArgumentParser(prog="python -m rocking.configuration.docs")
+    parser.add_argument("--check", action="store_true", help="write nothing; exit 1 on drift")
+    given = parser.parse_args(arguments)
+    text = render()
+    current = README.read_text("utf-8") if README.is_file() else ""
+    if given.check and text != current:
+        print("config/README.md differs from the schemas; run python -m rocking.configuration.docs")
+        return 1
+    if not given.check:
+        README.write_text(text, "utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,88 @@
+"""Configuration files: the resolved one beside a run's results, stricter reading of users' own."""
+
+import os
+import tempfile
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+import yaml
+
+from rocking.configuration.schema import ConfigError
+
+
+def write_resolved(resolved: Mapping, path: str | os.PathLike) -> None:
+    """Write a resolved configuration as YAML that can be given back with `--configfile`.
+
+    The file is replaced at once, and left alone where it already says the same.
+    """
+    target = Path(path)
+    text = "# Every key of this run, defaults included; written by the workflow.\n"
+    text += yaml.safe_dump(dict(resolved), sort_keys=False, allow_unicode=True, width=100)
+    if target.is_file() and target.read_text("utf-8") == text:
+        return
+    target.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        os.chmod(name, 0o644)
+        os.replace(name, target)
+    except BaseException:
+        os.unlink(name)
+        raise
+
+
+_CONVERSION = (ValueError, TypeError, LookupError, ArithmeticError, AttributeError)
+
+
+class _UniqueKeys(yaml.SafeLoader):
+    """YAML's safe loader, refusing a key that stands twice in one mapping."""
+
+    def construct_mapping(self, node, deep=False):
+        seen = set()
+        for key_node, _ in node.value:
+            if isinstance(key_node, yaml.ScalarNode) and key_node.tag != "tag:yaml.org,2002:merge":
+                if key_node.value in seen:
+                    raise yaml.constructor.ConstructorError(
+                        None, None, f"key '{key_node.value}' stands twice", key_node.start_mark
+                    )
+                seen.add(key_node.value)
+        return super().construct_mapping(node, deep)
+
+
+def check_text(text: str, name: str) -> None:
+    """Refuse the text of a configuration in which a key stands twice; `name` names it.
+
+    Raises
+    ------
+    ConfigError
+        With the name and line; also for text that is not YAML.
+    """
+    try:
+        yaml.load(text, _UniqueKeys)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark
+        line = f" line {mark.line + 1}" if mark else ""
+        raise ConfigError(f"{name}{line}: {error.problem or 'not readable as YAML'}") from None
+    except (*_CONVERSION, yaml.YAMLError, RecursionError) as error:
+        # PyYAML lets the errors of its conversions through, such as those of the date 2024-13-45.
+        reason = str(error).partition("\n")[0] or type(error).__name__
+        raise ConfigError(f"{name}: not readable as YAML ({reason})") from None
+
+
+def check_files(paths: Iterable[str | os.PathLike]) -> None:
+    """Refuse configuration files in which a key stands twice, which YAML itself lets pass.
+
+    Raises
+    ------
+    ConfigError
+        With the file and line; also for a file that cannot be read as YAML.
+    """
+    for path in paths:
+        try:
+            text = Path(path).read_text("utf-8")
+        except OSError as error:
+            raise ConfigError(f"{path}: {error.strerror or error}") from None
+        except UnicodeDecodeError as error:
+            raise ConfigError(f"{path}: not UTF-8 text at byte {error.start}") from None
+        check_text(text, str(path))

@@ -1,0 +1,72 @@
+"""Reference answers for façade scenes from the independent planar solver."""
+
+import csv
+
+import numpy as np
+
+from rocking.planar import Motion, Wall, simulate, simulate_batch
+from yade_scripts.model.motion import amplitude
+
+
+def wall_of(job, nodes):
+    """Planar wall of a scene file (model free, W1 or W2) with so many nodes along every edge."""
+    facade, wall = job["facade"], job["return_wall"]
+    e_pa = facade["e_mpa"] * 1e6
+    free = job["model"] == "free"
+    return Wall(
+        facade["height_m"],
+        facade["thickness_m"],
+        facade["width_m"],
+        facade["density_kg_m3"],
+        e_pa,
+        job["beta_s"],
+        0.0 if free else wall["count"] * wall["thickness_m"],
+        base_jkn_pa_m=facade["base_stiffness_pa_m"],
+        back_jkn_pa_m=e_pa / wall["length_m"] if wall["length_m"] else None,
+        shear_ratio=facade["shear_stiffness_ratio"],
+        base_friction_deg=facade["friction_deg"],
+        back_friction_deg=wall["friction_deg"],
+        nodes_base=nodes,
+        nodes_up=nodes,
+        segments=job["smdof"]["n_dof"] if job["model"] == "W2" else 1,
+        gap_m=facade["gap_m"],
+    )
+
+
+def read_motion(path, model):
+    """Motion of the base and of the return walls."""
+    with open(path, newline="") as handle:
+        header = next(csv.reader(handle))
+    data = np.loadtxt(path, delimiter=",", skiprows=1)
+    if header[:2] != ["time_s", "ground_m_s2"]:
+        raise ValueError(f"{path}: expected columns time_s, ground_m_s2, …, got {header[:3]}")
+    floors = data[:, 2:].T if model == "W2" else None
+    return Motion(float(data[1, 0] - data[0, 0]), data[:, 1], floors)
+
+
+def peak_d_over_b(job, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-5):
+    """Largest |d|/b of one history, 1 if it overturns."""
+    motion = read_motion(motion_path, job["model"])
+    history = simulate(
+        wall_of(job, nodes),
+        motion,
+        tolerance=tolerance,
+        stop_d_over_b=1.0,
+        scale=amplitude(motion.base_m_s2, direction, pga_g),
+    )
+    if history.status == "failed":
+        return float("nan")
+    return min(1.0, float(np.max(np.abs(history.d_over_b))))
+
+
+def ensemble_peaks(job, motion_path, direction, pga_g, factors, *, nodes=17, dt_s=4e-4):
+    """Largest d/b of every member of an ensemble of amplitude factors, 1 where it overturns.
+
+    Returns
+    -------
+    ndarray, shape (len(factors),)
+    """
+    motion = read_motion(motion_path, job["model"])
+    scales = amplitude(motion.base_m_s2, direction, pga_g) * np.asarray(factors, float)
+    result = simulate_batch(wall_of(job, nodes), motion, scales, dt_s=dt_s, stop_d_over_b=1.0)
+    return np.minimum(result.peak_d_over_b, 1.0)

@@ -1,0 +1,71 @@
+"""One entry for the scripts of the workflow: under Snakemake, or alone.
+
+A script defines `main(job)` and ends with `run(main, globals())`. Under
+Snakemake `job` carries the rule's input, output, params and wildcards; alone
+they come from the command line:
+
+    python workflow/scripts/table_records.py --input facts=a.json,b.json --output records.csv
+"""
+
+import argparse
+import json
+import sys
+from types import SimpleNamespace
+
+from rocking.configuration.schema import ConfigError
+from rocking.records import RecordError
+from yade_scripts.engine import lifeline
+
+
+def _pairs(items):
+    """Named values from "name=value" words; values are JSON where they parse as JSON."""
+    named = {}
+    for item in items:
+        name, equals, text = item.partition("=")
+        if not equals:
+            name, text = "0", item
+        try:
+            named[name] = json.loads(text)
+        except ValueError:
+            named[name] = text.split(",") if "," in text else text
+    return named
+
+
+class _Named(SimpleNamespace):
+    """Values by name, or by position like Snakemake's named lists."""
+
+    def __getitem__(self, key):
+        values = list(vars(self).values())
+        return values[key] if isinstance(key, int) else getattr(self, key)
+
+
+def _from_command_line(doc):
+    parser = argparse.ArgumentParser(description=doc)
+    for kind in ("input", "output", "params", "wildcards"):
+        parser.add_argument(f"--{kind}", nargs="*", default=[], metavar="name=value")
+    args = parser.parse_args()
+    return SimpleNamespace(
+        **{
+            kind: _Named(**_pairs(getattr(args, kind)))
+            for kind in ("input", "output", "params", "wildcards")
+        }
+    )
+
+
+def run(main, namespace):
+    """Call `main` with the job's description; foreseen errors end in one line and status 1."""
+    lifeline.follow()
+    job = namespace.get("snakemake") or _from_command_line(namespace.get("__doc__"))
+    log = getattr(job, "log", None)
+    try:
+        main(job)
+    except (ConfigError, RecordError, ValueError, OSError) as error:
+        line = f"error: {error}"
+        print(line, file=sys.stderr)
+        if log:
+            with open(str(log), "w") as handle:
+                handle.write(line + "\n")
+        sys.exit(1)
+    if log:
+        with open(str(log), "a"):
+            pass

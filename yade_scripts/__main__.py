@@ -1,0 +1,43 @@
+"""The one entry to what runs inside YADE: `python3 yade_scripts STUDY [options]`.
+
+It runs under the Python that YADE was built for, the system's own, and makes the package
+importable there; nothing else sets a path. Each study is a module of `studies` with a
+function `main(arguments)`; `python3 yade_scripts` lists them, `python3 yade_scripts ida --help`
+says what one takes.
+"""
+
+import importlib
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+if __package__ in (None, ""):
+    sys.path[0] = str(HERE.parent)
+
+
+def studies():
+    """Names of the studies: the modules of `studies` that have a `main`, sorted."""
+    files = sorted((HERE / "studies").glob("*.py"))
+    return [path.stem for path in files if "\ndef main(" in path.read_text()]
+
+
+def main(arguments):
+    """Run the named study; return the exit status. A foreseen error is one line."""
+    from yade_scripts.engine import lifeline
+    from yade_scripts.engine.adapter import EngineError
+
+    known = studies()
+    if not arguments or arguments[0] not in known:
+        print(f"usage: yade_scripts STUDY [options]; STUDY is one of {', '.join(known)}")
+        return 2
+    lifeline.follow()
+    study = importlib.import_module(f"yade_scripts.studies.{arguments[0]}")
+    try:
+        return study.main(arguments[1:])
+    except (ValueError, OSError, EngineError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

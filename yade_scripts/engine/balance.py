@@ -1,0 +1,268 @@
+"""Full energy balance of a run: what the drive puts in, what is stored, what is lost and where.
+
+At every whole step, with the mean v of the velocities half a step before and after it,
+
+    W_in = ΔK + ΔU + ΔE + D_c + D_μ + D_f + residual
+
+W_in  work of whatever moves a support or guides a block, ∫ −F·v dt, F the contacts' force on it
+K     ½ m v² + ½ ωᵀ I ω of the free blocks, of guided ones without the motion imposed on them
+U     m g Δz of the free blocks
+E     ½ kn un² + ½ |Fs|²/ks of the contacts, for bonds without their preloads, which cancel
+D_c   dashpots, ∫ (Fn − kn un) vn + cs |vs|² dt, the second where the contact does not slip
+D_μ   friction, ∫ Fs·(dus − dFs/ks)
+D_f   energy stored in bonds when they break
+
+Each term follows from its own law, velocities and positions from the integrator, so the
+residual is the error of the time integration and of the books. Python at every step makes such
+a run some ten times slower; for a run's own check see `ledger`.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from yade_scripts.engine import adapter
+from yade_scripts.engine.bonds import FACE_OFFSET_M, PRELOAD_M
+
+COLUMNS = (
+    "time_s",
+    "input_j",
+    "kinetic_j",
+    "potential_j",
+    "elastic_j",
+    "dashpots_j",
+    "friction_j",
+    "fracture_j",
+    "residual_j",
+)
+SLIPPING = 1.0 - 1e-9  # of μ Fn
+PRELOAD_DEPTH_M = PRELOAD_M + FACE_OFFSET_M  # of both spheres of a bond at rest
+
+
+@dataclass
+class _Moment:
+    """Contacts of one step as arrays, one row a contact."""
+
+    keys: list
+    a: np.ndarray  # index of the moving block or support, by contact
+    b: np.ndarray
+    point: np.ndarray
+    normal: np.ndarray
+    depth: np.ndarray
+    normal_force: np.ndarray
+    shear_force: np.ndarray
+    kn: np.ndarray
+    ks: np.ndarray
+    cs: np.ndarray
+    friction: np.ndarray
+    pressed: np.ndarray  # energy of the normal springs
+
+
+class EnergyBalance:
+    """Keeps the books of a run; pass `attach` to `simulate.run` as `setup`.
+
+    Attributes
+    ----------
+    rows : list of tuple
+        COLUMNS at the samples: time [s] and energies since the start [J].
+    """
+
+    def __init__(self, scene, sample_s=0.01):
+        """Prepare the books of a run of `scene`, with a row every `sample_s`."""
+        self.scene, self.sample_s, self.rows = scene, sample_s, []
+        self.work = np.zeros(4)  # input, dashpots, friction, fracture
+        self.before: dict = {}
+        self.start = None
+
+    def attach(self, built):
+        """Place one runner before and one after the integrator."""
+        import __main__
+
+        wrapper, omega = adapter.load_yade(), built.omega
+        self.omega = omega
+        self._follow_bodies(built)
+        spheres = built.bonds.spheres.values() if built.bonds else ()
+        self.preloaded = {body for press, hook, _ in spheres for body in (press, hook)}
+        self.period = max(1, round(self.sample_s / omega.dt))
+        __main__._balance_before, __main__._balance_after = self._before, self._after
+        engines = list(omega.engines)
+        at = next(i for i, e in enumerate(engines) if isinstance(e, wrapper.NewtonIntegrator))
+        before, after = (
+            wrapper.PyRunner(command=f"_balance_{when}()", iterPeriod=1, initRun=True)
+            for when in ("before", "after")
+        )
+        omega.engines = [*engines[:at], before, engines[at], after, *engines[at + 1 :]]
+
+    def _follow_bodies(self, built):
+        """Number blocks and supports; a clump's members move with their clump."""
+        bodies, scene = self.omega.bodies, self.scene
+        self.slot: dict[int, int] = {}
+        self.states: list = []
+        for body in bodies:
+            if body.isClumpMember:
+                continue
+            self.slot[body.id] = len(self.states)
+            self.states.append(body.state)
+        for body in bodies:
+            if body.isClumpMember:
+                self.slot[body.id] = self.slot[body.clumpId]
+        n = len(self.states)
+        self.mass, self.inertia = np.zeros((n, 3)), np.zeros((n, 3))
+        self.weight, self.driven = np.zeros(n), np.ones((n, 3), bool)
+        for index, block in enumerate(scene.blocks):
+            if block.free:
+                k = self.slot[built.body[index]]
+                self.mass[k], self.inertia[k] = block.mass_kg, block.inertia_kg_m2
+                self.weight[k] = block.mass_kg * scene.gravity_m_s2
+                self.driven[k] = False, block.motion is not None, False
+                self.mass[k, self.driven[k]] = 0.0
+        self.height = np.array([s.pos[2] for s in self.states])
+
+    def _speeds(self):
+        """Velocity and spin of every block and support, shape (n, 6)."""
+        rows = []
+        for state in self.states:
+            v, w = state.vel, state.angVel
+            rows.append((v[0], v[1], v[2], w[0], w[1], w[2]))
+        return np.array(rows)
+
+    def _contacts(self):
+        """Contacts of the present step."""
+        keys, ends, rows = [], [], []
+        for contact in self.omega.interactions:
+            if not contact.isReal:
+                continue
+            g, p = contact.geom, contact.phys
+            x, n, f, s = g.contactPoint, g.normal, p.normalForce, p.shearForce
+            bonded = contact.id1 in self.preloaded or contact.id2 in self.preloaded
+            keys.append((contact.id1, contact.id2))
+            ends.append((self.slot[contact.id1], self.slot[contact.id2]))
+            rows.append(
+                (
+                    x[0],
+                    x[1],
+                    x[2],
+                    n[0],
+                    n[1],
+                    n[2],
+                    s[0],
+                    s[1],
+                    s[2],
+                    f[0] * n[0] + f[1] * n[1] + f[2] * n[2],
+                    g.penetrationDepth,
+                    p.kn,
+                    p.ks,
+                    p.cs,
+                    p.tangensOfFrictionAngle,
+                    PRELOAD_DEPTH_M if bonded else 0.0,
+                )
+            )
+        table = np.array(rows, float).reshape(-1, 16)
+        a, b = np.array(ends, int).reshape(-1, 2).T
+        shear, (force, depth, kn, ks, cs, friction, preload) = table[:, 6:9], table[:, 9:16].T
+        pressed = 0.5 * kn * (depth**2 - preload**2)
+        return _Moment(
+            keys,
+            a,
+            b,
+            table[:, 0:3],
+            table[:, 3:6],
+            depth,
+            force,
+            shear,
+            kn,
+            ks,
+            cs,
+            friction,
+            pressed,
+        )
+
+    def _before(self):
+        """Forces and contacts at the step, and the velocities half a step before it."""
+        self.speed, self.now = self._speeds(), self._contacts()
+        self.place = np.array([[float(v) for v in s.pos] for s in self.states])
+
+    def _after(self):
+        """Add up the works of the step; keep a row at every sample."""
+        dt, c = self.omega.dt, self.now
+        mean = 0.5 * (self.speed + self._speeds())
+        relative = self._relative(mean)
+        closing = (relative * c.normal).sum(axis=1)
+        sliding = relative - closing[:, None] * c.normal
+        capacity = c.friction * c.normal_force
+        size = np.sqrt((c.shear_force**2).sum(axis=1))
+        sticks = size < SLIPPING * capacity
+        earlier = self._relative(self.speed)
+        earlier -= (earlier * c.normal).sum(axis=1)[:, None] * c.normal
+        viscous = np.where(sticks, c.cs, 0.0)[:, None] * earlier
+        force = c.normal_force[:, None] * c.normal + c.shear_force + viscous
+        # a contact pushes its first body back and its second on
+        driven_a = (force * mean[c.a, :3] * self.driven[c.a]).sum()
+        driven_b = (force * mean[c.b, :3] * self.driven[c.b]).sum()
+        dashpots = (c.normal_force - c.kn * c.depth) @ closing + (viscous * sliding).sum()
+        power = np.array([driven_a - driven_b, dashpots])
+        friction, fracture = self._losses(earlier * dt, sticks)
+        self.work[:2] += 0.5 * dt * power
+        self.work[2] += friction
+        self.work[3] += fracture
+        if self.omega.iter % self.period == 0:
+            self._row(mean)
+        self.work[:2] += 0.5 * dt * power
+
+    def _relative(self, speed):
+        """Velocity of the first body past the second at every contact, shape (n, 3) [m/s]."""
+        c = self.now
+        arm_a, arm_b = c.point - self.place[c.a], c.point - self.place[c.b]
+        return (
+            speed[c.a, :3]
+            + np.cross(speed[c.a, 3:], arm_a)
+            - speed[c.b, :3]
+            - np.cross(speed[c.b, 3:], arm_b)
+        )
+
+    def _losses(self, travel, sticks):
+        """Friction and fracture since the last step [J]; keeps what the next one needs."""
+        c, kept = self.now, {}
+        friction = fracture = 0.0
+        for i, key in enumerate(c.keys):
+            kn, ks, shear = c.kn[i], c.ks[i], c.shear_force[i]
+            kept[key] = kn, ks, shear, c.pressed[i]
+            old = self.before.pop(key, None)
+            last = np.zeros(3)
+            if old is not None and old[0] == kn:
+                last = old[2]
+            elif old is not None:  # a bond has broken: its nodes have passed their stiffness on
+                fracture += old[3] * (1.0 - kn / old[0]) + 0.5 * (old[2] @ old[2]) / old[1]
+            if not sticks[i]:
+                friction += 0.5 * (last + shear) @ (travel[i] - (shear - last) / ks)
+        for _, ks, shear, _ in self.before.values():  # contacts that have opened
+            friction += 0.5 * (shear @ shear) / ks
+        self.before = kept
+        return friction, fracture
+
+    def _row(self, mean):
+        """Keep the energies of the present step."""
+        c = self.now
+        kinetic = 0.5 * (self.mass * mean[:, :3] ** 2 + self.inertia * mean[:, 3:] ** 2).sum()
+        potential = self.weight @ (self.place[:, 2] - self.height)
+        elastic = c.pressed.sum() + 0.5 * ((c.shear_force**2).sum(axis=1) / c.ks).sum()
+        stored = np.array([kinetic, potential, elastic])
+        if self.start is None:
+            self.start = stored
+            self.work[:] = 0.0
+        done, lost = self.work[0], self.work[1:4]
+        residual = done - (stored - self.start).sum() - lost.sum()
+        self.rows.append((self.omega.time, done, *(stored - self.start), *lost, residual))
+
+
+def overturning_energy(scene):
+    """Energy that overturns the monitored block, m g (R − h/2) with R half the diagonal's length.
+
+    Returns
+    -------
+    float
+        [J]
+    """
+    block = scene.blocks[scene.index(scene.monitor)]
+    depth, height = block.size_m[1], block.size_m[2]
+    return block.mass_kg * scene.gravity_m_s2 * 0.5 * float(np.hypot(depth, height) - height)

@@ -1,0 +1,237 @@
+"""Contact faces of a scene as YADE boxes, and the mask bit that pairs each with its nodes.
+
+A face is a plane of a block that nodes touch. Its box is oversized on purpose: masks
+decide who touches it, and a node at the rim of the real face must meet a flat face,
+not the edge of a box. Where blocks slide off each other the rim is real; it is then
+stated in `scene.notes["rims"]` as joint name → (outward direction of the rim, its
+level along that direction). A node that has slid past its rim is released for good by
+`Releases`. If it belongs to one of the blocks in `scene.notes["debris"]`, that block has
+come out of its slot: it falls, and takes no further part.
+
+YADE's masks hold 30 bits. Scenes with more faces get boxes of their joint's size plus
+the largest relative motion, and faces whose boxes and nodes cannot meet share a bit.
+"""
+
+import math
+
+import numpy as np
+
+from yade_scripts.engine.bonds import FACE_OFFSET_M, rotation, set_material
+
+BITS = 30
+LOCAL_REACH_M = 0.75  # beyond the joint's nodes in its plane
+LOCAL_DEPTH_M = 0.30  # of a local box behind its face
+MOTION_M = 0.25  # boxes this far apart never meet before the run has ended
+
+
+class FaceError(ValueError):
+    """A scene needs more distinguishable faces than YADE's masks hold."""
+
+
+RELEASE_CHECK_S = 4e-3
+
+
+class Releases:
+    """Releases contact nodes that have slid past the rim of their face; a PyRunner calls it.
+
+    Attributes
+    ----------
+    released : list of (time_s, node)
+    """
+
+    def __init__(self, scene, omega, state_of_block, node_body, dead, bonds):
+        """Find the nodes of `scene` whose joint has a rim."""
+        nodes, rims = scene.nodes, scene.notes["rims"]
+        self.bonds, self.body_of = bonds, state_of_block
+        self.debris = {scene.index(name) for name in scene.notes.get("debris", ())}
+        self.touching = {
+            k: np.flatnonzero((nodes.a == k) | (nodes.b == k)).tolist() for k in self.debris
+        }
+        self.omega, self.node_body, self.dead, self.released = omega, node_body, dead, []
+        names = [scene.joints[j] for j in nodes.joint]
+        self.node = [i for i, name in enumerate(names) if name in rims]
+        used = sorted({int(k) for i in self.node for k in (nodes.a[i], nodes.b[i])})
+        self.states = {k: omega.bodies[state_of_block[k]].state for k in used}
+        # a clump's frame may be turned by half a turn about an axis; blocks start unturned
+        self.home = {k: rotation(state.ori).T for k, state in self.states.items()}
+        self.start = {k: tuple(state.pos) for k, state in self.states.items()}
+        self.arm, self.direction, self.edge = {}, {}, {}
+        self.of_pair: dict[tuple, list] = {}
+        self.slack: dict[tuple, float] = {}
+        for i in self.node:
+            a, b = pair = int(nodes.a[i]), int(nodes.b[i])
+            self.arm[i] = nodes.position_m[i] - np.array(scene.blocks[a].centre_m)
+            direction, edge = rims[names[i]]
+            self.direction[i] = np.array(direction)
+            self.edge[i] = edge - float(np.dot(direction, scene.blocks[b].centre_m))
+            slack = edge - float(np.dot(direction, nodes.position_m[i]))
+            self.of_pair.setdefault(pair, []).append(i)
+            self.slack[pair] = min(slack, self.slack.get(pair, slack))
+
+    def __call__(self):
+        """Release what has passed its rim, in the frame of the block that has the rim."""
+        moved = {}
+        for k, state in self.states.items():
+            p, q = state.pos, self.start[k]
+            moved[k] = (p[0] - q[0], p[1] - q[1], p[2] - q[2])
+        for a, b in list(self.of_pair):
+            # no need to look closely before a good part of the way is done
+            if math.dist(moved[a], moved[b]) > 0.5 * self.slack[a, b]:
+                self._check_pair(a, b)
+
+    def _check_pair(self, a, b):
+        (place_a, turn_a), (place_b, turn_b) = (
+            (np.array(tuple(self.states[k].pos)), rotation(self.states[k].ori) @ self.home[k])
+            for k in (a, b)
+        )
+        for i in list(self.of_pair.get((a, b), ())):
+            offset = place_a + turn_a @ self.arm[i] - place_b
+            if i in self.node and offset @ (turn_b @ self.direction[i]) > self.edge[i]:
+                loose = self.debris.intersection((a, b))
+                for block in loose:
+                    self._let_fall(block)
+                if not loose:
+                    self._release(i)
+
+    def _release(self, i):
+        set_material(self.omega.bodies[self.node_body[i]], self.dead)
+        if i in self.node:
+            self.node.remove(i)
+        self.released.append((float(self.omega.time), i))
+
+    def _let_fall(self, block):
+        """Release every node of a block and leave it where it is, without part in the rest."""
+        if self.bonds is not None:
+            self.bonds.end(self.touching[block])
+        for i in self.touching[block]:
+            self._release(i)
+        self.of_pair = {pair: nodes for pair, nodes in self.of_pair.items() if block not in pair}
+        self.debris.discard(block)
+        state = self.omega.bodies[self.body_of[block]].state
+        state.blockedDOFs = "xyzXYZ"
+        state.vel = state.angVel = (0.0, 0.0, 0.0)
+
+
+class Faces:
+    """Faces (block, normal, level, rim) of a scene, the nodes on them, and their bits.
+
+    Attributes
+    ----------
+    nodes_of : dict of key to list of int
+    bit : dict of key to int
+    plain, press, hook : list
+        Face key of each node; press and hook are None for dry nodes.
+    """
+
+    def __init__(self, scene):
+        """Group the nodes of a scene by face."""
+        nodes, rims = scene.nodes, scene.notes.get("rims", {})
+        self.scene = scene
+        self.nodes_of: dict[tuple, list] = {}
+        self.plain, self.press, self.hook = [], [], []
+        bonded = nodes.bonded
+        for i in range(len(nodes)):
+            normal = nodes.normal[i]
+            level = float(normal @ nodes.position_m[i] - nodes.gap_m[i])
+            rim = rims.get(scene.joints[nodes.joint[i]])
+            if rim is not None:
+                rim = (tuple(float(v) for v in rim[0]), round(float(rim[1]), 9))
+            self.plain.append(self._add(i, normal, level, rim))
+            on = bonded[i]
+            self.press.append(self._add(i, normal, level + FACE_OFFSET_M, None) if on else None)
+            self.hook.append(self._add(i, -normal, FACE_OFFSET_M - level, None) if on else None)
+        self.local = len(self.nodes_of) > BITS
+        self.bit = (
+            self._colour() if self.local else {key: 1 << n for n, key in enumerate(self.nodes_of)}
+        )
+
+    def _add(self, i, normal, level, rim):
+        key = (int(self.scene.nodes.b[i]), tuple(np.round(normal, 12)), round(level, 9), rim)
+        self.nodes_of.setdefault(key, []).append(i)
+        return key
+
+    def of_block(self, index):
+        """Return the keys of the faces of one block."""
+        return [key for key in self.nodes_of if key[0] == index]
+
+    def shape(self, key, reach_m):
+        """Centre, half edges and axes of a face's box, its surface along the third axis.
+
+        Returns
+        -------
+        centre : ndarray, shape (3,)
+        half : ndarray, shape (3,)
+        axes : ndarray, shape (3, 3)
+            Columns: two directions in the plane, then the normal.
+        """
+        _, normal, level, rim = key
+        normal = np.array(normal)
+        points = self.scene.nodes.position_m[self.nodes_of[key]]
+        middle = np.mean(points, axis=0)
+        on_face = middle + (level - normal @ middle) * normal
+        axes = _axes(normal)
+        half = np.full(3, float(reach_m))
+        if self.local:
+            spread = 0.5 * np.ptp(points @ axes[:, :2], axis=0)
+            half[:2] = spread + LOCAL_REACH_M
+            half[2] = 0.5 * LOCAL_DEPTH_M
+            centre_plane = 0.5 * (np.max(points @ axes, 0) + np.min(points @ axes, 0))
+            on_face = axes[:, :2] @ centre_plane[:2] + level * normal
+        if rim is not None:  # slide the box back until it ends at the rim
+            direction, edge = np.array(rim[0]), rim[1]
+            width = float(np.abs(axes.T @ direction) @ half)
+            on_face = on_face + (edge - width - direction @ on_face) * direction
+        return on_face - half[2] * normal, half, axes
+
+    def box(self, key, reach_m, material):
+        """Return the YADE box whose surface is the face `key`, in the reference position."""
+        from yade import minieigenHP, utils
+
+        centre, half, _ = self.shape(key, reach_m)
+        normal = key[1]
+        axis_to = minieigenHP.Quaternion()
+        axis_to.setFromTwoVectors(minieigenHP.Vector3(0, 0, 1), minieigenHP.Vector3(*normal))
+        return utils.box(
+            center=tuple(centre),
+            extents=tuple(float(v) for v in half),
+            orientation=axis_to,
+            fixed=False,
+            wire=True,
+            material=material,
+            mask=self.bit[key],
+        )
+
+    def _colour(self):
+        """Give faces bits so that faces whose boxes and nodes could meet never share one.
+
+        Greedy colouring in the order of the scene. Raises FaceError beyond 30 bits.
+        """
+        keys = list(self.nodes_of)
+        position = self.scene.nodes.position_m
+        shapes = {key: self.shape(key, 0.0) for key in keys}
+
+        def meets(face, other):
+            centre, half, axes = shapes[face]
+            inside = np.abs((position[self.nodes_of[other]] - centre) @ axes) - half
+            return bool(np.any(np.all(inside < MOTION_M, axis=1)))
+
+        bit: dict[tuple, int] = {}
+        for key in keys:
+            taken = {bit[k] for k in bit if meets(key, k) or meets(k, key)}
+            free = [1 << n for n in range(BITS) if 1 << n not in taken]
+            if not free:
+                raise FaceError(f"{len(keys)} contact faces cannot share YADE's {BITS} mask bits")
+            bit[key] = free[0]
+        return bit
+
+
+def _axes(normal):
+    """Axes of the box that YADE turns from z to `normal` by the shortest rotation."""
+    z = np.array([0.0, 0.0, 1.0])
+    cross, cosine = np.cross(z, normal), float(normal @ z)
+    if cosine < -1.0 + 1e-12:  # half a turn: any axis in the plane; boxes are symmetric
+        return np.diag([1.0, -1.0, -1.0])
+    k = np.array(
+        [[0.0, -cross[2], cross[1]], [cross[2], 0.0, -cross[0]], [-cross[1], cross[0], 0.0]]
+    )
+    return np.eye(3) + k + k @ k / (1.0 + cosine)

@@ -1,0 +1,262 @@
+"""One run in YADE: step a built scene, sample it, stop it, and say how it ended."""
+
+import math
+import time
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from yade_scripts.engine import adapter
+from yade_scripts.model.stiffness import critical_step, lag_factors
+
+OK, OVERTURNED, FAILED = "ok", "overturned", "failed"
+REST_RATIO = 0.5  # d/b
+POLL_S = 1e-3
+
+
+class StepError(ValueError):
+    """The requested time step is beyond the critical one."""
+
+
+@dataclass
+class StopRules:
+    """When a run ends.
+
+    Attributes
+    ----------
+    motion_s : float
+        End of the input motion that matters; rest counts only after it.
+    limit_s : float
+        End of the run whatever happens.
+    overturn_ratio : float
+        d/b from which the façade counts as overturned.
+    rest_velocity_m_s, rest_time_s : float
+        At rest: top velocity relative to the base below this for so long, and d/b below
+        REST_RATIO: a façade that lingers near its unstable balance is not at rest.
+    max_speed_m_s : float
+        Beyond this relative speed the run has failed numerically.
+    """
+
+    motion_s: float
+    limit_s: float
+    overturn_ratio: float = 1.0
+    rest_velocity_m_s: float = 1e-3
+    rest_time_s: float = 0.5
+    max_speed_m_s: float = 50.0
+
+
+@dataclass
+class History:
+    """Sampled result of one run.
+
+    Attributes
+    ----------
+    time_s, d_m, velocity_m_s, rotation_rad : ndarray, shape (n,)
+        Top displacement relative to the base (positive outward), its rate, and
+        the outward rotation of the monitored block.
+    peak_d_over_b : float
+        Largest |d|/b, refined between samples by the cubic through values and rates.
+    status : str
+        "ok", "overturned" or "failed".
+    reason : str
+        Why the run ended.
+    dt_s : float
+    steps : int
+    wall_s : float
+    """
+
+    time_s: np.ndarray
+    d_m: np.ndarray
+    velocity_m_s: np.ndarray
+    rotation_rad: np.ndarray
+    peak_d_over_b: float
+    status: str
+    reason: str
+    dt_s: float
+    steps: int
+    wall_s: float
+
+
+def choose_step(scene, numerics):
+    """Time step of a run: the stated one, or a fraction of the critical step.
+
+    Parameters
+    ----------
+    scene : Scene
+    numerics : dict
+        Keys step_s (None: use the fraction) and step_fraction.
+
+    Returns
+    -------
+    step, critical : float
+        [s]
+
+    Raises
+    ------
+    StepError
+        If the step would be beyond the critical one.
+    """
+    critical = critical_step(scene)
+    step = numerics.get("step_s") or numerics["step_fraction"] * critical
+    if step > critical:
+        raise StepError(
+            f"numerics.step_s = {step:g} s is beyond the critical step {critical:.4g} s "
+            "of this scene: choose a smaller one or leave step_s empty"
+        )
+    return step, critical
+
+
+def cubic_peak(time_s, value, rate):
+    """Largest |value| of the piecewise cubic Hermite curve through samples and rates."""
+    best = float(np.max(np.abs(value)))
+    step = np.diff(time_s)
+    turning = np.flatnonzero((rate[:-1] * rate[1:] < 0.0) & (step > 0.0))
+    for i in turning:
+        h, y0, y1, m0, m1 = step[i], value[i], value[i + 1], rate[i], rate[i + 1]
+        s = np.linspace(0.0, 1.0, 33)
+        curve = (
+            (2 * s**3 - 3 * s**2 + 1) * y0
+            + (s**3 - 2 * s**2 + s) * h * m0
+            + (3 * s**2 - 2 * s**3) * y1
+            + (s**3 - s**2) * h * m1
+        )
+        best = max(best, float(np.max(np.abs(curve))))
+    return best
+
+
+class _Monitor:
+    """Samples the monitored point relative to the reference support; decides when to stop."""
+
+    def __init__(self, scene, built, rules):
+        bodies = built.omega.bodies
+        self.unturned = built.unturned[scene.index(scene.monitor)]
+        self.omega, self.rules = built.omega, rules
+        self.block = bodies[built.body[scene.index(scene.monitor)]].state
+        self.support = bodies[built.body[scene.index(scene.reference)]].state
+        centre = scene.blocks[scene.index(scene.monitor)].centre_m
+        self.centre_y = float(centre[1])
+        self.arm = tuple(float(p - c) for p, c in zip(scene.monitor_point_m, centre, strict=True))
+        self.start = self.support.pos[1]
+        self.b = scene.thickness_m
+        self.rows, self.moving_until = [], 0.0
+        self.status, self.reason = OK, ""
+
+    def __call__(self):
+        """Take a sample; pause the run when a stop rule applies. Plain floats, for speed."""
+        t = self.omega.time + self.omega.dt  # positions are those after this step
+        state, support = self.block, self.support
+        angle = adapter.planar_turn(state, self.unturned)  # rotation about x alone carries d
+        c, s = math.cos(angle), math.sin(angle)
+        _, y, z = self.arm
+        d = (state.pos[1] - self.centre_y) + (c * y - s * z - y) - (support.pos[1] - self.start)
+        v = state.vel[1] - state.angVel[0] * (s * y + c * z) - support.vel[1]
+        self.rows.append((t, d, v, -angle))
+        rules = self.rules
+        if not (math.isfinite(d) and math.isfinite(v)) or abs(v) > rules.max_speed_m_s:
+            self._stop(FAILED, f"speed {v:.3g} m/s at t = {t:.4f} s: numerical failure")
+        elif abs(d) >= rules.overturn_ratio * self.b:
+            self._stop(OVERTURNED, f"d/b reached {rules.overturn_ratio:g} at t = {t:.3f} s")
+        elif abs(v) > rules.rest_velocity_m_s or abs(d) > REST_RATIO * self.b:
+            self.moving_until = t
+        elif t > rules.motion_s and t - self.moving_until > rules.rest_time_s:
+            self._stop(OK, f"at rest at t = {t:.3f} s")
+
+    def _stop(self, status, reason):
+        if not self.reason:
+            self.status, self.reason = status, reason
+        # not pause(): called from the running thread it lets the main thread go on and then
+        # waits for Python, which deadlocks with the next reset()
+        self.omega.stopAtIter = self.omega.iter + 1
+
+
+def run(
+    scene,
+    motions,
+    dt_s,
+    rules,
+    *,
+    sample_s=0.005,
+    node_radius_m=1e-3,
+    full_rotation=False,
+    setup=None,
+    check=None,
+    compensate_lag=True,
+):
+    """Run a scene in YADE until it overturns, rests, fails or reaches the limit.
+
+    Parameters
+    ----------
+    scene : Scene
+    motions : dict of str to adapter.Motion
+    dt_s : float
+    rules : StopRules
+    sample_s : float
+        Interval between samples; a sample is the only Python of a run.
+    node_radius_m, full_rotation
+        See `adapter.build`.
+    setup : callable, optional
+        Called with the `Built` scene before the first step (recorders, other engines).
+    check : ledger.EnergyLedger, optional
+        Sampled in the same call from YADE as the monitor: such a call costs as much as the
+        Python in it.
+    compensate_lag : bool
+        Correct the return walls' contacts for the late dashpot velocity, see
+        `stiffness.lag_factors`.
+
+    Returns
+    -------
+    History
+    """
+    import __main__
+
+    if compensate_lag:
+        factors = lag_factors(scene, dt_s)
+        nodes = replace(
+            scene.nodes, kn_n_m=scene.nodes.kn_n_m * factors, ks_n_m=scene.nodes.ks_n_m * factors
+        )
+        scene = replace(scene, nodes=nodes)
+    built = adapter.build(
+        scene, motions, dt_s, node_radius_m=node_radius_m, full_rotation=full_rotation
+    )
+    wrapper, omega = adapter.load_yade(), built.omega
+    monitor = _Monitor(scene, built, rules)
+    __main__._sample_scene = monitor
+    if check is not None:
+        check.attach(built)
+        __main__._sample_scene = lambda: (monitor(), check())
+    period = max(1, round(sample_s / dt_s))
+    omega.engines = omega.engines + [
+        wrapper.PyRunner(command="_sample_scene()", iterPeriod=period, initRun=True)
+    ]
+    if setup is not None:
+        setup(built)
+    began = time.perf_counter()
+    omega.run(int(np.ceil(rules.limit_s / dt_s)))
+    try:
+        while omega.running:  # wait() alone looks every 40 ms, a tenth of a short run
+            time.sleep(POLL_S)
+    except KeyboardInterrupt:
+        omega.pause()  # its thread must not outlive Python's
+        raise
+    omega.wait()  # raises what a runner raised
+    wall = time.perf_counter() - began
+    rows = np.array(monitor.rows, float).reshape(-1, 4)
+    if not monitor.reason:
+        monitor.reason = f"time limit {rules.limit_s:g} s"
+    time_s, d, v, rotation = rows.T
+    finite = np.isfinite(d) & np.isfinite(v)
+    peak = cubic_peak(time_s[finite], d[finite], v[finite]) if finite.any() else np.nan
+    if monitor.status == FAILED:
+        peak = np.nan
+    return History(
+        time_s,
+        d,
+        v,
+        rotation,
+        peak / scene.thickness_m,
+        monitor.status,
+        monitor.reason,
+        dt_s,
+        int(omega.iter),
+        wall,
+    )

@@ -1,0 +1,215 @@
+"""From a plan to a `Scene`: bricks, floors and ground as blocks, interfaces as bonded nodes."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from yade_scripts.model.building.bricks import Brick, Bricks, lay
+from yade_scripts.model.building.contacts import KINDS, Interfaces, Joints, interfaces
+from yade_scripts.model.building.floors import floor_boxes
+from yade_scripts.model.building.plan import TOLERANCE_M, Plan, PlanError
+from yade_scripts.model.scene import Block, Nodes, Scene, box_inertia
+
+GROUND = "ground"
+BOND_N = 1e15  # strength of a bond that is meant never to break
+GAUSS = 1.0 / np.sqrt(3.0)
+
+
+@dataclass
+class Building:
+    """A building ready for analysis: its scene and what the drawings need.
+
+    Blocks 0 … n_bricks − 1 are the bricks, then beams and panels floor by floor,
+    the ground last. `floors` lists (first box, number of beams, beam axis).
+    """
+
+    plan: Plan
+    brick: Brick
+    bricks: Bricks
+    interfaces: Interfaces
+    scene: Scene
+    floors: list
+
+    @property
+    def masonry_mass_kg(self):
+        """Mass of all bricks [kg]."""
+        return sum(b.mass_kg for b in self.scene.blocks[: len(self.bricks)])
+
+    @property
+    def mass_kg(self):
+        """Mass of all free blocks [kg]."""
+        return sum(b.mass_kg for b in self.scene.blocks if b.free)
+
+
+def build(
+    plan,
+    *,
+    brick=None,
+    coarsening=1.0,
+    joints=None,
+    density_kg_m3=1800.0,
+    timber_density_kg_m3=600.0,
+):
+    """Build the brick model of a plan.
+
+    Every interface becomes 2 × 2 Gauss points that carry a bonded linear spring,
+    which integrates the force and the moments of a linearly varying relative
+    displacement exactly. The ground is a support driven by the motion "ground".
+
+    Parameters
+    ----------
+    plan : Plan
+    brick : Brick, optional
+        Real brick, for which `joints` is stated.
+    coarsening : float
+        Enlarges the brick; joint stiffness times joint spacing and mass are kept.
+    joints : Joints, optional
+    density_kg_m3, timber_density_kg_m3 : float
+        Of the masonry, joints included, and of beams and panels.
+
+    Returns
+    -------
+    Building
+
+    Raises
+    ------
+    PlanError
+        If a wall lacks support or a brick floats, by its name.
+    """
+    brick = brick or Brick()
+    joints = joints or Joints()
+    if not (density_kg_m3 > 0.0 and timber_density_kg_m3 > 0.0):
+        raise PlanError("densities must be positive")
+    bricks = lay(plan, brick.coarsened(coarsening))
+    boxes = [floor_boxes(plan, floor, timber_density_kg_m3) for floor in plan.floors]
+    empty = np.empty((0, 3))
+    timber_low = np.concatenate([empty, *(b.low_m for b in boxes)])
+    timber_high = np.concatenate([empty, *(b.high_m for b in boxes)])
+    floors, first = [], len(bricks)
+    for floor, box in zip(plan.floors, boxes, strict=True):
+        floors.append((first, len(box.low_m) - 1, 1 - plan.wall(floor.walls[0]).axis))
+        first += len(box.low_m)
+    faces = interfaces(bricks, timber_low, timber_high, floors, joints, brick)
+    check_support(plan, bricks, faces, first)
+
+    low = np.concatenate([bricks.low_m, timber_low])
+    high = np.concatenate([bricks.high_m, timber_high])
+    sizes, centres = high - low, 0.5 * (low + high)
+    masses = density_kg_m3 * sizes.prod(axis=1)
+    names = [bricks.name(i) for i in range(len(bricks))]
+    names += [box.box_name(i) for box in boxes for i in range(len(box.low_m))]
+    masses[len(bricks) :] = np.concatenate([np.empty(0), *(box.mass_kg for box in boxes)])
+    blocks = [
+        Block(name, tuple(centre), tuple(size), float(mass), box_inertia(float(mass), size))
+        for name, centre, size, mass in zip(
+            names, centres.tolist(), sizes.tolist(), masses, strict=True
+        )
+    ]
+    extent = high.max(axis=0) - low.min(axis=0)
+    middle = 0.5 * (high.max(axis=0) + low.min(axis=0))
+    blocks.append(
+        Block(
+            GROUND,
+            (middle[0], middle[1], -0.1),
+            (extent[0], extent[1], 0.2),
+            1e9,
+            (1e9, 1e9, 1e9),
+            free="",
+            motion="ground",
+        )
+    )
+    monitor = _monitor(plan, blocks, floors)
+    scene = Scene(
+        blocks,
+        list(KINDS),
+        _nodes(faces, len(blocks) - 1),
+        monitor.name,
+        tuple(monitor.centre_m),
+        GROUND,
+        plan.walls[0].thickness_m,
+        notes={"plan": plan.name, "coarsening": float(coarsening), "bricks": len(bricks)},
+    )
+    return Building(plan, brick.coarsened(coarsening), bricks, faces, scene, floors)
+
+
+def _monitor(plan, blocks, floors):
+    """Return the block whose motion stands for the top: a floor's panel, else the highest brick."""
+    if floors:
+        number = len(floors) - 1
+        if plan.monitor_floor is not None:
+            number = [f.name for f in plan.floors].index(plan.monitor_floor)
+        first, count, _ = floors[number]
+        return blocks[first + count]
+    return max(blocks[:-1], key=lambda b: b.centre_m[2])
+
+
+def _nodes(faces, ground):
+    """Return the bonded nodes of the interfaces, 2 × 2 Gauss points each, as `Nodes`."""
+    n = len(faces)
+    first = np.where(faces.axis == 0, 1, 0)  # the two in-plane directions of each interface
+    second = np.where(faces.axis == 2, 1, 2)
+    rows = np.arange(n)
+    position = np.repeat(faces.centre_m[:, None, :], 4, axis=1)
+    for k, (u, v) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1))):
+        position[rows, k, first] += u * GAUSS * faces.half_m[rows, first]
+        position[rows, k, second] += v * GAUSS * faces.half_m[rows, second]
+    area = np.repeat(faces.area_m2 / 4.0, 4)
+    b = np.where(faces.b < 0, ground, faces.b)
+    zero = np.zeros(4 * n)
+    return Nodes(
+        a=np.repeat(faces.a, 4),
+        b=np.repeat(b, 4),
+        joint=np.repeat(faces.kind, 4),
+        position_m=position.reshape(-1, 3),
+        normal=np.repeat(np.eye(3)[faces.axis], 4, axis=0),
+        area_m2=area,
+        kn_n_m=np.repeat(faces.jkn_pa_m, 4) * area,
+        ks_n_m=np.repeat(faces.jks_pa_m, 4) * area,
+        beta_s=zero,
+        friction_rad=zero.copy(),
+        gap_m=zero.copy(),
+        tension_n=np.full(4 * n, BOND_N),
+        cohesion_n=np.full(4 * n, BOND_N),
+    )
+
+
+def check_support(plan, bricks, faces, count):
+    """Refuse walls without support and floating bricks, by name.
+
+    A wall is supported if a brick of its lowest course rests on the ground or on
+    another wall's brick. A brick floats if no chain of interfaces ties it to the
+    ground.
+
+    Raises
+    ------
+    PlanError
+    """
+    bed = (faces.axis == 2) & (faces.a < len(bricks))
+    held_by = faces.b[bed]
+    upper_wall = bricks.wall[faces.a[bed]]
+    is_brick = (held_by >= 0) & (held_by < len(bricks))
+    other = np.full(len(held_by), -1)
+    other[is_brick] = bricks.wall[held_by[is_brick]]
+    low = bricks.low_m[faces.a[bed], 2]
+    for w, wall in enumerate(plan.walls):
+        lowest = (upper_wall == w) & (np.abs(low - wall.base_m) < TOLERANCE_M) & (other != w)
+        if not np.any(lowest):
+            raise PlanError(
+                f"wall '{wall.name}' has no support: nothing lies under its lowest course"
+                f" at {wall.base_m:g} m"
+            )
+    reached = np.zeros(count + 1, bool)  # the ground is entry `count`
+    reached[count] = True
+    a, b = faces.a, np.where(faces.b < 0, count, faces.b)
+    before = 0
+    while before != reached.sum():
+        before = reached.sum()
+        reached[a[reached[b]]] = True
+        reached[b[reached[a]]] = True
+    loose = np.flatnonzero(~reached[: len(bricks)])
+    if len(loose):
+        centre = 0.5 * (bricks.low_m[loose[0]] + bricks.high_m[loose[0]])
+        raise PlanError(
+            f"brick '{bricks.name(loose[0])}' at x, y, z = {np.round(centre, 3).tolist()} m floats:"
+            f" no joint ties it to the ground ({len(loose)} such bricks)"
+        )

@@ -1,0 +1,217 @@
+"""Running bond: the bricks of a plan, as boxes.
+
+A course runs through all walls at the same heights, so that walls interlock:
+at a corner or junction the wall along x passes on even courses and the wall
+along y on odd ones. Even courses have head joints at the points of a grid that
+divides each strip between openings and corners into equal bricks; odd courses
+have theirs half-way between, which leaves half bricks at the jambs and ends.
+Courses and grids close exactly on openings, floors and wall tops, so brick size
+can change without changing the building; the joint stiffness follows from the
+actual spacing (see `contacts`).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from yade_scripts.model.building.plan import (
+    TOLERANCE_M,
+    PlanError,
+    overlap_in_height,
+    overlap_in_plan,
+)
+
+
+@dataclass(frozen=True)
+class Brick:
+    """Size of the nominal brick: along the wall, in height, through the thickness [m]."""
+
+    length_m: float = 0.24
+    height_m: float = 0.06
+    width_m: float = 0.12
+
+    def coarsened(self, factor):
+        """Return the brick enlarged `factor` times in each direction; factor ≥ 0."""
+        if not factor > 0.0:
+            raise PlanError(f"the coarsening factor must be positive, got {factor!r}")
+        return Brick(factor * self.length_m, factor * self.height_m, factor * self.width_m)
+
+
+@dataclass
+class Bricks:
+    """Bricks as columns: lower and upper corners (n, 3) and where each one lies.
+
+    `length_axis` is 0 or 1 (x or y); `wall`, `course`, `wythe` and `place` are
+    indices, the last counting along the course.
+    """
+
+    low_m: np.ndarray
+    high_m: np.ndarray
+    length_axis: np.ndarray
+    wall: np.ndarray
+    course: np.ndarray
+    wythe: np.ndarray
+    place: np.ndarray
+    wall_names: list
+
+    def __len__(self):
+        """Return the number of bricks."""
+        return len(self.low_m)
+
+    def name(self, i):
+        """Return a unique name that tells where brick `i` lies, e.g. 'left/c12/w1/b3'."""
+        return (
+            f"{self.wall_names[self.wall[i]]}/c{self.course[i]}/w{self.wythe[i]}/b{self.place[i]}"
+        )
+
+
+def divide(breaks, spacing):
+    """Divide each interval between sorted `breaks` into equal parts of about `spacing`.
+
+    Returns
+    -------
+    ndarray
+        Ascending points, the breaks included; at least one part an interval.
+    """
+    breaks = unique(breaks)
+    points = [breaks[:1]]
+    for low, high in zip(breaks[:-1], breaks[1:], strict=True):
+        parts = max(1, int(np.floor((high - low) / spacing + 0.5)))
+        points.append(np.linspace(low, high, parts + 1)[1:])
+    return np.concatenate(points)
+
+
+def unique(values):
+    """Return sorted values with those closer than the tolerance merged."""
+    values = np.sort(np.asarray(list(values), float))
+    keep = np.concatenate(([True], np.diff(values) > TOLERANCE_M))
+    return values[keep]
+
+
+def course_lines(plan, height_m):
+    """Heights of the bed joints, shared by all walls of the plan [m]."""
+    breaks = []
+    for wall in plan.walls:
+        breaks += [wall.base_m, wall.top_m]
+        for opening in wall.openings:
+            breaks += [opening.sill_m, opening.head_m]
+    for floor in plan.floors:
+        breaks += [floor.level_m, floor.level_m + floor.beam_height_m]
+    return divide(breaks, height_m)
+
+
+def recesses(plan, wall):
+    """Beam recesses of a wall: list of (floor, span along it, side), side ±1 inner face."""
+    out = []
+    for floor in plan.floors:
+        if wall.name not in floor.walls:
+            continue
+        other = plan.wall(floor.walls[1 - floor.walls.index(wall.name)])
+        span = tuple(v - wall.origin_m for v in floor.extent_m)
+        out.append((floor, span, 1 if other.offset_m > wall.offset_m else -1))
+    return out
+
+
+def _crossings(plan, wall):
+    """Return (other wall, span along `wall`) of the footprints that cross it."""
+    out = []
+    for other in plan.walls:
+        if other.axis != wall.axis and overlap_in_plan(wall, other):
+            low, high = other.footprint()[wall.axis]
+            out.append(
+                (other, (max(0.0, low - wall.origin_m), min(wall.length_m, high - wall.origin_m)))
+            )
+    return out
+
+
+def _subtract(segments, span):
+    """Cut `span` out of a list of segments."""
+    out = []
+    for low, high in segments:
+        if span[1] <= low + TOLERANCE_M or span[0] >= high - TOLERANCE_M:
+            out.append((low, high))
+            continue
+        if span[0] > low + TOLERANCE_M:
+            out.append((low, span[0]))
+        if span[1] < high - TOLERANCE_M:
+            out.append((span[1], high))
+    return out
+
+
+def _course_cuts(wall, grid, course, bottom, top, crossings, cavities):
+    """Return the brick ends (low, high) along one course of a wall."""
+    segments = [(0.0, wall.length_m)]
+    for opening in wall.openings:
+        if opening.sill_m < top - TOLERANCE_M and opening.head_m > bottom + TOLERANCE_M:
+            segments = _subtract(segments, wall.span(opening))
+    for other, span in crossings:
+        beside = other.base_m < top - TOLERANCE_M and other.top_m > bottom + TOLERANCE_M
+        if beside and wall.axis != course % 2:
+            segments = _subtract(segments, span)
+    joints = grid if course % 2 == 0 else 0.5 * (grid[:-1] + grid[1:])
+    bricks = []
+    for low, high in segments:
+        inside = joints[(joints > low + TOLERANCE_M) & (joints < high - TOLERANCE_M)]
+        ends = [low, high, *inside]
+        ends += [s for _, span, _ in cavities for s in span if low < s < high]
+        ends = unique(ends)
+        bricks += list(zip(ends[:-1], ends[1:], strict=True))
+    return bricks
+
+
+def lay(plan, brick):
+    """Lay the bricks of a plan in running bond.
+
+    Parameters
+    ----------
+    plan : Plan
+    brick : Brick
+        Nominal size; the bricks of a strip differ from it so that the strip closes.
+
+    Returns
+    -------
+    Bricks
+        Sorted by wall, course, place along the course, wythe.
+    """
+    lines = course_lines(plan, brick.height_m)
+    low, high, labels = [], [], []
+    for w, wall in enumerate(plan.walls):
+        crossings = [c for c in _crossings(plan, wall) if overlap_in_height(wall, c[0])]
+        cavities = recesses(plan, wall)
+        breaks = [0.0, wall.length_m]
+        for opening in wall.openings:
+            breaks += wall.span(opening)
+        for _, span in crossings:
+            breaks += span
+        grid = divide(breaks, brick.length_m)
+        half = wall.thickness_m / 2.0
+        for course, (bottom, top) in enumerate(zip(lines[:-1], lines[1:], strict=True)):
+            if top <= wall.base_m + TOLERANCE_M or bottom >= wall.top_m - TOLERANCE_M:
+                continue
+            active = [
+                c
+                for c in cavities
+                if c[0].level_m < top - TOLERANCE_M
+                and c[0].level_m + c[0].beam_height_m > bottom + TOLERANCE_M
+            ]
+            ends = _course_cuts(wall, grid, course, bottom, top, crossings, active)
+            for place, (s0, s1) in enumerate(ends):
+                near, far = -half, half
+                for floor, span, side in active:
+                    if span[0] - TOLERANCE_M <= s0 and s1 <= span[1] + TOLERANCE_M:
+                        if side > 0:
+                            far = half - floor.bearing_m
+                        else:
+                            near = -half + floor.bearing_m
+                faces = wall.offset_m + divide((near, far), brick.width_m)
+                for wythe, (t0, t1) in enumerate(zip(faces[:-1], faces[1:], strict=True)):
+                    along = (wall.origin_m + s0, wall.origin_m + s1)
+                    x, y = (along, (t0, t1)) if wall.axis == 0 else ((t0, t1), along)
+                    low.append((x[0], y[0], bottom))
+                    high.append((x[1], y[1], top))
+                    labels.append((wall.axis, w, course, wythe, place))
+    axis, of_wall, of_course, of_wythe, of_place = np.array(labels, int).T
+    names = [wall.name for wall in plan.walls]
+    return Bricks(
+        np.array(low), np.array(high), axis, of_wall, of_course, of_wythe, of_place, names
+    )

@@ -1,0 +1,241 @@
+"""Façade scenes: one rigid block on a compliant base against return walls.
+
+Models by boundary condition (design words):
+
+free  no return walls (two-sided rocking, 2SR)
+W1    one return-wall block up the height, driven with the base
+W2    one return-wall block per lumped mass of the chain, block j driven by floor j
+W1c, W2c  the same with cohesion and tensile strength on the back joint
+
+The façade fills 0 ≤ y ≤ b, 0 ≤ z ≤ h; the return walls stand at y < 0. It
+rocks outward about its front toe (y = b, z = 0). A planar scene has one column
+of nodes at x = 0 and the freedoms y, z and rotation about x: façade and motion
+are symmetric in x, so nothing else can move. A full scene spreads the nodes in
+x and frees all six.
+"""
+
+import math
+
+import numpy as np
+
+from yade_scripts.model.quadrature import gauss_lobatto
+from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
+
+BASE = "base"
+FACADE = "façade"
+GROUND = "ground"
+GRAVITY_M_S2 = 9.81
+
+
+def uses_chain(model):
+    """Tell whether a model's return walls follow the floors of the chain (W2, W2c, W3)."""
+    return model[:2] in ("W2", "W3")
+
+
+def floor_motion(j):
+    """Name of the motion of lumped mass j, counted from 1 at the bottom."""
+    return f"floor{j}"
+
+
+def joint_stiffness(config):
+    """Joint stiffnesses of base and back joint [Pa/m], paper section 3.
+
+    jkn = E/h at the base unless stated, E/L at the return walls with L = h/2,
+    the mean length of the 45° triangle behind the crack, unless stated.
+
+    Returns
+    -------
+    base, back : float
+    """
+    facade, wall = config["facade"], config["return_wall"]
+    e_pa = facade["e_mpa"] * 1e6
+    base = facade["base_stiffness_pa_m"] or e_pa / facade["height_m"]
+    back = e_pa / (wall["length_m"] or 0.5 * facade["height_m"])
+    return base, back
+
+
+def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
+    """Build the scene of a façade with one of the single-block boundary conditions.
+
+    Parameters
+    ----------
+    config : dict
+        Resolved configuration; sections facade, return_wall, smdof, numerics.
+    model : str
+        "free", "W1", "W2", "W1c" or "W2c".
+    beta_s : float
+        Stiffness-proportional damping β [s].
+    planar : bool
+        One column of nodes and planar freedoms, or three dimensions.
+    release_ratio : float
+        θ₀/α of a free-rocking release: the façade starts rotated outward about
+        its front toe, at rest, with the base nodes around the toe carrying its weight.
+
+    Returns
+    -------
+    Scene
+
+    Raises
+    ------
+    ValueError
+        For an unknown model or a release that is not within 0 ≤ θ₀/α < 1.
+    """
+    if model not in ("free", "W1", "W2", "W1c", "W2c"):
+        raise ValueError(f"unknown façade model '{model}': expected free, W1, W2, W1c or W2c")
+    if not 0.0 <= release_ratio < 1.0:
+        raise ValueError(f"release θ0/α must lie in [0, 1), got {release_ratio}")
+    facade, numerics = config["facade"], config["numerics"]
+    h, b, width = facade["height_m"], facade["thickness_m"], facade["width_m"]
+    tilt = math.radians(facade["tilt_deg"])
+    mass = facade["density_kg_m3"] * h * b * width
+    jkn_base, jkn_back = joint_stiffness(config)
+    ratio = facade["shear_stiffness_ratio"]
+
+    blocks = [
+        Block(
+            BASE,
+            (0.0, 0.5 * b, -0.5),
+            (2 * width, 4 * h, 1.0),
+            1.0,
+            (1.0, 1.0, 1.0),
+            free="",
+            motion=GROUND,
+        )
+    ]
+    nodes = NodeList()
+    points, weights = gauss_lobatto(numerics["nodes_thickness"])
+    # Debris under the base (tilt) belongs to the block as protruding nodes: it
+    # rests rotated by φ about its front toe and cannot come back to the vertical.
+    protrusion = (1.0 - points) * b * math.tan(tilt)
+    base_xyz = np.stack([np.zeros_like(points), points * b, -protrusion], axis=1)
+    columns, column_weights = _columns(planar, width / math.sqrt(3.0))
+    positions, areas, gaps = _spread(
+        base_xyz, weights * b * width, columns, column_weights, gap_m=-protrusion
+    )
+    # index 1 is the façade, appended to `blocks` below
+    nodes.add_joint(
+        BASE,
+        1,
+        0,
+        positions,
+        (0, 0, 1),
+        areas,
+        jkn_base,
+        ratio * jkn_base,
+        beta_s=beta_s,
+        friction_rad=math.radians(facade["friction_deg"]),
+        gap_m=gaps,
+    )
+    # lift of each base node in the pose turned about the toe; debris lies under a tilted base
+    angle = release_ratio * math.atan2(b, h)
+    lift = (1.0 - points) * b * math.sin(angle)
+    settlement = _settlement(mass * GRAVITY_M_S2, weights * b * width * jkn_base, lift)
+    displacement, rotation = _initial_pose(h, b, tilt + angle, settlement)
+    blocks.append(
+        Block(
+            FACADE,
+            (0.0, 0.5 * b, 0.5 * h),
+            (width, b, h),
+            mass,
+            box_inertia(mass, (width, b, h)),
+            free="yzX" if planar else "xyzXYZ",
+            displacement_m=displacement,
+            rotation_rad=rotation,
+        )
+    )
+    if model != "free" and facade.get("sides") != "two":
+        _add_return_walls(config, model, beta_s, blocks, nodes, jkn_back, planar)
+    return Scene(
+        blocks,
+        nodes.joints,
+        nodes.done(),
+        monitor=FACADE,
+        monitor_point_m=(0.0, 0.5 * b, h),
+        reference=BASE,
+        thickness_m=b,
+    )
+
+
+def _columns(planar, distance_m):
+    """Positions in x and weights of the node columns: one on the symmetry plane, or two."""
+    if planar:
+        return np.array([0.0]), np.array([1.0])
+    return np.array([-0.5, 0.5]) * distance_m, np.array([0.5, 0.5])
+
+
+def _spread(line_xyz, areas, columns, column_weights, gap_m=0.0):
+    """Repeat a line of nodes at x = 0 over the columns; return positions, areas and gaps."""
+    gaps = np.broadcast_to(gap_m, areas.shape)
+    positions = np.concatenate([line_xyz + np.array([x, 0.0, 0.0]) for x in columns])
+    return (
+        positions,
+        np.concatenate([areas * share for share in column_weights]),
+        np.concatenate([gaps for _ in columns]),
+    )
+
+
+def _settlement(weight_n, kn_n_m, lift_m):
+    """Settlement s at which the base nodes carry the weight, Σ kn·max(0, s − lift) = W [m].
+
+    Piecewise linear and increasing in s: nodes come into contact in order of their lift.
+    """
+    order = np.argsort(lift_m)
+    lift, kn = lift_m[order], kn_n_m[order]
+    for closed in range(1, len(lift) + 1):
+        settlement = (weight_n + kn[:closed] @ lift[:closed]) / kn[:closed].sum()
+        if closed == len(lift) or settlement <= lift[closed]:
+            return float(settlement)
+    raise AssertionError("unreachable: the last node closes the loop")
+
+
+def _initial_pose(h, b, angle, settlement):
+    """Pose turned outward by `angle` about the front toe and settled; outward is about −x."""
+    arm = np.array([-0.5 * b, 0.5 * h])  # toe → centroid, in (y, z)
+    c, s = math.cos(angle), math.sin(angle)
+    turned = np.array([c * arm[0] + s * arm[1], -s * arm[0] + c * arm[1]])
+    dy, dz = turned - arm
+    return (0.0, float(dy), float(dz - settlement)), (-angle, 0.0, 0.0)
+
+
+def _add_return_walls(config, model, beta_s, blocks, nodes, jkn_back, planar):
+    """Append the return-wall supports and the back joints of W1, W2, W1c and W2c."""
+    facade, wall, numerics = config["facade"], config["return_wall"], config["numerics"]
+    h, width = facade["height_m"], facade["width_m"]
+    total = wall["count"] * wall["thickness_m"]
+    bonded = model.endswith("c")
+    count = config["smdof"]["n_dof"] if uses_chain(model) else 1
+    nodes_up = numerics["nodes_per_block" if uses_chain(model) else "nodes_height"]
+    points, weights = gauss_lobatto(nodes_up)
+    columns, column_weights = _columns(planar, width - wall["thickness_m"])
+    for j in range(1, count + 1):
+        low, tall = (j - 1) * h / count, h / count
+        name = f"return wall {j}"
+        motion = floor_motion(j) if uses_chain(model) else GROUND
+        blocks.append(
+            Block(
+                name,
+                (0.0, -0.5 * h - facade["gap_m"], low + 0.5 * tall),
+                (total, h, tall),
+                1.0,
+                (1.0, 1.0, 1.0),
+                free="",
+                motion=motion,
+            )
+        )
+        line = np.stack([0 * points, 0 * points, low + points * tall], axis=1)
+        positions, areas, _ = _spread(line, weights * tall * total, columns, column_weights)
+        nodes.add_joint(
+            name,
+            1,
+            len(blocks) - 1,
+            positions,
+            (0, 1, 0),
+            areas,
+            jkn_back,
+            facade["shear_stiffness_ratio"] * jkn_back,
+            beta_s=beta_s,
+            friction_rad=math.radians(wall["friction_deg"]),
+            gap_m=facade["gap_m"],
+            tension_pa=wall["tension_mpa"] * 1e6 if bonded else 0.0,
+            cohesion_pa=wall["cohesion_mpa"] * 1e6 if bonded else 0.0,
+        )

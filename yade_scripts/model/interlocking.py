@@ -1,0 +1,352 @@
+"""W3: the façade interlocked with a column of return-wall bricks, in courses.
+
+Courses count from the bottom. Even courses hold a header of the façade, which reaches
+by the overlap v into the return wall, and behind it a half brick; odd courses hold a
+return brick. Half a model by symmetry: half the façade and one return wall.
+
+        façade |            top
+     ┌─────────┼────┐┌────┐   even course: header, half brick
+     │         ├────┴┴────┤   odd course: return brick
+     │         ├────┐┌────┤
+     │  y = 0 >├────┴┴────┤   (outward is to the left here)
+
+Return bricks are driven along y by the motion at their height and are free in z and in
+rotation about x (paper, section 4); a half brick belongs to the return brick below it.
+Its two bed joints in series make the joint to the next return brick half as stiff, as
+stiff as the two bed joints of the header beside it.
+
+Contacts of two edges that slide off each other: one node on the header's rear edge
+against the brick's face, one on the brick's front edge against the header's face. The
+ends of the overlap are always such a pair, and both faces end where the blocks do, so
+a course that has slipped by v carries nothing.
+
+How a header hangs on the façade (`header_joint`):
+
+rigid    part of the façade
+bonded   two Gauss points with tension, cohesion and friction of the brick: it deforms,
+         and each point breaks
+sliding  two points that tie in tension but transmit no shear: it rides up the façade
+hinged   one such point at mid height: it also stays level while the façade turns
+"""
+
+import math
+
+import numpy as np
+
+from yade_scripts.model.facade import (
+    BASE,
+    FACADE,
+    GRAVITY_M_S2,
+    GROUND,
+    floor_motion,
+    joint_stiffness,
+)
+from yade_scripts.model.quadrature import gauss_lobatto
+from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
+
+HEADER_JOINTS = ("rigid", "bonded", "sliding", "hinged")
+UP, DOWN, BACK = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0), (0.0, -1.0, 0.0)
+GAUSS = 0.5 / math.sqrt(3.0)
+
+
+def interlocking_scene(config, beta_s):
+    """Build the scene of W3.
+
+    Parameters
+    ----------
+    config : dict
+        Resolved configuration; sections facade, return_wall, w3, smdof, numerics.
+    beta_s : float
+        Stiffness-proportional damping of the façade's base and back face [s].
+
+    Returns
+    -------
+    Scene
+        Its notes hold "rims" (see `faces`), "motions" (weights of floor motions by
+        name), "debris" (headers, which fall once out), "bed_joints" (names, from the
+        bottom) and "walls" (modelled return walls).
+
+    Raises
+    ------
+    ValueError
+        If the courses do not fill the height, the overlap does not leave a half brick,
+        or a rule is unknown.
+    """
+    return _Assembly(config, beta_s).scene()
+
+
+class _Assembly:
+    """Collects blocks and joints of W3; one instance builds one scene."""
+
+    def __init__(self, config, beta_s):
+        self.config, self.beta = config, beta_s
+        facade, wall, w3 = config["facade"], config["return_wall"], config["w3"]
+        self.h, self.b = facade["height_m"], facade["thickness_m"]
+        self.course, self.v, self.length = (
+            w3["course_height_m"],
+            w3["overlap_m"],
+            w3["brick_length_m"],
+        )
+        self.t, self.density, self.w3 = wall["thickness_m"], facade["density_kg_m3"], w3
+        self.courses = round(self.h / self.course)
+        if abs(self.courses * self.course - self.h) > 1e-6 * self.h or self.courses < 2:
+            raise ValueError(
+                f"w3.course_height_m = {self.course:g}: expected a divisor of facade.height_m = "
+                f"{self.h:g} (m), so that whole courses fill the height"
+            )
+        if not 0.0 < self.v < self.length:
+            raise ValueError(
+                f"w3.overlap_m = {self.v:g}: expected less than w3.brick_length_m = "
+                f"{self.length:g} (m), so that a part of each brick stays in the wall"
+            )
+        if w3["header_joint"] not in HEADER_JOINTS:
+            raise ValueError(
+                f"w3.header_joint = '{w3['header_joint']}': expected {', '.join(HEADER_JOINTS)}"
+            )
+        # in a half model everything is halved: weight and stiffness, hence no number changes
+        self.walls = 1 if w3["half_model"] else wall["count"]
+        self.share = self.walls / wall["count"]
+        self.width = facade["width_m"] * self.share
+        spread = 0.5 * (facade["width_m"] - self.t)
+        self.x = [0.0] if self.walls == 1 else np.linspace(-spread, spread, self.walls).tolist()
+        self.blocks, self.nodes, self.rims, self.motions = [], NodeList(), {}, {}
+        self.beds = []
+        self.bed = dict(
+            jkn_pa_m=w3["jkn_pa_m"],
+            jks_pa_m=w3["jks_pa_m"],
+            beta_s=w3["joint_beta_s"],
+            friction_rad=math.radians(w3["friction_deg"]),
+        )
+
+    def scene(self):
+        """Assemble everything."""
+        self._facade()
+        for wall, x in enumerate(self.x, 1):
+            self._wall(f"wall {wall}" if self.walls > 1 else "wall", x)
+        debris = [b.name for b in self.blocks if " header " in b.name]
+        notes = {
+            "rims": self.rims,
+            "debris": debris,
+            "motions": self.motions,
+            "bed_joints": self.beds,
+            "walls": self.walls,
+        }
+        return Scene(
+            self.blocks,
+            self.nodes.joints,
+            self.nodes.done(),
+            monitor=FACADE,
+            monitor_point_m=(0.0, 0.5 * self.b, self.h),
+            reference=BASE,
+            thickness_m=self.b,
+            notes=notes,
+        )
+
+    def _facade(self):
+        """Ground, façade and the base joint between them."""
+        facade = self.config["facade"]
+        mass = self.density * self.h * self.b * self.width
+        size = (self.width, self.b, self.h)
+        jkn, _ = joint_stiffness(self.config)
+        settlement = mass * GRAVITY_M_S2 / (jkn * self.b * self.width)
+        self.blocks += [
+            Block(
+                BASE,
+                (0.0, 0.5 * self.b, -0.5),
+                (2 * self.width, 4 * self.h, 1.0),
+                1.0,
+                (1.0, 1.0, 1.0),
+                free="",
+                motion=GROUND,
+            ),
+            Block(
+                FACADE,
+                (0.0, 0.5 * self.b, 0.5 * self.h),
+                size,
+                mass,
+                box_inertia(mass, size),
+                free="yzX",
+                displacement_m=(0.0, 0.0, -settlement),
+            ),
+        ]
+        points, weights = gauss_lobatto(self.config["numerics"]["nodes_thickness"])
+        line = np.stack([0 * points, points * self.b, 0 * points], axis=1)
+        self.nodes.add_joint(
+            BASE,
+            1,
+            0,
+            line,
+            UP,
+            weights * self.b * self.width,
+            jkn,
+            facade["shear_stiffness_ratio"] * jkn,
+            beta_s=self.beta,
+            friction_rad=math.radians(facade["friction_deg"]),
+        )
+
+    def _wall(self, wall, x):
+        """One return wall: bricks, headers, and their joints from the bottom up."""
+        brick = self._brick(wall, 1, x)
+        area = self.t * self.length / 3.0
+        foot = [(x, y, 0.0) for y in (0.0, -0.5 * self.length, -self.length)]
+        self.nodes.add_joint(f"{wall} foot", brick, 0, foot, UP, [area] * 3, **self.bed)
+        self._back(wall, 1, brick, x)
+        for course in range(2, self.courses + 1, 2):
+            header = self._header(wall, course, x)
+            self._bed(wall, course - 1, brick, header, x, header_above=True)
+            if course == self.courses:
+                break
+            above = self._brick(wall, course + 1, x)
+            self._bed(wall, course, above, header, x, header_above=False)
+            # the half brick behind the header stands on `brick` and is part of it
+            rear = self.length - self.v
+            place = [(x, y, course * self.course) for y in (-self.v, -self.length)]
+            name = f"{wall} half brick {course}"
+            soft = {
+                **self.bed,
+                "jkn_pa_m": 0.5 * self.bed["jkn_pa_m"],
+                "jks_pa_m": 0.5 * self.bed["jks_pa_m"],
+            }
+            self.nodes.add_joint(name, brick, above, place, DOWN, 0.5 * self.t * rear, **soft)
+            self.rims[name] = self._brick_rim()
+            brick = above
+            self._back(wall, course + 1, brick, x)
+
+    def _brick(self, wall, course, x):
+        """Append a return brick with the half brick above its rear; return its index."""
+        bottom = (course - 1) * self.course
+        rear = self.length - self.v if course < self.courses else 0.0
+        parts = [  # (length, y, z of the centre)
+            (self.length, -0.5 * self.length, bottom + 0.5 * self.course),
+            (rear, -self.v - 0.5 * rear, bottom + 1.5 * self.course),
+        ]
+        masses = np.array([self.density * self.t * self.course * part[0] for part in parts])
+        centre = sum(m * np.array([x, *part[1:]]) for m, part in zip(masses, parts, strict=True))
+        centre = centre / masses.sum()
+        inertia = np.zeros(3)
+        for m, (length, y, z) in zip(masses, parts, strict=True):
+            own = box_inertia(m, (self.t, length, self.course))
+            dy, dz = y - centre[1], z - centre[2]
+            inertia += np.array(own) + m * np.array([dy**2 + dz**2, dz**2, dy**2])
+        motion = self._motion(parts[0][2])
+        self.blocks.append(
+            Block(
+                f"{wall} brick {course}",
+                tuple(centre),
+                (self.t, self.length, self.course),
+                float(masses.sum()),
+                tuple(inertia),
+                free="zX",
+                motion=motion,
+            )
+        )
+        return len(self.blocks) - 1
+
+    def _motion(self, z):
+        """Name of the motion at height z, linear between ground and lumped masses."""
+        n = self.config["smdof"]["n_dof"]
+        place = min(z / (self.h / n), n - 1e-9)
+        low = int(place)
+        name = f"at {z:.4f} m"
+        names = [GROUND] + [floor_motion(j) for j in range(1, n + 1)]
+        self.motions[name] = {names[low]: 1.0 - (place - low), names[low + 1]: place - low}
+        return name
+
+    def _header(self, wall, course, x):
+        """Append a header and its joint to the façade; return its index."""
+        middle = (course - 0.5) * self.course
+        rule, w3 = self.w3["header_joint"], self.w3
+        if rule == "rigid":
+            return 1
+        size = (self.t, self.v, self.course)
+        mass = self.density * self.t * self.v * self.course
+        self.blocks.append(
+            Block(
+                f"{wall} header {course}",
+                (x, -0.5 * self.v, middle),
+                size,
+                mass,
+                box_inertia(mass, size),
+                free="yzX",
+            )
+        )
+        header, area = len(self.blocks) - 1, self.t * self.course
+        name = f"{wall} header joint {course}"
+        stiffness = dict(
+            jkn_pa_m=w3["jkn_pa_m"], jks_pa_m=w3["jks_pa_m"], beta_s=w3["joint_beta_s"]
+        )
+        pair = [(x, 0.0, middle - GAUSS * self.course), (x, 0.0, middle + GAUSS * self.course)]
+        if course <= w3["lower_courses"]:
+            # a plane through the joint along which façade and header part as it rises
+            slope = math.radians(w3["lower_inclination_deg"])
+            self.nodes.add_joint(
+                name,
+                header,
+                1,
+                pair,
+                (0.0, -math.cos(slope), -math.sin(slope)),
+                0.5 * area,
+                friction_rad=math.radians(w3["friction_deg"]),
+                tension_pa=w3["lower_tension_mpa"] * 1e6,
+                cohesion_pa=w3["lower_cohesion_mpa"] * 1e6,
+                **stiffness,
+            )
+        elif rule == "bonded":
+            self.nodes.add_joint(
+                name,
+                header,
+                1,
+                pair,
+                BACK,
+                0.5 * area,
+                friction_rad=math.radians(w3["friction_deg"]),
+                tension_pa=w3["header_tension_mpa"] * 1e6,
+                cohesion_pa=w3["header_cohesion_mpa"] * 1e6,
+                **stiffness,
+            )
+        else:
+            tied = pair if rule == "sliding" else [(x, 0.0, middle)]
+            self.nodes.add_joint(
+                name,
+                header,
+                1,
+                tied,
+                BACK,
+                area / len(tied),
+                tension_pa=w3["header_tension_mpa"] * 1e6,
+                **stiffness,
+            )
+        return header
+
+    def _brick_rim(self):
+        return ((0.0, 1.0, 0.0), 0.0)
+
+    def _bed(self, wall, lower, brick, header, x, header_above):
+        """Bed joint above course `lower`, between a return brick and a header."""
+        z, area = lower * self.course, 0.5 * self.t * self.v
+        name = f"{wall} bed {lower}"
+        onto, under = (UP, DOWN) if header_above else (DOWN, UP)
+        # header's rear edge on the brick's face; brick's front edge on the header's face
+        edge, front = f"{name} rear edge", f"{name} front edge"
+        self.nodes.add_joint(edge, header, brick, [(x, -self.v, z)], onto, area, **self.bed)
+        self.rims[edge] = self._brick_rim()
+        self.nodes.add_joint(front, brick, header, [(x, 0.0, z)], under, area, **self.bed)
+        self.rims[front] = ((0.0, -1.0, 0.0), self.v)
+        self.beds.append(name)
+
+    def _back(self, wall, course, brick, x):
+        """Front end of a return brick against the façade's back face: compression only."""
+        bottom = (course - 1) * self.course
+        place = [(x, 0.0, bottom), (x, 0.0, bottom + self.course)]
+        self.nodes.add_joint(
+            f"{wall} back {course}",
+            brick,
+            1,
+            place,
+            BACK,
+            0.5 * self.t * self.course,
+            self.w3["jkn_pa_m"],
+            self.w3["jks_pa_m"],
+            beta_s=self.beta,
+            friction_rad=math.radians(self.config["return_wall"]["friction_deg"]),
+        )

@@ -1,0 +1,91 @@
+"""Which assembly builds the scene of a model, so that entry points need not know."""
+
+import math
+
+from yade_scripts.model import facade, interlocking
+from yade_scripts.model.scene import Scene
+
+SINGLE_BLOCK = ("free", "W1", "W1c", "W2", "W2c")
+
+
+def build_scene(job):
+    """Build the scene of a job.
+
+    Parameters
+    ----------
+    job : dict
+        A scene file: model, beta_s and the configuration's sections.
+
+    Returns
+    -------
+    Scene
+
+    Raises
+    ------
+    ValueError
+        For an unknown model.
+    """
+    if job["model"] == "W3":
+        return interlocking.interlocking_scene(job, job["beta_s"])
+    return facade.facade_scene(job, job["model"], job["beta_s"])
+
+
+def numerics(job):
+    """Section numerics with the step that belongs to the model."""
+    section = dict(job["numerics"])
+    if job["model"] == "W3":
+        section["step_fraction"] = job["w3"]["step_fraction"]
+    return section
+
+
+def static_multiplier(job):
+    """Static λ at which the façade starts to turn [-]: b/h, and more for W1c and W3.
+
+    W1c: b/h + N_w f_t t_s h²/3/(W h/2), at which the top of the bond reaches its tensile
+    strength f_t if tension grows linearly from the toe. (Of W2c no such number is known:
+    floors that move apart tear its bonds.)
+    W3: λ0 of the kinematic curve, b/h + N_w Σ F_i y_i/(W h/2) with
+    F_i = μ γ t_s v h_b i at y_i = h − i·h_b above the hinge.
+    """
+    section, wall = job["facade"], job["return_wall"]
+    h, b = section["height_m"], section["thickness_m"]
+    if job["model"] == "W1c":
+        weight = section["density_kg_m3"] * Scene.gravity_m_s2 * h * b * section["width_m"]
+        bond = wall["count"] * wall["tension_mpa"] * 1e6 * wall["thickness_m"] * h**2 / 3.0
+        return b / h + bond / (0.5 * weight * h)
+    if job["model"] != "W3":
+        return b / h
+    w3 = job["w3"]
+    course = w3["course_height_m"]
+    arms = sum(i * (h - i * course) for i in range(1, round(h / course)))
+    friction = math.tan(math.radians(w3["friction_deg"])) * wall["thickness_m"]
+    moment = wall["count"] * friction * w3["overlap_m"] * course * arms
+    return b / h + moment / (h * b * section["width_m"] * 0.5 * h)
+
+
+def motion_columns(scene, columns):
+    """Add the motions between floors that a scene needs.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its note "motions" holds, by name, the weights of the columns.
+    columns : dict of str to ndarray
+        "ground", "floor1", … [m/s²].
+
+    Returns
+    -------
+    dict of str to ndarray
+
+    Raises
+    ------
+    ValueError
+        If a floor is missing.
+    """
+    found = dict(columns)
+    for name, weights in scene.notes.get("motions", {}).items():
+        missing = [column for column in weights if column not in columns]
+        if missing:
+            raise ValueError(f"the motion file has no column for {', '.join(missing)}")
+        found[name] = sum(weight * columns[column] for column, weight in weights.items())
+    return found

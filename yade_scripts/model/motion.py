@@ -1,0 +1,71 @@
+"""Prescribed motions along y: their amplitude, their integral, their end."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+STANDARD_GRAVITY_M_S2 = 9.80665  # the g in which PGA is stated; gravity itself is the scene's
+SIGNS = {"pos": 1.0, "neg": -1.0}  # of the record along the outward normal
+
+
+def amplitude(ground_m_s2, direction, pga_g):
+    """Factor that brings a motion to a peak ground acceleration; its sign is the direction.
+
+    Parameters
+    ----------
+    ground_m_s2 : ndarray
+    direction : str
+        "pos" or "neg".
+    pga_g : float
+        In standard gravity.
+    """
+    return SIGNS[direction] * pga_g * STANDARD_GRAVITY_M_S2 / float(np.max(np.abs(ground_m_s2)))
+
+
+@dataclass
+class Motion:
+    """A support's prescribed acceleration along y, linear between samples.
+
+    Attributes
+    ----------
+    time_s, acceleration_m_s2 : ndarray, shape (n,)
+        A motion that does not end at zero gets one more sample that does: YADE holds the
+        last value, and floors that still ring would part from each other without end.
+    """
+
+    time_s: np.ndarray
+    acceleration_m_s2: np.ndarray
+
+    def __post_init__(self):
+        """Let the acceleration end at zero."""
+        largest = np.max(np.abs(self.acceleration_m_s2))
+        if abs(self.acceleration_m_s2[-1]) > 1e-9 * largest:
+            end = 2.0 * self.time_s[-1] - self.time_s[-2]
+            self.time_s = np.append(self.time_s, end)
+            self.acceleration_m_s2 = np.append(self.acceleration_m_s2, 0.0)
+
+    @property
+    def duration_s(self):
+        """Time of the last sample [s]."""
+        return float(self.time_s[-1])
+
+    def position(self, time_s):
+        """Position from rest [m], integrated exactly; constant speed after the last sample."""
+        t, a = self.time_s, self.acceleration_m_s2
+        step = np.diff(t)
+        v = np.concatenate(([0.0], np.cumsum(0.5 * step * (a[1:] + a[:-1]))))
+        y = np.concatenate(
+            ([0.0], np.cumsum(v[:-1] * step + step**2 * (2.0 * a[:-1] + a[1:]) / 6.0))
+        )
+        time_s = np.asarray(time_s, float)
+        i = np.clip(np.searchsorted(t, time_s, side="right") - 1, 0, len(t) - 2)
+        s = np.minimum(time_s, t[-1]) - t[i]
+        slope = (a[i + 1] - a[i]) / step[i]
+        inside = y[i] + v[i] * s + 0.5 * a[i] * s**2 + slope * s**3 / 6.0
+        return inside + v[-1] * np.maximum(time_s - t[-1], 0.0)
+
+    def peak_speed(self):
+        """Largest |velocity| of the integrated motion [m/s]."""
+        steps = np.diff(self.time_s) * 0.5
+        a = self.acceleration_m_s2
+        return float(np.max(np.abs(np.concatenate(([0.0], np.cumsum(steps * (a[1:] + a[:-1])))))))

@@ -1,0 +1,208 @@
+"""Mass, stiffness and damping of a scene, and the critical step they imply.
+
+The matrices come from the node list that also builds the YADE scene: a node of
+stiffness kn, ks between blocks a and b adds BᵀDB with B the relative velocity
+of the two blocks at the node and D = kn·nnᵀ + ks·(I − nnᵀ), every contact taken
+as closed. Damping is stiffness proportional node by node: C = Σ β BᵀDB.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from yade_scripts.model.scene import DOFS
+
+
+@dataclass
+class Triplets:
+    """Matrices of the free degrees of freedom, K and C as coordinate triplets.
+
+    Attributes
+    ----------
+    rows, cols : ndarray of int
+    k, c : ndarray
+        Stiffness [N/m, N, N·m] and damping entries at (rows, cols); repeated
+        positions add up.
+    mass : ndarray, shape (n_free,)
+        Diagonal mass matrix [kg, kg·m²].
+    dof : ndarray, shape (n_free, 2)
+        Block index and DOF number (0–5, order of "xyzXYZ") of each equation.
+    """
+
+    rows: np.ndarray
+    cols: np.ndarray
+    k: np.ndarray
+    c: np.ndarray
+    mass: np.ndarray
+    dof: np.ndarray
+
+    def dense(self):
+        """Return dense K and C, shape (n_free, n_free)."""
+        n = len(self.mass)
+        k, c = np.zeros((n, n)), np.zeros((n, n))
+        np.add.at(k, (self.rows, self.cols), self.k)
+        np.add.at(c, (self.rows, self.cols), self.c)
+        return k, c
+
+
+def _skew(r):
+    """Return S with S·θ = θ × r for small rotations θ, shape (n, 3, 3)."""
+    s = np.zeros((len(r), 3, 3))
+    s[:, 0, 1], s[:, 0, 2] = r[:, 2], -r[:, 1]
+    s[:, 1, 0], s[:, 1, 2] = -r[:, 2], r[:, 0]
+    s[:, 2, 0], s[:, 2, 1] = r[:, 1], -r[:, 0]
+    return s
+
+
+def _relative_velocity(scene):
+    """Return B, shape (n, 3, 12): relative velocity a − b at each node, and D, shape (n, 3, 3)."""
+    nodes = scene.nodes
+    centres = np.array([b.centre_m for b in scene.blocks], float)
+    count = len(nodes)
+    b_matrix = np.zeros((count, 3, 12))
+    b_matrix[:, :, 0:3] = np.eye(3)
+    b_matrix[:, :, 3:6] = _skew(nodes.position_m - centres[nodes.a])
+    b_matrix[:, :, 6:9] = -np.eye(3)
+    b_matrix[:, :, 9:12] = -_skew(nodes.position_m - centres[nodes.b])
+    nn = np.einsum("ni,nj->nij", nodes.normal, nodes.normal)
+    d = nodes.kn_n_m[:, None, None] * nn + nodes.ks_n_m[:, None, None] * (np.eye(3) - nn)
+    return b_matrix, d
+
+
+def free_dofs(scene):
+    """Number the free degrees of freedom.
+
+    Returns
+    -------
+    equation : ndarray of int, shape (n_blocks, 6)
+        Equation number of each degree of freedom, −1 where it is not free.
+    """
+    equation = np.full((len(scene.blocks), 6), -1)
+    free = np.array([[letter in b.free for letter in DOFS] for b in scene.blocks])
+    equation[free] = np.arange(free.sum())
+    return equation
+
+
+def assemble(scene):
+    """Assemble K, C and the diagonal M of a scene's free degrees of freedom.
+
+    Parameters
+    ----------
+    scene : Scene
+
+    Returns
+    -------
+    Triplets
+
+    Raises
+    ------
+    ValueError
+        If a free block has no positive mass or inertia, or nothing is free.
+    """
+    equation = free_dofs(scene)
+    if equation.max() < 0:
+        raise ValueError("the scene has no free degree of freedom")
+    mass = np.array([[b.mass_kg] * 3 + list(b.inertia_kg_m2) for b in scene.blocks], float)
+    for i, block in enumerate(scene.blocks):
+        if np.any(mass[i][equation[i] >= 0] <= 0.0):
+            raise ValueError(f"block '{block.name}' needs a positive mass and inertia")
+    b_matrix, d = _relative_velocity(scene)
+    element = np.einsum("nki,nkl,nlj->nij", b_matrix, d, b_matrix)
+    nodes = scene.nodes
+    numbers = np.concatenate([equation[nodes.a], equation[nodes.b]], axis=1)
+    rows = np.repeat(numbers[:, :, None], 12, axis=2)
+    cols = np.repeat(numbers[:, None, :], 12, axis=1)
+    keep = (rows >= 0) & (cols >= 0) & (element != 0.0)
+    damping = element * nodes.beta_s[:, None, None]
+    dof = np.argwhere(equation >= 0)
+    return Triplets(rows[keep], cols[keep], element[keep], damping[keep], mass[equation >= 0], dof)
+
+
+def modes(scene):
+    """Circular frequencies and mass-normalised modes of a small scene, every contact closed.
+
+    Solves K φ = ω² M φ densely; for large scenes use the triplets with a sparse
+    solver.
+
+    Returns
+    -------
+    omega : ndarray, shape (n_free,)
+        Ascending [rad/s].
+    phi : ndarray, shape (n_free, n_free)
+        Columns are modes, φᵀMφ = I.
+    """
+    matrices = assemble(scene)
+    k, _ = matrices.dense()
+    scale = 1.0 / np.sqrt(matrices.mass)
+    values, vectors = np.linalg.eigh(k * scale[:, None] * scale[None, :])
+    return np.sqrt(np.clip(values, 0.0, None)), vectors * scale[:, None]
+
+
+def critical_step(scene):
+    """Largest stable step of the leapfrog scheme with a lagged viscous force [s].
+
+    Central differences with the damping force taken from the previous
+    half step, u₍ₙ₊₁₎ = 2uₙ − u₍ₙ₋₁₎ − Δt²M⁻¹Kuₙ − ΔtM⁻¹C(uₙ − u₍ₙ₋₁₎), are stable
+    while Δt² λ(K) + 2Δt λ(C) ≤ 4 in every mode. With C = βK that is
+    Δt_crit = (2/ω)(√(1 + ζ²) − ζ), ζ = βω/2, at the largest ω. Where β differs
+    from node to node the modes do not uncouple; the limit is then the largest
+    Δt at which 4M − Δt²K − 2ΔtC stays positive semidefinite, found by bisection.
+
+    Returns
+    -------
+    float
+        Δt_crit; every contact is taken as closed, so opening only helps.
+    """
+    matrices = assemble(scene)
+    k, c = matrices.dense()
+    scale = 1.0 / np.sqrt(matrices.mass)
+    k = k * scale[:, None] * scale[None, :]
+    c = c * scale[:, None] * scale[None, :]
+    omega2 = np.linalg.eigvalsh(k)[-1]
+    betas = np.unique(scene.nodes.beta_s)
+    if len(betas) == 1:
+        omega = np.sqrt(omega2)
+        zeta = betas[0] * omega / 2.0
+        return 2.0 / omega * (np.sqrt(1.0 + zeta**2) - zeta)
+    low, high = 0.0, 2.0 / np.sqrt(omega2)
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        stable = np.linalg.eigvalsh(middle**2 * k + 2.0 * middle * c)[-1] <= 4.0
+        low, high = (middle, high) if stable else (low, middle)
+    return low
+
+
+def lag_factors(scene, dt_s):
+    """Factors on the return walls' kn and ks (and so on their dashpots) for the lagged velocity.
+
+    The scheme takes a dashpot's velocity half a step late, v₍ₙ₋½₎ = vₙ − (Δt/2)aₙ, so
+    M aₙ = F − K xₙ − C v₍ₙ₋½₎ is the system with the mass M − (Δt/2)C: an error of
+    first order in the step. For one mode, K and C divided by 1 + (Δt/2)φᵀCφ/φᵀMφ
+    restore the second order. A façade hits its return walls rotating about its
+    front toe, wall by wall, so each joint is corrected for that mode alone. The
+    correction vanishes with the step; the critical step is that of the scene as given.
+
+    Returns
+    -------
+    ndarray, shape (n_nodes,)
+        1 for the base, for scenes with several free blocks and without damping.
+    """
+    nodes = scene.nodes
+    factors = np.ones(len(nodes))
+    free = [i for i, block in enumerate(scene.blocks) if block.free]
+    if len(free) != 1 or dt_s <= 0.0:
+        return factors
+    block = scene.blocks[free[0]]
+    _, ly, lz = block.size_m
+    phi = np.array([0.0, 0.5 * lz, 0.5 * ly, -1.0, 0.0, 0.0])  # about the toe, outward
+    inertia = block.mass_kg * (phi[1] ** 2 + phi[2] ** 2) + block.inertia_kg_m2[0]
+    b_matrix, d = _relative_velocity(scene)
+    velocity = np.where(
+        (nodes.a == free[0])[:, None], b_matrix[:, :, :6] @ phi, b_matrix[:, :, 6:] @ phi
+    )
+    damping = nodes.beta_s * np.einsum("ni,nij,nj->n", velocity, d, velocity)
+    upright = np.abs(nodes.normal[:, 1]) > 0.5
+    for joint in np.unique(nodes.joint[upright]):
+        mine = nodes.joint == joint
+        factors[mine] = 1.0 / (1.0 + 0.5 * dt_s * damping[mine].sum() / inertia)
+    return factors

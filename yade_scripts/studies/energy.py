@@ -1,0 +1,111 @@
+"""Entry point: the energy balance of one run, at a share of the intensity that fells the façade.
+
+    python3 yade_scripts energy --scene scenes/W2.json --motion smdof/RRS228_4dof.csv
+        --record RRS228 --direction neg --curve ida/W2/RRS228_neg.csv --share 0.8
+        --output energy/W2/RRS228_neg_0.8.csv
+
+The terms are explained in `balance`.
+"""
+
+import argparse
+import csv
+import io
+import json
+from pathlib import Path
+
+from yade_scripts.engine import adapter, balance, simulate
+from yade_scripts.model import models
+from yade_scripts.model.motion import SIGNS, amplitude
+from yade_scripts.studies import ida
+from yade_scripts.studies.ensemble import read_curve
+from yade_scripts.studies.intensities import DIGITS
+from yade_scripts.studies.journal import write_atomic
+
+HEAD = ("model", "record", "direction", "pga_g", "status", "dt_s", "overturning_j")
+
+
+def collapse_pga(status):
+    """Lowest PGA at which a curve's façade fell [g]; the highest that was run if it never did."""
+    fell = [g for g, outcome in status.items() if outcome == simulate.OVERTURNED]
+    return min(fell) if fell else max(status)
+
+
+def balanced_run(job, time_s, columns, factor):
+    """One run with its books.
+
+    Parameters
+    ----------
+    job : dict
+        A scene file: model, beta_s and the configuration's sections.
+    time_s, columns
+        See `ida.read_motion`.
+    factor : float
+        On the motion's amplitude; its sign is the direction.
+
+    Returns
+    -------
+    history : simulate.History
+    books : balance.EnergyBalance
+    overturning_j : float
+        See `balance.overturning_energy`.
+    """
+    scene, numerics = models.build_scene(job), models.numerics(job)
+    columns = models.motion_columns(scene, columns)
+    motions = ida.scaled_motions(time_s, columns, scene.motions, factor)
+    step, _ = simulate.choose_step(scene, numerics)
+    books = balance.EnergyBalance(scene, numerics["sample_interval_s"])
+    history = simulate.run(
+        scene,
+        motions,
+        step,
+        ida.stop_rules(scene, numerics, time_s, motions),
+        sample_s=numerics["sample_interval_s"],
+        node_radius_m=numerics["node_radius_m"],
+        setup=books.attach,
+    )
+    return history, books, balance.overturning_energy(scene)
+
+
+def to_csv(facts, rows):
+    """History as CSV text; what does not change stands in the first columns."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow((*HEAD, *balance.COLUMNS))
+    for row in rows:
+        writer.writerow((*facts, f"{row[0]:.6f}", *(f"{value:.6g}" for value in row[1:])))
+    return text.getvalue()
+
+
+def main(arguments=None):
+    """Parse the command line, run, write the history; return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    for name, text in (
+        ("scene", "scene file (JSON)"),
+        ("motion", "floor motions (CSV)"),
+        ("record", "name"),
+        ("curve", "finished IDA table (CSV)"),
+        ("output", "history to write (CSV)"),
+    ):
+        parser.add_argument(f"--{name}", required=True, help=text)
+    parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
+    parser.add_argument("--share", required=True, type=float, help="of the collapse intensity")
+    args = parser.parse_args(arguments)
+    if not 0.0 < args.share <= 10.0:
+        raise ValueError(f"--share {args.share:g}: expected a number from 0 to 10")
+    job = json.loads(Path(args.scene).read_text())
+    time_s, columns = ida.read_motion(args.motion)
+    pga_g = round(args.share * collapse_pga(read_curve(args.curve)[0]), DIGITS)
+    factor = amplitude(columns["ground"], args.direction, pga_g)
+    adapter.load_yade()
+    history, books, overturning_j = balanced_run(job, time_s, columns, factor)
+    facts = (
+        job["model"],
+        args.record,
+        args.direction,
+        f"{pga_g:.4f}",
+        history.status,
+        f"{history.dt_s:.6e}",
+        f"{overturning_j:.6g}",
+    )
+    write_atomic(args.output, to_csv(facts, books.rows))
+    return 0

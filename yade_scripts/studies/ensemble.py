@@ -1,0 +1,235 @@
+"""Entry point: the perturbed ensemble of one model, record and direction.
+
+Runs under YADE's own Python, after `run_ida`, whose curve it reads:
+
+    python3 yade_scripts ensemble --scene scenes/W2.json --motion smdof/1ST280_4dof.csv
+        --record 1ST280 --direction neg --curve ida/W2/1ST280_neg.csv
+        --journal cache/ensemble.jsonl --output ensemble.csv --sensitivity sensitivity.csv
+"""
+
+import argparse
+import csv
+import io
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from yade_scripts.engine import adapter, memory, simulate
+from yade_scripts.model import models
+from yade_scripts.model.motion import SIGNS, amplitude
+from yade_scripts.model.scene import to_json
+from yade_scripts.studies import ida as run_ida
+from yade_scripts.studies import perturb
+from yade_scripts.studies.journal import Journal, run_key, source_digest, write_atomic
+
+COLUMNS = (
+    "model",
+    "record",
+    "direction",
+    "pga_g",
+    "member",
+    "amplitude_factor",
+    "d_over_b",
+    "collapsed",
+    "status",
+    "dt_s",
+    "steps",
+    "wall_s",
+)
+SENSITIVITY_COLUMNS = (
+    "model",
+    "record",
+    "direction",
+    "pga_g",
+    "perturbation",
+    "d_over_b",
+    "d_over_b_perturbed",
+    "change",
+    "repeats",
+)
+
+
+def read_curve(path):
+    """Status and d/b by PGA of an IDA table.
+
+    Returns
+    -------
+    status : dict of float to str
+    d_over_b : dict of float to float
+        NaN where the run failed.
+
+    Raises
+    ------
+    ValueError
+        One line that names the file when a column is missing.
+    """
+    with open(path, newline="") as handle:
+        rows = list(csv.DictReader(handle))
+    if not rows or not {"pga_g", "status", "d_over_b"} <= set(rows[0]):
+        raise ValueError(f"{path}: expected an IDA table with columns pga_g, status, d_over_b")
+    status = {float(r["pga_g"]): r["status"] for r in rows}
+    return status, {float(r["pga_g"]): float(r["d_over_b"] or "nan") for r in rows}
+
+
+class Runner:
+    """Runs members of one model, record and direction; finished ones come from the journal."""
+
+    def __init__(self, job, time_s, columns, record, direction, journal, say):
+        """Keep what every run shares; see `run_ida.analyse` for the parameters."""
+        self.job, self.time_s, self.columns = job, time_s, columns
+        self.record, self.direction, self.journal, self.say = record, direction, journal, say
+        self.digest = source_digest()
+        self.scenes, self.reused, self.count = {}, 0, 0
+        self.ceiling = memory.Ceiling()
+
+    def scene(self, extra_nodes, numerics):
+        """Scene with so many extra nodes, and the hash of it and of its motions."""
+        if extra_nodes not in self.scenes:
+            job = {**self.job, "numerics": numerics}
+            scene = models.build_scene(job)
+            self.columns = models.motion_columns(scene, self.columns)
+            motion = b"".join(self.columns[n].tobytes() for n in scene.motions)
+            self.scenes[extra_nodes] = (
+                scene,
+                run_key(to_json(scene), motion + self.time_s.tobytes(), self.digest),
+            )
+        return self.scenes[extra_nodes]
+
+    def run(self, pga_g, member):
+        """Row of one member at one intensity (contract of the ensemble table)."""
+        numerics = perturb.perturbed_numerics(models.numerics(self.job), member)
+        scene, base = self.scene(member.extra_nodes, numerics)
+        ground = self.columns["ground"]
+        factor = member.amplitude_factor * amplitude(ground, self.direction, pga_g)
+        key = run_key(base, numerics, factor)
+        row = self.journal.get(key)
+        if row is None:
+            history = run_ida.run_one(scene, self.time_s, self.columns, factor, numerics)
+            row = run_ida.as_row(self.job["model"], self.record, self.direction, pga_g, history)
+            self.journal.put(key, row, history.reason)
+            if self.ceiling.reached():
+                memory.start_afresh()  # finished runs are in the journal
+        else:
+            self.reused += 1
+        self.count += 1
+        return {
+            **row,
+            "member": str(member.number),
+            "amplitude_factor": f"{member.amplitude_factor:.9f}",
+        }
+
+
+def measure_sensitivity(runner, status, d_over_b, settings):
+    """Change of d/b under a tiny change of amplitude, up to the first collapse.
+
+    Returns
+    -------
+    changes : dict of float to float
+    rows : list of dict
+        Contract of the sensitivity table.
+    """
+    changes, rows = {}, []
+    size = settings["sensitivity_perturbation"]
+    for g in perturb.probe_intensities(status):
+        row = runner.run(g, perturb.Member(0, 1.0 + size))
+        value = float(row["d_over_b"] or "nan")
+        changes[g] = perturb.sensitivity(d_over_b[g], value)
+        rows.append(
+            {
+                "model": row["model"],
+                "record": row["record"],
+                "direction": row["direction"],
+                "pga_g": row["pga_g"],
+                "perturbation": f"{size:.3g}",
+                "d_over_b": f"{d_over_b[g]:.6f}",
+                "d_over_b_perturbed": f"{value:.6f}",
+                "change": f"{changes[g]:.3e}",
+                "repeats": str(int(changes[g] <= settings["sensitivity_threshold"])),
+            }
+        )
+    worst = max(changes.values(), default=float("nan"))
+    runner.say(f"sensitivity at {len(changes)} intensities: at most {worst:.2g}")
+    return changes, rows
+
+
+def run_members(runner, pga_g, members):
+    """Rows of every member at one intensity, and the share that collapsed."""
+    rows = [runner.run(pga_g, member) for member in members]
+    outcome = [float(r["collapsed"]) for r in rows if r["status"] != simulate.FAILED]
+    share = float(np.mean(outcome)) if outcome else float("nan")
+    runner.say(f"ensemble of {len(rows)} at {pga_g:.3f} g: {100 * share:.0f} % collapse")
+    return rows, share
+
+
+def analyse(runner, status, d_over_b):
+    """Measure sensitivity, then run ensembles where needed.
+
+    Returns
+    -------
+    rows, sensitivity_rows : list of dict
+    """
+    settings, ida = runner.job["ensemble"], runner.job["ida"]
+    if settings["enabled"] == "off":
+        return [], []
+    changes, sensitivity_rows = measure_sensitivity(runner, status, d_over_b, settings)
+    if runner.job["model"] not in settings["models"]:
+        return [], sensitivity_rows
+    members = perturb.draw_members(settings)
+    wanted, collapse = perturb.sensitive_intensities(status, changes, settings)
+    rows: list[dict] = []
+    fractions: dict[float, float] = {}
+    if collapse:
+        start = min(g for g, s in status.items() if s == "overturned")
+        tolerance = ida["tolerance_g"]
+        while (g := perturb.next_level(fractions, settings, start, tolerance)) is not None:
+            more, fractions[g] = run_members(runner, g, members)
+            rows += more
+    for g in wanted:
+        if g not in fractions and not any(a < g for a in fractions):
+            rows += run_members(runner, g, members)[0]
+    return rows, sensitivity_rows
+
+
+def to_csv(rows, columns):
+    """Rows as CSV text, by intensity and member."""
+    text = io.StringIO()
+    writer = csv.DictWriter(text, columns, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(sorted(rows, key=lambda r: (float(r["pga_g"]), int(r.get("member", 0)))))
+    return text.getvalue()
+
+
+def main(arguments=None):
+    """Parse the command line, run the ensemble, write the tables; return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    for name, text in (
+        ("scene", "scene file (JSON)"),
+        ("motion", "floor motions (CSV)"),
+        ("record", "name"),
+        ("curve", "finished IDA table (CSV)"),
+        ("journal", "finished runs (JSON lines)"),
+        ("output", "ensemble table to write (CSV)"),
+        ("sensitivity", "sensitivity table to write (CSV)"),
+    ):
+        parser.add_argument(f"--{name}", required=True, help=text)
+    parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
+    args = parser.parse_args(arguments)
+    job = json.loads(Path(args.scene).read_text())
+
+    def say(text):
+        print(
+            f"[{job['model']} {args.record} {args.direction}] {text}", file=sys.stderr, flush=True
+        )
+
+    time_s, columns = run_ida.read_motion(args.motion)
+    status, d_over_b = read_curve(args.curve)
+    adapter.load_yade()
+    runner = Runner(job, time_s, columns, args.record, args.direction, Journal(args.journal), say)
+    rows, sensitivity_rows = analyse(runner, status, d_over_b)
+    if runner.reused:
+        say(f"{runner.reused} of {runner.count} runs taken from earlier work")
+    write_atomic(args.sensitivity, to_csv(sensitivity_rows, SENSITIVITY_COLUMNS))
+    write_atomic(args.output, to_csv(rows, COLUMNS))
+    return 0

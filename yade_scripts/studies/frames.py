@@ -1,0 +1,163 @@
+"""Entry point: poses of all blocks through one run, for pictures and animations.
+
+    python3 yade_scripts frames --scene scenes/W2.json --motion smdof/RRS228_4dof.csv
+        --record RRS228 --direction neg --pga 0.2 --interval 0.02 --output frames.json
+        [--collapse ida/W2/RRS228_neg.csv] [--fall 6] [--until 10]
+
+With --collapse the intensity is the lowest one of that table that overturned. The poses
+are YADE's state at each frame: nothing is drawn that was not computed.
+"""
+
+import argparse
+import csv
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from yade_scripts.engine import adapter, simulate
+from yade_scripts.model import models
+from yade_scripts.model.motion import SIGNS, amplitude
+from yade_scripts.studies import ida
+from yade_scripts.studies.journal import write_atomic
+
+
+def collapse_intensity(path):
+    """Lowest PGA of an IDA table that overturned [g].
+
+    Raises
+    ------
+    ValueError
+        If nothing overturned.
+    """
+    with open(path, newline="") as handle:
+        fell = [float(r["pga_g"]) for r in csv.DictReader(handle) if r["status"] == "overturned"]
+    if not fell:
+        raise ValueError(f"{path}: expected at least one run that overturned")
+    return min(fell)
+
+
+class Camera:
+    """Keeps the pose of every block at regular instants."""
+
+    def __init__(self, scene):
+        """Prepare for a scene; `attach` is the `setup` of `simulate.run`."""
+        self.scene, self.rows, self.times = scene, [], []
+
+    def attach(self, interval_s):
+        """Return the set-up function that starts the frames."""
+
+        def setup(built):
+            import __main__
+
+            omega, bodies = built.omega, built.omega.bodies
+            self.omega = omega
+            self.states = [bodies[i].state for i in built.body]
+            self.start = [tuple(float(v) for v in s.pos) for s in self.states]
+            self.turn = [2.0 * np.arctan2(s.ori[0], s.ori[3]) for s in self.states]
+            __main__._take_frame = self
+            period = max(1, round(interval_s / omega.dt))
+            omega.engines = omega.engines + [
+                adapter.load_yade().PyRunner(
+                    command="_take_frame()", iterPeriod=period, initRun=True
+                )
+            ]
+
+        return setup
+
+    def __call__(self):
+        """Keep displacement and rotation of every block."""
+        row = []
+        for state, start, turn, block in zip(
+            self.states, self.start, self.turn, self.scene.blocks, strict=True
+        ):
+            p = state.pos
+            angle = 2.0 * np.arctan2(state.ori[0], state.ori[3]) - turn
+            dy = p[1] - start[1] + block.displacement_m[1]
+            dz = p[2] - start[2] + block.displacement_m[2]
+            row.append([round(float(v), 7) for v in (dy, dz, angle)])
+        self.rows.append(row)
+        self.times.append(round(float(self.omega.time), 6))
+
+
+def film(job, time_s, columns, direction, pga_g, interval_s, fall, until_s):
+    """Run one intensity and keep its frames.
+
+    Parameters
+    ----------
+    job : dict
+        A scene file.
+    fall : float
+        d/b at which the film stops; beyond 1 the façade is seen falling.
+    until_s : float or None
+        End of the film.
+
+    Returns
+    -------
+    dict
+        time_s; moved, shape (frames, blocks, 3): displacement along y and z of each
+        centroid [m] and rotation about x [rad]; blocks; d_over_b and status.
+    """
+    scene, numerics = models.build_scene(job), models.numerics(job)
+    columns = models.motion_columns(scene, columns)
+    factor = amplitude(columns["ground"], direction, pga_g)
+    motions = ida.scaled_motions(time_s, columns, scene.motions, factor)
+    rules = ida.stop_rules(scene, numerics, time_s, motions)
+    limit = min(rules.limit_s, until_s) if until_s else rules.limit_s
+    rules = replace(rules, overturn_ratio=fall, limit_s=limit)
+    step, _ = simulate.choose_step(scene, numerics)
+    camera = Camera(scene)
+    history = simulate.run(
+        scene,
+        motions,
+        step,
+        rules,
+        sample_s=min(interval_s, numerics["sample_interval_s"]),
+        node_radius_m=numerics["node_radius_m"],
+        setup=camera.attach(interval_s),
+    )
+    blocks = [
+        {
+            "name": b.name,
+            "centre_m": list(map(float, b.centre_m)),
+            "size_m": list(map(float, b.size_m)),
+            "free": b.free,
+        }
+        for b in scene.blocks
+    ]
+    d = np.interp(camera.times, history.time_s, history.d_m) / scene.thickness_m
+    return {
+        "time_s": camera.times,
+        "moved": camera.rows,
+        "blocks": blocks,
+        "d_over_b": np.round(d, 6).tolist(),
+        "status": history.status,
+        "pga_g": pga_g,
+    }
+
+
+def main(arguments=None):
+    """Parse the command line, run, write the frames; return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--scene", required=True, help="scene file (JSON)")
+    parser.add_argument("--motion", required=True, help="floor motions (CSV)")
+    parser.add_argument("--record", required=True)
+    parser.add_argument("--direction", required=True, choices=sorted(SIGNS))
+    parser.add_argument("--pga", type=float, help="intensity [g]")
+    parser.add_argument("--collapse", help="IDA table whose first collapse is filmed")
+    parser.add_argument("--interval", type=float, default=0.02, help="between frames [s]")
+    parser.add_argument("--fall", type=float, default=1.0, help="d/b at which to stop")
+    parser.add_argument("--until", type=float, help="end of the film [s]")
+    parser.add_argument("--output", required=True, help="frames to write (JSON)")
+    args = parser.parse_args(arguments)
+    if (args.pga is None) == (args.collapse is None):
+        raise ValueError("expected either --pga or --collapse")
+    pga_g = args.pga if args.collapse is None else collapse_intensity(args.collapse)
+    job = json.loads(Path(args.scene).read_text())
+    time_s, columns = ida.read_motion(args.motion)
+    adapter.load_yade()
+    frames = film(job, time_s, columns, args.direction, pga_g, args.interval, args.fall, args.until)
+    frames |= {"model": job["model"], "record": args.record, "direction": args.direction}
+    write_atomic(args.output, json.dumps(frames, separators=(",", ":")) + "\n")
+    return 0

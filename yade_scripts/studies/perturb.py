@@ -1,0 +1,151 @@
+"""Perturbed ensembles: their members, where they are needed, and at which intensities.
+
+Pure functions; `run_ensemble` runs what they ask for. Near collapse, and with
+floor motions that differ up the height, a relative change of amplitude of one
+millionth can decide between a third of the thickness and overturning. There one
+history says little; the share of slightly perturbed runs that collapse does.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from yade_scripts.studies.intensities import DIGITS
+
+STEP_SPREAD = 0.1  # members step at 0.9 to 1 of the stated step: never beyond the critical one
+NODE_CHOICES = 3  # members use the stated number of nodes, or one or two more
+NEAR_COLLAPSE = 0.5  # share of the collapse intensity below which no ensemble is run by itself
+
+
+@dataclass(frozen=True)
+class Member:
+    """One perturbed run: factors on amplitude and step, and nodes added along each edge."""
+
+    number: int
+    amplitude_factor: float
+    step_factor: float = 1.0
+    extra_nodes: int = 0
+
+
+def draw_members(settings):
+    """Members of an ensemble, from the stated seed.
+
+    Amplitude factors are uniform in 1 ± amplitude_spread, step factors uniform in
+    0.9 to 1, added nodes 0, 1 or 2; what `perturb` does not name stays as it is.
+    An ensemble of more members begins with the members of a smaller one.
+
+    Parameters
+    ----------
+    settings : dict
+        Section ensemble: members, amplitude_spread, seed, perturb.
+
+    Returns
+    -------
+    list of Member
+    """
+    u = np.random.default_rng(settings["seed"]).random((settings["members"], 3))
+    spread, vary = settings["amplitude_spread"], settings["perturb"]
+    return [
+        Member(
+            number + 1,
+            1.0 + spread * (2.0 * float(a) - 1.0) if "amplitude" in vary else 1.0,
+            1.0 - STEP_SPREAD * float(s) if "step" in vary else 1.0,
+            int(NODE_CHOICES * n) if "nodes" in vary else 0,
+        )
+        for number, (a, s, n) in enumerate(u)
+    ]
+
+
+def perturbed_numerics(numerics, member):
+    """Section numerics of a member: its step and its nodes."""
+    out = dict(numerics)
+    for key in ("nodes_thickness", "nodes_height", "nodes_per_block"):
+        out[key] = numerics[key] + member.extra_nodes
+    for key in ("step_fraction", "step_s"):
+        if numerics[key] is not None:
+            out[key] = numerics[key] * member.step_factor
+    return out
+
+
+def sensitivity(value, perturbed):
+    """Change of peak d/b under a perturbation; overturned runs count as 1, failed ones NaN."""
+    return abs(min(perturbed, 1.0) - min(value, 1.0))
+
+
+def probe_intensities(curve):
+    """Intensities of a curve whose sensitivity is measured [g]: near its first collapse.
+
+    From NEAR_COLLAPSE of the first collapse up to it; without a collapse, all. Within
+    that range sensitivity does not grow steadily: an intensity that repeats may lie
+    above one that does not, so none is left out.
+
+    Parameters
+    ----------
+    curve : dict of float to str
+        Status by PGA.
+    """
+    first = min((g for g, s in curve.items() if s == "overturned"), default=float("inf"))
+    lowest = NEAR_COLLAPSE * first if first < float("inf") else 0.0
+    return sorted(g for g, s in curve.items() if s != "failed" and lowest <= g <= first)
+
+
+def sensitive_intensities(curve, changes, settings):
+    """Intensities that need an ensemble [g], and whether the collapse needs one.
+
+    Below half the collapse intensity small rocking may not repeat to the last
+    digit either, but its band is narrow and no collapse depends on it.
+
+    Returns
+    -------
+    intensities : list of float
+        Ascending.
+    collapse : bool
+    """
+    if settings["enabled"] == "off":
+        return [], False
+    collapsed = [g for g, s in curve.items() if s == "overturned"]
+    first = min(collapsed, default=float("inf"))
+    if settings["enabled"] == "on":
+        return sorted(g for g in curve if g < first), bool(collapsed)
+    limit = settings["sensitivity_threshold"]
+    lowest = NEAR_COLLAPSE * first if collapsed else 0.0
+    chosen = sorted(g for g, change in changes.items() if change > limit and g >= lowest)
+    return [g for g in chosen if g < first], bool(chosen and collapsed)
+
+
+def next_level(fractions, settings, start_g, tolerance_g):
+    """Next intensity of the collapse band [g], or None when the band is bracketed.
+
+    From the first collapse of the curve down until at most the lower percentile of
+    the members collapses, up until at least the upper one does, with growing steps;
+    then halving where the share jumps by more than a half over more than `tolerance_g`.
+
+    Parameters
+    ----------
+    fractions : dict of float to float
+        Share of collapsed members by PGA; NaN where every member failed.
+    settings : dict
+        Section ensemble: percentiles, level_step, level_growth, max_levels.
+    start_g, tolerance_g : float
+    """
+    low, high = (p / 100.0 for p in settings["percentiles"])
+    if not fractions:
+        return round(start_g, DIGITS)
+    if len(fractions) >= settings["max_levels"]:
+        return None
+    step = max(settings["level_step"] * start_g, tolerance_g)
+    for side, reached in ((-1, lambda f: f <= low), (1, lambda f: f >= high)):
+        if any(reached(f) for g, f in fractions.items() if side * (g - start_g) >= 0.0):
+            continue
+        offset, width = 0.0, step
+        while (g := round(start_g + side * offset, DIGITS)) in fractions:
+            offset, width = offset + width, width * settings["level_growth"]
+        if g > 0.0:
+            return g
+    levels = sorted(g for g, f in fractions.items() if np.isfinite(f))
+    for a, b in zip(levels[:-1], levels[1:], strict=True):
+        middle = round(0.5 * (a + b), DIGITS)
+        jump = abs(fractions[b] - fractions[a]) > 0.5
+        if jump and b - a > tolerance_g * (1.0 + 1e-9) and middle not in fractions:
+            return middle
+    return None

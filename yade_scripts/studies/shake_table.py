@@ -1,0 +1,112 @@
+"""Entry point: one wall on a shake table, several tests in one YADE process.
+
+Runs under YADE's own Python:
+
+    python3 yade_scripts shake_table --tests tests.json --output histories.npz
+
+The tests file holds a list; each test is one run:
+
+    id       text, unique
+    config   sections facade, return_wall, smdof and numerics; facade.gap_m and tilt_deg say how
+             the wall stood
+    model    "W1" (one-sided) or "free" (two-sided)
+    beta_s   β [s]
+    motion   path of a motion file with columns time_s, ground_m_s2
+    factor   on the motion; its sign is the direction
+"""
+
+import argparse
+import io
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from yade_scripts.engine import adapter
+from yade_scripts.model import facade
+from yade_scripts.studies import ida
+from yade_scripts.studies.journal import write_atomic
+
+TEST_KEYS = ("id", "config", "model", "beta_s", "motion", "factor")
+
+
+def read_tests(path):
+    """Read a tests file.
+
+    Raises
+    ------
+    ValueError
+        One line naming the file and the test if a key is missing.
+    """
+    try:
+        tests = json.loads(Path(path).read_text())
+    except ValueError as error:
+        raise ValueError(f"{path}: not JSON ({error})") from None
+    if not isinstance(tests, list) or not tests:
+        raise ValueError(f"{path}: expected a list of tests")
+    for number, test in enumerate(tests, 1):
+        missing = [key for key in TEST_KEYS if key not in test]
+        if missing:
+            raise ValueError(f"{path}: test {number} has no {', '.join(missing)}")
+    return tests
+
+
+def run_test(test):
+    """Run one test.
+
+    Returns
+    -------
+    simulate.History
+        Displacements are relative to the table and from the upright position, so a tilted
+        wall starts at h·sin φ.
+    """
+    time_s, columns = ida.read_motion(test["motion"])
+    scene = facade.facade_scene(test["config"], test["model"], test["beta_s"])
+    return ida.run_one(scene, time_s, columns, test["factor"], test["config"]["numerics"])
+
+
+def pack(tests, histories):
+    """Bytes of the NumPy archive: `runs` (JSON), `length`, `time_s`, `d_m`."""
+    runs = [
+        {
+            "id": test["id"],
+            "status": h.status,
+            "reason": h.reason,
+            "peak_d_over_b": None if h.status == "failed" else h.peak_d_over_b,
+            "dt_s": h.dt_s,
+            "steps": h.steps,
+        }
+        for test, h in zip(tests, histories, strict=True)
+    ]
+    text = io.BytesIO()
+    np.savez_compressed(
+        text,
+        runs=np.array(json.dumps(runs)),
+        length=np.array([len(h.time_s) for h in histories]),
+        time_s=np.concatenate([h.time_s for h in histories]),
+        d_m=np.concatenate([h.d_m for h in histories]),
+    )
+    return text.getvalue()
+
+
+def main(arguments=None):
+    """Parse the command line, run, write the archive; return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--tests", required=True, help="tests (JSON)")
+    parser.add_argument("--output", required=True, help="histories to write (.npz)")
+    args = parser.parse_args(arguments)
+    histories = []
+    tests = read_tests(args.tests)
+    adapter.load_yade()
+    for number, test in enumerate(tests, 1):
+        history = run_test(test)
+        histories.append(history)
+        print(
+            f"[shake table] test {number} of {len(tests)}: {test['id']}, {history.status} "
+            f"({history.wall_s:.1f} s)",
+            file=sys.stderr,
+            flush=True,
+        )
+    write_atomic(args.output, pack(tests, histories))
+    return 0

@@ -1,0 +1,318 @@
+"""Entry point: the critical step as YADE shows it, against the one predicted from K, M and C.
+
+    python3 yade_scripts stability --scene scenes/W2.json --output stability.csv
+        --limits stability_limits.csv
+
+Each scene is pressed together, brought to rest and then disturbed by a millionth of
+the speed that free fall gains in a step.
+Below the critical step the disturbance stays; above, it grows by orders of
+magnitude. Bisection finds where.
+"""
+
+import argparse
+import csv
+import io
+import json
+import math
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from yade_scripts.engine import adapter
+from yade_scripts.model import facade
+from yade_scripts.model.quadrature import gauss_lobatto
+from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
+from yade_scripts.model.stiffness import assemble, critical_step
+from yade_scripts.studies.journal import write_atomic
+
+COLUMNS = (
+    "scene",
+    "stiffness_factor",
+    "beta_s",
+    "dt_s",
+    "dt_over_dt_crit",
+    "stable_predicted",
+    "stable_observed",
+    "growth",
+)
+LIMIT_COLUMNS = (
+    "scene",
+    "stiffness_factor",
+    "beta_s",
+    "dt_crit_predicted_s",
+    "dt_crit_observed_s",
+    "ratio",
+)
+SCENES = ("W1", "W2", "stack")
+BETA_FACTORS = (0.0, 0.3, 1.0, 3.0, 10.0)
+STIFFNESS_FACTORS = (10**-1.5, 10**-0.75, 1.0, 10**0.75, 10**1.5)
+UNSTABLE_GROWTH = 100.0  # undamped stable cases stay below 10, unstable ones pass 1000
+
+
+def stack_scene(
+    count,
+    beta_s,
+    *,
+    size_m=(1.0, 0.4, 0.3),
+    density_kg_m3=1800.0,
+    jkn_pa_m=1e9,
+    ratio=0.33,
+    nodes=3,
+):
+    """Stack of equal blocks on a support, planar: a scene with many interfaces in series.
+
+    Parameters
+    ----------
+    count : int
+        Number of blocks.
+    beta_s : float
+    size_m : tuple of 3 floats
+    density_kg_m3, jkn_pa_m, ratio : float
+        Density, joint normal stiffness, and its share for shear.
+    nodes : int
+        Nodes across each joint.
+
+    Returns
+    -------
+    Scene
+    """
+    lx, ly, lz = size_m
+    mass = density_kg_m3 * lx * ly * lz
+    blocks = [
+        Block(
+            "base",
+            (0.0, 0.5 * ly, -0.5),
+            (2.0, 2.0, 1.0),
+            1.0,
+            (1.0,) * 3,
+            free="",
+            motion=facade.GROUND,
+        )
+    ]
+    listed = NodeList()
+    points, weights = gauss_lobatto(nodes)
+    for i in range(count):
+        blocks.append(
+            Block(
+                f"block {i + 1}",
+                (0.0, 0.5 * ly, (i + 0.5) * lz),
+                size_m,
+                mass,
+                box_inertia(mass, size_m),
+                free="yzX",
+            )
+        )
+        line = np.stack([0 * points, points * ly, 0 * points + i * lz], axis=1)
+        listed.add_joint(
+            f"joint {i + 1}",
+            i + 1,
+            i,
+            line,
+            (0, 0, 1),
+            weights * lx * ly,
+            jkn_pa_m,
+            ratio * jkn_pa_m,
+            beta_s=beta_s,
+            friction_rad=math.radians(60),
+        )
+    return Scene(
+        blocks,
+        listed.joints,
+        listed.done(),
+        monitor=f"block {count}",
+        monitor_point_m=(0.0, 0.5 * ly, count * lz),
+        reference="base",
+        thickness_m=ly,
+    )
+
+
+def scene_of(job, name, stiffness_factor, beta_s):
+    """Scene of the map: a façade model or the stack of ten, with scaled joint stiffness."""
+    if name == "stack":
+        return stack_scene(10, beta_s, jkn_pa_m=1e9 * stiffness_factor)
+    scaled = {
+        **job,
+        "facade": {**job["facade"], "friction_deg": 80.0, "gap_m": 0.0},
+        "return_wall": {**job["return_wall"], "friction_deg": 80.0},
+    }
+    scaled["facade"]["e_mpa"] = job["facade"]["e_mpa"] * stiffness_factor
+    return facade.facade_scene(scaled, name, beta_s)
+
+
+def pressed(scene, acceleration_m_s2):
+    """Copy of a scene in static equilibrium under a uniform acceleration, without shear forces.
+
+    Solves K u = M a with the normal springs alone, as shear springs start
+    unstretched in a run; directions without stiffness stay put.
+
+    Parameters
+    ----------
+    scene : Scene
+    acceleration_m_s2 : ndarray, shape (3,)
+    """
+    smooth = replace(scene.nodes, ks_n_m=1e-12 * scene.nodes.kn_n_m)
+    matrices = assemble(replace(scene, nodes=smooth))
+    k, _ = matrices.dense()
+    load = np.where(matrices.dof[:, 1] < 3, matrices.mass, 0.0)
+    load = load * np.concatenate((acceleration_m_s2, np.zeros(3)))[matrices.dof[:, 1]]
+    u = np.linalg.lstsq(k, load, rcond=1e-9)[0]
+    blocks = list(scene.blocks)
+    for i in np.unique(matrices.dof[:, 0]):
+        pose = np.zeros(6)
+        mine = matrices.dof[:, 0] == i
+        pose[matrices.dof[mine, 1]] = u[mine]
+        blocks[i] = replace(
+            blocks[i],
+            displacement_m=tuple(map(float, pose[:3])),
+            rotation_rad=tuple(map(float, pose[3:])),
+        )
+    return replace(scene, blocks=blocks)
+
+
+def growth(scene, dt_s, *, press_m_s2=3.0, relax_steps=500, steps=3000, seed=1):
+    """Growth of a small disturbance of the pressed scene at one time step.
+
+    A horizontal acceleration presses the façade against its return walls, so that
+    every contact is closed as the prediction assumes.
+
+    Returns
+    -------
+    float
+        Largest speed during the run over the disturbance; infinite when the numbers
+        overflow.
+    """
+    import __main__
+
+    w = adapter.load_yade()
+    has_walls = any(name.startswith("return wall") for name in scene.joints)
+    gravity = np.array([0.0, -press_m_s2 if has_walls else 0.0, -scene.gravity_m_s2])
+    zero = adapter.Motion(np.array([0.0, 1e6]), np.zeros(2))
+    small = 0.3 * critical_step(scene)
+    built = adapter.build(pressed(scene, gravity), {name: zero for name in scene.motions}, small)
+    omega = built.omega
+    for body in omega.bodies:  # driven supports are free along y: hold them against the press
+        if body.state.mass > 1e6 * max(b.mass_kg for b in scene.blocks):
+            body.state.blockedDOFs = "xyzXYZ"
+    newton = next(e for e in omega.engines if isinstance(e, w.NewtonIntegrator))
+    newton.gravity = tuple(float(g) for g in gravity)
+    newton.damping = 0.7
+    omega.run(relax_steps, True)
+    newton.damping = 0.0
+    free = [omega.bodies[built.body[i]].state for i, b in enumerate(scene.blocks) if b.free]
+    rng = np.random.default_rng(seed)
+    start = 0.0
+    for state in free:
+        kick = 1e-6 * scene.gravity_m_s2 * small * rng.uniform(-1.0, 1.0, 3)
+        state.vel = (0.0, float(kick[0]), float(kick[1]))
+        state.angVel = (float(kick[2]), 0.0, 0.0)
+        start = max(start, float(np.max(np.abs(kick))))
+    omega.dt = dt_s
+    speeds = []
+    # looking in from outside would cost 40 ms a call: YADE's run() polls
+    __main__._stability_probe = lambda: speeds.append(
+        np.max(np.abs([v for s in free for v in (*s.vel, *s.angVel)]))
+    )
+    probe = w.PyRunner(command="_stability_probe()", iterPeriod=5)
+    omega.engines = omega.engines + [probe]
+    omega.run(steps, True)
+    return float(np.max(speeds)) / start if np.all(np.isfinite(speeds)) else math.inf
+
+
+def bisect(scene, label, *, low=0.9, high=1.1, tolerance=0.01):
+    """Observed over predicted critical step, by bisection, with every trial as a row.
+
+    Returns
+    -------
+    ratio : float
+        Middle of the final bracket; NaN if [low, high] does not bracket the limit.
+    rows : list of dict
+    """
+    critical = critical_step(scene)
+    rows = []
+
+    def stable(ratio):
+        grown = growth(scene, ratio * critical)
+        rows.append(
+            {
+                **label,
+                "dt_s": f"{ratio * critical:.6e}",
+                "dt_over_dt_crit": f"{ratio:.5f}",
+                "stable_predicted": str(int(ratio < 1.0)),
+                "stable_observed": str(int(grown < UNSTABLE_GROWTH)),
+                "growth": f"{grown:.3e}",
+            }
+        )
+        return grown < UNSTABLE_GROWTH
+
+    if not stable(low) or stable(high):
+        return math.nan, rows
+    while high - low > tolerance:
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if stable(middle) else (low, middle)
+    return 0.5 * (low + high), rows
+
+
+def study(
+    job,
+    names=SCENES,
+    beta_factors=BETA_FACTORS,
+    stiffness_factors=STIFFNESS_FACTORS,
+    say=lambda text: None,
+):
+    """Map of the critical step over scenes, damping and stiffness.
+
+    Returns
+    -------
+    rows, limits : list of dict
+        Contracts of tables/stability.csv and tables/stability_limits.csv.
+    """
+    rows, limits = [], []
+    for name in names:
+        for factor in stiffness_factors:
+            for multiple in beta_factors:
+                beta = multiple * job["beta_s"]
+                scene = scene_of(job, name, factor, beta)
+                label = {
+                    "scene": name,
+                    "stiffness_factor": f"{factor:.5g}",
+                    "beta_s": f"{beta:.6g}",
+                }
+                ratio, more = bisect(scene, label)
+                rows += more
+                critical = critical_step(scene)
+                limits.append(
+                    {
+                        **label,
+                        "dt_crit_predicted_s": f"{critical:.6e}",
+                        "dt_crit_observed_s": f"{ratio * critical:.6e}",
+                        "ratio": f"{ratio:.4f}",
+                    }
+                )
+        worst = max(abs(float(r["ratio"]) - 1.0) for r in limits if r["scene"] == name)
+        say(f"{name}: observed within {100 * worst:.1f} % of the predicted critical step")
+    return rows, limits
+
+
+def to_csv(rows, columns):
+    """Rows as CSV text."""
+    text = io.StringIO()
+    writer = csv.DictWriter(text, columns, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return text.getvalue()
+
+
+def main(arguments=None):
+    """Parse the command line, run the study, write both tables; return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--scene", required=True, help="scene file (JSON) of any façade model")
+    parser.add_argument("--output", required=True, help="every trial (CSV)")
+    parser.add_argument("--limits", required=True, help="observed limits (CSV)")
+    args = parser.parse_args(arguments)
+    job = json.loads(Path(args.scene).read_text())
+    rows, limits = study(job, say=lambda text: print(text, file=sys.stderr, flush=True))
+    write_atomic(args.limits, to_csv(limits, LIMIT_COLUMNS))
+    write_atomic(args.output, to_csv(rows, COLUMNS))
+    return 0
