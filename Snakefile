@@ -17,8 +17,7 @@ report: "workflow/report/workflow.rst"
 
 
 include: "workflow/rules/common.smk"
-include: "workflow/rules/targets.smk"
-include: "workflow/rules/report_targets.smk"
+include: "workflow/rules/report_tables.smk"
 include: "workflow/rules/records.smk"
 include: "workflow/rules/smdof.smk"
 include: "workflow/rules/facade.smk"
@@ -37,4 +36,4 @@ include: "workflow/rules/report.smk"
 rule all:
     default_target: True
     input:
-        with_pages(per_run(main_results)),
+        with_pages(STUDY.per_run(STUDY.main_results)),

@@ -262,7 +262,7 @@ def run_in_yade(code):
         "try:\n    import pytest\nexcept ImportError:\n"
         "    mark = types.SimpleNamespace(yade=lambda f: f, parametrize=lambda *a: lambda f: f)\n"
         "    sys.modules['pytest'] = types.SimpleNamespace(mark=mark)\n"
-        "from yade_scripts import engine\n"
+        "from yade_scripts.engine import adapter\n"
         "try:\n    adapter.load_yade()\nexcept adapter.EngineError as error:\n"
         "    print(error); sys.exit(77)\n"
     )

@@ -124,8 +124,15 @@ def test_explicit_run_agrees_with_modal_superposition(wall, ground, tmp_path):
         header="time_s,acceleration_m_s2",
         comments="",
     )
-    entry = str(ROOT / "yade_scripts" / "building" / "explicit.py")
-    words = [YADE_PYTHON, entry, "--scene", "scene.json", "--motion", "motion.csv"]
+    words = [
+        YADE_PYTHON,
+        str(ROOT / "yade_scripts"),
+        "explicit_building",
+        "--scene",
+        "scene.json",
+        "--motion",
+        "motion.csv",
+    ]
     done = subprocess.run(
         [*words, "--output", "out.csv"], cwd=tmp_path, capture_output=True, text=True
     )

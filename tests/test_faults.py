@@ -18,7 +18,8 @@ from rocking.runtime import run_lock
 from tests.faults import inject, trials
 from tests.faults.workspace import comparable, wait_until
 from yade_scripts.engine import memory
-from yade_scripts.studies.journal import Journal, write_atomic
+from yade_scripts.files import write_atomic
+from yade_scripts.studies.journal import Journal
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -54,7 +55,7 @@ def test_wall_times_are_the_only_column_left_out_of_comparisons(tmp_path):
     assert a != c
 
 
-HOLD = "import sys, time; sys.path[:0] = {path!r}; from rocking import run_lock;"
+HOLD = "import sys, time; sys.path[:0] = {path!r}; from rocking.runtime import run_lock;"
 HOLD += "run_lock.hold({folder!r}); print('held', flush=True); time.sleep(60)"
 
 
@@ -70,7 +71,7 @@ def test_a_second_run_is_refused_until_the_first_is_gone_however_it_ended(tmp_pa
     run_lock.hold(tmp_path)  # nothing to unlock by hand
 
 
-JOB = "import sys, time; sys.path.insert(0, {root!r}); from yade_scripts import lifeline;"
+JOB = "import sys, time; sys.path.insert(0, {root!r}); from yade_scripts.engine import lifeline;"
 JOB += "assert lifeline.follow(); print('on', flush=True); time.sleep(60)"
 
 

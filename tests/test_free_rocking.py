@@ -61,7 +61,8 @@ def run(cases, folder):
     done = subprocess.run(
         [
             PYTHON,
-            ROOT / "yade_scripts" / "run_free_rocking.py",
+            ROOT / "yade_scripts",
+            "free_rocking",
             "--cases",
             folder / "cases.json",
             "--output",

@@ -5,8 +5,9 @@ import json
 import pytest
 from yade_process import resolved
 
+from yade_scripts.files import write_atomic
 from yade_scripts.studies import intensities
-from yade_scripts.studies.journal import Journal, run_key, write_atomic
+from yade_scripts.studies.journal import Journal, run_key
 
 
 def drive(settings, outcome):

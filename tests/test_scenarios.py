@@ -149,7 +149,7 @@ EXPECTED = [
 WORKFLOW = """\
 import json, sys
 sys.path.insert(0, {workflow!r})
-from rocking.config import expand_scenarios
+from rocking.configuration.config import expand_scenarios
 configfile: "config/config.yaml"
 RUNS = expand_scenarios(config)
 with open("runs.json", "w") as stream:

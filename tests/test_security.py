@@ -66,6 +66,7 @@ OBJECTS_OR_NETWORK = {
 }
 # placeholders in shell commands that need no quoting: each is limited to harmless words elsewhere
 UNQUOTED = {
+    "YADE": "a constant of the rules, quoted where it is made",
     "wildcards.direction": "pos|neg",
     "params.gravity": "a number of the rule itself",
     "params.steps": "an integer by its schema",
@@ -240,7 +241,7 @@ def test_a_run_listens_on_no_port_and_its_folder_and_files_may_have_hostile_name
     while process.poll() is None:
         found = space.processes()
         assert listening([*found, process.pid]) == []
-        seen_yade |= any("run_ida" in line for line in found.values())
+        seen_yade |= any("yade_scripts ida" in line for line in found.values())
         looks += 1
     assert process.returncode == 0, space.output()[-3000:]
     assert seen_yade

@@ -62,7 +62,8 @@ def shaken(folder, motions, **facade):
     done = subprocess.run(
         [
             PYTHON,
-            ROOT / "yade_scripts" / "run_shake_table.py",
+            ROOT / "yade_scripts",
+            "shake_table",
             "--tests",
             folder / "tests.json",
             "--output",
@@ -124,7 +125,8 @@ def test_missing_key_is_named(tmp_path):
     done = subprocess.run(
         [
             PYTHON,
-            ROOT / "yade_scripts" / "run_shake_table.py",
+            ROOT / "yade_scripts",
+            "shake_table",
             "--tests",
             tmp_path / "tests.json",
             "--output",

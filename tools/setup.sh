@@ -27,13 +27,14 @@ if command -v flock >/dev/null; then
   flock -n 9 || { say "waiting for another installation in this folder"; flock 9; }
 fi
 
-# the stamp is written last, so an interrupted installation is repeated
+# the stamp is written last, so an interrupted installation is repeated; it names the folder,
+# since a virtual environment cannot be moved
 stamp=.venv/.installed
-wanted=$(sha256sum requirements.lock | cut -d' ' -f1)
-if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ] || ! grep -qxF "$PWD" .venv/lib/python3*/site-packages/rocking_facades.pth; then
+wanted="$(cat requirements.lock pyproject.toml | sha256sum | cut -d' ' -f1) $PWD"
+if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
   say "installing Python packages into .venv"
   $python -m venv --clear .venv
   .venv/bin/pip install -q --disable-pip-version-check --require-hashes -r requirements.lock
-  printf '%s\n%s\n' "$PWD" "$PWD/workflow" > "$(.venv/bin/python -c 'import sysconfig; print(sysconfig.get_path("purelib"))')/rocking_facades.pth"
+  .venv/bin/pip install -q --disable-pip-version-check --no-deps --no-build-isolation --editable .
   printf '%s' "$wanted" > $stamp
 fi

@@ -97,7 +97,7 @@ class Workspace:
                 continue
         return found
 
-    def jobs(self, word="run_ida.py"):
+    def jobs(self, word="yade_scripts ida"):
         """Python processes of jobs whose command line has `word`."""
         return [
             pid

@@ -1,35 +1,31 @@
 # Accuracy and stability: `snakemake accuracy`.
-include: "accuracy_targets.smk"
 include: "energy.smk"
 
 
 rule accuracy:
     input:
-        with_pages(per_run(accuracy_results)),
+        with_pages(STUDY.per_run(ACCURACY.results)),
 
 
 rule stability:
     input:
-        entry=module("yade_scripts/studies/stability.py"),
         scene="results/{run}/scenes/W2.json",
         yade="results/{run}/yade.txt",
-        modules=yade_modules(),
+        modules=study_code("stability"),
     output:
         trials="results/{run}/tables/stability.csv",
         limits="results/{run}/tables/stability_limits.csv",
     log:
         "results/{run}/logs/stability.log",
-    params:
-        python=YADE_PYTHON,
     shell:
-        "{params.python:q} {input.entry:q} --scene {input.scene:q} --output {output.trials:q}"
+        "{YADE} stability --scene {input.scene:q} --output {output.trials:q}"
         " --limits {output.limits:q} 2> >(tee {log:q} >&2)"
 
 
 rule figure_stability:
     input:
         limits="results/{run}/tables/stability_limits.csv",
-        style=STYLE,
+        modules=code("figure_stability"),
     output:
         png=report(
             "results/{run}/figures/stability.png",
@@ -46,54 +42,41 @@ rule figure_stability:
 
 rule accuracy_plan:
     input:
-        curves=accuracy_curves,
-        scenes=lambda w: [
-            f"results/{w.run}/scenes/{model}.json"
-            for model in cfg(w)["accuracy"]["models"]
-        ],
-        motions=accuracy_motions,
-        modules=module("workflow/rocking/accuracy/study.py"),
+        curves=ACCURACY.curves,
+        scenes=ACCURACY.scenes,
+        motions=ACCURACY.motions,
+        modules=code("accuracy_plan"),
     output:
         "results/{run}/accuracy/plan.json",
     log:
         "results/{run}/logs/accuracy_plan.log",
     params:
-        accuracy=lambda w: cfg(w)["accuracy"],
-        ensemble=lambda w: cfg(w)["ensemble"],
+        accuracy=lambda w: STUDY.cfg(w)["accuracy"],
+        ensemble=lambda w: STUDY.cfg(w)["ensemble"],
     script:
         "../scripts/accuracy_plan.py"
 
 
 rule accuracy_runs:
     input:
-        entry=module("yade_scripts/studies/accuracy.py"),
         plan="results/{run}/accuracy/plan.json",
         yade="results/{run}/yade.txt",
-        modules=yade_modules(),
+        modules=study_code("accuracy"),
     output:
         "results/{run}/accuracy/runs.csv",
     log:
         "results/{run}/logs/accuracy_runs.log",
     benchmark:
         "results/{run}/benchmarks/accuracy_runs.tsv"
-    params:
-        python=YADE_PYTHON,
     shell:
-        "{params.python:q} {input.entry:q} --plan {input.plan:q} --output {output:q}"
+        "{YADE} accuracy --plan {input.plan:q} --output {output:q}"
         " 2> >(tee {log:q} >&2)"
 
 
 rule accuracy_reference:
     input:
         plan="results/{run}/accuracy/plan.json",
-        modules=module(
-            *(
-                f"workflow/rocking/planar/{name}.py"
-                for name in ("adaptive", "batch", "contact", "motion", "wall")
-            ),
-            "workflow/rocking/curves/reference.py",
-            "yade_scripts/model/motion.py",
-        ),
+        modules=code("accuracy_reference"),
     output:
         "results/{run}/accuracy/reference.csv",
     log:
@@ -102,7 +85,7 @@ rule accuracy_reference:
         "results/{run}/benchmarks/accuracy_reference.tsv"
     threads: 2
     params:
-        accuracy=lambda w: cfg(w)["accuracy"],
+        accuracy=lambda w: STUDY.cfg(w)["accuracy"],
     script:
         "../scripts/accuracy_reference.py"
 
@@ -111,12 +94,7 @@ rule accuracy_reference:
 rule accuracy_engine:
     input:
         plan="results/{run}/accuracy/plan.json",
-        modules=module(
-            "workflow/rocking/accuracy/outside.py",
-            "yade_scripts/model/facade.py",
-            "yade_scripts/model/motion.py",
-            "yade_scripts/model/stiffness.py",
-        ),
+        modules=code("engine_{engine}"),
     output:
         "results/{run}/accuracy/engine_{engine}.csv",
     log:
@@ -133,11 +111,11 @@ rule speed_accuracy:
             f"results/{w.run}/accuracy/runs.csv",
             *(
                 f"results/{w.run}/accuracy/engine_{engine}.csv"
-                for engine in cfg(w)["accuracy"]["engines"]
+                for engine in STUDY.cfg(w)["accuracy"]["engines"]
             ),
         ],
         reference="results/{run}/accuracy/reference.csv",
-        modules=module("workflow/rocking/accuracy/study.py"),
+        modules=code("table_speed_accuracy"),
     output:
         table=report(
             "results/{run}/tables/speed_accuracy.csv",
@@ -149,8 +127,8 @@ rule speed_accuracy:
     log:
         "results/{run}/logs/speed_accuracy.log",
     params:
-        ensemble=lambda w: cfg(w)["ensemble"],
-        fewest_nodes=lambda w: cfg(w)["accuracy"]["fewest_nodes"],
+        ensemble=lambda w: STUDY.cfg(w)["ensemble"],
+        fewest_nodes=lambda w: STUDY.cfg(w)["accuracy"]["fewest_nodes"],
     script:
         "../scripts/table_speed_accuracy.py"
 
@@ -158,8 +136,7 @@ rule speed_accuracy:
 rule figure_speed_accuracy:
     input:
         table="results/{run}/tables/speed_accuracy.csv",
-        style=STYLE,
-        modules=module("workflow/rocking/accuracy/study.py"),
+        modules=code("figure_speed_accuracy"),
     output:
         png=report(
             "results/{run}/figures/speed_accuracy.png",
@@ -176,32 +153,24 @@ rule figure_speed_accuracy:
 
 rule ensemble_members:
     input:
-        ensembles=lambda w: accuracy_curves(w, "_ensemble"),
-        scenes=lambda w: [
-            f"results/{w.run}/scenes/{model}.json"
-            for model in cfg(w)["accuracy"]["models"]
-        ],
-        motions=accuracy_motions,
-        modules=module(
-            "workflow/rocking/curves/ensemble.py",
-            "workflow/rocking/curves/reference.py",
-            "yade_scripts/model/motion.py",
-        ),
+        ensembles=ACCURACY.ensembles,
+        scenes=ACCURACY.scenes,
+        motions=ACCURACY.motions,
+        modules=code("table_ensemble_members"),
     output:
         "results/{run}/tables/ensemble_members.csv",
     log:
         "results/{run}/logs/ensemble_members.log",
     params:
-        records=accuracy_records,
+        records=ACCURACY.records,
     script:
         "../scripts/table_ensemble_members.py"
 
 
 rule figure_chaos:
     input:
-        ensembles=lambda w: accuracy_curves(w, "_ensemble"),
-        style=STYLE,
-        modules=module("workflow/rocking/curves/ensemble.py"),
+        ensembles=ACCURACY.ensembles,
+        modules=code("figure_chaos"),
     output:
         png=report(
             "results/{run}/figures/chaos.png",
@@ -213,6 +182,6 @@ rule figure_chaos:
     log:
         "results/{run}/logs/figure_chaos.log",
     params:
-        percentiles=lambda w: cfg(w)["ensemble"]["percentiles"],
+        percentiles=lambda w: STUDY.cfg(w)["ensemble"]["percentiles"],
     script:
         "../scripts/figure_chaos.py"

@@ -1,60 +1,50 @@
 # Pictures of the models, and what the study says about boundary conditions.
-PICTURE_SCRIPTS = module("workflow/rocking/figures/pictures.py")
-ALL_MODELS = ["W1", "W1c", "W2", "W2c", "W3"]
 
 
 rule frames:
     input:
-        entry=module("yade_scripts/studies/frames.py"),
         scene="results/{run}/scenes/{model}.json",
-        motion=picture_motion,
+        motion=BOUNDARY.picture_motion,
         yade="results/{run}/yade.txt",
-        modules=yade_modules(),
+        modules=study_code("frames"),
     output:
         "results/{run}/frames/{model}.json",
     log:
         "results/{run}/logs/frames_{model}.log",
     params:
-        python=YADE_PYTHON,
-        record=lambda w: picture_record(w.run),
-        direction=lambda w: cfg(w)["pictures"]["direction"],
-        pga=lambda w: cfg(w)["pictures"]["pga_g"],
+        record=lambda w: BOUNDARY.picture_record(w.run),
+        direction=lambda w: STUDY.cfg(w)["pictures"]["direction"],
+        pga=lambda w: STUDY.cfg(w)["pictures"]["pga_g"],
     shell:
-        "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
+        "{YADE} frames --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction:q} --pga {params.pga:q}"
         " --fall 2 --output {output:q} 2> >(tee {log:q} >&2)"
 
 
 rule collapse_frames:
     input:
-        entry=module("yade_scripts/studies/frames.py"),
         scene="results/{run}/scenes/{model}.json",
-        motion=picture_motion,
-        ida=lambda w: (
-            f"results/{w.run}/ida/{w.model}/{picture_record(w.run)}"
-            f"_{cfg(w)['pictures']['direction']}.csv"
-        ),
-        modules=yade_modules(),
+        motion=BOUNDARY.picture_motion,
+        ida=BOUNDARY.picture_curve,
+        modules=study_code("frames"),
     output:
         "results/{run}/frames/{model}_collapse.json",
     log:
         "results/{run}/logs/collapse_frames_{model}.log",
     params:
-        python=YADE_PYTHON,
-        record=lambda w: picture_record(w.run),
-        direction=lambda w: cfg(w)["pictures"]["direction"],
-        interval=lambda w: cfg(w)["pictures"]["frame_interval_s"],
+        record=lambda w: BOUNDARY.picture_record(w.run),
+        direction=lambda w: STUDY.cfg(w)["pictures"]["direction"],
+        interval=lambda w: STUDY.cfg(w)["pictures"]["frame_interval_s"],
     shell:
-        "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
+        "{YADE} frames --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction:q} --collapse {input.ida:q}"
         " --interval {params.interval:q} --fall 6 --output {output:q} 2> >(tee {log:q} >&2)"
 
 
 rule fig07_models:
     input:
-        frames=lambda w: [f"results/{w.run}/frames/{m}.json" for m in ALL_MODELS],
-        style=STYLE,
-        modules=PICTURE_SCRIPTS,
+        frames=lambda w: [f"results/{w.run}/frames/{m}.json" for m in WITH_WALLS],
+        modules=code("fig07_models"),
     output:
         png=report(
             "results/{run}/figures/fig07_models.png",
@@ -66,7 +56,7 @@ rule fig07_models:
     log:
         "results/{run}/logs/fig07_models.log",
     params:
-        config=params_of("facade", "return_wall", "w3", "pictures"),
+        config=STUDY.params_of("facade", "return_wall", "w3", "pictures"),
     script:
         "../scripts/fig07_models.py"
 
@@ -74,8 +64,7 @@ rule fig07_models:
 rule animation_collapse:
     input:
         frames="results/{run}/frames/{model}_collapse.json",
-        style=STYLE,
-        modules=PICTURE_SCRIPTS,
+        modules=code("animation_collapse"),
     output:
         report(
             "results/{run}/figures/collapse_{model}.gif",
@@ -86,7 +75,7 @@ rule animation_collapse:
     log:
         "results/{run}/logs/animation_{model}.log",
     params:
-        config=params_of("facade", "return_wall", "w3", "pictures"),
+        config=STUDY.params_of("facade", "return_wall", "w3", "pictures"),
     script:
         "../scripts/animation_collapse.py"
 
@@ -94,11 +83,11 @@ rule animation_collapse:
 rule table_claims:
     input:
         collapse="results/{run}/tables/ida_collapse.csv",
-        facts=record_facts,
+        facts=STUDY.record_facts,
         pushover=lambda w: (
-            ["results/{run}/pushover/W3.csv"] if "W3" in cfg(w)["models"] else []
+            ["results/{run}/pushover/W3.csv"] if "W3" in STUDY.cfg(w)["models"] else []
         ),
-        modules=module("workflow/rocking/curves/claims.py", "workflow/rocking/curves/pushover.py"),
+        modules=code("table_claims"),
     output:
         report(
             "results/{run}/tables/claims.csv",
@@ -115,4 +104,4 @@ rule table_claims:
 # `snakemake boundary --configfile config/scenarios/five_models.yaml`: Figures 7, 8 and 9 whole.
 rule boundary:
     input:
-        with_pages(per_run(boundary_results)),
+        with_pages(STUDY.per_run(BOUNDARY.results)),

@@ -1,8 +1,5 @@
 # The building as an assembly of bricks: modes, time histories, equal chains, explicit check.
 # Not part of the main job; ask for `building`, or for any file below.
-include: "building_targets.smk"
-
-
 wildcard_constraints:
     building="CBDEM|SBDEM",
     coarsening=r"[0-9.]+",
@@ -10,19 +7,19 @@ wildcard_constraints:
 
 rule building:
     input:
-        lambda w: with_pages(per_run(building_results)),
+        lambda w: with_pages(STUDY.per_run(BUILDING.results)),
 
 
 # Periods and equivalent chain (n, T1) of any plan, without the paper's comparisons.
 rule building_t1:
     input:
-        lambda w: with_pages(per_run(building_periods)),
+        lambda w: with_pages(STUDY.per_run(BUILDING.periods)),
 
 
 rule building_fit:
     input:
-        plan=building_plan,
-        modules=building_modules(),
+        plan=BUILDING.plan,
+        modules=code("building_fit"),
     output:
         "results/{run}/building/fit.json",
     log:
@@ -30,16 +27,16 @@ rule building_fit:
     benchmark:
         "results/{run}/benchmarks/building_fit.tsv"
     params:
-        building=building_keys(),
+        building=BUILDING.keys(),
     script:
         "../scripts/building_fit.py"
 
 
 rule building_modal:
     input:
-        plan=building_plan,
+        plan=BUILDING.plan,
         fit="results/{run}/building/fit.json",
-        modules=building_modules(),
+        modules=code("building_modal"),
     output:
         "results/{run}/building/{building}_modes.npz",
     log:
@@ -47,7 +44,7 @@ rule building_modal:
     benchmark:
         "results/{run}/benchmarks/building_modal_{building}.tsv"
     params:
-        building=building_keys("modes"),
+        building=BUILDING.keys("modes"),
     script:
         "../scripts/building_modal.py"
 
@@ -56,6 +53,7 @@ rule table_building_modes:
     input:
         cbdem="results/{run}/building/CBDEM_modes.npz",
         sbdem="results/{run}/building/SBDEM_modes.npz",
+        modules=code("table_building_modes"),
     output:
         report(
             "results/{run}/tables/building_modes.csv",
@@ -66,15 +64,15 @@ rule table_building_modes:
     log:
         "results/{run}/logs/table_building_modes.log",
     params:
-        paper=is_case_study,
+        paper=BUILDING.is_case_study,
     script:
         "../scripts/table_building_modes.py"
 
 
 rule table_building_alternatives:
     input:
-        plans=all_plans,
-        modules=building_modules(),
+        plans=BUILDING.all_plans,
+        modules=code("table_building_alternatives"),
     output:
         report(
             "results/{run}/tables/building_alternatives.csv",
@@ -85,16 +83,16 @@ rule table_building_alternatives:
     log:
         "results/{run}/logs/table_building_alternatives.log",
     params:
-        building=building_keys(),
+        building=BUILDING.keys(),
     script:
         "../scripts/table_building_alternatives.py"
 
 
 rule building_cost:
     input:
-        plan=building_plan,
+        plan=BUILDING.plan,
         fit="results/{run}/building/fit.json",
-        modules=building_modules(),
+        modules=code("building_cost"),
     output:
         "results/{run}/building/cost_{building}_{coarsening}.json",
     log:
@@ -104,18 +102,15 @@ rule building_cost:
     resources:
         mem_mb=lambda w: 6000 if float(w.coarsening) < 1.2 else 1500,
     params:
-        building=building_keys(),
+        building=BUILDING.keys(),
     script:
         "../scripts/building_cost.py"
 
 
 rule table_building_convergence:
     input:
-        cost=lambda w: [
-            f"results/{w.run}/building/cost_{model}_{c:g}.json"
-            for model in ("CBDEM", "SBDEM")
-            for c in cfg(w)["building"]["convergence"]
-        ],
+        cost=BUILDING.costs,
+        modules=code("table_building_convergence"),
     output:
         report(
             "results/{run}/tables/building_convergence.csv",
@@ -134,19 +129,17 @@ rule table_building_convergence:
 
 rule building_history:
     input:
-        plan=building_plan,
+        plan=BUILDING.plan,
         fit="results/{run}/building/fit.json",
         modes="results/{run}/building/{building}_modes.npz",
         record="results/{run}/records/{record}.csv",
-        modules=building_modules(
-            "workflow/rocking/building/history.py", "smdof/oscillator.py"
-        ),
+        modules=code("building_history"),
     output:
         "results/{run}/building/history_{building}_{record}.csv",
     log:
         "results/{run}/logs/building_history_{building}_{record}.log",
     params:
-        building=building_keys("damping_ratio"),
+        building=BUILDING.keys("damping_ratio"),
     script:
         "../scripts/building_history.py"
 
@@ -154,16 +147,11 @@ rule building_history:
 rule table_wme:
     input:
         modes="results/{run}/building/SBDEM_modes.npz",
-        histories=lambda w: [
-            f"results/{w.run}/building/history_SBDEM_{r}.csv"
-            for r in wme_records(w.run)
-        ],
-        records=lambda w: [
-            f"results/{w.run}/records/{r}.csv" for r in wme_records(w.run)
-        ],
-        modules=module(
-            "workflow/rocking/building/comparison.py", "smdof/chain.py", "smdof/wme.py"
+        histories=BUILDING.of_wme_records(
+            "results/{run}/building/history_SBDEM_{record}.csv"
         ),
+        records=BUILDING.of_wme_records("results/{run}/records/{record}.csv"),
+        modules=code("table_wme"),
     output:
         wme=report(
             "results/{run}/tables/wme.csv",
@@ -179,18 +167,17 @@ rule table_wme:
     log:
         "results/{run}/logs/table_wme.log",
     params:
-        building=lambda w: {k: cfg(w)["building"][k] for k in WME_KEYS},
-        records=lambda w: wme_records(w.run),
-        paper=is_case_study,
+        building=BUILDING.wme_keys,
+        records=lambda w: BUILDING.records(w.run, "wme_records"),
+        paper=BUILDING.is_case_study,
     script:
         "../scripts/table_wme.py"
 
 
 rule fig01_building:
     input:
-        plan=building_plan,
-        style=STYLE,
-        modules=building_modules("workflow/rocking/building/drawing.py"),
+        plan=BUILDING.plan,
+        modules=code("fig01_building"),
     output:
         png=report(
             "results/{run}/figures/fig01_building.png",
@@ -202,19 +189,18 @@ rule fig01_building:
     log:
         "results/{run}/logs/fig01_building.log",
     params:
-        building=building_keys(),
+        building=BUILDING.keys(),
     script:
         "../scripts/fig01_building.py"
 
 
 rule fig02_modes:
     input:
-        plan=building_plan,
+        plan=BUILDING.plan,
         fit="results/{run}/building/fit.json",
         cbdem="results/{run}/building/CBDEM_modes.npz",
         sbdem="results/{run}/building/SBDEM_modes.npz",
-        style=STYLE,
-        modules=building_modules("workflow/rocking/building/drawing.py"),
+        modules=code("fig02_modes"),
     output:
         png=report(
             "results/{run}/figures/fig02_modes.png",
@@ -226,8 +212,8 @@ rule fig02_modes:
     log:
         "results/{run}/logs/fig02_modes.log",
     params:
-        building=building_keys(),
-        paper=is_case_study,
+        building=BUILDING.keys(),
+        paper=BUILDING.is_case_study,
     script:
         "../scripts/fig02_modes.py"
 
@@ -238,10 +224,7 @@ rule fig03_wme:
         history="results/{run}/building/history_SBDEM_{record}.csv",
         record="results/{run}/records/{record}.csv",
         facts="results/{run}/records/{record}.json",
-        style=STYLE,
-        modules=module(
-            "workflow/rocking/building/comparison.py", "smdof/chain.py", "smdof/wme.py"
-        ),
+        modules=code("fig03_wme"),
     output:
         png=report(
             "results/{run}/figures/fig03_{record}.png",
@@ -257,22 +240,22 @@ rule fig03_wme:
     log:
         "results/{run}/logs/fig03_{record}.log",
     params:
-        building=lambda w: {k: cfg(w)["building"][k] for k in WME_KEYS},
+        building=BUILDING.wme_keys,
     script:
         "../scripts/fig03_wme.py"
 
 
 rule building_explicit_scene:
     input:
-        plan=building_plan,
+        plan=BUILDING.plan,
         fit="results/{run}/building/fit.json",
-        modules=building_modules(),
+        modules=code("building_explicit_scene"),
     output:
         "results/{run}/building/explicit_scene_{coarsening}.json",
     log:
         "results/{run}/logs/building_explicit_scene_{coarsening}.log",
     params:
-        building=building_keys(
+        building=BUILDING.keys(
             "damping_ratio", "explicit_step_fraction", "explicit_duration_s"
         ),
     script:
@@ -282,14 +265,10 @@ rule building_explicit_scene:
 # The drawing's building under the record, with its dead load applied at once or left out.
 rule building_explicit:
     input:
-        entry=module("yade_scripts/studies/explicit_building.py"),
-        scene=explicit_scene,
+        scene=BUILDING.explicit_scene,
         record="results/{run}/records/{record}.csv",
         yade="results/{run}/yade.txt",
-        modules=module(
-            "yade_scripts/engine/adapter.py",
-            "yade_scripts/model/scene.py",
-        ),
+        modules=study_code("explicit_building"),
     output:
         history="results/{run}/building/explicit_{load}_{record}.csv",
         cost="results/{run}/building/explicit_{load}_{record}.json",
@@ -300,28 +279,23 @@ rule building_explicit:
     wildcard_constraints:
         load="plain|loaded",
     params:
-        python=YADE_PYTHON,
         gravity=lambda w: 9.81 if w.load == "loaded" else 0.0,
     shell:
-        "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.record:q}"
+        "{YADE} explicit_building --scene {input.scene:q} --motion {input.record:q}"
         " --gravity {params.gravity} --output {output.history:q} --cost {output.cost:q}"
         " 2> >(tee {log:q} >&2)"
 
 
 rule table_building_explicit:
     input:
-        plan=building_plan,
+        plan=BUILDING.plan,
         fit="results/{run}/building/fit.json",
-        scene=explicit_scene,
+        scene=BUILDING.explicit_scene,
         plain="results/{run}/building/explicit_plain_{record}.csv",
         loaded="results/{run}/building/explicit_loaded_{record}.csv",
         record="results/{run}/records/{record}.csv",
         facts="results/{run}/records/{record}.json",
-        style=STYLE,
-        modules=building_modules(
-            "workflow/rocking/building/history.py",
-            "workflow/rocking/building/comparison.py",
-        ),
+        modules=code("table_building_explicit"),
     output:
         table="results/{run}/tables/building_explicit_{record}.csv",
         png=report(
@@ -338,37 +312,34 @@ rule table_building_explicit:
     log:
         "results/{run}/logs/table_building_explicit_{record}.log",
     params:
-        building=building_keys(),
+        building=BUILDING.keys(),
     script:
         "../scripts/table_building_explicit.py"
 
 
 rule building_explicit_cost:
     input:
-        entry=module("yade_scripts/studies/explicit_building.py"),
         scene="results/{run}/building/explicit_scene_{coarsening}.json",
-        record=lambda w: f"results/{w.run}/records/{wme_records(w.run)[0]}.csv",
+        record=lambda w: f"results/{w.run}/records/{BUILDING.records(w.run, 'wme_records')[0]}.csv",
         yade="results/{run}/yade.txt",
+        modules=study_code("explicit_building"),
     output:
         history=temp("results/{run}/building/explicit_cost_{coarsening}.csv"),
         cost="results/{run}/building/explicit_cost_{coarsening}.json",
     log:
         "results/{run}/logs/building_explicit_cost_{coarsening}.log",
     params:
-        python=YADE_PYTHON,
-        steps=lambda w: cfg(w)["building"]["explicit_cost_steps"],
+        steps=lambda w: STUDY.cfg(w)["building"]["explicit_cost_steps"],
     shell:
-        "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.record:q}"
+        "{YADE} explicit_building --scene {input.scene:q} --motion {input.record:q}"
         " --steps {params.steps} --output {output.history:q} --cost {output.cost:q}"
         " 2> >(tee {log:q} >&2)"
 
 
 rule table_building_explicit_cost:
     input:
-        cost=lambda w: [
-            f"results/{w.run}/building/explicit_cost_{c:g}.json"
-            for c in cfg(w)["building"]["explicit_convergence"]
-        ],
+        cost=BUILDING.explicit_costs,
+        modules=code("table_building_explicit_cost"),
     output:
         report(
             "results/{run}/tables/building_explicit_cost.csv",
@@ -379,6 +350,6 @@ rule table_building_explicit_cost:
     log:
         "results/{run}/logs/table_building_explicit_cost.log",
     params:
-        coarsenings=lambda w: cfg(w)["building"]["explicit_convergence"],
+        coarsenings=lambda w: STUDY.cfg(w)["building"]["explicit_convergence"],
     script:
         "../scripts/table_building_explicit_cost.py"

@@ -1,19 +1,10 @@
 # Calibration of β: free-rocking study, its law, both validations, an own wall.
 
 
-include: "calibration_targets.smk"
-
-
 rule calibration_cases:
     input:
-        modules=module(
-            "workflow/rocking/calibration/study.py", "yade_scripts/model/stiffness.py"
-        ),
-        wall=lambda w: (
-            beside(study(w.run)["free_rocking_wall"])
-            if w.group == "free_rocking_wall"
-            else []
-        ),
+        wall=CALIBRATION.wall,
+        modules=code("calibrate_cases"),
     output:
         CASES,
     log:
@@ -21,44 +12,32 @@ rule calibration_cases:
     wildcard_constraints:
         group=r"batch\d+|sensitivity|free_rocking_wall|own_wall",
     params:
-        # an own wall is that of the configuration; the study brings its own walls
-        config=lambda w: configuration.relevant(
-            cfg(w),
-            "calibration",
-            *(
-                ("facade", "return_wall", "smdof", "numerics")
-                if w.group == "own_wall"
-                else ()
-            ),
-        ),
+        config=CALIBRATION.config,
     script:
         "../scripts/calibrate_cases.py"
 
 
 rule free_rocking:
     input:
-        entry=module("yade_scripts/studies/free_rocking.py"),
         cases=CASES,
         yade=ancient("results/{run}/yade.txt"),
-        modules=yade_modules() + module("yade_scripts/studies/free_rocking.py"),
+        modules=study_code("free_rocking"),
     output:
         HISTORIES,
     log:
         "results/{run}/logs/free_rocking_{group}.log",
     benchmark:
         "results/{run}/benchmarks/free_rocking_{group}.tsv"
-    params:
-        python=YADE_PYTHON,
     shell:
-        "{params.python:q} {input.entry:q} --cases {input.cases:q} --output {output:q}"
+        "{YADE} free_rocking --cases {input.cases:q} --output {output:q}"
         " 2> >(tee {log:q} >&2)"
 
 
 rule free_rocking_table:
     input:
-        cases=group_files(CASES),
-        histories=group_files(HISTORIES),
-        modules=STUDY_MODULES,
+        cases=CALIBRATION.of_groups(CASES),
+        histories=CALIBRATION.of_groups(HISTORIES),
+        modules=code("table_free_rocking"),
     output:
         report(
             "results/{run}/tables/free_rocking.csv",
@@ -74,9 +53,9 @@ rule free_rocking_table:
 
 rule beta_fit:
     input:
-        cases=group_files(CASES),
-        histories=group_files(HISTORIES),
-        modules=STUDY_MODULES,
+        cases=CALIBRATION.of_groups(CASES),
+        histories=CALIBRATION.of_groups(HISTORIES),
+        modules=code("calibrate_fit"),
     output:
         walls="results/{run}/tables/beta_walls.csv",
         fit=report(
@@ -94,7 +73,7 @@ rule beta_fit:
 rule beta_law:
     input:
         "results/{run}/tables/beta_walls.csv",
-        modules=module("workflow/rocking/calibration/beta.py"),
+        modules=code("calibrate_law"),
     output:
         law="results/{run}/calibration/beta_law.json",
         table=report(
@@ -115,8 +94,7 @@ rule fig04_calibration:
         histories="results/{run}/calibration/histories_batch1.npz",
         walls="results/{run}/tables/beta_walls.csv",
         law="results/{run}/calibration/beta_law.json",
-        modules=STUDY_MODULES,
-        style=STYLE,
+        modules=code("fig04_calibration"),
     output:
         png=report(
             "results/{run}/figures/fig04_calibration.png",
@@ -128,7 +106,7 @@ rule fig04_calibration:
     log:
         "results/{run}/logs/fig04_calibration.log",
     params:
-        settings=params_of("calibration"),
+        settings=STUDY.params_of("calibration"),
     script:
         "../scripts/fig04_calibration.py"
 
@@ -137,9 +115,8 @@ rule wall_beta:
     input:
         cases="results/{run}/calibration/cases_own_wall.json",
         histories="results/{run}/calibration/histories_own_wall.npz",
-        law=str(BASE / "config" / "beta_law.json"),
-        modules=STUDY_MODULES,
-        style=STYLE,
+        law=LAW_FILE,
+        modules=code("calibrate_wall"),
     output:
         table="results/{run}/tables/wall_beta.csv",
         png=report(
@@ -152,7 +129,7 @@ rule wall_beta:
     log:
         "results/{run}/logs/wall_beta.log",
     params:
-        config=params_of("calibration", "facade", "return_wall"),
+        config=STUDY.params_of("calibration", "facade", "return_wall"),
     script:
         "../scripts/calibrate_wall.py"
 
@@ -160,18 +137,13 @@ rule wall_beta:
 # `snakemake calibration`: the whole study.
 rule calibration:
     input:
-        with_pages(per_run(calibration_results)),
+        with_pages(STUDY.per_run(CALIBRATION.results)),
 
 
 # `snakemake calibrate_wall --configfile my_facade.yaml`: β of the configuration's own façade.
 rule calibrate_wall:
     input:
-        per_run(
-            lambda run: [
-                f"results/{run}/tables/wall_beta.csv",
-                f"results/{run}/figures/wall_beta.png",
-            ]
-        ),
+        STUDY.per_run(CALIBRATION.wall_results),
 
 
 include: "validation.smk"

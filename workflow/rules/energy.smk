@@ -3,23 +3,19 @@
 
 rule energy_balance:
     input:
-        entry=module("yade_scripts/studies/energy.py"),
         scene="results/{run}/scenes/{model}.json",
-        motion=ida_motion,
+        motion=STUDY.ida_motion,
         curve="results/{run}/ida/{model}/{record}_{direction}.csv",
         yade="results/{run}/yade.txt",
-        modules=yade_modules()
-        + module("yade_scripts/engine/balance.py", "yade_scripts/studies/ensemble.py"),
+        modules=study_code("energy"),
     output:
         "results/{run}/energy/{model}/{record}_{direction}_{share}.csv",
     log:
         "results/{run}/logs/energy_{model}_{record}_{direction}_{share}.log",
     wildcard_constraints:
         share=r"\d+(\.\d+)?",
-    params:
-        python=YADE_PYTHON,
     shell:
-        "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
+        "{YADE} energy --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
         " --curve {input.curve:q} --share {wildcards.share:q} --output {output:q}"
         " 2> >(tee {log:q} >&2)"
@@ -27,7 +23,8 @@ rule energy_balance:
 
 rule table_energy_balance:
     input:
-        energy_histories,
+        ACCURACY.energy_histories,
+        modules=code("table_energy_balance"),
     output:
         report(
             "results/{run}/tables/energy_balance.csv",
@@ -38,15 +35,15 @@ rule table_energy_balance:
     log:
         "results/{run}/logs/table_energy_balance.log",
     params:
-        share=lambda w: cfg(w)["accuracy"]["energy_share"],
+        share=lambda w: STUDY.cfg(w)["accuracy"]["energy_share"],
     script:
         "../scripts/table_energy_balance.py"
 
 
 rule figure_energy_balance:
     input:
-        histories=energy_histories,
-        style=STYLE,
+        histories=ACCURACY.energy_histories,
+        modules=code("figure_energy_balance"),
     output:
         png=report(
             "results/{run}/figures/energy_balance.png",
@@ -58,6 +55,6 @@ rule figure_energy_balance:
     log:
         "results/{run}/logs/figure_energy_balance.log",
     params:
-        share=lambda w: cfg(w)["accuracy"]["energy_share"],
+        share=lambda w: STUDY.cfg(w)["accuracy"]["energy_share"],
     script:
         "../scripts/figure_energy_balance.py"

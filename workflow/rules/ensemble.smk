@@ -3,12 +3,10 @@
 
 rule ida_ensemble:
     input:
-        entry=module("yade_scripts/studies/ensemble.py"),
         scene="results/{run}/scenes/{model}.json",
-        motion=ida_motion,
+        motion=STUDY.ida_motion,
         curve="results/{run}/ida/{model}/{record}_{direction}.csv",
-        modules=yade_modules()
-        + module("yade_scripts/studies/perturb.py", "yade_scripts/studies/ensemble.py"),
+        modules=study_code("ensemble"),
     output:
         ensemble="results/{run}/ida/{model}/{record}_{direction}_ensemble.csv",
         sensitivity="results/{run}/ida/{model}/{record}_{direction}_sensitivity.csv",
@@ -17,10 +15,9 @@ rule ida_ensemble:
     benchmark:
         "results/{run}/benchmarks/ensemble_{model}_{record}_{direction}.tsv"
     params:
-        python=YADE_PYTHON,
         journal="results/{run}/cache/ensemble/{model}_{record}_{direction}.jsonl",
     shell:
-        "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
+        "{YADE} ensemble --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
         " --curve {input.curve:q} --journal {params.journal:q}"
         " --output {output.ensemble:q} --sensitivity {output.sensitivity:q}"

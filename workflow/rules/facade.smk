@@ -3,18 +3,15 @@
 
 rule scene:
     input:
-        modules=module(
-            "workflow/rocking/accuracy/study.py",
-            "workflow/rocking/calibration/beta.py",
-            "workflow/rocking/mechanics/closed_forms.py",
-        ),
-        fidelity=str(BASE / "config" / "fidelity.yaml"),
+        fidelity=FIDELITY_FILE,
+        law=LAW_FILE,
+        modules=code("scene"),
     output:
         "results/{run}/scenes/{model}.json",
     log:
         "results/{run}/logs/scene_{model}.log",
     params:
-        scene=lambda w: params_of(
+        scene=lambda w: STUDY.params_of(
             "facade",
             "return_wall",
             "damping",
@@ -22,7 +19,7 @@ rule scene:
             "numerics",
             "ida",
             "ensemble",
-            *(["w3"] if w.model == "W3" else []),
+            *(["w3"] if MODELS[w.model].walls == "bricks" else []),
         )(w),
     script:
         "../scripts/scene.py"
@@ -31,13 +28,10 @@ rule scene:
 # One early job that says in one line whether this machine can run YADE scenes.
 rule yade_check:
     input:
-        entry=module("yade_scripts/studies/check_yade.py"),
-        modules=module("yade_scripts/engine/adapter.py"),
+        modules=study_code("check_yade"),
     output:
         "results/{run}/yade.txt",
     log:
         "results/{run}/logs/yade_check.log",
-    params:
-        python=YADE_PYTHON,
     shell:
-        "{params.python:q} {input.entry:q} --output {output:q} 2> >(tee {log:q} >&2)"
+        "{YADE} check_yade --output {output:q} 2> >(tee {log:q} >&2)"

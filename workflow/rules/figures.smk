@@ -5,7 +5,7 @@ rule figure_record:
     input:
         record="results/{run}/records/{record}.csv",
         facts="results/{run}/records/{record}.json",
-        style=STYLE,
+        modules=code("figure_record"),
     output:
         png=report(
             "results/{run}/figures/record_{record}.png",
@@ -26,9 +26,9 @@ rule figure_record:
 
 rule figure_floor_motions:
     input:
-        motion=ida_motion,
+        motion=STUDY.ida_motion,
         facts="results/{run}/records/{record}.json",
-        style=STYLE,
+        modules=code("figure_floor_motions"),
     output:
         png=report(
             "results/{run}/figures/floor_motions_{record}.png",
@@ -44,19 +44,19 @@ rule figure_floor_motions:
     log:
         "results/{run}/logs/figure_floor_motions_{record}.log",
     params:
-        smdof=params_of("smdof"),
+        smdof=STUDY.params_of("smdof"),
     script:
         "../scripts/figure_floor_motions.py"
 
 
 rule fig09_ida:
     input:
-        ida=lambda w: ida_tables(w.run),
-        ensemble=lambda w: ensemble_tables(w.run),
-        sensitivity=lambda w: sensitivity_tables(w.run),
-        pushover=lambda w: static_curves(w.run),
-        facts=record_facts,
-        style=STYLE,
+        ida=lambda w: STUDY.ida_tables(w.run),
+        ensemble=lambda w: STUDY.ensemble_tables(w.run),
+        sensitivity=lambda w: STUDY.sensitivity_tables(w.run),
+        pushover=lambda w: STUDY.static_curves(w.run),
+        facts=STUDY.record_facts,
+        modules=code("fig09_ida"),
     output:
         png=report(
             "results/{run}/figures/fig09_ida.png",
@@ -68,10 +68,10 @@ rule fig09_ida:
     log:
         "results/{run}/logs/fig09_ida.log",
     params:
-        records=lambda w: RECORDS[w.run],
-        models=lambda w: cfg(w)["models"],
-        directions=lambda w: cfg(w)["directions"],
-        facade=params_of("facade"),
-        percentiles=lambda w: cfg(w)["ensemble"]["percentiles"],
+        records=lambda w: STUDY.records[w.run],
+        models=lambda w: STUDY.cfg(w)["models"],
+        directions=lambda w: STUDY.cfg(w)["directions"],
+        facade=STUDY.params_of("facade"),
+        percentiles=lambda w: STUDY.cfg(w)["ensemble"]["percentiles"],
     script:
         "../scripts/fig09_ida.py"

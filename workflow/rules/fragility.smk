@@ -1,28 +1,26 @@
 # Fragility curves, efficiency of intensity measures, capacity reduction by the building.
 # Not part of the main job; ask for `fragility` (from the run's curves) or `capacity_reduction`
 # (further analyses).
-include: "fragility_targets.smk"
+wildcard_constraints:
+    t1=r"[0-9.]+",
+    below=r"\d+",
 
 
 rule fragility:
     input:
-        with_pages(per_run(fragility_results)),
+        with_pages(STUDY.per_run(FRAGILITY.results)),
 
 
 rule capacity_reduction:
     input:
-        with_pages(per_run(reduction_results)),
+        with_pages(STUDY.per_run(FRAGILITY.reduction_results)),
 
 
 rule fragility_table:
     input:
-        ida=lambda w: ida_tables(w.run),
-        records=lambda w: [path.replace(".json", ".csv") for path in record_facts(w)],
-        modules=module(
-            "workflow/rocking/curves/fragility.py",
-            "workflow/rocking/curves/intensity_measures.py",
-            "smdof/spectra.py",
-        ),
+        ida=lambda w: STUDY.ida_tables(w.run),
+        records=FRAGILITY.record_files,
+        modules=code("fragility_table"),
     output:
         fragility="results/{run}/tables/fragility.csv",
         measures="results/{run}/tables/intensity_measures.csv",
@@ -31,9 +29,13 @@ rule fragility_table:
     log:
         "results/{run}/logs/fragility_table.log",
     params:
-        fragility=lambda w: cfg(w)["fragility"],
-        facade=lambda w: {k: cfg(w)["facade"][k] for k in ("height_m", "thickness_m")},
-        smdof=lambda w: {k: cfg(w)["smdof"][k] for k in ("period_s", "damping_ratio")},
+        fragility=lambda w: STUDY.cfg(w)["fragility"],
+        facade=lambda w: {
+            k: STUDY.cfg(w)["facade"][k] for k in ("height_m", "thickness_m")
+        },
+        smdof=lambda w: {
+            k: STUDY.cfg(w)["smdof"][k] for k in ("period_s", "damping_ratio")
+        },
     script:
         "../scripts/fragility_table.py"
 
@@ -43,8 +45,8 @@ rule fragility_figure:
         fragility="results/{run}/tables/fragility.csv",
         curves="results/{run}/fragility/curves.csv",
         brackets="results/{run}/fragility/brackets.csv",
-        facts=record_facts,
-        style=STYLE,
+        facts=STUDY.record_facts,
+        modules=code("fragility_figure"),
     output:
         png=report(
             "results/{run}/figures/fragility.png",
@@ -56,10 +58,10 @@ rule fragility_figure:
     log:
         "results/{run}/logs/fragility_figure.log",
     params:
-        confidence=lambda w: cfg(w)["fragility"]["confidence"],
-        min_records=lambda w: cfg(w)["fragility"]["min_records"],
-        facade=lambda w: cfg(w)["facade"],
-        smdof=lambda w: cfg(w)["smdof"],
+        confidence=lambda w: STUDY.cfg(w)["fragility"]["confidence"],
+        min_records=lambda w: STUDY.cfg(w)["fragility"]["min_records"],
+        facade=lambda w: STUDY.cfg(w)["facade"],
+        smdof=lambda w: STUDY.cfg(w)["smdof"],
     script:
         "../scripts/fragility_figure.py"
 
@@ -67,7 +69,7 @@ rule fragility_figure:
 rule figure_intensity_measures:
     input:
         measures="results/{run}/tables/intensity_measures.csv",
-        style=STYLE,
+        modules=code("figure_intensity_measures"),
     output:
         png=report(
             "results/{run}/figures/intensity_measures.png",
@@ -79,8 +81,8 @@ rule figure_intensity_measures:
     log:
         "results/{run}/logs/figure_intensity_measures.log",
     params:
-        confidence=lambda w: cfg(w)["fragility"]["confidence"],
-        min_records=lambda w: cfg(w)["fragility"]["min_records"],
+        confidence=lambda w: STUDY.cfg(w)["fragility"]["confidence"],
+        min_records=lambda w: STUDY.cfg(w)["fragility"]["min_records"],
     script:
         "../scripts/figure_intensity_measures.py"
 
@@ -91,25 +93,26 @@ rule figure_intensity_measures:
 rule reduction_motion:
     input:
         record="results/{run}/records/{record}.csv",
-        modules=module("smdof/chain.py", "smdof/oscillator.py"),
+        modules=code("capacity_reduction_motion"),
     output:
         motion="results/{run}/capacity_reduction/T{t1}_below{below}/{record}.csv",
         facts="results/{run}/capacity_reduction/T{t1}_below{below}/{record}.json",
     log:
         "results/{run}/logs/reduction_motion_T{t1}_below{below}_{record}.log",
     params:
-        smdof=lambda w: {k: v for k, v in cfg(w)["smdof"].items() if k != "period_s"},
+        smdof=lambda w: {
+            k: v for k, v in STUDY.cfg(w)["smdof"].items() if k != "period_s"
+        },
     script:
         "../scripts/capacity_reduction_motion.py"
 
 
 use rule ida as reduction_ida with:
     input:
-        entry=module("yade_scripts/studies/ida.py"),
         scene="results/{run}/scenes/W2.json",
         motion="results/{run}/capacity_reduction/T{t1}_below{below}/{record}.csv",
         yade="results/{run}/yade.txt",
-        modules=yade_modules(),
+        modules=study_code("ida"),
     output:
         "results/{run}/capacity_reduction/T{t1}_below{below}/{record}_{direction}.csv",
     log:
@@ -117,17 +120,16 @@ use rule ida as reduction_ida with:
     benchmark:
         "results/{run}/benchmarks/reduction_T{t1}_below{below}_{record}_{direction}.tsv"
     params:
-        python=YADE_PYTHON,
         journal="results/{run}/cache/reduction/T{t1}_below{below}_{record}_{direction}.jsonl",
 
 
 rule figure_capacity_reduction:
     input:
-        w1=reduction_reference,
-        w2=reduction_curves,
-        facts=reduction_facts,
-        records=record_facts,
-        style=STYLE,
+        w1=FRAGILITY.reduction_reference,
+        w2=FRAGILITY.reduction_curves,
+        facts=FRAGILITY.reduction_facts,
+        records=STUDY.record_facts,
+        modules=code("figure_capacity_reduction"),
     output:
         table="results/{run}/tables/capacity_reduction.csv",
         png=report(
@@ -140,8 +142,8 @@ rule figure_capacity_reduction:
     log:
         "results/{run}/logs/figure_capacity_reduction.log",
     params:
-        n_dof=lambda w: cfg(w)["smdof"]["n_dof"],
-        facade=lambda w: cfg(w)["facade"],
-        smdof=lambda w: cfg(w)["smdof"],
+        n_dof=lambda w: STUDY.cfg(w)["smdof"]["n_dof"],
+        facade=lambda w: STUDY.cfg(w)["facade"],
+        smdof=lambda w: STUDY.cfg(w)["smdof"],
     script:
         "../scripts/figure_capacity_reduction.py"

@@ -1,7 +1,4 @@
 # Static capacity curves in YADE: one job a model, and one a variant of W3.
-include: "boundary_targets.smk"
-
-
 PUSH_SECTIONS = (
     "facade",
     "return_wall",
@@ -11,49 +8,46 @@ PUSH_SECTIONS = (
     "pushover",
     "w3",
 )
-PUSH_MODULES = yade_modules() + module("yade_scripts/studies/pushover.py")
-PUSH_SCRIPTS = module(
-    "workflow/rocking/curves/pushover.py", "workflow/rocking/mechanics/closed_forms.py"
-)
 
 
 wildcard_constraints:
-    pushed="free|W1|W1c|W3",
-    variant="|".join(re.escape(name) for name in W3_VARIANTS),
+    pushed="|".join(PUSHED),
+    variant="|".join(re.escape(name) for name in VARIANTS),
 
 
 rule pushover_scene:
     input:
-        modules=module("workflow/rocking/calibration/beta.py") + PUSH_SCRIPTS,
+        law=LAW_FILE,
+        modules=code("pushover_scene"),
     output:
         "results/{run}/pushover/scenes/{pushed}.json",
     log:
         "results/{run}/logs/pushover_scene_{pushed}.log",
     params:
-        scene=params_of(*PUSH_SECTIONS),
+        scene=STUDY.params_of(*PUSH_SECTIONS),
     script:
         "../scripts/pushover_scene.py"
 
 
 rule pushover_variant_scene:
     input:
-        modules=module("workflow/rocking/calibration/beta.py") + PUSH_SCRIPTS,
+        law=LAW_FILE,
+        modules=code("pushover_scene"),
     output:
         "results/{run}/w3/scenes/{variant}.json",
     log:
         "results/{run}/logs/w3_scene_{variant}.log",
     params:
-        scene=params_of(*PUSH_SECTIONS),
+        scene=STUDY.params_of(*PUSH_SECTIONS),
     script:
         "../scripts/pushover_scene.py"
 
 
 rule pushover:
     input:
-        entry=module("yade_scripts/studies/pushover.py"),
         scene="results/{run}/pushover/scenes/{pushed}.json",
         yade="results/{run}/yade.txt",
-        modules=PUSH_MODULES,
+        modules=study_code("pushover"),
     output:
         curve="results/{run}/pushover/raw/{pushed}.csv",
         forces="results/{run}/pushover/raw/{pushed}_forces.csv",
@@ -61,19 +55,16 @@ rule pushover:
         "results/{run}/logs/pushover_{pushed}.log",
     benchmark:
         "results/{run}/benchmarks/pushover_{pushed}.tsv"
-    params:
-        python=YADE_PYTHON,
     shell:
-        "{params.python:q} {input.entry:q} --scene {input.scene:q} --output {output.curve:q}"
+        "{YADE} pushover --scene {input.scene:q} --output {output.curve:q}"
         " --forces {output.forces:q} 2> >(tee {log:q} >&2)"
 
 
 rule pushover_variant:
     input:
-        entry=module("yade_scripts/studies/pushover.py"),
         scene="results/{run}/w3/scenes/{variant}.json",
         yade="results/{run}/yade.txt",
-        modules=PUSH_MODULES,
+        modules=study_code("pushover"),
     output:
         curve="results/{run}/w3/{variant}.csv",
         forces="results/{run}/w3/{variant}_forces.csv",
@@ -81,10 +72,8 @@ rule pushover_variant:
         "results/{run}/logs/w3_{variant}.log",
     benchmark:
         "results/{run}/benchmarks/w3_{variant}.tsv"
-    params:
-        python=YADE_PYTHON,
     shell:
-        "{params.python:q} {input.entry:q} --scene {input.scene:q} --output {output.curve:q}"
+        "{YADE} pushover --scene {input.scene:q} --output {output.curve:q}"
         " --forces {output.forces:q} 2> >(tee {log:q} >&2)"
 
 
@@ -92,7 +81,7 @@ rule pushover_curve:
     input:
         scene="results/{run}/pushover/scenes/{pushed}.json",
         raw="results/{run}/pushover/raw/{pushed}.csv",
-        modules=PUSH_SCRIPTS,
+        modules=code("pushover_curve"),
     output:
         "results/{run}/pushover/{pushed}.csv",
     log:
@@ -103,11 +92,11 @@ rule pushover_curve:
 
 rule table_pushover:
     input:
-        curves=lambda w: pushover_curves(w.run),
-        scenes=lambda w: variant_files(w.run, "scenes/{}.json"),
-        raw=lambda w: variant_files(w.run, "{}.csv"),
-        forces=lambda w: variant_files(w.run, "{}_forces.csv"),
-        modules=PUSH_SCRIPTS,
+        curves=BOUNDARY.pushover_curves,
+        scenes=BOUNDARY.variants("scenes/{}.json"),
+        raw=BOUNDARY.variants("{}.csv"),
+        forces=BOUNDARY.variants("{}_forces.csv"),
+        modules=code("table_pushover"),
     output:
         report(
             "results/{run}/tables/pushover.csv",
@@ -123,19 +112,10 @@ rule table_pushover:
 
 rule fig08_w3:
     input:
-        scenes=lambda w: variant_files(
-            w.run,
-            "scenes/{}.json",
-            [f"header_{r}" for r in HEADER_RULES] + ["default"],
-        ),
-        raw=lambda w: variant_files(
-            w.run, "{}.csv", [f"header_{r}" for r in HEADER_RULES] + ["default"]
-        ),
-        forces=lambda w: variant_files(
-            w.run, "{}_forces.csv", [f"header_{r}" for r in HEADER_RULES] + ["default"]
-        ),
-        style=STYLE,
-        modules=PUSH_SCRIPTS,
+        scenes=BOUNDARY.drawn_variants("scenes/{}.json"),
+        raw=BOUNDARY.drawn_variants("{}.csv"),
+        forces=BOUNDARY.drawn_variants("{}_forces.csv"),
+        modules=code("fig08_w3"),
     output:
         png=report(
             "results/{run}/figures/fig08_w3.png",
@@ -153,7 +133,7 @@ rule fig08_w3:
 rule figure_w3_sensitivity:
     input:
         table="results/{run}/tables/pushover.csv",
-        style=STYLE,
+        modules=code("figure_w3_sensitivity"),
     output:
         png=report(
             "results/{run}/figures/w3_sensitivity.png",

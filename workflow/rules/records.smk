@@ -1,26 +1,29 @@
 # Accelerograms: read or generated, baseline treated, measured.
 rule record:
     input:
-        file=record_file,
-        surrogates=surrogate_parameters,
-        modules=package("workflow/rocking/records"),
+        file=STUDY.record_file,
+        surrogates=STUDY.surrogate_parameters,
+        modules=code("record"),
     output:
         record="results/{run}/records/{record}.csv",
         facts="results/{run}/records/{record}.json",
     log:
         "results/{run}/logs/record_{record}.log",
     params:
-        row=lambda w: {k: v for k, v in asdict(record_row(w)).items() if k != "line"},
-        table=lambda w: table_path(cfg(w)),
-        baseline=lambda w: cfg(w)["baseline"],
-        seed=lambda w: cfg(w)["seed"],
+        row=lambda w: {
+            k: v for k, v in asdict(STUDY.record_row(w)).items() if k != "line"
+        },
+        table=lambda w: STUDY.table_path(w.run),
+        baseline=lambda w: STUDY.cfg(w)["baseline"],
+        seed=lambda w: STUDY.cfg(w)["seed"],
     script:
         "../scripts/record.py"
 
 
 rule records_table:
     input:
-        facts=record_facts,
+        facts=STUDY.record_facts,
+        modules=code("table_records"),
     output:
         "results/{run}/tables/records.csv",
     log:

@@ -5,6 +5,7 @@ rule report_table:
     input:
         table="results/{run}/tables/{table}.csv",
         style=REPORT_STYLE,
+        modules=code("report_table"),
     output:
         report(
             "results/{run}/report/{table}.html",
@@ -23,8 +24,9 @@ rule report_table:
 
 rule report_provenance:
     input:
-        facts=record_facts,
+        facts=STUDY.record_facts,
         style=REPORT_STYLE,
+        modules=code("report_provenance"),
     output:
         report(
             "results/{run}/report/provenance.html",
@@ -35,8 +37,10 @@ rule report_provenance:
     log:
         "results/{run}/logs/report_provenance.log",
     params:
-        about=lambda w: {name: TABLES[w.run][name].about for name in RECORDS[w.run]},
-        table=lambda w: cfg(w)["records_table"],
+        about=lambda w: {
+            name: STUDY.tables[w.run][name].about for name in STUDY.records[w.run]
+        },
+        table=lambda w: STUDY.cfg(w)["records_table"],
     script:
         "../scripts/report_provenance.py"
 
@@ -44,7 +48,8 @@ rule report_provenance:
 # The table names its own columns of time, which differ from one execution to the next.
 rule table_run_times:
     input:
-        ida=lambda w: ida_tables(w.run),
+        ida=lambda w: STUDY.ida_tables(w.run),
+        modules=code("table_run_times"),
     output:
         "results/{run}/tables/run_times.csv",
     log:

@@ -6,8 +6,7 @@ rule fig05_sorrentino:
         cases="results/{run}/calibration/cases_free_rocking_wall.json",
         histories="results/{run}/calibration/histories_free_rocking_wall.npz",
         law="results/{run}/calibration/beta_law.json",
-        modules=STUDY_MODULES,
-        style=STYLE,
+        modules=code("fig05_sorrentino"),
     output:
         png=report(
             "results/{run}/figures/fig05_sorrentino.png",
@@ -22,48 +21,45 @@ rule fig05_sorrentino:
     log:
         "results/{run}/logs/fig05_sorrentino.log",
     params:
-        settings=params_of("calibration"),
+        settings=STUDY.params_of("calibration"),
     script:
         "../scripts/fig05_sorrentino.py"
 
 
 rule shake_table_tests:
     input:
-        wall=lambda w: beside(study(w.run)["shake_table_wall"]),
-        table=lambda w: beside(study(w.run)["shake_table_records"]),
-        records=shake_table_files,
+        wall=CALIBRATION.shake_table("wall"),
+        table=CALIBRATION.shake_table("records"),
+        records=CALIBRATION.shake_table_files,
         law="results/{run}/calibration/beta_law.json",
-        modules=STUDY_MODULES,
+        modules=code("calibrate_shake_table"),
     output:
         tests="results/{run}/calibration/shake_table_tests.json",
         motions=directory("results/{run}/calibration/shake_table_motions"),
     log:
         "results/{run}/logs/shake_table_tests.log",
     params:
-        settings=params_of("calibration"),
-        baseline=lambda w: cfg(w)["baseline"],
-        seed=lambda w: cfg(w)["seed"],
+        settings=STUDY.params_of("calibration"),
+        baseline=lambda w: STUDY.cfg(w)["baseline"],
+        seed=lambda w: STUDY.cfg(w)["seed"],
     script:
         "../scripts/calibrate_shake_table.py"
 
 
 rule shake_table:
     input:
-        entry=module("yade_scripts/studies/shake_table.py"),
         tests="results/{run}/calibration/shake_table_tests.json",
         motions="results/{run}/calibration/shake_table_motions",
         yade=ancient("results/{run}/yade.txt"),
-        modules=yade_modules() + module("yade_scripts/studies/shake_table.py"),
+        modules=study_code("shake_table"),
     output:
         "results/{run}/calibration/shake_table_histories.npz",
     log:
         "results/{run}/logs/shake_table.log",
     benchmark:
         "results/{run}/benchmarks/shake_table.tsv"
-    params:
-        python=YADE_PYTHON,
     shell:
-        "{params.python:q} {input.entry:q} --tests {input.tests:q} --output {output:q}"
+        "{YADE} shake_table --tests {input.tests:q} --output {output:q}"
         " 2> >(tee {log:q} >&2)"
 
 
@@ -71,7 +67,7 @@ rule shake_table_table:
     input:
         tests="results/{run}/calibration/shake_table_tests.json",
         histories="results/{run}/calibration/shake_table_histories.npz",
-        modules=module("workflow/rocking/calibration/restitution.py"),
+        modules=code("table_shake_table"),
     output:
         report(
             "results/{run}/tables/shake_table.csv",
@@ -89,8 +85,7 @@ rule fig06_shawa:
     input:
         tests="results/{run}/calibration/shake_table_tests.json",
         histories="results/{run}/calibration/shake_table_histories.npz",
-        modules=module("workflow/rocking/calibration/restitution.py"),
-        style=STYLE,
+        modules=code("fig06_shawa"),
     output:
         png=report(
             "results/{run}/figures/fig06_shawa.png",
@@ -112,9 +107,7 @@ rule fig06_shawa:
 rule damping_choice_scene:
     input:
         law="results/{run}/calibration/beta_law.json",
-        modules=module(
-            "workflow/rocking/calibration/beta.py", "workflow/rocking/mechanics/closed_forms.py"
-        ),
+        modules=code("calibrate_choice_scene"),
     output:
         "results/{run}/calibration/choice/{model}_{law}.json",
     log:
@@ -122,21 +115,19 @@ rule damping_choice_scene:
     wildcard_constraints:
         law="eq5|fitted",
     params:
-        scene=params_of("facade", "return_wall", "damping", "smdof", "numerics", "ida"),
+        scene=STUDY.params_of(
+            "facade", "return_wall", "damping", "smdof", "numerics", "ida"
+        ),
     script:
         "../scripts/calibrate_choice_scene.py"
 
 
 rule damping_choice_ida:
     input:
-        entry=module("yade_scripts/studies/ida.py"),
         scene="results/{run}/calibration/choice/{model}_{law}.json",
-        motion=lambda w: (
-            f"results/{w.run}/smdof/{study(w.run)['choice_record']}"
-            f"_{cfg(w)['smdof']['n_dof']}dof.csv"
-        ),
+        motion=CALIBRATION.choice_motion,
         yade=ancient("results/{run}/yade.txt"),
-        modules=yade_modules(),
+        modules=study_code("ida"),
     output:
         "results/{run}/calibration/choice/{model}_{direction}_{law}.csv",
     log:
@@ -144,27 +135,20 @@ rule damping_choice_ida:
     wildcard_constraints:
         law="eq5|fitted",
     params:
-        python=YADE_PYTHON,
-        record=lambda w: study(w.run)["choice_record"],
+        record=CALIBRATION.choice_record,
         journal="results/{run}/cache/choice/{model}_{direction}_{law}.jsonl",
     shell:
-        "{params.python:q} {input.entry:q} --scene {input.scene:q} --motion {input.motion:q}"
+        "{YADE} ida --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {wildcards.direction}"
         " --journal {params.journal:q} --output {output:q} 2> >(tee {log:q} >&2)"
 
 
 rule damping_choice:
     input:
-        scenes=lambda w: [
-            f"results/{w.run}/calibration/choice/{m}_{law}.json"
-            for m, _, law in choices(w.run)
-        ],
-        ida=lambda w: [
-            f"results/{w.run}/calibration/choice/{m}_{d}_{law}.csv"
-            for m, d, law in choices(w.run)
-        ],
-        facts=lambda w: f"results/{w.run}/records/{study(w.run)['choice_record']}.json",
-        style=STYLE,
+        scenes=CALIBRATION.choice_scenes,
+        ida=CALIBRATION.choice_tables,
+        facts=CALIBRATION.choice_facts,
+        modules=code("calibrate_choice"),
     output:
         table="results/{run}/tables/damping_choice.csv",
         png=report(

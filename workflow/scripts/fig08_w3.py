@@ -21,6 +21,7 @@ from rocking.runtime.script import run
 
 from yade_scripts.model.facade import FACADE
 from yade_scripts.model.interlocking import interlocking_scene
+from yade_scripts.model.registry import MODELS
 
 RULE_COLOURS = {"rigid": "#D55E00", "bonded": "#E69F00", "sliding": "#0072B2", "hinged": "#009E73"}
 FILLS = {"façade": "0.85", "header": "#E69F00", "brick": "#56B4E9", "half": "#9ad0ee"}
@@ -98,7 +99,7 @@ def draw_capacity(axis, curve, config):
     )
     axis.plot(d, upper + shift, color="k", ls="--", lw=0.8, label="bounds, compliant base")
     axis.plot(d, lower + shift, color="k", ls="--", lw=0.8)
-    colour = style.MODEL_COLOURS["W3"]
+    colour = MODELS["W3"].colour
     axis.plot(curve["d_over_b"], smoothed(curve, "lambda_dem"), color=colour, label="YADE")
     axis.plot(
         curve["d_over_b"],

@@ -13,6 +13,8 @@ from rocking.curves.pushover import smoothed
 from rocking.figures import style
 from rocking.runtime.script import run
 
+from yade_scripts.model.registry import MODELS
+
 
 def rigid_pushover(h, b):
     """Rigid block about its toe: λ(θ) = tan(α − θ) against d/b = h sin θ / b."""
@@ -22,7 +24,6 @@ def rigid_pushover(h, b):
 
 
 LOG_RATIO = 8.0  # between the strongest and the weakest model of a record
-GREY_LINES = {"W1": "-", "W1c": ":", "W3": "--"}
 
 
 def draw_pushover(axis, path, h, b):
@@ -31,13 +32,14 @@ def draw_pushover(axis, path, h, b):
         axis.plot(*rigid_pushover(h, b), color=style.GREY, lw=2, label="pushover, rigid block")
         return
     curve, model = pd.read_csv(path), Path(path).stem
-    value = smoothed(curve, "lambda_dem") if model == "W3" else curve["lambda_dem"]
+    kind = MODELS[model]
+    value = smoothed(curve, "lambda_dem") if kind.walls == "bricks" else curve["lambda_dem"]
     axis.plot(
         curve["d_over_b"],
         value,
         color=style.GREY,
         lw=1.6,
-        ls=GREY_LINES[model],
+        ls=kind.static,
         label=f"pushover {model}",
         zorder=1,
     )
@@ -49,7 +51,7 @@ def draw(axis, curve, model, top, origin):
     The line starts at `origin`: at rest, or nowhere on a logarithmic axis.
     """
     stood, fell = branches(curve)
-    colour, marker = style.MODEL_COLOURS[model], style.MODEL_MARKERS[model]
+    colour, marker = MODELS[model].colour, MODELS[model].marker
     joined = curve[curve["status"] != "failed"]
     first = fell["pga_g"].min() if len(fell) else np.inf
     line = joined[joined["pga_g"] <= first]
@@ -71,7 +73,7 @@ def draw(axis, curve, model, top, origin):
 def draw_band(axis, ensemble, percentiles):
     """Shade the ensemble's percentile band of d/b."""
     table = bands(ensemble, percentiles)
-    colour = style.MODEL_COLOURS[curve_key(ensemble)[0]]
+    colour = MODELS[curve_key(ensemble)[0].colour]
     axis.fill_betweenx(
         table["pga_g"],
         table["d_over_b_low"].clip(upper=1.0),

@@ -6,6 +6,8 @@ from rocking.curves.ensemble import bands, collapse_percentiles, monotone
 from rocking.figures import style
 from rocking.runtime.script import run
 
+from yade_scripts.model.registry import MODELS
+
 
 def main(job):
     tables = [pd.read_csv(path) for path in job.input.ensembles]
@@ -23,7 +25,7 @@ def main(job):
     )
     for (top, bottom), table in zip(axes.T, tables, strict=False):
         model, record, direction = table.iloc[0][["model", "record", "direction"]]
-        colour = style.MODEL_COLOURS[model]
+        colour = MODELS[model].colour
         band = bands(table, percentiles)
         stood = table[table["status"] == "ok"]
         top.plot(stood["pga_g"], stood["d_over_b"], ".", color=style.GREY, ms=3, label="member")

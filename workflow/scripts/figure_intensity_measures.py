@@ -7,6 +7,8 @@ from rocking.curves.intensity_measures import MEASURES
 from rocking.figures import style
 from rocking.runtime.script import run
 
+from yade_scripts.model.registry import MODELS
+
 
 def main(job):
     table = pd.read_csv(job.input.measures)
@@ -25,8 +27,8 @@ def main(job):
             np.where(np.isfinite(error), error, 0.0),
             ls="",
             capsize=2,
-            marker=style.MODEL_MARKERS[model],
-            color=style.MODEL_COLOURS[model],
+            marker=MODELS[model].marker,
+            color=MODELS[model].colour,
             label=model,
         )
     axis.set_xticks(range(len(names)), [MEASURES[name].symbol for name in names])

@@ -6,6 +6,8 @@ import pandas as pd
 from rocking.figures import style
 from rocking.runtime.script import run
 
+from yade_scripts.model.registry import MODELS
+
 GROUPS = (
     ("header", "header joint"),
     ("lower", "inclined joints"),
@@ -42,16 +44,14 @@ def main(job):
             axis.plot(
                 [row["lambda0_kinematic"], row["lambda0_dem"]], [y, y], color=style.GREY, lw=1
             )
-            axis.plot(row["lambda0_dem"], y, "o", color=style.MODEL_COLOURS["W3"])
+            axis.plot(row["lambda0_dem"], y, "o", color=MODELS["W3"].colour)
             axis.plot(row["lambda0_kinematic"], y, "|", color="k", ms=9, mew=1.5)
             ticks.append(y)
             labels.append(row["name"].removeprefix(key + "_").replace("_", " "))
         y -= 0.6
-    axis.plot([], [], "o", color=style.MODEL_COLOURS["W3"], label="YADE, base corrected")
+    axis.plot([], [], "o", color=MODELS["W3"].colour, label="YADE, base corrected")
     axis.plot([], [], "|", color="k", ms=9, mew=1.5, label="kinematic curve")
-    axis.axvline(
-        default["lambda0_dem"], color=style.MODEL_COLOURS["W3"], ls=":", lw=1, label="default"
-    )
+    axis.axvline(default["lambda0_dem"], color=MODELS["W3"].colour, ls=":", lw=1, label="default")
     axis.set(
         yticks=ticks,
         yticklabels=labels,

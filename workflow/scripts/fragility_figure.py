@@ -12,6 +12,8 @@ from rocking.figures import style
 from rocking.runtime.script import run
 from scipy import stats
 
+from yade_scripts.model.registry import MODELS
+
 
 def steps(part):
     """Kaplan–Meier estimate over the middles of the brackets; None without a collapse."""
@@ -35,7 +37,7 @@ def main(job):
     )
     for axis, name in zip(axes.flat, names, strict=False):
         for _, fit in fits[fits["im"] == name].iterrows():
-            colour = style.MODEL_COLOURS[fit["model"]]
+            colour = MODELS[fit["model"].colour]
             of_fit = (curves["model"] == fit["model"]) & (curves["im"] == name)
             curve = curves[of_fit]
             data = steps(brackets[(brackets["model"] == fit["model"]) & (brackets["im"] == name)])

@@ -13,7 +13,7 @@ def main(job):
     if name is not None:
         scene = variant(scene, name)
     scene["model"] = getattr(job.wildcards, "pushed", "W3")
-    scene["beta_s"] = beta_for(scene)
+    scene["beta_s"] = beta_for(scene, job.input.law)
     scene["numerics"]["nodes_thickness"] = scene["pushover"]["nodes_thickness"]
     with open(job.output[0], "w") as handle:
         json.dump(scene, handle, indent=1, sort_keys=True)

@@ -7,6 +7,8 @@ from rocking.calibration.beta import beta_for
 from rocking.configuration.config import resolve
 from rocking.runtime.script import run
 
+from yade_scripts.model import registry
+
 CHOSEN = ("nodes_thickness", "nodes_height", "nodes_per_block", "step_fraction", "step_s")
 
 
@@ -15,7 +17,7 @@ def at_fidelity(numerics, model, measured):
 
     W3 has its own numerics (section w3).
     """
-    if model == "W3":
+    if not registry.model(model).single_block:
         return numerics
     defaults = resolve({})["numerics"]
     stated = {key: numerics[key] for key in CHOSEN if numerics[key] != defaults[key]}
@@ -25,7 +27,7 @@ def at_fidelity(numerics, model, measured):
 def main(job):
     scene = json.loads(job.params.scene)
     scene["model"] = job.wildcards.model
-    scene["beta_s"] = beta_for(scene)
+    scene["beta_s"] = beta_for(scene, job.input.law)
     scene["numerics"] = at_fidelity(
         scene["numerics"], scene["model"], read_fidelity(job.input.fidelity)
     )

@@ -7,12 +7,16 @@ import pandas as pd
 from rocking.curves.pushover import complete_curve, friction_moment_ratio, joint_forces, summary
 from rocking.runtime.script import run
 
+from yade_scripts.model import registry
+
 
 def main(job):
     rows = []
     for path in job.input.curves:
         model = Path(path).stem
-        rows.append({"case": model, **summary(pd.read_csv(path), bonded=model.endswith("c"))})
+        rows.append(
+            {"case": model, **summary(pd.read_csv(path), bonded=registry.model(model).bonded)}
+        )
     for scene, raw, forces in zip(job.input.scenes, job.input.raw, job.input.forces, strict=True):
         config = json.loads(Path(scene).read_text())
         row = summary(complete_curve(pd.read_csv(raw), config, "W3"))

@@ -18,6 +18,7 @@ import math
 
 import numpy as np
 
+from yade_scripts.model import registry
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 
@@ -25,11 +26,6 @@ BASE = "base"
 FACADE = "façade"
 GROUND = "ground"
 GRAVITY_M_S2 = 9.81
-
-
-def uses_chain(model):
-    """Tell whether a model's return walls follow the floors of the chain (W2, W2c, W3)."""
-    return model[:2] in ("W2", "W3")
 
 
 def floor_motion(j):
@@ -62,7 +58,7 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     config : dict
         Resolved configuration; sections facade, return_wall, smdof, numerics.
     model : str
-        "free", "W1", "W2", "W1c" or "W2c".
+        Name of a model whose only free block is the façade, see `registry`.
     beta_s : float
         Stiffness-proportional damping β [s].
     planar : bool
@@ -80,8 +76,9 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     ValueError
         For an unknown model or a release that is not within 0 ≤ θ₀/α < 1.
     """
-    if model not in ("free", "W1", "W2", "W1c", "W2c"):
-        raise ValueError(f"unknown façade model '{model}': expected free, W1, W2, W1c or W2c")
+    kind = registry.model(model)
+    if not kind.single_block:
+        raise ValueError(f"façade model '{model}' has an assembly of its own")
     if not 0.0 <= release_ratio < 1.0:
         raise ValueError(f"release θ0/α must lie in [0, 1), got {release_ratio}")
     facade, numerics = config["facade"], config["numerics"]
@@ -143,8 +140,8 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
             rotation_rad=rotation,
         )
     )
-    if model != "free" and facade.get("sides") != "two":
-        _add_return_walls(config, model, beta_s, blocks, nodes, jkn_back, planar)
+    if kind.walls != "none" and facade.get("sides") != "two":
+        _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar)
     return Scene(
         blocks,
         nodes.joints,
@@ -197,20 +194,19 @@ def _initial_pose(h, b, angle, settlement):
     return (0.0, float(dy), float(dz - settlement)), (-angle, 0.0, 0.0)
 
 
-def _add_return_walls(config, model, beta_s, blocks, nodes, jkn_back, planar):
-    """Append the return-wall supports and the back joints of W1, W2, W1c and W2c."""
+def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar):
+    """Append the return-wall supports and the back joints."""
     facade, wall, numerics = config["facade"], config["return_wall"], config["numerics"]
     h, width = facade["height_m"], facade["width_m"]
     total = wall["count"] * wall["thickness_m"]
-    bonded = model.endswith("c")
-    count = config["smdof"]["n_dof"] if uses_chain(model) else 1
-    nodes_up = numerics["nodes_per_block" if uses_chain(model) else "nodes_height"]
+    count = config["smdof"]["n_dof"] if kind.chain else 1
+    nodes_up = numerics["nodes_per_block" if kind.chain else "nodes_height"]
     points, weights = gauss_lobatto(nodes_up)
     columns, column_weights = _columns(planar, width - wall["thickness_m"])
     for j in range(1, count + 1):
         low, tall = (j - 1) * h / count, h / count
         name = f"return wall {j}"
-        motion = floor_motion(j) if uses_chain(model) else GROUND
+        motion = floor_motion(j) if kind.chain else GROUND
         blocks.append(
             Block(
                 name,
@@ -236,6 +232,6 @@ def _add_return_walls(config, model, beta_s, blocks, nodes, jkn_back, planar):
             beta_s=beta_s,
             friction_rad=math.radians(wall["friction_deg"]),
             gap_m=facade["gap_m"],
-            tension_pa=wall["tension_mpa"] * 1e6 if bonded else 0.0,
-            cohesion_pa=wall["cohesion_mpa"] * 1e6 if bonded else 0.0,
+            tension_pa=wall["tension_mpa"] * 1e6 if kind.bonded else 0.0,
+            cohesion_pa=wall["cohesion_mpa"] * 1e6 if kind.bonded else 0.0,
         )

@@ -2,10 +2,8 @@
 
 import math
 
-from yade_scripts.model import facade, interlocking
+from yade_scripts.model import facade, interlocking, registry
 from yade_scripts.model.scene import Scene
-
-SINGLE_BLOCK = ("free", "W1", "W1c", "W2", "W2c")
 
 
 def build_scene(job):
@@ -25,7 +23,7 @@ def build_scene(job):
     ValueError
         For an unknown model.
     """
-    if job["model"] == "W3":
+    if registry.model(job["model"]).walls == "bricks":
         return interlocking.interlocking_scene(job, job["beta_s"])
     return facade.facade_scene(job, job["model"], job["beta_s"])
 
@@ -33,7 +31,7 @@ def build_scene(job):
 def numerics(job):
     """Section numerics with the step that belongs to the model."""
     section = dict(job["numerics"])
-    if job["model"] == "W3":
+    if registry.model(job["model"]).walls == "bricks":
         section["step_fraction"] = job["w3"]["step_fraction"]
     return section
 
@@ -49,11 +47,12 @@ def static_multiplier(job):
     """
     section, wall = job["facade"], job["return_wall"]
     h, b = section["height_m"], section["thickness_m"]
-    if job["model"] == "W1c":
+    kind = registry.model(job["model"])
+    if kind.walls == "one" and kind.bonded:
         weight = section["density_kg_m3"] * Scene.gravity_m_s2 * h * b * section["width_m"]
         bond = wall["count"] * wall["tension_mpa"] * 1e6 * wall["thickness_m"] * h**2 / 3.0
         return b / h + bond / (0.5 * weight * h)
-    if job["model"] != "W3":
+    if kind.walls != "bricks":
         return b / h
     w3 = job["w3"]
     course = w3["course_height_m"]

@@ -24,10 +24,10 @@ from pathlib import Path
 import numpy as np
 
 from yade_scripts.engine import adapter, polyhedra, simulate
-from yade_scripts.model import facade
+from yade_scripts.files import write_atomic
+from yade_scripts.model import facade, registry
 from yade_scripts.model.motion import amplitude
 from yade_scripts.studies import ida
-from yade_scripts.studies.journal import write_atomic
 
 COLUMNS = (
     "case",
@@ -191,7 +191,7 @@ def main(arguments=None):
         time_s, columns = motions[spec["record"]]
         job = with_nodes(jobs[spec["model"]], spec["nodes"])
         history, ratio = run_case(job, time_s, columns, spec)
-        chain = facade.uses_chain(spec["model"])
+        chain = registry.model(spec["model"]).chain
         nodes = job["numerics"]["nodes_per_block" if chain else "nodes_height"]
         rows.append(as_row(spec, nodes, history, ratio))
         print(", ".join(rows[-1][k] for k in COLUMNS), file=sys.stderr, flush=True)

@@ -4,7 +4,7 @@ import argparse
 import sys
 
 from yade_scripts.engine import adapter
-from yade_scripts.studies.journal import write_atomic
+from yade_scripts.files import write_atomic
 
 
 def main(arguments=None):

@@ -14,12 +14,12 @@ import json
 from pathlib import Path
 
 from yade_scripts.engine import adapter, balance, simulate
+from yade_scripts.files import write_atomic
 from yade_scripts.model import models
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.studies import ida
 from yade_scripts.studies.ensemble import read_curve
 from yade_scripts.studies.intensities import DIGITS
-from yade_scripts.studies.journal import write_atomic
 
 HEAD = ("model", "record", "direction", "pga_g", "status", "dt_s", "overturning_j")
 

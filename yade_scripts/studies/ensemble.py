@@ -17,12 +17,14 @@ from pathlib import Path
 import numpy as np
 
 from yade_scripts.engine import adapter, memory, simulate
+from yade_scripts.files import write_atomic
 from yade_scripts.model import models
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.model.scene import to_json
+from yade_scripts.sources import digest
 from yade_scripts.studies import ida as run_ida
 from yade_scripts.studies import perturb
-from yade_scripts.studies.journal import Journal, run_key, source_digest, write_atomic
+from yade_scripts.studies.journal import Journal, run_key
 
 COLUMNS = (
     "model",
@@ -80,7 +82,7 @@ class Runner:
         """Keep what every run shares; see `run_ida.analyse` for the parameters."""
         self.job, self.time_s, self.columns = job, time_s, columns
         self.record, self.direction, self.journal, self.say = record, direction, journal, say
-        self.digest = source_digest()
+        self.digest = digest(__file__)
         self.scenes, self.reused, self.count = {}, 0, 0
         self.ceiling = memory.Ceiling()
 

@@ -17,10 +17,10 @@ from pathlib import Path
 import numpy as np
 
 from yade_scripts.engine import adapter, simulate
+from yade_scripts.files import write_atomic
 from yade_scripts.model import models
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.studies import ida
-from yade_scripts.studies.journal import write_atomic
 
 
 def collapse_intensity(path):

@@ -25,8 +25,8 @@ from pathlib import Path
 import numpy as np
 
 from yade_scripts.engine import adapter, simulate
+from yade_scripts.files import write_atomic
 from yade_scripts.model import facade
-from yade_scripts.studies.journal import write_atomic
 
 CASE_KEYS = ("id", "config", "model", "release_ratio", "beta_s", "limit_s")
 SAMPLES = 2500  # a history is kept in about so many samples: 0.1 % of a bounce or finer

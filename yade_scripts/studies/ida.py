@@ -17,11 +17,13 @@ from pathlib import Path
 import numpy as np
 
 from yade_scripts.engine import adapter, ledger, memory, simulate
+from yade_scripts.files import write_atomic
 from yade_scripts.model import models
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.model.scene import to_json
+from yade_scripts.sources import digest
 from yade_scripts.studies.intensities import DIGITS, next_intensity
-from yade_scripts.studies.journal import Journal, run_key, source_digest, write_atomic
+from yade_scripts.studies.journal import Journal, run_key
 
 RETRY_SAMPLING = 0.1  # of the sampling interval, for a run tried once more
 COLUMNS = (
@@ -205,7 +207,7 @@ def analyse(job, time_s, columns, record, direction, journal, say, renew=None):
     scene, numerics = models.build_scene(job), models.numerics(job)
     columns = models.motion_columns(scene, columns)
     motion_bytes = b"".join(columns[n].tobytes() for n in scene.motions) + time_s.tobytes()
-    base_key = run_key(to_json(scene), motion_bytes, numerics, direction, source_digest())
+    base_key = run_key(to_json(scene), motion_bytes, numerics, direction, digest(__file__))
     rows: list[dict] = []
     done: dict[float, str] = {}
     reused = 0

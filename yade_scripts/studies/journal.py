@@ -5,37 +5,12 @@ hashes everything the run depended on, so a changed parameter, record or module
 never finds a stale row, and a job killed half way keeps what it had.
 """
 
-import glob
 import hashlib
 import json
 import os
 from pathlib import Path
 
-# what a run's numbers depend on; a change in any of these files makes old rows stale
-PHYSICS = (
-    "quadrature",
-    "scene",
-    "stiffness",
-    "facade",
-    "interlocking",
-    "models",
-    "faces",
-    "bonds",
-    "motion",
-    "engine",
-    "simulate",
-    "ledger",
-    "run_ida",
-)
-
-
-def source_digest(modules=PHYSICS):
-    """Hash of the modules that decide a run's numbers, hex."""
-    folder = Path(__file__).parent
-    digest = hashlib.sha256()
-    for name in modules:
-        digest.update((folder / f"{name}.py").read_bytes())
-    return digest.hexdigest()
+from yade_scripts.files import named, write_atomic
 
 
 def run_key(*parts):
@@ -94,32 +69,3 @@ class Journal:
                 os.fsync(handle.fileno())
         except OSError as error:
             raise named(error, self.path) from None
-
-
-def named(error, path):
-    """Return an OSError with the file it concerns, which errors of writing lack."""
-    return OSError(error.errno, error.strerror, str(path))
-
-
-def write_atomic(path, data):
-    """Write bytes or text under a temporary name and move it to `path` when complete.
-
-    One run at a time works in a folder, so temporary files found for the same `path`
-    are those of killed jobs; they go.
-    """
-    path = Path(path)
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        for stale in path.parent.glob(f".{glob.escape(path.name)}.*.part"):
-            stale.unlink(missing_ok=True)
-        with open(temporary, "wb") as handle:
-            handle.write(data if isinstance(data, bytes) else data.encode())
-            handle.flush()
-            os.fsync(handle.fileno())
-        os.replace(temporary, path)
-    except OSError as error:
-        raise named(error, path) from None
-    finally:
-        if temporary.exists():
-            temporary.unlink()

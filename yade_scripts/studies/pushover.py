@@ -23,8 +23,8 @@ from typing import Any
 import numpy as np
 
 from yade_scripts.engine import adapter, simulate
+from yade_scripts.files import write_atomic
 from yade_scripts.model import models
-from yade_scripts.studies.journal import write_atomic
 
 PUSH = "push"
 COLUMNS = ("d_over_b", "lambda_dem")

@@ -24,9 +24,9 @@ from pathlib import Path
 import numpy as np
 
 from yade_scripts.engine import adapter
+from yade_scripts.files import write_atomic
 from yade_scripts.model import facade
 from yade_scripts.studies import ida
-from yade_scripts.studies.journal import write_atomic
 
 TEST_KEYS = ("id", "config", "model", "beta_s", "motion", "factor")
 

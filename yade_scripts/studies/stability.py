@@ -21,11 +21,11 @@ from pathlib import Path
 import numpy as np
 
 from yade_scripts.engine import adapter
+from yade_scripts.files import write_atomic
 from yade_scripts.model import facade
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 from yade_scripts.model.stiffness import assemble, critical_step
-from yade_scripts.studies.journal import write_atomic
 
 COLUMNS = (
     "scene",

@@ -7,6 +7,8 @@ import numpy as np
 import pandas as pd
 import yaml
 
+from yade_scripts.model import registry
+
 TABLE_COLUMNS = (
     "scene",
     "method",
@@ -217,7 +219,7 @@ def choose_fidelity(numerics, model, measured):
     numerics : dict
         Section numerics; returned unchanged when the tolerance is null.
     model : str
-        W1c and W2c take the values measured for W1 and W2.
+        A bonded model takes the values measured for the dry one.
     measured : dict
         Content of config/fidelity.yaml (`fidelity_table`).
 
@@ -229,7 +231,7 @@ def choose_fidelity(numerics, model, measured):
     tolerance = numerics["fidelity_tolerance"]
     if tolerance is None:
         return numerics
-    pairs = measured.get(model[:2])
+    pairs = measured.get(registry.model(model).plain)
     if not pairs:
         raise ValueError(
             f"numerics.fidelity_tolerance = {tolerance:g}: "

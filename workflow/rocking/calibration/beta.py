@@ -22,7 +22,7 @@ from scipy import optimize, stats
 
 from rocking.mechanics import closed_forms
 
-LAW_FILE = Path(__file__).resolve().parents[2] / "config" / "beta_law.json"
+LAW_FILE = Path(__file__).resolve().parents[3] / "config" / "beta_law.json"
 # the walls from which eq. 5 was regressed
 EQ5_THICKNESS_M = (0.11, 0.30)
 EQ5_MODULUS_MPA = (1800.0, 4050.0)

@@ -14,6 +14,7 @@ from typing import Any
 from rocking.configuration import schema as config_schema
 from rocking.configuration.files import check_files, write_resolved
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show
+from yade_scripts.model import registry
 
 __all__ = [
     "ConfigError",
@@ -90,7 +91,7 @@ def check(resolved: Mapping) -> None:
             f"models = {show(resolved['models'])}: expected [W1] with facade.sides = two, "
             "since a free-standing façade has no return walls"
         )
-    bonded = [model for model in resolved["models"] if model.endswith("c")]
+    bonded = [name for name in resolved["models"] if registry.model(name).bonded]
     if bonded and resolved["facade"]["gap_m"] > 0.0:
         raise ConfigError(
             f"facade.gap_m = {show(resolved['facade']['gap_m'])}: expected 0 (m) with the bonded "

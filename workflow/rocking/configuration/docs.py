@@ -9,7 +9,7 @@ from pathlib import Path
 
 from rocking.configuration import schema as config_schema
 
-README = Path(__file__).resolve().parents[2] / "config" / "README.md"
+README = Path(__file__).resolve().parents[3] / "config" / "README.md"
 EXAMPLES = README.parent / "scenarios"
 
 INTRO = """\

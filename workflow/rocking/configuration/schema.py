@@ -7,6 +7,7 @@ Schema's own keywords (draft 2020-12) these are understood:
 `unit`           unit of the value, "-" for dimensionless
 `below`, `at_most`  path of another key whose value is an upper limit, exclusive or inclusive
 `ascending`      the numbers of an array increase
+`models`         the value is the name of a model; which, a list of `registry` says
 `pattern_words`  what `pattern` means, for messages
 """
 
@@ -24,7 +25,9 @@ from typing import Any
 import jsonschema
 import yaml
 
-FOLDER = Path(__file__).resolve().parents[1] / "schemas"
+from yade_scripts.model import registry
+
+FOLDER = Path(__file__).resolve().parents[2] / "schemas"
 TOP = "run"  # the schema whose keys stand at the top level
 STUDY_KEYS = ("scenario", "scenarios", "grid")  # of a study, not of one run
 MAX_VALUES = 20_000  # values in one configuration; more is a mistake or an attack
@@ -60,7 +63,13 @@ def sections(folder: Path = FOLDER) -> dict[str, dict]:
         raise FileNotFoundError(f"{folder}: no {TOP}.schema.yaml")
     names.sort(key=lambda name: name != TOP)
     files = {name: folder / f"{name}.schema.yaml" for name in names}
-    return {name: yaml.safe_load(path.read_text("utf-8")) for name, path in files.items()}
+    loaded = {name: yaml.safe_load(path.read_text("utf-8")) for name, path in files.items()}
+    for section in loaded.values():
+        for _, leaf in leaves(section):
+            for part in (leaf, leaf.get("items", {})):
+                if "models" in part:
+                    part["enum"] = list(getattr(registry, part.pop("models")))
+    return loaded
 
 
 @lru_cache(maxsize=4)

@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 
 from rocking.mechanics import closed_forms
+from yade_scripts.model import registry
 
 CURVE_COLUMNS = [
     "d_over_b",
@@ -75,7 +76,7 @@ def closed_form(d_over_b, config, model):
     compliant = closed_forms.capacity_compliant_base(
         np.maximum(theta, 1e-12), h, b, facade["density_kg_m3"], jkn
     )
-    if model != "W3":
+    if registry.model(model).walls != "bricks":
         return rigid, np.full_like(rigid, np.nan), compliant - rigid
     w3 = config["w3"]
     bounds = [

@@ -5,6 +5,7 @@ import csv
 import numpy as np
 
 from rocking.planar import Motion, Wall, simulate, simulate_batch
+from yade_scripts.model import registry
 from yade_scripts.model.motion import amplitude
 
 
@@ -12,7 +13,7 @@ def wall_of(job, nodes):
     """Planar wall of a scene file (model free, W1 or W2) with so many nodes along every edge."""
     facade, wall = job["facade"], job["return_wall"]
     e_pa = facade["e_mpa"] * 1e6
-    free = job["model"] == "free"
+    free = registry.model(job["model"]).walls == "none"
     return Wall(
         facade["height_m"],
         facade["thickness_m"],
@@ -28,7 +29,7 @@ def wall_of(job, nodes):
         back_friction_deg=wall["friction_deg"],
         nodes_base=nodes,
         nodes_up=nodes,
-        segments=job["smdof"]["n_dof"] if job["model"] == "W2" else 1,
+        segments=job["smdof"]["n_dof"] if registry.model(job["model"]).chain else 1,
         gap_m=facade["gap_m"],
     )
 
@@ -40,7 +41,7 @@ def read_motion(path, model):
     data = np.loadtxt(path, delimiter=",", skiprows=1)
     if header[:2] != ["time_s", "ground_m_s2"]:
         raise ValueError(f"{path}: expected columns time_s, ground_m_s2, …, got {header[:3]}")
-    floors = data[:, 2:].T if model == "W2" else None
+    floors = data[:, 2:].T if registry.model(model).chain else None
     return Motion(float(data[1, 0] - data[0, 0]), data[:, 1], floors)
 
 

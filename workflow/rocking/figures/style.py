@@ -7,14 +7,6 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-MODEL_COLOURS = {
-    "W1": "#0072B2",
-    "W1c": "#56B4E9",
-    "W2": "#D55E00",
-    "W2c": "#E69F00",
-    "W3": "#009E73",
-}
-MODEL_MARKERS = {"W1": "o", "W1c": "s", "W2": "^", "W2c": "D", "W3": "v"}
 GREY = "0.65"
 
 plt.style.use(Path(__file__).with_name("paper.mplstyle"))

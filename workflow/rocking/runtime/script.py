@@ -12,8 +12,6 @@ import json
 import sys
 from types import SimpleNamespace
 
-from rocking.configuration.schema import ConfigError
-from rocking.records import RecordError
 from yade_scripts.engine import lifeline
 
 
@@ -59,7 +57,7 @@ def run(main, namespace):
     log = getattr(job, "log", None)
     try:
         main(job)
-    except (ConfigError, RecordError, ValueError, OSError) as error:
+    except (ValueError, OSError) as error:
         line = f"error: {error}"
         print(line, file=sys.stderr)
         if log:

@@ -1,0 +1,104 @@
+"""Dependencies read from imports: they are what Python really loads, and every rule has them."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from yade_scripts import sources
+
+ROOT = Path(__file__).resolve().parent.parent
+SCRIPTS = ROOT / "workflow" / "scripts"
+LOADED = """
+import sys, types
+sys.argv = ["x"]
+import rocking.runtime.script as script
+script.run = lambda main, namespace: None
+before = set(sys.modules)
+exec(compile(open({path!r}).read(), {path!r}, "exec"), {{"__name__": "script"}})
+for name, module in sorted(sys.modules.items()):
+    file = getattr(module, "__file__", None)
+    if file and name.split(".")[0] in ("rocking", "smdof", "yade_scripts"):
+        print(file)
+"""
+
+
+@pytest.mark.parametrize("name", ["scene", "fig09_ida", "table_wme", "calibrate_law", "record"])
+def test_sources_are_what_python_loads(name):
+    """Two routes: the parsed imports, and the modules in memory after running the script."""
+    path = SCRIPTS / f"{name}.py"
+    done = subprocess.run(
+        [sys.executable, "-c", LOADED.format(path=str(path))],
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert done.returncode == 0, done.stderr
+    loaded = {Path(line) for line in done.stdout.split()}
+    found = set(sources.sources(path))
+    assert loaded <= found | set(sources.sources(ROOT / "workflow/rocking/runtime/script.py"))
+    # imports inside functions are named too, though they may not have been loaded
+    assert {p for p in found if p.suffix == ".py"} - loaded <= {path} | late(found)
+
+
+def late(files):
+    """Files that are imported inside functions only, and what those import."""
+    out = set()
+    for file in files:
+        if file.suffix == ".py" and re.search(r"^    +(from|import) ", file.read_text(), re.M):
+            for other in sources.imports(file):
+                out.update(sources.sources(other))
+    return out
+
+
+def rules():
+    """Yield (name, text) of every rule with a script or a study of its own."""
+    for path in sorted((ROOT / "workflow" / "rules").glob("*.smk")):
+        for block in re.split(r"(?m)^(?=(?:use )?rule )", path.read_text("utf-8")):
+            if re.search(r"^    (script|shell):", block, re.M):
+                yield re.match(r"(?:use )?rule (\w+)", block)[1], block
+
+
+@pytest.mark.parametrize(("name", "block"), list(rules()))
+def test_every_rule_depends_on_the_code_it_runs(name, block):
+    """The input `modules` names the script or the study that the rule starts."""
+    if script := re.search(r'script:\n        "\.\./scripts/(.+?)\.py"', block):
+        wanted = f'code("{script[1].replace("wildcards.", "")}")'
+    else:
+        wanted = f'study_code("{re.search(r"{YADE} ([a-z_0-9]+)", block)[1]}")'
+    assert f"modules={wanted}" in block
+
+
+def test_a_reader_does_not_touch_the_runs_in_yade():
+    """What inside YADE runs knows nothing of records, and a figure nothing of the engine."""
+    ida = {p.name for p in sources.sources(ROOT / "yade_scripts/studies/ida.py")}
+    assert "reader.py" not in ida
+    assert {"adapter.py", "bonds.py", "stiffness.py", "registry.py"} <= ida
+    assert "adapter.py" not in {p.name for p in sources.sources(SCRIPTS / "table_records.py")}
+
+
+def test_a_change_of_any_imported_module_changes_the_digest(tmp_path, monkeypatch):
+    """Journals are keyed by it."""
+    package = tmp_path / "yade_scripts"
+    package.mkdir()
+    for name, text in {
+        "__init__": "",
+        "a": "from yade_scripts import b\n",
+        "b": "from . import c\n",
+        "c": "X = 1\n",
+        "d": "",
+    }.items():
+        (package / f"{name}.py").write_text(text)
+    monkeypatch.setattr(sources, "ROOT", tmp_path)
+    monkeypatch.setitem(sources.PACKAGES, "yade_scripts", package)
+    before = sources.digest(package / "a.py")
+    for name, differs in (("c", True), ("d", False)):
+        (package / f"{name}.py").write_text("X = 2\n")
+        sources.sources.cache_clear()
+        sources.imports.cache_clear()
+        assert (sources.digest(package / "a.py") != before) is differs
+        (package / f"{name}.py").write_text("X = 1\n" if name == "c" else "")
+    sources.sources.cache_clear()
+    sources.imports.cache_clear()

@@ -1,0 +1,14 @@
+"""A study: its runs, their records, and which files each part of it consists of.
+
+The rules ask `Study` and the small classes beside it (one a topic) which files they need; methods
+that take `wildcards` are input functions of rules. Nothing here touches Snakemake.
+"""
+
+from rocking.study.accuracy import Accuracy
+from rocking.study.boundary import Boundary
+from rocking.study.building import Building
+from rocking.study.calibration import Calibration
+from rocking.study.core import Study
+from rocking.study.fragility import Fragility
+
+__all__ = ["Accuracy", "Boundary", "Building", "Calibration", "Fragility", "Study"]

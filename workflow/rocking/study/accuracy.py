@@ -1,0 +1,56 @@
+"""Files of the accuracy study."""
+
+
+class Accuracy:
+    """What `snakemake accuracy` reads and makes."""
+
+    def __init__(self, study):
+        """Keep the study."""
+        self.study = study
+
+    def records(self, wildcards) -> list[str]:
+        """Records of the accuracy study."""
+        wanted = self.study.cfg(wildcards)["accuracy"]["records"]
+        return self.study.needed(wildcards.run, "accuracy.records", wanted)
+
+    def scenes(self, wildcards) -> list[str]:
+        """Scene files of its models."""
+        models = self.study.cfg(wildcards)["accuracy"]["models"]
+        return [f"results/{wildcards.run}/scenes/{model}.json" for model in models]
+
+    def curves(self, wildcards, ending="") -> list[str]:
+        """IDA tables, or with ending "_ensemble" their ensembles."""
+        settings = self.study.cfg(wildcards)["accuracy"]
+        return [
+            f"results/{wildcards.run}/ida/{model}/{record}_{direction}{ending}.csv"
+            for model in settings["models"]
+            for record in self.records(wildcards)
+            for direction in settings["directions"]
+        ]
+
+    def ensembles(self, wildcards) -> list[str]:
+        """Ensembles of the same curves."""
+        return self.curves(wildcards, "_ensemble")
+
+    def motions(self, wildcards) -> list[str]:
+        """Floor motions of its records."""
+        run = wildcards.run
+        return [self.study.floor_motions(run, record) for record in self.records(wildcards)]
+
+    def energy_histories(self, wildcards) -> list[str]:
+        """Balanced runs: every model and record, in the first direction."""
+        settings = self.study.cfg(wildcards)["accuracy"]
+        return [
+            f"results/{wildcards.run}/energy/{model}/{record}_{settings['directions'][0]}"
+            f"_{settings['energy_share']:g}.csv"
+            for model in settings["energy_models"]
+            for record in self.records(wildcards)
+        ]
+
+    def results(self, run) -> list[str]:
+        """What the target makes for one run."""
+        names = ("speed_accuracy", "stability", "energy_balance")
+        return [
+            *(f"results/{run}/tables/{name}.csv" for name in (*names, "ensemble_members")),
+            *(f"results/{run}/figures/{name}.png" for name in (*names, "chaos")),
+        ]

@@ -1,0 +1,166 @@
+"""Runs of a study, their configurations and records, and the files of the main job."""
+
+from pathlib import Path
+from typing import Any
+
+from rocking.configuration import config as configuration
+from rocking.records import read_table, surrogates_for
+from yade_scripts.model.registry import PUSHED
+
+
+class Study:
+    """The runs that a configuration describes.
+
+    Parameters
+    ----------
+    config : mapping
+        Snakemake's merged configuration.
+    base : Path
+        Folder of the Snakefile; files of the configuration are looked for in the working folder
+        first, then here.
+
+    Attributes
+    ----------
+    runs : dict of str to dict
+        Resolved configuration of each run.
+    tables : dict of str to dict
+        Rows of its records table, by record.
+    records : dict of str to list of str
+        Names of the records it uses.
+
+    Raises
+    ------
+    ConfigError, RecordError
+        In one line, for whatever is wrong with configuration or records table.
+    """
+
+    def __init__(self, config, base):
+        """Resolve the configuration and read the records tables."""
+        self.base = Path(base)
+        self.runs = configuration.expand_scenarios(config)
+        self.tables = {run: read_table(self.table_path(run)) for run in self.runs}
+        self.records = {run: self._record_names(run) for run in self.runs}
+
+    def cfg(self, wildcards) -> dict[str, Any]:
+        """Resolved configuration of the run that a job belongs to."""
+        return self.runs[wildcards.run]
+
+    def per_run(self, targets) -> list[str]:
+        """Targets of every run; `targets` maps a run's name to paths."""
+        return [path for run in self.runs for path in targets(run)]
+
+    def params_of(self, *paths):
+        """Params function: the parts of the configuration that a rule depends on, as JSON."""
+        return lambda wildcards: configuration.relevant(self.cfg(wildcards), *paths)
+
+    def beside(self, path) -> str:
+        """A file as given, or beside the Snakefile if it is not found there."""
+        near = self.base / path
+        return str(near if not Path(path).exists() and near.exists() else path)
+
+    def table_path(self, run) -> str:
+        """Path of a run's records table."""
+        return self.beside(self.runs[run]["records_table"])
+
+    def _record_names(self, run) -> list[str]:
+        wanted = self.runs[run]["records"]
+        return list(self.tables[run]) if wanted == "all" else self.known(run, "records", wanted)
+
+    def known(self, run, key, names) -> list[str]:
+        """Return record names that a configuration key gives.
+
+        Raises
+        ------
+        ConfigError
+            In one line for a name that is not in the run's table.
+        """
+        for name in names:
+            if name not in self.tables[run]:
+                raise configuration.ConfigError(
+                    f"{key}: '{name}' is not in {self.runs[run]['records_table']}; "
+                    f"expected names from {', '.join(self.tables[run])}"
+                )
+        return list(names)
+
+    def needed(self, run, key, names) -> list[str]:
+        """Like `known`, where only some targets need the names: ends the workflow in one line."""
+        try:
+            return self.known(run, key, names)
+        except configuration.ConfigError as error:
+            raise SystemExit(f"error: {error.detail}") from None
+
+    # one record
+
+    def record_row(self, wildcards):
+        """Row of the records table."""
+        return self.tables[wildcards.run][wildcards.record]
+
+    def record_file(self, wildcards):
+        """The accelerogram's file; nothing for a surrogate."""
+        return self.record_row(wildcards).path or []
+
+    def surrogate_parameters(self, wildcards):
+        """File of the surrogates' parameters, for a record without a file of its own."""
+        if self.record_row(wildcards).path is not None:
+            return []
+        return surrogates_for(self.table_path(wildcards.run)) or []
+
+    def record_facts(self, wildcards):
+        """Provenance files of all records of a run."""
+        run = wildcards.run
+        return [f"results/{run}/records/{record}.json" for record in self.records[run]]
+
+    def floor_motions(self, run, record) -> str:
+        """Floor motions of a record."""
+        return f"results/{run}/smdof/{record}_{self.runs[run]['smdof']['n_dof']}dof.csv"
+
+    def ida_motion(self, wildcards) -> str:
+        """Floor motions of a job's record."""
+        return self.floor_motions(wildcards.run, wildcards.record)
+
+    # curves
+
+    def ida_tables(self, run) -> list[str]:
+        """IDA tables of a run, by model, record and direction."""
+        resolved = self.runs[run]
+        return [
+            f"results/{run}/ida/{model}/{record}_{direction}.csv"
+            for model in resolved["models"]
+            for record in self.records[run]
+            for direction in resolved["directions"]
+        ]
+
+    def ida_curves(self, dag):
+        """Table, journal and number of runs of every curve of a DAG, for its progress."""
+        curves = []
+        for job in dag.jobs:
+            if job.rule.name in ("ida", "reduction_ida"):
+                ida = self.cfg(job.wildcards)["ida"]
+                runs = len(ida["grid_g"]) if ida["mode"] == "grid" else None
+                curves.append((Path(job.output[0]), job.params.journal, runs))
+        return curves
+
+    def ensemble_tables(self, run) -> list[str]:
+        """Ensemble tables of a run; none where config switches them off."""
+        if self.runs[run]["ensemble"]["enabled"] == "off":
+            return []
+        return [path.replace(".csv", "_ensemble.csv") for path in self.ida_tables(run)]
+
+    def sensitivity_tables(self, run) -> list[str]:
+        """Sensitivity tables of a run, made by the same jobs as the ensembles."""
+        return [p.replace("_ensemble.", "_sensitivity.") for p in self.ensemble_tables(run)]
+
+    def static_curves(self, run) -> list[str]:
+        """Pushover curves behind Figure 9: of the models that have one of their own."""
+        models = [name for name in PUSHED if name in self.runs[run]["models"]]
+        return [f"results/{run}/pushover/{name}.csv" for name in models]
+
+    def main_results(self, run) -> list[str]:
+        """What the main job makes for one run."""
+        figures = [f"record_{record}" for record in self.records[run]]
+        figures += [f"floor_motions_{record}" for record in self.records[run]]
+        return [
+            f"results/{run}/tables/records.csv",
+            f"results/{run}/tables/ida_collapse.csv",
+            *(f"results/{run}/figures/{name}.png" for name in [*figures, "fig09_ida"]),
+        ]

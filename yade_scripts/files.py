@@ -1,0 +1,34 @@
+"""Writing files whole or not at all."""
+
+import glob
+import os
+from pathlib import Path
+
+
+def named(error, path):
+    """Return an OSError with the file it concerns, which errors of writing lack."""
+    return OSError(error.errno, error.strerror, str(path))
+
+
+def write_atomic(path, data):
+    """Write bytes or text under a temporary name and move it to `path` when complete.
+
+    One run at a time works in a folder, so temporary files found for the same `path`
+    are those of killed jobs; they go.
+    """
+    path = Path(path)
+    temporary = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        for stale in path.parent.glob(f".{glob.escape(path.name)}.*.part"):
+            stale.unlink(missing_ok=True)
+        with open(temporary, "wb") as handle:
+            handle.write(data if isinstance(data, bytes) else data.encode())
+            handle.flush()
+            os.fsync(handle.fileno())
+        os.replace(temporary, path)
+    except OSError as error:
+        raise named(error, path) from None
+    finally:
+        if temporary.exists():
+            temporary.unlink()

@@ -1,0 +1,81 @@
+"""The models: what each boundary condition consists of, and how figures draw it.
+
+Whatever differs from one model to another stands here, so that nothing hangs on how a name is
+spelt. Adding a boundary condition is a row here, and an assembly where no existing one serves.
+"""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Model:
+    """One boundary condition.
+
+    Attributes
+    ----------
+    name : str
+        Word of the vocabulary, used in the configuration, in file names and in legends.
+    walls : str
+        Return walls: "none"; "one" block up the height, with the motion of the base; "floors", a
+        block for each lumped mass with that mass's motion; "bricks", an interlocking column.
+    bonded : bool
+        The joint between façade and return walls starts with cohesion and tensile strength.
+    meaning : str
+        In words, for pages and legends.
+    colour, marker : str
+        In figures.
+    static : str
+        Line of its pushover curve in Figure 9; empty where the model has none of its own.
+    """
+
+    name: str
+    walls: str
+    bonded: bool = False
+    meaning: str = ""
+    colour: str = "0.4"
+    marker: str = "o"
+    static: str = ""
+
+    @property
+    def chain(self):
+        """Whether its return walls follow the floors of the chain."""
+        return self.walls in ("floors", "bricks")
+
+    @property
+    def single_block(self):
+        """Whether the façade is the only block that moves freely."""
+        return self.walls != "bricks"
+
+    @property
+    def plain(self):
+        """Name of the model with the same walls and a dry joint: its convergence is theirs."""
+        return next(m.name for m in MODELS.values() if m.walls == self.walls and not m.bonded)
+
+
+MODELS = {
+    model.name: model
+    for model in (
+        Model("free", "none", meaning="no return walls", static="-."),
+        Model("W1", "one", False, "one block, ground motion", "#0072B2", "o", "-"),
+        Model("W1c", "one", True, "W1 with a bonded joint", "#56B4E9", "s", ":"),
+        Model("W2", "floors", False, "a block a floor, floor motions", "#D55E00", "^"),
+        Model("W2c", "floors", True, "W2 with a bonded joint", "#E69F00", "D"),
+        Model("W3", "bricks", False, "interlocking bricks, floor motions", "#009E73", "v", "--"),
+    )
+}
+WITH_WALLS = tuple(name for name, model in MODELS.items() if model.walls != "none")
+PLANAR = tuple(name for name in WITH_WALLS if MODELS[name].single_block and not MODELS[name].bonded)
+PUSHED = tuple(name for name, model in MODELS.items() if model.static)
+
+
+def model(name):
+    """Return the model called `name`.
+
+    Raises
+    ------
+    ValueError
+        One line that names the known models.
+    """
+    if name not in MODELS:
+        raise ValueError(f"unknown façade model '{name}': expected one of {', '.join(MODELS)}")
+    return MODELS[name]

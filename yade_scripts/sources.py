@@ -1,0 +1,100 @@
+"""Which source files a script depends on, read from its import statements.
+
+Rules take them as inputs and journals hash them, so that a change of any module reruns what it
+can change, and nothing else; nobody keeps a list.
+"""
+
+import ast
+import hashlib
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PACKAGES = {
+    "yade_scripts": ROOT / "yade_scripts",
+    "smdof": ROOT / "smdof",
+    "rocking": ROOT / "workflow" / "rocking",
+}
+
+
+def _file(dotted):
+    """File of a module or package of the project; None for anything else."""
+    head, *rest = dotted.split(".")
+    if head not in PACKAGES:
+        return None
+    path = PACKAGES[head].joinpath(*rest)
+    return next((p for p in (path.with_suffix(".py"), path / "__init__.py") if p.is_file()), None)
+
+
+def _package(path):
+    """Dotted name of the package that a file belongs to; empty outside the project's packages."""
+    for name, folder in PACKAGES.items():
+        if folder in path.parents:
+            return ".".join((name, *path.parent.relative_to(folder).parts))
+    return ""
+
+
+@cache
+def imports(path):
+    """Project files that one file imports by itself, with the `__init__` of their packages.
+
+    Parameters
+    ----------
+    path : Path
+        A Python file.
+
+    Returns
+    -------
+    frozenset of Path
+    """
+    names: set[str] = set()
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.Import):
+            names.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            parts = _package(path).split(".")
+            above = parts[: len(parts) - node.level + 1] if node.level else []
+            base = ".".join([*above, *([node.module] if node.module else [])])
+            names.update(f"{base}.{alias.name}" for alias in node.names)
+    found: set[Path | None] = set()
+    for name in names:
+        parts = name.split(".")
+        found.update(_file(".".join(parts[: i + 1])) for i in range(len(parts)))
+    return frozenset(found - {None, path})
+
+
+@cache
+def sources(path):
+    """Return a script and everything it imports, directly or not, sorted.
+
+    What is no Python but lies beside an imported module (a figure's style sheet) belongs to it.
+
+    Parameters
+    ----------
+    path : Path or str
+
+    Returns
+    -------
+    tuple of Path
+    """
+    todo, seen = [Path(path).resolve()], set()
+    while todo:
+        file = todo.pop()
+        if file not in seen:
+            seen.add(file)
+            todo.extend(imports(file))
+    beside = {
+        other
+        for folder in {file.parent for file in seen if _package(file)}
+        for other in folder.iterdir()
+        if other.is_file() and other.suffix not in (".py", ".pyc")
+    }
+    return tuple(sorted(seen | beside))
+
+
+def digest(path):
+    """Hash of a script and all that it imports, hex."""
+    total = hashlib.sha256()
+    for file in sources(path):
+        total.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + file.read_bytes())
+    return total.hexdigest()
