@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.accuracy import study
+from rocking.accuracy import fidelity, study
 from rocking.curves import reference
 from rocking.curves.reference import ensemble_peaks, peak_d_over_b
 from rocking.mechanics.closed_forms import block, overturning_half_sine, overturning_rectangular
@@ -203,15 +203,21 @@ def test_fidelity_takes_the_cheapest_pair_within_the_tolerance():
             {"nodes": 17, "step_fraction": 0.05, "error": 0.002},
         ]
     }
-    numerics = {**resolved()["numerics"], "fidelity_tolerance": 0.01}
-    chosen = study.choose_fidelity(numerics, "W1c", measured)
+    open_values = dict.fromkeys(fidelity.CHOSEN)
+    config = {"numerics": {**open_values, "fidelity_tolerance": 0.01}, "w3": resolved()["w3"]}
+    chosen, _ = fidelity.choose(config, "W1c", measured)
     assert (chosen["nodes_height"], chosen["step_fraction"]) == (9, 0.1)
-    assert study.choose_fidelity(resolved()["numerics"], "W1", measured)["nodes_height"] == 9
-    strict = {**numerics, "fidelity_tolerance": 1e-4}
+    config["numerics"]["nodes_height"] = 9  # what is stated is kept, whatever its value
+    config["numerics"]["fidelity_tolerance"] = None
+    chosen, reason = fidelity.choose(config, "W1", measured)
+    assert (chosen["nodes_height"], chosen["step_fraction"]) == (9, 0.05)
+    assert "0.002" in reason
+    config["numerics"]["fidelity_tolerance"] = 1e-4
     with pytest.raises(ValueError, match=r"finest measured fidelity of W1 has an error of 0\.002"):
-        study.choose_fidelity(strict, "W1", measured)
-    with pytest.raises(ValueError, match="no convergence was measured for W3"):
-        study.choose_fidelity(numerics, "W3", measured)
+        fidelity.choose(config, "W1", measured)
+    with pytest.raises(ValueError, match="no convergence was measured for W2"):
+        fidelity.choose(config, "W2", measured)
+    assert fidelity.choose(config, "W3", measured)[0]["step_fraction"] == 0.8
 
 
 def test_a_lucky_coarse_pair_is_not_taken_for_accurate():
@@ -233,8 +239,8 @@ def test_a_lucky_coarse_pair_is_not_taken_for_accurate():
     # 0.02 where changes grow 100 times says no more than 0.002 where they grow 10 times
     sensitive = table.iloc[[3]].assign(error=0.02, amplification=100.0)
     table = pd.concat([table, sensitive])
-    assert all(p["nodes"] == 9 for p in study.fidelity_table(table, 10.0, 5)["W1"])
-    measured = study.fidelity_table(table, 10.0, 3)
+    assert all(p["nodes"] == 9 for p in fidelity.fidelity_table(table, 10.0, 5)["W1"])
+    measured = fidelity.fidelity_table(table, 10.0, 3)
     found = {(p["nodes"], p["step_fraction"]): p["error"] for p in measured["W1"]}
     assert found == {(3, 0.2): 0.05, (3, 0.1): 0.05, (9, 0.2): 0.02, (9, 0.1): 0.004}
 

@@ -26,8 +26,12 @@ def in_yade(module, function, **arguments):
     return json.loads(done.stdout.rpartition("RESULT")[2])
 
 
+NODES = {"nodes_thickness": 17, "nodes_height": 9, "nodes_per_block": 9, "step_fraction": 0.05}
+
+
 def resolved(**sections):
-    """Default configuration with some keys of some sections replaced."""
+    """Default configuration with some keys of some sections replaced; nodes and step stated."""
     from rocking.configuration import config
 
-    return config.resolve(sections)
+    numerics = {**NODES, **sections.pop("numerics", {})}
+    return config.resolve({**sections, "numerics": numerics})

@@ -13,6 +13,7 @@ from rocking.curves.pushover import VARIANTS
 from rocking.records import RecordError
 from rocking.runtime import file_times, progress, run_lock
 from rocking.study.calibration import CASES, HISTORIES
+from rocking.study.chosen import chosen
 from yade_scripts import sources
 from yade_scripts.engine import lifeline
 from yade_scripts.model.registry import MODELS, PUSHED, WITH_WALLS
@@ -94,7 +95,10 @@ onstart:
         run_lock.hold()
         for name, resolved in STUDY.runs.items():
             file_times.settle(f"results/{name}")
-            configuration.write_resolved(resolved, f"results/{name}/config.yaml")
-    except (run_lock.Busy, OSError) as error:
+            choices = chosen(resolved, FIDELITY_FILE, LAW_FILE)
+            configuration.write_resolved(
+                resolved, f"results/{name}/config.yaml", choices
+            )
+    except (run_lock.Busy, ValueError, OSError) as error:
         stop(error)
     progress.Progress(STUDY.ida_curves(workflow.dag)).watch()

@@ -107,7 +107,8 @@ rule fig06_shawa:
 rule damping_choice_scene:
     input:
         law="results/{run}/calibration/beta_law.json",
-        modules=code("calibrate_choice_scene"),
+        fidelity=FIDELITY_FILE,
+        modules=code("scene"),
     output:
         "results/{run}/calibration/choice/{model}_{law}.json",
     log:
@@ -119,7 +120,7 @@ rule damping_choice_scene:
             "facade", "return_wall", "damping", "smdof", "numerics", "ida"
         ),
     script:
-        "../scripts/calibrate_choice_scene.py"
+        "../scripts/scene.py"
 
 
 rule damping_choice_ida:

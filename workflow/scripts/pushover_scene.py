@@ -14,7 +14,8 @@ def main(job):
         scene = variant(scene, name)
     scene["model"] = getattr(job.wildcards, "pushed", "W3")
     scene["beta_s"] = beta_for(scene, job.input.law)
-    scene["numerics"]["nodes_thickness"] = scene["pushover"]["nodes_thickness"]
+    for key in ("nodes_thickness", "nodes_height", "step_fraction"):
+        scene["numerics"][key] = scene["pushover"][key]
     with open(job.output[0], "w") as handle:
         json.dump(scene, handle, indent=1, sort_keys=True)
         handle.write("\n")

@@ -2,7 +2,8 @@
 
 import pandas as pd
 import yaml
-from rocking.accuracy.study import TABLE_COLUMNS, errors, fidelity_table
+from rocking.accuracy.fidelity import fidelity_table
+from rocking.accuracy.study import TABLE_COLUMNS, errors
 from rocking.runtime.script import run
 
 HEADER = (

@@ -5,9 +5,6 @@ import math
 
 import numpy as np
 import pandas as pd
-import yaml
-
-from yade_scripts.model import registry
 
 TABLE_COLUMNS = (
     "scene",
@@ -163,99 +160,3 @@ def pareto_front(cost, error):
         if error[i] < best:
             front[i], best = True, error[i]
     return front
-
-
-def fidelity_table(table, trusted, fewest_nodes):
-    """Worst error of every pair of nodes and step.
-
-    Nodes and step act like a small change of amplitude, so where a history amplifies such
-    changes more than the most that is still trusted, its error is counted in proportion less:
-    what the same change would have made of a history just trusted. A coarse pair may hit the
-    answer by chance, so the error of a pair is the largest of its own and of all finer ones
-    (as many nodes or more, the same step or less). Cost is counted in node evaluations, so
-    that the order does not depend on the machine.
-
-    Parameters
-    ----------
-    table : DataFrame
-        From `errors`, with a column `model`.
-    trusted : float
-        Amplification up to which one history is trusted.
-    fewest_nodes : int
-        Pairs with fewer are left out.
-
-    Returns
-    -------
-    dict
-        Model to a list of {nodes, step_fraction, error}, cheapest first.
-    """
-    usable = (table["method"] == "nodes and step") & (table["nodes"] >= fewest_nodes)
-    chosen = table[usable].copy()
-    chosen["error"] *= (trusted / chosen["amplification"]).clip(upper=1.0)
-    out = {}
-    for model, part in chosen.groupby("model"):
-        worst = part.groupby(["nodes", "dt_over_dt_crit"], as_index=False)["error"].max()
-        worst["error"] = [
-            worst.loc[(worst["nodes"] >= n) & (worst["dt_over_dt_crit"] <= f), "error"].max()
-            for n, f in zip(worst["nodes"], worst["dt_over_dt_crit"], strict=True)
-        ]
-        worst["cost"] = 1.0 / worst["dt_over_dt_crit"] * (20.0 + worst["nodes"])
-        out[str(model)] = [
-            {
-                "nodes": int(r.nodes),
-                "step_fraction": float(r.dt_over_dt_crit),
-                "error": float(f"{r.error:.3g}"),
-            }
-            for r in worst.sort_values("cost").itertuples()
-        ]
-    return out
-
-
-def choose_fidelity(numerics, model, measured):
-    """Nodes and step for `numerics.fidelity_tolerance`: the cheapest measured pair within it.
-
-    Parameters
-    ----------
-    numerics : dict
-        Section numerics; returned unchanged when the tolerance is null.
-    model : str
-        A bonded model takes the values measured for the dry one.
-    measured : dict
-        Content of config/fidelity.yaml (`fidelity_table`).
-
-    Raises
-    ------
-    ValueError
-        One line when nothing measured meets the tolerance.
-    """
-    tolerance = numerics["fidelity_tolerance"]
-    if tolerance is None:
-        return numerics
-    pairs = measured.get(registry.model(model).plain)
-    if not pairs:
-        raise ValueError(
-            f"numerics.fidelity_tolerance = {tolerance:g}: "
-            f"no convergence was measured for {model}; set it to null and state nodes and step"
-        )
-    good = [pair for pair in pairs if pair["error"] <= tolerance]
-    if not good:
-        best = min(pair["error"] for pair in pairs)
-        raise ValueError(
-            f"numerics.fidelity_tolerance = {tolerance:g}: the finest measured fidelity of {model} "
-            f"has an error of {best:g}; state nodes and step yourself"
-        )
-    nodes = good[0]["nodes"]
-    return {
-        **numerics,
-        "nodes_thickness": 2 * nodes - 1,
-        "nodes_height": nodes,
-        "nodes_per_block": nodes,
-        "step_fraction": good[0]["step_fraction"],
-        "step_s": None,
-    }
-
-
-def read_fidelity(path):
-    """Content of config/fidelity.yaml."""
-    with open(path) as handle:
-        return yaml.safe_load(handle)

@@ -10,14 +10,17 @@ import yaml
 from rocking.configuration.schema import ConfigError
 
 
-def write_resolved(resolved: Mapping, path: str | os.PathLike) -> None:
+def write_resolved(resolved: Mapping, path: str | os.PathLike, chosen: Iterable[str] = ()) -> None:
     """Write a resolved configuration as YAML that can be given back with `--configfile`.
+
+    What null stands for is said at the end in comments, the lines of `chosen`.
 
     The file is replaced at once, and left alone where it already says the same.
     """
     target = Path(path)
     text = "# Every key of this run, defaults included; written by the workflow.\n"
     text += yaml.safe_dump(dict(resolved), sort_keys=False, allow_unicode=True, width=100)
+    text += "".join(f"# {line}\n" for line in chosen)
     if target.is_file() and target.read_text("utf-8") == text:
         return
     target.parent.mkdir(parents=True, exist_ok=True)

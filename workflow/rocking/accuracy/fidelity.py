@@ -1,0 +1,109 @@
+"""Nodes and step of a run: what convergence was measured, and what follows from a tolerance."""
+
+import yaml
+
+from yade_scripts.model import registry
+
+CHOSEN = ("nodes_thickness", "nodes_height", "nodes_per_block", "step_fraction")
+
+
+def fidelity_table(table, trusted, fewest_nodes):
+    """Worst error of every pair of nodes and step.
+
+    Nodes and step act like a small change of amplitude, so where a history amplifies such
+    changes more than the most that is still trusted, its error is counted in proportion less:
+    what the same change would have made of a history just trusted. A coarse pair may hit the
+    answer by chance, so the error of a pair is the largest of its own and of all finer ones
+    (as many nodes or more, the same step or less). Cost is counted in node evaluations, so
+    that the order does not depend on the machine.
+
+    Parameters
+    ----------
+    table : DataFrame
+        From `errors`, with a column `model`.
+    trusted : float
+        Amplification up to which one history is trusted.
+    fewest_nodes : int
+        Pairs with fewer are left out.
+
+    Returns
+    -------
+    dict
+        Model to a list of {nodes, step_fraction, error}, cheapest first.
+    """
+    usable = (table["method"] == "nodes and step") & (table["nodes"] >= fewest_nodes)
+    chosen = table[usable].copy()
+    chosen["error"] *= (trusted / chosen["amplification"]).clip(upper=1.0)
+    out = {}
+    for model, part in chosen.groupby("model"):
+        worst = part.groupby(["nodes", "dt_over_dt_crit"], as_index=False)["error"].max()
+        worst["error"] = [
+            worst.loc[(worst["nodes"] >= n) & (worst["dt_over_dt_crit"] <= f), "error"].max()
+            for n, f in zip(worst["nodes"], worst["dt_over_dt_crit"], strict=True)
+        ]
+        worst["cost"] = 1.0 / worst["dt_over_dt_crit"] * (20.0 + worst["nodes"])
+        out[str(model)] = [
+            {
+                "nodes": int(r.nodes),
+                "step_fraction": float(r.dt_over_dt_crit),
+                "error": float(f"{r.error:.3g}"),
+            }
+            for r in worst.sort_values("cost").itertuples()
+        ]
+    return out
+
+
+def read_fidelity(path):
+    """Content of config/fidelity.yaml."""
+    with open(path) as handle:
+        return yaml.safe_load(handle)
+
+
+def choose(config, model, measured):
+    """Nodes and step that the configuration leaves open (null), and why they are what they are.
+
+    What is stated is kept. The rest is the cheapest measured pair within
+    `numerics.fidelity_tolerance`, or the finest without one; a bonded model takes the values
+    measured for the dry one. Interlocking bricks have their own numbers in section w3.
+
+    Parameters
+    ----------
+    config : dict
+        Resolved configuration, or a scene file; sections numerics and, for bricks, w3.
+    model : str
+    measured : dict
+        Content of config/fidelity.yaml (`fidelity_table`).
+
+    Returns
+    -------
+    numerics : dict
+        Section numerics without open values.
+    reason : str
+
+    Raises
+    ------
+    ValueError
+        One line when nothing measured meets the tolerance.
+    """
+    numerics, kind = config["numerics"], registry.model(model)
+    stated = {key: numerics[key] for key in CHOSEN if numerics[key] is not None}
+    if not kind.single_block:
+        own = {key: config["w3"][key] for key in ("nodes_thickness", "step_fraction")}
+        return {**numerics, **own, **stated}, "section w3"
+    tolerance = numerics["fidelity_tolerance"]
+    pairs = measured.get(kind.plain)
+    if not pairs:
+        raise ValueError(
+            f"no convergence was measured for {model}: state numerics.{', '.join(CHOSEN)}"
+        )
+    best = min(pairs, key=lambda pair: pair["error"])
+    good = [pair for pair in pairs if pair["error"] <= tolerance] if tolerance else [best]
+    if not good:
+        raise ValueError(
+            f"numerics.fidelity_tolerance = {tolerance:g}: the finest measured fidelity of {model} "
+            f"has an error of {best['error']:g}; state nodes and step yourself"
+        )
+    nodes = good[0]["nodes"]
+    found = dict(zip(CHOSEN, (2 * nodes - 1, nodes, nodes, good[0]["step_fraction"]), strict=True))
+    reason = f"measured error {good[0]['error']:g} of {kind.plain} in config/fidelity.yaml"
+    return {**numerics, **found, **stated}, reason

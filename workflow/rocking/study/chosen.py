@@ -1,0 +1,41 @@
+"""What the open values (null) of a run stand for, and why; written below its configuration."""
+
+from rocking.accuracy.fidelity import CHOSEN, choose, read_fidelity
+from rocking.calibration.beta import beta_for
+from yade_scripts.model.facade import joint_stiffness
+from yade_scripts.model.models import static_multiplier
+
+
+def chosen(resolved, fidelity_file, law_file):
+    """Say what a run takes where its configuration leaves the choice open.
+
+    Parameters
+    ----------
+    resolved : dict
+        Resolved configuration of the run.
+    fidelity_file, law_file : path
+        Measured convergence, and the fitted law of β.
+
+    Returns
+    -------
+    list of str
+        A line a choice.
+    """
+    base, back = joint_stiffness(resolved)
+    facade, wall = resolved["facade"], resolved["return_wall"]
+    lines = ["Chosen where null stands above:"]
+    if facade["base_stiffness_pa_m"] is None:
+        lines.append(f"  facade.base_stiffness_pa_m: {base:.6g} (E/h)")
+    if wall["length_m"] is None:
+        lines.append(f"  return_wall.length_m: {0.5 * facade['height_m']:.6g} (h/2)")
+    beta = beta_for(resolved, law_file)
+    lines.append(f"  damping: beta {beta:.6g} s (law: {resolved['damping']['law']})")
+    measured = read_fidelity(fidelity_file)
+    for model in resolved["models"]:
+        numerics, reason = choose(resolved, model, measured)
+        values = ", ".join(f"{key} {numerics[key]:g}" for key in CHOSEN if numerics[key])
+        lines.append(f"  numerics for {model}: {values} ({reason}; stated values are kept)")
+        if resolved["ida"]["start_g"] is None:
+            start = 0.5 * static_multiplier({**resolved, "model": model})
+            lines.append(f"  ida.start_g for {model}: {start:.4f} (half the static capacity)")
+    return lines
