@@ -7,7 +7,7 @@ import threading
 
 import numpy as np
 
-from yade_scripts.engine import adapter, ledger, simulate
+from yade_scripts.engine import adapter, ledger, loop, simulate
 from yade_scripts.model import facade, models
 from yade_scripts.model.stiffness import critical_step
 from yade_scripts.studies import ida
@@ -62,8 +62,6 @@ def shaken_run(config, model, record, peak_g):
 
 def poisoned_run(config, value, at_step):
     """A sound run in which one velocity becomes `value` ("nan", "inf") at a step."""
-    import __main__
-
     scene = facade.facade_scene(config, "W1", BETA_S)
     time_s, acceleration = _motion()
     motions = {name: adapter.Motion(time_s, acceleration) for name in scene.motions}
@@ -77,11 +75,7 @@ def poisoned_run(config, value, at_step):
             if built.omega.iter == at_step:
                 state.vel = (0.0, float(value), 0.0)
 
-        __main__._spoil = at_one_step
-        wrapper = adapter.load_yade()
-        built.omega.engines = [
-            wrapper.PyRunner(command="_spoil()", iterPeriod=1, initRun=True)
-        ] + built.omega.engines
+        built.omega.engines = [loop.runner(at_one_step, 1), *built.omega.engines]
 
     history = simulate.run(scene, motions, step, rules, sample_s=SAMPLE_STEPS * step, setup=spoil)
     return _outcome(history)

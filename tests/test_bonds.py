@@ -65,8 +65,7 @@ def bonded_scene(normal, nodes_up, *, free, gravity=0.0, tension=TENSION, cohesi
 
 def pull(scene, speed, travel, samples=250):
     """Move the block along y at constant speed; return travel, force on the support, breaks."""
-    import __main__
-    from yade_scripts.engine import adapter
+    from yade_scripts.engine import adapter, loop
     from yade_scripts.model import stiffness
 
     dt = 0.1 * stiffness.critical_step(scene)
@@ -82,11 +81,9 @@ def pull(scene, speed, travel, samples=250):
         force = np.sum([list(omega.forces.f(i)) for i in support], axis=0)
         rows.append((omega.bodies[built.body[1]].state.pos[1], *force))
 
-    __main__._sample_pull = sample
     each = max(1, int(travel / abs(speed) / dt / samples))
-    runner = adapter.load_yade().PyRunner(command="_sample_pull()", iterPeriod=each)
-    omega.engines = omega.engines + [runner]
-    omega.run(int(travel / abs(speed) / dt), True)
+    omega.engines = [*omega.engines, loop.runner(sample, each, at_start=False)]
+    loop.run(omega, int(travel / abs(speed) / dt))
     table = np.array(rows, float)
     # forces belong to the pose before the last step; the dashpot adds β·speed
     table[:, 0] -= scene.blocks[1].centre_m[1] + speed * dt - BETA * speed

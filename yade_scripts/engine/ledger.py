@@ -20,6 +20,8 @@ dissipate meanwhile, which is why the step is compared with the critical one bef
 
 import math
 
+from yade_scripts.engine import loop
+
 DRIVE = "InterpolatingDirectedForceEngine"  # moves the supports
 TOLERANCE = 0.1  # of the energy that overturns the façade
 
@@ -107,7 +109,7 @@ class EnergyLedger:
                 f"energy from nowhere, {excess:.3g} of what overturns the façade, "
                 f"at t = {t:.4f} s: numerical failure"
             )
-            self.omega.stopAtIter = self.omega.iter + 1  # see simulate._Monitor._stop
+            loop.stop()
         self.excess = max(self.excess, excess) if math.isfinite(excess) else math.inf
 
 

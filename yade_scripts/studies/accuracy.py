@@ -23,9 +23,8 @@ from pathlib import Path
 
 import numpy as np
 
-from yade_scripts.engine import adapter, polyhedra, simulate
+from yade_scripts.engine import adapter, loop, polyhedra, simulate
 from yade_scripts.files import write_atomic
-from yade_scripts.model import facade, registry
 from yade_scripts.model.motion import amplitude
 from yade_scripts.studies import ida
 
@@ -75,7 +74,6 @@ def drive_from_python(motions):
     The support's velocity at half steps is the integral of the piecewise-linear
     acceleration, so both ways prescribe the same motion.
     """
-    import __main__
 
     def setup(built):
         w = adapter.load_yade()
@@ -98,11 +96,9 @@ def drive_from_python(motions):
                 for state in states:
                     state.vel = (0.0, velocity[step], 0.0)
 
-        __main__._drive_supports = move
         kept = [e for e in omega.engines if e not in drives]
         at = next(i for i, e in enumerate(kept) if isinstance(e, w.NewtonIntegrator))
-        runner = w.PyRunner(command="_drive_supports()", iterPeriod=1, initRun=True)
-        omega.engines = [*kept[:at], runner, *kept[at:]]
+        omega.engines = [*kept[:at], loop.runner(move, 1), *kept[at:]]
 
     return setup
 

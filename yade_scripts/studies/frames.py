@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from yade_scripts.engine import adapter, simulate
+from yade_scripts.engine import adapter, loop, simulate
 from yade_scripts.files import write_atomic
 from yade_scripts.model import models
 from yade_scripts.model.motion import SIGNS, amplitude
@@ -49,20 +49,12 @@ class Camera:
         """Return the set-up function that starts the frames."""
 
         def setup(built):
-            import __main__
-
             omega, bodies = built.omega, built.omega.bodies
             self.omega = omega
             self.states = [bodies[i].state for i in built.body]
             self.start = [tuple(float(v) for v in s.pos) for s in self.states]
             self.turn = [2.0 * np.arctan2(s.ori[0], s.ori[3]) for s in self.states]
-            __main__._take_frame = self
-            period = max(1, round(interval_s / omega.dt))
-            omega.engines = omega.engines + [
-                adapter.load_yade().PyRunner(
-                    command="_take_frame()", iterPeriod=period, initRun=True
-                )
-            ]
+            omega.engines = [*omega.engines, loop.runner(self, round(interval_s / omega.dt))]
 
         return setup
 

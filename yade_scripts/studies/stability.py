@@ -20,7 +20,7 @@ from pathlib import Path
 
 import numpy as np
 
-from yade_scripts.engine import adapter
+from yade_scripts.engine import adapter, loop
 from yade_scripts.files import write_atomic
 from yade_scripts.model import facade
 from yade_scripts.model.quadrature import gauss_lobatto
@@ -183,8 +183,6 @@ def growth(scene, dt_s, *, press_m_s2=3.0, relax_steps=500, steps=3000, seed=1):
         Largest speed during the run over the disturbance; infinite when the numbers
         overflow.
     """
-    import __main__
-
     w = adapter.load_yade()
     has_walls = any(name.startswith("return wall") for name in scene.joints)
     gravity = np.array([0.0, -press_m_s2 if has_walls else 0.0, -scene.gravity_m_s2])
@@ -198,7 +196,7 @@ def growth(scene, dt_s, *, press_m_s2=3.0, relax_steps=500, steps=3000, seed=1):
     newton = next(e for e in omega.engines if isinstance(e, w.NewtonIntegrator))
     newton.gravity = tuple(float(g) for g in gravity)
     newton.damping = 0.7
-    omega.run(relax_steps, True)
+    loop.run(omega, relax_steps)
     newton.damping = 0.0
     free = [omega.bodies[built.body[i]].state for i, b in enumerate(scene.blocks) if b.free]
     rng = np.random.default_rng(seed)
@@ -210,13 +208,12 @@ def growth(scene, dt_s, *, press_m_s2=3.0, relax_steps=500, steps=3000, seed=1):
         start = max(start, float(np.max(np.abs(kick))))
     omega.dt = dt_s
     speeds = []
-    # looking in from outside would cost 40 ms a call: YADE's run() polls
-    __main__._stability_probe = lambda: speeds.append(
-        np.max(np.abs([v for s in free for v in (*s.vel, *s.angVel)]))
-    )
-    probe = w.PyRunner(command="_stability_probe()", iterPeriod=5)
-    omega.engines = omega.engines + [probe]
-    omega.run(steps, True)
+
+    def probe():
+        speeds.append(np.max(np.abs([v for s in free for v in (*s.vel, *s.angVel)])))
+
+    omega.engines = [*omega.engines, loop.runner(probe, 5, at_start=False)]
+    loop.run(omega, steps)
     return float(np.max(speeds)) / start if np.all(np.isfinite(speeds)) else math.inf
 
 
