@@ -6,7 +6,7 @@ import numpy as np
 
 from yade_scripts.engine import adapter, loop, simulate
 from yade_scripts.model import facade
-from yade_scripts.studies import ida
+from yade_scripts.studies import shaking
 
 
 def quiet(scene, duration_s=100.0):
@@ -71,7 +71,8 @@ def shaken(config, model, beta_s, time_s, columns, factor, planar=True):
     """Peak d/b, status and reason of one earthquake run."""
     scene = facade.facade_scene(config, model, beta_s, planar=planar)
     columns = {name: np.array(values) for name, values in columns.items()}
-    h = ida.run_one(scene, np.array(time_s), columns, factor, config["numerics"])
+    numerics = config["numerics"]
+    h = shaking.prepare(scene, numerics, np.array(time_s), columns, factor).retried()
     return {"peak": h.peak_d_over_b, "status": h.status, "reason": h.reason, "d": h.d_m.tolist()}
 
 
@@ -79,10 +80,9 @@ def drive_speed(config, model, beta_s, time_s, columns):
     """Steps per second with supports driven by YADE's engine, and by Python every step."""
     scene = facade.facade_scene(config, model, beta_s)
     time_s = np.array(time_s)
-    motions = ida.scaled_motions(
-        time_s, {k: np.array(v) for k, v in columns.items()}, scene.motions, 1.0
-    )
-    step, _ = simulate.choose_step(scene, config["numerics"])
+    columns = {k: np.array(v) for k, v in columns.items()}
+    case = shaking.prepare(scene, config["numerics"], time_s, columns, 1.0)
+    motions, step = case.motions, case.step_s
     rules = simulate.StopRules(time_s[-1], time_s[-1], overturn_ratio=1e9)
     inside = simulate.run(scene, motions, step, rules)
 

@@ -70,7 +70,7 @@ def motion_columns(scene, columns):
     scene : Scene
         Its note "motions" holds, by name, the weights of the columns.
     columns : dict of str to ndarray
-        "ground", "floor1", … [m/s²].
+        "ground", "floor1", … [m/s²]; what is there already stays.
 
     Returns
     -------
@@ -83,6 +83,8 @@ def motion_columns(scene, columns):
     """
     found = dict(columns)
     for name, weights in scene.notes.get("motions", {}).items():
+        if name in columns:
+            continue
         missing = [column for column in weights if column not in columns]
         if missing:
             raise ValueError(f"the motion file has no column for {', '.join(missing)}")
