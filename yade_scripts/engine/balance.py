@@ -247,16 +247,3 @@ class EnergyBalance:
         done, lost = self.work[0], self.work[1:4]
         residual = done - (stored - self.start).sum() - lost.sum()
         self.rows.append((self.omega.time, done, *(stored - self.start), *lost, residual))
-
-
-def overturning_energy(scene):
-    """Energy that overturns the monitored block, m g (R − h/2) with R half the diagonal's length.
-
-    Returns
-    -------
-    float
-        [J]
-    """
-    block = scene.blocks[scene.index(scene.monitor)]
-    depth, height = block.size_m[1], block.size_m[2]
-    return block.mass_kg * scene.gravity_m_s2 * 0.5 * float(np.hypot(depth, height) - height)

@@ -75,10 +75,7 @@ class EnergyLedger:
                     self.guided.append((body, *own))
                 else:
                     self.free.append(own)
-        block = scene.blocks[scene.index(scene.monitor)]
-        depth, height = block.size_m[1], block.size_m[2]
-        weight = block.mass_kg * scene.gravity_m_s2
-        self.scale = weight * 0.5 * (math.hypot(depth, height) - height)
+        self.scale = scene.overturning_energy_j
         self.start, self.before, self.work = None, (0.0, 0.0), 0.0
 
     def __call__(self):

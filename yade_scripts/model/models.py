@@ -3,7 +3,7 @@
 import math
 
 from yade_scripts.model import facade, interlocking, registry
-from yade_scripts.model.scene import Scene
+from yade_scripts.model.gravity import GRAVITY_M_S2
 
 
 def build_scene(job):
@@ -49,7 +49,7 @@ def static_multiplier(job):
     h, b = section["height_m"], section["thickness_m"]
     kind = registry.model(job["model"])
     if kind.walls == "one" and kind.bonded:
-        weight = section["density_kg_m3"] * Scene.gravity_m_s2 * h * b * section["width_m"]
+        weight = section["density_kg_m3"] * GRAVITY_M_S2 * h * b * section["width_m"]
         bond = wall["count"] * wall["tension_mpa"] * 1e6 * wall["thickness_m"] * h**2 / 3.0
         return b / h + bond / (0.5 * weight * h)
     if kind.walls != "bricks":

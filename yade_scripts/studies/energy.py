@@ -47,13 +47,13 @@ def balanced_run(job, time_s, columns, factor):
     history : simulate.History
     books : balance.EnergyBalance
     overturning_j : float
-        See `balance.overturning_energy`.
+        See `Scene.overturning_energy_j`.
     """
     scene, numerics = models.build_scene(job), models.numerics(job)
     case = shaking.prepare(scene, numerics, time_s, columns, factor)
     books = balance.EnergyBalance(scene, case.sample_s)
     history = case.run(setup=books.attach)
-    return history, books, balance.overturning_energy(scene)
+    return history, books, scene.overturning_energy_j
 
 
 def to_csv(facts, rows):
