@@ -1,6 +1,7 @@
 """Accuracy and stability cases; imported inside YADE's Python."""
 
 import math
+from dataclasses import replace
 
 import energy_probe
 import numpy as np
@@ -9,7 +10,7 @@ from facade_cases import quiet
 from yade_scripts.engine import adapter, simulate
 from yade_scripts.model import facade
 from yade_scripts.model.stiffness import critical_step
-from yade_scripts.studies import energy, ida, stability
+from yade_scripts.studies import energy, shaking, stability
 
 
 def limit(config, name, stiffness_factor, beta_s):
@@ -65,16 +66,14 @@ def shaken(config, model, beta_s, time_s, columns, fraction=None):
     scene = facade.facade_scene(config, model, beta_s)
     time_s = np.array(time_s)
     columns = {k: np.array(v) for k, v in columns.items()}
-    motions = ida.scaled_motions(time_s, columns, scene.motions, 1.0)
-    step, _ = simulate.choose_step(scene, numerics)
-    rules = ida.stop_rules(scene, numerics, time_s, motions)
-    h = simulate.run(scene, motions, step, rules, sample_s=0.002)
+    case = shaking.prepare(scene, numerics, time_s, columns, 1.0)
+    h = replace(case, sample_s=0.002).run()
     return {
         "peak": h.peak_d_over_b,
         "status": h.status,
         "d": h.d_m.tolist(),
         "time": h.time_s.tolist(),
-        "dt_s": step,
+        "dt_s": h.dt_s,
     }
 
 

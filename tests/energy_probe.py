@@ -8,7 +8,7 @@ order in the step.
 
 import numpy as np
 
-from yade_scripts.engine import adapter
+from yade_scripts.engine import adapter, loop
 
 
 class EnergyProbe:
@@ -27,8 +27,6 @@ class EnergyProbe:
 
     def attach(self, built):
         """Place one runner before and one after the integrator."""
-        import __main__
-
         wrapper, omega = adapter.load_yade(), built.omega
         self.omega = omega
         self.blocks = [
@@ -37,13 +35,9 @@ class EnergyProbe:
             if block.free
         ]
         period = max(1, round(self.sample_s / omega.dt))
-        __main__._energy_before, __main__._energy_after = self._before, self._after
         engines = list(omega.engines)
         at = next(i for i, e in enumerate(engines) if isinstance(e, wrapper.NewtonIntegrator))
-        before, after = (
-            wrapper.PyRunner(command=f"_energy_{when}()", iterPeriod=period, initRun=True)
-            for when in ("before", "after")
-        )
+        before, after = loop.runner(self._before, period), loop.runner(self._after, period)
         omega.engines = [*engines[:at], before, engines[at], after, *engines[at + 1 :]]
 
     def _before(self):

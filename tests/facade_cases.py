@@ -4,9 +4,9 @@ import os
 
 import numpy as np
 
-from yade_scripts.engine import adapter, simulate
+from yade_scripts.engine import adapter, loop, simulate
 from yade_scripts.model import facade
-from yade_scripts.studies import ida
+from yade_scripts.studies import shaking
 
 
 def quiet(scene, duration_s=100.0):
@@ -31,7 +31,7 @@ def contacts(config, model, beta_s):
     scene = facade.facade_scene(config, model, beta_s)
     scene.nodes.gap_m = scene.nodes.gap_m - 1e-4
     built = adapter.build(scene, quiet(scene), 1e-7)
-    built.omega.run(1, True)
+    loop.run(built.omega, 1)
     node_of = {body: node for node, body in enumerate(built.node_body)}
     out = [None] * len(scene.nodes)
     for c in built.omega.interactions:
@@ -71,25 +71,22 @@ def shaken(config, model, beta_s, time_s, columns, factor, planar=True):
     """Peak d/b, status and reason of one earthquake run."""
     scene = facade.facade_scene(config, model, beta_s, planar=planar)
     columns = {name: np.array(values) for name, values in columns.items()}
-    h = ida.run_one(scene, np.array(time_s), columns, factor, config["numerics"])
+    numerics = config["numerics"]
+    h = shaking.prepare(scene, numerics, np.array(time_s), columns, factor).retried()
     return {"peak": h.peak_d_over_b, "status": h.status, "reason": h.reason, "d": h.d_m.tolist()}
 
 
 def drive_speed(config, model, beta_s, time_s, columns):
     """Steps per second with supports driven by YADE's engine, and by Python every step."""
-    import __main__
-
     scene = facade.facade_scene(config, model, beta_s)
     time_s = np.array(time_s)
-    motions = ida.scaled_motions(
-        time_s, {k: np.array(v) for k, v in columns.items()}, scene.motions, 1.0
-    )
-    step, _ = simulate.choose_step(scene, config["numerics"])
+    columns = {k: np.array(v) for k, v in columns.items()}
+    case = shaking.prepare(scene, config["numerics"], time_s, columns, 1.0)
+    motions, step = case.motions, case.step_s
     rules = simulate.StopRules(time_s[-1], time_s[-1], overturn_ratio=1e9)
     inside = simulate.run(scene, motions, step, rules)
 
     def python_drive(built):
-        wrapper = adapter.load_yade()
         omega = built.omega
         engines = [
             e
@@ -108,8 +105,7 @@ def drive_speed(config, model, beta_s, time_s, columns):
                 a = np.interp(t, motion.time_s, motion.acceleration_m_s2)
                 state.vel = (0.0, state.vel[1] + a * dt, 0.0)
 
-        __main__._drive = step_supports
-        omega.engines = [wrapper.PyRunner(command="_drive()", iterPeriod=1), *engines]
+        omega.engines = [loop.runner(step_supports, 1), *engines]
 
     outside = simulate.run(scene, motions, step, rules, setup=python_drive)
     return {"inside": inside.steps / inside.wall_s, "outside": outside.steps / outside.wall_s}
@@ -117,7 +113,7 @@ def drive_speed(config, model, beta_s, time_s, columns):
 
 def listening_ports():
     """Number of TCP sockets this process listens on after YADE is loaded and has run."""
-    adapter.load_yade().Omega().run(1, True)
+    loop.run(adapter.load_yade().Omega(), 1)
     inodes = set()
     for fd in os.listdir("/proc/self/fd"):
         try:

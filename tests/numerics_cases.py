@@ -4,13 +4,14 @@ import math
 import os
 import signal
 import threading
+from dataclasses import replace
 
 import numpy as np
 
-from yade_scripts.engine import adapter, ledger, simulate
+from yade_scripts.engine import adapter, ledger, loop, simulate
 from yade_scripts.model import facade, models
 from yade_scripts.model.stiffness import critical_step
-from yade_scripts.studies import ida
+from yade_scripts.studies import ida, shaking
 from yade_scripts.studies.journal import Journal
 
 BETA_S = 0.00276
@@ -38,11 +39,10 @@ def forced_run(config, model, factor):
     """A run whose step is `factor` times the critical one, which the entry points refuse."""
     scene = models.build_scene({**config, "model": model, "beta_s": BETA_S})
     time_s, acceleration = _motion()
-    motions = {name: adapter.Motion(time_s, acceleration) for name in scene.motions}
-    rules = ida.stop_rules(scene, config["numerics"], time_s, motions)
-    step = factor * critical_step(scene)
-    with_check = ida._attempt(scene, motions, step, rules, config["numerics"])
-    without = simulate.run(scene, motions, step, rules)
+    columns = dict.fromkeys(scene.motions, acceleration)
+    case = shaking.prepare(scene, config["numerics"], time_s, columns, 1.0)
+    case = replace(case, step_s=factor * case.critical_step_s)
+    with_check, without = case.checked(), case.run()
     return _outcome(with_check, unchecked=without.status)
 
 
@@ -50,25 +50,20 @@ def shaken_run(config, model, record, peak_g):
     """Largest energy from nowhere in a run at its proper step, and how the run ended."""
     scene = models.build_scene({**config, "model": model, "beta_s": BETA_S})
     time_s, columns = np.array(record["time_s"]), record["columns"]
-    columns = models.motion_columns(scene, {n: np.array(v) for n, v in columns.items()})
-    motions = {n: adapter.Motion(time_s, peak_g * 9.81 * columns[n]) for n in scene.motions}
-    rules = ida.stop_rules(scene, config["numerics"], time_s, motions)
+    columns = {n: np.array(v) for n, v in columns.items()}
     numerics = models.numerics({**config, "model": model})
-    step, _ = simulate.choose_step(scene, numerics)
-    check = ledger.EnergyLedger(scene, motions)
-    history = simulate.run(scene, motions, step, rules, check=check)
+    case = shaking.prepare(scene, numerics, time_s, columns, peak_g * 9.81)
+    check = ledger.EnergyLedger(scene, case.motions)
+    history = case.run(check=check)
     return _outcome(history, excess=check.excess, walls=len(check.walls))
 
 
 def poisoned_run(config, value, at_step):
     """A sound run in which one velocity becomes `value` ("nan", "inf") at a step."""
-    import __main__
-
     scene = facade.facade_scene(config, "W1", BETA_S)
     time_s, acceleration = _motion()
-    motions = {name: adapter.Motion(time_s, acceleration) for name in scene.motions}
-    rules = ida.stop_rules(scene, config["numerics"], time_s, motions)
-    step, _ = simulate.choose_step(scene, config["numerics"])
+    columns = dict.fromkeys(scene.motions, acceleration)
+    case = shaking.prepare(scene, config["numerics"], time_s, columns, 1.0)
 
     def spoil(built):
         state = built.omega.bodies[built.body[scene.index(scene.monitor)]].state
@@ -77,14 +72,9 @@ def poisoned_run(config, value, at_step):
             if built.omega.iter == at_step:
                 state.vel = (0.0, float(value), 0.0)
 
-        __main__._spoil = at_one_step
-        wrapper = adapter.load_yade()
-        built.omega.engines = [
-            wrapper.PyRunner(command="_spoil()", iterPeriod=1, initRun=True)
-        ] + built.omega.engines
+        built.omega.engines = [loop.runner(at_one_step, 1), *built.omega.engines]
 
-    history = simulate.run(scene, motions, step, rules, sample_s=SAMPLE_STEPS * step, setup=spoil)
-    return _outcome(history)
+    return _outcome(replace(case, sample_s=SAMPLE_STEPS * case.step_s).run(setup=spoil))
 
 
 def retried_run(config, factor, retry):
@@ -95,7 +85,7 @@ def retried_run(config, factor, retry):
     proper, simulate.choose_step = simulate.choose_step, lambda *_: (step, step)
     try:
         numerics = {**config["numerics"], "retry_half_step": retry}
-        history = ida.run_one(scene, time_s, {"ground": acceleration}, 1.0, numerics)
+        history = shaking.prepare(scene, numerics, time_s, {"ground": acceleration}, 1.0).retried()
     finally:
         simulate.choose_step = proper
     return _outcome(history, tried_s=step)
@@ -110,7 +100,7 @@ def struck_run(config, interval_s, retry):
     push = 2.0 * np.array([0.0, 1.0, 1.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0])
     columns = {f"floor{j}": push for j in range(1, 5)} | {"ground": np.zeros(time_s.size)}
     numerics = {**config["numerics"], "retry_half_step": retry, "sample_interval_s": interval_s}
-    history = ida.run_one(scene, time_s, columns, 1.0, numerics)
+    history = shaking.prepare(scene, numerics, time_s, columns, 1.0).retried()
     return _outcome(history, peak=history.peak_d_over_b)
 
 

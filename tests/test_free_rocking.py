@@ -2,7 +2,6 @@
 
 import json
 import math
-import subprocess
 import warnings
 
 import numpy as np
@@ -11,7 +10,7 @@ from rocking.calibration import beta, study
 from rocking.calibration.restitution import e_exp, read_archive, rebounds
 from rocking.mechanics import closed_forms
 from rocking.planar import Wall, simulate
-from yade_process import PYTHON, ROOT, in_yade, resolved
+from yade_process import in_yade, resolved, run_study
 
 pytestmark = pytest.mark.yade
 
@@ -58,18 +57,12 @@ def case(
 def run(cases, folder):
     """Run cases as the workflow does; returns the process and the archive's path."""
     (folder / "cases.json").write_text(json.dumps(cases))
-    done = subprocess.run(
-        [
-            PYTHON,
-            ROOT / "yade_scripts",
-            "free_rocking",
-            "--cases",
-            folder / "cases.json",
-            "--output",
-            folder / "histories.npz",
-        ],
-        capture_output=True,
-        text=True,
+    done = run_study(
+        "free_rocking",
+        "--cases",
+        folder / "cases.json",
+        "--output",
+        folder / "histories.npz",
     )
     return done, folder / "histories.npz"
 

@@ -116,7 +116,7 @@ def test_a_failed_row_is_blank_and_its_reason_is_in_the_journal_and_the_log(tmp_
     outcome = in_yade(CASES, "failed_analysis", config=config, folder=str(tmp_path))
     rows = outcome["rows"]
     assert [row["status"] for row in rows] == ["failed", "failed"]  # nor does one end the curve
-    assert {(row["d_over_b"], row["collapsed"]) for row in rows} == {("", "")}
+    assert {(row["d_over_b"], row["collapsed"]) for row in rows} == {(None, None)}
     entries = [json.loads(line) for line in (tmp_path / "j.jsonl").read_text().splitlines()]
     assert all("numerical failure" in entry["reason"] for entry in entries)
     assert all("numerical failure" in line for line in outcome["said"])

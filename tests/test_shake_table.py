@@ -2,14 +2,13 @@
 
 import json
 import math
-import subprocess
 
 import numpy as np
 import pytest
 from rocking.calibration.restitution import read_archive
 from rocking.calibration.study import SECTIONS
 from rocking.mechanics import closed_forms
-from yade_process import PYTHON, ROOT, resolved
+from yade_process import resolved, run_study
 
 pytestmark = pytest.mark.yade
 
@@ -59,18 +58,12 @@ def shaken(folder, motions, **facade):
             }
         )
     (folder / "tests.json").write_text(json.dumps(tests))
-    done = subprocess.run(
-        [
-            PYTHON,
-            ROOT / "yade_scripts",
-            "shake_table",
-            "--tests",
-            folder / "tests.json",
-            "--output",
-            folder / "out.npz",
-        ],
-        capture_output=True,
-        text=True,
+    done = run_study(
+        "shake_table",
+        "--tests",
+        folder / "tests.json",
+        "--output",
+        folder / "out.npz",
     )
     assert done.returncode == 0, done.stderr
     return {r["id"]: r for r in read_archive(folder / "out.npz")}
@@ -122,18 +115,12 @@ def test_gap_lets_it_lean_back_that_far_only(tmp_path):
 
 def test_missing_key_is_named(tmp_path):
     (tmp_path / "tests.json").write_text(json.dumps([{"id": "a"}]))
-    done = subprocess.run(
-        [
-            PYTHON,
-            ROOT / "yade_scripts",
-            "shake_table",
-            "--tests",
-            tmp_path / "tests.json",
-            "--output",
-            tmp_path / "out.npz",
-        ],
-        capture_output=True,
-        text=True,
+    done = run_study(
+        "shake_table",
+        "--tests",
+        tmp_path / "tests.json",
+        "--output",
+        tmp_path / "out.npz",
     )
     assert done.returncode == 1
     assert "test 1 has no config" in done.stderr

@@ -20,15 +20,14 @@ def shake_case(job, fractions, time_s, columns):
     import numpy as np
 
     from yade_scripts.model import models
-    from yade_scripts.studies import ida
+    from yade_scripts.studies import shaking
 
     scene = models.build_scene(job)
     time_s = np.array(time_s)
     columns = {name: np.array(values) for name, values in columns.items()}
-    columns = models.motion_columns(scene, columns)
     out = []
     for fraction in fractions:
         numerics = {**models.numerics(job), "step_fraction": fraction}
-        history = ida.run_one(scene, time_s, columns, 1.0, numerics)
+        history = shaking.prepare(scene, numerics, time_s, columns, 1.0).retried()
         out.append([history.status, history.peak_d_over_b])
     return out

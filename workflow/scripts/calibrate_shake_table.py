@@ -4,12 +4,13 @@ import copy
 import json
 import os
 
-import numpy as np
 import yaml
 from rocking.calibration.beta import beta_for
 from rocking.configuration.config import ConfigError, resolve
 from rocking.records import load, measures, read_table
 from rocking.runtime.script import run
+
+from yade_scripts.model.floor_motions import write
 
 SECTIONS = ("facade", "return_wall", "smdof", "numerics")
 
@@ -58,14 +59,7 @@ def main(job):
     for name, tilt in zip(names, tilts, strict=True):
         record = load(name, job.input.table, baseline=job.params.baseline, seed=job.params.seed)
         motion = os.path.join(job.output.motions, f"{name}.csv")
-        np.savetxt(
-            motion,
-            np.stack([record.time_s, record.acceleration_m_s2], axis=1),
-            "%.9g",
-            ",",
-            header="time_s,ground_m_s2",
-            comments="",
-        )
+        write(motion, record.time_s, record.acceleration_m_s2)
         tests += tests_of(wall, record, motion, tilt, settings, laws)
     with open(job.output.tests, "w") as handle:
         json.dump(tests, handle, indent=1, sort_keys=True)

@@ -12,6 +12,7 @@ from rocking.records import G_M_S2, read_csv
 from rocking.runtime.script import run
 
 from smdof.chain import floor_motions
+from yade_scripts.model.floor_motions import write
 
 
 def main(job):
@@ -35,15 +36,7 @@ def main(job):
         tail_s=tail_s,
     )
     levels = np.vstack([motion.ground_m_s2, motion.floors_m_s2])[below:]
-    names = ["time_s", "ground_m_s2"] + [f"floor{j}_m_s2" for j in range(1, n + 1)]
-    np.savetxt(
-        job.output.motion,
-        np.column_stack([motion.time_s, levels.T]),
-        fmt="%.9g",
-        delimiter=",",
-        header=",".join(names),
-        comments="",
-    )
+    write(job.output.motion, motion.time_s, levels[0], levels[1:])
     facts = {
         "record": record.name,
         "t1_s": period_s,

@@ -10,17 +10,16 @@ from rocking.records import G_M_S2
 from rocking.runtime.script import run
 
 from smdof.spectra import response_spectrum
+from yade_scripts.model import floor_motions
 
 
 def main(job):
     facts = json.loads(Path(job.input.facts).read_text())
     chain = json.loads(job.params.smdof)["smdof"]
-    with open(job.input.motion) as handle:
-        names = handle.readline().strip().split(",")[1:]
-    data = np.loadtxt(job.input.motion, delimiter=",", skiprows=1)
-    time, motions = data[:, 0], data[:, 1:].T / G_M_S2
+    time, columns = floor_motions.read(job.input.motion)
+    motions = np.array(list(columns.values())) / G_M_S2
     colours = [style.GREY, *plt.colormaps["viridis"](np.linspace(0.85, 0.1, len(motions) - 1))]
-    labels = [name.replace("_m_s2", "").replace("floor", "floor ") for name in names]
+    labels = [name.replace("floor", "floor ") for name in columns]
 
     figure, axes = plt.subplots(1, 2, width_ratios=(1.6, 1.0), figsize=(7.0, 3.8))
     gap = 1.15 * np.ptp(motions[-1])

@@ -2,11 +2,11 @@
 
 import json
 
-import numpy as np
 from rocking.records import read_csv
 from rocking.runtime.script import run
 
 from smdof.chain import floor_motions
+from yade_scripts.model.floor_motions import write
 
 
 def main(job):
@@ -22,11 +22,7 @@ def main(job):
         chain["damping_model"],
         tail_s=chain["tail_s"],
     )
-    columns = np.column_stack([motion.time_s, motion.ground_m_s2, motion.floors_m_s2.T])
-    names = ["time_s", "ground_m_s2"] + [f"floor{j}_m_s2" for j in range(1, n + 1)]
-    np.savetxt(
-        job.output[0], columns, fmt="%.9g", delimiter=",", header=",".join(names), comments=""
-    )
+    write(job.output[0], motion.time_s, motion.ground_m_s2, motion.floors_m_s2)
 
 
 run(main, globals())

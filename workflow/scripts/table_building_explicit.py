@@ -20,9 +20,9 @@ from rocking.records import G_M_S2, read_csv
 from rocking.runtime.script import run
 
 import smdof
+from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.studies.explicit_building import corner
 
-GRAVITY_M_S2 = 9.81
 MODES = 300
 HIGHEST_HZ = 150.0
 POINTS = ("top floor", "wall corner")

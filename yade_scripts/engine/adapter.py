@@ -17,6 +17,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from yade_scripts.engine import loop
 from yade_scripts.engine.bonds import PRELOAD_M, Bonds, is_tie
 from yade_scripts.engine.faces import RELEASE_CHECK_S, FaceError, Faces, Releases
 from yade_scripts.engine.guide import GUIDE_INTERVAL_S, Guide
@@ -145,7 +146,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     if missing:
         raise EngineError(f"no motion given for {', '.join(missing)}")
     omega = w.Omega()
-    omega.reset()
+    loop.reset(omega)
     faces = Faces(scene)
     nodes = scene.nodes
     reach = 4.0 * max(max(b.size_m) for b in scene.blocks)
@@ -266,7 +267,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     omega.engines = engines
     omega.dt = dt_s
     built = Built(omega, body, node_body, unturned)
-    _attach(w, scene, motions, built, bonded, node_material, dead)
+    _attach(scene, motions, built, bonded, node_material, dead)
     return built
 
 
@@ -297,31 +298,23 @@ def planar_turn(state, unturned):
     return 2.0 * math.atan2(sign * q[0], sign * q[3])
 
 
-def _attach(w, scene, motions, built, bonded, node_material, dead):
+def _attach(scene, motions, built, bonded, node_material, dead):
     """Add the runners that move guided blocks and break bonds, where the scene has any."""
-    import __main__
-
     omega = built.omega
     guided = [i for i, block in enumerate(scene.blocks) if block.free and block.motion]
     if guided:
         period = max(1, round(GUIDE_INTERVAL_S / omega.dt))
         built.guide = Guide(scene, omega, built.body, guided, motions, period)
-        __main__._guide_blocks = built.guide
-        omega.engines = [
-            w.PyRunner(command="_guide_blocks()", iterPeriod=period, initRun=True)
-        ] + omega.engines
+        omega.engines = [loop.runner(built.guide, period), *omega.engines]
     if bonded:
         materials = {i: node_material(i) for i in bonded}
         built.bonds = Bonds(scene, omega, built.body, bonded, materials, dead)
-        __main__._check_bonds = built.bonds
-        runner = w.PyRunner(command="_check_bonds()", iterPeriod=1, initRun=True)
-        omega.engines = omega.engines + [runner]
+        omega.engines = [*omega.engines, loop.runner(built.bonds, 1)]
         built.bonds.runner = omega.engines[-1]
     if scene.notes.get("rims"):
         built.releases = Releases(scene, omega, built.body, built.node_body, dead, built.bonds)
-        __main__._release_nodes = built.releases
-        period = max(1, round(RELEASE_CHECK_S / omega.dt))
-        omega.engines = omega.engines + [w.PyRunner(command="_release_nodes()", iterPeriod=period)]
+        period = round(RELEASE_CHECK_S / omega.dt)
+        omega.engines = [*omega.engines, loop.runner(built.releases, period, at_start=False)]
 
 
 def _joined(utils, omega, block, faces, rigid):

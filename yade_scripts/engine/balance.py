@@ -21,7 +21,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from yade_scripts.engine import adapter
+from yade_scripts.engine import adapter, loop
 from yade_scripts.engine.bonds import FACE_OFFSET_M, PRELOAD_M
 
 COLUMNS = (
@@ -76,21 +76,15 @@ class EnergyBalance:
 
     def attach(self, built):
         """Place one runner before and one after the integrator."""
-        import __main__
-
         wrapper, omega = adapter.load_yade(), built.omega
         self.omega = omega
         self._follow_bodies(built)
         spheres = built.bonds.spheres.values() if built.bonds else ()
         self.preloaded = {body for press, hook, _ in spheres for body in (press, hook)}
         self.period = max(1, round(self.sample_s / omega.dt))
-        __main__._balance_before, __main__._balance_after = self._before, self._after
         engines = list(omega.engines)
         at = next(i for i, e in enumerate(engines) if isinstance(e, wrapper.NewtonIntegrator))
-        before, after = (
-            wrapper.PyRunner(command=f"_balance_{when}()", iterPeriod=1, initRun=True)
-            for when in ("before", "after")
-        )
+        before, after = loop.runner(self._before, 1), loop.runner(self._after, 1)
         omega.engines = [*engines[:at], before, engines[at], after, *engines[at + 1 :]]
 
     def _follow_bodies(self, built):
@@ -253,16 +247,3 @@ class EnergyBalance:
         done, lost = self.work[0], self.work[1:4]
         residual = done - (stored - self.start).sum() - lost.sum()
         self.rows.append((self.omega.time, done, *(stored - self.start), *lost, residual))
-
-
-def overturning_energy(scene):
-    """Energy that overturns the monitored block, m g (R − h/2) with R half the diagonal's length.
-
-    Returns
-    -------
-    float
-        [J]
-    """
-    block = scene.blocks[scene.index(scene.monitor)]
-    depth, height = block.size_m[1], block.size_m[2]
-    return block.mass_kg * scene.gravity_m_s2 * 0.5 * float(np.hypot(depth, height) - height)

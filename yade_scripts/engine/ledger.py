@@ -20,6 +20,8 @@ dissipate meanwhile, which is why the step is compared with the critical one bef
 
 import math
 
+from yade_scripts.engine import loop
+
 DRIVE = "InterpolatingDirectedForceEngine"  # moves the supports
 TOLERANCE = 0.1  # of the energy that overturns the façade
 
@@ -73,10 +75,7 @@ class EnergyLedger:
                     self.guided.append((body, *own))
                 else:
                     self.free.append(own)
-        block = scene.blocks[scene.index(scene.monitor)]
-        depth, height = block.size_m[1], block.size_m[2]
-        weight = block.mass_kg * scene.gravity_m_s2
-        self.scale = weight * 0.5 * (math.hypot(depth, height) - height)
+        self.scale = scene.overturning_energy_j
         self.start, self.before, self.work = None, (0.0, 0.0), 0.0
 
     def __call__(self):
@@ -107,7 +106,7 @@ class EnergyLedger:
                 f"energy from nowhere, {excess:.3g} of what overturns the façade, "
                 f"at t = {t:.4f} s: numerical failure"
             )
-            self.omega.stopAtIter = self.omega.iter + 1  # see simulate._Monitor._stop
+            loop.stop()
         self.excess = max(self.excess, excess) if math.isfinite(excess) else math.inf
 
 

@@ -10,7 +10,7 @@ import time
 
 import numpy as np
 
-from yade_scripts.engine import adapter
+from yade_scripts.engine import adapter, loop
 
 
 def run(scene, motion, dt_s, limit_s, *, sample_s=0.005, damping=0.2):
@@ -36,13 +36,11 @@ def run(scene, motion, dt_s, limit_s, *, sample_s=0.005, damping=0.2):
     simulated_s, wall_s : float
     steps : int
     """
-    import __main__
-
     w = adapter.load_yade()
     from yade import polyhedra_utils
 
     omega = w.Omega()
-    omega.reset()
+    loop.reset(omega)
     facade = scene.blocks[scene.index(scene.monitor)]
     nodes = scene.nodes
     base = nodes.joint == 0
@@ -85,9 +83,8 @@ def run(scene, motion, dt_s, limit_s, *, sample_s=0.005, damping=0.2):
         seen["peak"] = max(seen["peak"], abs(d)) if np.isfinite(d) else float("nan")
         if not seen["peak"] < scene.thickness_m:
             seen["status"] = "overturned" if np.isfinite(d) else "failed"
-            omega.stopAtIter = omega.iter + 1
+            loop.stop()
 
-    __main__._polyhedra_sample = sample
     omega.engines = [
         w.ForceResetter(),
         w.InsertionSortCollider([w.Bo1_Polyhedra_Aabb()], verletDist=0.05),
@@ -104,10 +101,10 @@ def run(scene, motion, dt_s, limit_s, *, sample_s=0.005, damping=0.2):
             wrap=False,
         ),
         w.NewtonIntegrator(damping=damping, gravity=(0, 0, -scene.gravity_m_s2)),
-        w.PyRunner(command="_polyhedra_sample()", iterPeriod=max(1, round(sample_s / dt_s))),
+        loop.runner(sample, round(sample_s / dt_s), at_start=False),
     ]
     omega.dt = dt_s
     began = time.perf_counter()
-    omega.run(int(np.ceil(limit_s / dt_s)), True)
+    loop.run(omega, int(np.ceil(limit_s / dt_s)))
     wall = time.perf_counter() - began
     return seen["peak"] / scene.thickness_m, seen["status"], omega.time, wall, int(omega.iter)

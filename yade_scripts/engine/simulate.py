@@ -6,12 +6,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from yade_scripts.engine import adapter
+from yade_scripts.engine import adapter, loop
 from yade_scripts.model.stiffness import critical_step, lag_factors
 
 OK, OVERTURNED, FAILED = "ok", "overturned", "failed"
 REST_RATIO = 0.5  # d/b
-POLL_S = 1e-3
 
 
 class StepError(ValueError):
@@ -142,7 +141,7 @@ class _Monitor:
         self.status, self.reason = OK, ""
 
     def __call__(self):
-        """Take a sample; pause the run when a stop rule applies. Plain floats, for speed."""
+        """Take a sample; end the run when a stop rule applies. Plain floats, for speed."""
         t = self.omega.time + self.omega.dt  # positions are those after this step
         state, support = self.block, self.support
         angle = adapter.planar_turn(state, self.unturned)  # rotation about x alone carries d
@@ -164,9 +163,7 @@ class _Monitor:
     def _stop(self, status, reason):
         if not self.reason:
             self.status, self.reason = status, reason
-        # not pause(): called from the running thread it lets the main thread go on and then
-        # waits for Python, which deadlocks with the next reset()
-        self.omega.stopAtIter = self.omega.iter + 1
+        loop.stop()
 
 
 def run(
@@ -207,8 +204,6 @@ def run(
     -------
     History
     """
-    import __main__
-
     if compensate_lag:
         factors = lag_factors(scene, dt_s)
         nodes = replace(
@@ -218,27 +213,20 @@ def run(
     built = adapter.build(
         scene, motions, dt_s, node_radius_m=node_radius_m, full_rotation=full_rotation
     )
-    wrapper, omega = adapter.load_yade(), built.omega
-    monitor = _Monitor(scene, built, rules)
-    __main__._sample_scene = monitor
+    omega = built.omega
+    sample = monitor = _Monitor(scene, built, rules)
     if check is not None:
         check.attach(built)
-        __main__._sample_scene = lambda: (monitor(), check())
-    period = max(1, round(sample_s / dt_s))
-    omega.engines = omega.engines + [
-        wrapper.PyRunner(command="_sample_scene()", iterPeriod=period, initRun=True)
-    ]
+
+        def sample():
+            monitor()
+            check()
+
+    omega.engines = [*omega.engines, loop.runner(sample, round(sample_s / dt_s))]
     if setup is not None:
         setup(built)
     began = time.perf_counter()
-    omega.run(int(np.ceil(rules.limit_s / dt_s)))
-    try:
-        while omega.running:  # wait() alone looks every 40 ms, a tenth of a short run
-            time.sleep(POLL_S)
-    except KeyboardInterrupt:
-        omega.pause()  # its thread must not outlive Python's
-        raise
-    omega.wait()  # raises what a runner raised
+    loop.run(omega, int(np.ceil(rules.limit_s / dt_s)))
     wall = time.perf_counter() - began
     rows = np.array(monitor.rows, float).reshape(-1, 4)
     if not monitor.reason:

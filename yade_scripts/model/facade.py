@@ -19,13 +19,13 @@ import math
 import numpy as np
 
 from yade_scripts.model import registry
+from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 
 BASE = "base"
 FACADE = "façade"
 GROUND = "ground"
-GRAVITY_M_S2 = 9.81
 
 
 def floor_motion(j):

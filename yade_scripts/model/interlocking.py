@@ -36,11 +36,11 @@ import numpy as np
 from yade_scripts.model.facade import (
     BASE,
     FACADE,
-    GRAVITY_M_S2,
     GROUND,
     floor_motion,
     joint_stiffness,
 )
+from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 

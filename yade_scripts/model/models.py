@@ -3,7 +3,7 @@
 import math
 
 from yade_scripts.model import facade, interlocking, registry
-from yade_scripts.model.scene import Scene
+from yade_scripts.model.gravity import GRAVITY_M_S2
 
 
 def build_scene(job):
@@ -49,7 +49,7 @@ def static_multiplier(job):
     h, b = section["height_m"], section["thickness_m"]
     kind = registry.model(job["model"])
     if kind.walls == "one" and kind.bonded:
-        weight = section["density_kg_m3"] * Scene.gravity_m_s2 * h * b * section["width_m"]
+        weight = section["density_kg_m3"] * GRAVITY_M_S2 * h * b * section["width_m"]
         bond = wall["count"] * wall["tension_mpa"] * 1e6 * wall["thickness_m"] * h**2 / 3.0
         return b / h + bond / (0.5 * weight * h)
     if kind.walls != "bricks":
@@ -70,7 +70,7 @@ def motion_columns(scene, columns):
     scene : Scene
         Its note "motions" holds, by name, the weights of the columns.
     columns : dict of str to ndarray
-        "ground", "floor1", … [m/s²].
+        "ground", "floor1", … [m/s²]; what is there already stays.
 
     Returns
     -------
@@ -83,6 +83,8 @@ def motion_columns(scene, columns):
     """
     found = dict(columns)
     for name, weights in scene.notes.get("motions", {}).items():
+        if name in columns:
+            continue
         missing = [column for column in weights if column not in columns]
         if missing:
             raise ValueError(f"the motion file has no column for {', '.join(missing)}")

@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-STANDARD_GRAVITY_M_S2 = 9.80665  # the g in which PGA is stated; gravity itself is the scene's
+from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
+
 SIGNS = {"pos": 1.0, "neg": -1.0}  # of the record along the outward normal
 
 

@@ -11,9 +11,12 @@ is kn·penetration + β·kn·(its rate), never tensile unless the node is bonded
 """
 
 import json
+import math
 from dataclasses import asdict, dataclass, field
 
 import numpy as np
+
+from yade_scripts.model.gravity import GRAVITY_M_S2
 
 DOFS = "xyzXYZ"  # translations, then rotations about the same axes (YADE's letters)
 
@@ -145,7 +148,7 @@ class Scene:
     monitor_point_m: tuple
     reference: str
     thickness_m: float
-    gravity_m_s2: float = 9.81
+    gravity_m_s2: float = GRAVITY_M_S2
     notes: dict = field(default_factory=dict)
 
     def index(self, name):
@@ -154,6 +157,14 @@ class Scene:
             if block.name == name:
                 return i
         raise KeyError(f"no block '{name}'; the scene has {[b.name for b in self.blocks][:20]}")
+
+    @property
+    def overturning_energy_j(self):
+        """Energy that overturns the monitored block, m g (R − h/2), R half its diagonal [J]."""
+        block = self.blocks[self.index(self.monitor)]
+        depth, height = block.size_m[1], block.size_m[2]
+        rise = 0.5 * (math.hypot(depth, height) - height)
+        return block.mass_kg * self.gravity_m_s2 * rise
 
     @property
     def motions(self):

@@ -14,8 +14,6 @@ Polyhedra                 YADE's volumetric law instead of nodes (W1; see `polyh
 """
 
 import argparse
-import csv
-import io
 import json
 import os
 import sys
@@ -23,29 +21,30 @@ from pathlib import Path
 
 import numpy as np
 
-from yade_scripts.engine import adapter, polyhedra, simulate
+from yade_scripts.engine import adapter, loop, polyhedra, simulate
 from yade_scripts.files import write_atomic
-from yade_scripts.model import facade, registry
+from yade_scripts.model import facade, floor_motions, registry
 from yade_scripts.model.motion import amplitude
-from yade_scripts.studies import ida
+from yade_scripts.studies import shaking
+from yade_scripts.studies.tables import to_csv
 
-COLUMNS = (
-    "case",
-    "model",
-    "record",
-    "direction",
-    "pga_g",
-    "method",
-    "nodes",
-    "factor",
-    "dt_s",
-    "dt_over_dt_crit",
-    "d_over_b",
-    "status",
-    "steps",
-    "simulated_s",
-    "wall_s",
-)
+COLUMNS = {
+    "case": "",
+    "model": "",
+    "record": "",
+    "direction": "",
+    "pga_g": ".4f",
+    "method": "",
+    "nodes": "d",
+    "factor": ".9g",
+    "dt_s": ".6e",
+    "dt_over_dt_crit": ".5g",
+    "d_over_b": ".6f",
+    "status": "",
+    "steps": "d",
+    "simulated_s": ".3f",
+    "wall_s": ".3f",
+}
 METHODS = (
     "default",
     "nodes and step",
@@ -75,7 +74,6 @@ def drive_from_python(motions):
     The support's velocity at half steps is the integral of the piecewise-linear
     acceleration, so both ways prescribe the same motion.
     """
-    import __main__
 
     def setup(built):
         w = adapter.load_yade()
@@ -98,11 +96,9 @@ def drive_from_python(motions):
                 for state in states:
                     state.vel = (0.0, velocity[step], 0.0)
 
-        __main__._drive_supports = move
         kept = [e for e in omega.engines if e not in drives]
         at = next(i for i, e in enumerate(kept) if isinstance(e, w.NewtonIntegrator))
-        runner = w.PyRunner(command="_drive_supports()", iterPeriod=1, initRun=True)
-        omega.engines = [*kept[:at], runner, *kept[at:]]
+        omega.engines = [*kept[:at], loop.runner(move, 1), *kept[at:]]
 
     return setup
 
@@ -126,22 +122,16 @@ def run_case(job, time_s, columns, spec):
         {**job, "numerics": numerics}, job["model"], job["beta_s"], planar=method != "full 3D"
     )
     factor = spec["factor"] * amplitude(columns["ground"], spec["direction"], spec["pga_g"])
-    motions = ida.scaled_motions(time_s, columns, scene.motions, factor)
-    step, critical = simulate.choose_step(scene, numerics)
+    case = shaking.prepare(scene, numerics, time_s, columns, factor)
+    ratio = case.step_s / case.critical_step_s
     if method == "Polyhedra":
-        return _polyhedra(scene, motions[facade.GROUND], step), step / critical
-    history = simulate.run(
-        scene,
-        motions,
-        step,
-        ida.stop_rules(scene, numerics, time_s, motions),
-        sample_s=numerics["sample_interval_s"],
-        node_radius_m=numerics["node_radius_m"],
+        return _polyhedra(scene, case.motions[facade.GROUND], case.step_s), ratio
+    history = case.run(
         full_rotation=method == "full 3D",
         compensate_lag=method != "lag not compensated",
-        setup=drive_from_python(motions) if method == "python drive" else None,
+        setup=drive_from_python(case.motions) if method == "python drive" else None,
     )
-    return history, step / critical
+    return history, ratio
 
 
 def _polyhedra(scene, motion, step):
@@ -163,16 +153,16 @@ def as_row(spec, nodes, history, ratio):
     """Row of one run; `nodes` along an edge of the return walls' contact."""
     return {
         **{k: spec[k] for k in ("case", "model", "record", "direction", "method")},
-        "pga_g": f"{spec['pga_g']:.4f}",
-        "nodes": str(nodes),
-        "factor": f"{spec['factor']:.9g}",
-        "dt_s": f"{history.dt_s:.6e}",
-        "dt_over_dt_crit": f"{ratio:.5g}",
-        "d_over_b": f"{history.peak_d_over_b:.6f}",
+        "pga_g": spec["pga_g"],
+        "nodes": nodes,
+        "factor": spec["factor"],
+        "dt_s": history.dt_s,
+        "dt_over_dt_crit": ratio,
+        "d_over_b": history.peak_d_over_b,
         "status": history.status,
-        "steps": str(history.steps),
-        "simulated_s": f"{history.time_s[-1]:.3f}",
-        "wall_s": f"{history.wall_s:.3f}",
+        "steps": history.steps,
+        "simulated_s": history.time_s[-1],
+        "wall_s": history.wall_s,
     }
 
 
@@ -184,7 +174,7 @@ def main(arguments=None):
     args = parser.parse_args(arguments)
     plan = json.loads(Path(args.plan).read_text())
     jobs = {m: json.loads(Path(p).read_text()) for m, p in plan["scenes"].items()}
-    motions = {r: ida.read_motion(p) for r, p in plan["motions"].items()}
+    motions = {r: floor_motions.read(p) for r, p in plan["motions"].items()}
     adapter.load_yade()
     rows = []
     for spec in plan["runs"]:
@@ -194,10 +184,6 @@ def main(arguments=None):
         chain = registry.model(spec["model"]).chain
         nodes = job["numerics"]["nodes_per_block" if chain else "nodes_height"]
         rows.append(as_row(spec, nodes, history, ratio))
-        print(", ".join(rows[-1][k] for k in COLUMNS), file=sys.stderr, flush=True)
-    text = io.StringIO()
-    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    write_atomic(args.output, text.getvalue())
+        print(to_csv(rows[-1:], COLUMNS).splitlines()[1], file=sys.stderr, flush=True)
+    write_atomic(args.output, to_csv(rows, COLUMNS))
     return 0

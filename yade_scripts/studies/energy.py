@@ -15,9 +15,9 @@ from pathlib import Path
 
 from yade_scripts.engine import adapter, balance, simulate
 from yade_scripts.files import write_atomic
-from yade_scripts.model import models
+from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import SIGNS, amplitude
-from yade_scripts.studies import ida
+from yade_scripts.studies import shaking
 from yade_scripts.studies.ensemble import read_curve
 from yade_scripts.studies.intensities import DIGITS
 
@@ -38,7 +38,7 @@ def balanced_run(job, time_s, columns, factor):
     job : dict
         A scene file: model, beta_s and the configuration's sections.
     time_s, columns
-        See `ida.read_motion`.
+        See `floor_motions.read`.
     factor : float
         On the motion's amplitude; its sign is the direction.
 
@@ -47,23 +47,13 @@ def balanced_run(job, time_s, columns, factor):
     history : simulate.History
     books : balance.EnergyBalance
     overturning_j : float
-        See `balance.overturning_energy`.
+        See `Scene.overturning_energy_j`.
     """
     scene, numerics = models.build_scene(job), models.numerics(job)
-    columns = models.motion_columns(scene, columns)
-    motions = ida.scaled_motions(time_s, columns, scene.motions, factor)
-    step, _ = simulate.choose_step(scene, numerics)
-    books = balance.EnergyBalance(scene, numerics["sample_interval_s"])
-    history = simulate.run(
-        scene,
-        motions,
-        step,
-        ida.stop_rules(scene, numerics, time_s, motions),
-        sample_s=numerics["sample_interval_s"],
-        node_radius_m=numerics["node_radius_m"],
-        setup=books.attach,
-    )
-    return history, books, balance.overturning_energy(scene)
+    case = shaking.prepare(scene, numerics, time_s, columns, factor)
+    books = balance.EnergyBalance(scene, case.sample_s)
+    history = case.run(setup=books.attach)
+    return history, books, scene.overturning_energy_j
 
 
 def to_csv(facts, rows):
@@ -93,7 +83,7 @@ def main(arguments=None):
     if not 0.0 < args.share <= 10.0:
         raise ValueError(f"--share {args.share:g}: expected a number from 0 to 10")
     job = json.loads(Path(args.scene).read_text())
-    time_s, columns = ida.read_motion(args.motion)
+    time_s, columns = floor_motions.read(args.motion)
     pga_g = round(args.share * collapse_pga(read_curve(args.curve)[0]), DIGITS)
     factor = amplitude(columns["ground"], args.direction, pga_g)
     adapter.load_yade()

@@ -1,6 +1,6 @@
 """Entry point: the perturbed ensemble of one model, record and direction.
 
-Runs under YADE's own Python, after `run_ida`, whose curve it reads:
+Runs under YADE's own Python, after the study `ida`, whose curve it reads:
 
     python3 yade_scripts ensemble --scene scenes/W2.json --motion smdof/1ST280_4dof.csv
         --record 1ST280 --direction neg --curve ida/W2/1ST280_neg.csv
@@ -9,8 +9,8 @@ Runs under YADE's own Python, after `run_ida`, whose curve it reads:
 
 import argparse
 import csv
-import io
 import json
+import math
 import sys
 from pathlib import Path
 
@@ -18,39 +18,34 @@ import numpy as np
 
 from yade_scripts.engine import adapter, memory, simulate
 from yade_scripts.files import write_atomic
-from yade_scripts.model import models
+from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.model.scene import to_json
 from yade_scripts.sources import digest
-from yade_scripts.studies import ida as run_ida
-from yade_scripts.studies import perturb
+from yade_scripts.studies import perturb, shaking
 from yade_scripts.studies.journal import Journal, run_key
+from yade_scripts.studies.tables import RUN_COLUMNS, run_row, to_csv
 
-COLUMNS = (
-    "model",
-    "record",
-    "direction",
-    "pga_g",
-    "member",
-    "amplitude_factor",
-    "d_over_b",
-    "collapsed",
-    "status",
-    "dt_s",
-    "steps",
-    "wall_s",
-)
-SENSITIVITY_COLUMNS = (
-    "model",
-    "record",
-    "direction",
-    "pga_g",
-    "perturbation",
-    "d_over_b",
-    "d_over_b_perturbed",
-    "change",
-    "repeats",
-)
+COLUMNS = {
+    "model": "",
+    "record": "",
+    "direction": "",
+    "pga_g": ".4f",
+    "member": "d",
+    "amplitude_factor": ".9f",
+    **RUN_COLUMNS,
+}
+SENSITIVITY_COLUMNS = {
+    "model": "",
+    "record": "",
+    "direction": "",
+    "pga_g": ".4f",
+    "perturbation": ".3g",
+    "d_over_b": ".6f",
+    "d_over_b_perturbed": ".6f",
+    "change": ".3e",
+    "repeats": "d",
+}
 
 
 def read_curve(path):
@@ -79,7 +74,7 @@ class Runner:
     """Runs members of one model, record and direction; finished ones come from the journal."""
 
     def __init__(self, job, time_s, columns, record, direction, journal, say):
-        """Keep what every run shares; see `run_ida.analyse` for the parameters."""
+        """Keep what every run shares; see `ida.analyse` for the parameters."""
         self.job, self.time_s, self.columns = job, time_s, columns
         self.record, self.direction, self.journal, self.say = record, direction, journal, say
         self.digest = digest(__file__)
@@ -108,19 +103,15 @@ class Runner:
         key = run_key(base, numerics, factor)
         row = self.journal.get(key)
         if row is None:
-            history = run_ida.run_one(scene, self.time_s, self.columns, factor, numerics)
-            row = run_ida.as_row(self.job["model"], self.record, self.direction, pga_g, history)
+            history = shaking.prepare(scene, numerics, self.time_s, self.columns, factor).retried()
+            row = run_row(self.job["model"], self.record, self.direction, pga_g, history)
             self.journal.put(key, row, history.reason)
             if self.ceiling.reached():
                 memory.start_afresh()  # finished runs are in the journal
         else:
             self.reused += 1
         self.count += 1
-        return {
-            **row,
-            "member": str(member.number),
-            "amplitude_factor": f"{member.amplitude_factor:.9f}",
-        }
+        return {**row, "member": member.number, "amplitude_factor": member.amplitude_factor}
 
 
 def measure_sensitivity(runner, status, d_over_b, settings):
@@ -136,7 +127,7 @@ def measure_sensitivity(runner, status, d_over_b, settings):
     size = settings["sensitivity_perturbation"]
     for g in perturb.probe_intensities(status):
         row = runner.run(g, perturb.Member(0, 1.0 + size))
-        value = float(row["d_over_b"] or "nan")
+        value = math.nan if row["d_over_b"] is None else row["d_over_b"]
         changes[g] = perturb.sensitivity(d_over_b[g], value)
         rows.append(
             {
@@ -144,11 +135,11 @@ def measure_sensitivity(runner, status, d_over_b, settings):
                 "record": row["record"],
                 "direction": row["direction"],
                 "pga_g": row["pga_g"],
-                "perturbation": f"{size:.3g}",
-                "d_over_b": f"{d_over_b[g]:.6f}",
-                "d_over_b_perturbed": f"{value:.6f}",
-                "change": f"{changes[g]:.3e}",
-                "repeats": str(int(changes[g] <= settings["sensitivity_threshold"])),
+                "perturbation": size,
+                "d_over_b": d_over_b[g],
+                "d_over_b_perturbed": value,
+                "change": changes[g],
+                "repeats": int(changes[g] <= settings["sensitivity_threshold"]),
             }
         )
     worst = max(changes.values(), default=float("nan"))
@@ -159,7 +150,7 @@ def measure_sensitivity(runner, status, d_over_b, settings):
 def run_members(runner, pga_g, members):
     """Rows of every member at one intensity, and the share that collapsed."""
     rows = [runner.run(pga_g, member) for member in members]
-    outcome = [float(r["collapsed"]) for r in rows if r["status"] != simulate.FAILED]
+    outcome = [r["collapsed"] for r in rows if r["status"] != simulate.FAILED]
     share = float(np.mean(outcome)) if outcome else float("nan")
     runner.say(f"ensemble of {len(rows)} at {pga_g:.3f} g: {100 * share:.0f} % collapse")
     return rows, share
@@ -194,15 +185,6 @@ def analyse(runner, status, d_over_b):
     return rows, sensitivity_rows
 
 
-def to_csv(rows, columns):
-    """Rows as CSV text, by intensity and member."""
-    text = io.StringIO()
-    writer = csv.DictWriter(text, columns, lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(sorted(rows, key=lambda r: (float(r["pga_g"]), int(r.get("member", 0)))))
-    return text.getvalue()
-
-
 def main(arguments=None):
     """Parse the command line, run the ensemble, write the tables; return the exit status."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -225,13 +207,15 @@ def main(arguments=None):
             f"[{job['model']} {args.record} {args.direction}] {text}", file=sys.stderr, flush=True
         )
 
-    time_s, columns = run_ida.read_motion(args.motion)
+    time_s, columns = floor_motions.read(args.motion)
     status, d_over_b = read_curve(args.curve)
     adapter.load_yade()
     runner = Runner(job, time_s, columns, args.record, args.direction, Journal(args.journal), say)
     rows, sensitivity_rows = analyse(runner, status, d_over_b)
     if runner.reused:
         say(f"{runner.reused} of {runner.count} runs taken from earlier work")
+    sensitivity_rows.sort(key=lambda r: r["pga_g"])
+    rows.sort(key=lambda r: (r["pga_g"], r["member"]))
     write_atomic(args.sensitivity, to_csv(sensitivity_rows, SENSITIVITY_COLUMNS))
     write_atomic(args.output, to_csv(rows, COLUMNS))
     return 0

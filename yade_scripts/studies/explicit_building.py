@@ -22,6 +22,7 @@ from typing import Any
 
 import numpy as np
 
+from yade_scripts.engine import loop
 from yade_scripts.engine.adapter import EngineError, load_yade
 from yade_scripts.model.scene import Block, Nodes, Scene
 
@@ -31,7 +32,6 @@ NEEDED = (
     "Ig2_Sphere_Sphere_ScGeom6D",
     "Law2_ScGeom6D_CohFrictPhys_CohesionMoment",
     "LinearDragEngine",
-    "PyRunner",
 )
 # The normal of a pair turns by (shear displacement)/(2r). A radius far above any joint
 # displacement keeps the springs linear; without a collider it may exceed the brick.
@@ -79,7 +79,7 @@ class ExplicitBuilding:
 
         self.scene, self.step_s, self.gravity = scene, step_s, gravity_m_s2
         self.omega = omega = w.Omega()
-        omega.reset()
+        loop.reset(omega)
         material = w.CohFrictMat(
             density=1e-12,
             young=1.0,
@@ -174,13 +174,18 @@ class ExplicitBuilding:
         displacement = np.zeros((len(points), steps))
         start = [state.pos[1] for state in states]
         values = ground.tolist()
-        for n in range(steps):  # one call a step costs microseconds, the step milliseconds
+        first = self.omega.iter
+
+        def drive():  # one call a step costs microseconds, the step milliseconds
+            n = self.omega.iter - first
             self.newton.gravity = (0.0, -values[n], -self.gravity)
             for i, state in enumerate(states):
                 displacement[i, n] = state.pos[1] - start[i]
-            self.omega.step()
-            for i, state in enumerate(states):
-                velocity[i, n + 1] = state.vel[1]
+                velocity[i, n] = state.vel[1]
+
+        self.omega.engines = [loop.runner(drive, 1), *self.omega.engines]
+        loop.run(self.omega, steps)
+        velocity[:, steps] = [state.vel[1] for state in states]
         size = max(max(block.size_m) for block in self.scene.blocks)
         if not (np.all(np.isfinite(velocity)) and np.all(np.abs(displacement) < size)):
             raise EngineError("the explicit run lost its stability: the step is too long")

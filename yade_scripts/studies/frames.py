@@ -16,11 +16,11 @@ from pathlib import Path
 
 import numpy as np
 
-from yade_scripts.engine import adapter, simulate
+from yade_scripts.engine import adapter, loop
 from yade_scripts.files import write_atomic
-from yade_scripts.model import models
+from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import SIGNS, amplitude
-from yade_scripts.studies import ida
+from yade_scripts.studies import shaking
 
 
 def collapse_intensity(path):
@@ -49,20 +49,12 @@ class Camera:
         """Return the set-up function that starts the frames."""
 
         def setup(built):
-            import __main__
-
             omega, bodies = built.omega, built.omega.bodies
             self.omega = omega
             self.states = [bodies[i].state for i in built.body]
             self.start = [tuple(float(v) for v in s.pos) for s in self.states]
             self.turn = [2.0 * np.arctan2(s.ori[0], s.ori[3]) for s in self.states]
-            __main__._take_frame = self
-            period = max(1, round(interval_s / omega.dt))
-            omega.engines = omega.engines + [
-                adapter.load_yade().PyRunner(
-                    command="_take_frame()", iterPeriod=period, initRun=True
-                )
-            ]
+            omega.engines = [*omega.engines, loop.runner(self, round(interval_s / omega.dt))]
 
         return setup
 
@@ -100,23 +92,16 @@ def film(job, time_s, columns, direction, pga_g, interval_s, fall, until_s):
         centroid [m] and rotation about x [rad]; blocks; d_over_b and status.
     """
     scene, numerics = models.build_scene(job), models.numerics(job)
-    columns = models.motion_columns(scene, columns)
     factor = amplitude(columns["ground"], direction, pga_g)
-    motions = ida.scaled_motions(time_s, columns, scene.motions, factor)
-    rules = ida.stop_rules(scene, numerics, time_s, motions)
-    limit = min(rules.limit_s, until_s) if until_s else rules.limit_s
-    rules = replace(rules, overturn_ratio=fall, limit_s=limit)
-    step, _ = simulate.choose_step(scene, numerics)
-    camera = Camera(scene)
-    history = simulate.run(
-        scene,
-        motions,
-        step,
-        rules,
-        sample_s=min(interval_s, numerics["sample_interval_s"]),
-        node_radius_m=numerics["node_radius_m"],
-        setup=camera.attach(interval_s),
+    case = shaking.prepare(scene, numerics, time_s, columns, factor)
+    limit = min(case.rules.limit_s, until_s) if until_s else case.rules.limit_s
+    case = replace(
+        case,
+        rules=replace(case.rules, overturn_ratio=fall, limit_s=limit),
+        sample_s=min(interval_s, case.sample_s),
     )
+    camera = Camera(scene)
+    history = case.run(setup=camera.attach(interval_s))
     blocks = [
         {
             "name": b.name,
@@ -155,7 +140,7 @@ def main(arguments=None):
         raise ValueError("expected either --pga or --collapse")
     pga_g = args.pga if args.collapse is None else collapse_intensity(args.collapse)
     job = json.loads(Path(args.scene).read_text())
-    time_s, columns = ida.read_motion(args.motion)
+    time_s, columns = floor_motions.read(args.motion)
     adapter.load_yade()
     frames = film(job, time_s, columns, args.direction, pga_g, args.interval, args.fall, args.until)
     frames |= {"model": job["model"], "record": args.record, "direction": args.direction}

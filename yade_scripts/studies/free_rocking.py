@@ -27,6 +27,7 @@ import numpy as np
 from yade_scripts.engine import adapter, simulate
 from yade_scripts.files import write_atomic
 from yade_scripts.model import facade
+from yade_scripts.model.gravity import GRAVITY_M_S2
 
 CASE_KEYS = ("id", "config", "model", "release_ratio", "beta_s", "limit_s")
 SAMPLES = 2500  # a history is kept in about so many samples: 0.1 % of a bounce or finer
@@ -84,8 +85,8 @@ def free_rocking(config, model, beta_s, release_ratio, limit_s, samples=SAMPLES)
     scene = facade.facade_scene(config, model, beta_s, release_ratio=release_ratio)
     step, _ = simulate.choose_step(scene, config["numerics"])
     h, b = config["facade"]["height_m"], config["facade"]["thickness_m"]
-    speed = math.sqrt(9.81 * h) * b / h
-    p = math.sqrt(1.5 * 9.81 / math.hypot(h, b))  # √(3g/4R)
+    speed = math.sqrt(GRAVITY_M_S2 * h) * b / h
+    p = math.sqrt(1.5 * GRAVITY_M_S2 / math.hypot(h, b))  # √(3g/4R)
     rules = simulate.StopRules(
         motion_s=math.acosh(1.0 / (1.0 - release_ratio)) / p if release_ratio else 0.0,
         limit_s=limit_s,

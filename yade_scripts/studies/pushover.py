@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from yade_scripts.engine import adapter, simulate
+from yade_scripts.engine import adapter, loop, simulate
 from yade_scripts.files import write_atomic
 from yade_scripts.model import models
 
@@ -93,14 +93,9 @@ class _Recorder:
 
     def attach(self, built, iter_period):
         """Start sampling every `iter_period` steps."""
-        import __main__
-
         self.built = built
-        wrapper = adapter.load_yade()
-        __main__._sample_push = self
-        built.omega.engines = built.omega.engines + [
-            wrapper.PyRunner(command="_sample_push()", iterPeriod=iter_period)
-        ]
+        sampler = loop.runner(self, iter_period, at_start=False)
+        built.omega.engines = [*built.omega.engines, sampler]
 
     def __call__(self):
         scene, omega = self.scene, self.built.omega
@@ -152,7 +147,7 @@ def push(scene, numerics, *, speed_m_s=0.02, reach=1.0, samples=400, force_sampl
     each = max(1, samples // force_samples) if force_samples else 0
     recorder = _Recorder(scene, weight, each)
     recorder.attach(built, max(1, steps // samples))
-    built.omega.run(steps, True)
+    loop.run(built.omega, steps)
     broken = built.bonds.broken if built.bonds else []
     return np.array(recorder.rows, float), recorder.forces, broken
 

@@ -25,8 +25,8 @@ import numpy as np
 
 from yade_scripts.engine import adapter
 from yade_scripts.files import write_atomic
-from yade_scripts.model import facade
-from yade_scripts.studies import ida
+from yade_scripts.model import facade, floor_motions
+from yade_scripts.studies import shaking
 
 TEST_KEYS = ("id", "config", "model", "beta_s", "motion", "factor")
 
@@ -61,9 +61,10 @@ def run_test(test):
         Displacements are relative to the table and from the upright position, so a tilted
         wall starts at h·sin φ.
     """
-    time_s, columns = ida.read_motion(test["motion"])
+    time_s, columns = floor_motions.read(test["motion"])
     scene = facade.facade_scene(test["config"], test["model"], test["beta_s"])
-    return ida.run_one(scene, time_s, columns, test["factor"], test["config"]["numerics"])
+    numerics = test["config"]["numerics"]
+    return shaking.prepare(scene, numerics, time_s, columns, test["factor"]).retried()
 
 
 def pack(tests, histories):

@@ -10,8 +10,6 @@ magnitude. Bisection finds where.
 """
 
 import argparse
-import csv
-import io
 import json
 import math
 import sys
@@ -20,31 +18,32 @@ from pathlib import Path
 
 import numpy as np
 
-from yade_scripts.engine import adapter
+from yade_scripts.engine import adapter, loop
 from yade_scripts.files import write_atomic
 from yade_scripts.model import facade
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 from yade_scripts.model.stiffness import assemble, critical_step
+from yade_scripts.studies.tables import to_csv
 
-COLUMNS = (
-    "scene",
-    "stiffness_factor",
-    "beta_s",
-    "dt_s",
-    "dt_over_dt_crit",
-    "stable_predicted",
-    "stable_observed",
-    "growth",
-)
-LIMIT_COLUMNS = (
-    "scene",
-    "stiffness_factor",
-    "beta_s",
-    "dt_crit_predicted_s",
-    "dt_crit_observed_s",
-    "ratio",
-)
+COLUMNS = {
+    "scene": "",
+    "stiffness_factor": ".5g",
+    "beta_s": ".6g",
+    "dt_s": ".6e",
+    "dt_over_dt_crit": ".5f",
+    "stable_predicted": "d",
+    "stable_observed": "d",
+    "growth": ".3e",
+}
+LIMIT_COLUMNS = {
+    "scene": "",
+    "stiffness_factor": ".5g",
+    "beta_s": ".6g",
+    "dt_crit_predicted_s": ".6e",
+    "dt_crit_observed_s": ".6e",
+    "ratio": ".4f",
+}
 SCENES = ("W1", "W2", "stack")
 BETA_FACTORS = (0.0, 0.3, 1.0, 3.0, 10.0)
 STIFFNESS_FACTORS = (10**-1.5, 10**-0.75, 1.0, 10**0.75, 10**1.5)
@@ -183,8 +182,6 @@ def growth(scene, dt_s, *, press_m_s2=3.0, relax_steps=500, steps=3000, seed=1):
         Largest speed during the run over the disturbance; infinite when the numbers
         overflow.
     """
-    import __main__
-
     w = adapter.load_yade()
     has_walls = any(name.startswith("return wall") for name in scene.joints)
     gravity = np.array([0.0, -press_m_s2 if has_walls else 0.0, -scene.gravity_m_s2])
@@ -198,7 +195,7 @@ def growth(scene, dt_s, *, press_m_s2=3.0, relax_steps=500, steps=3000, seed=1):
     newton = next(e for e in omega.engines if isinstance(e, w.NewtonIntegrator))
     newton.gravity = tuple(float(g) for g in gravity)
     newton.damping = 0.7
-    omega.run(relax_steps, True)
+    loop.run(omega, relax_steps)
     newton.damping = 0.0
     free = [omega.bodies[built.body[i]].state for i, b in enumerate(scene.blocks) if b.free]
     rng = np.random.default_rng(seed)
@@ -210,13 +207,12 @@ def growth(scene, dt_s, *, press_m_s2=3.0, relax_steps=500, steps=3000, seed=1):
         start = max(start, float(np.max(np.abs(kick))))
     omega.dt = dt_s
     speeds = []
-    # looking in from outside would cost 40 ms a call: YADE's run() polls
-    __main__._stability_probe = lambda: speeds.append(
-        np.max(np.abs([v for s in free for v in (*s.vel, *s.angVel)]))
-    )
-    probe = w.PyRunner(command="_stability_probe()", iterPeriod=5)
-    omega.engines = omega.engines + [probe]
-    omega.run(steps, True)
+
+    def probe():
+        speeds.append(np.max(np.abs([v for s in free for v in (*s.vel, *s.angVel)])))
+
+    omega.engines = [*omega.engines, loop.runner(probe, 5, at_start=False)]
+    loop.run(omega, steps)
     return float(np.max(speeds)) / start if np.all(np.isfinite(speeds)) else math.inf
 
 
@@ -237,11 +233,11 @@ def bisect(scene, label, *, low=0.9, high=1.1, tolerance=0.01):
         rows.append(
             {
                 **label,
-                "dt_s": f"{ratio * critical:.6e}",
-                "dt_over_dt_crit": f"{ratio:.5f}",
-                "stable_predicted": str(int(ratio < 1.0)),
-                "stable_observed": str(int(grown < UNSTABLE_GROWTH)),
-                "growth": f"{grown:.3e}",
+                "dt_s": ratio * critical,
+                "dt_over_dt_crit": ratio,
+                "stable_predicted": int(ratio < 1.0),
+                "stable_observed": int(grown < UNSTABLE_GROWTH),
+                "growth": grown,
             }
         )
         return grown < UNSTABLE_GROWTH
@@ -274,34 +270,21 @@ def study(
             for multiple in beta_factors:
                 beta = multiple * job["beta_s"]
                 scene = scene_of(job, name, factor, beta)
-                label = {
-                    "scene": name,
-                    "stiffness_factor": f"{factor:.5g}",
-                    "beta_s": f"{beta:.6g}",
-                }
+                label = {"scene": name, "stiffness_factor": factor, "beta_s": beta}
                 ratio, more = bisect(scene, label)
                 rows += more
                 critical = critical_step(scene)
                 limits.append(
                     {
                         **label,
-                        "dt_crit_predicted_s": f"{critical:.6e}",
-                        "dt_crit_observed_s": f"{ratio * critical:.6e}",
-                        "ratio": f"{ratio:.4f}",
+                        "dt_crit_predicted_s": critical,
+                        "dt_crit_observed_s": ratio * critical,
+                        "ratio": ratio,
                     }
                 )
-        worst = max(abs(float(r["ratio"]) - 1.0) for r in limits if r["scene"] == name)
+        worst = max(abs(r["ratio"] - 1.0) for r in limits if r["scene"] == name)
         say(f"{name}: observed within {100 * worst:.1f} % of the predicted critical step")
     return rows, limits
-
-
-def to_csv(rows, columns):
-    """Rows as CSV text."""
-    text = io.StringIO()
-    writer = csv.DictWriter(text, columns, lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    return text.getvalue()
 
 
 def main(arguments=None):

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from yade_scripts.model import facade
+from yade_scripts.model import facade, floor_motions
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.stiffness import critical_step
 
@@ -70,14 +70,12 @@ def compare(job, method, package, run_case, fractions):
     critical = float(critical_step(scene))
     rows = []
     for case in (c for c in plan["cases"] if c["model"] == "W1"):
-        motion = pd.read_csv(plan["motions"][case["record"]])
-        ground = motion["ground_m_s2"].to_numpy()
+        time_s, columns = floor_motions.read(plan["motions"][case["record"]])
+        ground = columns[floor_motions.GROUND]
         factor = amplitude(ground, case["direction"], case["pga_g"])
         for fraction in fractions:
             dt = fraction * critical
-            peak, simulated, wall = run_case(
-                scene, motion["time_s"].to_numpy(), factor * ground, dt
-            )
+            peak, simulated, wall = run_case(scene, time_s, factor * ground, dt)
             rows.append(
                 {
                     "case": case["case"],

@@ -21,6 +21,7 @@ import numpy as np
 from scipy import optimize, stats
 
 from rocking.mechanics import closed_forms
+from yade_scripts.model.facade import joint_stiffness
 
 LAW_FILE = Path(__file__).resolve().parents[3] / "config" / "beta_law.json"
 # the walls from which eq. 5 was regressed
@@ -34,13 +35,6 @@ class CalibrationError(ValueError):
 
 class RangeWarning(UserWarning):
     """β was asked for outside the range in which its law was fitted."""
-
-
-def joint_stiffness(config: Mapping) -> tuple[float, float]:
-    """jkn of base and return walls [Pa/m]: as stated, else E/h and E/L, L = h/2 unless stated."""
-    facade, wall = config["facade"], config["return_wall"]
-    e_pa, h = facade["e_mpa"] * 1e6, facade["height_m"]
-    return facade["base_stiffness_pa_m"] or e_pa / h, e_pa / (wall["length_m"] or 0.5 * h)
 
 
 def groups(config: Mapping) -> dict[str, float]:

@@ -10,6 +10,7 @@ from rocking.calibration import beta as calibration
 from rocking.calibration.restitution import IMPACTS, TARGETS, e_exp, e_one_sided, misfit, rebounds
 from rocking.configuration.config import resolve
 from rocking.mechanics import closed_forms
+from yade_scripts.model.facade import joint_stiffness
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 from yade_scripts.model.stiffness import modes
@@ -79,7 +80,7 @@ def wall_case(name, config, release_ratio, betas, *, end=END, **about):
     """One case of `run_free_rocking`, with what the tables say about it."""
     facade = config["facade"]
     p = closed_forms.block(facade["height_m"], facade["thickness_m"]).p_rad_s
-    base = calibration.joint_stiffness(config)[0]
+    base = joint_stiffness(config)[0]
     # on a soft base a small rebound is half a swing of the block on its springs, about its foot
     # at half the frequency of the rotation about its centre, however low the rebound
     swing = (

@@ -8,6 +8,7 @@ import pandas as pd
 
 from rocking.mechanics import closed_forms
 from yade_scripts.model import registry
+from yade_scripts.model.facade import joint_stiffness
 
 CURVE_COLUMNS = [
     "d_over_b",
@@ -72,7 +73,7 @@ def closed_form(d_over_b, config, model):
     h, b = facade["height_m"], facade["thickness_m"]
     theta = theta_of(d_over_b, facade)
     rigid = closed_forms.capacity_rigid(theta, h, b)
-    jkn = facade["base_stiffness_pa_m"] or facade["e_mpa"] * 1e6 / h
+    jkn = joint_stiffness(config)[0]
     compliant = closed_forms.capacity_compliant_base(
         np.maximum(theta, 1e-12), h, b, facade["density_kg_m3"], jkn
     )

@@ -1,11 +1,9 @@
 """Reference answers for façade scenes from the independent planar solver."""
 
-import csv
-
 import numpy as np
 
 from rocking.planar import Motion, Wall, simulate, simulate_batch
-from yade_scripts.model import registry
+from yade_scripts.model import floor_motions, registry
 from yade_scripts.model.motion import amplitude
 
 
@@ -36,13 +34,10 @@ def wall_of(job, nodes):
 
 def read_motion(path, model):
     """Motion of the base and of the return walls."""
-    with open(path, newline="") as handle:
-        header = next(csv.reader(handle))
-    data = np.loadtxt(path, delimiter=",", skiprows=1)
-    if header[:2] != ["time_s", "ground_m_s2"]:
-        raise ValueError(f"{path}: expected columns time_s, ground_m_s2, …, got {header[:3]}")
-    floors = data[:, 2:].T if registry.model(model).chain else None
-    return Motion(float(data[1, 0] - data[0, 0]), data[:, 1], floors)
+    time_s, columns = floor_motions.read(path)
+    ground, *floors = columns.values()
+    floors = np.array(floors) if registry.model(model).chain else None
+    return Motion(float(time_s[1] - time_s[0]), ground, floors)
 
 
 def peak_d_over_b(job, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-5):

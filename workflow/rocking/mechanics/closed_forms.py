@@ -12,7 +12,7 @@ import numpy as np
 from scipy.integrate import quad
 from scipy.optimize import brentq, minimize_scalar
 
-G_M_S2 = 9.81
+from yade_scripts.model.gravity import GRAVITY_M_S2 as G_M_S2
 
 
 def _positive(**values):

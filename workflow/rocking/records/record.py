@@ -9,9 +9,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2 as G_M_S2
+
 from .errors import RecordError
 
-G_M_S2 = 9.80665  # standard gravity, the g of record files
 MIN_PGA_G, MAX_PGA_G = 1e-5, 5.0  # the strongest motions recorded reach about 4 g in vector sum
 MIN_DT_S, MAX_DT_S = 1e-4, 0.1
 

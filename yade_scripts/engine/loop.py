@@ -1,0 +1,99 @@
+"""The one place where YADE steps, is stopped, and calls back into Python.
+
+YADE's own `Omega.run` steps in a thread of its own, whose runners need Python's lock: whoever
+waits for that thread with the lock held, as `Omega.reset` does, waits for ever. Here the
+main thread itself takes every step. There is no second thread to wait for, the digits are the
+same, and a step costs no more: what the call costs, the lock's passing to and fro did before.
+
+A run ends in one way only, after a whole step: when its steps are done, when a runner calls
+`stop` or raises, or when a signal that Python handles has come.
+"""
+
+import itertools
+import signal
+
+import __main__
+
+SIGNALS = (signal.SIGINT, signal.SIGTERM)
+CALLS = "_yade_calls"  # YADE looks names up in `__main__`
+
+_ending: list = []  # why the run is to end after the present step; read at every step
+_errors: list = []
+_calls: list = []
+
+
+def reset(omega):
+    """Empty YADE and forget the runners of what it held."""
+    omega.reset()
+    _calls.clear()
+
+
+def runner(function, period, *, at_start=True):
+    """Engine by which YADE calls a Python function.
+
+    Parameters
+    ----------
+    function : callable
+        Takes nothing. What it raises ends the run and is raised by `run`.
+    period : int
+        Steps between calls.
+    at_start : bool
+        Call it at the first step too.
+
+    Returns
+    -------
+    PyRunner
+    """
+    from yade.wrapper import PyRunner
+
+    def guarded():
+        try:
+            function()
+        except BaseException as error:  # YADE would make a RuntimeError of it
+            _errors.append(error)
+            _ending.append(True)
+
+    setattr(__main__, CALLS, _calls)
+    _calls.append(guarded)
+    return PyRunner(
+        command=f"{CALLS}[{len(_calls) - 1}]()", iterPeriod=max(1, period), initRun=at_start
+    )
+
+
+def stop():
+    """End the run after the present step; for runners."""
+    _ending.append(True)
+
+
+def run(omega, steps):
+    """Take so many steps, or fewer where something ends the run.
+
+    Raises
+    ------
+    BaseException
+        What a runner raised, or what the handler of a signal raises.
+    """
+    _ending.clear()
+    _errors.clear()
+    came: list = []
+
+    def note(number, frame):  # a handler may interrupt a runner: it waits for the step's end
+        came.append((number, frame))
+        _ending.append(True)
+
+    handlers = {n: h for n in SIGNALS if callable(h := signal.getsignal(n))}
+    try:
+        for number in handlers:
+            signal.signal(number, note)
+        step = omega.step
+        for _ in itertools.repeat(None, steps):
+            step()
+            if _ending:
+                break
+    finally:
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+    for number, frame in came:
+        handlers[number](number, frame)
+    if _errors:
+        raise _errors[0]

@@ -1,0 +1,154 @@
+"""One scene under one motion: what every dynamic study sets up and runs."""
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from yade_scripts.engine import adapter, ledger, simulate
+from yade_scripts.model import models
+
+RETRY_SAMPLING = 0.1  # of the sampling interval, for a run tried once more
+
+
+@dataclass(frozen=True)
+class Shaking:
+    """A scene, its motions, and how it is to be run; vary it with `dataclasses.replace`.
+
+    Attributes
+    ----------
+    scene : Scene
+    motions : dict of str to adapter.Motion
+    rules : simulate.StopRules
+    step_s, critical_step_s, sample_s, node_radius_m : float
+    retry : bool
+        Try a numerical failure once more at half the step.
+    """
+
+    scene: object
+    motions: dict
+    rules: simulate.StopRules
+    step_s: float
+    critical_step_s: float
+    sample_s: float
+    node_radius_m: float
+    retry: bool
+
+    def run(self, **how):
+        """Run it as it is; `how` goes to `simulate.run` (set-up, check, full rotation, …)."""
+        return simulate.run(
+            self.scene,
+            self.motions,
+            self.step_s,
+            self.rules,
+            sample_s=self.sample_s,
+            node_radius_m=self.node_radius_m,
+            **how,
+        )
+
+    def checked(self):
+        """Run it with the energy ledger beside it: energy from nowhere is never a collapse."""
+        check = ledger.EnergyLedger(self.scene, self.motions)
+        history = self.run(check=check)
+        if check.reason and history.status != simulate.FAILED:
+            history.status, history.reason = simulate.FAILED, check.reason
+            history.peak_d_over_b = math.nan
+        return history
+
+    def retried(self):
+        """Run it, checked; a numerical failure is retried once at half the step.
+
+        The retry is sampled more often too: the ledger's integral over samples may have missed
+        the push of a short impact, which looks like energy from nowhere whatever the step.
+        """
+        history = self.checked()
+        if history.status == simulate.FAILED and self.retry:
+            half, often = 0.5 * self.step_s, RETRY_SAMPLING * self.sample_s
+            again = replace(self, step_s=half, sample_s=often).checked()
+            again.steps += history.steps
+            again.wall_s += history.wall_s
+            again.reason += f"; at half the step, after {history.reason}"
+            return again
+        return history
+
+
+def prepare(scene, numerics, time_s, columns, factor):
+    """Set up one shaking as the configuration says.
+
+    Parameters
+    ----------
+    scene : Scene
+    numerics : dict
+        Section numerics of the configuration, see `models.numerics`.
+    time_s, columns
+        See `floor_motions.read`.
+    factor : float
+        On the motion's amplitude; its sign is the direction.
+
+    Returns
+    -------
+    Shaking
+
+    Raises
+    ------
+    ValueError
+        If the motion lacks a floor, or the stated step is beyond the critical one.
+    """
+    columns = models.motion_columns(scene, columns)
+    missing = [name for name in scene.motions if name not in columns]
+    if missing:
+        raise ValueError(f"the motion file has no column for {', '.join(missing)}")
+    motions = {name: adapter.Motion(time_s, factor * columns[name]) for name in scene.motions}
+    step, critical = simulate.choose_step(scene, numerics)
+    return Shaking(
+        scene,
+        motions,
+        stop_rules(scene, numerics, time_s, motions),
+        step,
+        critical,
+        numerics["sample_interval_s"],
+        numerics["node_radius_m"],
+        numerics["retry_half_step"],
+    )
+
+
+def _end_of_shaking(time_s, motions, still_m_s2):
+    """Time from which no support accelerates more than `still_m_s2` [s]."""
+    n = len(time_s)
+    moving = np.zeros(n, bool)
+    for motion in motions.values():
+        moving |= np.abs(motion.acceleration_m_s2[:n]) > still_m_s2
+    return float(time_s[np.flatnonzero(moving)[-1]]) if moving.any() else 0.0
+
+
+def stop_rules(scene, numerics, time_s, motions):
+    """Stop rules of an earthquake run.
+
+    A motion is over when no support accelerates more than quiet_ratio·min(g b/h, peak):
+    g b/h lifts the façade, and below uplift the motion's own peak rules its response.
+    What follows cannot raise the peak d/b of a façade at rest.
+
+    Parameters
+    ----------
+    scene : Scene
+    numerics : dict
+        Section numerics of the configuration.
+    time_s : ndarray
+        Times of the motion file [s].
+    motions : dict of str to adapter.Motion
+
+    Returns
+    -------
+    simulate.StopRules
+    """
+    speed = max(m.peak_speed() for m in motions.values())
+    peak = max(float(np.max(np.abs(m.acceleration_m_s2))) for m in motions.values())
+    uplift = scene.gravity_m_s2 * scene.thickness_m / scene.monitor_point_m[2]
+    return simulate.StopRules(
+        motion_s=_end_of_shaking(time_s, motions, numerics["quiet_ratio"] * min(uplift, peak)),
+        limit_s=float(time_s[-1]) + numerics["after_motion_s"],
+        overturn_ratio=numerics["overturn_ratio"],
+        rest_velocity_m_s=numerics["rest_velocity_m_s"],
+        rest_time_s=numerics["rest_time_s"],
+        max_speed_m_s=numerics["max_speed_ratio"] * (speed + 1.0),
+    )

@@ -1,0 +1,55 @@
+"""Tables of runs: numbers until they are written, formatted here alone."""
+
+import csv
+import io
+
+from yade_scripts.engine import simulate
+
+# of the columns that every table of earthquake runs ends with
+RUN_COLUMNS = {
+    "d_over_b": ".6f",
+    "collapsed": "d",
+    "status": "",
+    "dt_s": ".6e",
+    "steps": "d",
+    "wall_s": ".3f",
+}
+
+
+def run_row(model, record, direction, pga_g, history):
+    """Row of one run; d/b and collapse are None where it failed.
+
+    d/b is that of an overturned façade at most, and rounded as in the table: a run reads the
+    same from the table and from a journal.
+    """
+    failed = history.status == simulate.FAILED
+    return {
+        "model": model,
+        "record": record,
+        "direction": direction,
+        "pga_g": pga_g,
+        "d_over_b": None if failed else round(float(min(history.peak_d_over_b, 1.0)), 6),
+        "collapsed": None if failed else int(history.status == simulate.OVERTURNED),
+        "status": history.status,
+        "dt_s": history.dt_s,
+        "steps": history.steps,
+        "wall_s": history.wall_s,
+    }
+
+
+def to_csv(rows, columns):
+    """Rows as CSV text.
+
+    Parameters
+    ----------
+    rows : iterable of dict
+    columns : dict of str to str
+        Format of each column, in order; None is left blank.
+    """
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    for row in rows:
+        values = ((row[name], how) for name, how in columns.items())
+        writer.writerow("" if value is None else format(value, how) for value, how in values)
+    return text.getvalue()
