@@ -11,7 +11,7 @@ import os
 import numpy as np
 
 from .errors import RecordError
-from .formats.columns import read_csv as read_columns
+from .formats.columns import read_columns
 from .record import Record
 from .text import read_text
 
