@@ -231,6 +231,17 @@ def single_column():
     return Sample("single", _bytes(lines), a, 1e-6, kwargs, counted=False)
 
 
+def packed():
+    """Return a file whose damage shows in a check sum, not in the damaged line."""
+    from rocking.records.formats.packed import FIRST, pack
+
+    a = motion()
+    about = {"label": "A NS", "station": "A", "event": "B", "time_utc": "2099-01-01 00:00"}
+    about |= {"units": "m/s2", "dt_s": DT_S}
+    lines = [FIRST, "source: made up", "licence: none", *pack(a, about), *pack(2 * a, about)]
+    return Sample("packed.motions", _bytes(lines), a, 3e-4, {"component": "#1"})
+
+
 def all_samples():
     """Return one sample of every format and variant."""
     return [

@@ -440,8 +440,9 @@ def test_integrated_peaks_agree_with_the_file_s_own(name, component, peaks):
 
 
 def test_every_format_has_a_sample_and_a_real_file():
-    assert {form for form, *_ in REAL.values()} == set(FORMATS) - {"columns", "wrapped"}
-    found = {detect_name(sample) for sample in samples.all_samples()}
+    ours = {"columns", "wrapped", "packed"}
+    assert {form for form, *_ in REAL.values()} == set(FORMATS) - ours
+    found = {detect_name(sample) for sample in [*samples.all_samples(), samples.packed()]}
     assert found == set(FORMATS)
 
 

@@ -102,35 +102,41 @@ def read_record(path, *, name=None, format=None, component=None, dt_s=None, unit
     Returns
     -------
     Record
-        In m/s², source "file", baseline "none".
+        In m/s², baseline "none", source "file" or "recorded, shipped".
 
     Raises
     ------
     RecordError
         Anything wrong with the file or a contradiction with what is stated.
     """
-    path = os.fspath(path)
+    return pick(*open_file(path, format), name, component, dt_s, units)
+
+
+def open_file(path, format=None):
+    """Read a file's channels, for `pick`: (Text, name of the format, channels)."""
     text = read_text(path)
     form = _format(format) if format else _detect(text)
-    channel = choose_component(form.read(text), component, path)
+    return text, form.name, form.read(text)
+
+
+def pick(text, form, channels, name=None, component=None, dt_s=None, units=None):
+    """Make a Record of one channel of an opened file; see `read_record`."""
+    path = text.path
+    channel = choose_component(channels, component, path)
     unit = _units(channel, units, text)
     step = _step(channel, dt_s, text)
     _check_peak(channel, text)
     with np.errstate(over="ignore"):  # infinite is not plausible either
         acceleration = np.array(channel.values, dtype=float) * UNITS_M_S2[unit]
     check_plausible(acceleration, unit, f"{path}, line {channel.line}")
+    facts = {"file": os.path.basename(path), "format": form, "component": channel.label}
     return Record(
         name or os.path.splitext(os.path.basename(path))[0],
         acceleration,
         step,
-        "file",
+        channel.provenance,
         unit,
-        details={
-            "file": os.path.basename(path),
-            "format": form.name,
-            "component": channel.label,
-            "sha256": text.sha256,
-        },
+        details=facts | channel.about | {"sha256": text.sha256},
     )
 
 
