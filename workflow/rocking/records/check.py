@@ -69,7 +69,9 @@ def check_records(rows, *, baseline="none", seed=DEFAULT_SEED, specs=None, draw=
     list of Finding
         One a row, in order.
     """
-    known, opened, findings = _remembered(cache), {}, []
+    known = _remembered(cache)
+    opened: dict = {}
+    findings = []
     digest, before = once(_digest), len(known)
     for row in rows:
         spec = (specs or {}).get(row.record) if row.path is None else None

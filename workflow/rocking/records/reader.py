@@ -109,7 +109,8 @@ def read_record(path, *, name=None, format=None, component=None, dt_s=None, unit
     RecordError
         Anything wrong with the file or a contradiction with what is stated.
     """
-    return pick(*open_file(path, format), name, component, dt_s, units)
+    text, form, channels = open_file(path, format)
+    return pick(text, form, channels, name, component, dt_s, units)
 
 
 def open_file(path, format=None):

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..text import MAX_SAMPLES, check_last, free_block, parse_number
 from .channel import Channel
-from .header import NUMBER, heading_unit, is_numbers, stated_step, stated_unit
+from .header import NUMBER, heading_unit, is_numbers, stated_count, stated_step, stated_unit
 
 MAX_COLUMNS = 64
 MAX_HEADING = 200
@@ -48,8 +48,8 @@ class _Layout:
 
 def _layout(text):
     """Look at the start of the file; `kind` is the name of a format."""
-    rows = enumerate(text.lines[:MAX_HEADING], 1)
-    first, line = next(((n, row) for n, row in rows if is_numbers(row)), (0, ""))
+    head = enumerate(text.lines[:MAX_HEADING], 1)
+    first, line = next(((n, row) for n, row in head if is_numbers(row)), (0, ""))
     if not first:
         return _Layout(0)
     rows = [row for row in text.lines[first - 1 : first - 1 + LOOK] if row.strip()]
@@ -179,7 +179,8 @@ def read_wrapped(text):
         raise text.error(layout.first or 1, "expected accelerations apart by blanks")
     if layout.decimal_comma:
         text = text.with_points(layout.first)
-    return _numbers_only(text, layout, free_block(text, layout.first, len(text.lines)))
+    count = stated_count(text.lines[: layout.first - 1])
+    return _numbers_only(text, layout, free_block(text, layout.first, len(text.lines), count))
 
 
 def _table(text, layout):
@@ -210,6 +211,9 @@ def _table(text, layout):
     check_last(text, last, layout.cells(text.lines[last - 1])[-1], earlier)
     if used < 2:
         raise text.error(first, "expected at least 2 samples")
+    count = stated_count(text.lines[: first - 1])
+    if count not in (None, used):
+        raise text.error(last, f"{used} samples, but the heading declares {count}")
     return table[:used]
 
 

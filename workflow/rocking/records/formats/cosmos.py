@@ -95,6 +95,8 @@ def _channel(text, first):
         if row.startswith(("/&", "End-of-data for")):  # the second as PRISM writes it
             return channel, line + 1
         match = _DATA.match(row[:200])
+        if not match and " raw " in row[:40]:
+            raise text.error(line, "raw counts; expected a file of acceleration (V1, V2)")
         if not match:
             raise text.error(line, f"expected '… pts, …, units=…,Format=(…)', found {row[:40]!r}")
         count = parse_count(text, line, match[1], "the number of points")

@@ -18,6 +18,11 @@ _STEP = re.compile(
 _RATE = re.compile(
     rf"SAMPL(?:E|ING)[ _]?(?:RATE|FREQ\w*)\s*(?:\(\w+\))?\s*[:=]?\s*({NUMBER})", re.I
 )
+_COUNT = re.compile(
+    r"NPTS\s*[:=]\s*(\d{1,9})\b|^\s*(\d{1,9})\s+(?:[\d.]+\s+)?(?:NPTS|POINTS)\b"
+    r"|NUMBER OF (?:DATA|POINTS|SAMPLES)\s*[:=]\s*(\d{1,9})\b",
+    re.I,
+)
 _BRACKETED = re.compile(r"[(\[]([^()\[\]]+)[)\]]")
 _UNIT = re.compile(r"(?:UNITS?|ACCEL\w*)\W*(?:(?:OF|ARE|IS|IN)\b)?[\s:=(\[]*([^\s()\[\],;]+)", re.I)
 
@@ -43,16 +48,23 @@ def heading_unit(heading):
     return unit_name(suffix[1]) if suffix else None
 
 
+def stated_count(lines):
+    """Return the number of samples the lines declare, or None."""
+    found = (_COUNT.search(line[:200]) for line in lines)
+    return next((int(match[1] or match[2] or match[3]) for match in found if match), None)
+
+
 def stated_step(lines):
     """Return (step in s or None, half a unit of its last printed digit)."""
     for line in lines:
         step, rate = _STEP.search(line[:200]), _RATE.search(line[:200])
-        if step or rate:
-            value = float(step[1]) if step else 1.0 / max(float(rate[1]), 1e-9)
-            if step and step[2]:
-                value /= 1000.0
-            if MIN_DT_S <= value <= MAX_DT_S:
-                exact = not step or step[2] or "e" in step[1].lower()
-                digits = len(step[1].partition(".")[2]) if step else 0
-                return value, 0.0 if exact else 0.5 * 10.0**-digits
+        value, rounding = 0.0, 0.0
+        if step:
+            value = float(step[1]) / (1000.0 if step[2] else 1.0)
+            if not step[2] and "e" not in step[1].lower():
+                rounding = 0.5 * 10.0 ** -len(step[1].partition(".")[2])
+        elif rate:
+            value = 1.0 / max(float(rate[1]), 1e-9)
+        if MIN_DT_S <= value <= MAX_DT_S:
+            return value, rounding
     return None, 0.0

@@ -51,8 +51,8 @@ def pack(acceleration, about):
     """
     a = np.asarray(acceleration, dtype=float)
     q = float(f"{RESOLUTION * np.max(np.abs(a)):.6e}")
-    n = np.diff(np.rint(np.cumsum(a) / q).astype(np.int64), prepend=0)
-    third = np.diff(n, n=3, prepend=np.zeros(3, dtype=np.int64))
+    n = np.diff(np.rint(np.cumsum(a) / q), prepend=0.0).astype(np.int64)
+    third = np.diff(n.astype(float), n=3, prepend=np.zeros(3)).astype(np.int64)
     zigzag = (third << 1) ^ (third >> 63)
     planes = b"".join(((zigzag >> s) & 255).astype(np.uint8).tobytes() for s in (0, 8, 16))
     coded = base64.b85encode(lzma.compress(planes, lzma.FORMAT_RAW, filters=_LZMA)).decode()
@@ -69,7 +69,8 @@ def read(text):
     """Read all motions."""
     if not sniff(text):
         raise text.error(1, f"expected {FIRST!r}")
-    words, starts = {}, []
+    words: dict[str, str] = {}
+    starts: list[int] = []
     for number, line in enumerate(text.lines, 1):
         key = None if starts else _KEY.match(line)
         if key:
