@@ -235,10 +235,10 @@ def packed():
     """Return a file whose damage shows in a check sum, not in the damaged line."""
     from rocking.records.formats.packed import FIRST, pack
 
-    a = motion()
-    about = {"label": "A NS", "station": "A", "event": "B", "time_utc": "2099-01-01 00:00"}
-    about |= {"units": "m/s2", "dt_s": DT_S}
-    lines = [FIRST, "source: made up", "licence: none", *pack(a, about), *pack(2 * a, about)]
+    a, lines = motion(), [FIRST, "source: made up", "licence: none", "motions: 2"]
+    for scale, label in ((1, "A NS"), (2, "A UD")):
+        about = {"label": label, "station": "A", "event": "B", "time_utc": "2099-01-01 00:00"}
+        lines += pack(scale * a, about | {"units": "m/s2", "dt_s": DT_S})
     return Sample("packed.motions", _bytes(lines), a, 3e-4, {"component": "#1"})
 
 

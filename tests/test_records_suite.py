@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import record_samples as samples
 from rocking.records import (
     RecordError,
     integrate,
@@ -78,9 +79,8 @@ def test_packing_keeps_acceleration_velocity_and_displacement(tmp_path, seed):
     rng = np.random.default_rng(seed)
     a = np.cumsum(rng.standard_normal(5000)) * np.exp(-np.linspace(0, 6, 5000))
     about = {"label": "X", "station": "", "event": "", "time_utc": "", "units": "m/s2"}
-    lines = [packed.FIRST, "source: s", "licence: l", *packed.pack(a, about | {"dt_s": 0.01})]
     path = tmp_path / "x.motions"
-    path.write_text("\n".join(lines) + "\n")
+    packed.write(path, [(a, about | {"dt_s": 0.01})], source="s", licence="l")
     b = read_record(path).acceleration_m_s2
     q = packed.RESOLUTION * np.abs(a).max() * (1 + 1e-6)
     assert np.abs(a - b).max() <= q
@@ -90,11 +90,12 @@ def test_packing_keeps_acceleration_velocity_and_displacement(tmp_path, seed):
 
 
 def test_damage_is_refused_by_its_line(tmp_path):
-    lines = MOTIONS.read_text(encoding="utf-8").splitlines()[:200]
+    lines = samples.packed().data.decode().splitlines()
     start = next(i for i, line in enumerate(lines) if line.startswith("motion: "))
     path = tmp_path / "x.motions"
     for place, change in (
-        (start + 3, lambda line: line[:-1] + ("0" if line[-1] != "0" else "1")),
+        (start + 2, lambda line: line[:-1] + ("0" if line[-1] != "0" else "1")),
+        (start + 2, lambda line: ""),
         (start + 3, lambda line: ""),
         (start, lambda line: line.replace('"samples": ', '"samples": 1')),
         (start, lambda line: line.replace("dt_s", "dt")),

@@ -1,7 +1,8 @@
 """The project's own compact form: many motions a text file, each with what is known of it.
 
     ROCKING MOTIONS 1
-    source: …                      whole file: source, licence, changes, in words
+    source: …                      whole file: source, licence, changes in words, and
+    motions: 66                    how many there are
     motion: {"label": "AQA NS", "station": …, "units": "m/s2", "dt_s": 0.005, …}
     <base85 lines>                 until the next motion
 
@@ -30,13 +31,23 @@ RESOLUTION = 1e-4  # of a motion's peak
 MAX_MOTIONS = 1000
 WIDTH = 120
 _LZMA = [{"id": lzma.FILTER_LZMA2, "preset": 9, "lc": 0, "lp": 0, "pb": 0, "dict_size": 2**22}]
-_KEY = re.compile(r"(source|licence|changes): (.+)")
+_KEY = re.compile(r"(source|licence|changes|motions): (.+)")
 _ABOUT = ("label", "station", "event", "time_utc")
 
 
 def sniff(text):
     """Tell whether the first line is this form's."""
     return text.lines[0].strip() == FIRST
+
+
+def write(path, motions, **words):
+    """Write a file of motions, pairs for `pack`; words: source, licence, changes."""
+    lines = [FIRST, *(f"{key}: {text}" for key, text in words.items())]
+    lines.append(f"motions: {len(motions)}")
+    for motion in motions:
+        lines += pack(*motion)
+    with open(path, "w", encoding="utf-8", newline="\n") as stream:
+        stream.writelines(line + "\n" for line in lines)
 
 
 def pack(acceleration, about):
@@ -72,13 +83,18 @@ def read(text):
     words: dict[str, str] = {}
     starts: list[int] = []
     for number, line in enumerate(text.lines, 1):
-        key = None if starts else _KEY.match(line)
-        if key:
-            words[key[1]] = key[2].strip()
+        found = _KEY.match(line)
         if line.startswith("motion: "):
             starts.append(number)
-    if "source" not in words or "licence" not in words or not 1 <= len(starts) <= MAX_MOTIONS:
-        raise text.error(1, f"expected source, licence and 1 … {MAX_MOTIONS} motions")
+        elif not starts and found:
+            words[found[1]] = found[2].strip()
+        elif not starts and number > 1:
+            raise text.error(number, f"expected 'motion: …', found {line[:40]!r}")
+    for key in ("source", "licence", "motions"):
+        if key not in words:
+            raise text.error(1, f"no line '{key}: …' in the heading")
+    if words.pop("motions") != str(len(starts)) or not 1 <= len(starts) <= MAX_MOTIONS:
+        raise text.error(1, f"{len(starts)} motions, not as many as the heading declares")
     ends = [*starts[1:], len(text.lines) + 1]
     return [_motion(text, *span, words) for span in zip(starts, ends, strict=True)]
 
@@ -97,6 +113,8 @@ def _motion(text, first, end, words):
         coded = base64.b85decode("".join(text.lines[first : end - 1]).encode())
         unpacker = lzma.LZMADecompressor(lzma.FORMAT_RAW, filters=_LZMA)
         planes = unpacker.decompress(coded, max_length=3 * count + 1)
+        if not unpacker.eof or unpacker.unused_data:
+            raise ValueError("too short or too long")
         low, middle, high = np.frombuffer(planes, np.uint8).reshape(3, count).astype(np.int64)
     except (ValueError, lzma.LZMAError, EOFError):
         raise text.error(first + 1, "damaged data: they do not unpack") from None
