@@ -185,7 +185,7 @@ def read_one(path, kwargs, reference=None):
 def corpus(real=True):
     """Return [(name, data, kwargs, motion or None)] to start from."""
     found = []
-    for sample in record_samples.all_samples():
+    for sample in [*record_samples.all_samples(), record_samples.packed()]:
         found.append((sample.name, sample.data, sample.kwargs, sample.counted))
     for path in sorted(REAL.iterdir()) if real and REAL.is_dir() else ():
         bare = path.name.startswith(("SINGLE", "TWO"))

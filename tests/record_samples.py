@@ -204,6 +204,19 @@ def two_column():
     return Sample("two.txt", _bytes(lines), a, 1e-8, {"units": "m/s2"}, counted=False)
 
 
+def columns():
+    a = motion()
+    lines = ["#AmplitudeUnit:  gal. DCoffset(corr)", "#Data: F10.3, 3F12.5"]
+    lines += [f"{DT_S * i:10.3f}{0:12.5f}{-v:12.5f}{v:12.5f}" for i, v in enumerate(100 * a)]
+    return Sample("columns.dat", _bytes(lines), a, 1e-7, {"component": "3"}, counted=False)
+
+
+def wrapped():
+    a = motion()
+    lines = ["A station", "The units are (g)", *_rows(a / 9.80665, ">11.7f", 5)]
+    return Sample("wrapped.dat", _bytes(lines), a, 1e-6, {"dt_s": DT_S}, counted=False)
+
+
 def csv():
     a = motion()
     lines = ["# made up", "# Time (s),Acceleration (g's)"]
@@ -216,6 +229,17 @@ def single_column():
     lines = [format(v, ".6f") for v in a]
     kwargs = {"units": "m/s2", "dt_s": DT_S}
     return Sample("single", _bytes(lines), a, 1e-6, kwargs, counted=False)
+
+
+def packed():
+    """Return a file whose damage shows in a check sum, not in the damaged line."""
+    from rocking.records.formats.packed import FIRST, pack
+
+    a, lines = motion(), [FIRST, "source: made up", "licence: none", "motions: 2"]
+    for scale, label in ((1, "A NS"), (2, "A UD")):
+        about = {"label": label, "station": "A", "event": "B", "time_utc": "2099-01-01 00:00"}
+        lines += pack(scale * a, about | {"units": "m/s2", "dt_s": DT_S})
+    return Sample("packed.motions", _bytes(lines), a, 3e-4, {"component": "#1"})
 
 
 def all_samples():
@@ -232,6 +256,8 @@ def all_samples():
         smc(),
         knet(),
         two_column(),
+        columns(),
+        wrapped(),
         csv(),
         single_column(),
     ]

@@ -21,5 +21,5 @@ def save(figure, output):
 
 
 def provenance(facts):
-    """Say where a record comes from, for titles: "file" or "surrogate"."""
+    """Say where a record comes from, for titles: one of `records.record.SOURCES`."""
     return f"{facts['name']} ({facts['source']})"

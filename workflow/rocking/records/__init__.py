@@ -8,6 +8,7 @@ peak = measures(rec)                             # pga_g, pgv_cm_s, pgd_cm, dura
 import os
 
 from .baseline import treat
+from .check import Finding, check_records
 from .errors import RecordError
 from .formats import FORMATS
 from .reader import detect, nearest, read_record
@@ -20,10 +21,12 @@ from .table import Row, read_table
 __all__ = [
     "DEFAULT_SEED",
     "FORMATS",
+    "Finding",
     "G_M_S2",
     "Record",
     "RecordError",
     "Row",
+    "check_records",
     "detect",
     "generate",
     "integrate",
@@ -53,7 +56,9 @@ def surrogates_for(table_path):
     return next((p for p in (beside, os.path.normpath(ours)) if os.path.isfile(p)), None)
 
 
-def load(name, table_path, *, baseline="none", seed=DEFAULT_SEED, surrogates_path=None):
+def load(
+    name, table_path, *, baseline="none", seed=DEFAULT_SEED, surrogates_path=None, vertical=False
+):
     """Load the motion of one table row, from its file or as a surrogate.
 
     Parameters
@@ -71,6 +76,9 @@ def load(name, table_path, *, baseline="none", seed=DEFAULT_SEED, surrogates_pat
     surrogates_path : str or None
         Surrogate parameters; those of `surrogates_for` when None. A record without an
         entry gets parameters derived from its peaks.
+    vertical : bool
+        The row's vertical motion (columns vertical, vertical_file), upward positive as the
+        file gives it, instead of the horizontal one.
 
     Returns
     -------
@@ -85,9 +93,11 @@ def load(name, table_path, *, baseline="none", seed=DEFAULT_SEED, surrogates_pat
     if name not in table:
         raise RecordError(f"{table_path}: no record {name!r}{nearest(str(name), table)}")
     row = table[name]
-    if row.path is not None:
-        keys = ("format", "component", "dt_s", "units")
-        record = read_record(row.path, name=name, **{key: getattr(row, key) for key in keys})
+    path = row.vertical_path if vertical else row.path
+    if vertical and path is None:
+        raise RecordError(f"{table_path}, line {row.line}: record {name} has no vertical motion")
+    if path is not None:
+        record = read_record(path, format=row.format, **row.stated(vertical))
         options = {"method": baseline} if isinstance(baseline, str) else dict(baseline)
         return treat(record, **options)
     surrogates_path = surrogates_path or surrogates_for(table_path)

@@ -8,7 +8,6 @@ filter run forwards and backwards (no phase shift; the gain at a corner is 1/2).
 from dataclasses import replace
 
 import numpy as np
-from scipy.signal import butter, sosfiltfilt
 
 from .errors import RecordError
 
@@ -70,6 +69,8 @@ def _filter(where, a, dt_s, kind, corner_hz, order):
         raise RecordError(
             f"{where}: {kind} {corner_hz:g} Hz; expected 0 … {nyquist:g} Hz (Nyquist)"
         )
+    from scipy.signal import butter, sosfiltfilt  # slow to load, and most runs need none
+
     sections = butter(order, corner_hz, kind, fs=1 / dt_s, output="sos")
     # Zero pads of 1.5·order/corner hold the filter's transients (Converse & Brady 1992);
     # they are cut off again, so the record keeps its length.

@@ -47,13 +47,16 @@ def nearest(word, words):
 
 
 def choose_component(channels, component, path):
-    """Pick one channel by its label, its azimuth in degrees or its place "#n" (from 1).
+    """Pick one channel by its label, its azimuth in degrees or its place, "2" or "#2" (from 1).
 
-    With a single channel `component` may be empty. A component that fits none, or
-    more than one, is refused with the list of what there is.
+    A number is a label or an azimuth first, then a place. With a single channel
+    `component` may be empty. A component that fits none, or more than one, is refused
+    with the list of what there is.
     """
-    have = ", ".join(f"#{i} {channel.label!r}" for i, channel in enumerate(channels, 1))
-    if not component:
+    have = ", ".join(
+        f"#{i} {channel.label or '(no name)'!r}" for i, channel in enumerate(channels, 1)
+    )
+    if component in (None, ""):
         if len(channels) == 1:
             return channels[0]
         raise RecordError.at(
@@ -62,14 +65,13 @@ def choose_component(channels, component, path):
             f"the first of {len(channels)} components, {have}; say which in component",
         )
     word = " ".join(str(component).split()).lower()
-    place = re.fullmatch(r"#(\d{1,3})", word)
-    if place:
-        found = channels[int(place[1]) - 1 : int(place[1])] if int(place[1]) else []
-    else:
-        found = [c for c in channels if " ".join(c.label.split()).lower() == word]
-        if not found and re.fullmatch(r"\d{1,3}", word):
-            found = [c for c in channels if c.azimuth_deg is not None]
-            found = [c for c in found if c.azimuth_deg % 360 == int(word) % 360]
+    number = re.fullmatch(r"#?([0-9]{1,3})", word)
+    found = [c for c in channels if c.label and " ".join(c.label.split()).lower() == word]
+    if number and not found and not word.startswith("#"):
+        known = [c for c in channels if c.azimuth_deg is not None]
+        found = [c for c in known if c.azimuth_deg % 360 == int(number[1]) % 360]
+    if number and not found and 1 <= int(number[1]) <= len(channels):
+        found = [channels[int(number[1]) - 1]]
     if len(found) != 1:
         problem = "fits more than one of" if found else "is none of"
         raise RecordError.at(
@@ -90,7 +92,7 @@ def read_record(path, *, name=None, format=None, component=None, dt_s=None, unit
     format : str or None
         One of `FORMATS`; detected when None or empty.
     component : str or None
-        Label, azimuth in degrees, or "#n"; see `choose_component`.
+        Label, azimuth in degrees, or place; see `choose_component`.
     dt_s : float or None
         Time step; needed when the file has none. When it has, the two must agree within
         0.1 % or the rounding of the file's, and this one is used.
@@ -100,35 +102,42 @@ def read_record(path, *, name=None, format=None, component=None, dt_s=None, unit
     Returns
     -------
     Record
-        In m/s², source "file", baseline "none".
+        In m/s², baseline "none", source "file" or "recorded, shipped".
 
     Raises
     ------
     RecordError
         Anything wrong with the file or a contradiction with what is stated.
     """
-    path = os.fspath(path)
+    text, form, channels = open_file(path, format)
+    return pick(text, form, channels, name, component, dt_s, units)
+
+
+def open_file(path, format=None):
+    """Read a file's channels, for `pick`: (Text, name of the format, channels)."""
     text = read_text(path)
     form = _format(format) if format else _detect(text)
-    channel = choose_component(form.read(text), component, path)
+    return text, form.name, form.read(text)
+
+
+def pick(text, form, channels, name=None, component=None, dt_s=None, units=None):
+    """Make a Record of one channel of an opened file; see `read_record`."""
+    path = text.path
+    channel = choose_component(channels, component, path)
     unit = _units(channel, units, text)
     step = _step(channel, dt_s, text)
     _check_peak(channel, text)
     with np.errstate(over="ignore"):  # infinite is not plausible either
         acceleration = np.array(channel.values, dtype=float) * UNITS_M_S2[unit]
     check_plausible(acceleration, unit, f"{path}, line {channel.line}")
+    facts = {"file": os.path.basename(path), "format": form, "component": channel.label}
     return Record(
         name or os.path.splitext(os.path.basename(path))[0],
         acceleration,
         step,
-        "file",
+        channel.provenance,
         unit,
-        details={
-            "file": os.path.basename(path),
-            "format": form.name,
-            "component": channel.label,
-            "sha256": text.sha256,
-        },
+        details=facts | channel.about | {"sha256": text.sha256},
     )
 
 

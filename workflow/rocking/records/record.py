@@ -16,6 +16,9 @@ from .errors import RecordError
 MIN_PGA_G, MAX_PGA_G = 1e-5, 5.0  # the strongest motions recorded reach about 4 g in vector sum
 MIN_DT_S, MAX_DT_S = 1e-4, 0.1
 
+SHIPPED = "recorded, shipped"  # a recording that comes with the project
+SOURCES = ("file", SHIPPED, "surrogate")
+
 UNITS_M_S2 = {"g": G_M_S2, "m/s2": 1.0, "cm/s2": 1e-2, "mm/s2": 1e-3}
 _ALIASES = {"g": "g", "g's": "g", "gs": "g", "gal": "cm/s2", "gals": "cm/s2"}
 
@@ -45,8 +48,8 @@ class Record:
         Finite, uniformly sampled; linear between samples.
     dt_s : float
         Time step.
-    source : {"file", "surrogate"}
-        Where the motion comes from; printed wherever it is shown.
+    source : str
+        One of SOURCES: where the motion comes from; printed wherever it is shown.
     units_read : str
         Units in the file before conversion ("m/s2" for a surrogate).
     baseline : str

@@ -11,8 +11,8 @@ import os
 import numpy as np
 
 from .errors import RecordError
-from .formats.columns import read_csv as read_columns
-from .record import Record
+from .formats.columns import read_columns
+from .record import SOURCES, Record
 from .text import read_text
 
 _KEYS = {"name": str, "dt_s": float, "source": str, "units_read": str, "baseline": str}
@@ -63,6 +63,6 @@ def read_csv(path):
         raise RecordError(f"{side}: not a record's provenance ({str(problem)[:80]})") from None
     if channel.units != "m/s2" or abs(channel.dt_s - values["dt_s"]) > 1e-6 * channel.dt_s:
         raise RecordError(f"{side}: does not belong to {path} (units or time step differ)")
-    if values["source"] not in ("file", "surrogate"):
-        raise RecordError(f"{side}: source {values['source']!r}; expected file or surrogate")
+    if values["source"] not in SOURCES:
+        raise RecordError(f"{side}: source {values['source']!r}; expected {' or '.join(SOURCES)}")
     return Record(acceleration_m_s2=np.array(channel.values), details=details, **values)

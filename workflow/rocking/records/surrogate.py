@@ -155,6 +155,14 @@ def _check_spec(name, spec, duration_s):
             )
 
 
+def check_surrogate(name, pga_g, pgv_cm_s, pgd_cm, duration_s, spec=None):
+    """Refuse what needs no drawing to be seen impossible; return the spec to draw from."""
+    _check_targets(name, pga_g, pgv_cm_s, pgd_cm, duration_s)
+    spec = spec or default_spec(pga_g, pgv_cm_s, pgd_cm, duration_s)
+    _check_spec(name, spec, duration_s)
+    return spec
+
+
 def generate(name, pga_g, pgv_cm_s, pgd_cm, duration_s, *, spec=None, seed=DEFAULT_SEED):
     """Make the surrogate of a record.
 
@@ -180,9 +188,7 @@ def generate(name, pga_g, pgv_cm_s, pgd_cm, duration_s, *, spec=None, seed=DEFAU
         No noise draw meets the three peaks, as when PGA·PGD/PGV² is below what a motion
         that ends at rest can have.
     """
-    _check_targets(name, pga_g, pgv_cm_s, pgd_cm, duration_s)
-    spec = spec or default_spec(pga_g, pgv_cm_s, pgd_cm, duration_s)
-    _check_spec(name, spec, duration_s)
+    spec = check_surrogate(name, pga_g, pgv_cm_s, pgd_cm, duration_s, spec)
     target = np.log([pga_g * G_M_S2, pgv_cm_s / 100, pgd_cm / 100])
     count = round(duration_s / spec.dt_s) + 1
     best = None

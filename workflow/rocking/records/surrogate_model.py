@@ -4,7 +4,6 @@ import math
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from scipy.signal import bilinear, butter, sosfilt
 
 from .record import integrate
 
@@ -63,6 +62,8 @@ class Noise:
         order 4 at the cuts.
         """
         w = 2 * math.pi * self.frequency_hz
+        from scipy.signal import bilinear, butter  # slow to load, and most runs need none
+
         ground = bilinear([2 * self.damping * w, w**2], [1, 2 * self.damping * w, w**2], 1 / dt_s)
         return np.vstack(
             [
@@ -142,6 +143,8 @@ class Model:
 
     def acceleration(self, spec):
         """Return the acceleration for these parameters, shape (n,)."""
+        from scipy.signal import sosfilt
+
         a, impulse = sosfilt(spec.noise.sections(self.dt_s), self.input)
         a *= spec.noise.rms_m_s2 / math.sqrt(np.sum(impulse**2))
         for pulse in spec.pulses:

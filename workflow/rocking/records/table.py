@@ -2,7 +2,8 @@
 
 Columns: record, file (relative to the table's folder or absolute; empty: surrogate),
 format, dt_s, units (empty: from the file), component (label, azimuth or "#n" in a file
-with several), then event, station, mw, distance_km, soil for the reader and pga_g,
+with several), vertical and vertical_file (component and, where it is another, file of the
+vertical motion), then event, station, mw, distance_km, soil for the reader and pga_g,
 pgv_cm_s, pgd_cm, duration_s, which a surrogate must have. Only `record` is required.
 Lines that start with # are comments.
 """
@@ -17,7 +18,11 @@ from .reader import nearest
 from .record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, unit_name
 from .text import parse_number, read_text
 
-TEXT_COLUMNS = ("record", "file", "format", "units", "component", "event", "station", "soil")
+FILE_COLUMNS = ("file", "vertical_file")
+TEXT_COLUMNS = (
+    *("record", *FILE_COLUMNS, "format", "units", "component", "vertical"),
+    *("event", "station", "soil"),
+)
 NUMBER_COLUMNS = ("dt_s", "mw", "distance_km", "pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
 COLUMNS = TEXT_COLUMNS + NUMBER_COLUMNS
 TARGETS = ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
@@ -29,7 +34,8 @@ _NAME = re.compile(r"[A-Za-z0-9_+][A-Za-z0-9._+-]*")
 class Row:
     """One motion of a records table; None where a cell is empty.
 
-    path is the record file's path, None for a surrogate; line the table's line.
+    path is the record file's path, None for a surrogate; line the table's line;
+    vertical_path and vertical are file and component of the vertical motion.
     """
 
     record: str
@@ -41,11 +47,23 @@ class Row:
     targets: dict = field(default_factory=dict)
     about: dict = field(default_factory=dict)
     line: int = 0
+    vertical_path: str | None = None
+    vertical: str | None = None
 
     @property
     def source(self):
         """Return "file" or "surrogate"."""
         return "surrogate" if self.path is None else "file"
+
+    def stated(self, vertical=False):
+        """Return what the row states of its file: keywords of `reader.pick`."""
+        component = self.vertical if vertical else self.component
+        return {
+            "name": self.record,
+            "component": component,
+            "dt_s": self.dt_s,
+            "units": self.units,
+        }
 
 
 def check_name(name, where):
@@ -141,12 +159,17 @@ def _row(text, number, cells):
             number, f"unknown units {units!r}; expected one of {', '.join(UNITS_M_S2)}"
         )
     targets = {column: numbers[column] for column in TARGETS if column in numbers}
-    path = None
-    if cells.get("file"):
-        path = os.path.join(os.path.dirname(text.path), cells["file"])
-        if not os.path.isfile(path):
-            raise text.error(number, f"record {name}: no file {cells['file']!r} ({path})")
-    elif len(targets) < len(TARGETS):
+    paths = {}
+    for column in FILE_COLUMNS:
+        if cells.get(column):
+            path = os.path.join(os.path.dirname(text.path), cells[column])
+            if not os.path.isfile(path):
+                raise text.error(number, f"record {name}: no file {cells[column]!r} ({path})")
+            paths[column] = path
+    vertical = cells.get("vertical") or None
+    if "file" not in paths and (vertical or "vertical_file" in paths):
+        raise text.error(number, f"record {name}: a vertical motion without a file")
+    if "file" not in paths and len(targets) < len(TARGETS):
         missing = ", ".join(column for column in TARGETS if column not in targets)
         raise text.error(
             number, f"record {name}: no file, and a surrogate needs a value of {missing}"
@@ -158,7 +181,7 @@ def _row(text, number, cells):
     }
     return Row(
         name,
-        path,
+        paths.get("file"),
         form,
         numbers.get("dt_s"),
         units,
@@ -166,4 +189,6 @@ def _row(text, number, cells):
         targets,
         about,
         number,
+        paths.get("vertical_file") or (paths.get("file") if vertical else None),
+        vertical,
     )

@@ -9,7 +9,7 @@ import math
 import os
 import re
 from array import array
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -46,15 +46,20 @@ class Text:
             raise self.error(len(self.lines), f"the file ends here; expected {expected}")
         return self.lines[number - 1]
 
+    def with_points(self, first):
+        """Return the file with points for the decimal commas from line `first` on."""
+        lines = [line.replace(",", ".") for line in self.lines[first - 1 :]]
+        return replace(self, lines=self.lines[: first - 1] + lines)
+
 
 def read_text(path):
-    """Read a whole UTF-8 (or ASCII) text file of bounded size.
+    """Read a whole text file of bounded size: UTF-8, or Latin-1 when it is not.
 
     Raises
     ------
     RecordError
         No such file, not a regular file, empty, larger than MAX_BYTES or MAX_LINES,
-        binary, not UTF-8, or with a line longer than MAX_LINE_CHARACTERS.
+        binary, or with a line longer than MAX_LINE_CHARACTERS.
     """
     path = os.fspath(path)
     # A named pipe or a device could block for ever, so only regular files are opened.
@@ -87,12 +92,10 @@ def text_from_bytes(path, data):
         raise RecordError(f"{path}: more than {MAX_LINES} lines")
     try:
         content = data.decode("utf-8-sig")
-    except UnicodeDecodeError as problem:
-        line = data.count(b"\n", 0, problem.start) + 1
-        raise RecordError.at(
-            path, line, f"byte 0x{data[problem.start]:02x} is not UTF-8; convert the file to UTF-8"
-        ) from None
+    except UnicodeDecodeError:  # names in Latin-1 headings; numbers are ASCII in any encoding
+        content = data.decode("cp1252", errors="replace")
     # Not str.splitlines: it also breaks at separators no record format knows.
+    content = content.replace("\r\r\n", "\n")  # copied as text twice
     lines = content.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     complete = not lines[-1]
     if complete:
@@ -185,13 +188,16 @@ def check_last(text, number, token, earlier):
 def free_block(text, first, last, count=None):
     """Read blank-separated numbers from lines first … last (from 1, inclusive).
 
-    Blank lines are skipped. `count` is the declared number of values, or None.
+    Blank lines and a closing "*** End data ***" are skipped. `count` is the declared
+    number of values, or None.
 
     Returns
     -------
     ndarray, shape (count,)
     """
     values, line_of_value = array("d"), []
+    while last > first and text.lines[last - 1].lstrip()[:3] in ("", "***"):
+        last -= 1
     for number in range(first, last + 1):
         tokens = text.lines[number - 1].split()
         if tokens:
@@ -209,15 +215,15 @@ def free_block(text, first, last, count=None):
 
 
 def gridded_block(text, first, width, indent, per_line, count):
-    """Read `count` numbers to the end of the file, in columns if the first line is.
+    """Read `count` numbers (None: any) to the end of the file, in columns if the first line is.
 
     The columns end at indent, indent + width, …; then every line must keep to them,
     which shows a lost digit. Otherwise the numbers are free, apart by blanks.
     """
-    line = text.line(first, f"{count} values").rstrip()
+    line = text.line(first, f"{count or 'the'} values").rstrip()
     whole = indent + width * (per_line - 1)
     ends = [match.end() for match in re.finditer(r"\S+", line[: whole + 1])]
-    if len(line) != whole or ends != list(range(indent, whole + 1, width)):
+    if count is None or len(line) != whole or ends != list(range(indent, whole + 1, width)):
         return free_block(text, first, len(text.lines), count)
     values, following = fixed_block(text, first, width, per_line, count, indent)
     for number in range(following, len(text.lines) + 1):

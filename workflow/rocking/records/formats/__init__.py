@@ -12,7 +12,7 @@ reader here is a page.
 from dataclasses import dataclass
 from typing import Any
 
-from . import at2, columns, cosmos, csmip, esm, geonet, knet, smc
+from . import at2, columns, cosmos, csmip, esm, geonet, knet, packed, smc
 
 
 @dataclass(frozen=True)
@@ -36,15 +36,13 @@ FORMATS = {
         Format("csmip", csmip.DESCRIPTION, csmip.sniff, csmip.read),
         Format("smc", smc.DESCRIPTION, smc.sniff, smc.read),
         Format("knet", knet.DESCRIPTION, knet.sniff, knet.read),
-        Format("csv", "comma-separated columns", columns.sniff_csv, columns.read_csv),
+        Format("packed", packed.DESCRIPTION, packed.sniff, packed.read),
+        Format("csv", "columns apart by commas", columns.sniff_csv, columns.read_columns),
         Format(
-            "two-column", "time and acceleration", columns.sniff_two_column, columns.read_two_column
+            "two-column", "time and acceleration", columns.sniff_two_column, columns.read_columns
         ),
-        Format(
-            "single-column",
-            "accelerations, one a line",
-            columns.sniff_single_column,
-            columns.read_single_column,
-        ),
+        Format("columns", "more columns", columns.sniff_columns, columns.read_columns),
+        Format("wrapped", "several a line", columns.sniff_wrapped, columns.read_wrapped),
+        Format("single-column", "one a line", columns.sniff_single, columns.read_single),
     )
 }

@@ -1,6 +1,6 @@
 """What a format module hands back: one channel of a file, still in its own units."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -30,6 +30,10 @@ class Channel:
         absolute disagreement, whichever is larger, that its rounding explains.
     peak_tolerance : tuple of 2 floats
         (relative, absolute in `units`).
+    about : dict
+        Station, event, source, licence and the like where the file states them.
+    provenance : str
+        One of `record.SOURCES`.
     """
 
     label: str
@@ -41,3 +45,5 @@ class Channel:
     dt_rounding_s: float = 0.0
     peak_stated: float | None = None
     peak_tolerance: tuple = (0.01, 0.0)
+    about: dict = field(default_factory=dict)
+    provenance: str = "file"

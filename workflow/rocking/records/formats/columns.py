@@ -1,87 +1,191 @@
-"""Plain columns: two-column text, CSV and a single column.
+"""Plain numbers: one column, time and accelerations, or several a line without a time.
 
-Lines before the first number may be headings or comments. A heading that splits
-into as many cells as there are columns names them; a unit in it ("Acceleration
-(g's)", "acceleration_m_s2") is read as stated by the file. Without one the units
-must be stated in the records table. The first of two or more columns is time in
-seconds, uniform within the rounding of its printed digits.
+Lines before the first one of numbers alone are headings. The nearest that splits into
+as many cells as there are columns names them; a unit in it ("Acceleration (g's)",
+"acceleration_m_s2") or in another heading is read as stated by the file, a time step
+likewise. Cells are apart by blanks, tabs, commas or semicolons; numbers may have
+decimal commas where those are not separators too.
 """
 
 import re
+from dataclasses import dataclass
 
 import numpy as np
 
-from ..record import unit_name
-from ..text import MAX_SAMPLES, check_last, parse_number
+from ..text import MAX_SAMPLES, check_last, free_block, parse_number
 from .channel import Channel
+from .header import NUMBER, heading_unit, is_numbers, stated_count, stated_step, stated_unit
 
-DESCRIPTION = "columns of numbers"
 MAX_COLUMNS = 64
-_START = re.compile(r"\s*[-+.]?\d")
-_BRACKETED = re.compile(r"[(\[]([^()\[\]]+)[)\]]")
+MAX_HEADING = 200
+LOOK = 200  # lines that decide on separators and on what the first column is
+_COMMA = re.compile(r"[-+]?(?:\d*,)?\d+(?:[eE][-+]?\d+)?")
+_START = re.compile(r"\s*[-+]?\.?\d")
+_TIME = re.compile(r"\W*(t|time|zeit|temps|tempo|s|sec)\b", re.I)
+_COMPONENT = re.compile(
+    r"(?i)(n-?s|e-?w|u-?d|w-?e|[nsewuzxyltv]|up|vert\w*|long\w*|trans\w*|h[12nle]\w*|ch(an)?\w*"
+    r"|[ns]\d+[ew]|acc\w*|a[xyz_]\w*)\W*(?:[ (\[_,].*)?"
+)
 
 
-def _cells(line, separator):
-    return [cell.strip() for cell in (line.split(separator) if separator else line.split())]
+@dataclass(frozen=True)
+class _Layout:
+    first: int  # line of the first numbers, 0 for none
+    separator: str | None = None  # None: blanks
+    decimal_comma: bool = False
+    columns: int = 0
+    kind: str = ""
+    labels: tuple = ()
+
+    def cells(self, line):
+        cells = line.split(self.separator)
+        if self.separator:
+            cells = [cell.strip() for cell in cells]
+            while len(cells) > 1 and not cells[-1]:  # a separator at the end of the line
+                cells.pop()
+        return [cell.replace(",", ".") for cell in cells] if self.decimal_comma else cells
 
 
 def _layout(text):
-    """Return (first data line, separator or None for blanks, number of columns)."""
-    for number, line in enumerate(text.lines, 1):
-        if _START.match(line):
-            separator = next((mark for mark in ",;" if mark in line), None)
-            return number, separator, len(_cells(line, separator))
-        if number == 100:
-            break
-    return 0, None, 0
+    """Look at the start of the file; `kind` is the name of a format."""
+    head = enumerate(text.lines[:MAX_HEADING], 1)
+    first, line = next(((n, row) for n, row in head if is_numbers(row)), (0, ""))
+    if not first:
+        return _Layout(0)
+    rows = [row for row in text.lines[first - 1 : first - 1 + LOOK] if row.strip()]
+    words = [word for row in rows for word in row.replace(";", " ").split()]
+    comma = any("," in word for word in words) and all(map(_COMMA.fullmatch, words))
+    separator = ";" if ";" in line else "," if "," in line and not comma else None
+    layout = _Layout(first, separator, comma)
+    columns = len(layout.cells(line))
+    before = next((row for row in reversed(text.lines[: first - 1]) if row.strip()), "")
+    if _START.match(before) and len(layout.cells(before)) == columns:
+        raise text.error(first - 1, f"expected numbers as in the next line, found {before[:40]!r}")
+    labels = _labels(before, layout, columns)
+    kind = "single-column"
+    if columns > 1:
+        timed = _is_time(text, layout) or bool(_TIME.match(labels[0]))
+        named = all(map(_COMPONENT.fullmatch, labels))
+        kind = "csv" if separator else "columns" if columns > 2 or not timed else "two-column"
+        if not timed and not separator and not named:
+            kind = "wrapped"
+        if not timed and named:
+            return _Layout(first, separator, comma, columns, kind, ("", *labels))
+    return _Layout(first, separator, comma, columns, kind, tuple(labels))
+
+
+def _is_time(text, layout):
+    """Tell whether the first column rises through the file, as no acceleration does.
+
+    Spread over the whole file; nine of ten steps, so that a damaged time is refused by
+    its line instead of taken for an acceleration. Also when there are too few to tell.
+    """
+    rows = text.lines[layout.first - 1 :]
+    values = []
+    for row in rows[:: max(1, len(rows) // LOOK)]:
+        cells = layout.cells(row)
+        if cells and re.fullmatch(NUMBER, cells[0]):
+            values.append(float(cells[0]))
+    steps = np.diff(values)
+    return len(steps) < 5 or np.mean(steps > 0) >= 0.9
+
+
+def _labels(line, layout, columns):
+    """Return the column headings, empty strings when the line names none."""
+    words = line.lstrip("#%! \t")
+    split = [layout.cells(words), *(words.split(mark) for mark in (layout.separator, "\t", None))]
+    for cells in split if words.strip() else ():
+        if len(cells) == columns:
+            return [cell.strip("\"' ")[:80] for cell in cells]
+    return [""] * columns
 
 
 def sniff_csv(text):
-    """Tell whether the first data line has commas or semicolons."""
-    _, separator, columns = _layout(text)
-    return separator is not None and columns >= 2
+    """Tell whether the first numbers are apart by commas or semicolons."""
+    return _layout(text).kind == "csv"
 
 
 def sniff_two_column(text):
-    """Tell whether the first data line is two numbers apart by blanks."""
-    _, separator, columns = _layout(text)
-    return separator is None and columns == 2
+    """Tell whether there are two columns apart by blanks, the first rising."""
+    return _layout(text).kind == "two-column"
 
 
-def sniff_single_column(text):
-    """Tell whether the first data line is one number."""
-    _, separator, columns = _layout(text)
-    return separator is None and columns == 1
+def sniff_columns(text):
+    """Tell whether there are more columns apart by blanks, with time first or all named."""
+    return _layout(text).kind == "columns"
 
 
-def read_csv(text):
-    """Read a comma- or semicolon-separated file: time, then one or more channels."""
-    first, separator, columns = _layout(text)
-    if not first or separator is None or columns < 2:
-        raise text.error(first or 1, "expected time and acceleration separated by commas")
-    return _with_time(text, first, separator, columns)
+def sniff_wrapped(text):
+    """Tell whether numbers stand several to a line and the first of them is no time."""
+    return _layout(text).kind == "wrapped"
 
 
-def read_two_column(text):
-    """Read two columns apart by blanks: time, acceleration."""
-    first, separator, columns = _layout(text)
-    if not first or separator is not None or columns != 2:
-        raise text.error(first or 1, "expected two numbers a line, time and acceleration")
-    return _with_time(text, first, separator, columns)
+def sniff_single(text):
+    """Tell whether there is one number a line."""
+    return _layout(text).kind == "single-column"
 
 
-def read_single_column(text):
-    """Read one acceleration a line; the step must be stated in the table."""
-    first, separator, columns = _layout(text)
-    if not first or separator is not None or columns != 1:
-        raise text.error(first or 1, "expected one number a line, the acceleration")
-    values = _table(text, first, None, 1)[:, 0]
-    heading = _heading(text, first, None, 1)
-    return [Channel(heading[0] or "1", values, first, units=_unit(heading[0]))]
+def read_columns(text):
+    """Read time, then one or more channels; or named channels without a time."""
+    layout = _layout(text)
+    if layout.columns < 2 or layout.kind == "single-column":
+        raise text.error(layout.first or 1, "expected time and acceleration, two numbers a line")
+    table = _table(text, layout)
+    heading = text.lines[: layout.first - 1]
+    dt_s, rounding = stated_step(heading)
+    labels, at = layout.labels, 1
+    if len(labels) > layout.columns:  # no time column
+        labels, at = labels[1:], 0
+    else:
+        unit = re.search(r"[(\[]([^()\[\]]+)[)\]]", labels[0])
+        if unit and unit[1].strip().lower() not in {"s", "sec", "secs", "second", "seconds"}:
+            raise text.error(layout.first, f"time is in {unit[1][:20]!r}; expected seconds")
+        _check_commas(text, layout)
+        dt_s, rounding = uniform_step(text, layout.first, table[:, 0], layout.cells), 0.0
+    unit = stated_unit(heading[:-1] if any(labels) else heading)
+    return [
+        Channel(
+            labels[c] or (f"column {c + 1}" if not any(labels) else ""),
+            table[:, c],
+            layout.first,
+            None,
+            heading_unit(labels[c]) or unit,
+            dt_s,
+            rounding,
+        )
+        for c in range(at, layout.columns)
+    ]
 
 
-def _table(text, first, separator, columns):
+def _numbers_only(text, layout, values):
+    heading = text.lines[: layout.first - 1]
+    label = layout.labels[0] if layout.columns == 1 and layout.labels else ""
+    unit = heading_unit(label) or stated_unit(heading)
+    return [Channel(label or "1", values, layout.first, None, unit, *stated_step(heading))]
+
+
+def read_single(text):
+    """Read one acceleration a line."""
+    layout = _layout(text)
+    if layout.columns != 1 and layout.kind != "single-column":
+        raise text.error(layout.first or 1, "expected one number a line, the acceleration")
+    return _numbers_only(text, layout, _table(text, layout)[:, 0])
+
+
+def read_wrapped(text):
+    """Read accelerations several to a line, in the order of reading."""
+    layout = _layout(text)
+    if not layout.first or layout.separator:
+        raise text.error(layout.first or 1, "expected accelerations apart by blanks")
+    if layout.decimal_comma:
+        text = text.with_points(layout.first)
+    count = stated_count(text.lines[: layout.first - 1])
+    return _numbers_only(text, layout, free_block(text, layout.first, len(text.lines), count))
+
+
+def _table(text, layout):
     """Read all data lines, shape (n, columns)."""
+    first, columns = layout.first, max(layout.columns, 1)
     if columns > MAX_COLUMNS:
         raise text.error(first, f"{columns} columns; expected at most {MAX_COLUMNS}")
     rows = len(text.lines) - first + 1
@@ -95,61 +199,40 @@ def _table(text, first, separator, columns):
             if any(rest.strip() for rest in text.lines[number:]):
                 raise text.error(number, "blank line between the samples")
             break
-        cells = _cells(line, separator)
+        cells = layout.cells(line)
         if len(cells) != columns:
-            hint = "" if separator else " (decimal commas are not read)" if "," in line else ""
-            raise text.error(
-                number, f"{len(cells)} values, but {columns} in the lines before{hint}"
-            )
+            raise text.error(number, f"{len(cells)} values, but {columns} in the lines before")
         for column, cell in enumerate(cells):
             table[used, column] = parse_number(text, number, cell, "a number")
         last = number
         used += 1
     lines = text.lines[first - 1 : min(last - 1, first + 999)]
-    earlier = [_cells(line, separator)[-1] for line in lines]
-    check_last(text, last, _cells(text.lines[last - 1], separator)[-1], earlier)
+    earlier = [layout.cells(line)[-1] for line in lines]
+    check_last(text, last, layout.cells(text.lines[last - 1])[-1], earlier)
     if used < 2:
         raise text.error(first, "expected at least 2 samples")
+    count = stated_count(text.lines[: first - 1])
+    if count not in (None, used):
+        raise text.error(last, f"{used} samples, but the heading declares {count}")
     return table[:used]
 
 
-def _heading(text, first, separator, columns):
-    """Return the column headings, empty strings when the file has none."""
-    for line in reversed(text.lines[: first - 1]):
-        words = line.lstrip("#%! \t")
-        if words.strip():
-            cells = _cells(words, separator or "\t")
-            if len(cells) != columns:
-                cells = _cells(words, None)
-            if len(cells) == columns:
-                return [cell.strip("\"' ") for cell in cells]
-            break
-    return [""] * columns
+def _check_commas(text, layout):
+    """Refuse "0,01,0,0012" and "0.01,0,0012", where commas seem to be decimal marks too."""
+    if layout.separator != "," or layout.columns < 3:
+        return
+    for line in text.lines[layout.first - 1 : layout.first - 1 + LOOK]:
+        rest = "".join(layout.cells(line)[1:] if layout.columns % 2 else layout.cells(line))
+        if "." in rest or "e" in rest.lower():
+            return
+    raise text.error(
+        layout.first,
+        "commas seem to separate the columns and to mark decimals as well; separate them by "
+        "semicolons or tabs, or write decimal points",
+    )
 
 
-def _unit(heading):
-    """Return the canonical unit named in a heading, or None."""
-    bracketed = _BRACKETED.search(heading)
-    if bracketed:
-        return unit_name(bracketed[1])
-    suffix = re.search(r"_(g|(?:m|cm|mm)_s2)$", heading)
-    return unit_name(suffix[1]) if suffix else None
-
-
-def _with_time(text, first, separator, columns):
-    table = _table(text, first, separator, columns)
-    heading = _heading(text, first, separator, columns)
-    stated = _BRACKETED.search(heading[0])
-    if stated and stated[1].strip().lower() not in {"s", "sec", "secs", "second", "seconds"}:
-        raise text.error(first, f"time is in {stated[1][:20]!r}; expected seconds")
-    dt_s = uniform_step(text, first, table[:, 0], separator)
-    return [
-        Channel(heading[c] or f"column {c + 1}", table[:, c], first, None, _unit(heading[c]), dt_s)
-        for c in range(1, columns)
-    ]
-
-
-def uniform_step(text, first, time_s, separator=None):
+def uniform_step(text, first, time_s, cells=str.split):
     """Step of a printed time column [s].
 
     Steps and times must agree with a uniform grid from the first to the last time
@@ -166,7 +249,7 @@ def uniform_step(text, first, time_s, separator=None):
     dt_s = float(time_s[-1] - time_s[0]) / (len(time_s) - 1)
     # Half a unit of the last digit at either end, but never so much that a sample could
     # be missing; plus the rounding of double precision itself.
-    tolerance = min(0.5001 * _resolution(text, first, len(time_s), separator), 0.2 * dt_s)
+    tolerance = min(0.5001 * _resolution(text, first, len(time_s), cells), 0.2 * dt_s)
     tolerance += 1e-3 * dt_s + 4e-16 * float(np.max(np.abs(time_s)))
     off = np.abs(time_s - (time_s[0] + dt_s * np.arange(len(time_s)))) > 2 * tolerance
     if off.any() or np.any(np.abs(steps - dt_s) > 2 * tolerance):
@@ -179,11 +262,11 @@ def uniform_step(text, first, time_s, separator=None):
     return float(f"{dt_s:.9g}")
 
 
-def _resolution(text, first, rows, separator):
+def _resolution(text, first, rows, cells):
     """Unit of the last printed digit of the time column (finest over the first samples)."""
     finest = 1.0
     for line in text.lines[first - 1 : first - 1 + min(rows, 1000)]:
-        mantissa, _, exponent = _cells(line, separator)[0].lower().partition("e")
+        mantissa, _, exponent = cells(line)[0].lower().partition("e")
         decimals = len(mantissa.partition(".")[2]) - int(exponent or 0)
         finest = min(finest, 10.0**-decimals)
     return finest

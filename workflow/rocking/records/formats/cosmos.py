@@ -20,7 +20,7 @@ MAX_HEADING = 200
 _FIRST = re.compile(r"\(Format v[\d.]+ with\s+(\d{1,3}) text lines\)", re.I)
 _HEADING = re.compile(
     r"\s*(\d{1,4}) (Integer|Real)-header values follow on\s+(\d{1,3}) lines?,"
-    r"\s*Format=\s*\((\d{1,2})[IFEG](\d{1,2})",
+    r"\s*Format\s*=\s*\((\d{1,2})[IFEG](\d{1,2})",
     re.I,
 )
 _COMMENTS = re.compile(r"\s*(\d{1,4}) Comment line", re.I)
@@ -92,9 +92,11 @@ def _channel(text, first):
     channel = None
     while True:
         row = text.line(line, "data or the end of the channel, /&")
-        if row.startswith("/&"):
+        if row.startswith(("/&", "End-of-data for")):  # the second as PRISM writes it
             return channel, line + 1
         match = _DATA.match(row[:200])
+        if not match and " raw " in row[:40]:
+            raise text.error(line, "raw counts; expected a file of acceleration (V1, V2)")
         if not match:
             raise text.error(line, f"expected '… pts, …, units=…,Format=(…)', found {row[:40]!r}")
         count = parse_count(text, line, match[1], "the number of points")

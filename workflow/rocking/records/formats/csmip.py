@@ -1,8 +1,10 @@
-"""CSMIP (CDMG) Volume 2: many channels a file, acceleration, velocity and displacement.
+"""CSMIP (CDMG) Volumes 1 and 2: many channels a file; 2 with velocity and displacement too.
 
 Each channel: a text heading with "CHAN n: …" and "PEAK ACCELERATION = …", integer and
 real headings, then for each quantity a line "… POINTS OF ACCEL DATA EQUALLY SPACED AT
-… SEC.  (UNITS: …)" and its values, 8F10.3; a line "/&" ends the channel.
+… SEC.  (UNITS: …)" or "… sec, in cm/sec2. (8f10.6)" and its values, eight a line; Volume 1
+has "… Accelerogram points at 200 pts/sec in units of g . Format: (8f9.6)" alone. A line
+"/&" ends the channel.
 (Shakal & Huang 1985, OSMS 85-03.) Velocities and displacements are checked for their
 number and left aside.
 """
@@ -15,20 +17,27 @@ from ..record import unit_name
 from ..text import fixed_block, parse_count, parse_number
 from .channel import Channel
 
-DESCRIPTION = "CSMIP Volume 2"
+DESCRIPTION = "CSMIP Volumes 1 and 2"
 MAX_CHANNELS = 200
 _DATA = re.compile(
-    r"\s*(\d+)\s+POINTS OF (ACCEL|VELOC|DISPL) DATA EQUALLY SPACED AT\s+([\d.]+)\s+SEC\."
-    r"\s*\(UNITS:\s*(\S+?)\s*\)",
+    r"\s*(\d+) POINTS OF (ACCEL|VELOC|DISPL) DATA EQUALLY SPACED AT\s+([\d.]+)\s+SEC[.,]"
+    r"\s*(?:\(UNITS:|IN)\s*(\S+?)[.)]?(?:\s.*)?",
     re.I,
 )
+_RAW = re.compile(
+    r"\s*(\d+) (ACCEL)EROGRAM POINTS AT\s+([\d.]+)\s+PTS/SEC IN UNITS OF (\S+?)[ .].*", re.I
+)
+_FORMAT = re.compile(r"\((\d{1,2})F(\d{1,2})\.\d", re.I)
 _CHANNEL = re.compile(r"CHAN\s+\d+:\s*(.*?)\s*", re.I)
 _PEAK = re.compile(r"PEAK ACCELERATION =\s*([-+.\d]+)\s*(\S+)\s+AT", re.I)
 
 
 def sniff(text):
-    """Tell whether the first line is CORRECTED ACCELEROGRAM in capitals."""
-    return text.lines[0].startswith("CORRECTED ACCELEROGRAM")
+    """Tell whether the first line is a CSMIP heading (GeoNet's names no channel)."""
+    first = text.lines[0][:200]
+    return bool(re.match(r"CORRECTED ACCELEROGRAM|(?i:UNCORRECTED ACCELEROGRAM DATA)", first)) or (
+        bool(re.match(r"Corrected accelerogram .*\bChan\b", first))
+    )
 
 
 def read(text):
@@ -51,7 +60,7 @@ def _channel(text, first):
     label, peak, start = "", None, None
     for number in range(first, len(text.lines) + 1):
         line = text.lines[number - 1][:200]
-        match = _DATA.match(line)
+        match = _DATA.fullmatch(line) or _RAW.fullmatch(line)
         if match:
             start = number
             break
@@ -64,15 +73,23 @@ def _channel(text, first):
     if start is None:
         raise text.error(len(text.lines), "the file ends in a channel's heading")
     values, dt_s, unit, data = np.empty(0), 0.0, "", 0
-    for quantity in ("ACCEL", "VELOC", "DISPL"):
-        match = _DATA.match(text.line(start, f"POINTS OF {quantity} DATA")[:200])
+    raw = _RAW.fullmatch(text.lines[start - 1][:200])
+    for quantity in ("ACCEL",) if raw else ("ACCEL", "VELOC", "DISPL"):
+        row = text.line(start, f"POINTS OF {quantity} DATA")[:200]
+        match = raw or _DATA.fullmatch(row)
         if not match or match[2].upper() != quantity:
             raise text.error(start, f"expected '… POINTS OF {quantity} DATA EQUALLY SPACED …'")
         count = parse_count(text, start, match[1], "the number of points")
-        block, end = fixed_block(text, start + 1, 10, 8, count)
+        form = _FORMAT.search(row)
+        per_line, width = (int(form[1]), int(form[2])) if form else (8, 10)
+        if not per_line or not width:
+            raise text.error(start, "a Fortran format without columns")
+        block, end = fixed_block(text, start + 1, width, per_line, count)
         if quantity == "ACCEL":
             values, data, unit = block, start + 1, unit_name(match[4]) or ""
-            dt_s = parse_number(text, start, match[3], "the time step")
+            dt_s = parse_number(text, start, match[3], "the time step or rate")
+            if raw and dt_s:
+                dt_s = 1 / dt_s
             if not unit:
                 raise text.error(start, f"unknown units {match[4][:20]!r}")
         start = end

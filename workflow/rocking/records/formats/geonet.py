@@ -23,7 +23,7 @@ _POINTS = {"N": 0, "E": 90, "S": 180, "W": 270}
 
 def sniff(text):
     """Tell whether the first line is a GeoNet heading."""
-    return bool(re.match(r"(Unc|C)orrected accelerogram ", text.lines[0]))
+    return bool(re.match(r"(Unc|C)orrected accelerogram (?!.*\bChan\b)", text.lines[0][:200]))
 
 
 def read(text):

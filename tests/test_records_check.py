@@ -1,0 +1,158 @@
+"""Faults and doubts of all records of a study, found at once and remembered by content."""
+
+import json
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import record_samples as samples
+from rocking.records import check as module
+from rocking.records import check_records, read_table
+from rocking.records.reader import open_file, pick
+from rocking.records.record import G_M_S2, Record
+
+ROOT = Path(__file__).parents[1]
+SUITE = ROOT / "config" / "suites" / "recorded_suite.tsv"
+
+
+@pytest.fixture
+def study(tmp_path):
+    """Return a table with a sound record, a missing unit, a wrong component and a cut file."""
+    several, single, at2 = samples.geonet(), samples.single_column(), samples.at2()
+    for sample in (several, single):
+        (tmp_path / sample.name).write_bytes(sample.data)
+    (tmp_path / "cut.AT2").write_bytes(at2.data[:-200])
+    path = tmp_path / "records.tsv"
+    path.write_text(
+        "record\tfile\tcomponent\tdt_s\tvertical\n"
+        f"good\t{several.name}\t2\t\tUp\n"
+        f"wrong\t{several.name}\t7\t\t\n"
+        f"bare\t{single.name}\t\t0.02\t\n"
+        "cut\tcut.AT2\t\t\t\n"
+        f"up\t{several.name}\t1\t\tDown\n"
+    )
+    return path
+
+
+def test_each_fault_is_one_line_with_its_file(study):
+    found = {f.record: f for f in check_records(read_table(study).values())}
+    assert {name: f.status for name, f in found.items()} == {
+        "good": "ok",
+        "wrong": "fault",
+        "bare": "fault",
+        "cut": "fault",
+        "up": "fault",
+    }
+    for name, words in {
+        "wrong": "'7' is none of #1 'S26W', #2 'S64E'",
+        "bare": "states no units; state one of g, m/s2",
+        "cut": "of 64 onwards",
+        "up": "'Down' is none of",
+    }.items():
+        line = str(found[name])
+        assert words in line
+        assert found[name].file in line
+        assert "\n" not in line
+
+
+def test_a_repeated_check_reads_nothing_until_a_file_a_row_or_the_baseline_changes(
+    study, tmp_path, monkeypatch
+):
+    cache = tmp_path / "new" / "cache.json"
+    rows = list(read_table(study).values())
+    first = check_records(rows, cache=cache)
+    reads = []
+    monkeypatch.setattr(module, "open_file", lambda *a: reads.append(a) or open_file(*a))
+    assert check_records(rows, cache=cache) == first
+    assert not reads
+    assert check_records(rows, cache=cache, baseline="mean")[0].status == "ok"
+    assert reads
+    reads.clear()
+    (tmp_path / "cut.AT2").write_bytes(samples.at2().data)
+    again = check_records(rows, cache=cache)
+    assert [path for path, _ in reads] == [str(tmp_path / "cut.AT2")]
+    assert again[3].status == "ok"
+
+
+@pytest.mark.parametrize("content", ["", "[1]", '{"a": 1}', "\x00", '{"a": ["b"]}'])
+def test_a_damaged_or_unwritable_cache_is_done_without(study, tmp_path, content):
+    rows = list(read_table(study).values())
+    cache = tmp_path / "cache.json"
+    cache.write_text(content)
+    expected = check_records(rows)
+    assert check_records(rows, cache=cache) == expected
+    assert json.loads(cache.read_text())
+    assert check_records(rows, cache="/proc/none/cache.json") == expected
+    assert not [name for name in os.listdir(tmp_path) if name.endswith(".tmp")]
+
+
+def test_a_repeated_start_costs_far_less_than_reading(tmp_path):
+    rows, times = list(read_table(SUITE).values()), []
+    for _ in range(3):
+        started = time.process_time()
+        assert {f.status for f in check_records(rows, cache=tmp_path / "c.json")} == {"ok"}
+        times.append(time.process_time() - started)
+    assert min(times[1:]) < 0.1 * times[0]
+
+
+def test_surrogates_that_cannot_be_are_faults(tmp_path):
+    path = tmp_path / "r.tsv"
+    path.write_text(
+        "record\tpga_g\tpgv_cm_s\tpgd_cm\tduration_s\nno\t0.1\t100\t1\t10\nyes\t0.3\t30\t8\t20\n"
+    )
+    rows = list(read_table(path).values())
+    for draw in (False, True):
+        no, yes = check_records(rows, draw=draw)
+        assert "PGA·PGD/PGV²" in no.message
+        assert (no.status, yes.status) == ("fault", "ok")
+
+
+def _record(a, source="file", units="g"):
+    return Record("x", np.asarray(a, dtype=float), 0.01, source, units)
+
+
+def test_doubtful_peaks_and_offsets_are_said():
+    t = 0.01 * np.arange(2000)
+    wave = np.sin(2 * np.pi * 5 * t)
+    assert module.warnings(_record(2.9 * G_M_S2 * wave)) == []
+    assert "above 3 g" in module.warnings(_record(3.1 * G_M_S2 * wave))[0]
+    assert module.warnings(_record(wave + 0.0099)) == []
+    assert "offset 1.0" in module.warnings(_record(wave + 0.0105))[0]
+    # A fast sine of 1 g at 0.5 Hz moves at 3.1 m/s.
+    slow = module.warnings(_record(G_M_S2 * np.sin(np.pi * t)))
+    assert len(slow) == 1
+    assert "m/s² called g? That would be 0.10 g, 0.32 m/s" in slow[0]
+
+
+def test_m_s2_called_g_is_caught_and_true_motions_are_not():
+    """Of the suite's 44 horizontal motions all but a few weak ones; no vertical or true one."""
+    opened, caught = open_file(SUITE.with_suffix(".motions")), 0
+    for row in read_table(SUITE).values():
+        true = pick(*opened, **row.stated())
+        assert module.warnings(true) == []
+        caught += bool(module.warnings(_record_as(true)))
+    assert caught >= 40
+
+
+def _record_as(record):
+    return Record("x", G_M_S2 * record.acceleration_m_s2, record.dt_s, "file", "g")
+
+
+def test_the_script_writes_the_table_of_all(study, tmp_path):
+    output = tmp_path / "records_check.csv"
+    script = ROOT / "workflow" / "scripts" / "check_records.py"
+    done = subprocess.run(
+        [sys.executable, str(script), "--params", f"table={study}", "--output", str(output)],
+        env=os.environ | {"PYTHONPATH": f"{ROOT}{os.pathsep}{ROOT / 'workflow'}"},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert done.returncode == 0, done.stderr
+    assert output.read_text().startswith("record,file,status,message\ngood,")
+    assert done.stderr.count("fault: record") == 4
+    assert "1 ok" in done.stdout

@@ -1,0 +1,35 @@
+"""Table of what is wrong or doubtful with each record of a run (tables/records_check.csv).
+
+Faults and warnings are printed too; the table is written whatever they are.
+"""
+
+import sys
+
+import pandas as pd
+from rocking.records import DEFAULT_SEED, check_records, read_specs, read_table, surrogates_for
+from rocking.runtime.script import run
+
+
+def main(job):
+    p = job.params
+    rows = read_table(p.table)
+    names = getattr(p, "records", None) or list(rows)
+    specs = surrogates_for(p.table)
+    findings = check_records(
+        [rows[name] for name in names],
+        baseline=getattr(p, "baseline", "none"),
+        seed=getattr(p, "seed", DEFAULT_SEED),
+        specs=read_specs(specs) if specs else None,
+        draw=True,
+        cache=getattr(p, "cache", None),
+    )
+    table = pd.DataFrame(findings, columns=["record", "file", "status", "message"])
+    table.to_csv(job.output[0], index=False, lineterminator="\n")
+    for finding in findings:
+        if finding.status != "ok":
+            print(f"{finding.status}: {finding}", file=sys.stderr)
+    counts = table["status"].value_counts()
+    print(f"{len(table)} records: " + ", ".join(f"{n} {word}" for word, n in counts.items()))
+
+
+run(main, globals())
