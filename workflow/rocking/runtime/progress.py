@@ -76,7 +76,9 @@ class Task:
     @property
     def usual_s(self):
         """Seconds that such a job usually takes."""
-        return USUAL_S.get(self.rule, SHORT_S) * MODELS.get(self.model, 1.0)
+        if self.rule not in USUAL_S:
+            return SHORT_S
+        return USUAL_S[self.rule] * MODELS.get(self.model, 1.0)
 
     @property
     def share(self):
