@@ -1,7 +1,8 @@
 """PEER AT2: four header lines, then accelerations in g, 5E15.7 or free.
 
 The fourth line has three variants, for the original PEER (Pacific Engineering), NGA
-(2005) and NGA-West2 databases:
+(2005) and NGA-West2 databases::
+
     NPTS=  2000, DT= .02000 SEC
     1991    0.0100    NPTS, DT
     NPTS=   7999, DT=   .0050 SEC,
