@@ -11,7 +11,7 @@ import yaml
 
 ROOT = Path(__file__).resolve().parent.parent
 SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
-SNAKEFILE = ROOT / "Snakefile"
+SNAKEFILE = ROOT / "workflow" / "Snakefile"
 REDUCED = ["ida={mode: grid, grid_g: [0.05, 0.6]}", "ensemble={enabled: off}"]
 MODULE = f"""
 configfile: "config/config.yaml"
@@ -67,6 +67,7 @@ def test_the_whole_trial_plans_its_jobs(folder):
     assert "ida_ensemble" in done.stdout + done.stderr
 
 
+@pytest.mark.yade
 def test_another_workflow_may_use_this_one_as_a_module(folder):
     """As a deployment does: own folder, own configuration, all rules, the main job as target."""
     (folder / "workflow").mkdir()
@@ -76,3 +77,7 @@ def test_another_workflow_may_use_this_one_as_a_module(folder):
     counts = [line.split() for line in (done.stdout + done.stderr).splitlines()]
     assert ["ida", "2"] in counts
     assert ["all", "1"] in counts
+    targets = ["results/test/yade.txt", "results/test/tables/records.csv"]
+    done = snakemake(folder, *targets)
+    assert done.returncode == 0, done.stderr
+    assert all((folder / target).stat().st_size > 20 for target in targets)

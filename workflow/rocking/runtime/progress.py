@@ -23,6 +23,7 @@ USUAL_S = {
     "ida": 7.0,
     "ida_ensemble": 28.0,
     "reduction_ida": 16.0,
+    "damping_choice_ida": 16.0,
     "free_rocking": 10.0,
     "accuracy_runs": 600.0,
     "accuracy_reference": 120.0,
