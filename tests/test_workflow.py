@@ -28,7 +28,7 @@ def snakemake(folder, *words):
         [
             SNAKEMAKE,
             "--snakefile",
-            str(ROOT / "workflow" / "Snakefile"),
+            str(ROOT / "workflow/Snakefile"),
             "--cores",
             "1",
             "--nolock",
