@@ -24,7 +24,13 @@ USUAL_S = {
     "ida_ensemble": 28.0,
     "reduction_ida": 16.0,
     "damping_choice_ida": 16.0,
-    "free_rocking": 10.0,
+    "pushover": 3.0,
+    "pushover_variant": 3.0,
+    "frames": 6.0,
+    "energy_balance": 6.0,
+    "free_rocking": 120.0,
+    "stability": 30.0,
+    "shake_table": 300.0,
     "accuracy_runs": 600.0,
     "accuracy_reference": 120.0,
     "building_explicit": 45.0,
@@ -152,7 +158,7 @@ class Progress:
             if task.runs and new > 0:
                 left.append(elapsed / new * max(task.runs - task.kept - new, 0))
             else:  # who has taken long already goes on for a while
-                left.append(max(whole - elapsed, 0.25 * whole))
+                left.append(max(whole - elapsed, 0.25 * max(whole, elapsed)))
         at_a_time = max(self.busy_s / max(now - self.began, 1e-9), 1.0)
         return max(sum(left) / at_a_time, max(left, default=0.0))
 
