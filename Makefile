@@ -22,7 +22,7 @@ test: setup lint
 lint: setup
 	.venv/bin/ruff check .
 	.venv/bin/ruff format --check .
-	.venv/bin/snakefmt --check Snakefile workflow
+	.venv/bin/snakefmt --check workflow
 	.venv/bin/mypy
 	.venv/bin/python tools/lint_workflow.py
 

@@ -1,10 +1,16 @@
-"""Progress and time left of long studies."""
+"""Progress and time left of long studies, and what is printed of them."""
 
 import io
+import logging
 import time
+from types import SimpleNamespace
 
 import pytest
-from rocking.runtime.progress import USUAL_RUNS, Progress, count_lines, spoken
+from rocking.runtime.progress import Progress, Task, count_lines, opening, spoken
+from rocking.runtime.terminal import thin_out
+from snakemake_interface_logger_plugins.common import LogEvent
+
+GOOD = 0.15  # error of the time left over the time of the whole
 
 
 def grow(path, lines):
@@ -12,57 +18,120 @@ def grow(path, lines):
         handle.write("row\n" * lines)
 
 
-@pytest.fixture
-def curves(tmp_path):
-    return [(tmp_path / f"{n}.csv", tmp_path / f"{n}.jsonl", 10) for n in "abcd"]
+class Machine:
+    """Works off jobs (rule, model, seconds) in order, so many at a time, on a clock of its own."""
+
+    def __init__(self, jobs, at_a_time):
+        free, self.now, self.spans, self.tasks = [0.0] * at_a_time, 0.0, [], []
+        for number, (rule, model, seconds) in enumerate(jobs):
+            began = min(free)
+            free[free.index(began)] = began + seconds
+            self.spans.append((began, began + seconds))
+            self.tasks.append(Task(rule, lambda n=number: self.state(n), model))
+        self.end = max(free)
+        self.progress = Progress(self.tasks, clock=lambda: self.now)
+
+    def state(self, number):
+        began, ended = self.spans[number]
+        return "done" if ended <= self.now else "running" if began <= self.now else "waiting"
+
+    def until(self, share):
+        """Error of the time left at a share of the whole, over the whole."""
+        while self.now < share * self.end:
+            self.now += 2.0
+            self.progress.look()
+        return (self.progress.left_s() - (self.end - self.now)) / self.end
 
 
-def test_the_estimate_is_rate_times_rest(curves):
-    now = [0.0]
-    grow(curves[0][1], 10)  # of an earlier run of the study: no part of its speed
-    progress = Progress(curves, clock=lambda: now[0])
+@pytest.mark.parametrize("slow", [0.3, 1.0, 4.0])
+def test_other_targets_beside_the_curves_do_not_mislead(slow):
+    """Forty short figures first, then curves and ensembles of two models: they weigh what they do.
+
+    Counting jobs would announce a tenth of the time; counting curves alone misses the ensembles.
+    """
+    kinds = [("ida", "W1", 7), ("ida", "W2", 16), ("ida_ensemble", "W1", 28)]
+    kinds.append(("ida_ensemble", "W2", 65))
+    jobs = [("figure", "", 2 * slow)] * 40
+    jobs += [(rule, model, seconds * slow) for _ in range(10) for rule, model, seconds in kinds]
+    machine = Machine(jobs, 2)
+    errors = [machine.until(share) for share in (0.3, 0.5, 0.7, 0.9)]
+    assert max(map(abs, errors)) < GOOD
+
+
+def test_what_nobody_measured_before_is_learned():
+    """Jobs take eight times their usual time, as on a cluster's slow node, ten at a time."""
+    machine = Machine([("building_modal", "", 80.0)] * 100, 10)
+    errors = [machine.until(share) for share in (0.35, 0.6, 0.85)]
+    assert max(map(abs, errors)) < GOOD
+
+
+def test_one_long_job_at_the_end_is_not_shared_out():
+    """Of two cores one idles at the end: what is left is the longest job, not half of it."""
+    machine = Machine([("ida", "W3", 120.0)] * 2 + [("ida_ensemble", "W3", 480.0)], 2)
+    assert abs(machine.until(0.25)) < GOOD
+
+
+def test_known_runs_say_how_far_a_job_is(tmp_path):
+    """A grid of ten, three of them kept from before: two more in 60 s, so 150 s for five."""
+    now, journal = [0.0], tmp_path / "a.jsonl"
+    grow(journal, 3)
+    progress = Progress([Task("ida", lambda: "running", "W1", journal, 10)], clock=lambda: now[0])
     assert progress.line() == ""
-    grow(curves[0][0], 11)
-    grow(curves[1][1], 5)
-    now[0] = 300.0  # five runs in 300 s, 25 to go
-    assert progress.line() == (
-        "progress: 1 of 4 curves, 5 runs since the start, about 25 to go, about 25 min left"
-    )
-
-
-def test_adaptive_curves_are_taken_as_long_as_finished_ones(curves):
-    now = [0.0]
-    progress = Progress([(t, j, None) for t, j, _ in curves], clock=lambda: now[0])
-    grow(curves[0][1], 4)
+    grow(journal, 2)
     now[0] = 60.0
-    assert f"about {4 * USUAL_RUNS - 4} to go" in progress.line()
-    grow(curves[0][0], 5)  # header and 4 rows
-    assert "about 12 to go" in progress.line()
+    assert progress.left_s() == 150.0
+    assert progress.line() == "progress: 0 of 1 jobs, 2 runs in YADE, about 2 min left"
 
 
-def test_nothing_is_said_when_all_is_done(curves):
-    progress = Progress(curves)
-    for table, journal, runs in curves:
-        grow(table, runs + 1)
-        grow(journal, runs)
-    assert progress.line() == ""
+def test_kept_runs_shorten_a_job_that_waits(tmp_path):
+    journal = tmp_path / "a.jsonl"
+    grow(journal, 12)
+    whole, resumed = (
+        Progress([Task("ida", lambda: "waiting", "W1", path, None)]).left_s()
+        for path in (None, journal)
+    )
+    assert resumed == pytest.approx(whole / 4)  # 12 of the usual 16
 
 
-def test_the_thread_prints_what_changed(curves):
-    progress, said = Progress(curves), io.StringIO()
-    progress.watch(0.01, said)
-    grow(curves[1][1], 3)
-    end = time.monotonic() + 5.0
-    while "3 runs" not in said.getvalue() and time.monotonic() < end:
+def test_nothing_is_said_when_all_is_done():
+    machine = Machine([("ida", "W1", 10.0)], 1)
+    machine.until(1.0)
+    assert machine.progress.line() == ""
+
+
+def test_the_thread_prints(tmp_path):
+    began, said = time.monotonic(), io.StringIO()
+    tasks = [Task("ida", lambda: "running", "W1"), Task("figure", lambda: "waiting")]
+    Progress(tasks).watch(0.02, 0.01, said)
+    while "progress: 0 of 2 jobs" not in said.getvalue() and time.monotonic() < began + 5.0:
         time.sleep(0.01)
-    assert "progress: 0 of 4 curves, 3 runs since the start, about 37 to go" in said.getvalue()
+    assert "progress: 0 of 2 jobs" in said.getvalue()
+    text = opening([*tasks, *tasks], ["main"], 2)
+    assert text == "main: 4 jobs on 2 cores: 2 ida, 2 short"
+
+
+@pytest.mark.parametrize("asked", ["", "dryrun", "verbose", "printshellcmds"])
+def test_the_terminal_shows_what_matters_and_the_file_all(tmp_path, asked):
+    logger, screen = logging.Logger("trial"), io.StringIO()
+    logger.addHandler(logging.StreamHandler(screen))
+    logger.addHandler(logging.FileHandler(tmp_path / "log"))
+    settings = dict.fromkeys(("dryrun", "verbose", "printshellcmds"), False)
+    thin_out(SimpleNamespace(**settings | ({asked: True} if asked else {})), logger)
+    logger.info("rule ida:", extra={"event": LogEvent.JOB_INFO})
+    logger.info("Select jobs to execute...")
+    logger.error("Error in rule ida", extra={"event": LogEvent.JOB_ERROR})
+    logger.info("Complete log(s): x")
+    everything = (tmp_path / "log").read_text()
+    assert everything.count("\n") == 4
+    few = "Error in rule ida\nComplete log(s): x\n"
+    assert screen.getvalue() == (everything if asked else few)
 
 
 def test_durations_and_missing_files(tmp_path):
     assert [spoken(s) for s in (5, 90, 6000, 90_000)] == [
         "less than a minute",
-        "2 min",
-        "100 min",
-        "25 h 0 min",
+        "about 2 min",
+        "about 100 min",
+        "about 25 h 0 min",
     ]
     assert count_lines(tmp_path / "none") == 0

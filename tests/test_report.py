@@ -69,7 +69,7 @@ def study(folder, *words):
         [
             SNAKEMAKE,
             "--snakefile",
-            str(ROOT / "Snakefile"),
+            str(ROOT / "workflow" / "Snakefile"),
             "--cores",
             "1",
             "--nolock",

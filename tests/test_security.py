@@ -177,7 +177,7 @@ def test_a_hostile_table_ends_snakemake_in_one_line(tmp_path):
             "-n",
             "--quiet",
             "--snakefile",
-            str(ROOT / "Snakefile"),
+            str(ROOT / "workflow" / "Snakefile"),
             "--directory",
             str(tmp_path),
             "--config",

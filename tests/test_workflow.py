@@ -25,7 +25,15 @@ SMALL = [
 def snakemake(folder, *words):
     """Run Snakemake in a folder of its own, with the project's Snakefile and configuration."""
     return subprocess.run(
-        [SNAKEMAKE, "--snakefile", str(ROOT / "Snakefile"), "--cores", "1", "--nolock", *words],
+        [
+            SNAKEMAKE,
+            "--snakefile",
+            str(ROOT / "workflow/Snakefile"),
+            "--cores",
+            "1",
+            "--nolock",
+            *words,
+        ],
         cwd=folder,
         capture_output=True,
         text=True,

@@ -12,7 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = Path(sys.executable).parent / "snakemake"
-PARTS = ("Snakefile", "profiles", "workflow", "yade_scripts", "smdof", "config")
+PARTS = ("profiles", "workflow", "yade_scripts", "smdof", "config")
 STUDY = "study.yaml"  # in the workspace, a copy of the one given to `fill`
 OVERVIEW = ("tables/ida_collapse.csv", "tables/records.csv")
 RESULTS = "results/trial"

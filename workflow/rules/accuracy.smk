@@ -18,8 +18,8 @@ rule stability:
     log:
         "results/{run}/logs/stability.log",
     shell:
-        "{YADE} stability --scene {input.scene:q} --output {output.trials:q}"
-        " --limits {output.limits:q} 2> >(tee {log:q} >&2)"
+        YADE + " stability --scene {input.scene:q} --output {output.trials:q}"
+        " --limits {output.limits:q} 2> {log:q}"
 
 
 rule figure_stability:
@@ -69,8 +69,7 @@ rule accuracy_runs:
     benchmark:
         "results/{run}/benchmarks/accuracy_runs.tsv"
     shell:
-        "{YADE} accuracy --plan {input.plan:q} --output {output:q}"
-        " 2> >(tee {log:q} >&2)"
+        YADE + " accuracy --plan {input.plan:q} --output {output:q}" " 2> {log:q}"
 
 
 rule accuracy_reference:

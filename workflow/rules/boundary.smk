@@ -16,9 +16,9 @@ rule frames:
         direction=lambda w: STUDY.cfg(w)["pictures"]["direction"],
         pga=lambda w: STUDY.cfg(w)["pictures"]["pga_g"],
     shell:
-        "{YADE} frames --scene {input.scene:q} --motion {input.motion:q}"
+        YADE + " frames --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction:q} --pga {params.pga:q}"
-        " --fall 2 --output {output:q} 2> >(tee {log:q} >&2)"
+        " --fall 2 --output {output:q} 2> {log:q}"
 
 
 rule collapse_frames:
@@ -36,9 +36,9 @@ rule collapse_frames:
         direction=lambda w: STUDY.cfg(w)["pictures"]["direction"],
         interval=lambda w: STUDY.cfg(w)["pictures"]["frame_interval_s"],
     shell:
-        "{YADE} frames --scene {input.scene:q} --motion {input.motion:q}"
+        YADE + " frames --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction:q} --collapse {input.ida:q}"
-        " --interval {params.interval:q} --fall 6 --output {output:q} 2> >(tee {log:q} >&2)"
+        " --interval {params.interval:q} --fall 6 --output {output:q} 2> {log:q}"
 
 
 rule fig07_models:

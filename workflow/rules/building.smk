@@ -281,9 +281,9 @@ rule building_explicit:
     params:
         gravity=lambda w: 9.81 if w.load == "loaded" else 0.0,
     shell:
-        "{YADE} explicit_building --scene {input.scene:q} --motion {input.record:q}"
+        YADE + " explicit_building --scene {input.scene:q} --motion {input.record:q}"
         " --gravity {params.gravity} --output {output.history:q} --cost {output.cost:q}"
-        " 2> >(tee {log:q} >&2)"
+        " 2> {log:q}"
 
 
 rule table_building_explicit:
@@ -331,9 +331,9 @@ rule building_explicit_cost:
     params:
         steps=lambda w: STUDY.cfg(w)["building"]["explicit_cost_steps"],
     shell:
-        "{YADE} explicit_building --scene {input.scene:q} --motion {input.record:q}"
+        YADE + " explicit_building --scene {input.scene:q} --motion {input.record:q}"
         " --steps {params.steps} --output {output.history:q} --cost {output.cost:q}"
-        " 2> >(tee {log:q} >&2)"
+        " 2> {log:q}"
 
 
 rule table_building_explicit_cost:

@@ -29,8 +29,7 @@ rule free_rocking:
     benchmark:
         "results/{run}/benchmarks/free_rocking_{group}.tsv"
     shell:
-        "{YADE} free_rocking --cases {input.cases:q} --output {output:q}"
-        " 2> >(tee {log:q} >&2)"
+        YADE + " free_rocking --cases {input.cases:q} --output {output:q}" " 2> {log:q}"
 
 
 rule free_rocking_table:

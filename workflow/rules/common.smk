@@ -11,14 +11,21 @@ from rocking import study
 from rocking.configuration import config as configuration
 from rocking.curves.pushover import VARIANTS
 from rocking.records import RecordError
-from rocking.runtime import file_times, progress, run_lock
+from rocking.runtime import file_times, progress, run_lock, terminal
 from rocking.study.calibration import CASES, HISTORIES
 from rocking.study.chosen import chosen
 from yade_scripts import sources
 from yade_scripts.engine import lifeline
 from yade_scripts.model.registry import MODELS, PUSHED, WITH_WALLS
 
-BASE = Path(workflow.basedir)
+# the project's folder: where this file is, or, if it was fetched alone as a module, the package's
+BASE = Path(workflow.source_path("common.smk")).resolve().parents[2]
+if not (BASE / "yade_scripts").is_dir():
+    BASE = Path(study.__file__).resolve().parents[3]
+if (
+    workflow.modifier.is_main_snakefile()
+):  # as a module it leaves the terminal to others
+    terminal.thin_out(workflow.output_settings)
 # YADE's library loads only in the Python it was built for, the system's own
 YADE_PYTHON = os.environ.get("YADE_PYTHON") or shutil.which("python3", path=os.defpath)
 YADE = shlex.join([str(YADE_PYTHON), str(BASE / "yade_scripts")])
@@ -101,4 +108,13 @@ onstart:
             )
     except (run_lock.Busy, ValueError, OSError) as error:
         stop(error)
-    progress.Progress(STUDY.ida_curves(workflow.dag)).watch()
+    tasks = progress.tasks_of(workflow, STUDY.known_runs)
+    print(
+        progress.opening(tasks, list(STUDY.runs), workflow.cores), file=sys.stderr
+    )
+    progress.Progress(tasks).watch()
+
+
+onsuccess:
+    folders = ", ".join(f"results/{run}" for run in STUDY.runs)
+    print(f"done: results in {folders}", file=sys.stderr)

@@ -15,10 +15,10 @@ rule energy_balance:
     wildcard_constraints:
         share=r"\d+(\.\d+)?",
     shell:
-        "{YADE} energy --scene {input.scene:q} --motion {input.motion:q}"
+        YADE + " energy --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
         " --curve {input.curve:q} --share {wildcards.share:q} --output {output:q}"
-        " 2> >(tee {log:q} >&2)"
+        " 2> {log:q}"
 
 
 rule table_energy_balance:

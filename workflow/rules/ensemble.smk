@@ -17,8 +17,8 @@ rule ida_ensemble:
     params:
         journal="results/{run}/cache/ensemble/{model}_{record}_{direction}.jsonl",
     shell:
-        "{YADE} ensemble --scene {input.scene:q} --motion {input.motion:q}"
+        YADE + " ensemble --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
         " --curve {input.curve:q} --journal {params.journal:q}"
         " --output {output.ensemble:q} --sensitivity {output.sensitivity:q}"
-        " 2> >(tee {log:q} >&2)"
+        " 2> {log:q}"

@@ -34,4 +34,4 @@ rule yade_check:
     log:
         "results/{run}/logs/yade_check.log",
     shell:
-        "{YADE} check_yade --output {output:q} 2> >(tee {log:q} >&2)"
+        YADE + " check_yade --output {output:q} 2> {log:q}"

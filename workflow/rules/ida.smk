@@ -16,9 +16,9 @@ rule ida:
     params:
         journal="results/{run}/cache/ida/{model}_{record}_{direction}.jsonl",
     shell:
-        "{YADE} ida --scene {input.scene:q} --motion {input.motion:q}"
+        YADE + " ida --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
-        " --journal {params.journal:q} --output {output:q} 2> >(tee {log:q} >&2)"
+        " --journal {params.journal:q} --output {output:q} 2> {log:q}"
 
 
 rule ida_collapse:

@@ -56,8 +56,8 @@ rule pushover:
     benchmark:
         "results/{run}/benchmarks/pushover_{pushed}.tsv"
     shell:
-        "{YADE} pushover --scene {input.scene:q} --output {output.curve:q}"
-        " --forces {output.forces:q} 2> >(tee {log:q} >&2)"
+        YADE + " pushover --scene {input.scene:q} --output {output.curve:q}"
+        " --forces {output.forces:q} 2> {log:q}"
 
 
 rule pushover_variant:
@@ -73,8 +73,8 @@ rule pushover_variant:
     benchmark:
         "results/{run}/benchmarks/w3_{variant}.tsv"
     shell:
-        "{YADE} pushover --scene {input.scene:q} --output {output.curve:q}"
-        " --forces {output.forces:q} 2> >(tee {log:q} >&2)"
+        YADE + " pushover --scene {input.scene:q} --output {output.curve:q}"
+        " --forces {output.forces:q} 2> {log:q}"
 
 
 rule pushover_curve:

@@ -59,8 +59,7 @@ rule shake_table:
     benchmark:
         "results/{run}/benchmarks/shake_table.tsv"
     shell:
-        "{YADE} shake_table --tests {input.tests:q} --output {output:q}"
-        " 2> >(tee {log:q} >&2)"
+        YADE + " shake_table --tests {input.tests:q} --output {output:q}" " 2> {log:q}"
 
 
 rule shake_table_table:
@@ -139,9 +138,9 @@ rule damping_choice_ida:
         record=CALIBRATION.choice_record,
         journal="results/{run}/cache/choice/{model}_{direction}_{law}.jsonl",
     shell:
-        "{YADE} ida --scene {input.scene:q} --motion {input.motion:q}"
+        YADE + " ida --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {wildcards.direction}"
-        " --journal {params.journal:q} --output {output:q} 2> >(tee {log:q} >&2)"
+        " --journal {params.journal:q} --output {output:q} 2> {log:q}"
 
 
 rule damping_choice:

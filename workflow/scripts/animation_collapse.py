@@ -34,8 +34,8 @@ def main(job):
     figure, (left, right) = plt.subplots(1, 2, figsize=(6.4, 4.0), width_ratios=(1.35, 1.0), dpi=90)
     right.plot(time_s, d, color=style.GREY, lw=0.8)
     right.axhline(1.0, color="k", ls=":", lw=0.8)
-    (line,) = right.plot([], [], color=MODELS[frames["model"].colour])
-    (dot,) = right.plot([], [], "o", color=MODELS[frames["model"].colour])
+    (line,) = right.plot([], [], color=MODELS[frames["model"]].colour)
+    (dot,) = right.plot([], [], "o", color=MODELS[frames["model"]].colour)
     right.set(
         xlim=(time_s[shown[0]], time_s[shown[-1]]),
         xlabel="time [s]",

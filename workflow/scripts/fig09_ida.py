@@ -73,7 +73,7 @@ def draw(axis, curve, model, top, origin):
 def draw_band(axis, ensemble, percentiles):
     """Shade the ensemble's percentile band of d/b."""
     table = bands(ensemble, percentiles)
-    colour = MODELS[curve_key(ensemble)[0].colour]
+    colour = MODELS[curve_key(ensemble)[0]].colour
     axis.fill_betweenx(
         table["pga_g"],
         table["d_over_b_low"].clip(upper=1.0),

@@ -37,7 +37,7 @@ def main(job):
     )
     for axis, name in zip(axes.flat, names, strict=False):
         for _, fit in fits[fits["im"] == name].iterrows():
-            colour = MODELS[fit["model"].colour]
+            colour = MODELS[fit["model"]].colour
             of_fit = (curves["model"] == fit["model"]) & (curves["im"] == name)
             curve = curves[of_fit]
             data = steps(brackets[(brackets["model"] == fit["model"]) & (brackets["im"] == name)])

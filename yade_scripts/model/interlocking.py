@@ -2,7 +2,7 @@
 
 Courses count from the bottom. Even courses hold a header of the façade, which reaches
 by the overlap v into the return wall, and behind it a half brick; odd courses hold a
-return brick. Half a model by symmetry: half the façade and one return wall.
+return brick. Half a model by symmetry: half the façade and one return wall::
 
         façade |            top
      ┌─────────┼────┐┌────┐   even course: header, half brick
@@ -20,13 +20,13 @@ against the brick's face, one on the brick's front edge against the header's fac
 ends of the overlap are always such a pair, and both faces end where the blocks do, so
 a course that has slipped by v carries nothing.
 
-How a header hangs on the façade (`header_joint`):
+How a header hangs on the façade (`header_joint`)::
 
-rigid    part of the façade
-bonded   two Gauss points with tension, cohesion and friction of the brick: it deforms,
-         and each point breaks
-sliding  two points that tie in tension but transmit no shear: it rides up the façade
-hinged   one such point at mid height: it also stays level while the façade turns
+    rigid    part of the façade
+    bonded   two Gauss points with tension, cohesion and friction of the brick: it deforms,
+             and each point breaks
+    sliding  two points that tie in tension but transmit no shear: it rides up the façade
+    hinged   one such point at mid height: it also stays level while the façade turns
 """
 
 import math

@@ -4,7 +4,7 @@ Runs under YADE's own Python:
 
     python3 yade_scripts shake_table --tests tests.json --output histories.npz
 
-The tests file holds a list; each test is one run:
+The tests file holds a list; each test is one run::
 
     id       text, unique
     config   sections facade, return_wall, smdof and numerics; facade.gap_m and tilt_deg say how

@@ -48,12 +48,14 @@ def groups(config: Mapping) -> dict[str, float]:
     Returns
     -------
     dict
-        slenderness        h/b
-        return_wall_ratio  r = count·t_w/w
-        stiffness_ratio    jkn of the return walls over jkn of the base
-        base_stiffness     jkn_base/(ρ·g), which is E/(ρgh) unless stated: height over the
-                           settlement under the own weight
-        omega_c_rad_s      √(jkn·r/(ρ·b)) [rad/s], which makes β dimensionless
+        Of numbers::
+
+            slenderness        h/b
+            return_wall_ratio  r = count·t_w/w
+            stiffness_ratio    jkn of the return walls over jkn of the base
+            base_stiffness     jkn_base/(ρ·g), which is E/(ρgh) unless stated: height over the
+                               settlement under the own weight
+            omega_c_rad_s      √(jkn·r/(ρ·b)) [rad/s], which makes β dimensionless
     """
     facade, wall = config["facade"], config["return_wall"]
     h, b, density = facade["height_m"], facade["thickness_m"], facade["density_kg_m3"]

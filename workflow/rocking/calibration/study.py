@@ -279,13 +279,15 @@ def best_fit(betas_s, e_ratio, targets=TARGETS):
     Returns
     -------
     dict
-        beta_s, misfit       the middle of the β that fit best within AS_GOOD, in ln β; nan if
-                             no β has every impact
-        at_edge              whether it is the smallest or largest β that could be judged
-        single_s             list: β at which impact n alone is at the middle of its range, nan
-                             where it never is
-        low_s, high_s        smallest and largest of beta_s and the single ones
-        ratio                list: e_n/e_target at beta_s
+        Of numbers and lists::
+
+            beta_s, misfit       the middle of the β that fit best within AS_GOOD, in ln β; nan if
+                                 no β has every impact
+            at_edge              whether it is the smallest or largest β that could be judged
+            single_s             list: β at which impact n alone is at the middle of its range, nan
+                                 where it never is
+            low_s, high_s        smallest and largest of beta_s and the single ones
+            ratio                list: e_n/e_target at beta_s
     """
     x, e = np.log(np.asarray(betas_s, float)), np.asarray(e_ratio, float)
     count = len(targets)

@@ -1,16 +1,47 @@
-"""How far the incremental dynamic analyses of a study are, and how long they will take.
+"""How far a study is and how long it will take, by the work that remains.
 
-Snakemake counts jobs, of which one may take an hour. The journals know every finished run; a
-thread of the main process reads their lengths now and then and prints one line.
+Snakemake counts jobs, of which one takes a second and another an hour. Here every job of the DAG
+weighs what jobs of its kind (rule and model) took in this run, and before any of them has finished
+what they usually take. A thread of the main process looks every few seconds and prints a line a
+minute.
 """
 
 import sys
 import threading
 import time
+from collections import defaultdict
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
 INTERVAL_S = 60.0
-USUAL_RUNS = 16  # of an adaptive curve, until one has been finished
+LOOK_S = 2.0
+# Seconds a job of W1 usually takes on two slow cores, and how many times that the other models
+# take: means of whole jobs for W1, W2 and the building, from steps a second for the rest. Their
+# ratios matter, not their size: that is measured as the first jobs finish.
+USUAL_S = {
+    "ida": 7.0,
+    "ida_ensemble": 28.0,
+    "reduction_ida": 16.0,
+    "damping_choice_ida": 16.0,
+    "pushover": 3.0,
+    "pushover_variant": 3.0,
+    "frames": 6.0,
+    "energy_balance": 6.0,
+    "free_rocking": 120.0,
+    "stability": 30.0,
+    "shake_table": 300.0,
+    "accuracy_runs": 600.0,
+    "accuracy_reference": 120.0,
+    "building_explicit": 45.0,
+    "building_fit": 20.0,
+    "building_modal": 10.0,
+    "building_cost": 8.0,
+}
+MODELS = {"W1": 1.0, "W2": 2.3, "W1c": 7.0, "W2c": 9.0, "W3": 18.0}
+SHORT_S = 2.0  # a table or a figure
+USUAL_RUNS = {"ida": 16, "ida_ensemble": 50}
+PRIOR = 3  # the usual time counts as much as this many measured ones
 
 
 def count_lines(path):
@@ -28,56 +59,182 @@ def spoken(seconds):
     if minutes < 1:
         return "less than a minute"
     if minutes < 120:
-        return f"{minutes} min"
-    return f"{minutes // 60} h {minutes % 60} min"
+        return f"about {minutes} min"
+    return f"about {minutes // 60} h {minutes % 60} min"
+
+
+@dataclass
+class Task:
+    """One job: its kind, how to ask for its state, and its journal of finished runs if it has one.
+
+    `state` returns "waiting", "running" or "done"; `runs` is the number of runs the job takes,
+    None where its strategy decides on the way.
+    """
+
+    rule: str
+    state: Callable[[], str]
+    model: str = ""
+    journal: str | Path | None = None
+    runs: int | None = None
+    kept: int = 0
+    began_s: float | None = None
+    took_s: float | None = None
+
+    @property
+    def usual_s(self):
+        """Seconds that such a job usually takes."""
+        if self.rule not in USUAL_S:
+            return SHORT_S
+        return USUAL_S[self.rule] * MODELS.get(self.model, 1.0)
+
+    @property
+    def share(self):
+        """Part of the job that earlier runs left to do."""
+        whole = self.runs or USUAL_RUNS.get(self.rule, 16)
+        return max(1.0 - self.kept / whole, 0.1)
 
 
 class Progress:
-    """Progress of the curves of a study.
+    """Progress of the jobs of a DAG.
 
     Parameters
     ----------
-    curves : list of (table, journal, runs)
-        Path of the finished table, path of its journal, and the number of runs it takes
-        (None where the strategy decides on the way).
+    tasks : list of Task
+    clock : callable
+        Seconds.
     """
 
-    def __init__(self, curves, clock=time.monotonic):
+    def __init__(self, tasks, clock=time.monotonic):
         """Note what there is already: only what this run adds says how fast it is."""
-        self.curves, self.clock, self.began = list(curves), clock, clock()
-        self.before = {journal: count_lines(journal) for _, journal, _ in self.curves}
+        self.tasks, self.clock, self.began = list(tasks), clock, clock()
+        self.busy_s, self.seen = 0.0, self.began
+        for task in self.tasks:
+            task.kept = count_lines(task.journal) if task.journal else 0
+
+    def look(self):
+        """Note which jobs began and ended since the last look."""
+        now, running = self.clock(), 0
+        for task in self.tasks:
+            if task.took_s is not None:
+                continue
+            state = task.state()
+            if state == "running":
+                task.began_s = now if task.began_s is None else task.began_s
+                running += 1
+            elif state == "done":
+                # one that came and went between two looks was a short one
+                task.took_s = now - (task.began_s or max(self.seen, now - SHORT_S))
+        self.busy_s += running * (now - self.seen)
+        self.seen = now
+
+    def expected_s(self):
+        """Seconds of a whole job of every kind: as measured, led by what is usual at first."""
+        measured = defaultdict(list)
+        for task in self.tasks:
+            if task.took_s is not None:
+                measured[task.rule, task.model].append(task.took_s / task.share)
+        done = [t for t in self.tasks if t.took_s is not None and t.usual_s > SHORT_S]
+        usual = sum(t.usual_s * t.share for t in done)
+        # this machine's speed; a minute of usual work keeps the first seconds from deciding
+        pace = (60.0 + sum(t.took_s for t in done)) / (60.0 + usual)
+        return {
+            (t.rule, t.model): (PRIOR * pace * t.usual_s + sum(measured[t.rule, t.model]))
+            / (PRIOR + len(measured[t.rule, t.model]))
+            for t in self.tasks
+        }
+
+    def left_s(self):
+        """Seconds until all is done: work that remains over jobs at a time, or the longest job."""
+        expected, now, left = self.expected_s(), self.clock(), []
+        for task in self.tasks:
+            if task.took_s is not None:
+                continue
+            whole = expected[task.rule, task.model] * task.share
+            if task.began_s is None:
+                left.append(whole)
+                continue
+            elapsed = now - task.began_s
+            new = count_lines(task.journal) - task.kept if task.journal else 0
+            if task.runs and new > 0:
+                left.append(elapsed / new * max(task.runs - task.kept - new, 0))
+            else:  # who has taken long already goes on for a while
+                left.append(max(whole - elapsed, 0.25 * max(whole, elapsed)))
+        at_a_time = max(self.busy_s / max(now - self.began, 1e-9), 1.0)
+        return max(sum(left) / at_a_time, max(left, default=0.0))
 
     def line(self):
-        """Return one line; empty while nothing is known or when nothing is left."""
-        added, left, finished, lengths = 0, [], 0, []
-        for table, journal, runs in self.curves:
-            new = count_lines(journal) - self.before[journal]
-            added += new
-            if Path(table).exists():
-                finished += 1
-                lengths.append(count_lines(table) - 1)
-            else:
-                left.append((runs, new))
-        if not left or not added:
+        """Return one line; empty before the first job and after the last."""
+        self.look()
+        done = sum(t.took_s is not None for t in self.tasks)
+        if done == len(self.tasks) or not self.busy_s:
             return ""
-        usual = round(sum(lengths) / len(lengths)) if lengths else USUAL_RUNS
-        runs_left = sum(max((runs or usual) - new, 1) for runs, new in left)
-        seconds = (self.clock() - self.began) / added * runs_left
-        return (
-            f"progress: {finished} of {len(self.curves)} curves, {added} runs since the start, "
-            f"about {runs_left} to go, about {spoken(seconds)} left"
-        )
+        runs = sum(count_lines(t.journal) - t.kept for t in self.tasks if t.journal)
+        added = f", {runs} runs in YADE" if runs else ""
+        return f"progress: {done} of {len(self.tasks)} jobs{added}, {spoken(self.left_s())} left"
 
-    def watch(self, interval_s=INTERVAL_S, stream=None):
+    def watch(self, interval_s=INTERVAL_S, look_s=LOOK_S, stream=None):
         """Print the line now and then from a thread that ends with the process."""
 
         def loop():
-            said = ""
+            due = self.clock() + interval_s
             while True:
-                time.sleep(interval_s)
-                text = self.line()
-                if text and text != said:
-                    print(text, file=stream or sys.stderr, flush=True)
-                said = text
+                time.sleep(look_s)
+                self.look()
+                if self.clock() >= due:
+                    due += interval_s
+                    if text := self.line():
+                        print(text, file=stream or sys.stderr, flush=True)
 
         threading.Thread(target=loop, name="progress", daemon=True).start()
+
+
+def tasks_of(workflow, runs=lambda job: None):
+    """Tasks of all jobs that a workflow is about to run.
+
+    Parameters
+    ----------
+    workflow : snakemake.workflow.Workflow
+        Its scheduler must exist, as it does in `onstart`.
+    runs : callable
+        Number of runs of a job with a journal, where it is known beforehand.
+    """
+    dag, scheduler = workflow.dag, workflow.scheduler
+
+    def state(job):
+        if dag.finished(job):
+            return "done"
+        return "running" if job in scheduler.running else "waiting"
+
+    return [
+        Task(
+            job.rule.name,
+            lambda job=job: state(job),
+            job.wildcards_dict.get("model", ""),
+            getattr(job.params, "journal", None),
+            runs(job),
+        )
+        for job in dag.needrun_jobs()
+        if not job.rule.norun
+    ]
+
+
+def opening(tasks, runs, cores):
+    """Line that says what a study is about to run.
+
+    Parameters
+    ----------
+    tasks : list of Task
+    runs : list of str
+        Names of its runs.
+    cores : int or None
+    """
+    counts = defaultdict(int)
+    for task in tasks:
+        if task.usual_s > SHORT_S:
+            counts[task.rule] += 1
+    long = [f"{n} {rule}" for rule, n in counts.items()]
+    short = len(tasks) - sum(counts.values())
+    names = ", ".join(runs[:4]) + (f" and {len(runs) - 4} more" if len(runs) > 4 else "")
+    where = f" on {cores} core{'s' * (cores > 1)}" if cores else ""
+    parts = ", ".join([*long, *([f"{short} short"] if short else [])])
+    return f"{names}: {len(tasks)} jobs{where}: {parts}"

@@ -130,15 +130,12 @@ class Study:
             for direction in resolved["directions"]
         ]
 
-    def ida_curves(self, dag):
-        """Table, journal and number of runs of every curve of a DAG, for its progress."""
-        curves = []
-        for job in dag.jobs:
-            if job.rule.name in ("ida", "reduction_ida"):
-                ida = self.cfg(job.wildcards)["ida"]
-                runs = len(ida["grid_g"]) if ida["mode"] == "grid" else None
-                curves.append((Path(job.output[0]), job.params.journal, runs))
-        return curves
+    def known_runs(self, job):
+        """Number of runs of a curve's job where its strategy fixes it, else None."""
+        if job.rule.name not in ("ida", "reduction_ida"):
+            return None
+        ida = self.cfg(job.wildcards)["ida"]
+        return len(ida["grid_g"]) if ida["mode"] == "grid" else None
 
     def ensemble_tables(self, run) -> list[str]:
         """Ensemble tables of a run; none where config switches them off."""

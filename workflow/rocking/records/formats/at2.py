@@ -1,7 +1,8 @@
 """PEER AT2: heading lines, one of them with NPTS and DT, then accelerations, 5E15.7 or free.
 
 The line of NPTS and DT, usually the fourth, in the variants of the original PEER (Pacific
-Engineering), NGA (2005) and NGA-West2 databases:
+Engineering), NGA (2005) and NGA-West2 databases::
+
     NPTS=  2000, DT= .02000 SEC
     1991    0.0100    NPTS, DT
     NPTS=   7999, DT=   .0050 SEC,

@@ -1,0 +1,52 @@
+"""Sphinx: the Markdown pages of the repository where they are, and the API from docstrings.
+
+The source folder is the repository, so a relative link means the same here and on a code host.
+Nothing is loaded from a network: the site opens from a folder.
+"""
+
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT), str(ROOT / "workflow")]
+
+project = "Rocking masonry façades on YADE"
+author = "the contributors"
+root_doc = "docs/index"
+extensions = ["myst_parser", "sphinx.ext.apidoc", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+
+include_patterns = ["*.md", "docs/**", "config/README.md"]
+exclude_patterns = ["results", "build", ".*", "docs/api/*/modules.rst"]
+myst_heading_anchors = 3
+
+apidoc_modules = [
+    {
+        "path": str(ROOT / package),
+        "destination": f"docs/api/{Path(package).name}",
+        "separate_modules": True,
+        "module_first": True,
+        "automodule_options": {"members"},
+    }
+    for package in ("smdof", "yade_scripts", "workflow/rocking")
+]
+autodoc_mock_imports = ["yade", "minieigen"]  # built for the system's Python alone
+autodoc_member_order = "bysource"
+# a parameter's name may be an attribute of two classes; nothing is linked by such names
+suppress_warnings = ["ref.python"]
+napoleon_use_ivar = True
+
+html_theme = "alabaster"
+html_theme_options = {"fixed_sidebar": True, "page_width": "1100px", "show_powered_by": False}
+html_sidebars = {"**": ["about.html", "searchfield.html", "navigation.html"]}
+html_extra_path = ["redirect"]
+html_copy_source = False
+html_show_copyright = False
+
+
+def setup(app):
+    """Bars in docstrings are magnitudes, as in |θ0|, and no references."""
+
+    def bars(app, what, name, obj, options, lines):
+        lines[:] = [line if "``" in line else line.replace("|", r"\|") for line in lines]
+
+    app.connect("autodoc-process-docstring", bars)

@@ -1,0 +1,83 @@
+"""What a catalogue of workflows asks for: its file, a trial configuration, use as a module."""
+
+import csv
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parent.parent
+SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
+SNAKEFILE = ROOT / "workflow" / "Snakefile"
+REDUCED = ["ida={mode: grid, grid_g: [0.05, 0.6]}", "ensemble={enabled: off}"]
+MODULE = f"""
+configfile: "config/config.yaml"
+module rocking_facades:
+    snakefile: "{SNAKEFILE}"
+    config: config
+use rule * from rocking_facades
+"""
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A copy of the trial, so that nothing is written into the tree."""
+    shutil.copytree(ROOT / ".test" / "config", tmp_path / "config")
+    return tmp_path
+
+
+def snakemake(folder, *words, seconds=300):
+    return subprocess.run(
+        [SNAKEMAKE, "--cores", "1", *words],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=seconds,
+    )
+
+
+def test_the_catalogue_finds_what_it_asks_for():
+    usage = yaml.safe_load((ROOT / ".snakemake-workflow-catalog.yml").read_text())["usage"]
+    assert usage["report"] is True
+    assert set(usage["mandatory-flags"]) == {"desc", "flags"}
+    assert (ROOT / "config" / "README.md").is_file()
+
+
+@pytest.mark.yade
+@pytest.mark.slow
+def test_the_trial_configuration_runs(folder):
+    """`snakemake --directory .test` with fewer intensities: floor motions, YADE, table, figure."""
+    done = snakemake(
+        folder, "--snakefile", str(SNAKEFILE), "--nolock", "--config", *REDUCED, seconds=600
+    )
+    assert done.returncode == 0, done.stderr
+    with open(folder / "results/test/tables/ida_collapse.csv") as handle:
+        rows = list(csv.DictReader(handle))
+    assert [row["model"] for row in rows] == ["W1", "W2"]
+    assert all(float(row["pga_safe_g"]) < float(row["pga_collapse_g"]) for row in rows)
+    assert (folder / "results/test/figures/fig09_ida.png").stat().st_size > 10_000
+
+
+def test_the_whole_trial_plans_its_jobs(folder):
+    done = snakemake(folder, "--snakefile", str(SNAKEFILE), "-n")
+    assert done.returncode == 0, done.stderr
+    assert "ida_ensemble" in done.stdout + done.stderr
+
+
+@pytest.mark.yade
+def test_another_workflow_may_use_this_one_as_a_module(folder):
+    """As a deployment does: own folder, own configuration, all rules, the main job as target."""
+    (folder / "workflow").mkdir()
+    (folder / "workflow" / "Snakefile").write_text(MODULE)
+    done = snakemake(folder, "-n")
+    assert done.returncode == 0, done.stderr
+    counts = [line.split() for line in (done.stdout + done.stderr).splitlines()]
+    assert ["ida", "2"] in counts
+    assert ["all", "1"] in counts
+    targets = ["results/test/yade.txt", "results/test/tables/records.csv"]
+    done = snakemake(folder, *targets)
+    assert done.returncode == 0, done.stderr
+    assert all((folder / target).stat().st_size > 20 for target in targets)

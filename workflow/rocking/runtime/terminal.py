@@ -1,0 +1,48 @@
+"""What a run prints: errors, warnings, and a line a minute (progress.py).
+
+Snakemake tells every job three times. On the terminal that hides what matters, so a filter leaves
+it to Snakemake's log file, which keeps all of it. Snakemake's own `quiet` would thin out that file
+as well, and hide the errors of jobs with their announcements.
+"""
+
+import logging
+
+from snakemake_interface_logger_plugins.common import LogEvent
+
+HIDDEN = {
+    LogEvent.WORKFLOW_STARTED,
+    LogEvent.RUN_INFO,
+    LogEvent.RESOURCES_INFO,
+    LogEvent.JOB_INFO,
+    LogEvent.JOB_STARTED,
+    LogEvent.JOB_FINISHED,
+    LogEvent.GROUP_INFO,
+    LogEvent.PROGRESS,
+    LogEvent.SHELLCMD,
+}
+CHATTER = ("Assuming unrestricted", "Building DAG", "Using shell", "Select jobs to execute")
+
+
+def wanted(record):
+    """Whether a log record is for the terminal: what went wrong, and how the run ended."""
+    if record.levelno >= logging.WARNING:
+        return True
+    return getattr(record, "event", None) not in HIDDEN and not str(record.msg).startswith(CHATTER)
+
+
+def thin_out(settings, logger=None):
+    """Filter what a run prints; dry runs, `--verbose` and `--printshellcmds` are asked for in full.
+
+    Parameters
+    ----------
+    settings : snakemake.settings.types.OutputSettings
+    logger : logging.Logger
+        Snakemake's, unless given.
+    """
+    if settings.dryrun or settings.verbose or settings.printshellcmds:
+        return
+    for handler in (logger or logging.getLogger("snakemake.logging")).handlers:
+        if isinstance(handler, logging.StreamHandler) and not isinstance(
+            handler, logging.FileHandler
+        ):
+            handler.addFilter(wanted)
