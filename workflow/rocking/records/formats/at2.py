@@ -6,6 +6,7 @@ Engineering), NGA (2005) and NGA-West2 databases::
     NPTS=  2000, DT= .02000 SEC
     1991    0.0100    NPTS, DT
     NPTS=   7999, DT=   .0050 SEC,
+
 Units are in a line above it: "IN UNITS OF G", "The units are (g)", "Acceleration in g".
 """
 
