@@ -1,0 +1,330 @@
+"""The compiled planar solver: closed forms, its energy, the judge, YADE, the chain."""
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from rocking import planar as judge
+from rocking import screening
+from rocking.mechanics import closed_forms as cf
+from rocking.screening import Motions, bodies, history, moving_supports, peaks, prepare
+from yade_process import in_yade, resolved
+
+from smdof import floor_motions
+from smdof.chain import shear_chain
+from yade_scripts.model.facade import facade_scene
+from yade_scripts.model.models import build_scene
+
+BETA_S = 0.00276
+NODES = {"nodes_thickness": 9, "nodes_height": 9, "nodes_per_block": 9}
+
+
+def case(model="W2", beta_s=BETA_S, release=None, **sections):
+    """Configuration and plane of a scene."""
+    config = resolved(**({"numerics": NODES} | sections))
+    if release is None:
+        return config, prepare(build_scene({**config, "model": model, "beta_s": beta_s}))
+    return config, prepare(facade_scene(config, model, beta_s, release_ratio=release))
+
+
+def slender(h_m=1.0, b_m=0.1, e_mpa=5e3):
+    """A slender block that does not slide, on few nodes: stiff ends."""
+    return {
+        "numerics": {"nodes_thickness": 3},
+        "facade": {
+            "height_m": h_m,
+            "thickness_m": b_m,
+            "e_mpa": e_mpa,
+            "friction_deg": 60.0,
+            "width_m": 1.0,
+        },
+    }
+
+
+def shaking(peak_m_s2=1.0, duration_s=4.0, dt_s=0.005):
+    """A burst of three frequencies that starts and ends at zero."""
+    t = np.arange(0.0, duration_s + 1e-9, dt_s)
+    wave = sum(np.sin(2 * np.pi * f * t + f) for f in (0.9, 2.1, 3.7))
+    wave *= np.sin(np.pi * t / duration_s) ** 2
+    return t, peak_m_s2 * wave / np.abs(wave).max()
+
+
+def chain_case(total_mass_kg, peak_m_s2=1.0, zeta=0.05):
+    """Driven motions and masses of the default chain under `shaking`."""
+    t, ground = shaking(peak_m_s2)
+    floors = floor_motions(ground, t[1], damping_ratio=zeta, tail_s=3.0)
+    mass, k = shear_chain(4, 0.27, total_mass_kg).matrices()
+    values, vectors = np.linalg.eigh(k / mass[0, 0])
+    c = 2 * zeta * mass[0, 0] * (vectors * np.sqrt(values)) @ vectors.T
+    motions = Motions(floors.time_s, floors.ground_m_s2, floors.floors_m_s2)
+    return motions, bodies(np.diag(mass), k, c), floors
+
+
+# Closed forms --------------------------------------------------------------------------------
+
+
+def test_quarter_period_of_free_rocking():
+    config, planar = case("free", 2e-5, 0.5, **slender(e_mpa=5e4))
+    still = Motions([0.0, 1.0], [0.0, 0.0])
+    h = history(planar, still, config["numerics"], sample_s=0.0)
+    outward = -h.pose[:, 2]
+    i = np.flatnonzero(outward <= 0.0)[0]
+    time = np.interp(0.0, outward[[i, i - 1]], h.time_s[[i, i - 1]])
+    assert time == pytest.approx(cf.quarter_period(0.5, cf.block(1.0, 0.1).p_rad_s), rel=0.01)
+
+
+def threshold(pulse, e_mpa):
+    """Smallest of some factors around 1 at which a pulse of unit threshold overturns."""
+    config, planar = case("free", 2e-5, **slender(e_mpa=e_mpa))
+    time = np.linspace(0.0, 3.0, 30001)
+    factors = np.linspace(0.9, 1.1, 101)
+    got = peaks(planar, Motions(time, -pulse(time)), config["numerics"], factors)
+    over = got.overturned
+    assert not over[0]
+    assert over[-1]
+    assert not got.failed.any()
+    return factors[np.argmax(over)]
+
+
+@pytest.mark.parametrize(("ratio", "critical"), [(2.0, 1.8007), (3.0, 2.2939), (5.0, 3.2891)])
+def test_half_sine_overturning(ratio, critical):
+    """From the uplift on, on bases of stiffness E and 4E, extrapolated to a rigid one."""
+    alpha, _, p = cf.block(1.0, 0.1)
+    assert cf.overturning_half_sine(ratio) == pytest.approx(critical, abs=1e-4)
+
+    def pulse(t):
+        wave = critical * alpha * 9.81 * np.sin(ratio * p * t)
+        return np.where(ratio * p * t < np.pi, wave, 0.0)
+
+    soft, stiff = threshold(pulse, 1e4), threshold(pulse, 4e4)
+    assert 2.0 * stiff - soft == pytest.approx(1.0, abs=0.01)
+
+
+def test_rectangular_overturning():
+    alpha, _, p = cf.block(1.0, 0.1)
+    t1 = cf.overturning_rectangular(1.6, p)
+
+    def pulse(t):
+        return np.where(t < t1, 1.6 * alpha * 9.81, 0.0)
+
+    soft, stiff = threshold(pulse, 1e4), threshold(pulse, 4e4)
+    assert 2.0 * stiff - soft == pytest.approx(1.0, abs=0.01)
+
+
+def test_vertical_acceleration_is_gravity():
+    """g with a constant −0.5 g upward is 0.5 g."""
+    t, ground = shaking(1.5)
+    found = []
+    for gravity, vertical in ((9.81, -0.5 * 9.81), (0.5 * 9.81, 0.0)):
+        config, planar = case("W1")
+        motions = Motions(t, ground, vertical_m_s2=np.full(t.size, vertical))
+        h = history(planar._replace(gravity_m_s2=gravity), motions, config["numerics"])
+        found.append(h.d_m[h.time_s < 3.9])
+    shared = min(map(len, found))
+    assert np.abs(found[0]).max() > 0.01
+    assert found[0][:shared] == pytest.approx(found[1][:shared], abs=1e-12)
+
+
+# Numerics ------------------------------------------------------------------------------------
+
+
+def test_error_falls_with_the_square_of_the_step():
+    """W2 through impacts, with dashpots: halving the step quarters the error, or better."""
+    motions, _, _ = chain_case(1.0)
+    config, planar = case()
+    steps = (8e-4, 4e-4, 2e-4)
+    factors = np.array([0.3, 0.4, -0.4])
+    exact = peaks(planar, motions, config["numerics"], factors, step_s=1e-5).d_over_b
+    error = [
+        np.abs(peaks(planar, motions, config["numerics"], factors, step_s=s).d_over_b / exact - 1)
+        for s in steps
+    ]
+    mean = np.array(error).mean(axis=1)
+    assert mean[1] < 3e-3
+    assert np.log2(mean[0] / mean[2]) / 2.0 > 1.5
+
+
+def test_energy_balance_with_the_chain_inside():
+    """Without dashpots: input = stored in block, nodes and chain + taken by the chain's damping."""
+    motions, carried, _ = chain_case(60e3, 0.6)
+    config, planar = case(
+        beta_s=0.0, facade={"friction_deg": 80.0}, return_wall={"friction_deg": 0.0}
+    )
+    h = history(planar, motions, config["numerics"], carried=carried, step_s=2e-5, sample_s=0.0)
+    assert np.abs(h.d_m).max() > 0.005
+    a = np.interp(h.time_s, motions.time_s, motions.ground_m_s2)
+    power = -a * (planar.mass_kg * h.rates[:, 0] + h.supports_m_s @ carried.mass_kg)
+    power -= np.einsum("ti,ij,tj->t", h.supports_m_s, carried.c_n_s_m, h.supports_m_s)
+    given = np.concatenate(([0.0], np.cumsum(0.5 * np.diff(h.time_s) * (power[1:] + power[:-1]))))
+    stored = 0.5 * planar.mass_kg * (h.rates[:, :2] ** 2).sum(axis=1)
+    stored += 0.5 * planar.inertia_kg_m2 * h.rates[:, 2] ** 2 + h.elastic_j
+    stored += planar.mass_kg * planar.gravity_m_s2 * h.pose[:, 1]
+    stored += 0.5 * h.supports_m_s**2 @ carried.mass_kg
+    stored += 0.5 * np.einsum("ti,ij,tj->t", h.supports_m, carried.k_n_m, h.supports_m)
+    lost = given - (stored - stored[0])
+    assert np.abs(lost).max() < 0.01 * np.abs(stored - stored[0]).max()
+
+
+def test_contacts_only_take_energy():
+    """With dashpots and friction the loss of a driven W1 grows, within the step's own error."""
+    t, ground = shaking(1.5)
+    config, planar = case("W1")
+    h = history(planar, Motions(t, ground), config["numerics"], step_s=5e-5, sample_s=0.0)
+    power = np.einsum("ti,ti->t", h.contact, h.rates)
+    work = np.concatenate(([0.0], np.cumsum(0.5 * np.diff(h.time_s) * (power[1:] + power[:-1]))))
+    lost = -(work + h.elastic_j - h.elastic_j[0])
+    assert lost[-1] > 10.0
+    assert np.min(lost - np.maximum.accumulate(lost)) > -0.005 * lost[-1]
+
+
+def test_one_history_whichever_way_it_is_asked_for():
+    """Series, single and many amplitudes, twice: the same digits."""
+    motions, carried, _ = chain_case(60e3)
+    config, planar = case()
+    for masses in (None, carried):
+        many = peaks(planar, motions, config["numerics"], [0.2, 0.4, 0.6], carried=masses)
+        again = peaks(planar, motions, config["numerics"], [0.4], carried=masses)
+        series = history(planar, motions, config["numerics"], 0.4, carried=masses)
+        assert many.d_over_b[1] == again.d_over_b[0] == series.peak_d_over_b
+
+
+# Other routes --------------------------------------------------------------------------------
+
+
+def wall_of(config, segments):
+    facade, wall = config["facade"], config["return_wall"]
+    return judge.Wall(
+        facade["height_m"],
+        facade["thickness_m"],
+        facade["width_m"],
+        facade["density_kg_m3"],
+        facade["e_mpa"] * 1e6,
+        BETA_S,
+        wall["count"] * wall["thickness_m"],
+        nodes_base=9,
+        nodes_up=9,
+        segments=segments,
+    )
+
+
+@pytest.mark.parametrize("model", ["W1", "W2"])
+def test_agrees_with_the_judge(model):
+    """Rocking through several impacts, within 0.2 % of a run with error control."""
+    t, ground = shaking(1.2)
+    config, planar = case(model)
+    floors = floor_motions(ground, t[1])
+    driven = floors.floors_m_s2 if model == "W2" else None
+    motion = judge.Motion(floors.time_s[1], floors.ground_m_s2, driven)
+    factors = np.array([0.6, -0.6]) if model == "W2" else np.array([1.0, -1.0])
+    wall = wall_of(config, 4 if model == "W2" else 1)
+    expected = judge.simulate_batch(wall, motion, factors, tolerance=3e-6).peak_d_over_b
+    motions = Motions(floors.time_s, floors.ground_m_s2, driven if model == "W2" else ())
+    got = peaks(planar, motions, config["numerics"], factors).d_over_b
+    assert got.max() > 0.05
+    assert got == pytest.approx(expected, rel=2e-3)
+
+
+@pytest.mark.yade
+@pytest.mark.parametrize("model", ["W1", "W2", "W1c"])
+def test_agrees_with_yade(model):
+    """Within 1 % of the engine's own run, nodes that bond and break included."""
+    t, ground = shaking(1.2)
+    weak = {"tension_mpa": 0.01, "cohesion_mpa": 0.01}
+    config, planar = case(model, return_wall=weak)
+    floors = floor_motions(ground, t[1])
+    columns = {f"floor{i + 1}": row.tolist() for i, row in enumerate(floors.floors_m_s2)}
+    columns["ground"] = floors.ground_m_s2.tolist()
+    expected = in_yade(
+        "facade_cases",
+        "shaken",
+        config=config,
+        model=model,
+        beta_s=BETA_S,
+        time_s=floors.time_s.tolist(),
+        columns=columns,
+        factor=0.8,
+    )
+    supports = floors.floors_m_s2 if model == "W2" else ()
+    motions = Motions(floors.time_s, floors.ground_m_s2, supports)
+    h = history(planar, motions, config["numerics"], 0.8)
+    assert (h.broken > 0) == (model == "W1c")
+    assert h.peak_d_over_b > 0.03
+    assert h.peak_d_over_b == pytest.approx(expected["peak"], rel=0.01)
+    assert h.status == expected["status"]
+
+
+def test_huge_masses_are_driven_supports():
+    motions, carried, _ = chain_case(1e12)
+    config, planar = case()
+    factors = np.array([0.2, 0.4, -0.4])
+    driven = peaks(planar, motions, config["numerics"], factors, step_s=1e-4)
+    pushed = peaks(planar, motions, config["numerics"], factors, carried=carried, step_s=1e-4)
+    assert pushed.d_over_b == pytest.approx(driven.d_over_b, rel=2e-3)
+
+
+def test_without_a_facade_the_masses_are_the_chain():
+    """The façade stands clear of the walls: floors move as the modal solution, in every figure."""
+    motions, carried, floors = chain_case(60e3)
+    config, planar = case(facade={"gap_m": 10.0})
+    h = history(planar, motions, config["numerics"], 0.3, carried=carried, sample_s=0.0)
+    for got, exact in ((h.supports_m, floors.relative_m), (h.supports_m_s, floors.relative_m_s)):
+        for j in range(4):
+            expected = 0.3 * np.interp(h.time_s, floors.time_s, exact[j])
+            assert np.abs(got[:, j] - expected).max() < 1e-3 * np.abs(expected).max()
+
+
+def test_a_node_may_be_carried_by_either_side():
+    """Nodes of the wall against the façade's plane: the same motion while it hardly turns."""
+    t, ground = shaking(0.8)
+    config = resolved(numerics=NODES)
+    scene = build_scene({**config, "model": "W1", "beta_s": BETA_S})
+    own = peaks(prepare(scene), Motions(t, ground), config["numerics"], 1.0)
+    n = scene.nodes
+    swap = n.b != 0
+    n.a, n.b = np.where(swap, n.b, n.a), np.where(swap, n.a, n.b)
+    n.normal = np.where(swap[:, None], -n.normal, n.normal)
+    other = peaks(prepare(scene), Motions(t, ground), config["numerics"], 1.0)
+    assert not prepare(scene).carried.all()
+    assert own.d_over_b[0] > 0.01
+    assert other.d_over_b == pytest.approx(own.d_over_b, rel=0.02)
+
+
+# Use -----------------------------------------------------------------------------------------
+
+
+def test_refuses_what_it_cannot_represent():
+    config = resolved()
+    with pytest.raises(ValueError, match="one free block"):
+        prepare(build_scene({**config, "model": "W3", "beta_s": BETA_S}))
+    _, planar = case()
+    with pytest.raises(ValueError, match="4 moving supports, got 0"):
+        peaks(planar, Motions([0.0, 1.0], [0.0, 1.0]), config["numerics"], 1.0)
+    with pytest.raises(ValueError, match="finite accelerations at ascending times"):
+        Motions([0.0, 1.0], [0.0, np.nan])
+    names = moving_supports(build_scene({**config, "model": "W2", "beta_s": BETA_S}))
+    assert names == ["floor1", "floor2", "floor3", "floor4"]
+
+
+def test_a_failed_history_is_no_collapse():
+    config, planar = case("W1")
+    t, ground = shaking(1.5)
+    got = peaks(planar, Motions(t, ground), config["numerics"], [1.0], step_s=0.02)
+    assert got.failed[0]
+    assert np.isnan(got.d_over_b[0])
+    assert not got.overturned[0]
+
+
+def test_runs_where_nothing_can_be_written(tmp_path):
+    """Without a folder for the compiler's cache the solver compiles and answers."""
+    code = (
+        "import numba.core.caching as c, json\n"
+        "c.CacheImpl._locator_classes = []\n"
+        "from rocking.screening.kernel import compiled\n"
+        "print(json.dumps(compiled(lambda x: x + 1)(1)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60, text=True)
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout) == 2
+    assert screening.stable_step(case("W1")[1]) > 1e-4

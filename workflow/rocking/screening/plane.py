@@ -1,0 +1,214 @@
+"""A scene with one free block as plain arrays of its own plane, for the compiled kernel."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+LEVEL_M = 1e-9  # nodes of one group lie this close to one line, their planes to one plane
+
+
+class Planar(NamedTuple):
+    """One block in the y–z plane, in the frame of the reference support.
+
+    Nodes of a joint that stand on one line and meet one plane are a group: penetration, its
+    rate and the slip rate are then linear in the place s along the line, and the two ends tell
+    whether any of its nodes touches. Lengths count from the block's reference centroid.
+
+    Attributes
+    ----------
+    first : ndarray of int, shape (groups + 1,)
+        Group i has the nodes first[i]:first[i + 1], ordered by s.
+    origin_m, along, normal : ndarray, shape (groups, 2)
+        A node stands at origin + s·along; normal from block b into block a (y, z).
+    level_m : ndarray, shape (groups,)
+        The plane: points with normal·r = level.
+    carried : ndarray of bool, shape (groups,)
+        The free block carries the nodes; else it carries the plane, which turns with it.
+    support : ndarray of int, shape (groups,)
+        Column of the motion of the group's support; −1: it stands still in this frame.
+    beta_s, shear_ratio, friction : ndarray, shape (groups,)
+        Dashpots β·k; ks/kn; tan φ.
+    place_m, kn_n_m : ndarray, shape (nodes,)
+    pull_m, hold_m : ndarray, shape (nodes,)
+        Strengths of a bond over kn: tension and cohesion [m].
+    bonded : ndarray of bool, shape (nodes,)
+    start : ndarray, shape (6,)
+        y, z [m] and rotation about x [rad] of the block, and their rates.
+    mass_kg, inertia_kg_m2, gravity_m_s2, thickness_m : float
+    monitor_m : ndarray, shape (2,)
+        Point that moves by d.
+    """
+
+    first: np.ndarray
+    origin_m: np.ndarray
+    along: np.ndarray
+    normal: np.ndarray
+    level_m: np.ndarray
+    carried: np.ndarray
+    support: np.ndarray
+    beta_s: np.ndarray
+    shear_ratio: np.ndarray
+    friction: np.ndarray
+    place_m: np.ndarray
+    kn_n_m: np.ndarray
+    pull_m: np.ndarray
+    hold_m: np.ndarray
+    bonded: np.ndarray
+    start: np.ndarray
+    mass_kg: float
+    inertia_kg_m2: float
+    gravity_m_s2: float
+    thickness_m: float
+    monitor_m: np.ndarray
+
+
+def moving_supports(scene):
+    """Names of the motions, other than the reference's, that drive supports, in block order."""
+    ground = scene.blocks[scene.index(scene.reference)].motion
+    names = [block.motion for block in scene.blocks if not block.free]
+    return [name for name in dict.fromkeys(names) if name not in (None, ground)]
+
+
+def prepare(scene):
+    """Reduce a scene to its plane.
+
+    Parameters
+    ----------
+    scene : yade_scripts.model.scene.Scene
+        One free block with the freedoms y, z and rotation about x; supports at rest or driven
+        along y.
+
+    Returns
+    -------
+    Planar
+
+    Raises
+    ------
+    ValueError
+        One line if the scene is not of that kind.
+    """
+    free = [i for i, block in enumerate(scene.blocks) if block.free]
+    if len(free) != 1 or scene.blocks[free[0]].free != "yzX":
+        raise ValueError("screening: expected one free block with the freedoms y, z, rotation x")
+    (own,) = free
+    block, nodes = scene.blocks[own], scene.nodes
+    if np.any((nodes.a == own) == (nodes.b == own)) or np.any(np.abs(nodes.normal[:, 0]) > 1e-12):
+        raise ValueError("screening: every node must join the block to a support, in the plane")
+    reference = scene.blocks[scene.index(scene.reference)]
+    names = moving_supports(scene)
+    if names and any(b.motion is None for b in scene.blocks if not b.free) and reference.motion:
+        raise ValueError("screening: a support at rest beside a driven reference")
+    column = {name: i for i, name in enumerate(names)}
+    centre = np.array(block.centre_m)[1:]
+    rows = [_group(scene, own, centre, column, mine) for mine in _groups(nodes, centre)]
+    columns = list(zip(*rows, strict=True))
+    order = np.concatenate(columns[0])
+    counts = [len(mine) for mine in columns[0]]
+    kn = nodes.kn_n_m[order]
+    return Planar(
+        np.concatenate(([0], np.cumsum(counts))).astype(np.int64),
+        *(np.array(values, float) for values in columns[1:5]),
+        np.array(columns[5], bool),
+        np.array(columns[6], np.int64),
+        *(np.array(values, float) for values in columns[7:10]),
+        np.concatenate(columns[10]),
+        kn,
+        nodes.tension_n[order] / kn,
+        nodes.cohesion_n[order] / kn,
+        nodes.bonded[order],
+        np.array(
+            [
+                *block.displacement_m[1:],
+                block.rotation_rad[0],
+                *block.velocity_m_s[1:],
+                block.angular_velocity_rad_s[0],
+            ],
+            float,
+        ),
+        float(block.mass_kg),
+        float(block.inertia_kg_m2[0]),
+        float(scene.gravity_m_s2),
+        float(scene.thickness_m),
+        np.array(scene.monitor_point_m, float)[1:] - centre,
+    )
+
+
+def _groups(nodes, centre):
+    """Node numbers by group: whole joints where they are straight and uniform, else single."""
+    found = []
+    for joint in np.unique(nodes.joint):
+        mine = np.flatnonzero(nodes.joint == joint)
+        place, line = _line(nodes, centre, mine)
+        level = np.einsum("ni,ni->n", nodes.normal[mine], nodes.position_m[mine])
+        level = level - nodes.gap_m[mine]
+        straight = np.abs(place[:, None] * line[1] + line[0] - _points(nodes, centre, mine))
+        laws = (nodes.beta_s, nodes.friction_rad, nodes.ks_n_m / nodes.kn_n_m, nodes.a, nodes.b)
+        alike = all(np.ptp(law[mine]) <= 1e-12 * np.abs(law[mine]).max() for law in laws)
+        one_normal = np.ptp(nodes.normal[mine], axis=0).max() < 1e-12
+        if alike and one_normal and straight.max() < LEVEL_M and np.ptp(level) < LEVEL_M:
+            found.append(mine[np.argsort(place, kind="stable")])
+        else:
+            found.extend(mine[:, None])
+    return found
+
+
+def _points(nodes, centre, mine):
+    return nodes.position_m[mine, 1:] - centre
+
+
+def _line(nodes, centre, mine):
+    """Place of nodes along the line through the first and the farthest, its origin, direction."""
+    points = _points(nodes, centre, mine)
+    far = points[np.argmax(np.linalg.norm(points - points[0], axis=1))] - points[0]
+    length = np.linalg.norm(far)
+    direction = far / length if length > 0.0 else np.array([1.0, 0.0])
+    return (points - points[0]) @ direction, (points[0], direction)
+
+
+def _group(scene, own, centre, column, mine):
+    """One group's nodes, ordered, and its columns in the order of `Planar`."""
+    nodes, i = scene.nodes, mine[0]
+    place, (origin, direction) = _line(nodes, centre, mine)
+    carried = nodes.a[i] == own
+    support = scene.blocks[nodes.b[i] if carried else nodes.a[i]]
+    normal = nodes.normal[i, 1:]
+    return (
+        mine,
+        origin,
+        direction,
+        normal,
+        normal @ origin - nodes.gap_m[i],
+        carried,
+        column.get(support.motion, -1),
+        nodes.beta_s[i],
+        nodes.ks_n_m[i] / nodes.kn_n_m[i],
+        np.tan(nodes.friction_rad[i]),
+        place,
+    )
+
+
+def matrices(planar, supports=0):
+    """Mass, stiffness and damping of the block and its supports, every node closed.
+
+    Returns
+    -------
+    mass : ndarray, shape (3,)
+        Of y, z, rotation about x.
+    k, c : ndarray, shape (3 + supports, 3 + supports)
+        The freedoms of the supports along y follow the block's.
+    """
+    p, size = planar, 3 + supports
+    k, c = np.zeros((size, size)), np.zeros((size, size))
+    for g in range(len(p.level_m)):
+        ny, nz = p.normal[g]
+        for i in range(p.first[g], p.first[g + 1]):
+            ry, rz = p.origin_m[g] + p.place_m[i] * p.along[g]
+            for (y, z), stiffness in (((ny, nz), 1.0), ((-nz, ny), p.shear_ratio[g])):
+                row = np.zeros(size)
+                row[:3] = y, z, z * ry - y * rz
+                if supports and p.support[g] >= 0:
+                    row[3 + p.support[g]] = -y
+                element = stiffness * p.kn_n_m[i] * np.outer(row, row)
+                k += element
+                c += p.beta_s[g] * element
+    return np.array([p.mass_kg, p.mass_kg, p.inertia_kg_m2]), k, c

@@ -1,0 +1,314 @@
+"""Histories and peaks: motions on the grid of steps, stop rules, step, and the compiled loop."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from .kernel import COLUMNS, FAILED, Bodies, Rules, Table, march
+from .plane import matrices
+
+STATUS = ("ok", "overturned", "failed")
+STEP_FRACTION = 0.15  # of the stable step
+NO_BODIES = Bodies(np.zeros(0), np.zeros((0, 0)), np.zeros((0, 0)))
+
+
+@dataclass(frozen=True)
+class Motions:
+    """Accelerations that drive a planar scene, linear between samples, at rest before them.
+
+    Parameters
+    ----------
+    time_s : array_like, shape (nt,)
+    ground_m_s2 : array_like, shape (nt,)
+        Of the reference support, positive outward.
+    supports_m_s2 : array_like, shape (m, nt)
+        Absolute, in the order of `moving_supports(scene)`.
+    vertical_m_s2 : array_like, shape (nt,), or None
+        Of ground and walls alike, positive upward; scaled like the others.
+
+    Raises
+    ------
+    ValueError
+        If shapes differ, times do not ascend or a value is not finite.
+    """
+
+    time_s: np.ndarray
+    ground_m_s2: np.ndarray
+    supports_m_s2: np.ndarray = ()
+    vertical_m_s2: np.ndarray | None = None
+
+    def __post_init__(self):
+        """Check, and let every acceleration end at zero."""
+        time = np.asarray(self.time_s, float)
+        ground = np.asarray(self.ground_m_s2, float)
+        vertical = 0.0 * ground if self.vertical_m_s2 is None else self.vertical_m_s2
+        rows = [ground, np.asarray(vertical, float), *np.asarray(self.supports_m_s2, float)]
+        if time.ndim != 1 or time.size < 2 or any(row.shape != time.shape for row in rows):
+            raise ValueError("motions: expected accelerations of the length of time_s, at least 2")
+        if not (np.all(np.isfinite(rows)) and np.all(np.diff(time) > 0.0)):
+            raise ValueError("motions: expected finite accelerations at ascending times")
+        end = 2.0 * time[-1] - time[-2]
+        rows = [np.append(row, 0.0) for row in rows]
+        for name, value in (
+            ("time_s", np.append(time, end)),
+            ("ground_m_s2", rows[0]),
+            ("vertical_m_s2", rows[1]),
+            ("supports_m_s2", np.array(rows[2:]).reshape(-1, time.size + 1)),
+        ):
+            object.__setattr__(self, name, value)
+
+    def peak_speed(self):
+        """Largest |velocity| of ground and supports at a factor of one [m/s]."""
+        rows = np.vstack([self.ground_m_s2, self.supports_m_s2])
+        gain = 0.5 * np.diff(self.time_s) * (rows[:, 1:] + rows[:, :-1])
+        return float(np.abs(np.cumsum(gain, axis=1)).max())
+
+    def table(self, step_s, supports=True):
+        """Motions at the whole steps; those of the supports relative to the ground, exact.
+
+        Returns
+        -------
+        Table
+        """
+        t = self.time_s
+        grid = step_s * np.arange(math.ceil(t[-1] / step_s) + 1)
+        i = np.clip(np.searchsorted(t, grid, side="right") - 1, 0, t.size - 2)
+        s, width = np.minimum(grid, t[-1]) - t[i], np.diff(t)[i]
+        late = np.maximum(grid - t[-1], 0.0)
+        place, speed = [], []
+        for row in self.supports_m_s2 if supports else ():
+            a, dt = row - self.ground_m_s2, np.diff(t)
+            v = np.concatenate(([0.0], np.cumsum(0.5 * dt * (a[1:] + a[:-1]))))
+            u = v[:-1] * dt + dt**2 * (2.0 * a[:-1] + a[1:]) / 6.0
+            u = np.concatenate(([0.0], np.cumsum(u)))
+            slope = (a[i + 1] - a[i]) / width
+            now = v[i] + a[i] * s + 0.5 * slope * s**2
+            place.append(u[i] + v[i] * s + 0.5 * a[i] * s**2 + slope * s**3 / 6.0 + now * late)
+            speed.append(now)
+        shape = (len(place), grid.size)
+        return Table(
+            float(step_s),
+            np.interp(grid, t, self.ground_m_s2),
+            np.interp(grid, t, self.vertical_m_s2),
+            np.ascontiguousarray(np.reshape(place, shape).T),
+            np.ascontiguousarray(np.reshape(speed, shape).T),
+        )
+
+
+@dataclass(frozen=True)
+class Series:
+    """One history; every array has a row a sample.
+
+    Attributes
+    ----------
+    time_s : ndarray, shape (n,)
+    d_m, d_m_s : ndarray
+        Top displacement relative to the ground, outward, and its rate.
+    pose, rates : ndarray, shape (n, 3)
+        y, z [m] of the centroid from its reference place in the ground's frame, rotation about
+        x [rad] (outward is negative), and their rates.
+    elastic_j : ndarray
+        Energy stored in the nodes.
+    contact : ndarray, shape (n, 3)
+        Force along y, z [N] and moment about x [N·m] of the nodes on the block.
+    supports_m, supports_m_s : ndarray, shape (n, m)
+        Relative to the ground.
+    peak_d_over_b : float
+    status : str
+        "ok", "overturned" or "failed".
+    end_s, step_s : float
+    broken : int
+        Bonds that broke.
+    """
+
+    time_s: np.ndarray
+    d_m: np.ndarray
+    d_m_s: np.ndarray
+    pose: np.ndarray
+    rates: np.ndarray
+    elastic_j: np.ndarray
+    contact: np.ndarray
+    supports_m: np.ndarray
+    supports_m_s: np.ndarray
+    peak_d_over_b: float
+    status: str
+    end_s: float
+    step_s: float
+    broken: int
+
+
+def bodies(mass_kg, stiffness_n_m, damping_n_s_m):
+    """Masses that carry the supports and feel the block (see `kernel.Bodies`).
+
+    Parameters
+    ----------
+    mass_kg : array_like, shape (n,)
+        In the order of `moving_supports(scene)`.
+    stiffness_n_m, damping_n_s_m : array_like, shape (n, n)
+
+    Raises
+    ------
+    ValueError
+        If shapes differ or a mass is not positive.
+    """
+    m = np.asarray(mass_kg, float)
+    k, c = np.array(stiffness_n_m, float), np.array(damping_n_s_m, float)
+    if m.ndim != 1 or k.shape != (m.size,) * 2 or c.shape != k.shape or not np.all(m > 0.0):
+        raise ValueError("bodies: expected n positive masses and two matrices of shape (n, n)")
+    return Bodies(m, k, c)
+
+
+def stable_step(planar, carried=NO_BODIES):
+    """Largest step [s] at which the scheme is stable with every node closed, by bisection.
+
+    The scheme is v⁺ = v + hM⁻¹(F − Kx − C(v + ½h a⁻)), x⁺ = x + h v⁺; its amplification
+    matrix acts on (x, v, a⁻).
+    """
+    n = carried.mass_kg.size
+    mass, k, c = matrices(planar, n)
+    mass = np.concatenate((mass, carried.mass_kg))
+    k[3:, 3:] += carried.k_n_m
+    c[3:, 3:] += carried.c_n_s_m
+    k, c, one = k / mass[:, None], c / mass[:, None], np.eye(len(mass))
+
+    def stable(h):
+        a = np.hstack((-k, -c, -0.5 * h * c))
+        v = np.hstack((0 * one, one, 0 * one)) + h * a
+        x = np.hstack((one, 0 * one, 0 * one)) + h * v
+        return np.abs(np.linalg.eigvals(np.vstack((x, v, a)))).max() <= 1.0 + 1e-9
+
+    low, high = 0.0, 2.0 / math.sqrt(np.abs(np.linalg.eigvals(k)).max())
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if stable(middle) else (low, middle)
+    return low
+
+
+def _rules(planar, motions, numerics, factors):
+    """Stop rules, and per factor: end of motion [s], quiet [m/s²], largest speed [m/s]."""
+    rows = np.vstack([motions.ground_m_s2, motions.supports_m_s2])
+    envelope = np.abs(rows).max(axis=0)
+    later = np.maximum.accumulate(envelope[::-1])[::-1]  # largest from each sample on
+    uplift = planar.gravity_m_s2 * planar.thickness_m / (planar.monitor_m[1] * 2.0)
+    size = np.abs(factors)
+    quiet = numerics["quiet_ratio"] * np.minimum(uplift, size * envelope.max())
+    last = np.searchsorted(-later, -quiet / np.maximum(size, 1e-300), side="left") - 1
+    motion = np.where(last < 0, 0.0, motions.time_s[np.maximum(last, 0)])
+    speed = numerics["max_speed_ratio"] * (size * motions.peak_speed() + 1.0)
+    rules = Rules(
+        float(motions.time_s[-2] + numerics["after_motion_s"]),
+        float(numerics["overturn_ratio"] * planar.thickness_m),
+        float(numerics["rest_velocity_m_s"]),
+        float(numerics["rest_time_s"]),
+    )
+    return rules, motion, quiet, speed
+
+
+def _set_up(planar, motions, numerics, factors, carried, step_s):
+    carried = carried or NO_BODIES
+    wanted = int(planar.support.max(initial=-1)) + 1
+    given = carried.mass_kg.size or len(motions.supports_m_s2)
+    if wanted > given:
+        raise ValueError(f"screening: the scene has {wanted} moving supports, got {given}")
+    factors = np.atleast_1d(np.asarray(factors, float))
+    step = step_s or STEP_FRACTION * stable_step(planar, carried)
+    table = motions.table(step, supports=not carried.mass_kg.size)
+    return carried, table, factors, _rules(planar, motions, numerics, factors)
+
+
+def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None, sample_s=0.005):
+    """One history with its time series.
+
+    Parameters
+    ----------
+    planar : Planar
+    motions : Motions
+    numerics : dict
+        Section numerics of the configuration: quiet_ratio, after_motion_s, overturn_ratio,
+        rest_velocity_m_s, rest_time_s, max_speed_ratio.
+    factor : float
+        On all accelerations; its sign is the direction.
+    carried : Bodies or None
+        Masses that carry the supports and feel the block; None drives the supports.
+    step_s : float or None
+        None takes `STEP_FRACTION` of the stable step.
+    sample_s : float
+        Interval between rows; 0 writes every step.
+
+    Returns
+    -------
+    Series
+    """
+    carried, table, factors, (rules, *own) = _set_up(
+        planar, motions, numerics, factor, carried, step_s
+    )
+    every = max(1, round(sample_s / table.step_s))
+    supports = carried.mass_kg.size or table.place_m.shape[1]
+    count = math.ceil(rules.limit_s / table.step_s) // every + 1
+    rows = np.zeros((count, COLUMNS + 2 * supports))
+    peak, status, end, written, broken = march(
+        planar, carried, table, factors[0], rules, *(float(v[0]) for v in own), every, rows
+    )
+    rows = rows[:written]
+    return Series(
+        rows[:, 0],
+        rows[:, 1],
+        rows[:, 2],
+        rows[:, 3:6],
+        rows[:, 6:9],
+        rows[:, 9],
+        rows[:, 10:13],
+        rows[:, COLUMNS : COLUMNS + supports],
+        rows[:, COLUMNS + supports :],
+        math.nan if status == FAILED else peak / planar.thickness_m,
+        STATUS[status],
+        end,
+        table.step_s,
+        broken,
+    )
+
+
+@dataclass(frozen=True)
+class Peaks:
+    """Outcomes by factor, each of shape (cases,).
+
+    Attributes
+    ----------
+    factor : ndarray
+    d_over_b : ndarray
+        Largest |d|/b; NaN where a history failed.
+    overturned : ndarray of bool
+    failed : ndarray of bool
+    end_s : ndarray
+        Simulated time.
+    step_s : float
+    """
+
+    factor: np.ndarray
+    d_over_b: np.ndarray
+    overturned: np.ndarray
+    failed: np.ndarray
+    end_s: np.ndarray
+    step_s: float
+
+
+def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
+    """Peak d/b of many amplitudes of one motion; parameters as `history`.
+
+    Returns
+    -------
+    Peaks
+    """
+    carried, table, factors, (rules, *own) = _set_up(
+        planar, motions, numerics, factors, carried, step_s
+    )
+    rows = np.zeros((0, COLUMNS))
+    found = [
+        march(planar, carried, table, f, rules, *limits, 1, rows)[:3]
+        for f, *limits in zip(factors, *own, strict=True)
+    ]
+    peak, status, end = (np.array(column) for column in zip(*found, strict=True))
+    failed = status == FAILED
+    ratio = np.where(failed, np.nan, peak / planar.thickness_m)
+    return Peaks(factors, ratio, status == 1, failed, end, table.step_s)
