@@ -133,15 +133,18 @@ def trials(count, seed, kinds=KINDS, models=MODELS, root=ROOT, say=lambda line: 
         kind = draw.choice(once if once and (not again or draw.random() < 0.75) else again)
         rounds = min(10, count - done) if kind in again else 1
         began, victim = time.monotonic(), Victim(model, kind, draw.random(), root)
+        found = []
         try:
             for _ in range(rounds):
                 done += 1
                 interrupt(victim, kind, draw.uniform(0.0, LATEST_S))
         except Hang as hang:
-            wrong.append(f"{model} {kind}: {hang}")
-            say(wrong[-1])
-        if victim.close():
-            wrong.append(f"{model} {kind}: left a process")
+            found.append(str(hang))
+        finally:
+            if victim.close():
+                found.append("left a process")
+        for what in found:
+            wrong.append(f"{model} {kind}: {what}")
             say(wrong[-1])
         say(f"{done} of {count}: {model} {kind} × {rounds}, {time.monotonic() - began:.0f} s")
     return wrong
@@ -156,6 +159,7 @@ def main():
     parser.add_argument("--root", default=ROOT, help="checkout whose package is tried")
     parser.add_argument("--kinds", default=",".join(KINDS))
     args = parser.parse_args()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # by way of what ends the others
     load = [subprocess.Popen([sys.executable, "-c", BUSY]) for _ in range(args.load)]
     try:
         wrong = trials(args.count, args.seed, args.kinds.split(","), root=args.root, say=say)

@@ -19,7 +19,7 @@ from rocking.configuration.config import (
     resolve,
 )
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 LEAVES = list(schema.leaves(schema.whole()))
 
 

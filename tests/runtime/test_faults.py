@@ -21,7 +21,7 @@ from yade_scripts.engine import memory
 from yade_scripts.files import write_atomic
 from yade_scripts.studies.journal import Journal
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture(scope="module")

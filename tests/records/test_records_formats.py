@@ -13,7 +13,7 @@ from rocking.records.reader import _detect
 from rocking.records.record import unit_name
 from rocking.records.text import read_text, text_from_bytes
 
-FILES = Path(__file__).parents[2] / "shared" / "formats"
+FILES = Path(__file__).parents[3] / "shared" / "formats"
 NAMES = [sample.name for sample in samples.all_samples()]
 
 

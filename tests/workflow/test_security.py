@@ -14,7 +14,7 @@ from rocking.records import RecordError, read_table
 
 from tests.faults.workspace import RESULTS, SNAKEMAKE, Workspace, environment
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 SOURCES = sorted(
     p
     for top in ("smdof", "yade_scripts", "workflow")

@@ -12,7 +12,7 @@ import yaml
 from rocking.configuration import config
 from rocking.records import Record, write_csv
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 PLAN = ROOT / "config" / "buildings" / "example_three_storeys.yaml"
 
 

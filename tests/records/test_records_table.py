@@ -7,7 +7,7 @@ import pytest
 import record_samples as samples
 from rocking.records import RecordError, load, read_table
 
-PAPER = Path(__file__).parents[1] / "config" / "records.tsv"
+PAPER = Path(__file__).parents[2] / "config" / "records.tsv"
 TARGETS = "pga_g\tpgv_cm_s\tpgd_cm\tduration_s"
 
 

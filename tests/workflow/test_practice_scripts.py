@@ -14,7 +14,7 @@ from rocking.records import Record, load, read_table, write_csv
 from smdof.chain import floor_motions
 from yade_scripts.model.motion import Motion
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 HEAD = "model,record,direction,pga_g,d_over_b,collapsed,status,dt_s,steps,wall_s\n"
 
 

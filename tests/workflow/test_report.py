@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from webdriver import AVAILABLE, Browser
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
 SCRIPTS = ROOT / "workflow" / "scripts"
 STUDY = [

@@ -15,7 +15,7 @@ from rocking.planar.wall import rule
 from smdof import floor_motions
 from yade_scripts.model.quadrature import gauss_lobatto
 
-RECORD = Path(__file__).parents[1] / "../shared/records/RRS228_northridge_rinaldi_228.AT2"
+RECORD = Path(__file__).parents[2] / "../shared/records/RRS228_northridge_rinaldi_228.AT2"
 real_record = pytest.mark.skipif(not RECORD.exists(), reason="the real record is not shipped")
 
 

@@ -20,10 +20,12 @@ from rocking.records import (
 from rocking.records.formats import packed
 from rocking.records.reader import open_file, pick
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 TABLE = ROOT / "config" / "suites" / "recorded_suite.tsv"
 MOTIONS = TABLE.with_suffix(".motions")
-with open(Path(__file__).parent / "data" / "recorded_suite_inventory.tsv", encoding="utf-8") as _:
+with open(
+    Path(__file__).parents[1] / "data" / "recorded_suite_inventory.tsv", encoding="utf-8"
+) as _:
     INVENTORY = list(csv.DictReader(_, delimiter="\t"))
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from yade_scripts import sources
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = ROOT / "workflow" / "scripts"
 LOADED = """
 import sys, types

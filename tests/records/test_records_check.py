@@ -15,7 +15,7 @@ from rocking.records import check_records, read_table
 from rocking.records.reader import open_file, pick
 from rocking.records.record import G_M_S2, Record
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 SUITE = ROOT / "config" / "suites" / "recorded_suite.tsv"
 
 

@@ -21,9 +21,9 @@ from rocking.records.surrogate_model import Pulse
 
 from smdof.spectra import response_spectrum
 
-CONFIG = Path(__file__).parents[1] / "config"
+CONFIG = Path(__file__).parents[2] / "config"
 TABLE, PARAMETERS = CONFIG / "records.tsv", CONFIG / "surrogates.yaml"
-REAL = Path(__file__).parents[2] / "shared" / "records"
+REAL = Path(__file__).parents[3] / "shared" / "records"
 NAMES = ["BUCAR0", "RRS228", "1ST280", "HVSC1"]
 
 
