@@ -1,6 +1,8 @@
 # make setup   what is missing: YADE from Debian's packages, a virtual environment with pinned packages
 # make run     the main job (sets up first)
 # make test    the tests and linters (sets up first)
+# make docs    the documentation site, build/site/index.html; a warning is an error
+# make gallery the pictures of docs/gallery.md again, by its commands
 # make faults  56 runs killed, starved or doubled at random moments; writes tables/faults.csv
 # make slurm   two records through a real SLURM of one node (root; installs slurm-wlm and munge)
 # make load    a study of 44 records in reduced form, with memory and progress over time
@@ -8,7 +10,7 @@
 CORES ?= $(shell nproc)
 SNAKEMAKE = .venv/bin/snakemake --cores $(CORES)
 RUN ?= main
-.PHONY: setup run test lint faults slurm load audit
+.PHONY: setup run test lint docs gallery faults slurm load audit
 
 setup:
 	@bash tools/setup.sh
@@ -16,7 +18,7 @@ setup:
 run: setup
 	$(SNAKEMAKE) $(ARGS)
 
-test: setup lint
+test: setup lint docs
 	.venv/bin/python -m pytest $(ARGS)
 
 lint: setup
@@ -25,6 +27,12 @@ lint: setup
 	.venv/bin/snakefmt --check workflow
 	.venv/bin/mypy
 	.venv/bin/python tools/lint_workflow.py
+
+docs: setup
+	.venv/bin/python -m sphinx -q -W --keep-going -c docs -d build/doctrees . build/site
+
+gallery: setup
+	.venv/bin/python tools/gallery.py $(ARGS)
 
 faults: setup
 	.venv/bin/python tests/faults/trials.py --output results/$(RUN)/tables/faults.csv $(ARGS)

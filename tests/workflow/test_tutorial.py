@@ -125,7 +125,7 @@ def snakemake_lines(name):
 
 PAGES = [
     (name, words)
-    for name in ("README.md", "config/README.md", "docs/accuracy.md")
+    for name in ("README.md", "config/README.md", "docs/accuracy.md", "docs/gallery.md")
     for words in snakemake_lines(name)
 ]
 
