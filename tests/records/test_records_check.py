@@ -11,9 +11,11 @@ import numpy as np
 import pytest
 import record_samples as samples
 from rocking.records import check as module
-from rocking.records import check_records, read_table
+from rocking.records import read_table
+from rocking.records.check import check_records, check_study
 from rocking.records.reader import open_file, pick
 from rocking.records.record import G_M_S2, Record
+from rocking.study import Study
 
 ROOT = Path(__file__).parents[2]
 SUITE = ROOT / "config" / "suites" / "recorded_suite.tsv"
@@ -76,6 +78,23 @@ def test_a_repeated_check_reads_nothing_until_a_file_a_row_or_the_baseline_chang
     again = check_records(rows, cache=cache)
     assert [path for path, _ in reads] == [str(tmp_path / "cut.AT2")]
     assert again[3].status == "ok"
+
+
+def test_all_runs_of_a_study_are_checked_each_combination_once(study, tmp_path, monkeypatch):
+    calls = []
+
+    def counted(*args, **kwargs):
+        calls.append(args)
+        return check_records(*args, **kwargs)
+
+    monkeypatch.setattr(module, "check_records", counted)
+    config = {
+        "records_table": str(study),
+        "grid": {"facade.height_m": [6.0, 7.0], "baseline.method": ["none", "mean"]},
+    }
+    findings = check_study(Study(config, ROOT), cache=tmp_path / "c.json")
+    assert len(calls) == 2
+    assert [f.record for f in findings] == ["good", "wrong", "bare", "cut", "up"]
 
 
 @pytest.mark.parametrize("content", ["", "[1]", '{"a": 1}', "\x00", '{"a": ["b"]}'])

@@ -359,6 +359,26 @@ def test_variants_of_users_files_are_read(tmp_path, name):
     np.testing.assert_allclose(record.acceleration_m_s2, samples.motion(), atol=1e-6)
 
 
+@pytest.mark.parametrize(
+    ("sample", "old", "new", "stated", "asked"),
+    [
+        (samples.esm(), "UNITS: cm/s^2", "UNITS: ", {"units": "gal"}, "states no units"),
+        (samples.esm(), "SAMPLING_INTERVAL_S: 0.020000", "X: 1", {"dt_s": 0.02}, "no time step"),
+        (samples.geonet(), "intervals of 0.020", "unknown steps", {"dt_s": 0.02}, "no time step"),
+        (samples.geonet(), "mm/s/s at", "?", {"units": "mm/s2"}, "states no units"),
+        (samples.cosmos(), "    20.000000", "  -999.00000", {"dt_s": 0.02}, "no time step"),
+    ],
+)
+def test_the_table_states_what_a_header_fails_to_say(tmp_path, sample, old, new, stated, asked):
+    assert old.encode() in sample.data
+    path = put(tmp_path, sample, sample.data.replace(old.encode(), new.encode()))
+    assert asked in refusal(path, sample)
+    again = read(path, sample, **stated)
+    np.testing.assert_allclose(
+        again.acceleration_m_s2, sample.acceleration_m_s2, atol=sample.tolerance_m_s2
+    )
+
+
 def test_a_damaged_time_does_not_make_an_acceleration_of_the_time(tmp_path):
     sample = samples.columns()
     lines = sample.data.decode().splitlines()

@@ -6,7 +6,8 @@ Faults and warnings are printed too; the table is written whatever they are.
 import sys
 
 import pandas as pd
-from rocking.records import DEFAULT_SEED, check_records, read_specs, read_table, surrogates_for
+from rocking.records import DEFAULT_SEED, read_specs, read_table, surrogates_for
+from rocking.records.check import check_records
 from rocking.runtime.script import run
 
 

@@ -8,7 +8,6 @@ peak = measures(rec)                             # pga_g, pgv_cm_s, pgd_cm, dura
 import os
 
 from .baseline import treat
-from .check import Finding, check_records
 from .errors import RecordError
 from .formats import FORMATS
 from .reader import detect, nearest, read_record
@@ -21,12 +20,10 @@ from .table import Row, read_table
 __all__ = [
     "DEFAULT_SEED",
     "FORMATS",
-    "Finding",
     "G_M_S2",
     "Record",
     "RecordError",
     "Row",
-    "check_records",
     "detect",
     "generate",
     "integrate",

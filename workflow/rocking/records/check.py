@@ -1,9 +1,11 @@
 """Every record of a study read before anything runs, remembered by its content.
 
-    findings = check_records(rows, baseline=…, cache="results/main/cache/records_check.json")
-    faults = [finding for finding in findings if finding.status == "fault"]
+    for finding in check_study(study, cache="results/main/cache/records_check.json"):
+        if finding.status == "fault":
+            print(finding)
 
-A repeated start with unchanged files and rows only hashes the files.
+A repeated start with unchanged files and rows only hashes the files. The package does not
+import this module, so that changing it makes no record again.
 """
 
 import hashlib
@@ -15,6 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
+from . import read_specs, surrogates_for
 from .baseline import treat
 from .errors import RecordError
 from .reader import open_file, pick
@@ -85,6 +88,31 @@ def check_records(rows, *, baseline="none", seed=DEFAULT_SEED, specs=None, draw=
     if cache and len(known) > before:
         _remember(cache, known)
     return findings
+
+
+def check_study(study, **options):
+    """Check the records of all runs of a `study.Study`, each combination once.
+
+    `options` are `draw` and `cache` of `check_records`. Raises RecordError for surrogate
+    parameters that cannot be read.
+
+    Returns
+    -------
+    list of Finding
+        Without repetitions, in the order of runs and records.
+    """
+    found, done = {}, set()
+    for run, resolved in study.runs.items():
+        table, names = study.table_path(run), study.records[run]
+        treatment = {key: resolved[key] for key in ("baseline", "seed")}
+        combination = json.dumps([table, names, treatment], sort_keys=True)
+        if combination not in done:
+            done.add(combination)
+            path = surrogates_for(table)
+            rows = [study.tables[run][name] for name in names]
+            specs = read_specs(path) if path else None
+            found |= dict.fromkeys(check_records(rows, specs=specs, **treatment, **options))
+    return list(found)
 
 
 def warnings(record):

@@ -118,8 +118,6 @@ def _acceleration(text, line, reals, label, values, units):
     if len(reals) < 64:
         raise text.error(line, f"{len(reals)} real headers; expected at least 64")
     interval_ms = parse_number(text, reals[61][0], reals[61][1], "the sampling interval (real 62)")
-    if not interval_ms > 0:
-        raise text.error(reals[61][0], "the sampling interval (real 62) is unknown")
     peak = parse_number(text, reals[63][0], reals[63][1], "the largest value (real 64)")
     azimuth = re.match(r"(\d{1,3})\s*deg", label, re.I)
     return Channel(
@@ -128,7 +126,7 @@ def _acceleration(text, line, reals, label, values, units):
         line + 1,
         azimuth_deg=int(azimuth[1]) if azimuth else None,
         units=unit,
-        dt_s=interval_ms / 1000,
+        dt_s=interval_ms / 1000 if interval_ms > 0 else None,
         peak_stated=abs(peak) if peak != UNKNOWN else None,
         peak_tolerance=(0.001, 0.0),
     )

@@ -13,7 +13,6 @@ from .channel import Channel
 DESCRIPTION = "ESM, ITACA ASCII"
 MAX_HEADER = 200
 _KEY = re.compile(r"([A-Z][A-Z0-9_/^]*)\s*:(.*)")
-_NEEDED = ("SAMPLING_INTERVAL_S", "NDATA", "UNITS")
 
 
 def sniff(text):
@@ -36,19 +35,19 @@ def read(text):
         header[match[1]], lines[match[1]] = match[2].strip(), first
     else:
         raise text.error(len(text.lines), "the file ends in the header")
-    for key in _NEEDED:
-        if not header.get(key):
-            raise text.error(lines.get(key, first), f"no {key} in the header")
+    if not header.get("NDATA"):
+        raise text.error(lines.get("NDATA", first), "no NDATA in the header")
     if "ACCELERATION" not in header.get("DATA_TYPE", "ACCELERATION").upper():
         raise text.error(
             lines["DATA_TYPE"], f"expected acceleration, found {header['DATA_TYPE']!r}"
         )
-    unit = unit_name(header["UNITS"])
-    if unit is None:
+    # Units and step that the header fails to say are asked for, or stated in the table.
+    unit, dt_s = unit_name(header.get("UNITS", "")), None
+    if header.get("UNITS") and unit is None:
         raise text.error(lines["UNITS"], f"unknown units {header['UNITS'][:20]!r}")
-    dt_s = parse_number(
-        text, lines["SAMPLING_INTERVAL_S"], header["SAMPLING_INTERVAL_S"], "the time step"
-    )
+    if header.get("SAMPLING_INTERVAL_S"):
+        step = header["SAMPLING_INTERVAL_S"]
+        dt_s = parse_number(text, lines["SAMPLING_INTERVAL_S"], step, "the time step")
     count = parse_count(text, lines["NDATA"], header["NDATA"], "the number of samples NDATA")
     values = free_block(text, first, len(text.lines), count)
     peak, absolute = None, 0.0
