@@ -101,7 +101,8 @@ def check_study(study, **options):
     list of Finding
         Without repetitions, in the order of runs and records.
     """
-    found, done = {}, set()
+    found: dict[Finding, None] = {}
+    done = set()
     for run, resolved in study.runs.items():
         table, names = study.table_path(run), study.records[run]
         treatment = {key: resolved[key] for key in ("baseline", "seed")}
