@@ -67,7 +67,8 @@ def test_every_rule_depends_on_the_code_it_runs(name, block):
     if script := re.search(r'script:\n        "\.\./scripts/(.+?)\.py"', block):
         wanted = f'code("{script[1].replace("wildcards.", "")}")'
     else:
-        wanted = f'study_code("{re.search(r"{YADE} ([a-z_0-9]+)", block)[1]}")'
+        started = re.search(r"{params\.yade} ([a-z_0-9]+)", block)
+        wanted = f'study_code("{started[1]}")'
     assert f"modules={wanted}" in block
 
 

@@ -66,7 +66,7 @@ OBJECTS_OR_NETWORK = {
 }
 # placeholders in shell commands that need no quoting: each is limited to harmless words elsewhere
 UNQUOTED = {
-    "YADE": "a constant of the rules, quoted where it is made",
+    "params.yade": "a constant of the rules, quoted where it is made",
     "wildcards.direction": "pos|neg",
     "params.gravity": "a number of the rule itself",
     "params.steps": "an integer by its schema",

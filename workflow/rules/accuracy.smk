@@ -17,8 +17,10 @@ rule stability:
         limits="results/{run}/tables/stability_limits.csv",
     log:
         "results/{run}/logs/stability.log",
+    params:
+        yade=YADE,
     shell:
-        YADE + " stability --scene {input.scene:q} --output {output.trials:q}"
+        "{params.yade} stability --scene {input.scene:q} --output {output.trials:q}"
         " --limits {output.limits:q} 2> {log:q}"
 
 
@@ -68,8 +70,10 @@ rule accuracy_runs:
         "results/{run}/logs/accuracy_runs.log",
     benchmark:
         "results/{run}/benchmarks/accuracy_runs.tsv"
+    params:
+        yade=YADE,
     shell:
-        YADE + " accuracy --plan {input.plan:q} --output {output:q}" " 2> {log:q}"
+        "{params.yade} accuracy --plan {input.plan:q} --output {output:q}" " 2> {log:q}"
 
 
 rule accuracy_reference:

@@ -12,11 +12,12 @@ rule frames:
     log:
         "results/{run}/logs/frames_{model}.log",
     params:
+        yade=YADE,
         record=lambda w: BOUNDARY.picture_record(w.run),
         direction=lambda w: STUDY.cfg(w)["pictures"]["direction"],
         pga=lambda w: STUDY.cfg(w)["pictures"]["pga_g"],
     shell:
-        YADE + " frames --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} frames --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction:q} --pga {params.pga:q}"
         " --fall 2 --output {output:q} 2> {log:q}"
 
@@ -32,11 +33,12 @@ rule collapse_frames:
     log:
         "results/{run}/logs/collapse_frames_{model}.log",
     params:
+        yade=YADE,
         record=lambda w: BOUNDARY.picture_record(w.run),
         direction=lambda w: STUDY.cfg(w)["pictures"]["direction"],
         interval=lambda w: STUDY.cfg(w)["pictures"]["frame_interval_s"],
     shell:
-        YADE + " frames --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} frames --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction:q} --collapse {input.ida:q}"
         " --interval {params.interval:q} --fall 6 --output {output:q} 2> {log:q}"
 

@@ -279,9 +279,10 @@ rule building_explicit:
     wildcard_constraints:
         load="plain|loaded",
     params:
+        yade=YADE,
         gravity=lambda w: 9.81 if w.load == "loaded" else 0.0,
     shell:
-        YADE + " explicit_building --scene {input.scene:q} --motion {input.record:q}"
+        "{params.yade} explicit_building --scene {input.scene:q} --motion {input.record:q}"
         " --gravity {params.gravity} --output {output.history:q} --cost {output.cost:q}"
         " 2> {log:q}"
 
@@ -329,9 +330,10 @@ rule building_explicit_cost:
     log:
         "results/{run}/logs/building_explicit_cost_{coarsening}.log",
     params:
+        yade=YADE,
         steps=lambda w: STUDY.cfg(w)["building"]["explicit_cost_steps"],
     shell:
-        YADE + " explicit_building --scene {input.scene:q} --motion {input.record:q}"
+        "{params.yade} explicit_building --scene {input.scene:q} --motion {input.record:q}"
         " --steps {params.steps} --output {output.history:q} --cost {output.cost:q}"
         " 2> {log:q}"
 

@@ -28,8 +28,11 @@ rule free_rocking:
         "results/{run}/logs/free_rocking_{group}.log",
     benchmark:
         "results/{run}/benchmarks/free_rocking_{group}.tsv"
+    params:
+        yade=YADE,
     shell:
-        YADE + " free_rocking --cases {input.cases:q} --output {output:q}" " 2> {log:q}"
+        "{params.yade} free_rocking --cases {input.cases:q} --output {output:q}"
+        " 2> {log:q}"
 
 
 rule free_rocking_table:

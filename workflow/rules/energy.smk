@@ -14,8 +14,10 @@ rule energy_balance:
         "results/{run}/logs/energy_{model}_{record}_{direction}_{share}.log",
     wildcard_constraints:
         share=r"\d+(\.\d+)?",
+    params:
+        yade=YADE,
     shell:
-        YADE + " energy --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} energy --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
         " --curve {input.curve:q} --share {wildcards.share:q} --output {output:q}"
         " 2> {log:q}"

@@ -15,9 +15,10 @@ rule ida_ensemble:
     benchmark:
         "results/{run}/benchmarks/ensemble_{model}_{record}_{direction}.tsv"
     params:
+        yade=YADE,
         journal="results/{run}/cache/ensemble/{model}_{record}_{direction}.jsonl",
     shell:
-        YADE + " ensemble --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} ensemble --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
         " --curve {input.curve:q} --journal {params.journal:q}"
         " --output {output.ensemble:q} --sensitivity {output.sensitivity:q}"

@@ -33,5 +33,7 @@ rule yade_check:
         "results/{run}/yade.txt",
     log:
         "results/{run}/logs/yade_check.log",
+    params:
+        yade=YADE,
     shell:
-        YADE + " check_yade --output {output:q} 2> {log:q}"
+        "{params.yade} check_yade --output {output:q} 2> {log:q}"

@@ -120,6 +120,7 @@ use rule ida as reduction_ida with:
     benchmark:
         "results/{run}/benchmarks/reduction_T{t1}_below{below}_{record}_{direction}.tsv"
     params:
+        yade=YADE,
         journal="results/{run}/cache/reduction/T{t1}_below{below}_{record}_{direction}.jsonl",
 
 

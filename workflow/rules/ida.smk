@@ -14,9 +14,10 @@ rule ida:
     benchmark:
         "results/{run}/benchmarks/ida_{model}_{record}_{direction}.tsv"
     params:
+        yade=YADE,
         journal="results/{run}/cache/ida/{model}_{record}_{direction}.jsonl",
     shell:
-        YADE + " ida --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} ida --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
         " --journal {params.journal:q} --output {output:q} 2> {log:q}"
 

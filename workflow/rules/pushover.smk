@@ -55,8 +55,10 @@ rule pushover:
         "results/{run}/logs/pushover_{pushed}.log",
     benchmark:
         "results/{run}/benchmarks/pushover_{pushed}.tsv"
+    params:
+        yade=YADE,
     shell:
-        YADE + " pushover --scene {input.scene:q} --output {output.curve:q}"
+        "{params.yade} pushover --scene {input.scene:q} --output {output.curve:q}"
         " --forces {output.forces:q} 2> {log:q}"
 
 
@@ -72,8 +74,10 @@ rule pushover_variant:
         "results/{run}/logs/w3_{variant}.log",
     benchmark:
         "results/{run}/benchmarks/w3_{variant}.tsv"
+    params:
+        yade=YADE,
     shell:
-        YADE + " pushover --scene {input.scene:q} --output {output.curve:q}"
+        "{params.yade} pushover --scene {input.scene:q} --output {output.curve:q}"
         " --forces {output.forces:q} 2> {log:q}"
 
 

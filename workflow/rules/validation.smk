@@ -58,8 +58,11 @@ rule shake_table:
         "results/{run}/logs/shake_table.log",
     benchmark:
         "results/{run}/benchmarks/shake_table.tsv"
+    params:
+        yade=YADE,
     shell:
-        YADE + " shake_table --tests {input.tests:q} --output {output:q}" " 2> {log:q}"
+        "{params.yade} shake_table --tests {input.tests:q} --output {output:q}"
+        " 2> {log:q}"
 
 
 rule shake_table_table:
@@ -135,10 +138,11 @@ rule damping_choice_ida:
     wildcard_constraints:
         law="eq5|fitted",
     params:
+        yade=YADE,
         record=CALIBRATION.choice_record,
         journal="results/{run}/cache/choice/{model}_{direction}_{law}.jsonl",
     shell:
-        YADE + " ida --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} ida --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {wildcards.direction}"
         " --journal {params.journal:q} --output {output:q} 2> {log:q}"
 

@@ -1,0 +1,176 @@
+"""Where a curve collapses: the one home of probability, first crossings and what is safe.
+
+Near collapse a façade stands at one amplitude, falls at the next and stands again, so a curve
+has no single collapse intensity. Its collapse probability at an amplitude is the share of
+members that fall within ± `spread` of it, members that differ in amplitude, node layout and step
+together. That is numerical scatter of one façade under one motion; it says nothing of materials
+or of other motions. A façade that never fell has no crossing: blank, and its largest intensity
+a lower bound.
+"""
+
+import numpy as np
+import pandas as pd
+
+LEVELS = (0.10, 0.50, 0.90)
+COLUMNS = (
+    "model record direction pga_safe_g pga_collapse_g pga_median_g pga_p10_g pga_p90_g pga_all_g"
+    " pga_max_g reversals runs_planar runs_yade disagreements"
+)
+
+
+def probability(pga_g, collapsed, at_g, spread):
+    """Share of members that collapsed within ± spread of each amplitude.
+
+    Parameters
+    ----------
+    pga_g, collapsed : array_like, shape (n,)
+        Members by ascending amplitude; collapsed 0 or 1.
+    at_g : array_like, shape (m,)
+    spread : float
+        Half width relative to the amplitude.
+
+    Returns
+    -------
+    share : ndarray, shape (m,)
+        NaN where no member lies.
+    members : ndarray of int, shape (m,)
+    """
+    pga_g, at_g = np.asarray(pga_g, float), np.asarray(at_g, float)
+    total = np.concatenate(([0.0], np.cumsum(np.asarray(collapsed, float))))
+    first = np.searchsorted(pga_g, at_g * (1.0 - spread) * (1.0 - 1e-12), side="left")
+    last = np.searchsorted(pga_g, at_g * (1.0 + spread) * (1.0 + 1e-12), side="right")
+    members = last - first
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.where(members > 0, (total[last] - total[first]) / members, np.nan), members
+
+
+def first_crossing(pga_g, share, level):
+    """Lowest amplitude at which a share is first reached [g]; NaN if it never is.
+
+    Linear between the amplitudes before and at the crossing.
+    """
+    above = np.flatnonzero(np.asarray(share) >= level)
+    if above.size == 0:
+        return np.nan
+    k = int(above[0])
+    if k == 0 or not share[k - 1] < level:
+        return float(pga_g[k])
+    weight = (level - share[k - 1]) / (share[k] - share[k - 1])
+    return float(pga_g[k - 1] + weight * (pga_g[k] - pga_g[k - 1]))
+
+
+def reversals(collapsed):
+    """How often the outcome changes along ascending amplitudes, beyond the first collapse."""
+    changes = int(np.count_nonzero(np.diff(np.asarray(collapsed, int))))
+    return max(changes - 1, 0)
+
+
+def from_scan(scan, spread):
+    """Collapse probability of a scanned curve at all its amplitudes.
+
+    Parameters
+    ----------
+    scan : DataFrame
+        pga_g, status, collapsed; failed members say nothing and are left out.
+    spread : float
+
+    Returns
+    -------
+    DataFrame
+        pga_g, probability, members.
+    """
+    valid = scan[scan["status"] != "failed"].sort_values("pga_g", ignore_index=True)
+    share, members = probability(valid["pga_g"], valid["collapsed"], valid["pga_g"], spread)
+    return pd.DataFrame({"pga_g": valid["pga_g"], "probability": share, "members": members})
+
+
+def summary(scan, curve, members, spread):
+    """Collapse intensities of one curve, from all that was run for it.
+
+    Parameters
+    ----------
+    scan : DataFrame or None
+        Outcomes of the planar solver; None for a model without a planar twin.
+    curve, members : DataFrame
+        YADE's runs and the members of its ensembles: pga_g, status, collapsed (and, of members,
+        amplitude_factor).
+    spread : float
+
+    Returns
+    -------
+    dict
+        See COLUMNS: highest amplitude below which nothing fell in either method, lowest that
+        fell, first crossings of 10, 50 and 90 %, the amplitude from which all collapse.
+    """
+    own = pd.concat([_outcomes(curve), _outcomes(members)]) if len(members) else _outcomes(curve)
+    dense = own if scan is None else _outcomes(scan)
+    every = pd.concat([own, dense]).sort_values("pga_g", ignore_index=True)
+    dense = dense.sort_values("pga_g", ignore_index=True)
+    fell, stood = every[every["collapsed"] == 1]["pga_g"], every[every["collapsed"] == 0]["pga_g"]
+    lowest = fell.min() if len(fell) else np.nan
+    highest = stood.max() if len(stood) else np.nan
+    share, _ = probability(dense["pga_g"], dense["collapsed"], dense["pga_g"], spread)
+    low, middle, high = (first_crossing(dense["pga_g"], share, level) for level in LEVELS)
+    above = every["pga_g"][every["pga_g"] > highest]
+    return {
+        "pga_safe_g": stood[~(stood >= lowest)].max(),
+        "pga_collapse_g": lowest,
+        "pga_median_g": middle,
+        "pga_p10_g": low,
+        "pga_p90_g": high,
+        "pga_all_g": above.min() if len(fell) and len(above) else np.nan,
+        "pga_max_g": every["pga_g"].max(),
+        "reversals": reversals(dense["collapsed"]),
+        "runs_planar": 0 if scan is None else len(scan),
+        "runs_yade": len(curve) + len(members),
+    }
+
+
+def _outcomes(table):
+    """Amplitude and outcome of every run that did not fail."""
+    valid = table[table["status"] != "failed"]
+    factor = valid["amplitude_factor"] if "amplitude_factor" in valid else 1.0
+    return pd.DataFrame(
+        {"pga_g": valid["pga_g"] * factor, "collapsed": valid["collapsed"].astype(int)}
+    )
+
+
+def islands(pga_g, share):
+    """Intervals of amplitude in which a majority collapses, ascending.
+
+    Returns
+    -------
+    list of (low, high)
+        [g]; the last may end with the scan.
+    """
+    mostly = np.asarray(share) >= 0.5
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], mostly, [False])).astype(int)))
+    pga_g = np.asarray(pga_g)
+    return [(float(pga_g[a]), float(pga_g[b - 1])) for a, b in edges.reshape(-1, 2)]
+
+
+def disagreements(scan, ensemble, spread, error=0.01):
+    """Levels at which YADE's share of collapses is no draw from the planar probability.
+
+    Two-sided exact test (Fisher) of the two shares, members of YADE's ensemble against the planar
+    ones within ± spread of the same amplitude.
+
+    Returns
+    -------
+    DataFrame
+        pga_g, probability, members (planar), probability_yade, members_yade, agrees (0 or 1).
+    """
+    from scipy.stats import fisher_exact
+
+    rows = []
+    valid = scan[scan["status"] != "failed"].sort_values("pga_g", ignore_index=True)
+    for pga_g, group in ensemble[ensemble["status"] != "failed"].groupby("pga_g"):
+        (share,), (count,) = probability(valid["pga_g"], valid["collapsed"], [pga_g], spread)
+        fell, own = int(group["collapsed"].sum()), len(group)
+        if count == 0:
+            continue
+        planar = round(share * count)
+        p = fisher_exact([[fell, own - fell], [planar, count - planar]])[1]
+        rows.append((pga_g, share, count, fell / own, own, int(p >= error)))
+    names = ["pga_g", "probability", "members", "probability_yade", "members_yade", "agrees"]
+    return pd.DataFrame(rows, columns=names)

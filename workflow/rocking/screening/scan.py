@@ -1,0 +1,113 @@
+"""The dense scan of an incremental dynamic analysis: every island of collapse, with its scatter."""
+
+import math
+
+import numpy as np
+import pandas as pd
+
+from yade_scripts.model import models
+from yade_scripts.model.motion import amplitude
+from yade_scripts.studies.perturb import NODE_CHOICES, STEP_SPREAD, Member, perturbed_numerics
+
+from .plane import moving_supports, prepare
+from .runs import Motions, peaks, stable_step
+
+BLOCK = 32  # amplitudes a look at whether the façade has fallen for good
+STEP_FRACTION = 0.15  # of the stable step of the scheme
+STEPS = 4  # different steps of the members
+MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change
+
+
+class Screen:
+    """Outcomes of one model, record and direction at any amplitudes, by the planar solver.
+
+    Parameters
+    ----------
+    job : dict
+        A scene file.
+    time_s, columns
+        Floor motions, see `yade_scripts.model.floor_motions.read`.
+    direction : str
+    """
+
+    def __init__(self, job, time_s, columns, direction):
+        """Prepare the scene in every layout of nodes that members use."""
+        self.numerics, self.direction, self.ground = job["numerics"], direction, columns["ground"]
+        self.planes = []
+        for extra in range(NODE_CHOICES):
+            numerics = perturbed_numerics(job["numerics"], Member(0, 1.0, extra_nodes=extra))
+            scene = models.build_scene({**job, "numerics": numerics})
+            self.planes.append(prepare(scene))
+        columns = models.motion_columns(scene, columns)
+        supports = [columns[name] for name in moving_supports(scene)]
+        self.motions = Motions(time_s, self.ground, supports)
+        self.static_g = models.static_multiplier(job)
+
+    def run(self, pga_g, scatter):
+        """Outcomes at ascending amplitudes; `scatter` turns node layout and step with them.
+
+        Returns
+        -------
+        DataFrame
+            Columns from pga_g on: extra_nodes, step_factor, d_over_b, status, collapsed.
+        """
+        pga_g = np.asarray(pga_g, float)
+        count = np.arange(pga_g.size)
+        extra = count % NODE_CHOICES if scatter else 0 * count
+        # five steps in turn, out of phase with the layouts
+        step = 1.0 - (STEP_SPREAD * (count % STEPS) / STEPS if scatter else 0.0 * count)
+        table = pd.DataFrame({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
+        table["d_over_b"] = np.nan
+        table["status"] = "failed"
+        factor = np.array([amplitude(self.ground, self.direction, g) for g in pga_g])
+        for layout, plane in enumerate(self.planes):
+            for share in np.unique(step):  # the motions are tabulated once a step
+                mine = np.flatnonzero((extra == layout) & (step == share))
+                if mine.size:
+                    h = share * STEP_FRACTION * stable_step(plane)
+                    found = peaks(plane, self.motions, self.numerics, factor[mine], step_s=h)
+                    table.loc[mine, "d_over_b"] = np.minimum(found.d_over_b, 1.0)
+                    status = np.where(found.failed, "failed", "ok")
+                    table.loc[mine, "status"] = np.where(found.overturned, "overturned", status)
+        table["collapsed"] = (table["status"] == "overturned").astype(int)
+        return table
+
+    def scan(self, settings):
+        """Scan all amplitudes: at `level_ratio`, then finer wherever outcomes may change.
+
+        The first pass climbs from half the static capacity until the façade has fallen at every
+        amplitude over a factor `beyond`, or to `max_pga_g`. The second has `members` amplitudes
+        within ± `amplitude_spread` of any, and turns node layout and step with them.
+
+        Parameters
+        ----------
+        settings : dict
+            level_ratio, beyond, max_pga_g, members, amplitude_spread.
+
+        Returns
+        -------
+        DataFrame
+            By ascending amplitude.
+        """
+        ratio, last = 1.0 + settings["level_ratio"], settings["max_pga_g"]
+        start = min(0.5 * self.static_g, last)
+        levels = start * ratio ** np.arange(1 + math.ceil(math.log(last / start) / math.log(ratio)))
+        levels[-1] = last
+        parts: list[pd.DataFrame] = []
+        run = math.ceil(math.log(settings["beyond"]) / math.log(ratio))
+        for first in range(0, levels.size, BLOCK):
+            parts.append(self.run(levels[first : first + BLOCK], scatter=False))
+            outcome = pd.concat(parts)["collapsed"].to_numpy()
+            if outcome.size >= run and outcome[-run:].all():
+                break
+        coarse = pd.concat(parts, ignore_index=True)
+        fallen = coarse.loc[coarse["collapsed"] == 1, "pga_g"]
+        if fallen.empty:
+            return coarse
+        standing = coarse.loc[coarse["collapsed"] == 0, "pga_g"]
+        low = (1.0 - MARGIN) * fallen.min()
+        high = (1.0 + MARGIN) * max(standing.max(), fallen.min())
+        fine = 1.0 + 2.0 * settings["amplitude_spread"] / settings["members"]
+        count = math.ceil(math.log(high / low) / math.log(fine))
+        members = self.run(low * fine ** np.arange(count + 1), scatter=True)
+        return pd.concat([coarse, members]).sort_values("pga_g", ignore_index=True)
