@@ -1,8 +1,23 @@
 """Writing files whole or not at all."""
 
 import glob
+import json
 import os
 from pathlib import Path
+
+
+def read_json(path):
+    """Content of a JSON file.
+
+    Raises
+    ------
+    OSError, ValueError
+        One line that names the file.
+    """
+    try:
+        return json.loads(Path(path).read_text("utf-8"))
+    except ValueError as error:
+        raise ValueError(f"{path}: not JSON ({error})") from None
 
 
 def named(error, path):

@@ -70,6 +70,11 @@ def study_code(name):
     return lambda w: files_of(BASE / "yade_scripts" / "studies" / f"{name}.py")
 
 
+def plan_option(wildcards, input):
+    """Option that hands a dense scan's plan to YADE; empty where there is none."""
+    return f"--plan {shlex.quote(input.plan)}" if input.plan else ""
+
+
 def caption(name):
     """Path of a figure's caption template."""
     return str(BASE / "workflow" / "report" / f"{name}.rst")

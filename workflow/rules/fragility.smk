@@ -107,10 +107,25 @@ rule reduction_motion:
         "../scripts/capacity_reduction_motion.py"
 
 
+use rule screen as reduction_screen with:
+    input:
+        scene="results/{run}/scenes/W2.json",
+        motion="results/{run}/capacity_reduction/T{t1}_below{below}/{record}.csv",
+        modules=code("screen"),
+    output:
+        scan="results/{run}/capacity_reduction/T{t1}_below{below}/scan_{record}_{direction}.csv",
+        plan="results/{run}/capacity_reduction/T{t1}_below{below}/plan_{record}_{direction}.json",
+    log:
+        "results/{run}/logs/reduction_screen_T{t1}_below{below}_{record}_{direction}.log",
+    benchmark:
+        "results/{run}/benchmarks/reduction_screen_T{t1}_below{below}_{record}_{direction}.tsv"
+
+
 use rule ida as reduction_ida with:
     input:
         scene="results/{run}/scenes/W2.json",
         motion="results/{run}/capacity_reduction/T{t1}_below{below}/{record}.csv",
+        plan="results/{run}/capacity_reduction/T{t1}_below{below}/plan_{record}_{direction}.json",
         yade="results/{run}/yade.txt",
         modules=study_code("ida"),
     output:
@@ -121,6 +136,7 @@ use rule ida as reduction_ida with:
         "results/{run}/benchmarks/reduction_T{t1}_below{below}_{record}_{direction}.tsv"
     params:
         yade=YADE,
+        plan=plan_option,
         journal="results/{run}/cache/reduction/T{t1}_below{below}_{record}_{direction}.jsonl",
 
 

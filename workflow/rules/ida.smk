@@ -5,6 +5,7 @@ rule ida:
     input:
         scene="results/{run}/scenes/{model}.json",
         motion=STUDY.ida_motion,
+        plan=STUDY.plan,
         yade="results/{run}/yade.txt",
         modules=study_code("ida"),
     output:
@@ -15,10 +16,11 @@ rule ida:
         "results/{run}/benchmarks/ida_{model}_{record}_{direction}.tsv"
     params:
         yade=YADE,
+        plan=plan_option,
         journal="results/{run}/cache/ida/{model}_{record}_{direction}.jsonl",
     shell:
         "{params.yade} ida --scene {input.scene:q} --motion {input.motion:q}"
-        " --record {wildcards.record:q} --direction {wildcards.direction}"
+        " --record {wildcards.record:q} --direction {wildcards.direction} {params.plan}"
         " --journal {params.journal:q} --output {output:q} 2> {log:q}"
 
 

@@ -125,10 +125,27 @@ rule damping_choice_scene:
         "../scripts/scene.py"
 
 
+use rule screen as damping_choice_screen with:
+    input:
+        scene="results/{run}/calibration/choice/{model}_{law}.json",
+        motion=CALIBRATION.choice_motion,
+        modules=code("screen"),
+    output:
+        scan="results/{run}/calibration/choice/scan_{model}_{direction}_{law}.csv",
+        plan="results/{run}/calibration/choice/plan_{model}_{direction}_{law}.json",
+    log:
+        "results/{run}/logs/damping_choice_screen_{model}_{direction}_{law}.log",
+    benchmark:
+        "results/{run}/benchmarks/damping_choice_screen_{model}_{direction}_{law}.tsv"
+    params:
+        record=CALIBRATION.choice_record,
+
+
 rule damping_choice_ida:
     input:
         scene="results/{run}/calibration/choice/{model}_{law}.json",
         motion=CALIBRATION.choice_motion,
+        plan="results/{run}/calibration/choice/plan_{model}_{direction}_{law}.json",
         yade=ancient("results/{run}/yade.txt"),
         modules=study_code("ida"),
     output:
@@ -139,11 +156,12 @@ rule damping_choice_ida:
         law="eq5|fitted",
     params:
         yade=YADE,
+        plan=plan_option,
         record=CALIBRATION.choice_record,
         journal="results/{run}/cache/choice/{model}_{direction}_{law}.jsonl",
     shell:
         "{params.yade} ida --scene {input.scene:q} --motion {input.motion:q}"
-        " --record {params.record:q} --direction {wildcards.direction}"
+        " --record {params.record:q} --direction {wildcards.direction} {params.plan}"
         " --journal {params.journal:q} --output {output:q} 2> {log:q}"
 
 

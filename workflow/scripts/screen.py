@@ -19,8 +19,8 @@ def main(job):
     motion = floor_motions.read(job.input.motion)
     settings = {**ida, **{key: ensemble[key] for key in ("members", "amplitude_spread")}}
     table = Screen(scene, *motion, w.direction).scan(settings)
-    table.insert(0, "model", w.model)
-    table.insert(1, "record", w.record)
+    table.insert(0, "model", scene["model"])
+    table.insert(1, "record", job.params.record)
     table.insert(2, "direction", w.direction)
     table.to_csv(job.output.scan, index=False, float_format="%.6g", lineterminator="\n")
     Path(job.output.plan).write_text(json.dumps(plan(table, ida, ensemble)) + "\n")

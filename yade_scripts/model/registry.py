@@ -47,6 +47,11 @@ class Model:
         return self.walls != "bricks"
 
     @property
+    def twin(self):
+        """Whether the compiled planar solver can stand in for YADE."""
+        return self.single_block and self.walls != "none"
+
+    @property
     def plain(self):
         """Name of the model with the same walls and a dry joint: its convergence is theirs."""
         return next(m.name for m in MODELS.values() if m.walls == self.walls and not m.bonded)

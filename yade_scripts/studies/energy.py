@@ -10,11 +10,9 @@ The terms are explained in `balance`.
 import argparse
 import csv
 import io
-import json
-from pathlib import Path
 
 from yade_scripts.engine import adapter, balance, simulate
-from yade_scripts.files import write_atomic
+from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.studies import shaking
@@ -82,7 +80,7 @@ def main(arguments=None):
     args = parser.parse_args(arguments)
     if not 0.0 < args.share <= 10.0:
         raise ValueError(f"--share {args.share:g}: expected a number from 0 to 10")
-    job = json.loads(Path(args.scene).read_text())
+    job = read_json(args.scene)
     time_s, columns = floor_motions.read(args.motion)
     pga_g = round(args.share * collapse_pga(read_curve(args.curve)[0]), DIGITS)
     factor = amplitude(columns["ground"], args.direction, pga_g)

@@ -9,15 +9,13 @@ Runs under YADE's own Python, after the study `ida`, whose curve it reads:
 
 import argparse
 import csv
-import json
 import math
 import sys
-from pathlib import Path
 
 import numpy as np
 
 from yade_scripts.engine import adapter, memory, simulate
-from yade_scripts.files import write_atomic
+from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.model.scene import to_json
@@ -156,8 +154,8 @@ def run_members(runner, pga_g, members):
     return rows, share
 
 
-def analyse(runner, status, d_over_b):
-    """Measure sensitivity, then run ensembles where needed.
+def analyse(runner, status, d_over_b, plan=None):
+    """Measure sensitivity, then run ensembles where needed; with a plan, at its levels alone.
 
     Returns
     -------
@@ -166,6 +164,10 @@ def analyse(runner, status, d_over_b):
     settings, ida = runner.job["ensemble"], runner.job["ida"]
     if settings["enabled"] == "off":
         return [], []
+    if plan is not None:
+        wanted = plan if runner.job["model"] in settings["models"] else []
+        members = perturb.draw_members(settings)
+        return [row for g in wanted for row in run_members(runner, g, members)[0]], []
     changes, sensitivity_rows = measure_sensitivity(runner, status, d_over_b, settings)
     if runner.job["model"] not in settings["models"]:
         return [], sensitivity_rows
@@ -199,8 +201,9 @@ def main(arguments=None):
     ):
         parser.add_argument(f"--{name}", required=True, help=text)
     parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
+    parser.add_argument("--plan", help="levels from the dense scan (JSON)")
     args = parser.parse_args(arguments)
-    job = json.loads(Path(args.scene).read_text())
+    job = read_json(args.scene)
 
     def say(text):
         print(
@@ -211,7 +214,8 @@ def main(arguments=None):
     status, d_over_b = read_curve(args.curve)
     adapter.load_yade()
     runner = Runner(job, time_s, columns, args.record, args.direction, Journal(args.journal), say)
-    rows, sensitivity_rows = analyse(runner, status, d_over_b)
+    plan = read_json(args.plan)["levels"] if args.plan else None
+    rows, sensitivity_rows = analyse(runner, status, d_over_b, plan)
     if runner.reused:
         say(f"{runner.reused} of {runner.count} runs taken from earlier work")
     sensitivity_rows.sort(key=lambda r: r["pga_g"])

@@ -12,12 +12,11 @@ import argparse
 import csv
 import json
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 
 from yade_scripts.engine import adapter, loop
-from yade_scripts.files import write_atomic
+from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.studies import shaking
@@ -139,7 +138,7 @@ def main(arguments=None):
     if (args.pga is None) == (args.collapse is None):
         raise ValueError("expected either --pga or --collapse")
     pga_g = args.pga if args.collapse is None else collapse_intensity(args.collapse)
-    job = json.loads(Path(args.scene).read_text())
+    job = read_json(args.scene)
     time_s, columns = floor_motions.read(args.motion)
     adapter.load_yade()
     frames = film(job, time_s, columns, args.direction, pga_g, args.interval, args.fall, args.until)

@@ -20,12 +20,11 @@ import json
 import math
 import sys
 import time
-from pathlib import Path
 
 import numpy as np
 
 from yade_scripts.engine import adapter, simulate
-from yade_scripts.files import write_atomic
+from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import facade
 from yade_scripts.model.gravity import GRAVITY_M_S2
 
@@ -43,10 +42,7 @@ def read_cases(path):
     ValueError
         One line naming the file and the case if a key is missing or a number is not usable.
     """
-    try:
-        cases = json.loads(Path(path).read_text())
-    except ValueError as error:
-        raise ValueError(f"{path}: not JSON ({error})") from None
+    cases = read_json(path)
     if not isinstance(cases, list) or not cases:
         raise ValueError(f"{path}: expected a list of cases")
     for number, case in enumerate(cases, 1):

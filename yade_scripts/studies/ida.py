@@ -7,13 +7,11 @@ Runs under YADE's own Python, all intensities in one process:
 """
 
 import argparse
-import json
 import math
 import sys
-from pathlib import Path
 
 from yade_scripts.engine import adapter, memory
-from yade_scripts.files import write_atomic
+from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.model.scene import to_json
@@ -26,7 +24,7 @@ from yade_scripts.studies.tables import RUN_COLUMNS, run_row, to_csv
 COLUMNS = {"model": "", "record": "", "direction": "", "pga_g": ".4f", **RUN_COLUMNS}
 
 
-def analyse(job, time_s, columns, record, direction, journal, say, renew=None):
+def analyse(job, time_s, columns, record, direction, journal, say, renew=None, plan=None):
     """Run all intensities the strategy asks for; rows already in the journal are reused.
 
     Parameters
@@ -38,6 +36,8 @@ def analyse(job, time_s, columns, record, direction, journal, say, renew=None):
         Receives one progress line a run.
     renew : callable, optional
         Called between runs when this process has grown too large; see `memory`.
+    plan : sequence of float, optional
+        See `next_intensity`.
 
     Returns
     -------
@@ -55,7 +55,7 @@ def analyse(job, time_s, columns, record, direction, journal, say, renew=None):
     done: dict[float, str] = {}
     reused = 0
     ceiling = memory.Ceiling()
-    while (pga_g := next_intensity(done, settings)) is not None:
+    while (pga_g := next_intensity(done, settings, plan)) is not None:
         key = run_key(base_key, pga_g)
         row = journal.get(key)
         if row is None:
@@ -88,13 +88,10 @@ def main(arguments=None):
     parser.add_argument("--record", required=True)
     parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
     parser.add_argument("--journal", required=True, help="finished runs (JSON lines)")
+    parser.add_argument("--plan", help="intensities from the dense scan (JSON)")
     parser.add_argument("--output", required=True, help="table to write (CSV)")
     args = parser.parse_args(arguments)
-    try:
-        job = json.loads(Path(args.scene).read_text())
-    except (ValueError, OSError) as error:
-        print(f"error: {args.scene}: {error}", file=sys.stderr)
-        return 1
+    job = read_json(args.scene)
 
     def say(text):
         print(
@@ -114,6 +111,7 @@ def main(arguments=None):
         Journal(args.journal),
         say,
         memory.start_afresh,
+        read_json(args.plan)["runs"] if args.plan else None,
     )
     write_atomic(args.output, to_csv(sorted(rows, key=lambda r: r["pga_g"]), COLUMNS))
     return 0

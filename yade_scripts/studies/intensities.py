@@ -1,10 +1,11 @@
-"""Which intensity to run next: the adaptive strategy and the grid, as pure functions.
+"""Which intensity to run next: a plan, the adaptive strategy or the grid, as pure functions.
 
-The adaptive strategy climbs from below uplift by a constant factor until the
-façade collapses, probes a few intensities beyond the first collapse (a curve may
-re-stabilise, and that is kept), then bisects the first collapse to a tolerance.
-After Vamvatsikos and Cornell (2004), "Applied incremental dynamic analysis":
-hunt, then fill.
+Where a dense scan by the planar solver has shown where outcomes change, YADE runs its plan.
+Without one the adaptive strategy climbs from below uplift by a constant factor until the façade
+collapses, then descends from the lowest collapse in small steps to a share of it, and again from
+any lower collapse that this finds: below a collapse a façade may stand, fall and stand again. It
+probes a few intensities beyond, then bisects the lowest collapse to a tolerance. After
+Vamvatsikos and Cornell (2004), "Applied incremental dynamic analysis": hunt, then fill.
 """
 
 import math
@@ -12,7 +13,10 @@ import math
 DIGITS = 4  # intensities are rounded to 1e-4 g so that tables and caches agree
 
 
-def next_intensity(done, settings):
+SEARCHED = 0.5  # share of the lowest collapse down to which islands of collapse are sought
+
+
+def next_intensity(done, settings, plan=None):
     """Return the next PGA to run [g], or None when the curve is complete.
 
     Parameters
@@ -21,7 +25,9 @@ def next_intensity(done, settings):
         Status ("ok", "overturned", "failed") of each PGA already run.
     settings : dict
         Section ida of the configuration: mode, grid_g, start_g, growth,
-        tolerance_g, tolerance_ratio, max_pga_g, beyond_collapse.
+        tolerance_g, tolerance_ratio, max_pga_g, beyond_collapse, search_ratio.
+    plan : sequence of float, optional
+        Intensities that a dense scan asks for [g]; it replaces the adaptive strategy.
 
     Notes
     -----
@@ -30,7 +36,9 @@ def next_intensity(done, settings):
     climb nor bound the bisection.
     """
     if settings["mode"] == "grid":
-        left = [round(g, DIGITS) for g in settings["grid_g"] if round(g, DIGITS) not in done]
+        plan = settings["grid_g"]
+    if plan is not None:
+        left = [round(g, DIGITS) for g in plan if round(g, DIGITS) not in done]
         return min(left) if left else None
     collapsed = sorted(g for g, status in done.items() if status == "overturned")
     climb = climb_sequence(settings)
@@ -43,6 +51,10 @@ def next_intensity(done, settings):
     beyond = [g for g in climb if g > climb_collapse(done, climb)]
     for g in beyond[: settings["beyond_collapse"]]:
         if g not in done:
+            return g
+    level = first
+    while (level := level * (1.0 - settings["search_ratio"])) >= SEARCHED * first:
+        if (g := round(level, DIGITS)) not in done:
             return g
     safe = max((g for g, status in done.items() if status == "ok" and g < first), default=0.0)
     tolerance = min(settings["tolerance_g"], settings["tolerance_ratio"] * first)

@@ -14,16 +14,14 @@ façade without headers (an eighth of a percent to three percent of it).
 import argparse
 import csv
 import io
-import json
 import sys
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from yade_scripts.engine import adapter, loop, simulate
-from yade_scripts.files import write_atomic
+from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import models
 
 PUSH = "push"
@@ -182,7 +180,7 @@ def main(arguments=None):
     parser.add_argument("--output", required=True, help="curve to write (CSV)")
     parser.add_argument("--forces", help="contact forces along the push to write (CSV)")
     args = parser.parse_args(arguments)
-    job = json.loads(Path(args.scene).read_text())
+    job = read_json(args.scene)
     scene, settings = models.build_scene(job), job["pushover"]
     adapter.load_yade()
     curve, forces, broken = push(

@@ -19,12 +19,11 @@ import argparse
 import io
 import json
 import sys
-from pathlib import Path
 
 import numpy as np
 
 from yade_scripts.engine import adapter
-from yade_scripts.files import write_atomic
+from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import facade, floor_motions
 from yade_scripts.studies import shaking
 
@@ -39,10 +38,7 @@ def read_tests(path):
     ValueError
         One line naming the file and the test if a key is missing.
     """
-    try:
-        tests = json.loads(Path(path).read_text())
-    except ValueError as error:
-        raise ValueError(f"{path}: not JSON ({error})") from None
+    tests = read_json(path)
     if not isinstance(tests, list) or not tests:
         raise ValueError(f"{path}: expected a list of tests")
     for number, test in enumerate(tests, 1):

@@ -10,16 +10,14 @@ magnitude. Bisection finds where.
 """
 
 import argparse
-import json
 import math
 import sys
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 
 from yade_scripts.engine import adapter, loop
-from yade_scripts.files import write_atomic
+from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import facade
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
@@ -294,7 +292,7 @@ def main(arguments=None):
     parser.add_argument("--output", required=True, help="every trial (CSV)")
     parser.add_argument("--limits", required=True, help="observed limits (CSV)")
     args = parser.parse_args(arguments)
-    job = json.loads(Path(args.scene).read_text())
+    job = read_json(args.scene)
     rows, limits = study(job, say=lambda text: print(text, file=sys.stderr, flush=True))
     write_atomic(args.limits, to_csv(limits, LIMIT_COLUMNS))
     write_atomic(args.output, to_csv(rows, COLUMNS))

@@ -102,9 +102,10 @@ def summary(scan, curve, members, spread):
         See COLUMNS: highest amplitude below which nothing fell in either method, lowest that
         fell, first crossings of 10, 50 and 90 %, the amplitude from which all collapse.
     """
-    own = pd.concat([_outcomes(curve), _outcomes(members)]) if len(members) else _outcomes(curve)
+    own = pd.concat([_outcomes(table) for table in (curve, members) if len(table)])
     dense = own if scan is None else _outcomes(scan)
-    every = pd.concat([own, dense]).sort_values("pga_g", ignore_index=True)
+    every = own if scan is None else pd.concat([own, dense])
+    every = every.sort_values("pga_g", ignore_index=True)
     dense = dense.sort_values("pga_g", ignore_index=True)
     fell, stood = every[every["collapsed"] == 1]["pga_g"], every[every["collapsed"] == 0]["pga_g"]
     lowest = fell.min() if len(fell) else np.nan
@@ -129,7 +130,7 @@ def summary(scan, curve, members, spread):
 def _outcomes(table):
     """Amplitude and outcome of every run that did not fail."""
     valid = table[table["status"] != "failed"]
-    factor = valid["amplitude_factor"] if "amplitude_factor" in valid else 1.0
+    factor = valid.get("amplitude_factor", 1.0)
     return pd.DataFrame(
         {"pga_g": valid["pga_g"] * factor, "collapsed": valid["collapsed"].astype(int)}
     )

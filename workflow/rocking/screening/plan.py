@@ -1,5 +1,7 @@
 """What YADE is to run, once a dense scan has shown where the outcomes change."""
 
+import itertools
+
 import numpy as np
 
 from rocking.curves.collapse import first_crossing, from_scan, islands
@@ -43,12 +45,8 @@ def plan(scan, settings, ensemble):
     runs = [g for g in climb if g < (middle if np.isfinite(middle) else np.inf)]
     runs += [BELOW * lowest, lowest]
     found = islands(pga_g, share)
-    for (a, b), following in list(zip(found, [*found[1:], None], strict=True))[
-        : settings["max_islands"]
-    ]:
-        runs.append(0.5 * (a + b) if following else a)
-        if following:
-            runs.append(0.5 * (b + following[0]))
+    for (a, b), (c, _) in list(itertools.pairwise(found))[: settings["max_islands"]]:
+        runs += [0.5 * (a + b), 0.5 * (b + c)]
     standing = scan.loc[scan["status"] == "ok", "pga_g"]
     runs += [g for g in climb if g > standing.max()][:1]
     levels = [first_crossing(pga_g, share, level) for level in (low, 0.5, high)]

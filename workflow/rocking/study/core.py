@@ -5,7 +5,7 @@ from typing import Any
 
 from rocking.configuration import config as configuration
 from rocking.records import read_table, surrogates_for
-from yade_scripts.model.registry import PUSHED
+from yade_scripts.model.registry import MODELS, PUSHED
 
 
 class Study:
@@ -136,6 +136,25 @@ class Study:
             return None
         ida = self.cfg(job.wildcards)["ida"]
         return len(ida["grid_g"]) if ida["mode"] == "grid" else None
+
+    def scanned(self, run, model) -> bool:
+        """Whether the curves of a model follow a dense scan by the planar solver."""
+        return MODELS[model].twin and self.runs[run]["ida"]["mode"] != "grid"
+
+    def plan(self, wildcards):
+        """What YADE is to run, from the dense scan; nothing where there is none."""
+        w = wildcards
+        if not self.scanned(w.run, w.model):
+            return []
+        return f"results/{w.run}/screening/{w.model}/{w.record}_{w.direction}.json"
+
+    def scans(self, run) -> list[str]:
+        """Dense scans of a run's curves."""
+        return [
+            path.replace("/ida/", "/screening/")
+            for path in self.ida_tables(run)
+            if self.scanned(run, Path(path).parent.name)
+        ]
 
     def ensemble_tables(self, run) -> list[str]:
         """Ensemble tables of a run; none where config switches them off."""
