@@ -108,8 +108,8 @@ class Series:
     pose, rates : ndarray, shape (n, 3)
         y, z [m] of the centroid from its reference place in the ground's frame, rotation about
         x [rad] (outward is negative), and their rates.
-    elastic_j : ndarray
-        Energy stored in the nodes.
+    elastic_j, spent_j : ndarray
+        Energy stored in the nodes; taken by dashpots, friction and broken bonds so far.
     contact : ndarray, shape (n, 3)
         Force along y, z [N] and moment about x [N·m] of the nodes on the block.
     supports_m, supports_m_s : ndarray, shape (n, m)
@@ -128,6 +128,7 @@ class Series:
     pose: np.ndarray
     rates: np.ndarray
     elastic_j: np.ndarray
+    spent_j: np.ndarray
     contact: np.ndarray
     supports_m: np.ndarray
     supports_m_s: np.ndarray
@@ -258,7 +259,8 @@ def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None,
         rows[:, 3:6],
         rows[:, 6:9],
         rows[:, 9],
-        rows[:, 10:13],
+        rows[:, 10],
+        rows[:, 11:14],
         rows[:, COLUMNS : COLUMNS + supports],
         rows[:, COLUMNS + supports :],
         math.nan if status == FAILED else peak / planar.thickness_m,
