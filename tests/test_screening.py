@@ -18,7 +18,7 @@ from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.models import build_scene
 
 BETA_S = 0.00276
-NODES = {"nodes_thickness": 9, "nodes_height": 9, "nodes_per_block": 9}
+NODES = {"nodes_thickness": 5, "nodes_height": 5, "nodes_per_block": 5}
 
 
 def case(model="W2", beta_s=BETA_S, release=None, **sections):
@@ -29,7 +29,7 @@ def case(model="W2", beta_s=BETA_S, release=None, **sections):
     return config, prepare(facade_scene(config, model, beta_s, release_ratio=release))
 
 
-def slender(h_m=1.0, b_m=0.1, e_mpa=5e3):
+def slender(h_m=1.0, b_m=0.1, e_mpa=8e4):
     """A slender block that does not slide, on few nodes: stiff ends."""
     return {
         "numerics": {"nodes_thickness": 3},
@@ -51,10 +51,10 @@ def shaking(peak_m_s2=1.0, duration_s=4.0, dt_s=0.005):
     return t, peak_m_s2 * wave / np.abs(wave).max()
 
 
-def chain_case(total_mass_kg, peak_m_s2=1.0, zeta=0.05):
+def chain_case(total_mass_kg, peak_m_s2=1.0, zeta=0.05, duration_s=4.0, tail_s=3.0):
     """Driven motions and masses of the default chain under `shaking`."""
-    t, ground = shaking(peak_m_s2)
-    floors = floor_motions(ground, t[1], damping_ratio=zeta, tail_s=3.0)
+    t, ground = shaking(peak_m_s2, duration_s)
+    floors = floor_motions(ground, t[1], damping_ratio=zeta, tail_s=tail_s)
     mass, k = shear_chain(4, 0.27, total_mass_kg).matrices()
     values, vectors = np.linalg.eigh(k / mass[0, 0])
     c = 2 * zeta * mass[0, 0] * (vectors * np.sqrt(values)) @ vectors.T
@@ -66,7 +66,7 @@ def chain_case(total_mass_kg, peak_m_s2=1.0, zeta=0.05):
 
 
 def test_quarter_period_of_free_rocking():
-    config, planar = case("free", 2e-5, 0.5, **slender(e_mpa=5e4))
+    config, planar = case("free", 2e-5, 0.5, **slender())
     still = Motions([0.0, 1.0], [0.0, 0.0])
     h = history(planar, still, config["numerics"], sample_s=0.0)
     outward = -h.pose[:, 2]
@@ -75,11 +75,11 @@ def test_quarter_period_of_free_rocking():
     assert time == pytest.approx(cf.quarter_period(0.5, cf.block(1.0, 0.1).p_rad_s), rel=0.01)
 
 
-def threshold(pulse, e_mpa):
+def threshold(pulse):
     """Smallest of some factors around 1 at which a pulse of unit threshold overturns."""
-    config, planar = case("free", 2e-5, **slender(e_mpa=e_mpa))
-    time = np.linspace(0.0, 3.0, 30001)
-    factors = np.linspace(0.9, 1.1, 101)
+    config, planar = case("free", 2e-5, **slender())
+    time = np.linspace(0.0, 2.0, 20001)
+    factors = np.linspace(0.96, 1.04, 41)
     got = peaks(planar, Motions(time, -pulse(time)), config["numerics"], factors)
     over = got.overturned
     assert not over[0]
@@ -90,7 +90,7 @@ def threshold(pulse, e_mpa):
 
 @pytest.mark.parametrize(("ratio", "critical"), [(2.0, 1.8007), (3.0, 2.2939), (5.0, 3.2891)])
 def test_half_sine_overturning(ratio, critical):
-    """From the uplift on, on bases of stiffness E and 4E, extrapolated to a rigid one."""
+    """Without impact, from the uplift on; the linearised closed form is of a rigid base."""
     alpha, _, p = cf.block(1.0, 0.1)
     assert cf.overturning_half_sine(ratio) == pytest.approx(critical, abs=1e-4)
 
@@ -98,8 +98,7 @@ def test_half_sine_overturning(ratio, critical):
         wave = critical * alpha * 9.81 * np.sin(ratio * p * t)
         return np.where(ratio * p * t < np.pi, wave, 0.0)
 
-    soft, stiff = threshold(pulse, 1e4), threshold(pulse, 4e4)
-    assert 2.0 * stiff - soft == pytest.approx(1.0, abs=0.01)
+    assert threshold(pulse) == pytest.approx(1.0, abs=0.01)
 
 
 def test_rectangular_overturning():
@@ -109,8 +108,7 @@ def test_rectangular_overturning():
     def pulse(t):
         return np.where(t < t1, 1.6 * alpha * 9.81, 0.0)
 
-    soft, stiff = threshold(pulse, 1e4), threshold(pulse, 4e4)
-    assert 2.0 * stiff - soft == pytest.approx(1.0, abs=0.01)
+    assert threshold(pulse) == pytest.approx(1.0, abs=0.01)
 
 
 def test_vertical_acceleration_is_gravity():
@@ -146,37 +144,33 @@ def test_error_falls_with_the_square_of_the_step():
     assert np.log2(mean[0] / mean[2]) / 2.0 > 1.5
 
 
-def test_energy_balance_with_the_chain_inside():
-    """Without dashpots: input = stored in block, nodes and chain + taken by the chain's damping."""
-    motions, carried, _ = chain_case(60e3, 0.6)
-    config, planar = case(
-        beta_s=0.0, facade={"friction_deg": 80.0}, return_wall={"friction_deg": 0.0}
-    )
-    h = history(planar, motions, config["numerics"], carried=carried, step_s=2e-5, sample_s=0.0)
-    assert np.abs(h.d_m).max() > 0.005
+@pytest.mark.parametrize("beta_s", [0.0, BETA_S])
+def test_energy_balance_with_the_chain_inside(beta_s):
+    """Input = stored in block, nodes and chain + taken by dashpots, friction and the chain's own.
+
+    The loss is counted node by node, apart from the motion; 0.5 % of the input, through impacts.
+    """
+    motions, carried, _ = chain_case(60e3, 0.9, duration_s=2.0, tail_s=1.0)
+    config, planar = case(beta_s=beta_s)
+    h = history(planar, motions, config["numerics"], carried=carried, step_s=4e-5, sample_s=0.0)
+    assert np.abs(h.d_m).max() > 0.01
     a = np.interp(h.time_s, motions.time_s, motions.ground_m_s2)
-    power = -a * (planar.mass_kg * h.rates[:, 0] + h.supports_m_s @ carried.mass_kg)
-    power -= np.einsum("ti,ij,tj->t", h.supports_m_s, carried.c_n_s_m, h.supports_m_s)
-    given = np.concatenate(([0.0], np.cumsum(0.5 * np.diff(h.time_s) * (power[1:] + power[:-1]))))
+
+    def integral(power):
+        return np.concatenate(
+            ([0.0], np.cumsum(0.5 * np.diff(h.time_s) * (power[1:] + power[:-1])))
+        )
+
+    given = integral(-a * (planar.mass_kg * h.rates[:, 0] + h.supports_m_s @ carried.mass_kg))
+    drag = np.einsum("ti,ij,tj->t", h.supports_m_s, carried.c_n_s_m, h.supports_m_s)
     stored = 0.5 * planar.mass_kg * (h.rates[:, :2] ** 2).sum(axis=1)
     stored += 0.5 * planar.inertia_kg_m2 * h.rates[:, 2] ** 2 + h.elastic_j
     stored += planar.mass_kg * planar.gravity_m_s2 * h.pose[:, 1]
     stored += 0.5 * h.supports_m_s**2 @ carried.mass_kg
     stored += 0.5 * np.einsum("ti,ij,tj->t", h.supports_m, carried.k_n_m, h.supports_m)
-    lost = given - (stored - stored[0])
-    assert np.abs(lost).max() < 0.01 * np.abs(stored - stored[0]).max()
-
-
-def test_contacts_only_take_energy():
-    """With dashpots and friction the loss of a driven W1 grows, within the step's own error."""
-    t, ground = shaking(1.5)
-    config, planar = case("W1")
-    h = history(planar, Motions(t, ground), config["numerics"], step_s=5e-5, sample_s=0.0)
-    power = np.einsum("ti,ti->t", h.contact, h.rates)
-    work = np.concatenate(([0.0], np.cumsum(0.5 * np.diff(h.time_s) * (power[1:] + power[:-1]))))
-    lost = -(work + h.elastic_j - h.elastic_j[0])
-    assert lost[-1] > 10.0
-    assert np.min(lost - np.maximum.accumulate(lost)) > -0.005 * lost[-1]
+    residual = given - (stored - stored[0]) - integral(drag) - h.spent_j
+    assert np.abs(residual).max() < 0.005 * np.abs(given).max()
+    assert h.spent_j[-1] > 0.02 * given.max()
 
 
 def test_one_history_whichever_way_it_is_asked_for():
@@ -203,8 +197,8 @@ def wall_of(config, segments):
         facade["e_mpa"] * 1e6,
         BETA_S,
         wall["count"] * wall["thickness_m"],
-        nodes_base=9,
-        nodes_up=9,
+        nodes_base=5,
+        nodes_up=5,
         segments=segments,
     )
 
@@ -212,28 +206,29 @@ def wall_of(config, segments):
 @pytest.mark.parametrize("model", ["W1", "W2"])
 def test_agrees_with_the_judge(model):
     """Rocking through several impacts, within 0.2 % of a run with error control."""
-    t, ground = shaking(1.2)
+    t, ground = shaking(1.2, 2.5)
     config, planar = case(model)
     floors = floor_motions(ground, t[1])
     driven = floors.floors_m_s2 if model == "W2" else None
     motion = judge.Motion(floors.time_s[1], floors.ground_m_s2, driven)
-    factors = np.array([0.6, -0.6]) if model == "W2" else np.array([1.0, -1.0])
+    factor = 0.6 if model == "W2" else 1.0
     wall = wall_of(config, 4 if model == "W2" else 1)
-    expected = judge.simulate_batch(wall, motion, factors, tolerance=3e-6).peak_d_over_b
+    expected = judge.simulate(wall, motion, scale=factor, tolerance=3e-6).d_over_b.max()
     motions = Motions(floors.time_s, floors.ground_m_s2, driven if model == "W2" else ())
-    got = peaks(planar, motions, config["numerics"], factors).d_over_b
-    assert got.max() > 0.05
+    h = history(planar, motions, config["numerics"], factor, sample_s=0.0)
+    got = h.d_m[h.time_s <= motion.duration_s].max() / planar.thickness_m
+    assert got > 0.05
     assert got == pytest.approx(expected, rel=2e-3)
 
 
 @pytest.mark.yade
-@pytest.mark.parametrize("model", ["W1", "W2", "W1c"])
+@pytest.mark.parametrize("model", ["W2", "W1c"])
 def test_agrees_with_yade(model):
     """Within 1 % of the engine's own run, nodes that bond and break included."""
-    t, ground = shaking(1.2)
-    weak = {"tension_mpa": 0.01, "cohesion_mpa": 0.01}
+    t, ground = shaking(1.2, 2.5)
+    weak = {"tension_mpa": 0.002, "cohesion_mpa": 0.003}
     config, planar = case(model, return_wall=weak)
-    floors = floor_motions(ground, t[1])
+    floors = floor_motions(ground, t[1], tail_s=1.0)
     columns = {f"floor{i + 1}": row.tolist() for i, row in enumerate(floors.floors_m_s2)}
     columns["ground"] = floors.ground_m_s2.tolist()
     expected = in_yade(
@@ -267,12 +262,13 @@ def test_huge_masses_are_driven_supports():
 def test_without_a_facade_the_masses_are_the_chain():
     """The façade stands clear of the walls: floors move as the modal solution, in every figure."""
     motions, carried, floors = chain_case(60e3)
-    config, planar = case(facade={"gap_m": 10.0})
+    config, planar = case(facade={"gap_m": 0.3})
     h = history(planar, motions, config["numerics"], 0.3, carried=carried, sample_s=0.0)
+    shaken = h.time_s < floors.time_s[-1]
     for got, exact in ((h.supports_m, floors.relative_m), (h.supports_m_s, floors.relative_m_s)):
         for j in range(4):
-            expected = 0.3 * np.interp(h.time_s, floors.time_s, exact[j])
-            assert np.abs(got[:, j] - expected).max() < 1e-3 * np.abs(expected).max()
+            expected = 0.3 * np.interp(h.time_s[shaken], floors.time_s, exact[j])
+            assert np.abs(got[shaken, j] - expected).max() < 1e-3 * np.abs(expected).max()
 
 
 def test_a_node_may_be_carried_by_either_side():

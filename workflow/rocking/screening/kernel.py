@@ -8,7 +8,7 @@ from numba import njit
 
 OK, OVERTURNED, FAILED = 0, 1, 2
 REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
-COLUMNS = 13  # of a history before the supports' own
+COLUMNS = 14  # of a history before the supports' own
 
 
 class Table(NamedTuple):
@@ -111,8 +111,9 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
             inertia[g, 3] = max(inertia[g, 3], abs(s))
     y, z, turn, vy, vz, spin = p.start  # rates half a step back, from the second step on
     ay = az = at = 0.0
-    peak = moving_until = 0.0
+    peak = moving_until = spent = 0.0
     status, written, broken, k = OK, 0, 0, 0
+    ledger = rows.shape[0] > 0
     last = table.ground_m_s2.size - 1
     steps = int(math.ceil(rules.limit_s / dt))
     time = 0.0
@@ -162,11 +163,15 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
                 for i in range(low, high):
                     slip[i] += more[g, 0] + more[g, 1] * p.place_m[i]
             while start < stop and d0 + d1 * p.place_m[start] <= 0.0:
-                slip[start] = 0.0
+                if not intact[start]:
+                    spent += 0.5 * p.kn_n_m[start] * p.shear_ratio[g] * slip[start] ** 2
+                    slip[start] = 0.0
                 start += 1
             while stop > start and d0 + d1 * p.place_m[stop - 1] <= 0.0:
                 stop -= 1
-                slip[stop] = 0.0
+                if not intact[stop]:
+                    spent += 0.5 * p.kn_n_m[stop] * p.shear_ratio[g] * slip[stop] ** 2
+                    slip[stop] = 0.0
             if start == stop:
                 if d0 + d1 * p.place_m[low] > 0.0:
                     start = stop = low
@@ -214,24 +219,30 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
                     w0, w1, w2 = k0, k1, k2
                     pressed = d0 * (d0 * k0 + 2.0 * d1 * k1) + d1 * d1 * k2
                     elastic += 0.5 * (pressed + ratio * sums[g, 2])
+                    if ledger:
+                        drag = q0 * (q0 * k0 + 2.0 * q1 * k1) + q1 * q1 * k2
+                        drag += ratio * (s0 * (s0 * k0 + 2.0 * s1 * k1) + s1 * s1 * k2)
+                        spent += dt * beta * drag
                     start = stop
             for i in range(start, stop):
                 s = p.place_m[i]
                 depth = d0 + d1 * s
                 kn = p.kn_n_m[i]
                 if intact[i]:
-                    held = slip[i] + g0 + g1 * s
+                    held, speed = slip[i] + g0 + g1 * s, s0 + s1 * s
                     if p.hold_m[i] == 0.0 and friction == 0.0:
-                        held = 0.0  # a tie transmits no shear
+                        held = speed = 0.0  # a tie transmits no shear
                     if -depth >= p.pull_m[i] or ratio * abs(held) > p.hold_m[i] + friction * max(
                         0.0, depth
                     ):
+                        spent += 0.5 * kn * (ratio * slip[i] ** 2 + min(depth, 0.0) ** 2)
                         intact[i], slip[i] = False, 0.0
                         left[g] -= 1
                         broken += 1
                     else:
-                        rate, speed = q0 + q1 * s, s0 + s1 * s
+                        rate = q0 + q1 * s
                         slip[i] = held
+                        spent += dt * kn * beta * (rate * rate + ratio * speed * speed)
                         normal = kn * (depth + beta * rate)
                         shear = kn * ratio * (held + beta * speed)
                         n0 += normal
@@ -242,9 +253,10 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
                         u0 += kn
                         u1 += kn * s
                         u2 += kn * s * s
-                        w0 += kn
-                        w1 += kn * s
-                        w2 += kn * s * s
+                        if speed != 0.0:
+                            w0 += kn
+                            w1 += kn * s
+                            w2 += kn * s * s
                         continue
                 if depth <= 0.0:
                     continue
@@ -265,14 +277,18 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
                 held = ratio * (slip[i] + step)
                 if abs(held) > limit:
                     shear = math.copysign(limit, held)
+                    spent += kn * limit * abs(held - shear) / ratio
                     slip[i] = shear / ratio
                 else:
                     slip[i] += step
-                    shear = held + ratio * beta * (s0 + s1 * s)
+                    speed = s0 + s1 * s
+                    shear = held + ratio * beta * speed
+                    spent += share * dt * kn * ratio * beta * speed * speed
                     w0 += kn
                     w1 += kn * s
                     w2 += kn * s * s
                 elastic += 0.5 * kn * (depth * depth + ratio * slip[i] * slip[i])
+                spent += share * dt * kn * (normal - depth) * rate
                 normal *= share * kn
                 shear *= share * kn
                 n0 += normal
@@ -343,9 +359,11 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
         if k % every == 0 and written < rows.shape[0]:
             rows[written, 0], rows[written, 1], rows[written, 2] = time, d, v
             rows[written, 3], rows[written, 4], rows[written, 5] = y, z, turn
-            rows[written, 6], rows[written, 7], rows[written, 8] = py, pz, pt
-            rows[written, 9], rows[written, 10], rows[written, 11] = elastic, fy, fz
-            rows[written, 12] = moment
+            rows[written, 6], rows[written, 7] = vy + half * ay, vz + half * az
+            rows[written, 8] = spin + half * at
+            rows[written, 9], rows[written, 10] = elastic, spent
+            rows[written, 11], rows[written, 12] = p.mass_kg * (ay + ag), p.mass_kg * (az + gravity)
+            rows[written, 13] = p.inertia_kg_m2 * at
             for j in range(supports):
                 rows[written, COLUMNS + j] = su[j]
                 rows[written, COLUMNS + supports + j] = sv[j]

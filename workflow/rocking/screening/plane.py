@@ -100,23 +100,31 @@ def prepare(scene):
         raise ValueError("screening: a support at rest beside a driven reference")
     column = {name: i for i, name in enumerate(names)}
     centre = np.array(block.centre_m)[1:]
-    rows = [_group(scene, own, centre, column, mine) for mine in _groups(nodes, centre)]
-    columns = list(zip(*rows, strict=True))
-    order = np.concatenate(columns[0])
-    counts = [len(mine) for mine in columns[0]]
+    groups = [_group(scene, own, centre, column, mine) for mine in _groups(nodes, centre)]
+    order = np.concatenate([group["nodes"] for group in groups])
+    sizes = [len(group["nodes"]) for group in groups]
     kn = nodes.kn_n_m[order]
+
+    def column_of(name, kind=float):
+        return np.array([group[name] for group in groups], kind)
+
     return Planar(
-        np.concatenate(([0], np.cumsum(counts))).astype(np.int64),
-        *(np.array(values, float) for values in columns[1:5]),
-        np.array(columns[5], bool),
-        np.array(columns[6], np.int64),
-        *(np.array(values, float) for values in columns[7:10]),
-        np.concatenate(columns[10]),
-        kn,
-        nodes.tension_n[order] / kn,
-        nodes.cohesion_n[order] / kn,
-        nodes.bonded[order],
-        np.array(
+        first=np.concatenate(([0], np.cumsum(sizes))).astype(np.int64),
+        origin_m=column_of("origin_m"),
+        along=column_of("along"),
+        normal=column_of("normal"),
+        level_m=column_of("level_m"),
+        carried=column_of("carried", bool),
+        support=column_of("support", np.int64),
+        beta_s=column_of("beta_s"),
+        shear_ratio=column_of("shear_ratio"),
+        friction=column_of("friction"),
+        place_m=np.concatenate([group["place_m"] for group in groups]),
+        kn_n_m=kn,
+        pull_m=nodes.tension_n[order] / kn,
+        hold_m=nodes.cohesion_n[order] / kn,
+        bonded=nodes.bonded[order],
+        start=np.array(
             [
                 *block.displacement_m[1:],
                 block.rotation_rad[0],
@@ -125,11 +133,11 @@ def prepare(scene):
             ],
             float,
         ),
-        float(block.mass_kg),
-        float(block.inertia_kg_m2[0]),
-        float(scene.gravity_m_s2),
-        float(scene.thickness_m),
-        np.array(scene.monitor_point_m, float)[1:] - centre,
+        mass_kg=float(block.mass_kg),
+        inertia_kg_m2=float(block.inertia_kg_m2[0]),
+        gravity_m_s2=float(scene.gravity_m_s2),
+        thickness_m=float(scene.thickness_m),
+        monitor_m=np.array(scene.monitor_point_m, float)[1:] - centre,
     )
 
 
@@ -166,25 +174,25 @@ def _line(nodes, centre, mine):
 
 
 def _group(scene, own, centre, column, mine):
-    """One group's nodes, ordered, and its columns in the order of `Planar`."""
+    """Values of one group, its nodes in order, by the names of `Planar`."""
     nodes, i = scene.nodes, mine[0]
     place, (origin, direction) = _line(nodes, centre, mine)
     carried = nodes.a[i] == own
     support = scene.blocks[nodes.b[i] if carried else nodes.a[i]]
     normal = nodes.normal[i, 1:]
-    return (
-        mine,
-        origin,
-        direction,
-        normal,
-        normal @ origin - nodes.gap_m[i],
-        carried,
-        column.get(support.motion, -1),
-        nodes.beta_s[i],
-        nodes.ks_n_m[i] / nodes.kn_n_m[i],
-        np.tan(nodes.friction_rad[i]),
-        place,
-    )
+    return {
+        "nodes": mine,
+        "origin_m": origin,
+        "along": direction,
+        "normal": normal,
+        "level_m": normal @ origin - nodes.gap_m[i],
+        "carried": carried,
+        "support": column.get(support.motion, -1),
+        "beta_s": nodes.beta_s[i],
+        "shear_ratio": nodes.ks_n_m[i] / nodes.kn_n_m[i],
+        "friction": np.tan(nodes.friction_rad[i]),
+        "place_m": place,
+    }
 
 
 def matrices(planar, supports=0):
