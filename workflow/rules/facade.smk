@@ -5,6 +5,7 @@ rule scene:
     input:
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,
+        building=lambda w: BUILDING.mass_of_walls(w),
         modules=code("scene"),
     output:
         "results/{run}/scenes/{model}.json",

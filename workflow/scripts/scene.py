@@ -1,6 +1,7 @@
 """Scene file of one model: the parts of the configuration a façade run depends on, and β."""
 
 import json
+from pathlib import Path
 
 from rocking.accuracy.fidelity import choose, read_fidelity
 from rocking.calibration.beta import beta_for
@@ -12,6 +13,10 @@ def main(job):
     scene["model"] = job.wildcards.model
     if law := getattr(job.wildcards, "law", None):  # for the comparison of the laws of β
         scene["damping"]["law"] = law
+    building = getattr(job.input, "building", None)
+    if building:
+        fit = json.loads(Path(str(building)).read_text())
+        scene["return_wall"]["building_mass_kg"] = fit["mass_behind_facade_kg"]
     scene["beta_s"] = beta_for(scene, job.input.law)
     scene["numerics"], _ = choose(scene, scene["model"], read_fidelity(job.input.fidelity))
     with open(job.output[0], "w") as handle:

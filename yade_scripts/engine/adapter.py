@@ -17,8 +17,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from yade_scripts.engine import loop
-from yade_scripts.engine.bonds import PRELOAD_M, Bonds, is_tie
+from yade_scripts.engine import links, loop
+from yade_scripts.engine.bonds import NO_STIFFNESS, PRELOAD_M, Bonds, is_tie
 from yade_scripts.engine.faces import RELEASE_CHECK_S, FaceError, Faces, Releases
 from yade_scripts.engine.guide import GUIDE_INTERVAL_S, Guide
 from yade_scripts.model.motion import Motion
@@ -28,7 +28,6 @@ __all__ = ["Built", "EngineError", "FaceError", "Motion", "build", "load_yade"]
 SUPPORT_MASS_RATIO = 1e9  # support mass over the heaviest block: drive error below 1e-9
 LEAST_BETA_S = 1e-15  # a dashpot of exactly 0 in series with the face would become the face's
 PARTNER_STIFFNESS = 1e30  # materials combine in series; the face must not soften the node
-NO_STIFFNESS = 1e-12  # N/m
 UNLIMITED_FRICTION = 1.57  # rad
 NEEDED_CLASSES = (
     "Box",
@@ -104,6 +103,10 @@ class Built:
         Moves the blocks that are driven along y but free otherwise, if there are any.
     releases : faces.Releases or None
         Lets go of nodes that have slid past their rim, if faces have rims.
+    linked : dict of int to list of int
+        YADE ids of the parts of links, by block.
+    links : list of Link
+        As built.
     """
 
     omega: object
@@ -113,6 +116,8 @@ class Built:
     bonds: Bonds | None = None
     guide: Guide | None = None
     releases: Releases | None = None
+    linked: dict | None = None
+    links: list | None = None
 
 
 def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
@@ -160,7 +165,6 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     )
     omega.materials.append(rigid)
     materials = {}
-    # not 0: of two materials YADE takes the larger when one of them is 0
     none = NO_STIFFNESS
     dead = w.ViscElMat(density=1e-12, kn=none, ks=none, cn=none, cs=none, frictionAngle=0.0)
 
@@ -198,6 +202,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     drives: dict[str, list[int]] = {}
     bonded: dict[int, tuple] = {}
     unturned: dict[int, object] = {}
+    linked = links.place(w, utils, omega, scene)
     heaviest = max([b.mass_kg for b in scene.blocks if b.free] or [1.0])
     for index, block in enumerate(scene.blocks):
         keys = faces.of_block(index)
@@ -232,6 +237,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
             node_body,
             bonded,
         )
+        members += linked.get(index, [])
         clump, unturned[index] = _clump(omega, block, members, full_rotation)
         body.append(clump)
 
@@ -258,15 +264,17 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
         )
         for i in ids:  # velocities live at half steps: start half a step back
             omega.bodies[i].state.vel = (0, -0.5 * dt_s * float(motion.acceleration_m_s2[0]), 0)
+    omega.dt = dt_s
+    if scene.shaking:
+        engines += links.shake(w, scene, motions[scene.shaking], body, omega)
     engines.append(
         w.NewtonIntegrator(
             damping=0.0, gravity=(0, 0, -scene.gravity_m_s2), exactAsphericalRot=full_rotation
         )
     )
     _place_members(w, omega)
-    omega.engines = engines
-    omega.dt = dt_s
-    built = Built(omega, body, node_body, unturned)
+    omega.engines, omega.dt = engines, dt_s
+    built = Built(omega, body, node_body, unturned, linked=linked, links=scene.links)
     _attach(scene, motions, built, bonded, node_material, dead)
     return built
 

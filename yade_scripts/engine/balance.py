@@ -4,10 +4,12 @@ At every whole step, with the mean v of the velocities half a step before and af
 
     W_in = ΔK + ΔU + ΔE + D_c + D_μ + D_f + residual
 
-W_in  work of whatever moves a support or guides a block, ∫ −F·v dt, F the contacts' force on it
+W_in  work of whatever moves a support or guides a block, ∫ −F·v dt, F the contacts' force on it;
+      in the frame of the ground also of the inertia forces, ∫ −m a_g v dt
 K     ½ m v² + ½ ωᵀ I ω of the free blocks, of guided ones without the motion imposed on them
 U     m g Δz of the free blocks
-E     ½ kn un² + ½ |Fs|²/ks of the contacts, for bonds without their preloads, which cancel
+E     ½ kn un² + ½ |Fs|²/ks of the contacts, for bonds and links without their preloads, which
+      cancel
 D_c   dashpots, ∫ (Fn − kn un) vn + cs |vs|² dt, the second where the contact does not slip
 D_μ   friction, ∫ Fs·(dus − dFs/ks)
 D_f   energy stored in bonds when they break
@@ -23,6 +25,7 @@ import numpy as np
 
 from yade_scripts.engine import adapter, loop
 from yade_scripts.engine.bonds import FACE_OFFSET_M, PRELOAD_M
+from yade_scripts.engine.links import REACH_M
 
 COLUMNS = (
     "time_s",
@@ -67,8 +70,12 @@ class EnergyBalance:
         COLUMNS at the samples: time [s] and energies since the start [J].
     """
 
-    def __init__(self, scene, sample_s=0.01):
-        """Prepare the books of a run of `scene`, with a row every `sample_s`."""
+    def __init__(self, scene, sample_s=0.01, motions=None):
+        """Prepare the books of a run of `scene`, with a row every `sample_s`.
+
+        `motions` as for `simulate.run`, needed in the frame of the ground only.
+        """
+        self.shaking = motions[scene.shaking] if scene.shaking else None
         self.scene, self.sample_s, self.rows = scene, sample_s, []
         self.work = np.zeros(4)  # input, dashpots, friction, fracture
         self.before: dict = {}
@@ -80,7 +87,9 @@ class EnergyBalance:
         self.omega = omega
         self._follow_bodies(built)
         spheres = built.bonds.spheres.values() if built.bonds else ()
-        self.preloaded = {body for press, hook, _ in spheres for body in (press, hook)}
+        self.preload = {body: PRELOAD_DEPTH_M for trio in spheres for body in trio[:2]}
+        for bodies in built.linked.values():
+            self.preload.update(dict.fromkeys(bodies, REACH_M))
         self.period = max(1, round(self.sample_s / omega.dt))
         engines = list(omega.engines)
         at = next(i for i, e in enumerate(engines) if isinstance(e, wrapper.NewtonIntegrator))
@@ -128,7 +137,7 @@ class EnergyBalance:
                 continue
             g, p = contact.geom, contact.phys
             x, n, f, s = g.contactPoint, g.normal, p.normalForce, p.shearForce
-            bonded = contact.id1 in self.preloaded or contact.id2 in self.preloaded
+            preload = self.preload.get(contact.id1, self.preload.get(contact.id2, 0.0))
             keys.append((contact.id1, contact.id2))
             ends.append((self.slot[contact.id1], self.slot[contact.id2]))
             rows.append(
@@ -148,7 +157,7 @@ class EnergyBalance:
                     p.ks,
                     p.cs,
                     p.tangensOfFrictionAngle,
-                    PRELOAD_DEPTH_M if bonded else 0.0,
+                    preload,
                 )
             )
         table = np.array(rows, float).reshape(-1, 16)
@@ -195,6 +204,9 @@ class EnergyBalance:
         driven_b = (force * mean[c.b, :3] * self.driven[c.b]).sum()
         dashpots = (c.normal_force - c.kn * c.depth) @ closing + (viscous * sliding).sum()
         power = np.array([driven_a - driven_b, dashpots])
+        if self.shaking is not None:
+            ground = np.interp(self.omega.time, self.shaking.time_s, self.shaking.acceleration_m_s2)
+            power[0] -= ground * (self.mass[:, 1] @ mean[:, 1])
         friction, fracture = self._losses(earlier * dt, sticks)
         self.work[:2] += 0.5 * dt * power
         self.work[2] += friction

@@ -28,6 +28,7 @@ from typing import Any
 import numpy as np
 
 PRELOAD_M = 0.05  # largest compression within which a bond stays linear
+NO_STIFFNESS = 1e-12  # N/m; of two materials YADE takes the larger when one of them is 0
 FACE_OFFSET_M = 1e-3  # the centre stays inside both boxes, off their surfaces
 CHECK_S = 5e-5  # shortest interval between checks
 LONGEST_CHECK_S = 4e-3

@@ -12,7 +12,9 @@ store and dissipate. Contacts cannot give more than they were given, so at every
 
     E(t) − E(0) − ∫ Σ −m a_g (v − v_g) dt − ∫ Σ_j −F_j (v_j − v_g) dt ≤ 0
 
-with F_j the contacts' force on what is moved, but for the integration of the samples. More
+with F_j the contacts' force on what is moved, but for the integration of the samples. Masses
+joined by links are moved too, as far as the façade is concerned: their own energy is many
+times the façade's, and the samples' error on it would hide what is looked for. More
 than TOLERANCE of the energy that overturns the façade, m g (R − h/2), is a numerical
 failure. The check cannot see an instability whose gain is smaller than what the contacts
 dissipate meanwhile, which is why the step is compared with the critical one before any run.
@@ -21,6 +23,7 @@ dissipate meanwhile, which is why the step is compared with the critical one bef
 import math
 
 from yade_scripts.engine import loop
+from yade_scripts.engine.links import built_stiffness
 
 DRIVE = "InterpolatingDirectedForceEngine"  # moves the supports
 TOLERANCE = 0.1  # of the energy that overturns the façade
@@ -48,13 +51,17 @@ class EnergyLedger:
         """Take hold of the built scene."""
         scene, omega = self.scene, built.omega
         reference = scene.blocks[scene.index(scene.reference)]
-        self.omega, self.forces = omega, omega.forces
+        self.omega, self.forces, self.links = omega, omega.forces, built.links
         self.base = omega.bodies[built.body[scene.index(scene.reference)]].state
         names = sorted({b.motion for b in scene.blocks if not b.free and b.motion})
         drives = [e for e in omega.engines if type(e).__name__ == DRIVE]
         curves = {name: _Curve(self.motions[name]) for name in names}
-        self.ground = curves.get(reference.motion, lambda t: 0.0)
-        self.walls = []
+        self.walls, self.masses = [], []
+        if scene.shaking:
+            self.ground, names, drives = _Curve(self.motions[scene.shaking]), [], []
+        else:
+            self.ground = curves.get(reference.motion, lambda t: 0.0)
+        linked = {i for link in scene.links for i in (link.a, link.b) if scene.blocks[i].free}
         for name, drive in zip(names, drives, strict=True):
             # with one motion no support moves relative to the base, and nothing works
             if len(names) > 1 and name != reference.motion:
@@ -71,7 +78,9 @@ class EnergyLedger:
                     block.mass_kg * scene.gravity_m_s2,
                     block.centre_m[2],
                 )
-                if block.motion:
+                if index in linked:
+                    self.masses.append((index, body, *own[:2], own[0].pos[1]))
+                elif block.motion:
                     self.guided.append((body, *own))
                 else:
                     self.free.append(own)
@@ -94,6 +103,8 @@ class EnergyLedger:
             # what acts on a wall less what drives it is the façade's push on it
             pushed = self.forces.f(i)[1] - mass * curve(t)
             power -= pushed * (wall.vel[1] - ground)
+        for pushed, speed in self._pushes(pull):
+            power -= pushed * speed
         if self.start is None:
             self.start, self.before = energy, (t, power)
         self.work += 0.5 * (power + self.before[1]) * (t - self.before[0])
@@ -108,6 +119,22 @@ class EnergyLedger:
             )
             loop.stop()
         self.excess = max(self.excess, excess) if math.isfinite(excess) else math.inf
+
+    def _pushes(self, pull):
+        """Force of everything but links and inertia on each mass [N], and its speed [m/s]."""
+        dt, at, force = self.omega.dt, {}, {}
+        for index, body, state, mass, start in self.masses:
+            # the step's links saw the position at its start, the velocity half a step earlier
+            total, speed = self.forces.f(body)[1], state.vel[1]
+            at[index] = state.pos[1] - dt * speed - start, speed - dt * total / mass
+            force[index] = total + mass * pull
+        for link in self.links:
+            (y, v), (y_b, v_b) = (at.get(i, (0.0, 0.0)) for i in (link.a, link.b))
+            held = built_stiffness(link) * (y - y_b) + link.dashpot_ns_m * (v - v_b)
+            for i, sign in ((link.a, 1.0), (link.b, -1.0)):
+                if i in force:
+                    force[i] += sign * held
+        return [(force[index], state.vel[1]) for index, _, state, *_ in self.masses]
 
 
 def _energy(state, mass, inertia, weight, height):

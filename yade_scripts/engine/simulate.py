@@ -2,12 +2,12 @@
 
 import math
 import time
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from yade_scripts.engine import adapter, loop
-from yade_scripts.model.stiffness import critical_step, lag_factors
+from yade_scripts.model.stiffness import compensated, critical_step
 
 OK, OVERTURNED, FAILED = "ok", "overturned", "failed"
 REST_RATIO = 0.5  # d/b
@@ -197,19 +197,15 @@ def run(
         Sampled in the same call from YADE as the monitor: such a call costs as much as the
         Python in it.
     compensate_lag : bool
-        Correct the return walls' contacts for the late dashpot velocity, see
-        `stiffness.lag_factors`.
+        Correct return walls and links for the late dashpot velocity, see
+        `stiffness.compensated`.
 
     Returns
     -------
     History
     """
     if compensate_lag:
-        factors = lag_factors(scene, dt_s)
-        nodes = replace(
-            scene.nodes, kn_n_m=scene.nodes.kn_n_m * factors, ks_n_m=scene.nodes.ks_n_m * factors
-        )
-        scene = replace(scene, nodes=nodes)
+        scene = compensated(scene, dt_s)
     built = adapter.build(
         scene, motions, dt_s, node_radius_m=node_radius_m, full_rotation=full_rotation
     )

@@ -6,6 +6,8 @@ free  no return walls (two-sided rocking, 2SR)
 W1    one return-wall block up the height, driven with the base
 W2    one return-wall block per lumped mass of the chain, block j driven by floor j
 W1c, W2c  the same with cohesion and tensile strength on the back joint
+W2m, W2cm  as W2 and W2c, but each block is a mass of the chain, joined to the others by its
+      springs and dashpots, and feels the façade; in the frame of the ground
 
 The façade fills 0 ≤ y ≤ b, 0 ≤ z ≤ h; the return walls stand at y < 0. It
 rocks outward about its front toe (y = b, z = 0). A planar scene has one column
@@ -19,6 +21,7 @@ import math
 import numpy as np
 
 from yade_scripts.model import registry
+from yade_scripts.model.chain import chain_links, chain_matrices
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
@@ -26,6 +29,14 @@ from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 BASE = "base"
 FACADE = "façade"
 GROUND = "ground"
+
+
+def building_mass(config):
+    """Mass of the building behind the façade [kg]; ValueError where the job states none."""
+    mass = config["return_wall"].get("building_mass_kg")
+    if not mass:
+        raise ValueError("return_wall.building_mass_kg: expected the building's mass (kg)")
+    return mass
 
 
 def floor_motion(j):
@@ -96,7 +107,7 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
             1.0,
             (1.0, 1.0, 1.0),
             free="",
-            motion=GROUND,
+            motion=None if kind.massive else GROUND,
         )
     ]
     nodes = NodeList()
@@ -140,8 +151,14 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
             rotation_rad=rotation,
         )
     )
+    links = []
     if kind.walls != "none" and facade.get("sides") != "two":
         _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar)
+        if kind.massive:
+            masses = range(2, len(blocks))
+            _, stiffness, damping = chain_matrices(config["smdof"], building_mass(config))
+            heights = [blocks[i].centre_m[2] for i in masses]
+            links = chain_links(stiffness, damping, masses, 0, heights)
     return Scene(
         blocks,
         nodes.joints,
@@ -150,6 +167,8 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
         monitor_point_m=(0.0, 0.5 * b, h),
         reference=BASE,
         thickness_m=b,
+        links=links,
+        shaking=GROUND if kind.massive else None,
     )
 
 
@@ -195,7 +214,7 @@ def _initial_pose(h, b, angle, settlement):
 
 
 def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar):
-    """Append the return-wall supports and the back joints."""
+    """Append the return walls, driven or massive, and the back joints."""
     facade, wall, numerics = config["facade"], config["return_wall"], config["numerics"]
     h, width = facade["height_m"], facade["width_m"]
     total = wall["count"] * wall["thickness_m"]
@@ -207,15 +226,16 @@ def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar):
         low, tall = (j - 1) * h / count, h / count
         name = f"return wall {j}"
         motion = floor_motion(j) if kind.chain else GROUND
+        mass = building_mass(config) / count if kind.massive else 1.0
         blocks.append(
             Block(
                 name,
                 (0.0, -0.5 * h - facade["gap_m"], low + 0.5 * tall),
                 (total, h, tall),
-                1.0,
+                mass,
                 (1.0, 1.0, 1.0),
-                free="",
-                motion=motion,
+                free="y" if kind.massive else "",
+                motion=None if kind.massive else motion,
             )
         )
         line = np.stack([0 * points, 0 * points, low + points * tall], axis=1)

@@ -15,6 +15,12 @@ rotation about x (paper, section 4); a half brick belongs to the return brick be
 Its two bed joints in series make the joint to the next return brick half as stiff, as
 stiff as the two bed joints of the header beside it.
 
+Where the walls carry the building's mass (W3m) the masses of the chain stand at the storey
+heights, and a light panel hangs between each two of them: a bar that may shift along y and
+turn about x, tied to the mass above and the mass (or ground) below. A brick is tied to its
+panel at the height of its centroid, so it follows the masses by interpolation of height and
+its reaction reaches them by the same lever. The scene stands in the frame of the ground.
+
 Contacts of two edges that slide off each other: one node on the header's rear edge
 against the brick's face, one on the brick's front edge against the header's face. The
 ends of the overlap are always such a pair, and both faces end where the blocks do, so
@@ -33,10 +39,12 @@ import math
 
 import numpy as np
 
+from yade_scripts.model.chain import chain_links, chain_matrices
 from yade_scripts.model.facade import (
     BASE,
     FACADE,
     GROUND,
+    building_mass,
     floor_motion,
     joint_stiffness,
 )
@@ -47,10 +55,11 @@ from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 HEADER_JOINTS = ("rigid", "bonded", "sliding", "hinged")
 UP, DOWN, BACK = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0), (0.0, -1.0, 0.0)
 GAUSS = 0.5 / math.sqrt(3.0)
+TIE_N_M, TIE_BETA_S = 1e9, 2e-5  # some eight times a brick's front joint
 
 
-def interlocking_scene(config, beta_s):
-    """Build the scene of W3.
+def interlocking_scene(config, beta_s, *, massive=False):
+    """Build the scene of W3, or of W3m if `massive`.
 
     Parameters
     ----------
@@ -72,14 +81,14 @@ def interlocking_scene(config, beta_s):
         If the courses do not fill the height, the overlap does not leave a half brick,
         or a rule is unknown.
     """
-    return _Assembly(config, beta_s).scene()
+    return _Assembly(config, beta_s, massive).scene()
 
 
 class _Assembly:
     """Collects blocks and joints of W3; one instance builds one scene."""
 
-    def __init__(self, config, beta_s):
-        self.config, self.beta = config, beta_s
+    def __init__(self, config, beta_s, massive):
+        self.config, self.beta, self.massive = config, beta_s, massive
         facade, wall, w3 = config["facade"], config["return_wall"], config["w3"]
         self.h, self.b = facade["height_m"], facade["thickness_m"]
         self.course, self.v, self.length = (
@@ -110,7 +119,7 @@ class _Assembly:
         spread = 0.5 * (facade["width_m"] - self.t)
         self.x = [0.0] if self.walls == 1 else np.linspace(-spread, spread, self.walls).tolist()
         self.blocks, self.nodes, self.rims, self.motions = [], NodeList(), {}, {}
-        self.beds = []
+        self.beds, self.links, self.panels = [], [], []
         self.bed = dict(
             jkn_pa_m=w3["jkn_pa_m"],
             jks_pa_m=w3["jks_pa_m"],
@@ -121,8 +130,12 @@ class _Assembly:
     def scene(self):
         """Assemble everything."""
         self._facade()
+        if self.massive:
+            self._panels()
         for wall, x in enumerate(self.x, 1):
             self._wall(f"wall {wall}" if self.walls > 1 else "wall", x)
+        if self.massive:
+            self._masses()
         debris = [b.name for b in self.blocks if " header " in b.name]
         notes = {
             "rims": self.rims,
@@ -139,6 +152,8 @@ class _Assembly:
             monitor_point_m=(0.0, 0.5 * self.b, self.h),
             reference=BASE,
             thickness_m=self.b,
+            links=self.links,
+            shaking=GROUND if self.massive else None,
             notes=notes,
         )
 
@@ -157,7 +172,7 @@ class _Assembly:
                 1.0,
                 (1.0, 1.0, 1.0),
                 free="",
-                motion=GROUND,
+                motion=None if self.massive else GROUND,
             ),
             Block(
                 FACADE,
@@ -182,6 +197,63 @@ class _Assembly:
             facade["shear_stiffness_ratio"] * jkn,
             beta_s=self.beta,
             friction_rad=math.radians(facade["friction_deg"]),
+        )
+
+    def _panels(self):
+        """Panels between the storey heights, before the bricks that hang on them."""
+        n = self.config["smdof"]["n_dof"]
+        tall = self.h / n
+        size = (self.t, self.length, tall)
+        mass = self.walls * self.density * self.t * self.length * tall
+        for j in range(1, n + 1):
+            self.panels.append(len(self.blocks))
+            self.blocks.append(
+                Block(
+                    f"panel {j}",
+                    (0.0, -self.length, (j - 0.5) * tall),
+                    size,
+                    mass,
+                    box_inertia(mass, size),
+                    free="yX",
+                )
+            )
+
+    def _masses(self):
+        """Masses of the chain: what the bricks and panels leave of the building's mass."""
+        n = self.config["smdof"]["n_dof"]
+        total = building_mass(self.config) * self.share
+        names = ("panel", "brick")
+        hung = sum(b.mass_kg for b in self.blocks if any(name in b.name for name in names))
+        if hung >= total:
+            raise ValueError(
+                f"return_wall.building_mass_kg = {total / self.share:g}: expected more than the "
+                f"{hung / self.share:.0f} kg of the return walls' bricks"
+            )
+        first = len(self.blocks)
+        heights = [j * self.h / n for j in range(1, n + 1)]
+        for j, z in enumerate(heights, 1):
+            self.blocks.append(
+                Block(
+                    f"mass {j}",
+                    (0.0, -2.0 * self.length, z),
+                    (self.t, self.length, 0.1),
+                    (total - hung) / n,
+                    (1.0, 1.0, 1.0),
+                    free="y",
+                )
+            )
+        _, stiffness, damping = chain_matrices(self.config["smdof"], total)
+        self.links = chain_links(stiffness, damping, range(first, first + n), 0, heights)
+        for j, panel in enumerate(self.panels):
+            low = first + j - 1 if j else 0
+            for end, other, z in (("foot", low, j * self.h / n), ("head", first + j, heights[j])):
+                self._tie(f"panel {j + 1} {end}", panel, other, (0.0, -self.length, z))
+
+    def _tie(self, name, a, b, place):
+        """Join two blocks along y at one point, in tension and compression, without shear."""
+        stiffness = self.walls * TIE_N_M
+        self.nodes.add_joint(
+            name, a, b, [place], BACK, 1.0, stiffness, stiffness, beta_s=TIE_BETA_S, tension_pa=1e30
         )
 
     def _wall(self, wall, x):
@@ -228,7 +300,7 @@ class _Assembly:
             own = box_inertia(m, (self.t, length, self.course))
             dy, dz = y - centre[1], z - centre[2]
             inertia += np.array(own) + m * np.array([dy**2 + dz**2, dz**2, dy**2])
-        motion = self._motion(parts[0][2])
+        motion = None if self.massive else self._motion(parts[0][2])
         self.blocks.append(
             Block(
                 f"{wall} brick {course}",
@@ -236,11 +308,16 @@ class _Assembly:
                 (self.t, self.length, self.course),
                 float(masses.sum()),
                 tuple(inertia),
-                free="zX",
+                free="yzX" if self.massive else "zX",
                 motion=motion,
             )
         )
-        return len(self.blocks) - 1
+        index = len(self.blocks) - 1
+        if self.massive:
+            storey = min(int(centre[2] / self.h * len(self.panels)), len(self.panels) - 1)
+            place = (x, -self.length, centre[2])
+            self._tie(f"{wall} brick {course} tie", index, self.panels[storey], place)
+        return index
 
     def _motion(self, z):
         """Name of the motion at height z, linear between ground and lumped masses."""

@@ -23,8 +23,9 @@ def build_scene(job):
     ValueError
         For an unknown model.
     """
-    if registry.model(job["model"]).walls == "bricks":
-        return interlocking.interlocking_scene(job, job["beta_s"])
+    kind = registry.model(job["model"])
+    if kind.walls == "bricks":
+        return interlocking.interlocking_scene(job, job["beta_s"], massive=kind.massive)
     return facade.facade_scene(job, job["model"], job["beta_s"])
 
 

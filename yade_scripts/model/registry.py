@@ -26,6 +26,9 @@ class Model:
         In figures.
     static : str
         Line of its pushover curve in Figure 9; empty where the model has none of its own.
+    massive : bool
+        The return walls carry the masses of the chain, joined by its springs and dashpots, and
+        feel the façade; otherwise they are driven, whatever it does to them.
     """
 
     name: str
@@ -35,10 +38,11 @@ class Model:
     colour: str = "0.4"
     marker: str = "o"
     static: str = ""
+    massive: bool = False
 
     @property
     def chain(self):
-        """Whether its return walls follow the floors of the chain."""
+        """Whether its return walls belong to the floors of the chain."""
         return self.walls in ("floors", "bricks")
 
     @property
@@ -53,8 +57,9 @@ class Model:
 
     @property
     def plain(self):
-        """Name of the model with the same walls and a dry joint: its convergence is theirs."""
-        return next(m.name for m in MODELS.values() if m.walls == self.walls and not m.bonded)
+        """Name of the driven model with the same walls, joint dry: its convergence is theirs."""
+        same = (m for m in MODELS.values() if m.walls == self.walls)
+        return next(m.name for m in same if not (m.bonded or m.massive))
 
 
 MODELS = {
@@ -66,10 +71,13 @@ MODELS = {
         Model("W2", "floors", False, "a block a floor, floor motions", "#D55E00", "^"),
         Model("W2c", "floors", True, "W2 with a bonded joint", "#E69F00", "D"),
         Model("W3", "bricks", False, "interlocking bricks, floor motions", "#009E73", "v", "--"),
+        Model("W2m", "floors", False, "W2 with the building's mass", "#CC79A7", "<", massive=True),
+        Model("W3m", "bricks", False, "W3 with the building's mass", "#7A5195", "P", massive=True),
+        Model("W2cm", "floors", True, "W2c with the building's mass", "#B5A21E", ">", massive=True),
     )
 }
 WITH_WALLS = tuple(name for name, model in MODELS.items() if model.walls != "none")
-PLANAR = tuple(name for name in WITH_WALLS if MODELS[name].single_block and not MODELS[name].bonded)
+PLANAR = tuple(n for n in WITH_WALLS if MODELS[n].single_block and MODELS[n].plain == n)
 PUSHED = tuple(name for name, model in MODELS.items() if model.static)
 
 

@@ -1,4 +1,4 @@
-"""Scene description: rigid blocks and the contact nodes between them, as plain data.
+"""Scene description: rigid blocks, contact nodes and links between them, as plain data.
 
 A scene knows nothing of YADE. `engine` turns it into YADE bodies, `stiffness`
 assembles its K, M and C from the same node list, drawings read its blocks.
@@ -119,6 +119,48 @@ class Nodes:
         return (self.tension_n > 0.0) | (self.cohesion_n > 0.0)
 
 
+@dataclass(frozen=True)
+class Link:
+    """A spring and a dashpot in parallel between two blocks, linear both ways.
+
+    The force on `a` along `direction` is −k·u − c·u̇ with u the displacement of a past b.
+
+    Parameters
+    ----------
+    name : str
+    a, b : int
+        Indices of the blocks; a support as `b` stands for the ground.
+    stiffness_n_m, dashpot_ns_m : float
+        k and c, neither negative.
+    position_m : tuple of 3 floats
+        Where it acts on both blocks, in the reference position.
+    direction : tuple of 3 floats
+        Unit vector.
+
+    Raises
+    ------
+    ValueError
+        If k or c is negative or not finite, or the link joins a block to itself.
+    """
+
+    name: str
+    a: int
+    b: int
+    stiffness_n_m: float
+    dashpot_ns_m: float
+    position_m: tuple
+    direction: tuple = (0.0, 1.0, 0.0)
+
+    def __post_init__(self):
+        """Check the values."""
+        for label in ("stiffness_n_m", "dashpot_ns_m"):
+            value = getattr(self, label)
+            if not (np.isfinite(value) and value >= 0.0):
+                raise ValueError(f"link '{self.name}': {label} must not be negative, got {value}")
+        if self.a == self.b:
+            raise ValueError(f"link '{self.name}' joins a block to itself")
+
+
 @dataclass
 class Scene:
     """Blocks, contact nodes and what the run needs to know about them.
@@ -139,6 +181,11 @@ class Scene:
         Name of the support from which d is measured.
     thickness_m : float
         b of d/b.
+    links : list of Link
+    shaking : str or None
+        Name of the ground motion in whose frame the scene is described: supports without
+        motion of their own stand still and every free block feels −m·a_g along y. None:
+        an inertial frame.
     """
 
     blocks: list
@@ -149,6 +196,8 @@ class Scene:
     reference: str
     thickness_m: float
     gravity_m_s2: float = GRAVITY_M_S2
+    links: list = field(default_factory=list)
+    shaking: str | None = None
     notes: dict = field(default_factory=dict)
 
     def index(self, name):
@@ -168,8 +217,8 @@ class Scene:
 
     @property
     def motions(self):
-        """Names of the motions that drive supports, sorted."""
-        return sorted({b.motion for b in self.blocks if b.motion is not None})
+        """Names of the motions that drive the scene, sorted."""
+        return sorted({m for m in (self.shaking, *(b.motion for b in self.blocks)) if m})
 
 
 class NodeList:

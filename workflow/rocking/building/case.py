@@ -74,6 +74,18 @@ def build_model(settings, plan, model, load_kg_m2=None, coarsening=None):
     )
 
 
+def mass_behind_facade(settings, plan, load_kg_m2):
+    """Mass of the complete building less one of its façades [kg]; foundations do not count."""
+    complete, bare = (
+        sum(
+            b.mass_kg for b in build_model(settings, plan, model, load_kg_m2).scene.blocks if b.free
+        )
+        for model in MODELS
+    )
+    facades = sum(wall.facade for wall in plan.walls)
+    return complete - (complete - bare) / max(facades, 1)
+
+
 def translation_mode(modes, direction="y"):
     """Return the index of the translational mode: the largest effective mass in `direction`."""
     return modes.largest(direction)

@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from yade_scripts.model.registry import MODELS
+
 MODEL_KEYS = [
     "brick_length_m",
     "brick_height_m",
@@ -57,6 +59,12 @@ class Building:
     def plan(self, wildcards) -> str:
         """Plan file of a job's run."""
         return self._plan_file("plan", self.settings(wildcards.run)["plan"])
+
+    def mass_of_walls(self, wildcards) -> list[str]:
+        """File with the building's mass, where a model's walls carry it and none is stated."""
+        stated = self.study.cfg(wildcards)["return_wall"]["building_mass_kg"]
+        needed = MODELS[wildcards.model].massive and stated is None
+        return [f"results/{wildcards.run}/building/fit.json"] if needed else []
 
     def all_plans(self, wildcards) -> list[str]:
         """Plan file of a job's run and the alternatives to it."""

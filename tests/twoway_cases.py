@@ -1,0 +1,58 @@
+"""Runs with massive return walls for tests; imported inside YADE's Python."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from yade_scripts.engine import adapter, simulate
+from yade_scripts.model import facade, models
+from yade_scripts.studies import ida
+
+
+def chain_alone(config, ground, dt_s, beta_s=0.002):
+    """Displacement of the masses relative to the ground, no façade before them.
+
+    The façade is there, but the nodes between it and the walls are not.
+    """
+    import __main__
+
+    scene = facade.facade_scene(config, "W2m", beta_s)
+    nodes = scene.nodes
+    kept = nodes.b == 0
+    scene = replace(
+        scene, nodes=type(nodes)(**{name: column[kept] for name, column in vars(nodes).items()})
+    )
+    time_s = np.arange(len(ground)) * dt_s
+    motions = {"ground": adapter.Motion(time_s, np.array(ground))}
+    step, _ = simulate.choose_step(scene, config["numerics"])
+    rules = simulate.StopRules(time_s[-1], time_s[-1], overturn_ratio=1e9, max_speed_m_s=1e9)
+    rows = []
+
+    def setup(built):
+        omega = built.omega
+        states = [omega.bodies[built.body[i]].state for i in range(2, len(scene.blocks))]
+
+        def sample():
+            rows.append([omega.time + omega.dt, *(s.pos[1] + offset for s in states)])
+
+        offset = -scene.blocks[2].centre_m[1]
+        __main__._sample_masses = sample
+        runner = adapter.load_yade().PyRunner(command="_sample_masses()", iterPeriod=10)
+        omega.engines = [*omega.engines, runner]
+
+    history = simulate.run(scene, motions, step, rules, setup=setup)
+    return {"rows": rows, "speed": history.steps / history.wall_s, "step": step}
+
+
+def shaken(config, runs, time_s, columns):
+    """Peak d/b, status and history of runs (model, mass of the building [kg])."""
+    found = []
+    columns = {name: np.array(values) for name, values in columns.items()}
+    for model, mass_kg in runs:
+        wall = {**config["return_wall"], "building_mass_kg": mass_kg}
+        job = {**config, "return_wall": wall, "model": model, "beta_s": 0.002}
+        scene = models.build_scene(job)
+        moved = models.motion_columns(scene, columns)
+        h = ida.run_one(scene, np.array(time_s), moved, 1.0, models.numerics(job))
+        found.append({"peak": h.peak_d_over_b, "status": h.status, "reason": h.reason})
+    return found

@@ -1,0 +1,96 @@
+"""Links of a scene in YADE: a spring and a dashpot that pull as well as push.
+
+A link is a sphere on block a with half the stiffness and half the dashpot, and on block b two
+rigid boxes, one before and one behind it along the link's direction, GAP_M from its centre and
+penetrated by REACH_M. The two preloads cancel, and while the centre stays between the boxes the
+pair is linear both ways, as the ties of `bonds` are. Contacts lose their dashpot where their
+force would become tensile, so a dashpot gets at least the stiffness that keeps it working at
+FASTEST_M_S: 2e-2 1/s times c, below 1e-4 of a chain's stiffness. All links share one mask bit
+and stand side by side in x, out of each other's reach.
+"""
+
+from yade_scripts.engine.bonds import NO_STIFFNESS
+from yade_scripts.model.scene import DOFS
+
+REACH_M, GAP_M = 1e3, 10.0
+FASTEST_M_S = 20.0  # of one end past the other
+BIT = 1 << 30  # beyond those of the faces
+
+
+class LinkError(ValueError):
+    """A link cannot be built on these blocks."""
+
+
+def built_stiffness(link):
+    """Stiffness of a link as it is built [N/m]."""
+    return max(link.stiffness_n_m, link.dashpot_ns_m * FASTEST_M_S / REACH_M)
+
+
+def place(w, utils, omega, scene):
+    """Append the spheres and boxes of a scene's links.
+
+    Returns
+    -------
+    members : dict of int to list of int
+        YADE ids by block, for the clumps of the free ones.
+    """
+    rigid = w.ViscElMat(density=1e-30, kn=1e30, ks=1e30, cn=1e30, cs=1e30, frictionAngle=0.0)
+    if scene.links:
+        omega.materials.append(rigid)
+    members: dict[int, list] = {}
+    for number, link in enumerate(scene.links, 1):
+        for block in (scene.blocks[link.a], scene.blocks[link.b]):
+            if block.motion is not None or set(block.free) & set(DOFS[3:]):
+                raise LinkError(f"link '{link.name}': block '{block.name}' is driven or can turn")
+        half = w.ViscElMat(
+            density=1e-30,
+            kn=0.5 * built_stiffness(link),
+            cn=max(0.5 * link.dashpot_ns_m, NO_STIFFNESS),
+            ks=NO_STIFFNESS,
+            cs=NO_STIFFNESS,
+            frictionAngle=0.0,
+        )
+        omega.materials.append(half)
+        middle = (link.position_m[0] + 5.0 * REACH_M * number, *link.position_m[1:])
+        ids = {
+            link.a: [utils.sphere(middle, REACH_M + GAP_M, fixed=False, material=half, mask=BIT)],
+            link.b: [
+                utils.box(
+                    [middle[i] + side * 2.0 * GAP_M * link.direction[i] for i in range(3)],
+                    (GAP_M, GAP_M, GAP_M),
+                    fixed=False,
+                    material=rigid,
+                    mask=BIT,
+                )
+                for side in (-1.0, 1.0)
+            ],
+        }
+        for end, parts in ids.items():
+            for part in parts:
+                members.setdefault(end, []).append(omega.bodies.append(part))
+                part.state.mass, part.state.inertia = 0.0, (0.0, 0.0, 0.0)
+                if not scene.blocks[end].free:
+                    part.state.blockedDOFs = DOFS
+    return members
+
+
+def shake(w, scene, motion, body, omega):
+    """Inertia forces −m·a_g of the free blocks in the frame of the ground, as engines."""
+    groups: dict[float, list] = {}
+    for index, block in enumerate(scene.blocks):
+        if "y" in block.free:
+            groups.setdefault(block.mass_kg, []).append(body[index])
+            state = omega.bodies[body[index]].state
+            velocity = state.vel  # velocities live at half steps: start half a step back
+            first = 0.5 * omega.dt * float(motion.acceleration_m_s2[0])
+            state.vel = (velocity[0], velocity[1] + first, velocity[2])
+    return [
+        w.InterpolatingDirectedForceEngine(
+            times=motion.time_s.tolist(),
+            magnitudes=(-mass * motion.acceleration_m_s2).tolist(),
+            direction=(0, 1, 0),
+            ids=ids,
+            wrap=False,
+        )
+        for mass, ids in groups.items()
+    ]

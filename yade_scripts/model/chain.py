@@ -1,0 +1,96 @@
+"""The building's chain of masses as links between return-wall blocks.
+
+Written apart from `smdof`, which works by modes and needs SciPy: here the same chain is
+its matrices, and what they say about pairs of masses. The classical damping matrix with
+ratio ζ in every mode is C = Σ 2ζω_j (Mφ_j)(Mφ_j)ᵀ, for equal masses and storey stiffnesses
+2ζ√(km)·√K̂ with K̂ = K/k. The root of such a matrix has no positive off-diagonal entry and no
+negative row sum, so passive dashpots represent it exactly: −C_ij between every two masses
+and Σ_j C_ij from mass i to the ground. Springs follow from K in the same way.
+"""
+
+import math
+
+import numpy as np
+
+from yade_scripts.model.scene import Link
+
+ROUNDING = 1e-9  # of the largest entry
+
+
+def chain_matrices(smdof, mass_kg):
+    """M, K and C of the equal chain of section smdof, relative to the ground.
+
+    k/m = ω₁²/(4 sin²(π/(4n + 2))). Damping: ratio ζ in every mode ("modal"), or
+    C = αM + βK with ζ in the first two ("rayleigh"; a single mode takes half from each).
+
+    Parameters
+    ----------
+    smdof : dict
+        n_dof, period_s, damping_ratio, damping_model.
+    mass_kg : float
+        Of all masses together.
+
+    Returns
+    -------
+    mass, stiffness, damping : ndarray, shape (n, n)
+        [kg, N/m, N·s/m], masses from the bottom up.
+    """
+    n, zeta = smdof["n_dof"], smdof["damping_ratio"]
+    one = mass_kg / n
+    first = 2.0 * math.pi / smdof["period_s"]
+    storey = one * first**2 / (4.0 * math.sin(math.pi / (4 * n + 2)) ** 2)
+    pattern = 2.0 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1)
+    pattern[-1, -1] = 1.0
+    mass, stiffness = one * np.eye(n), storey * pattern
+    values, vectors = np.linalg.eigh(stiffness / one)
+    omega = np.sqrt(values)
+    if smdof["damping_model"] == "modal":
+        damping = one * (vectors * (2.0 * zeta * omega)) @ vectors.T
+    else:
+        low, high = omega[0], omega[min(1, n - 1)]
+        damping = 2.0 * zeta / (low + high) * (low * high * mass + stiffness)
+    return mass, stiffness, damping
+
+
+def chain_links(stiffness, damping, masses, ground, heights_m):
+    """Links along y that have the given matrices.
+
+    Parameters
+    ----------
+    stiffness, damping : ndarray, shape (n, n)
+    masses : sequence of n ints
+        Block indices of the masses.
+    ground : int
+        Block index of the support they stand on.
+    heights_m : sequence of n floats
+        Where the masses are.
+
+    Returns
+    -------
+    list of Link
+
+    Raises
+    ------
+    ValueError
+        If the matrices would need a negative spring or dashpot.
+    """
+    links = []
+    n = len(masses)
+    least_k, least_c = (ROUNDING * np.abs(m).max() for m in (stiffness, damping))
+    for i in range(n):
+        for j in (None, *range(i + 1, n)):
+            k, c = (m[i].sum() if j is None else -m[i, j] for m in (stiffness, damping))
+            k, c = (0.0 if abs(v) <= least else v for v, least in ((k, least_k), (c, least_c)))
+            if k or c:
+                other = "ground" if j is None else f"mass {j + 1}"
+                links.append(
+                    Link(
+                        f"mass {i + 1} – {other}",
+                        masses[i],
+                        ground if j is None else masses[j],
+                        float(k),
+                        float(c),
+                        (0.0, 0.0, heights_m[i]),
+                    )
+                )
+    return links
