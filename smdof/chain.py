@@ -120,6 +120,17 @@ class Chain:
             raise ValueError(f"damping ratios must lie in [0, 1), got {np.round(zeta, 4).tolist()}")
         return zeta
 
+    def damping_matrix(self, damping_ratio=0.05, damping_model="modal"):
+        """Damping matrix C = Σ 2ζ_j ω_j (Mφ_j)(Mφ_j)ᵀ, φᵀMφ = 1 [N·s/m], shape (n, n).
+
+        Clough and Penzien (2003), eq. 12-57. With one mass "rayleigh" names a mode that is not there.
+        """
+        mass, stiffness = self.matrices()
+        values, phi = eigh(stiffness, mass)
+        zeta = self.damping_ratios(damping_ratio, damping_model, (1, min(2, self.n_dof)))
+        shape = mass @ phi
+        return (shape * (2.0 * zeta * np.sqrt(values))) @ shape.T
+
     def rayleigh(self, damping_ratio=0.05, rayleigh_modes=(1, 2)):
         """Return α [1/s] and β [s] that give two modes the same damping ratio.
 

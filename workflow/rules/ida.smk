@@ -28,12 +28,14 @@ rule ida_collapse:
     input:
         ida=lambda w: STUDY.ida_tables(w.run),
         ensemble=lambda w: STUDY.ensemble_tables(w.run),
+        scans=lambda w: STUDY.scans(w.run),
         modules=code("table_ida_collapse"),
     output:
-        "results/{run}/tables/ida_collapse.csv",
+        collapse="results/{run}/tables/ida_collapse.csv",
+        probability="results/{run}/tables/collapse_probability.csv",
     log:
         "results/{run}/logs/ida_collapse.log",
     params:
-        percentiles=lambda w: STUDY.cfg(w)["ensemble"]["percentiles"],
+        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
     script:
         "../scripts/table_ida_collapse.py"

@@ -1,27 +1,34 @@
-"""Collapse intensities of every curve (tables/ida_collapse.csv)."""
+"""Collapse intensities of every curve, and its collapse probability against PGA."""
 
 import pandas as pd
-from rocking.curves.ensemble import collapse_percentiles
-from rocking.curves.ida import COLLAPSE_COLUMNS, collapse_row, curve_key, read_curve
+from rocking.curves import collapse
+from rocking.curves.ida import curve_key, read_curve
 from rocking.runtime.script import run
 
 
+def tables(paths):
+    """Tables by model, record and direction; empty ones are left out."""
+    found = [pd.read_csv(path) for path in paths]
+    return {curve_key(table): table for table in found if len(table)}
+
+
 def main(job):
-    ensembles = [pd.read_csv(path) for path in getattr(job.input, "ensemble", [])]
-    bands = {
-        curve_key(table): collapse_percentiles(table, job.params.percentiles)
-        for table in ensembles
-        if len(table)
-    }
-    rows = []
-    for path in job.input.ida:
-        curve = read_curve(path)
-        row = collapse_row(curve)
-        blank = (None, None, None)
-        row["pga_median_g"], row["pga_p10_g"], row["pga_p90_g"] = bands.get(curve_key(curve), blank)
+    scans, ensembles = tables(job.input.scans), tables(job.input.ensemble)
+    spread = job.params.spread
+    rows, parts = [], []
+    for curve in map(read_curve, job.input.ida):
+        key = curve_key(curve)
+        scan, members = scans.get(key), ensembles.get(key, pd.DataFrame())
+        named = dict(zip(("model", "record", "direction"), key, strict=True))
+        row = named | collapse.summary(scan, curve, members, spread)
+        table = collapse.beside(scan, members, spread)
+        row["disagreements"] = int((table["agrees"] == 0).sum())
         rows.append(row)
-    table = pd.DataFrame(rows, columns=COLLAPSE_COLUMNS)
-    table.to_csv(job.output[0], index=False, float_format="%.4f", lineterminator="\n")
+        parts.append(table.assign(**named)[collapse.PROBABILITY_COLUMNS])
+    options = {"index": False, "float_format": "%.4f", "lineterminator": "\n"}
+    table = pd.DataFrame(rows, columns=collapse.COLUMNS)
+    table.to_csv(job.output.collapse, **options)
+    pd.concat(parts).to_csv(job.output.probability, **options)
 
 
 run(main, globals())

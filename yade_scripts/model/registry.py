@@ -56,6 +56,12 @@ class Model:
         return self.single_block and self.walls != "none"
 
     @property
+    def driven(self):
+        """Name of the model with the same walls and joint, but driven whatever the façade does."""
+        same = (m for m in MODELS.values() if (m.walls, m.bonded) == (self.walls, self.bonded))
+        return next(m.name for m in same if not m.massive)
+
+    @property
     def plain(self):
         """Name of the driven model with the same walls, joint dry: its convergence is theirs."""
         same = (m for m in MODELS.values() if m.walls == self.walls)

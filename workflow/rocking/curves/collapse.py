@@ -10,12 +10,19 @@ a lower bound.
 
 import numpy as np
 import pandas as pd
+from scipy.stats import fisher_exact
 
 LEVELS = (0.10, 0.50, 0.90)
-COLUMNS = (
-    "model record direction pga_safe_g pga_collapse_g pga_median_g pga_p10_g pga_p90_g pga_all_g"
-    " pga_max_g reversals runs_planar runs_yade disagreements"
-)
+KEY = ["model", "record", "direction"]
+COLUMNS = [
+    *KEY,
+    *(f"pga_{name}_g" for name in ("safe", "collapse", "median", "p10", "p90", "all", "max")),
+    *("reversals", "runs_planar", "runs_yade", "disagreements"),
+]
+PROBABILITY_COLUMNS = [
+    *(*KEY, "pga_g", "probability", "members"),
+    *("probability_yade", "members_yade", "agrees"),
+]
 
 
 def probability(pga_g, collapsed, at_g, spread):
@@ -150,28 +157,40 @@ def islands(pga_g, share):
     return [(float(pga_g[a]), float(pga_g[b - 1])) for a, b in edges.reshape(-1, 2)]
 
 
-def disagreements(scan, ensemble, spread, error=0.01):
-    """Levels at which YADE's share of collapses is no draw from the planar probability.
+def beside(scan, ensemble, spread, error=0.01):
+    """Collapse probability against amplitude by both methods, and whether they agree.
 
-    Two-sided exact test (Fisher) of the two shares, members of YADE's ensemble against the planar
-    ones within ± spread of the same amplitude.
+    At the scan's amplitudes the planar probability; at the levels of YADE's ensemble the share of
+    its members too. The two agree unless an exact test (Fisher) of the two shares, of YADE's
+    members and of the planar ones within ± spread, rejects with a probability of error `error`.
+
+    Parameters
+    ----------
+    scan, ensemble : DataFrame
+        Of one curve; None or empty where there is none.
+    spread, error : float
 
     Returns
     -------
     DataFrame
-        pga_g, probability, members (planar), probability_yade, members_yade, agrees (0 or 1).
+        pga_g, probability, members, probability_yade, members_yade, agrees; blank where a method
+        says nothing.
     """
-    from scipy.stats import fisher_exact
-
+    dense = pd.DataFrame(columns=["pga_g", "probability", "members"])
+    if scan is not None:
+        dense = from_scan(scan, spread)
+        valid = scan[scan["status"] != "failed"].sort_values("pga_g")
     rows = []
-    valid = scan[scan["status"] != "failed"].sort_values("pga_g", ignore_index=True)
-    for pga_g, group in ensemble[ensemble["status"] != "failed"].groupby("pga_g"):
-        (share,), (count,) = probability(valid["pga_g"], valid["collapsed"], [pga_g], spread)
+    valid_members = ensemble[ensemble["status"] != "failed"] if len(ensemble) else ensemble
+    for pga_g, group in valid_members.groupby("pga_g") if len(valid_members) else ():
         fell, own = int(group["collapsed"].sum()), len(group)
-        if count == 0:
-            continue
-        planar = round(share * count)
-        p = fisher_exact([[fell, own - fell], [planar, count - planar]])[1]
-        rows.append((pga_g, share, count, fell / own, own, int(p >= error)))
-    names = ["pga_g", "probability", "members", "probability_yade", "members_yade", "agrees"]
-    return pd.DataFrame(rows, columns=names)
+        row = {"pga_g": pga_g, "probability_yade": fell / own, "members_yade": own}
+        if scan is not None:
+            (share,), (count,) = probability(valid["pga_g"], valid["collapsed"], [pga_g], spread)
+            planar = round(share * count) if count else 0
+            p = fisher_exact([[fell, own - fell], [planar, count - planar]])[1] if count else 1.0
+            row |= {"probability": share, "members": count, "agrees": int(p >= error)}
+        rows.append(row)
+    both = [dense, *([pd.DataFrame(rows)] if rows else [])]
+    table = pd.concat([part for part in both if len(part)] or both)
+    return table.reindex(columns=PROBABILITY_COLUMNS[3:]).sort_values("pga_g", ignore_index=True)

@@ -5,15 +5,15 @@ import math
 import numpy as np
 import pandas as pd
 
-from yade_scripts.model import models
+from smdof.chain import shear_chain
+from yade_scripts.model import models, registry
 from yade_scripts.model.motion import amplitude
 from yade_scripts.studies.perturb import NODE_CHOICES, STEP_SPREAD, Member, perturbed_numerics
 
 from .plane import moving_supports, prepare
-from .runs import Motions, peaks, stable_step
+from .runs import STEP_FRACTION, Motions, bodies, peaks, stable_step
 
-BLOCK = 32  # amplitudes a look at whether the façade has fallen for good
-STEP_FRACTION = 0.15  # of the stable step of the scheme
+BLOCK = 32  # amplitudes between two looks at whether the façade has fallen for good
 STEPS = 4  # different steps of the members
 MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change
 
@@ -33,13 +33,18 @@ class Screen:
     def __init__(self, job, time_s, columns, direction):
         """Prepare the scene in every layout of nodes that members use."""
         self.numerics, self.direction, self.ground = job["numerics"], direction, columns["ground"]
+        kind = registry.model(job["model"])
         self.planes = []
         for extra in range(NODE_CHOICES):
             numerics = perturbed_numerics(job["numerics"], Member(0, 1.0, extra_nodes=extra))
-            scene = models.build_scene({**job, "numerics": numerics})
+            scene = models.build_scene({**job, "model": kind.driven, "numerics": numerics})
             self.planes.append(prepare(scene))
-        columns = models.motion_columns(scene, columns)
-        supports = [columns[name] for name in moving_supports(scene)]
+        self.carried, supports = None, []
+        if kind.massive:
+            self.carried = carried_masses(job)
+        else:
+            columns = models.motion_columns(scene, columns)
+            supports = [columns[name] for name in moving_supports(scene)]
         self.motions = Motions(time_s, self.ground, supports)
         self.static_g = models.static_multiplier(job)
 
@@ -49,23 +54,27 @@ class Screen:
         Returns
         -------
         DataFrame
-            Columns from pga_g on: extra_nodes, step_factor, d_over_b, status, collapsed.
+            pga_g, extra_nodes, step_factor, d_over_b, status, collapsed.
         """
         pga_g = np.asarray(pga_g, float)
-        count = np.arange(pga_g.size)
-        extra = count % NODE_CHOICES if scatter else 0 * count
-        # five steps in turn, out of phase with the layouts
-        step = 1.0 - (STEP_SPREAD * (count % STEPS) / STEPS if scatter else 0.0 * count)
+        turn = np.arange(pga_g.size) * bool(scatter)
+        extra, step = turn % NODE_CHOICES, 1.0 - STEP_SPREAD * (turn % STEPS) / STEPS
         table = pd.DataFrame({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
-        table["d_over_b"] = np.nan
-        table["status"] = "failed"
+        table["d_over_b"], table["status"] = np.nan, "failed"
         factor = np.array([amplitude(self.ground, self.direction, g) for g in pga_g])
         for layout, plane in enumerate(self.planes):
             for share in np.unique(step):  # the motions are tabulated once a step
                 mine = np.flatnonzero((extra == layout) & (step == share))
                 if mine.size:
                     h = share * STEP_FRACTION * stable_step(plane)
-                    found = peaks(plane, self.motions, self.numerics, factor[mine], step_s=h)
+                    found = peaks(
+                        plane,
+                        self.motions,
+                        self.numerics,
+                        factor[mine],
+                        carried=self.carried,
+                        step_s=h,
+                    )
                     table.loc[mine, "d_over_b"] = np.minimum(found.d_over_b, 1.0)
                     status = np.where(found.failed, "failed", "ok")
                     table.loc[mine, "status"] = np.where(found.overturned, "overturned", status)
@@ -111,3 +120,12 @@ class Screen:
         count = math.ceil(math.log(high / low) / math.log(fine))
         members = self.run(low * fine ** np.arange(count + 1), scatter=True)
         return pd.concat([coarse, members]).sort_values("pga_g", ignore_index=True)
+
+
+def carried_masses(job):
+    """Masses, springs and dashpots of the chain that carries the return walls of a scene file."""
+    chain, mass = job["smdof"], job["return_wall"]["building_mass_kg"]
+    shear = shear_chain(chain["n_dof"], chain["period_s"], mass)
+    own, stiffness = shear.matrices()
+    damping = shear.damping_matrix(chain["damping_ratio"], chain["damping_model"])
+    return bodies(np.diag(own), stiffness, damping)

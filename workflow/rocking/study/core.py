@@ -177,6 +177,6 @@ class Study:
         figures += [f"floor_motions_{record}" for record in self.records[run]]
         return [
             f"results/{run}/tables/records.csv",
-            f"results/{run}/tables/ida_collapse.csv",
+            *(f"results/{run}/tables/{t}.csv" for t in ("ida_collapse", "collapse_probability")),
             *(f"results/{run}/figures/{name}.png" for name in [*figures, "fig09_ida"]),
         ]
