@@ -16,16 +16,16 @@ import selectors
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-sys.path[:0] = [str(ROOT), str(ROOT / "workflow")]
+sys.path[:0] = [str(ROOT), str(ROOT / "workflow"), str(ROOT / "tests")]
 
-from rocking.configuration import config  # noqa: E402
+from yade_process import PYTHON, resolved  # noqa: E402
 
-PYTHON = os.environ.get("YADE_PYTHON", "/usr/bin/python3")
 MODELS = ("W1", "W2c", "W3")
 KINDS = ("Ctrl-C", "error", "SIGTERM", "orphan")
 LIMIT_S = 60.0  # eleven busy processes a core: everything takes ten times as long
@@ -42,13 +42,14 @@ class Victim:
     """One process of `victim.py`, in a session of its own."""
 
     def __init__(self, model, kind, seed, root=ROOT):
-        job = {**config.resolve({}), "model": model, "beta_s": 0.00276, "kind": kind, "seed": seed}
+        job = {**resolved(), "model": model, "beta_s": 0.00276, "kind": kind, "seed": seed}
         self.workflow = subprocess.Popen(["sleep", "3600"])
+        self.said = tempfile.TemporaryFile()  # noqa: SIM115
         self.process = subprocess.Popen(
             [PYTHON, str(HERE / "victim.py"), str(root)],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
+            stderr=self.said,
             start_new_session=True,
             env={**os.environ, "ROCKING_RUN_PID": str(self.workflow.pid)},
         )
@@ -66,7 +67,10 @@ class Victim:
                 raise Hang(f"no '{word}'")
             data = os.read(self.process.stdout.fileno(), 4096)
             if not data:
-                raise Hang(f"ended with {self.process.wait(LIMIT_S)} before '{word}'")
+                status = self.process.wait(LIMIT_S)
+                self.said.seek(0)
+                last = self.said.read().decode().strip().rpartition("\n")[2]
+                raise Hang(f"ended with {status} before '{word}': {last}")
             *whole, self.seen = (self.seen + data).split(b"\n")
             self.lines.extend(line.decode() for line in whole)
         line = self.lines.popleft()
@@ -89,6 +93,7 @@ class Victim:
             self.process.kill()
         self.process.wait()
         self.process.stdout.close()
+        self.said.close()
         self.workflow.kill()
         self.workflow.wait()
         try:

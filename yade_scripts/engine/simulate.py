@@ -210,12 +210,13 @@ def run(
         scene, motions, dt_s, node_radius_m=node_radius_m, full_rotation=full_rotation
     )
     omega = built.omega
-    sample = monitor = _Monitor(scene, built, rules)
+    monitor = _Monitor(scene, built, rules)
     if check is not None:
         check.attach(built)
 
-        def sample():
-            monitor()
+    def sample():
+        monitor()
+        if check is not None:
             check()
 
     omega.engines = [*omega.engines, loop.runner(sample, round(sample_s / dt_s))]
