@@ -1,18 +1,18 @@
 """Full energy balance of a run: what the drive puts in, what is stored, what is lost and where.
 
-At every whole step, with the mean v of the velocities half a step before and after it,
+At every whole step, with the mean v of the velocities half a step before and after it::
 
     W_in = ΔK + ΔU + ΔE + D_c + D_μ + D_f + residual
 
-W_in  work of whatever moves a support or guides a block, ∫ −F·v dt, F the contacts' force on it;
-      in the frame of the ground also of the inertia forces, ∫ −m a_g v dt
-K     ½ m v² + ½ ωᵀ I ω of the free blocks, of guided ones without the motion imposed on them
-U     m g Δz of the free blocks
-E     ½ kn un² + ½ |Fs|²/ks of the contacts, for bonds and links without their preloads, which
-      cancel
-D_c   dashpots, ∫ (Fn − kn un) vn + cs |vs|² dt, the second where the contact does not slip
-D_μ   friction, ∫ Fs·(dus − dFs/ks)
-D_f   energy stored in bonds when they break
+    W_in  work of whatever moves a support or guides a block, ∫ −F·v dt, F the contacts' force on
+          it; in the frame of the ground also of the inertia forces, ∫ −m a_g v dt
+    K     ½ m v² + ½ ωᵀ I ω of the free blocks, of guided ones without the motion imposed on them
+    U     m g Δz of the free blocks
+    E     ½ kn un² + ½ |Fs|²/ks of the contacts, for bonds and links without their preloads, which
+          cancel
+    D_c   dashpots, ∫ (Fn − kn un) vn + cs |vs|² dt, the second where the contact does not slip
+    D_μ   friction, ∫ Fs·(dus − dFs/ks)
+    D_f   energy stored in bonds when they break
 
 Each term follows from its own law, velocities and positions from the integrator, so the
 residual is the error of the time integration and of the books. Python at every step makes such

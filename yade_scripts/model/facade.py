@@ -1,13 +1,13 @@
 """Façade scenes: one rigid block on a compliant base against return walls.
 
-Models by boundary condition (design words):
+Models by boundary condition (design words)::
 
-free  no return walls (two-sided rocking, 2SR)
-W1    one return-wall block up the height, driven with the base
-W2    one return-wall block per lumped mass of the chain, block j driven by floor j
-W1c, W2c  the same with cohesion and tensile strength on the back joint
-W2m, W2cm  as W2 and W2c, but each block is a mass of the chain, joined to the others by its
-      springs and dashpots, and feels the façade; in the frame of the ground
+    free  no return walls (two-sided rocking, 2SR)
+    W1    one return-wall block up the height, driven with the base
+    W2    one return-wall block per lumped mass of the chain, block j driven by floor j
+    W1c, W2c  the same with cohesion and tensile strength on the back joint
+    W2m, W2cm  as W2 and W2c, but each block is a mass of the chain, joined to the others by its
+          springs and dashpots, and feels the façade; in the frame of the ground
 
 The façade fills 0 ≤ y ≤ b, 0 ≤ z ≤ h; the return walls stand at y < 0. It
 rocks outward about its front toe (y = b, z = 0). A planar scene has one column
