@@ -123,7 +123,7 @@ class Chain:
     def damping_matrix(self, damping_ratio=0.05, damping_model="modal"):
         """Damping matrix C = Σ 2ζ_j ω_j (Mφ_j)(Mφ_j)ᵀ, φᵀMφ = 1 [N·s/m], shape (n, n).
 
-        Clough and Penzien (2003), eq. 12-57. With one mass "rayleigh" names a mode that is not there.
+        Clough and Penzien (2003), eq. 12-57.
         """
         mass, stiffness = self.matrices()
         values, phi = eigh(stiffness, mass)

@@ -18,7 +18,8 @@ rule capacity_reduction:
 
 rule fragility_table:
     input:
-        ida=lambda w: STUDY.ida_tables(w.run),
+        collapse="results/{run}/tables/ida_collapse.csv",
+        probability="results/{run}/tables/collapse_probability.csv",
         records=FRAGILITY.record_files,
         modules=code("fragility_table"),
     output:
@@ -143,7 +144,9 @@ use rule ida as reduction_ida with:
 rule figure_capacity_reduction:
     input:
         w1=FRAGILITY.reduction_reference,
+        w1_scans=FRAGILITY.reference_scans,
         w2=FRAGILITY.reduction_curves,
+        w2_scans=FRAGILITY.reduction_scans,
         facts=FRAGILITY.reduction_facts,
         records=STUDY.record_facts,
         modules=code("figure_capacity_reduction"),
@@ -160,6 +163,7 @@ rule figure_capacity_reduction:
         "results/{run}/logs/figure_capacity_reduction.log",
     params:
         n_dof=lambda w: STUDY.cfg(w)["smdof"]["n_dof"],
+        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
         facade=lambda w: STUDY.cfg(w)["facade"],
         smdof=lambda w: STUDY.cfg(w)["smdof"],
     script:

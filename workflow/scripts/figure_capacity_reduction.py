@@ -6,7 +6,8 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from rocking.curves.ida import collapse_row, read_curve
+from rocking.curves import collapse
+from rocking.curves.ida import read_curve
 from rocking.figures import style
 from rocking.runtime.script import run
 
@@ -24,13 +25,11 @@ COLUMNS = [
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
 
 
-def capacity(curve):
-    """Middle of the collapse bracket, or the highest intensity that stood; and whether it is."""
-    row = collapse_row(curve)
-    safe, collapse = row["pga_safe_g"], row["pga_collapse_g"]
-    if collapse is None:
-        return safe, True
-    return (np.sqrt(safe * collapse) if safe else collapse), False
+def capacity(curve, scan, spread):
+    """PGA at which half collapse, or the highest intensity that stood; and whether it is that."""
+    row = collapse.summary(scan, curve, (), spread)
+    censored = np.isnan(row["pga_median_g"])
+    return row["pga_safe_g"] if censored else row["pga_median_g"], bool(censored)
 
 
 def main(job):
@@ -39,20 +38,24 @@ def main(job):
         facts = json.loads(Path(path).read_text())
         source[facts["name"]] = facts["source"]
     reference = {}
-    for path in job.input.w1:
+    spread = job.params.spread
+    for path, scan in zip(job.input.w1, job.input.w1_scans, strict=True):
         curve = read_curve(path)
-        reference[curve["record"][0], curve["direction"][0]] = capacity(curve)
+        key = curve["record"][0], curve["direction"][0]
+        reference[key] = capacity(curve, pd.read_csv(scan), spread)
     cases = {str(Path(path).parent): json.loads(Path(path).read_text()) for path in job.input.facts}
     peaks = {path: json.loads(Path(path).read_text()) for path in job.input.facts}
     rows = []
-    for path in job.input.w2:
+    for path, scan in zip(job.input.w2, job.input.w2_scans, strict=True):
         curve = read_curve(path)
         record, direction = curve["record"][0], curve["direction"][0]
         case = cases[str(Path(path).parent)]
         peak = peaks[str(Path(path).with_name(f"{record}.json"))]
-        of_base, open2 = capacity(curve)  # the analysis scales by the peak at the façade's base
+        of_base, open2 = capacity(
+            curve, pd.read_csv(scan), spread
+        )  # the analysis scales by the peak at the façade's base
         w1, open1 = reference[record, direction]
-        if of_base is None or w1 is None:
+        if np.isnan(of_base) or np.isnan(w1):
             continue  # every run failed
         w2 = of_base * peak["pga_g"] / peak["base_peak_g"]
         rows.append(

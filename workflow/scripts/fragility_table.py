@@ -7,8 +7,7 @@ fragility/curves.csv (fitted probability with its band).
 
 import numpy as np
 import pandas as pd
-from rocking.curves import fragility
-from rocking.curves.ida import collapse_row, read_curve
+from rocking.curves import collapse, fragility
 from rocking.curves.intensity_measures import per_pga, record_measures
 from rocking.mechanics.closed_forms import block
 from rocking.records import read_csv
@@ -19,31 +18,27 @@ REACH = 3.5  # dispersions either side of the median
 FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
 
 
-def brackets(ida, factors, measures):
-    """Collapse interval of every curve in every measure, one row each."""
+def brackets(curves, probability, factors, measures):
+    """Collapse of every curve as weighted intervals in every measure, one row each."""
     rows = []
-    for path in ida:
-        row = collapse_row(read_curve(path))
-        if row["pga_safe_g"] is None and row["pga_collapse_g"] is None:
-            continue  # every run failed
-        low = 0.0 if row["pga_safe_g"] is None else row["pga_safe_g"]
-        high = np.inf if row["pga_collapse_g"] is None else row["pga_collapse_g"]
-        for name in measures:
-            factor = factors[row["record"]][name]
-            rows.append(
-                (row["model"], row["record"], row["direction"], name, low * factor, high * factor)
-            )
-    return pd.DataFrame(rows, columns=["model", "record", "direction", "im", "low", "high"])
+    tables = dict(list(probability.groupby(collapse.KEY)))
+    for row in curves.to_dict("records"):
+        key = tuple(row[name] for name in collapse.KEY)
+        for low, high, weight in collapse.brackets(tables[key], row):
+            for name in measures:
+                factor = factors[row["record"]][name]
+                rows.append((*key, name, low * factor, high * factor, weight))
+    return pd.DataFrame(rows, columns=[*collapse.KEY, "im", "low", "high", "weight"])
 
 
 def remark(found, part, settings):
     """What the reader of a row has to know, in a few words."""
     words = []
     records = part["record"].nunique()
-    censored = np.isinf(part["high"])
+    censored = np.average(np.isinf(part["high"]), weights=part["weight"])
     if not np.isfinite(found.median):
-        words.append("not determined: no collapse" if censored.all() else "not determined")
-    elif censored.mean() > 0.5:
+        words.append("not determined: no collapse" if censored == 1.0 else "not determined")
+    elif censored > 0.5:
         words.append("median extrapolated: most curves do not collapse")
     if records < settings["min_records"]:
         words.append(f"indicative: {records} record{'s' if records > 1 else ''}")
@@ -60,17 +55,20 @@ def main(job):
         factors[record.name] = per_pga(
             record_measures(record, chain["period_s"], chain["damping_ratio"], p_rad_s)
         )
-    table = brackets(job.input.ida, factors, settings["measures"])
+    found = (pd.read_csv(path) for path in (job.input.collapse, job.input.probability))
+    table = brackets(*found, factors, settings["measures"])
     fits, efficiency, curves = [], [], []
     for model, of_model in table.groupby("model", sort=False):
         reference = None  # dispersions by PGA of the same draws, if PGA is among the measures
         for name in sorted(settings["measures"], key=lambda m: m != "pga_g"):
             part = of_model[of_model["im"] == name]
-            low, high = part["low"].to_numpy(), part["high"].to_numpy()
-            found = fragility.fit(low, high)
+            low, high, weight = (part[column].to_numpy() for column in ("low", "high", "weight"))
+            found = fragility.fit(low, high, weight)
             draws = fragility.bootstrap(
-                low, high, part["record"], settings["resamples"], settings["seed"]
+                low, high, part["record"], settings["resamples"], settings["seed"], weight
             )
+            curves_used = len(part[collapse.KEY].drop_duplicates())
+            never = np.isinf(high) & (weight > 0.0)
             known = np.isfinite(found.median)
             blank = (np.nan, np.nan)
             median_ci = draws.interval("median", confidence) if known else blank
@@ -87,8 +85,8 @@ def main(job):
                     found.median,
                     found.dispersion,
                     *median_ci,
-                    len(part),
-                    int(np.isinf(high).sum()),
+                    curves_used,
+                    round(float(weight[never].sum()), 3),
                     part["record"].nunique(),
                     remark(found, part, settings),
                 )
@@ -100,7 +98,7 @@ def main(job):
                     found.dispersion,
                     *spread_ci,
                     better,
-                    len(part),
+                    curves_used,
                     part["record"].nunique(),
                 )
             )

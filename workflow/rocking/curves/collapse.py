@@ -8,6 +8,8 @@ or of other motions. A façade that never fell has no crossing: blank, and its l
 a lower bound.
 """
 
+import math
+
 import numpy as np
 import pandas as pd
 from scipy.stats import fisher_exact
@@ -141,6 +143,42 @@ def _outcomes(table):
     return pd.DataFrame(
         {"pga_g": valid["pga_g"] * factor, "collapsed": valid["collapsed"].astype(int)}
     )
+
+
+def brackets(table, row, count=10):
+    """Collapse of one curve as intervals of equal weight, for a likelihood.
+
+    A curve whose probability is known counts as `count` members: the k-th collapses where the
+    probability first reaches (k − ½)/count, between that amplitude and the one before; where it
+    never does, above the largest. A curve without one counts as one member, between what
+    is safe and what collapsed.
+
+    Parameters
+    ----------
+    table : DataFrame
+        Rows of tables/collapse_probability.csv of the curve; without planar ones if not scanned.
+    row : mapping
+        Its row of tables/ida_collapse.csv.
+    count : int
+
+    Returns
+    -------
+    list of (low, high, weight)
+        [g]; high = ∞ where the member never collapsed. Empty where every run failed.
+    """
+    dense = table[table["members"].notna()]
+    if not len(dense):
+        known = {k: float(row[f"pga_{k}_g"]) for k in ("safe", "collapse", "max")}
+        if math.isfinite(known["collapse"]):
+            return [(np.nan_to_num(known["safe"]), known["collapse"], 1.0)]
+        return [(known["max"], math.inf, 1.0)] if math.isfinite(known["max"]) else []
+    pga_g, share = dense["pga_g"].to_numpy(), np.maximum.accumulate(dense["probability"])
+    out = []
+    for level in (np.arange(count) + 0.5) / count:
+        k = int(np.searchsorted(share, level))
+        low = pga_g[k - 1] if k else 0.0
+        out.append((low, pga_g[k] if k < len(pga_g) else math.inf, 1.0 / count))
+    return out
 
 
 def islands(pga_g, share):

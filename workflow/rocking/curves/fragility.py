@@ -85,13 +85,15 @@ def checked_brackets(low, high):
     return low, high
 
 
-def fit(low, high):
+def fit(low, high, weights=None):
     """Maximum-likelihood fit of a lognormal distribution to brackets.
 
     Parameters
     ----------
     low, high : array_like, shape (n,)
         See `checked_brackets`.
+    weights : array_like, shape (n,), optional
+        Of the brackets; equal ones without.
 
     Returns
     -------
@@ -100,12 +102,13 @@ def fit(low, high):
         none with an intensity that stood.
     """
     low, high = checked_brackets(low, high)
-    median, dispersion = _fit_weighted(low, high, np.ones((1, low.size)))
+    weights = np.ones(low.size) if weights is None else np.asarray(weights, float)
+    median, dispersion = _fit_weighted(low, high, weights[None, :])
     known = low.size > 1 and np.isfinite(median[0]) and median[0] > 0.0
     return Fragility(median[0], dispersion[0]) if known else Fragility(np.nan, np.nan)
 
 
-def bootstrap(low, high, groups, resamples, seed):
+def bootstrap(low, high, groups, resamples, seed, weights=1.0):
     """Fits to records drawn with replacement.
 
     Brackets of one group (both directions of a record) are drawn together, since they are not
@@ -119,6 +122,7 @@ def bootstrap(low, high, groups, resamples, seed):
     groups : sequence, length n
         Name of the record of each bracket.
     resamples, seed : int
+    weights : float or array_like, shape (n,)
 
     Returns
     -------
@@ -129,7 +133,7 @@ def bootstrap(low, high, groups, resamples, seed):
     names, index = np.unique(np.asarray(groups), return_inverse=True)
     rng = np.random.default_rng(seed)
     counts = rng.multinomial(len(names), np.full(len(names), 1.0 / len(names)), resamples)
-    return Bootstrap(*_fit_weighted(low, high, counts[:, index].astype(float)))
+    return Bootstrap(*_fit_weighted(low, high, counts[:, index] * np.asarray(weights, float)))
 
 
 def _percentiles(values, tails):

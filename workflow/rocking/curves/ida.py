@@ -2,18 +2,6 @@
 
 import pandas as pd
 
-from yade_scripts.studies.intensities import collapse_bounds
-
-COLLAPSE_COLUMNS = [
-    "model",
-    "record",
-    "direction",
-    "pga_safe_g",
-    "pga_collapse_g",
-    "pga_median_g",
-    "pga_p10_g",
-    "pga_p90_g",
-]
 COLUMNS = {
     "model",
     "record",
@@ -47,24 +35,6 @@ def curve_key(table):
     """Model, record and direction of an IDA or ensemble table."""
     head = table.iloc[0]
     return head["model"], head["record"], head["direction"]
-
-
-def collapse_row(curve):
-    """Collapse intensities of one curve: highest safe PGA below the first collapse, and that.
-
-    A curve without collapse leaves pga_collapse_g blank (censored at its highest
-    intensity); failed runs count as neither.
-    """
-    done = dict(zip(curve["pga_g"], curve["status"], strict=True))
-    safe, collapse = collapse_bounds(done)
-    model, record, direction = curve_key(curve)
-    return {
-        "model": model,
-        "record": record,
-        "direction": direction,
-        "pga_safe_g": safe,
-        "pga_collapse_g": collapse,
-    }
 
 
 def branches(curve):

@@ -1,5 +1,7 @@
 """What `fragility` and `capacity_reduction` make and read."""
 
+from pathlib import Path
+
 
 class Fragility:
     """Files of fragility curves and of the capacity reduction."""
@@ -41,6 +43,16 @@ class Fragility:
             for path in self.reduction_facts(wildcards)
             for direction in directions
         ]
+
+    def reduction_scans(self, wildcards) -> list[str]:
+        """Dense scans behind the W2 curves, in their order."""
+        paths = map(Path, self.reduction_curves(wildcards))
+        return [str(path.with_name(f"scan_{path.name}")) for path in paths]
+
+    def reference_scans(self, wildcards) -> list[str]:
+        """Dense scans behind the W1 curves, in their order."""
+        curves = self.reduction_reference(wildcards)
+        return [path.replace("/ida/", "/screening/") for path in curves]
 
     def reduction_reference(self, wildcards) -> list[str]:
         """W1 curves of every record and direction."""
