@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from yade_scripts.engine import adapter, simulate
+from yade_scripts.engine import adapter, loop, simulate
 from yade_scripts.model import facade, models
-from yade_scripts.studies import ida
+from yade_scripts.studies import shaking
 
 
 def chain_alone(config, ground, dt_s, beta_s=0.002):
@@ -14,8 +14,6 @@ def chain_alone(config, ground, dt_s, beta_s=0.002):
 
     The façade is there, but the nodes between it and the walls are not.
     """
-    import __main__
-
     scene = facade.facade_scene(config, "W2m", beta_s)
     nodes = scene.nodes
     kept = nodes.b == 0
@@ -36,9 +34,7 @@ def chain_alone(config, ground, dt_s, beta_s=0.002):
             rows.append([omega.time + omega.dt, *(s.pos[1] + offset for s in states)])
 
         offset = -scene.blocks[2].centre_m[1]
-        __main__._sample_masses = sample
-        runner = adapter.load_yade().PyRunner(command="_sample_masses()", iterPeriod=10)
-        omega.engines = [*omega.engines, runner]
+        omega.engines = [*omega.engines, loop.runner(sample, 10)]
 
     history = simulate.run(scene, motions, step, rules, setup=setup)
     return {"rows": rows, "speed": history.steps / history.wall_s, "step": step}
@@ -52,7 +48,6 @@ def shaken(config, runs, time_s, columns):
         wall = {**config["return_wall"], "building_mass_kg": mass_kg}
         job = {**config, "return_wall": wall, "model": model, "beta_s": 0.002}
         scene = models.build_scene(job)
-        moved = models.motion_columns(scene, columns)
-        h = ida.run_one(scene, np.array(time_s), moved, 1.0, models.numerics(job))
+        h = shaking.prepare(scene, models.numerics(job), np.array(time_s), columns, 1.0).retried()
         found.append({"peak": h.peak_d_over_b, "status": h.status, "reason": h.reason})
     return found

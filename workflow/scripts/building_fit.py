@@ -1,4 +1,4 @@
-"""Floor load that gives the complete building its stated period, and its mass."""
+"""Floor load that gives the building its stated period, and its mass (building/fit.json)."""
 
 import json
 

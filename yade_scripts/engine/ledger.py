@@ -21,6 +21,7 @@ dissipate meanwhile, which is why the step is compared with the critical one bef
 """
 
 import math
+from typing import Any
 
 from yade_scripts.engine import loop
 from yade_scripts.engine.links import built_stiffness
@@ -58,7 +59,8 @@ class EnergyLedger:
         curves = {name: _Curve(self.motions[name]) for name in names}
         self.walls, self.masses = [], []
         if scene.shaking:
-            self.ground, names, drives = _Curve(self.motions[scene.shaking]), [], []
+            self.ground: Any = _Curve(self.motions[scene.shaking])
+            names, drives = [], []
         else:
             self.ground = curves.get(reference.motion, lambda t: 0.0)
         linked = {i for link in scene.links for i in (link.a, link.b) if scene.blocks[i].free}

@@ -15,11 +15,8 @@ rotation about x (paper, section 4); a half brick belongs to the return brick be
 Its two bed joints in series make the joint to the next return brick half as stiff, as
 stiff as the two bed joints of the header beside it.
 
-Where the walls carry the building's mass (W3m) the masses of the chain stand at the storey
-heights, and a light panel hangs between each two of them: a bar that may shift along y and
-turn about x, tied to the mass above and the mass (or ground) below. A brick is tied to its
-panel at the height of its centroid, so it follows the masses by interpolation of height and
-its reaction reaches them by the same lever. The scene stands in the frame of the ground.
+Where the walls carry the building's mass (W3m) the bricks hang on its masses, see `panels`,
+and the scene stands in the frame of the ground.
 
 Contacts of two edges that slide off each other: one node on the header's rear edge
 against the brick's face, one on the brick's front edge against the header's face. The
@@ -39,12 +36,11 @@ import math
 
 import numpy as np
 
-from yade_scripts.model.chain import chain_links, chain_matrices
+from yade_scripts.model import panels
 from yade_scripts.model.facade import (
     BASE,
     FACADE,
     GROUND,
-    building_mass,
     floor_motion,
     joint_stiffness,
 )
@@ -55,7 +51,6 @@ from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 HEADER_JOINTS = ("rigid", "bonded", "sliding", "hinged")
 UP, DOWN, BACK = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0), (0.0, -1.0, 0.0)
 GAUSS = 0.5 / math.sqrt(3.0)
-TIE_N_M, TIE_BETA_S = 1e9, 2e-5  # some eight times a brick's front joint
 
 
 def interlocking_scene(config, beta_s, *, massive=False):
@@ -131,11 +126,11 @@ class _Assembly:
         """Assemble everything."""
         self._facade()
         if self.massive:
-            self._panels()
+            panels.add_panels(self)
         for wall, x in enumerate(self.x, 1):
             self._wall(f"wall {wall}" if self.walls > 1 else "wall", x)
         if self.massive:
-            self._masses()
+            panels.add_masses(self)
         debris = [b.name for b in self.blocks if " header " in b.name]
         notes = {
             "rims": self.rims,
@@ -199,63 +194,6 @@ class _Assembly:
             friction_rad=math.radians(facade["friction_deg"]),
         )
 
-    def _panels(self):
-        """Panels between the storey heights, before the bricks that hang on them."""
-        n = self.config["smdof"]["n_dof"]
-        tall = self.h / n
-        size = (self.t, self.length, tall)
-        mass = self.walls * self.density * self.t * self.length * tall
-        for j in range(1, n + 1):
-            self.panels.append(len(self.blocks))
-            self.blocks.append(
-                Block(
-                    f"panel {j}",
-                    (0.0, -self.length, (j - 0.5) * tall),
-                    size,
-                    mass,
-                    box_inertia(mass, size),
-                    free="yX",
-                )
-            )
-
-    def _masses(self):
-        """Masses of the chain: what the bricks and panels leave of the building's mass."""
-        n = self.config["smdof"]["n_dof"]
-        total = building_mass(self.config) * self.share
-        names = ("panel", "brick")
-        hung = sum(b.mass_kg for b in self.blocks if any(name in b.name for name in names))
-        if hung >= total:
-            raise ValueError(
-                f"return_wall.building_mass_kg = {total / self.share:g}: expected more than the "
-                f"{hung / self.share:.0f} kg of the return walls' bricks"
-            )
-        first = len(self.blocks)
-        heights = [j * self.h / n for j in range(1, n + 1)]
-        for j, z in enumerate(heights, 1):
-            self.blocks.append(
-                Block(
-                    f"mass {j}",
-                    (0.0, -2.0 * self.length, z),
-                    (self.t, self.length, 0.1),
-                    (total - hung) / n,
-                    (1.0, 1.0, 1.0),
-                    free="y",
-                )
-            )
-        _, stiffness, damping = chain_matrices(self.config["smdof"], total)
-        self.links = chain_links(stiffness, damping, range(first, first + n), 0, heights)
-        for j, panel in enumerate(self.panels):
-            low = first + j - 1 if j else 0
-            for end, other, z in (("foot", low, j * self.h / n), ("head", first + j, heights[j])):
-                self._tie(f"panel {j + 1} {end}", panel, other, (0.0, -self.length, z))
-
-    def _tie(self, name, a, b, place):
-        """Join two blocks along y at one point, in tension and compression, without shear."""
-        stiffness = self.walls * TIE_N_M
-        self.nodes.add_joint(
-            name, a, b, [place], BACK, 1.0, stiffness, stiffness, beta_s=TIE_BETA_S, tension_pa=1e30
-        )
-
     def _wall(self, wall, x):
         """One return wall: bricks, headers, and their joints from the bottom up."""
         brick = self._brick(wall, 1, x)
@@ -316,7 +254,7 @@ class _Assembly:
         if self.massive:
             storey = min(int(centre[2] / self.h * len(self.panels)), len(self.panels) - 1)
             place = (x, -self.length, centre[2])
-            self._tie(f"{wall} brick {course} tie", index, self.panels[storey], place)
+            panels.tie(self, f"{wall} brick {course} tie", index, self.panels[storey], place)
         return index
 
     def _motion(self, z):

@@ -62,7 +62,7 @@ def test_dashpots_of_the_stated_matrix():
 
 
 def test_links_bound_the_step():
-    """The critical step falls when the chain is the stiffest part; one formula for one mass."""
+    """One stiff mass: the critical step is that of its link, (2/ω)(√(1 + ζ²) − ζ)."""
     smdof = {"n_dof": 1, "period_s": 0.01, "damping_ratio": 0.05, "damping_model": "modal"}
     omega = 2.0 * np.pi / 0.01
     expected = 2.0 / omega * (np.sqrt(1.0 + 0.05**2) - 0.05)
