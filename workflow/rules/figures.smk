@@ -52,8 +52,9 @@ rule figure_floor_motions:
 rule fig09_ida:
     input:
         ida=lambda w: STUDY.ida_tables(w.run),
-        ensemble=lambda w: STUDY.ensemble_tables(w.run),
-        sensitivity=lambda w: STUDY.sensitivity_tables(w.run),
+        scans=lambda w: STUDY.scans(w.run),
+        collapse="results/{run}/tables/ida_collapse.csv",
+        probability="results/{run}/tables/collapse_probability.csv",
         pushover=lambda w: STUDY.static_curves(w.run),
         facts=STUDY.record_facts,
         modules=code("fig09_ida"),
@@ -72,6 +73,5 @@ rule fig09_ida:
         models=lambda w: STUDY.cfg(w)["models"],
         directions=lambda w: STUDY.cfg(w)["directions"],
         facade=STUDY.params_of("facade"),
-        percentiles=lambda w: STUDY.cfg(w)["ensemble"]["percentiles"],
     script:
         "../scripts/fig09_ida.py"

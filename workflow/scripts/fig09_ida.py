@@ -1,4 +1,8 @@
-"""Figure 9: IDA curves of every model, a panel a record and direction, static capacity in grey."""
+"""Figure 9: a panel a record and direction, with its collapse probability beside it.
+
+Behind stand the outcomes of the dense scan, before them YADE's runs: one sees where one answer
+exists and where a distribution does.
+"""
 
 import json
 from pathlib import Path
@@ -7,13 +11,16 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
-from rocking.curves.ensemble import bands
+from rocking.curves import collapse
 from rocking.curves.ida import branches, curve_key, read_curve
 from rocking.curves.pushover import smoothed
 from rocking.figures import style
 from rocking.runtime.script import run
 
 from yade_scripts.model.registry import MODELS
+
+LOG_RATIO = 8.0  # between the strongest and the weakest model of a record
+BESIDE = (1.06, 0.0, 0.2, 1.0)  # place of the probability, over the panel's width and height
 
 
 def rigid_pushover(h, b):
@@ -23,144 +30,114 @@ def rigid_pushover(h, b):
     return h * np.sin(theta) / b, np.tan(alpha - theta)
 
 
-LOG_RATIO = 8.0  # between the strongest and the weakest model of a record
-
-
 def draw_pushover(axis, path, h, b):
     """Static curve of a model in grey; without a table, the rigid block's."""
+    grey = {"color": style.GREY, "lw": 1.6, "zorder": 1}
     if path is None:
-        axis.plot(*rigid_pushover(h, b), color=style.GREY, lw=2, label="pushover, rigid block")
+        axis.plot(*rigid_pushover(h, b), label="pushover, rigid block", **grey)
         return
-    curve, model = pd.read_csv(path), Path(path).stem
-    kind = MODELS[model]
+    curve, kind = pd.read_csv(path), MODELS[Path(path).stem]
     value = smoothed(curve, "lambda_dem") if kind.walls == "bricks" else curve["lambda_dem"]
+    axis.plot(curve["d_over_b"], value, ls=kind.static, label=f"pushover {kind.name}", **grey)
+
+
+def draw_scan(axis, scan):
+    """Outcomes of the dense scan, one faint dot each; where many differ, a cloud."""
+    colour = MODELS[curve_key(scan)[0]].colour
+    valid = scan[scan["status"] != "failed"]
     axis.plot(
-        curve["d_over_b"],
-        value,
-        color=style.GREY,
-        lw=1.6,
-        ls=kind.static,
-        label=f"pushover {model}",
-        zorder=1,
+        valid["d_over_b"],
+        valid["pga_g"],
+        ".",
+        color=colour,
+        ms=2.2,
+        mew=0,
+        alpha=0.3,
+        zorder=2,
+        rasterized=True,
     )
 
 
-def draw(axis, curve, model, top, origin):
-    """Draw one curve up to PGA `top`; runs that overturned sit at d/b = 1 with open symbols.
+def draw_curve(axis, curve, top, joined):
+    """YADE's runs up to PGA `top`: filled where the façade stood, open at d/b = 1 where it fell.
 
-    The line starts at `origin`: at rest, or nowhere on a logarithmic axis.
+    `joined`: no dense scan shows the way between them, so a line does.
     """
     stood, fell = branches(curve)
-    colour, marker = MODELS[model].colour, MODELS[model].marker
-    joined = curve[curve["status"] != "failed"]
+    kind = MODELS[curve_key(curve)[0]]
     first = fell["pga_g"].min() if len(fell) else np.inf
-    line = joined[joined["pga_g"] <= first]
-    axis.plot([*origin, *line["d_over_b"]], [*origin, *line["pga_g"]], color=colour, zorder=2)
-    axis.plot(stood["d_over_b"], stood["pga_g"], marker, color=colour, ls="", label=model, zorder=3)
-    fell = fell[fell["pga_g"] <= top]  # the frame does not clip symbols at d/b = 1
-    axis.plot(
-        fell["d_over_b"],
-        fell["pga_g"],
-        marker,
-        color=colour,
-        mfc="white",
-        ls="",
-        clip_on=False,
-        zorder=4,
-    )
+    line = stood[stood["pga_g"] < first]
+    if joined:
+        axis.plot(line["d_over_b"], line["pga_g"], color=kind.colour, lw=0.8, zorder=3)
+    symbol = {"color": kind.colour, "ls": "", "zorder": 4, "clip_on": False}
+    for rows, face in ((stood, kind.colour), (fell, "white")):
+        rows = rows[rows["pga_g"] <= top]
+        label = kind.name if face != "white" else None
+        axis.plot(rows["d_over_b"], rows["pga_g"], kind.marker, mfc=face, label=label, **symbol)
 
 
-def draw_band(axis, ensemble, percentiles):
-    """Shade the ensemble's percentile band of d/b."""
-    table = bands(ensemble, percentiles)
-    colour = MODELS[curve_key(ensemble)[0]].colour
-    axis.fill_betweenx(
-        table["pga_g"],
-        table["d_over_b_low"].clip(upper=1.0),
-        table["d_over_b_high"].clip(upper=1.0),
-        color=colour,
-        alpha=0.22,
-        lw=0,
-        zorder=1,
-    )
+def draw_probability(axis, table, row):
+    """Collapse probability: of the scan a line, of YADE's ensembles symbols."""
+    kind = MODELS[row["model"]]
+    dense = table[table["members"].notna() & table["probability_yade"].isna()]
+    axis.plot(dense["probability"], dense["pga_g"], color=kind.colour, lw=0.9)
+    axis.plot(table["probability_yade"], table["pga_g"], kind.marker, color=kind.colour, mfc="none")
+    if not len(dense) and np.isfinite(row["pga_collapse_g"]):
+        edge = (row["pga_safe_g"], row["pga_collapse_g"])
+        axis.plot((0.0, 1.0), edge, color=kind.colour, lw=0.9, ls=":")
 
 
-def doubtful(sensitivity, ensembles):
-    """Points of a curve that do not repeat and have no ensemble: one history says little.
-
-    Parameters
-    ----------
-    sensitivity : DataFrame
-        Sensitivity table of the curve; it may be empty.
-    ensembles : list of DataFrame
-        Ensembles that were run.
-    """
-    if sensitivity.empty or curve_key(sensitivity) in [curve_key(e) for e in ensembles]:
-        return sensitivity.iloc[:0]
-    return sensitivity[(sensitivity["repeats"] == 0) & (sensitivity["d_over_b"] < 1.0)]
-
-
-def shown_pga(curve):
-    """Largest intensity worth showing: the first collapse, or a run that stands above it."""
-    stood, fell = branches(curve)
-    return max(fell["pga_g"].min() if len(fell) else 0.0, stood["pga_g"].max())
+def highest(row):
+    """Largest intensity worth showing for a curve: where all collapse, or what was reached."""
+    known = [row[f"pga_{name}_g"] for name in ("all", "collapse", "max")]
+    return next(g for g in known if np.isfinite(g))
 
 
 def main(job):
     p = job.params
     facade = json.loads(p.facade)["facade"]
     facts = {f["name"]: f for f in (json.loads(Path(path).read_text()) for path in job.input.facts)}
-    curves = [read_curve(path) for path in job.input.ida]
-    ensembles = [pd.read_csv(path) for path in getattr(job.input, "ensemble", [])]
-    ensembles = [table for table in ensembles if len(table)]
-    sensitivities = [pd.read_csv(path) for path in getattr(job.input, "sensitivity", [])]
-    doubts = [doubtful(table, ensembles) for table in sensitivities]
+    scans = {curve_key(table): table for table in map(pd.read_csv, job.input.scans)}
+    curves = {curve_key(table): table for table in map(read_curve, job.input.ida)}
+    rows = {tuple(r[k] for k in collapse.KEY): r for r in records(job.input.collapse)}
+    tables = dict(list(pd.read_csv(job.input.probability).groupby(collapse.KEY)))
     shape = (len(p.records), len(p.directions))
-    figure, axes = plt.subplots(
-        *shape, figsize=(max(5.0, 3.5 * shape[1]), 0.9 + 2.0 * shape[0]), squeeze=False, sharex=True
-    )
-    pushovers = list(getattr(job.input, "pushover", [])) or [None]
-    shown = {r: [shown_pga(c) for c in curves if curve_key(c)[1] == r] for r in p.records}
+    size = (max(5.0, 4.0 * shape[1]), 0.9 + 2.0 * shape[0])
+    figure, axes = plt.subplots(*shape, figsize=size, squeeze=False, sharex=True)
+    pushovers = list(job.input.pushover) or [None]
+    shown = {r: [highest(row) for key, row in rows.items() if key[1] == r] for r in p.records}
     # bonded façades may stand so much that the others vanish
     logarithmic = any(max(values) > LOG_RATIO * min(values) for values in shown.values())
     for i, record in enumerate(p.records):
-        top, weakest = 1.15 * max(shown[record]), min(shown[record])
+        top, weakest = 1.08 * max(shown[record]), min(shown[record])
         for j, direction in enumerate(p.directions):
             axis = axes[i, j]
+            beside = axis.inset_axes(BESIDE, sharey=axis)
             for path in pushovers:
                 draw_pushover(axis, path, facade["height_m"], facade["thickness_m"])
-            for ensemble in ensembles:
-                if curve_key(ensemble)[1:] == (record, direction):
-                    draw_band(axis, ensemble, p.percentiles)
-            for curve in curves:
-                if curve_key(curve)[1:] == (record, direction):
-                    draw(axis, curve, curve_key(curve)[0], top, () if logarithmic else (0.0,))
-            for points in doubts:
-                if len(points) and curve_key(points)[1:] == (record, direction):
-                    axis.plot(
-                        points["d_over_b"],
-                        points["pga_g"],
-                        "o",
-                        ls="",
-                        ms=8,
-                        mfc="none",
-                        mec="0.3",
-                        mew=0.7,
-                        label="does not repeat",
-                        zorder=5,
-                    )
+            for key, curve in curves.items():
+                if key[1:] != (record, direction):
+                    continue
+                if key in scans:
+                    draw_scan(axis, scans[key])
+                draw_curve(axis, curve, top, joined=key not in scans)
+                draw_probability(
+                    beside, tables.get(key, next(iter(tables.values()))[:0]), rows[key]
+                )
             sign = {"pos": "+", "neg": "−"}[direction]
             axis.set_title(f"{style.provenance(facts[record])}, direction {sign}", loc="left")
-            axis.set(xlim=(0, 1.0), ylabel="PGA [g]")
-            axis.set_ylim(0, top)
+            axis.set(xlim=(0, 1.0), ylim=(0, top), ylabel="PGA [g]" if j == 0 else None)
             if logarithmic:
                 axis.set_yscale("log")
                 axis.set_ylim(0.2 * weakest, 1.1 * top)
                 axis.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
                 axis.yaxis.set_major_formatter(FormatStrFormatter("%g"))
                 axis.yaxis.set_minor_formatter(NullFormatter())
-    for axis in axes[-1]:
-        axis.set_xlabel("peak top displacement d/b [-]")
+            beside.set(xlim=(-0.05, 1.05), xticks=(0, 1))
+            beside.tick_params(labelleft=False)
+            if i == shape[0] - 1:
+                axis.set_xlabel("peak top displacement d/b [-]")
+                beside.set_xlabel("P(collapse)")
     legend = {}
     for axis in axes.flat:
         for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
@@ -169,6 +146,11 @@ def main(job):
         legend.values(), legend.keys(), loc="outside upper center", ncols=min(len(legend), 5)
     )
     style.save(figure, job.output)
+
+
+def records(path):
+    """Rows of a table as dictionaries."""
+    return pd.read_csv(path).to_dict("records")
 
 
 run(main, globals())

@@ -11,21 +11,15 @@ import argparse
 import csv
 import io
 
-from yade_scripts.engine import adapter, balance, simulate
+from yade_scripts.engine import adapter, balance
 from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.studies import shaking
 from yade_scripts.studies.ensemble import read_curve
-from yade_scripts.studies.intensities import DIGITS
+from yade_scripts.studies.intensities import DIGITS, fallen_or_highest
 
 HEAD = ("model", "record", "direction", "pga_g", "status", "dt_s", "overturning_j")
-
-
-def collapse_pga(status):
-    """Lowest PGA at which a curve's façade fell [g]; the highest that was run if it never did."""
-    fell = [g for g, outcome in status.items() if outcome == simulate.OVERTURNED]
-    return min(fell) if fell else max(status)
 
 
 def balanced_run(job, time_s, columns, factor):
@@ -82,7 +76,7 @@ def main(arguments=None):
         raise ValueError(f"--share {args.share:g}: expected a number from 0 to 10")
     job = read_json(args.scene)
     time_s, columns = floor_motions.read(args.motion)
-    pga_g = round(args.share * collapse_pga(read_curve(args.curve)[0]), DIGITS)
+    pga_g = round(args.share * fallen_or_highest(read_curve(args.curve)[0]), DIGITS)
     factor = amplitude(columns["ground"], args.direction, pga_g)
     adapter.load_yade()
     history, books, overturning_j = balanced_run(job, time_s, columns, factor)

@@ -9,7 +9,6 @@ are YADE's state at each frame: nothing is drawn that was not computed.
 """
 
 import argparse
-import csv
 import json
 from dataclasses import replace
 
@@ -20,6 +19,8 @@ from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.studies import shaking
+from yade_scripts.studies.ensemble import read_curve
+from yade_scripts.studies.intensities import collapse_bounds
 
 
 def collapse_intensity(path):
@@ -30,11 +31,10 @@ def collapse_intensity(path):
     ValueError
         If nothing overturned.
     """
-    with open(path, newline="") as handle:
-        fell = [float(r["pga_g"]) for r in csv.DictReader(handle) if r["status"] == "overturned"]
-    if not fell:
+    collapse = collapse_bounds(read_curve(path)[0])[1]
+    if collapse is None:
         raise ValueError(f"{path}: expected at least one run that overturned")
-    return min(fell)
+    return collapse
 
 
 class Camera:

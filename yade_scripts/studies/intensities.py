@@ -82,6 +82,11 @@ def climb_sequence(settings):
     return [round(g, DIGITS) for g in (*climb, settings["max_pga_g"])]
 
 
+def fallen_or_highest(done):
+    """Lowest PGA at which a curve's façade fell [g]; the highest that was run if it never did."""
+    return collapse_bounds(done)[1] or max(done)
+
+
 def collapse_bounds(done):
     """Highest safe PGA below the first collapse, and the lowest that collapsed [g].
 

@@ -108,8 +108,9 @@ def summary(scan, curve, members, spread):
     Returns
     -------
     dict
-        See COLUMNS: highest amplitude below which nothing fell in either method, lowest that
-        fell, first crossings of 10, 50 and 90 %, the amplitude from which all collapse.
+        See COLUMNS: highest amplitude that stood with nothing falling within + spread of it or
+        below, in either method; lowest that fell; first crossings of 10, 50 and 90 %; amplitude
+        from which all collapse; largest that was run.
     """
     own = pd.concat([_outcomes(table) for table in (curve, members) if len(table)])
     dense = own if scan is None else _outcomes(scan)
@@ -123,7 +124,7 @@ def summary(scan, curve, members, spread):
     low, middle, high = (first_crossing(dense["pga_g"], share, level) for level in LEVELS)
     above = every["pga_g"][every["pga_g"] > highest]
     return {
-        "pga_safe_g": stood[~(stood >= lowest)].max(),
+        "pga_safe_g": stood[~(stood * (1.0 + spread) >= lowest)].max(),
         "pga_collapse_g": lowest,
         "pga_median_g": middle,
         "pga_p10_g": low,

@@ -208,7 +208,7 @@ def tasks_of(workflow, runs=lambda job: None):
     return [
         Task(
             job.rule.name,
-            lambda job=job: state(job),
+            lambda job=job: state(job),  # type: ignore[misc]
             job.wildcards_dict.get("model", ""),
             getattr(job.params, "journal", None),
             runs(job),
@@ -228,7 +228,7 @@ def opening(tasks, runs, cores):
         Names of its runs.
     cores : int or None
     """
-    counts = defaultdict(int)
+    counts: dict[str, int] = defaultdict(int)
     for task in tasks:
         if task.usual_s > SHORT_S:
             counts[task.rule] += 1
