@@ -73,6 +73,8 @@ def draw_curve(axis, curve, top, joined):
     for rows, face in ((stood, kind.colour), (fell, "white")):
         rows = rows[rows["pga_g"] <= top]
         label = kind.name if face != "white" else None
+        if not len(rows):
+            continue  # an empty line without a clip lies in the corner and bends the layout
         axis.plot(rows["d_over_b"], rows["pga_g"], kind.marker, mfc=face, label=label, **symbol)
 
 
