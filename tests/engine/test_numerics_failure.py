@@ -5,7 +5,8 @@ import json
 import numpy as np
 import pytest
 from numerics_cases import SAMPLE_STEPS
-from rocking.curves.ida import branches, collapse_row, read_curve
+from rocking.curves import collapse
+from rocking.curves.ida import branches, read_curve
 from yade_process import in_yade, resolved
 
 from smdof.chain import floor_motions
@@ -134,7 +135,7 @@ def test_failed_rows_are_neither_drawn_nor_counted_as_collapse(tmp_path):
     stood, fell = branches(curve)
     assert list(stood["pga_g"]) == [0.1]
     assert list(fell["pga_g"]) == [0.3]
-    row = collapse_row(curve)
+    row = collapse.summary(None, curve, (), 0.01)
     assert (row["pga_safe_g"], row["pga_collapse_g"]) == (0.1, 0.3)
 
 
@@ -148,6 +149,7 @@ def test_failed_runs_neither_stop_the_climb_nor_bound_the_collapse():
         "max_pga_g": 1.6,
         "tolerance_g": 0.01,
         "tolerance_ratio": 0.05,
+        "search_ratio": 0.05,
         "beyond_collapse": 0,
     }
     assert next_intensity({0.1: "ok", 0.2: "failed"}, settings) == 0.4

@@ -48,6 +48,14 @@ def curve(path, model, name, direction, safe, collapse):
     return str(path)
 
 
+def collapse_tables(folder, curves, ending=""):
+    """Tables of collapse intensities and probability of curves without a dense scan."""
+    names = {k: str(folder / f"{k}{ending}.csv") for k in ("collapse", "probability")}
+    lists = {"ida": curves, "ensemble": [], "scans": []}
+    script("table_ida_collapse", folder, input=lists, output=names, params={"spread": 0.01})
+    return names
+
+
 @pytest.fixture(scope="module")
 def fragility(tmp_path_factory):
     """Façade that falls at a PGV of 40 cm/s exactly, whatever the record; one curve never does."""
@@ -70,7 +78,7 @@ def fragility(tmp_path_factory):
     script(
         "fragility_table",
         folder,
-        input={"ida": curves[:5], "records": records},
+        input={**collapse_tables(folder, curves[:5]), "records": records},
         output=names,
         params={
             "fragility": settings,
@@ -82,7 +90,7 @@ def fragility(tmp_path_factory):
     script(
         "fragility_table",
         folder,
-        input={"ida": curves, "records": records},
+        input={**collapse_tables(folder, curves, "_all"), "records": records},
         output=with_never,
         params={
             "fragility": settings,
@@ -188,10 +196,13 @@ def test_capacity_ratio_is_in_ground_acceleration(tmp_path):
         input={
             "w1": w1,
             "w2": w2,
+            "w1_scans": w1,  # two amplitudes make a scan
+            "w2_scans": w2,
             "facts": [str(case / "R.json")],
             "records": [str(tmp_path / "R.json")],
         },
         output={k: str(tmp_path / v) for k, v in out.items()},
+        params={"spread": 0.01},
     )
     table = pd.read_csv(tmp_path / "t.csv").set_index("direction")
     assert table.loc["pos", "ratio"] == pytest.approx(0.5)

@@ -66,6 +66,7 @@ OBJECTS_OR_NETWORK = {
 }
 # placeholders in shell commands that need no quoting: each is limited to harmless words elsewhere
 UNQUOTED = {
+    "params.plan": "empty, or an option quoted where it is made",
     "params.yade": "a constant of the rules, quoted where it is made",
     "wildcards.direction": "pos|neg",
     "params.gravity": "a number of the rule itself",

@@ -24,7 +24,7 @@ def brackets(curves, probability, factors, measures):
     tables = dict(list(probability.groupby(collapse.KEY)))
     for row in curves.to_dict("records"):
         key = tuple(row[name] for name in collapse.KEY)
-        for low, high, weight in collapse.brackets(tables[key], row):
+        for low, high, weight in collapse.brackets(tables.get(key, probability[:0]), row):
             for name in measures:
                 factor = factors[row["record"]][name]
                 rows.append((*key, name, low * factor, high * factor, weight))

@@ -1,0 +1,105 @@
+"""Collapse as a probability: shares, first crossings, what is safe, members, agreement."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from rocking.curves import collapse
+from rocking.screening.plan import plan
+
+GRID = np.geomspace(0.1, 1.0, 1200)
+
+
+def scan(fell):
+    """Outcomes of a dense scan by a rule of amplitude."""
+    fallen = np.array([bool(fell(g)) for g in GRID])
+    status = np.where(fallen, "overturned", "ok")
+    return pd.DataFrame({"pga_g": GRID, "status": status, "collapsed": fallen.astype(int)})
+
+
+def runs(*pairs):
+    """YADE's runs as (PGA, fell)."""
+    table = pd.DataFrame(pairs, columns=["pga_g", "collapsed"])
+    return table.assign(status=np.where(table["collapsed"] == 1, "overturned", "ok"))
+
+
+def test_share_is_that_of_the_members_within_the_spread():
+    table = scan(lambda g: g > 0.5)
+    share, members = collapse.probability(GRID, table["collapsed"], [0.3, 0.5, 0.7], 0.02)
+    assert share[[0, 2]].tolist() == [0.0, 1.0]
+    assert share[1] == pytest.approx(0.5, abs=0.05)
+    inside = np.abs(GRID / 0.5 - 1.0) <= 0.02
+    assert members[1] == inside.sum()
+    assert np.isnan(collapse.probability(GRID, table["collapsed"], [2.0], 0.01)[0][0])
+
+
+def test_an_island_below_the_main_collapse_is_the_lowest_collapse():
+    """Falls at 0.30 to 0.33 g, stands to 0.6 g: nothing above 0.30 g is safe."""
+    found = collapse.summary(
+        scan(lambda g: 0.30 < g < 0.33 or g > 0.6), runs((0.2, 0), (0.4, 0), (0.7, 1)), (), 0.01
+    )
+    assert found["pga_collapse_g"] == pytest.approx(0.30, rel=0.003)
+    assert 0.29 < found["pga_safe_g"] < 0.30
+    for name in ("p10", "median", "p90"):
+        assert found[f"pga_{name}_g"] == pytest.approx(0.30, rel=0.012)
+    assert found["pga_all_g"] == pytest.approx(0.60, rel=0.003)
+    assert found["reversals"] == 2
+    assert (found["runs_planar"], found["runs_yade"]) == (len(GRID), 3)
+
+
+def test_a_collapse_in_yade_alone_is_not_safe():
+    """The engine that confirms has the last word on what is safe."""
+    found = collapse.summary(scan(lambda g: g > 0.6), runs((0.45, 1)), (), 0.01)
+    assert found["pga_collapse_g"] == 0.45
+    assert found["pga_safe_g"] < 0.45
+    assert found["pga_median_g"] == pytest.approx(0.6, rel=0.01)
+
+
+def test_a_facade_that_never_fell_is_a_bound_and_failed_runs_say_nothing():
+    table = runs((0.2, 0), (3.0, 0))
+    table.loc[2] = [2.0, 1, "failed"]
+    found = collapse.summary(None, table, (), 0.01)
+    assert np.isnan([found[f"pga_{n}_g"] for n in ("collapse", "median", "all")]).all()
+    assert (found["pga_safe_g"], found["pga_max_g"], found["runs_planar"]) == (3.0, 3.0, 0)
+    blank = pd.DataFrame(columns=collapse.PROBABILITY_COLUMNS)
+    assert collapse.brackets(blank, found) == [(3.0, np.inf, 1.0)]
+
+
+def test_members_of_a_curve_follow_its_probability():
+    """A linear rise of probability gives members spread evenly, of total weight one."""
+    table = pd.DataFrame({"pga_g": GRID, "probability": np.clip((GRID - 0.4) / 0.2, 0, 1)})
+    members = collapse.brackets(table.assign(members=9), {}, count=10)
+    low, high, weight = np.array(members).T
+    assert weight.sum() == pytest.approx(1.0)
+    assert 0.5 * (low + high) == pytest.approx(0.4 + 0.2 * (np.arange(10) + 0.5) / 10, abs=1e-3)
+    half = table.assign(members=9, probability=0.5 * table["probability"])
+    assert sum(w for _, high, w in collapse.brackets(half, {}) if np.isinf(high)) == 0.5
+
+
+def test_disagreement_is_beyond_the_scatter_of_both():
+    """Eleven members that all stand where all planar ones fall disagree; one of 11 does not."""
+    dense = scan(lambda g: g > 0.5)
+    members = [runs(*[(g, int(i < fell)) for i in range(11)]) for g, fell in ((0.7, 0), (0.8, 10))]
+    table = collapse.beside(dense, pd.concat(members), 0.01)
+    levels = table[table["members_yade"].notna()].set_index("pga_g")
+    assert levels["agrees"].to_dict() == {0.7: 0.0, 0.8: 1.0}
+    assert levels.loc[0.8, "probability_yade"] == pytest.approx(10 / 11)
+
+
+def test_the_plan_goes_where_outcomes_change():
+    """Both sides of the lowest collapse, its island and the gap above; levels of 10, 50, 90 %."""
+    ida = {"start_g": 0.1, "growth": 1.35, "max_pga_g": 3.0, "max_islands": 4}
+    ensemble = {"percentiles": [10.0, 90.0], "amplitude_spread": 0.01, "enabled": "auto"}
+    table = scan(lambda g: 0.30 < g < 0.40 or g > 0.6)
+    found = plan(table, ida, ensemble)
+    runs_g = np.array(found["runs"])
+    lowest = table.loc[table["collapsed"] == 1, "pga_g"].min()
+    assert np.abs(runs_g / lowest - 1.0).min() < 1e-3
+    assert np.abs(runs_g / (0.97 * lowest) - 1.0).min() < 1e-3
+    assert ((runs_g > 0.32) & (runs_g < 0.38)).any()  # in the island
+    assert ((runs_g > 0.45) & (runs_g < 0.55)).any()  # in the gap above it
+    assert found["levels"] == pytest.approx([0.30], rel=0.01)  # 10, 50 and 90 % lie together
+    slow = table.assign(collapsed=(np.sin(1e4 * GRID) < (GRID - 0.5) * 5).astype(int))
+    slow["status"] = np.where(slow["collapsed"] == 1, "overturned", "ok")
+    assert len(plan(slow, ida, ensemble)["levels"]) == 3
+    never = plan(scan(lambda g: False), ida, ensemble)
+    assert (never["levels"], never["runs"][-1]) == ([], 3.0)
