@@ -7,10 +7,17 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
-from rocking import study
+try:
+    from rocking import study
+except ModuleNotFoundError as error:
+    sys.exit(
+        f"error: {error} in {sys.executable}: use this project's .venv/bin/snakemake,"
+        " which `make setup` makes"
+    )
 from rocking.configuration import config as configuration
 from rocking.curves.pushover import VARIANTS
 from rocking.records import RecordError
+from rocking.records.check import check_study
 from rocking.runtime import file_times, progress, run_lock, terminal
 from rocking.study.calibration import CASES, HISTORIES
 from rocking.study.chosen import chosen
@@ -44,8 +51,14 @@ try:
         [path for path in workflow.configfiles if Path(path).exists()]
     )
     STUDY = study.Study(config, BASE)
+    # Read before anything is planned. A faulty record ends what needs it, not the target `check`.
+    FINDINGS = check_study(STUDY, cache=".snakemake/records_check.json")
 except (configuration.ConfigError, RecordError) as error:
     stop(error)
+
+STUDY.refuse(FINDINGS)
+if workflow.is_main_process and "check" not in sys.argv:  # that target says so itself
+    terminal.warn([str(f) for f in FINDINGS if f.status == "warning"])
 
 ACCURACY = study.Accuracy(STUDY)
 BOUNDARY = study.Boundary(STUDY)
@@ -97,6 +110,7 @@ localrules:
     records_table,
     floor_motions,
     ida_collapse,
+    records_check,
     figure_record,
     figure_floor_motions,
     fig09_ida,

@@ -6,6 +6,7 @@ as well, and hide the errors of jobs with their announcements.
 """
 
 import logging
+import sys
 
 from snakemake_interface_logger_plugins.common import LogEvent
 
@@ -21,6 +22,16 @@ HIDDEN = {
     LogEvent.SHELLCMD,
 }
 CHATTER = ("Assuming unrestricted", "Building DAG", "Using shell", "Select jobs to execute")
+
+MAX_WARNINGS = 5
+
+
+def warn(lines, stream=None):
+    """Print warnings about records, a line each, the first of many."""
+    for line in lines[:MAX_WARNINGS]:
+        print(f"warning: {line}", file=stream or sys.stderr)
+    if (more := len(lines) - MAX_WARNINGS) > 0:
+        print(f"warning: {more} more records: see the target check", file=stream or sys.stderr)
 
 
 def wanted(record):
