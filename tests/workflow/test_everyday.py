@@ -3,11 +3,17 @@
 import csv
 import math
 import os
+import re
+import shlex
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
+from rocking.records import read_table
+from rocking.records.check import check_records
 
 ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
@@ -95,3 +101,73 @@ def test_check_reports_on_all_records_at_once(records):
     }
     assert len(lines(done, "fault:")) == 2
     assert len(lines(done, "warning:")) == 2
+
+
+def test_the_record_of_the_tutorial_is_no_doubtful_one(tmp_path):
+    text = (ROOT / "docs/tutorial.md").read_text("utf-8")
+    code = text.split('.venv/bin/python -c "')[1].split('"')[0]
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    (tmp_path / "my_record.txt").write_text(done.stdout)
+    (tmp_path / "t.tsv").write_text("record\tfile\tdt_s\tunits\nMINE\tmy_record.txt\t0.01\tg\n")
+    (finding,) = check_records(read_table(tmp_path / "t.tsv").values())
+    assert finding.status == "ok", finding
+
+
+@pytest.mark.parametrize(
+    ("target", "told"),
+    [
+        ("boundry", "did you mean boundary?"),
+        ("zzz", "targets: accuracy, all, "),
+        ("results/main/ida/W1/NOPE_neg.csv", "is it a file of this run"),
+    ],
+)
+def test_a_misspelt_target_is_told_the_nearest(tmp_path, target, told):
+    done = snakemake(tmp_path, "-n", "--", target)
+    assert done.returncode == 1
+    said = [line for line in (done.stdout + done.stderr).splitlines() if target in line]
+    assert any(told in line for line in said), said
+    assert "Traceback" not in done.stderr
+
+
+def test_targets_in_commands_of_the_pages_stand_behind_two_dashes():
+    """What follows --config or --configfile would be taken for their value."""
+    pages = ["README.md", "CONTRIBUTING.md", "config/README.md", *ROOT.glob("docs/*.md")]
+    pages += [*ROOT.glob("config/scenarios/*.yaml"), *ROOT.glob("workflow/rules/*.smk")]
+    for page in pages:
+        for line in (ROOT / page).read_text("utf-8").splitlines():
+            if not re.search(r"snakemake .*--config", line):
+                continue
+            words = shlex.split(line.split("snakemake ", 1)[1].split("`")[0].split("||")[0])
+            taken = False  # by --config or --configfile, until the next option
+            for word in words:
+                if word == "--":
+                    break
+                if word.startswith("-"):
+                    taken = word
+                elif taken == "--config":
+                    assert "=" in word, f"{page}: {line}"
+                elif taken == "--configfile":
+                    assert word.endswith(".yaml") or word in ("<this", "file>"), f"{page}: {line}"
+
+
+def test_an_interrupted_run_says_what_is_kept(tmp_path):
+    words = ["--config", "run=stopped", "records=RRS228", "models=W1", "directions=pos"]
+    command = [SNAKEMAKE, "--snakefile", str(ROOT / "Snakefile"), "--cores", "1", *words]
+    run = subprocess.Popen(
+        command,
+        cwd=tmp_path,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": PATHS},
+    )
+    try:
+        for line in run.stderr:
+            if line.startswith("stopped: ") and "jobs" in line:  # the opening line, by run
+                break
+        time.sleep(1.0)
+        run.send_signal(signal.SIGINT)
+        said = run.communicate(timeout=LIMIT_S)[1]
+    finally:
+        run.kill()
+    assert "finished runs are kept; repeat the command" in said

@@ -33,6 +33,11 @@ if (
     workflow.modifier.is_main_snakefile()
 ):  # as a module it leaves the terminal to others
     terminal.thin_out(workflow.output_settings)
+    terminal.name_targets(
+        lambda: sorted(
+            r.name for r in workflow.rules if not r.output and r.name != "main"
+        )
+    )
 # YADE's library loads only in the Python it was built for, the system's own
 YADE_PYTHON = os.environ.get("YADE_PYTHON") or shutil.which("python3", path=os.defpath)
 YADE = shlex.join([str(YADE_PYTHON), str(BASE / "yade_scripts")])
@@ -137,3 +142,10 @@ onstart:
 onsuccess:
     folders = ", ".join(f"results/{run}" for run in STUDY.runs)
     print(f"done: results in {folders}", file=sys.stderr)
+
+
+onerror:
+    print(
+        "stopped: finished runs are kept; repeat the command to go on",
+        file=sys.stderr,
+    )

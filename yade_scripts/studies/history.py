@@ -3,16 +3,17 @@
     python3 yade_scripts history --scene scenes/W2.json --motion smdof/RRS228_4dof.csv
         --record RRS228 --direction neg --pga 0.2 --output histories/W2/RRS228_neg_0.2g.csv
 
-The run is that of the analyses (step, ledger, stop rules), sampled every SAMPLE_S. Columns:
+The run is that of the analyses (step, ledger, stop rules), sampled every SAMPLE_S. Columns::
 
-d_over_b, velocity_m_s, rotation_rad  top displacement relative to the base over b, its rate, and
-    the façade's outward rotation
-{motion}_m_s2, {motion}_m             ground and floors as imposed: acceleration, displacement
-base_y_n, base_z_n, walls_y_n, walls_z_n  contacts' force on the façade (halved in W3's half model),
-    outward and upward; without the dashpots' shear
-input_j, kinetic_j, potential_j, elastic_j, lost_j  in the frame of the base, since the start: work
-    of inertia forces and driven walls (`ledger`), energies of the free blocks and of the contacts'
-    springs, and what is left, input − stored: dashpots, friction, broken bonds, samples' error
+    d_over_b, velocity_m_s  top displacement relative to the base over b, and its rate
+    rotation_rad            the façade's outward rotation
+    {motion}_m_s2, {motion}_m  ground and floors as imposed: acceleration, displacement
+    base_y_n, base_z_n, walls_y_n, walls_z_n  contacts' force on the façade (half of it in W3's
+                            half model), outward and upward; without the dashpots' shear
+    input_j                 in the frame of the base, work of inertia forces and driven walls (see
+                            `ledger`) since the start
+    kinetic_j, potential_j, elastic_j  of the free blocks and of the contacts' springs
+    lost_j                  input − stored: dashpots, friction, broken bonds, the samples' error
 """
 
 import argparse

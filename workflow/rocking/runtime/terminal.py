@@ -5,7 +5,9 @@ it to Snakemake's log file, which keeps all of it. Snakemake's own `quiet` would
 as well, and hide the errors of jobs with their announcements.
 """
 
+import difflib
 import logging
+import re
 import sys
 
 from snakemake_interface_logger_plugins.common import LogEvent
@@ -39,6 +41,34 @@ def wanted(record):
     if record.levelno >= logging.WARNING:
         return True
     return getattr(record, "event", None) not in HIDDEN and not str(record.msg).startswith(CHATTER)
+
+
+_NO_RULE = re.compile(r"No rule to produce (.+?) \(if you use.*?\)\.")
+
+
+def name_targets(targets, logger=None):
+    """Let Snakemake's message about a target that it does not know name the nearest one.
+
+    Parameters
+    ----------
+    targets : callable
+        Returns the names of the targets.
+    logger : logging.Logger
+        Snakemake's, unless given.
+    """
+
+    def explain(record):
+        if found := _NO_RULE.search(str(record.msg)):
+            names = targets()
+            near = difflib.get_close_matches(found[1], names, 1)
+            said = f"did you mean {near[0]}?" if near else f"targets: {', '.join(names)}"
+            if "/" in found[1]:
+                said = "is it a file of this run, model, record and direction (`run`, `records`)?"
+            record.msg = f"No rule to produce {found[1]}: {said}"
+        return True
+
+    for handler in (logger or logging.getLogger("snakemake.logging")).handlers:
+        handler.addFilter(explain)
 
 
 def thin_out(settings, logger=None):
