@@ -125,6 +125,13 @@ def test_resolving_leaves_its_input_and_the_schemas_alone():
         ({"facade": {"hieght_m": 3}}, "unknown key 'facade.hieght_m'; did you mean 'facade.heigh"),
         ({"fasade": {}}, "unknown key 'fasade'; did you mean 'facade'?"),
         ({"height_m": 7}, "unknown key 'height_m'; did you mean 'facade.height_m'?"),
+        ({"friction_deg": 9}, "unknown key 'friction_deg'; did you mean 'facade.friction_deg' or"),
+        (
+            {"facade": {"height_m": "9", "5": None}},
+            "'5' in 'facade' is no key: for a decimal comma",
+        ),
+        ({"facade": {"height_m:9.5": None}}, "'height_m:9.5' in 'facade': write a space after"),
+        ({"facade": {"height_m": "9,5"}}, "facade.height_m = '9,5': expected a number > 0"),
         ({"facade": {"beta_s": 1}}, "unknown key 'facade.beta_s'; did you mean 'damping.beta_s'?"),
         ({"scenaros": {}}, "unknown key 'scenaros'; did you mean 'scenarios'?"),
         ({"damping": {"zzz": 1}}, "unknown key 'damping.zzz'; expected one of law, beta_s"),

@@ -136,7 +136,7 @@ def test_report_opens_offline_and_clicks_through_to_figures_and_tables(report, t
         assert browser.wait(lambda: browser.script(width), "Figure 9") > 500
         press(browser, "9: IDA curves", "information-circle")
         browser.wait(lambda: "DESCRIPTION" in browser.text().upper(), "the caption")
-        assert "height_m 5.75" in browser.text()
+        assert "height 5.75 m" in browser.text()
         assert "W1" in browser.text()
 
         # the collapse table is a page with one row a curve

@@ -103,7 +103,7 @@ rule table_claims:
         "../scripts/table_claims.py"
 
 
-# `snakemake boundary --configfile config/scenarios/five_models.yaml`: Figures 7, 8 and 9 whole.
+# `snakemake --configfile config/scenarios/five_models.yaml -- boundary`: Figures 7, 8 and 9 whole.
 rule boundary:
     input:
         with_pages(STUDY.per_run(BOUNDARY.results)),

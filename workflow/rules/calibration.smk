@@ -142,7 +142,7 @@ rule calibration:
         with_pages(STUDY.per_run(CALIBRATION.results)),
 
 
-# `snakemake calibrate_wall --configfile my_facade.yaml`: β of the configuration's own façade.
+# `snakemake --configfile my_facade.yaml -- calibrate_wall`: β of the configuration's own façade.
 rule calibrate_wall:
     input:
         STUDY.per_run(CALIBRATION.wall_results),

@@ -7,10 +7,17 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
-from rocking import study
+try:
+    from rocking import study
+except ModuleNotFoundError as error:
+    sys.exit(
+        f"error: {error} in {sys.executable}: use this project's .venv/bin/snakemake,"
+        " which `make setup` makes"
+    )
 from rocking.configuration import config as configuration
 from rocking.curves.pushover import VARIANTS
 from rocking.records import RecordError
+from rocking.records.check import check_study
 from rocking.runtime import file_times, progress, run_lock, terminal
 from rocking.study.calibration import CASES, HISTORIES
 from rocking.study.chosen import chosen
@@ -26,6 +33,11 @@ if (
     workflow.modifier.is_main_snakefile()
 ):  # as a module it leaves the terminal to others
     terminal.thin_out(workflow.output_settings)
+    terminal.name_targets(
+        lambda: sorted(
+            r.name for r in workflow.rules if not r.output and r.name != "main"
+        )
+    )
 # YADE's library loads only in the Python it was built for, the system's own
 YADE_PYTHON = os.environ.get("YADE_PYTHON") or shutil.which("python3", path=os.defpath)
 YADE = shlex.join([str(YADE_PYTHON), str(BASE / "yade_scripts")])
@@ -44,8 +56,14 @@ try:
         [path for path in workflow.configfiles if Path(path).exists()]
     )
     STUDY = study.Study(config, BASE)
+    # Read before anything is planned. A faulty record ends what needs it, not the target `check`.
+    FINDINGS = check_study(STUDY, cache=".snakemake/records_check.json")
 except (configuration.ConfigError, RecordError) as error:
     stop(error)
+
+STUDY.refuse(FINDINGS)
+if workflow.is_main_process and "check" not in sys.argv:  # that target says so itself
+    terminal.warn([str(f) for f in FINDINGS if f.status == "warning"])
 
 ACCURACY = study.Accuracy(STUDY)
 BOUNDARY = study.Boundary(STUDY)
@@ -97,6 +115,7 @@ localrules:
     records_table,
     floor_motions,
     ida_collapse,
+    records_check,
     figure_record,
     figure_floor_motions,
     fig09_ida,
@@ -123,3 +142,10 @@ onstart:
 onsuccess:
     folders = ", ".join(f"results/{run}" for run in STUDY.runs)
     print(f"done: results in {folders}", file=sys.stderr)
+
+
+onerror:
+    print(
+        "stopped: finished runs are kept; repeat the command to go on",
+        file=sys.stderr,
+    )

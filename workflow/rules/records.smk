@@ -2,6 +2,7 @@
 rule record:
     input:
         file=STUDY.record_file,
+        vertical=lambda w: STUDY.record_row(w).vertical_path or [],
         surrogates=STUDY.surrogate_parameters,
         modules=code("record"),
     output:
@@ -30,3 +31,26 @@ rule records_table:
         "results/{run}/logs/records_table.log",
     script:
         "../scripts/table_records.py"
+
+
+rule check:
+    input:
+        STUDY.per_run(lambda run: [f"results/{run}/tables/records_check.csv"]),
+
+
+rule records_check:
+    input:
+        files=STUDY.record_files,
+        table=lambda w: STUDY.table_path(w.run),
+        modules=code("check_records"),
+    output:
+        "results/{run}/tables/records_check.csv",
+    log:
+        "results/{run}/logs/records_check.log",
+    params:
+        table=lambda w: STUDY.table_path(w.run),
+        records=lambda w: STUDY.records[w.run],
+        baseline=lambda w: STUDY.cfg(w)["baseline"],
+        seed=lambda w: STUDY.cfg(w)["seed"],
+    script:
+        "../scripts/check_records.py"

@@ -35,9 +35,9 @@ def main(job):
         "1 g", (time[-1], 0.5), xytext=(-3, 0), textcoords="offset points", ha="right", va="center"
     )
     periods = np.geomspace(0.03, 4.0, 140)
-    for motion, colour, label in zip(motions, colours, labels, strict=True):
+    for motion, colour in zip(motions, colours, strict=True):
         spectrum = response_spectrum(motion * G_M_S2, time[1] - time[0], periods)
-        axes[1].loglog(periods, spectrum.psa_m_s2 / G_M_S2, color=colour, label=label)
+        axes[1].loglog(periods, spectrum.psa_m_s2 / G_M_S2, color=colour)
     axes[1].axvline(chain["period_s"], color="k", lw=0.7, ls=":")
     axes[1].annotate(
         f"T1 = {chain['period_s']:g} s",
@@ -48,7 +48,7 @@ def main(job):
         textcoords="offset points",
     )
     axes[1].set(xlabel="period [s]", ylabel="pseudo-acceleration, 5 % damping [g]")
-    axes[1].legend(loc="lower left")
+    axes[1].set_title("colours as beside", loc="left")
     figure.suptitle(
         f"{style.provenance(facts)} through {len(motions) - 1} lumped masses, "
         f"{100 * chain['damping_ratio']:g} % {chain['damping_model']} damping"

@@ -6,55 +6,9 @@ import re
 from pathlib import Path
 
 import pandas as pd
+from rocking.configuration.words import heading
 from rocking.curves.intensity_measures import MEASURES
 from rocking.runtime.script import run
-
-# endings of column names in tables, longest first, and how a reader writes the unit
-UNITS = {
-    "_cm_s": "cm/s",
-    "_m_s2": "m/s²",
-    "_m_s": "m/s",
-    "_kg_m3": "kg/m³",
-    "_pa_m": "Pa/m",
-    "_mpa": "MPa",
-    "_deg": "°",
-    "_mb": "MB",
-    "_cm": "cm",
-    "_hz": "Hz",
-    "_m": "m",
-    "_s": "s",
-    "_g": "g",
-}
-WORDS = {
-    "pga": "PGA",
-    "pgv": "PGV",
-    "pgd": "PGD",
-    "w1": "W1",
-    "w2": "W2",
-    "t1": "T1",
-    "im": "IM",
-    "ci": "CI",
-    "beta": "β",
-    "eq5": "eq. 5",
-    "cpu": "CPU",
-    "wme": "WME",
-    "dof": "DOF",
-    "n": "n",
-    "paper": "study",
-    "p10": "10 %",
-    "p90": "90 %",
-    "yade": "YADE",
-}
-
-
-def heading(column):
-    """Column name for reading: "pga_safe_g" becomes "PGA safe [g]"."""
-    study = column.endswith("_paper")
-    bare = column.removesuffix("_paper")
-    ending = next((e for e in UNITS if bare.endswith(e) and bare != e), "")
-    words = [WORDS.get(w, w) for w in bare.removesuffix(ending).split("_")]
-    words += ["study"] if study else []
-    return " ".join(words) + (f" [{UNITS[ending]}]" if ending else "")
 
 
 def is_study(column):

@@ -43,8 +43,8 @@ PRELOAD_DEPTH_M = PRELOAD_M + FACE_OFFSET_M  # of both spheres of a bond at rest
 
 
 @dataclass
-class _Moment:
-    """Contacts of one step as arrays, one row a contact."""
+class Contacts:
+    """Contacts of one step as arrays, one row a contact; force on `b`, and back on `a`."""
 
     keys: list
     a: np.ndarray  # index of the moving block or support, by contact
@@ -59,6 +59,16 @@ class _Moment:
     cs: np.ndarray
     friction: np.ndarray
     pressed: np.ndarray  # energy of the normal springs
+
+    @property
+    def force(self):
+        """Force on the second body of each contact, without the dashpots' shear, (n, 3) [N]."""
+        return self.normal_force[:, None] * self.normal + self.shear_force
+
+    @property
+    def elastic(self):
+        """Energy of the springs of each contact, without preloads [J]."""
+        return self.pressed + 0.5 * (self.shear_force**2).sum(axis=1) / self.ks
 
 
 class EnergyBalance:
@@ -81,15 +91,19 @@ class EnergyBalance:
         self.before: dict = {}
         self.start = None
 
-    def attach(self, built):
-        """Place one runner before and one after the integrator."""
-        wrapper, omega = adapter.load_yade(), built.omega
-        self.omega = omega
+    def hold(self, built):
+        """Take hold of the built scene, so that `contacts` can be asked."""
+        self.omega = built.omega
         self._follow_bodies(built)
         spheres = built.bonds.spheres.values() if built.bonds else ()
         self.preload = {body: PRELOAD_DEPTH_M for trio in spheres for body in trio[:2]}
         for bodies in built.linked.values():
             self.preload.update(dict.fromkeys(bodies, REACH_M))
+
+    def attach(self, built):
+        """Place one runner before and one after the integrator."""
+        self.hold(built)
+        wrapper, omega = adapter.load_yade(), built.omega
         self.period = max(1, round(self.sample_s / omega.dt))
         engines = list(omega.engines)
         at = next(i for i, e in enumerate(engines) if isinstance(e, wrapper.NewtonIntegrator))
@@ -129,7 +143,7 @@ class EnergyBalance:
             rows.append((v[0], v[1], v[2], w[0], w[1], w[2]))
         return np.array(rows)
 
-    def _contacts(self):
+    def contacts(self):
         """Contacts of the present step."""
         keys, ends, rows = [], [], []
         for contact in self.omega.interactions:
@@ -164,7 +178,7 @@ class EnergyBalance:
         a, b = np.array(ends, int).reshape(-1, 2).T
         shear, (force, depth, kn, ks, cs, friction, preload) = table[:, 6:9], table[:, 9:16].T
         pressed = 0.5 * kn * (depth**2 - preload**2)
-        return _Moment(
+        return Contacts(
             keys,
             a,
             b,
@@ -182,7 +196,7 @@ class EnergyBalance:
 
     def _before(self):
         """Forces and contacts at the step, and the velocities half a step before it."""
-        self.speed, self.now = self._speeds(), self._contacts()
+        self.speed, self.now = self._speeds(), self.contacts()
         self.place = np.array([[float(v) for v in s.pos] for s in self.states])
 
     def _after(self):
@@ -198,7 +212,7 @@ class EnergyBalance:
         earlier = self._relative(self.speed)
         earlier -= (earlier * c.normal).sum(axis=1)[:, None] * c.normal
         viscous = np.where(sticks, c.cs, 0.0)[:, None] * earlier
-        force = c.normal_force[:, None] * c.normal + c.shear_force + viscous
+        force = c.force + viscous
         # a contact pushes its first body back and its second on
         driven_a = (force * mean[c.a, :3] * self.driven[c.a]).sum()
         driven_b = (force * mean[c.b, :3] * self.driven[c.b]).sum()
@@ -251,8 +265,7 @@ class EnergyBalance:
         c = self.now
         kinetic = 0.5 * (self.mass * mean[:, :3] ** 2 + self.inertia * mean[:, 3:] ** 2).sum()
         potential = self.weight @ (self.place[:, 2] - self.height)
-        elastic = c.pressed.sum() + 0.5 * ((c.shear_force**2).sum(axis=1) / c.ks).sum()
-        stored = np.array([kinetic, potential, elastic])
+        stored = np.array([kinetic, potential, c.elastic.sum()])
         if self.start is None:
             self.start = stored
             self.work[:] = 0.0

@@ -41,12 +41,14 @@ class EnergyLedger:
         Why the run was stopped; empty if it was not.
     excess : float
         Largest energy from nowhere so far, over the energy that overturns the façade.
+    energy, work : float
+        At the last sample: E(t) − E(0), and the work done on the free blocks since [J].
     """
 
     def __init__(self, scene, motions):
         """Prepare the ledger of a run."""
         self.scene, self.motions = scene, motions
-        self.reason, self.excess = "", 0.0
+        self.reason, self.excess, self.energy = "", 0.0, 0.0
 
     def attach(self, built):
         """Take hold of the built scene."""
@@ -111,7 +113,8 @@ class EnergyLedger:
             self.start, self.before = energy, (t, power)
         self.work += 0.5 * (power + self.before[1]) * (t - self.before[0])
         self.before = t, power
-        excess = (energy - self.start - self.work) / self.scale
+        self.energy = energy - self.start
+        excess = (self.energy - self.work) / self.scale
         if self.reason:
             return
         if not excess <= TOLERANCE:  # also where it is not a number
@@ -121,6 +124,11 @@ class EnergyLedger:
             )
             loop.stop()
         self.excess = max(self.excess, excess) if math.isfinite(excess) else math.inf
+
+    def height_j(self):
+        """Weight times height of the free blocks above their reference position [J]."""
+        blocks = (*self.free, *(entry[1:] for entry in self.guided))
+        return sum(weight * (state.pos[2] - height) for state, _, _, weight, height in blocks)
 
     def _pushes(self, pull):
         """Force of everything but links and inertia on each mass [N], and its speed [m/s]."""

@@ -46,10 +46,10 @@ class Shaking:
             **how,
         )
 
-    def checked(self):
+    def checked(self, check=None, **how):
         """Run it with the energy ledger beside it: energy from nowhere is never a collapse."""
-        check = ledger.EnergyLedger(self.scene, self.motions)
-        history = self.run(check=check)
+        check = check or ledger.EnergyLedger(self.scene, self.motions)
+        history = self.run(check=check, **how)
         if check.reason and history.status != simulate.FAILED:
             history.status, history.reason = simulate.FAILED, check.reason
             history.peak_d_over_b = math.nan

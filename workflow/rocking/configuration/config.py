@@ -14,6 +14,7 @@ from typing import Any
 from rocking.configuration import schema as config_schema
 from rocking.configuration.files import check_files, write_resolved
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show
+from rocking.configuration.words import Settings
 from yade_scripts.model import registry
 
 __all__ = [
@@ -135,7 +136,7 @@ def _at(resolved: Mapping, path: str) -> Any:
     return value
 
 
-def relevant(resolved: Mapping, *paths: str) -> str:
+def relevant(resolved: Mapping, *paths: str) -> Settings:
     """Return the named sections or keys as canonical JSON, for the `params` of a rule.
 
     A rule that names what it depends on reruns when that changes, and only then.
@@ -153,7 +154,7 @@ def relevant(resolved: Mapping, *paths: str) -> str:
         If the configuration has no such section or key.
     """
     parts = {path: _at(resolved, path) for path in paths}
-    return json.dumps(parts, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    return Settings(json.dumps(parts, sort_keys=True, separators=(",", ":"), ensure_ascii=False))
 
 
 def expand_scenarios(config: Mapping) -> dict[str, dict[str, Any]]:

@@ -284,6 +284,16 @@ def _range(schema: dict) -> str:
 
 def unknown_key(path: str, known: dict) -> ConfigError:
     """Refuse a key by name, with the nearest known one or those of its section."""
+    if slip := re.fullmatch(r"(?:(.*)\.)?(\w+):(\S+)", path):
+        where, key, value = slip.groups()
+        return ConfigError(
+            f"'{key}:{value}' {within(where or '')}: write a space after the colon, {key}: {value}"
+        )
+    if re.fullmatch(r"(.*\.)?[0-9]+", path):
+        where, _, digits = path.rpartition(".")
+        return ConfigError(
+            f"'{digits}' {within(where)} is no key: for a decimal comma write a point, as in 9.5"
+        )
     paths = [p for p, _ in leaves(known)]
     section, _, leaf = path.rpartition(".")
     same = [p for p in paths if p.rpartition(".")[2] == leaf]
@@ -295,7 +305,8 @@ def unknown_key(path: str, known: dict) -> ConfigError:
         for names in ({**own, **tops}, others):
             near = near or [names[m] for m in difflib.get_close_matches(leaf, names, 1, 0.7)]
     if near:
-        return ConfigError(f"unknown key '{path}'; did you mean '{near[0]}'?")
+        meant = " or ".join(f"'{name}'" for name in near)
+        return ConfigError(f"unknown key '{path}'; did you mean {meant}?")
     properties = known["properties"]
     for part in section.split(".") if section else ():
         properties = properties.get(part, {}).get("properties", {})
@@ -326,7 +337,9 @@ def refusal(error: jsonschema.ValidationError, known: dict) -> ConfigError:
         missing = next(k for k in error.validator_value if k not in error.instance)
         return ConfigError(f"{path}.{missing}: missing".lstrip("."))
     words = expectation({**schema, "unit": schema.get("unit", unit)})
-    return ConfigError(f"{path} = {show(error.instance)}: expected {words}")
+    comma = isinstance(error.instance, str) and re.fullmatch(r"[+-]?\d+,\d+", error.instance)
+    hint = "; write a decimal point, not a comma" if comma else ""
+    return ConfigError(f"{path} = {show(error.instance)}: expected {words}{hint}")
 
 
 def refuse_invalid(value: Any, known: dict) -> None:

@@ -5,7 +5,10 @@ it to Snakemake's log file, which keeps all of it. Snakemake's own `quiet` would
 as well, and hide the errors of jobs with their announcements.
 """
 
+import difflib
 import logging
+import re
+import sys
 
 from snakemake_interface_logger_plugins.common import LogEvent
 
@@ -22,12 +25,50 @@ HIDDEN = {
 }
 CHATTER = ("Assuming unrestricted", "Building DAG", "Using shell", "Select jobs to execute")
 
+MAX_WARNINGS = 5
+
+
+def warn(lines, stream=None):
+    """Print warnings about records, a line each, the first of many."""
+    for line in lines[:MAX_WARNINGS]:
+        print(f"warning: {line}", file=stream or sys.stderr)
+    if (more := len(lines) - MAX_WARNINGS) > 0:
+        print(f"warning: {more} more records: see the target check", file=stream or sys.stderr)
+
 
 def wanted(record):
     """Whether a log record is for the terminal: what went wrong, and how the run ended."""
     if record.levelno >= logging.WARNING:
         return True
     return getattr(record, "event", None) not in HIDDEN and not str(record.msg).startswith(CHATTER)
+
+
+_NO_RULE = re.compile(r"No rule to produce (.+?) \(if you use.*?\)\.")
+
+
+def name_targets(targets, logger=None):
+    """Let Snakemake's message about a target that it does not know name the nearest one.
+
+    Parameters
+    ----------
+    targets : callable
+        Returns the names of the targets.
+    logger : logging.Logger
+        Snakemake's, unless given.
+    """
+
+    def explain(record):
+        if found := _NO_RULE.search(str(record.msg)):
+            names = targets()
+            near = difflib.get_close_matches(found[1], names, 1)
+            said = f"did you mean {near[0]}?" if near else f"targets: {', '.join(names)}"
+            if "/" in found[1]:
+                said = "is it a file of this run, model, record and direction (`run`, `records`)?"
+            record.msg = f"No rule to produce {found[1]}: {said}"
+        return True
+
+    for handler in (logger or logging.getLogger("snakemake.logging")).handlers:
+        handler.addFilter(explain)
 
 
 def thin_out(settings, logger=None):

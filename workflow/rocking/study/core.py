@@ -40,6 +40,7 @@ class Study:
         self.runs = configuration.expand_scenarios(config)
         self.tables = {run: read_table(self.table_path(run)) for run in self.runs}
         self.records = {run: self._record_names(run) for run in self.runs}
+        self.faults: dict[tuple[str, str], str] = {}
 
     def cfg(self, wildcards) -> dict[str, Any]:
         """Resolved configuration of the run that a job belongs to."""
@@ -91,13 +92,31 @@ class Study:
 
     # one record
 
+    def refuse(self, findings):
+        """Remember which records are faulty (`records.check`), for jobs that need one of them."""
+        faults = [finding for finding in findings if finding.status == "fault"]
+        more = f" (and {len(faults) - 1} more: see the target check)" if faults[1:] else ""
+        self.faults = {(f.record, f.file): f"error: {f}{more}" for f in faults}
+
     def record_row(self, wildcards):
         """Row of the records table."""
         return self.tables[wildcards.run][wildcards.record]
 
     def record_file(self, wildcards):
-        """The accelerogram's file; nothing for a surrogate."""
-        return self.record_row(wildcards).path or []
+        """The accelerogram's file; nothing for a surrogate.
+
+        A record that was found faulty ends the workflow in one line.
+        """
+        row = self.record_row(wildcards)
+        if fault := self.faults.get((row.record, row.path or "")):
+            raise SystemExit(fault)
+        return row.path or []
+
+    def record_files(self, wildcards):
+        """Files of all records of a run, vertical motions included."""
+        rows = [self.tables[wildcards.run][name] for name in self.records[wildcards.run]]
+        paths = [path for row in rows for path in (row.path, row.vertical_path) if path]
+        return list(dict.fromkeys(paths))
 
     def surrogate_parameters(self, wildcards):
         """File of the surrogates' parameters, for a record without a file of its own."""

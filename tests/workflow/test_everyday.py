@@ -1,0 +1,173 @@
+"""What everyday use meets first: faulty records, mistyped commands, runs side by side."""
+
+import csv
+import math
+import os
+import re
+import shlex
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from rocking.records import read_table
+from rocking.records.check import check_records
+
+ROOT = Path(__file__).resolve().parents[2]
+SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
+PATHS = os.pathsep.join([str(ROOT), str(ROOT / "workflow")])
+LIMIT_S = 120.0
+
+
+def snakemake(folder, *words, limit_s=LIMIT_S):
+    """Run Snakemake in a folder with the project's Snakefile."""
+    return subprocess.run(
+        [SNAKEMAKE, "--snakefile", str(ROOT / "Snakefile"), "--cores", "1", *words],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=limit_s,
+        env={**os.environ, "PYTHONPATH": PATHS},
+    )
+
+
+def lines(done, word):
+    """Lines of standard error that begin with a word."""
+    return [line for line in done.stderr.splitlines() if line.startswith(word)]
+
+
+def read(path):
+    with open(path, newline="") as handle:
+        return list(csv.DictReader(handle))
+
+
+@pytest.fixture(scope="module")
+def records(tmp_path_factory):
+    """Five records: sound, off its zero line, m/s² called g, not a number, without units."""
+    folder = tmp_path_factory.mktemp("records")
+    pulse = [
+        math.exp(-((t / 100 - 4) ** 2) / 2) * math.sin(2 * math.pi * 1.2 * (t / 100 - 4))
+        for t in range(1000)
+    ]
+    for name, offset, factor in (("good", 0, 0.3), ("off", 0.02, 0.3), ("ms2", 0, 3.3)):
+        text = "\n".join(f"{offset + factor * value:.6f}" for value in pulse)
+        (folder / f"{name}.txt").write_text(text)
+    (folder / "nan.txt").write_text("0.1\nnan\n0.2\n")
+    rows = [f"{name.upper()}\t{name}.txt\t0.01\tg" for name in ("good", "off", "ms2", "nan")]
+    table = ["record\tfile\tdt_s\tunits", *rows, "NOUNITS\tgood.txt\t0.01\t"]
+    (folder / "mine.tsv").write_text("\n".join(table) + "\n")
+    return folder
+
+
+MINE = ["--config", "run=mine", "records_table=mine.tsv"]
+
+
+def test_a_faulty_record_stops_a_dry_run_in_one_line(records):
+    done = snakemake(records, "-n", *MINE)
+    assert done.returncode == 1
+    (line,) = lines(done, "error:")
+    assert "nan.txt, line 2" in line
+    assert "1 more: see the target check" in line
+    assert "Traceback" not in done.stderr
+    assert not (records / "results").exists()
+
+
+def test_doubts_are_printed_once_and_stop_nothing(records):
+    done = snakemake(records, "-n", *MINE, "records=GOOD,OFF,MS2")
+    assert done.returncode == 0, done.stderr[-2000:]
+    assert [line.split(":")[1] for line in lines(done, "warning:")] == [
+        " record OFF",
+        " record MS2",
+    ]
+    assert "above 1 %" in done.stderr
+    assert "m/s² called g?" in done.stderr
+
+
+def test_check_reports_on_all_records_at_once(records):
+    done = snakemake(records, *MINE, "--", "check")
+    assert done.returncode == 0, done.stderr[-2000:]
+    found = {
+        row["record"]: row["status"]
+        for row in read(records / "results/mine/tables/records_check.csv")
+    }
+    assert found == {
+        "GOOD": "ok",
+        "OFF": "warning",
+        "MS2": "warning",
+        "NAN": "fault",
+        "NOUNITS": "fault",
+    }
+    assert len(lines(done, "fault:")) == 2
+    assert len(lines(done, "warning:")) == 2
+
+
+def test_the_record_of_the_tutorial_is_no_doubtful_one(tmp_path):
+    text = (ROOT / "docs/tutorial.md").read_text("utf-8")
+    code = text.split('.venv/bin/python -c "')[1].split('"')[0]
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    (tmp_path / "my_record.txt").write_text(done.stdout)
+    (tmp_path / "t.tsv").write_text("record\tfile\tdt_s\tunits\nMINE\tmy_record.txt\t0.01\tg\n")
+    (finding,) = check_records(read_table(tmp_path / "t.tsv").values())
+    assert finding.status == "ok", finding
+
+
+@pytest.mark.parametrize(
+    ("target", "told"),
+    [
+        ("boundry", "did you mean boundary?"),
+        ("zzz", "targets: accuracy, all, "),
+        ("results/main/ida/W1/NOPE_neg.csv", "is it a file of this run"),
+    ],
+)
+def test_a_misspelt_target_is_told_the_nearest(tmp_path, target, told):
+    done = snakemake(tmp_path, "-n", "--", target)
+    assert done.returncode == 1
+    said = [line for line in (done.stdout + done.stderr).splitlines() if target in line]
+    assert any(told in line for line in said), said
+    assert "Traceback" not in done.stderr
+
+
+def test_targets_in_commands_of_the_pages_stand_behind_two_dashes():
+    """What follows --config or --configfile would be taken for their value."""
+    pages = ["README.md", "CONTRIBUTING.md", "config/README.md", *ROOT.glob("docs/*.md")]
+    pages += [*ROOT.glob("config/scenarios/*.yaml"), *ROOT.glob("workflow/rules/*.smk")]
+    for page in pages:
+        for line in (ROOT / page).read_text("utf-8").splitlines():
+            if not re.search(r"snakemake .*--config", line):
+                continue
+            words = shlex.split(line.split("snakemake ", 1)[1].split("`")[0].split("||")[0])
+            taken = False  # by --config or --configfile, until the next option
+            for word in words:
+                if word == "--":
+                    break
+                if word.startswith("-"):
+                    taken = word
+                elif taken == "--config":
+                    assert "=" in word, f"{page}: {line}"
+                elif taken == "--configfile":
+                    assert word.endswith(".yaml") or word in ("<this", "file>"), f"{page}: {line}"
+
+
+def test_an_interrupted_run_says_what_is_kept(tmp_path):
+    words = ["--config", "run=stopped", "records=RRS228", "models=W1", "directions=pos"]
+    command = [SNAKEMAKE, "--snakefile", str(ROOT / "Snakefile"), "--cores", "1", *words]
+    run = subprocess.Popen(
+        command,
+        cwd=tmp_path,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": PATHS},
+    )
+    try:
+        for line in run.stderr:
+            if line.startswith("stopped: ") and "jobs" in line:  # the opening line, by run
+                break
+        time.sleep(1.0)
+        run.send_signal(signal.SIGINT)
+        said = run.communicate(timeout=LIMIT_S)[1]
+    finally:
+        run.kill()
+    assert "finished runs are kept; repeat the command" in said

@@ -1,0 +1,80 @@
+"""Names of columns and keys, and values beside them, as a reader writes them."""
+
+import json
+from typing import Any
+
+# endings of column names in tables, longest first, and how a reader writes the unit
+UNITS = {
+    "_cm_s": "cm/s",
+    "_m_s2": "m/s²",
+    "_m_s": "m/s",
+    "_kg_m3": "kg/m³",
+    "_pa_m": "Pa/m",
+    "_mpa": "MPa",
+    "_deg": "°",
+    "_mb": "MB",
+    "_cm": "cm",
+    "_hz": "Hz",
+    "_m": "m",
+    "_s": "s",
+    "_g": "g",
+}
+WORDS = {
+    "pga": "PGA",
+    "pgv": "PGV",
+    "pgd": "PGD",
+    "w1": "W1",
+    "w2": "W2",
+    "t1": "T1",
+    "im": "IM",
+    "ci": "CI",
+    "beta": "β",
+    "eq5": "eq. 5",
+    "cpu": "CPU",
+    "wme": "WME",
+    "dof": "DOF",
+    "n": "n",
+    "e": "E",
+    "n_dof": "masses",
+    "paper": "study",
+    "p10": "10 %",
+    "p90": "90 %",
+    "yade": "YADE",
+}
+
+
+def _parts(name):
+    """Words of a name and its unit: "pga_safe_g" is ("PGA safe", "g")."""
+    ending = next((e for e in UNITS if name.endswith(e) and name != e), "")
+    bare = name.removesuffix(ending)
+    words = WORDS.get(bare) or " ".join(WORDS.get(word, word) for word in bare.split("_"))
+    return words, UNITS.get(ending, "")
+
+
+def heading(column):
+    """Column name for reading: "pga_safe_g" becomes "PGA safe [g]"."""
+    words, unit = _parts(column.removesuffix("_paper"))
+    words += " study" if column.endswith("_paper") else ""
+    return words + (f" [{unit}]" if unit else "")
+
+
+def said(key: str, value: Any) -> str:
+    """Return a key with its value: "height_m", 6.48 becomes "height 6.48 m"."""
+    words, unit = _parts(key)
+    if isinstance(value, list):
+        value = ", ".join(str(item) for item in value)
+    number = f"{value:g}" if isinstance(value, float) else str(value)
+    return f"{words} {number}" + (unit if unit == "°" else f" {unit}" if unit else "")
+
+
+class Settings(str):
+    """Sections of the configuration as JSON, for a rule's `params`; captions take its `words`."""
+
+    __slots__ = ()
+
+    @property
+    def words(self):
+        """What is set, in words; what the workflow chooses itself (null) is left out."""
+        sections = json.loads(self).values()
+        pairs = [pair for values in sections for pair in values.items() if pair[1] is not None]
+        return ", ".join(said(key, value) for key, value in pairs)

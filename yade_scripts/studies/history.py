@@ -1,0 +1,138 @@
+"""Entry point: one history of one model, its motions, contact forces and energies.
+
+    python3 yade_scripts history --scene scenes/W2.json --motion smdof/RRS228_4dof.csv
+        --record RRS228 --direction neg --pga 0.2 --output histories/W2/RRS228_neg_0.2g.csv
+
+The run is that of the analyses (step, ledger, stop rules), sampled every SAMPLE_S. Columns::
+
+    d_over_b, velocity_m_s  top displacement relative to the base over b, and its rate
+    rotation_rad            the façade's outward rotation
+    {motion}_m_s2, {motion}_m  ground and floors as imposed: acceleration, displacement
+    base_y_n, base_z_n, walls_y_n, walls_z_n  contacts' force on the façade (half of it in W3's
+                            half model), outward and upward; without the dashpots' shear
+    input_j                 in the frame of the base, work of inertia forces and driven walls (see
+                            `ledger`) since the start
+    kinetic_j, potential_j, elastic_j  of the free blocks and of the contacts' springs
+    lost_j                  input − stored: dashpots, friction, broken bonds, the samples' error
+"""
+
+import argparse
+from dataclasses import replace
+
+import numpy as np
+
+from yade_scripts.engine import adapter, balance, ledger, loop
+from yade_scripts.files import read_json, write_atomic
+from yade_scripts.model import floor_motions, models
+from yade_scripts.model.motion import SIGNS, amplitude
+from yade_scripts.studies import shaking
+from yade_scripts.studies.tables import to_csv
+
+SAMPLE_S = 0.01
+HEAD = {"model": "", "record": "", "direction": "", "pga_g": ".4f", "status": "", "dt_s": ".6e"}
+FORCES = ("base_y_n", "base_z_n", "walls_y_n", "walls_z_n")
+ENERGIES = ("input_j", "kinetic_j", "potential_j", "elastic_j", "lost_j")
+
+
+class Probe:
+    """Contact forces on the façade and energies at every sample; `attach` is a run's `setup`."""
+
+    def __init__(self, scene, check):
+        """Prepare for a scene whose run has the ledger `check` beside it."""
+        self.books, self.check, self.scene = balance.EnergyBalance(scene), check, scene
+        self.rows: list[tuple] = []
+        self.start = None
+
+    def attach(self, built):
+        """Start the samples, at the instants of the run's own."""
+        self.books.hold(built)
+        slots, scene = self.books.slot, self.scene
+        self.facade = slots[built.body[scene.index(scene.monitor)]]
+        self.base = slots[built.body[scene.index(scene.reference)]]
+        self.chain = {body for parts in (built.linked or {}).values() for body in parts}
+        omega = built.omega
+        omega.engines = [*omega.engines, loop.runner(self, round(SAMPLE_S / omega.dt))]
+
+    def __call__(self):
+        """Take a sample."""
+        c = self.books.contacts()
+        sign = (c.b == self.facade).astype(float) - (c.a == self.facade)
+        push = sign[:, None] * c.force[:, 1:]
+        below = (c.a == self.base) | (c.b == self.base)
+        base, walls = push[below].sum(axis=0), push[~below].sum(axis=0)
+        own = [not self.chain.intersection(key) for key in c.keys]  # not the chain's springs
+        now = np.array([self.check.height_j(), c.elastic[own].sum()])
+        self.start = now if self.start is None else self.start
+        potential, elastic = now - self.start
+        kinetic, work = self.check.energy - potential, self.check.work
+        lost = work - kinetic - potential - elastic
+        self.rows.append((*base, *walls, work, kinetic, potential, elastic, lost))
+
+
+def trace(job, time_s, columns, factor):
+    """Run one history.
+
+    Parameters
+    ----------
+    job : dict
+        A scene file: model, beta_s and the configuration's sections.
+    time_s, columns
+        See `floor_motions.read`.
+    factor : float
+        On the motion's amplitude; its sign is the direction.
+
+    Returns
+    -------
+    history : simulate.History
+    values : dict of str to ndarray, shape (n,)
+        By column of the table, time_s first.
+    """
+    scene, numerics = models.build_scene(job), models.numerics(job)
+    case = shaking.prepare(scene, numerics, time_s, columns, factor)
+    case = replace(case, sample_s=SAMPLE_S)
+    check = ledger.EnergyLedger(case.scene, case.motions)
+    probe = Probe(scene, check)
+    history = case.checked(check, setup=probe.attach)
+    values = {
+        "time_s": history.time_s,
+        "d_over_b": history.d_m / scene.thickness_m,
+        "velocity_m_s": history.velocity_m_s,
+        "rotation_rad": history.rotation_rad,
+    }
+    for name in sorted(case.motions, key=lambda name: name != floor_motions.GROUND):
+        motion = case.motions[name]
+        pulled = np.interp(history.time_s, motion.time_s, motion.acceleration_m_s2)
+        values[f"{name}_m_s2"] = pulled
+        values[f"{name}_m"] = motion.position(history.time_s)
+    n = len(history.time_s)
+    return history, values | dict(
+        zip((*FORCES, *ENERGIES), np.array(probe.rows[:n]).T, strict=True)
+    )
+
+
+def main(arguments=None):
+    """Parse the command line, run, write the history; return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--scene", required=True, help="scene file (JSON)")
+    parser.add_argument("--motion", required=True, help="floor motions (CSV)")
+    parser.add_argument("--record", required=True)
+    parser.add_argument("--direction", required=True, choices=sorted(SIGNS))
+    parser.add_argument("--pga", required=True, type=float, help="intensity [g]")
+    parser.add_argument("--output", required=True, help="history to write (CSV)")
+    args = parser.parse_args(arguments)
+    if not 0.0 < args.pga <= 10.0:
+        raise ValueError(f"PGA of {args.pga:g} g: expected a number above 0, at most 10 (g)")
+    job = read_json(args.scene)
+    time_s, columns = floor_motions.read(args.motion)
+    adapter.load_yade()
+    factor = amplitude(columns["ground"], args.direction, args.pga)
+    history, values = trace(job, time_s, columns, factor)
+    given = (job["model"], args.record, args.direction, args.pga, history.status, history.dt_s)
+    facts = dict(zip(HEAD, given, strict=True))
+    formats = {**HEAD, "time_s": ".4f", **dict.fromkeys(list(values)[1:], ".6g")}
+    rows = (
+        {**facts, **dict(zip(values, row, strict=True))}
+        for row in zip(*(v.tolist() for v in values.values()), strict=True)
+    )
+    write_atomic(args.output, to_csv(rows, formats))
+    return 0
