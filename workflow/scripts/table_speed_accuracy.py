@@ -11,9 +11,9 @@ from rocking.accuracy.study import TABLE_COLUMNS, chosen_pair, errors, summary
 from rocking.runtime.script import run
 
 HEADER = (
-    "# Error in d/b that {share:.3g} % of the repeating histories keep, by nodes and step, cheapest\n"
-    "# first (rocking/accuracy/fidelity.py: fidelity_table). Written by `snakemake accuracy` to\n"
-    "# accuracy/fidelity.yaml of its run.\n"
+    "# Error in d/b that {share:.3g} % of the repeating histories keep, by nodes and step,\n"
+    "# cheapest first (rocking/accuracy/fidelity.py: fidelity_table). Written by `snakemake accuracy`\n"
+    "# to accuracy/fidelity.yaml of its run.\n"
 )
 
 
