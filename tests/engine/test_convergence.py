@@ -171,7 +171,7 @@ def test_reference_and_runs_scale_a_motion_alike(tmp_path, monkeypatch):
 
     def stand_in(wall, motion, scale, **settings):
         scales.append(scale)
-        return SimpleNamespace(status="ok", d_over_b=np.zeros(3))
+        return SimpleNamespace(status="ok", d_over_b=np.zeros(3), time_s=np.zeros(3))
 
     monkeypatch.setattr(reference, "simulate", stand_in)
     job = {**resolved(), "model": "W1", "beta_s": BETA_S}
@@ -223,26 +223,28 @@ def test_fidelity_takes_the_cheapest_pair_within_the_tolerance():
 def test_a_lucky_coarse_pair_is_not_taken_for_accurate():
     """3 nodes at a long step hit the answer by chance; finer pairs do not bear it out."""
     pairs = [(3, 0.2, 0.001), (3, 0.1, 0.05), (9, 0.2, 0.02), (9, 0.1, 0.004)]
-    table = pd.DataFrame(
-        [
-            {
-                "model": "W1",
-                "method": "nodes and step",
-                "amplification": 3.0,
-                "nodes": n,
-                "dt_over_dt_crit": f,
-                "error": e,
-            }
-            for n, f, e in pairs
-        ]
-    )
-    # 0.02 where changes grow 100 times says no more than 0.002 where they grow 10 times
-    sensitive = table.iloc[[3]].assign(error=0.02, amplification=100.0)
-    table = pd.concat([table, sensitive])
-    assert all(p["nodes"] == 9 for p in fidelity.fidelity_table(table, 10.0, 5)["W1"])
-    measured = fidelity.fidelity_table(table, 10.0, 3)
-    found = {(p["nodes"], p["step_fraction"]): p["error"] for p in measured["W1"]}
-    assert found == {(3, 0.2): 0.05, (3, 0.1): 0.05, (9, 0.2): 0.02, (9, 0.1): 0.004}
+    rows = [
+        {
+            "model": "W1",
+            "method": "nodes and step",
+            "nodes": n,
+            "dt_over_dt_crit": f,
+            "error": e * scale,
+        }
+        for n, f, e in pairs
+        for scale in (1.0, 0.5, 0.1)
+    ]
+    table = pd.DataFrame(rows)
+    assert all(p["nodes"] == 9 for p in fidelity.fidelity_table(table, 1.0, 5)["W1"])
+
+    def errors(share):
+        measured = fidelity.fidelity_table(table, share, 3)["W1"]
+        return {(p["nodes"], p["step_fraction"]): p["error"] for p in measured}
+
+    assert errors(1.0) == {(3, 0.2): 0.05, (3, 0.1): 0.05, (9, 0.2): 0.02, (9, 0.1): 0.004}
+    assert errors(0.5)[9, 0.1] == 0.002  # half of the histories keep it
+    table.loc[9, "error"] = np.nan  # a failed run is wrong, whatever the others are
+    assert errors(1.0)[9, 0.1] == 1.0
 
 
 def test_step_of_the_default_scene_follows_its_stiffness():

@@ -42,21 +42,40 @@ rule figure_stability:
         "../scripts/figure_stability.py"
 
 
+# The compiled planar solver finds intensities, tells what repeats, and gives the reference.
 rule accuracy_plan:
     input:
-        curves=ACCURACY.curves,
         scenes=ACCURACY.scenes,
-        motions=ACCURACY.motions,
+        motions=ACCURACY.all_motions,
         modules=code("accuracy_plan"),
     output:
-        "results/{run}/accuracy/plan.json",
+        plan="results/{run}/accuracy/plan.json",
+        histories="results/{run}/accuracy/histories.csv",
     log:
         "results/{run}/logs/accuracy_plan.log",
+    benchmark:
+        "results/{run}/benchmarks/accuracy_plan.tsv"
     params:
         accuracy=lambda w: STUDY.cfg(w)["accuracy"],
         ensemble=lambda w: STUDY.cfg(w)["ensemble"],
+        max_pga_g=lambda w: STUDY.cfg(w)["ida"]["max_pga_g"],
+        records=lambda w: STUDY.records[w.run],
     script:
         "../scripts/accuracy_plan.py"
+
+
+rule accuracy_screening:
+    input:
+        plan="results/{run}/accuracy/plan.json",
+        modules=code("accuracy_screening"),
+    output:
+        "results/{run}/accuracy/screening.csv",
+    log:
+        "results/{run}/logs/accuracy_screening.log",
+    params:
+        accuracy=lambda w: STUDY.cfg(w)["accuracy"],
+    script:
+        "../scripts/accuracy_screening.py"
 
 
 rule accuracy_runs:
@@ -81,7 +100,7 @@ rule accuracy_reference:
         plan="results/{run}/accuracy/plan.json",
         modules=code("accuracy_reference"),
     output:
-        "results/{run}/accuracy/reference.csv",
+        "results/{run}/accuracy/judge.csv",
     log:
         "results/{run}/logs/accuracy_reference.log",
     benchmark:
@@ -110,14 +129,10 @@ rule accuracy_engine:
 
 rule speed_accuracy:
     input:
-        runs=lambda w: [
-            f"results/{w.run}/accuracy/runs.csv",
-            *(
-                f"results/{w.run}/accuracy/engine_{engine}.csv"
-                for engine in STUDY.cfg(w)["accuracy"]["engines"]
-            ),
-        ],
-        reference="results/{run}/accuracy/reference.csv",
+        runs=ACCURACY.runs,
+        judge="results/{run}/accuracy/judge.csv",
+        plan="results/{run}/accuracy/plan.json",
+        histories="results/{run}/accuracy/histories.csv",
         modules=code("table_speed_accuracy"),
     output:
         table=report(
@@ -126,12 +141,17 @@ rule speed_accuracy:
             category="Accuracy and stability",
             labels={"run": "{run}", "result": "speed against accuracy (CSV)"},
         ),
+        summary=report(
+            "results/{run}/tables/accuracy_summary.csv",
+            caption=caption("speed_accuracy"),
+            category="Accuracy and stability",
+            labels={"run": "{run}", "result": "spread of errors by method (CSV)"},
+        ),
         fidelity="results/{run}/accuracy/fidelity.yaml",
     log:
         "results/{run}/logs/speed_accuracy.log",
     params:
-        ensemble=lambda w: STUDY.cfg(w)["ensemble"],
-        fewest_nodes=lambda w: STUDY.cfg(w)["accuracy"]["fewest_nodes"],
+        accuracy=lambda w: STUDY.cfg(w)["accuracy"],
     script:
         "../scripts/table_speed_accuracy.py"
 

@@ -78,6 +78,11 @@ REPORT_TABLES = {
         "static capacities",
         "Static capacities as pushed in YADE, beside the kinematic values.",
     ),
+    "accuracy_summary": (
+        "Accuracy and stability",
+        "spread of errors by method",
+        "Share of histories within 1 %, median and worst error by half, method, nodes and step.",
+    ),
     "speed_accuracy": (
         "Accuracy and stability",
         "speed against accuracy",

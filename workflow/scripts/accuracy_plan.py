@@ -1,24 +1,44 @@
-"""Cases and runs of the accuracy study, from the collapse intensity of each curve."""
+"""Histories of the accuracy study with their converged answer, and the runs of YADE they get."""
 
 import json
+from pathlib import Path
 
 import pandas as pd
-from rocking.accuracy.study import choose_cases, plan_runs
+from rocking.accuracy.histories import COLUMNS, Solver, drawn, half, histories
+from rocking.accuracy.study import charted, plan_runs
 from rocking.runtime.script import run
+
+from yade_scripts.model import floor_motions
 
 
 def main(job):
     settings, ensemble = job.params.accuracy, job.params.ensemble
-    cases = choose_cases([pd.read_csv(path) for path in job.input.curves], settings["shares"])
+    trusted = ensemble["sensitivity_threshold"] / ensemble["sensitivity_perturbation"]
+    limits = {**settings, "trusted": trusted, "max_pga_g": job.params.max_pga_g}
+    paths = dict(zip(settings["models"], job.input.scenes, strict=True))
+    scenes = {model: json.loads(Path(path).read_text()) for model, path in paths.items()}
+    motions = dict(zip(job.params.records, job.input.motions, strict=True))
+    rows = []
+    for number, (record, path) in enumerate(motions.items()):
+        motion = floor_motions.read(path)
+        for model, scene in scenes.items():
+            for direction in settings["directions"]:
+                labels = {"half": half(number), "model": model, "record": record}
+                solver = Solver(scene, *motion, direction)
+                rows += histories(solver, {**labels, "direction": direction}, limits)
+    table = pd.DataFrame(rows)[list(COLUMNS)]
+    table.to_csv(job.output.histories, index=False, float_format="%.6g", lineterminator="\n")
+    cases = drawn(table, settings["histories"])
+    if not len(cases):
+        raise ValueError("accuracy: no history of these records repeats; take more records")
     plan = {
-        "scenes": dict(zip(settings["models"], job.input.scenes, strict=True)),
-        "motions": dict(zip(settings["records"], job.input.motions, strict=True)),
-        "cases": cases,
-        "runs": plan_runs(cases, settings, ensemble["sensitivity_perturbation"]),
+        "scenes": paths,
+        "motions": motions,
+        "cases": cases[["case", "model", "record", "direction", "pga_g"]].to_dict("records"),
+        "charted": sorted(charted(cases, settings["chart_histories"])),
+        "runs": plan_runs(cases, settings, scenes),
     }
-    with open(job.output[0], "w") as handle:
-        json.dump(plan, handle, indent=1)
-        handle.write("\n")
+    Path(job.output.plan).write_text(json.dumps(plan, indent=1) + "\n")
 
 
 run(main, globals())

@@ -1,4 +1,4 @@
-"""Peak d/b of every case of the accuracy study from the independent planar solver."""
+"""Cases of the accuracy study by the independent adaptive solver, the judge of all others."""
 
 import json
 import os
@@ -6,40 +6,49 @@ import time
 from concurrent.futures import ProcessPoolExecutor
 
 import pandas as pd
-from rocking.curves.reference import peak_d_over_b
+from rocking.accuracy.study import JUDGE
+from rocking.curves.reference import judge
 from rocking.runtime.script import run
 
 
 def one(arguments):
-    """Reference of one case, with its time."""
+    """Row of one case, with its time."""
     scene, motion, case, settings = arguments
     began = time.perf_counter()
-    peak = peak_d_over_b(
-        scene,
-        motion,
-        case["direction"],
-        case["pga_g"],
-        nodes=settings["reference_nodes"],
-        tolerance=settings["reference_tolerance"],
+    nodes, tolerance = settings["reference_nodes"], settings["reference_tolerance"]
+    peak, end = judge(
+        scene, motion, case["direction"], case["pga_g"], nodes=nodes, tolerance=tolerance
     )
     return {
         **case,
+        "method": JUDGE,
+        "nodes": nodes,
+        "factor": 1.0,
+        "dt_s": None,
+        "dt_over_dt_crit": None,
         "d_over_b": peak,
-        "nodes": settings["reference_nodes"],
+        "status": "overturned" if peak >= 1.0 else "ok" if peak < 1.0 else "failed",
+        "steps": None,
+        "simulated_s": end,
         "wall_s": time.perf_counter() - began,
     }
 
 
 def main(job):
+    settings = job.params.accuracy
     with open(job.input.plan) as handle:
         plan = json.load(handle)
     scenes = {}
     for model, path in plan["scenes"].items():
         with open(path) as handle:
             scenes[model] = json.load(handle)
+    cases = pd.DataFrame(plan["cases"])
+    if settings["reference"] == "compiled":  # only a sample is checked, of each model
+        cases = cases[cases["case"].isin(plan["charted"])]
+        cases = cases.groupby("model", sort=False).head(settings["judge_histories"])
     work = [
-        (scenes[c["model"]], plan["motions"][c["record"]], c, job.params.accuracy)
-        for c in plan["cases"]
+        (scenes[c["model"]], plan["motions"][c["record"]], c, settings)
+        for c in cases.to_dict("records")
     ]
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
     with ProcessPoolExecutor(int(getattr(job, "threads", 1))) as pool:

@@ -1,66 +1,61 @@
-"""Error against wall time, a panel a model, with the Pareto front and the defaults marked."""
+"""Error against wall time, a panel a model: every method on the same cases, with its spread."""
 
 import matplotlib.pyplot as plt
+import numpy as np
 import pandas as pd
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
-from rocking.accuracy.study import pareto_front
+from rocking.accuracy.study import COMPILED, JUDGE, pareto_front, same_cases, summary
 from rocking.figures import style
 from rocking.runtime.script import run
 
-OTHERS = {
-    "default": ("*", "black"),
+GRID = "nodes and step"
+METHODS = {  # marker, colour
+    GRID: ("o", "#0072B2"),
+    COMPILED: ("^", "#009E73"),
     "lag not compensated": ("X", "#CC79A7"),
-    "python drive": ("P", "#009E73"),
+    "python drive": ("P", "#999933"),
     "full 3D": ("D", "#E69F00"),
     "MuJoCo": ("s", "#56B4E9"),
     "Drake": ("h", "#8C510A"),
     "Polyhedra": ("v", "#D55E00"),
 }
-FIRST_CASE = ("lag not compensated", "python drive", "full 3D", "Polyhedra")  # run on it alone
-NODES = ("o", "^", "<", ">", "p")
+FLOOR = 1e-5  # smallest error drawn
 
 
-def panel(axis, table, model, markers):
-    """Worst error over the cases of one model that repeat, against mean wall time."""
-    part = table[(table["model"] == model) & (table["repeats"] == 1)].copy()
-    part["cost"] = 1.0 / part["realtime_factor"]
-    keys = ["method", "nodes", "dt_over_dt_crit"]
-    points = part.groupby(keys, as_index=False, dropna=False).agg(
-        cost=("cost", "mean"), error=("error", "max")
+def points(axis, group, marker, colour, label, **line):
+    """Medians with a thick bar to the error 90 % keep and a thin one to the worst."""
+    middle, high, worst = (
+        100 * group[key].clip(lower=FLOOR, upper=1.0)
+        for key in ("error_median", "error_90", "error_worst")
     )
-    points = points.dropna(subset="error")
-    points["error"] = points["error"].clip(lower=1e-4)
-    grid = points[points["method"] == "nodes and step"]
-    for nodes, group in grid.groupby("nodes"):
-        axis.plot(
-            group["cost"],
-            100 * group["error"],
-            markers[nodes],
-            ls="",
-            color="#0072B2",
-            mfc="none",
-            label=f"{nodes:g} nodes",
-        )
-    for method, (marker, colour) in OTHERS.items():
-        group = points[points["method"] == method]
-        if len(group):
-            label = f"{method} (one case)" if method in FIRST_CASE else method
-            axis.plot(
-                group["cost"],
-                100 * group["error"],
-                marker,
-                ls="",
-                color=colour,
-                ms=9 if method == "default" else 6,
-                label=label,
-                zorder=3,
+    axis.vlines(group["cost"], middle, high, color=colour, lw=1.6, alpha=0.8)
+    axis.vlines(group["cost"], high, worst, color=colour, lw=0.6)
+    axis.plot(group["cost"], middle, marker, ls="", color=colour, ms=5, label=label, **line)
+    axis.plot(group["cost"], worst, "_", ls="", color=colour, ms=5)
+
+
+def panel(axis, table, cases, judge):
+    """One model."""
+    for method, (marker, colour) in METHODS.items():
+        mine = table[table["method"] == method]
+        for k, (nodes, group) in enumerate(mine.groupby("nodes", dropna=False)):
+            grid = method in (GRID, COMPILED)
+            name = "YADE" if method == GRID else method
+            face = {"mfc": ("none", colour, "0.8")[k % 3]} if grid else {}
+            points(
+                axis, group, marker, colour, f"{name}, {nodes:g} nodes" if grid else name, **face
             )
-    points = points[~points["method"].isin(FIRST_CASE)]
-    front = points[pareto_front(points["cost"], points["error"])].sort_values("cost")
-    axis.step(front["cost"], 100 * front["error"], where="post", color=style.GREY, zorder=1)
+    default = table[table["default"] == 1]
+    if len(default):
+        points(axis, default, "*", "black", "default")
+    if len(judge):
+        axis.axvline(judge["cost"].median(), color="0.3", lw=0.8, ls="--", label=JUDGE)
+    front = table[pareto_front(table["cost"], table["error_90"])].sort_values("cost")
+    axis.step(front["cost"], 100 * front["error_90"], where="post", color=style.GREY, zorder=1)
     axis.axhline(1.0, color="0.4", lw=0.8, ls=":")
-    axis.set(xscale="log", yscale="log", title=model, xlabel="wall time over simulated time (-)")
-    axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set(xscale="log", yscale="log", xlabel="wall time over simulated time (-)")
+    axis.set_title(f"{table['model'].iloc[0]}: the same {cases} histories")
+    axis.xaxis.set_major_locator(LogLocator())
     for side in (axis.xaxis, axis.yaxis):
         side.set_major_formatter(FormatStrFormatter("%g"))
         side.set_minor_formatter(NullFormatter())
@@ -69,23 +64,22 @@ def panel(axis, table, model, markers):
 def main(job):
     table = pd.read_csv(job.input.table)
     table["model"] = table["scene"].str.split().str[0]
-    models = sorted(table["model"].unique())
-    counts = sorted(table.loc[table["method"] == "nodes and step", "nodes"].unique())
-    markers = {nodes: NODES[i % len(NODES)] for i, nodes in enumerate(counts)}
+    judge = summary(table[table["method"] == JUDGE], keys=("model",))
+    common = same_cases(table)
+    cases = common.groupby("model")["scene"].nunique()
+    spread = summary(common, keys=("model",)).replace(np.inf, 1.0)
+    models = sorted(spread["model"].unique())
+    size = (3.6 * len(models) + 2.0, 4.0)
     figure, axes = plt.subplots(
-        1,
-        len(models),
-        figsize=(3.6 * len(models) + 1.6, 3.8),
-        sharey=True,
-        squeeze=False,
-        layout="constrained",
+        1, len(models), figsize=size, sharey=True, squeeze=False, layout="constrained"
     )
     handles = {}
     for axis, model in zip(axes[0], models, strict=True):
-        panel(axis, table, model, markers)
+        mine = judge[judge["model"] == model] if len(judge) else judge
+        panel(axis, spread[spread["model"] == model], cases[model], mine)
         lines, labels = axis.get_legend_handles_labels()
         handles.update(dict(zip(labels, lines, strict=True)))
-    axes[0, 0].set_ylabel("worst error in peak d/b (%)")
+    axes[0, 0].set_ylabel("error in peak d/b (%): median, 90 %, worst")
     figure.legend(handles.values(), handles.keys(), loc="outside right upper", fontsize=7)
     style.save(figure, job.output)
 

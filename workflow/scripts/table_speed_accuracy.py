@@ -1,32 +1,41 @@
-"""Error against the converged reference and speed of every run (tables/speed_accuracy.csv)."""
+"""Error and speed of every run, their spread by method, nodes and step, and the fidelity."""
+
+import json
+from pathlib import Path
 
 import pandas as pd
 import yaml
 from rocking.accuracy.fidelity import fidelity_table
-from rocking.accuracy.study import TABLE_COLUMNS, errors
+from rocking.accuracy.histories import CHOOSING
+from rocking.accuracy.study import TABLE_COLUMNS, chosen_pair, errors, summary
 from rocking.runtime.script import run
 
 HEADER = (
-    "# Worst measured error in d/b by nodes and step, cheapest first (rocking/accuracy.py:\n"
-    "# fidelity_table). Written by `snakemake accuracy` to accuracy/fidelity.yaml of its run.\n"
+    "# Error in d/b that {share:.3g} % of the repeating histories keep, by nodes and step,\n"
+    "# cheapest first (rocking/accuracy/fidelity.py: fidelity_table). Written by `snakemake accuracy`\n"
+    "# to accuracy/fidelity.yaml of its run.\n"
 )
 
 
 def main(job):
-    runs = pd.concat([pd.read_csv(path) for path in job.input.runs], ignore_index=True)
-    reference = pd.read_csv(job.input.reference)
-    ensemble = job.params.ensemble
-    threshold = ensemble["sensitivity_threshold"]
-    table = errors(runs, reference, threshold)
-    table["model"] = table["scene"].str.split().str[0]
-    trusted = threshold / ensemble["sensitivity_perturbation"]
-    fidelity = fidelity_table(table, trusted, job.params.fewest_nodes)
+    settings = job.params.accuracy
+    plan = json.loads(Path(job.input.plan).read_text())
+    scenes = {m: json.loads(Path(path).read_text()) for m, path in plan["scenes"].items()}
+    histories = pd.read_csv(job.input.histories)
+    judge = pd.read_csv(job.input.judge)
+    if settings["reference"] == "judge":
+        exact = judge.set_index("case")["d_over_b"]
+        histories["d_over_b"] = histories["case"].map(exact).fillna(histories["d_over_b"])
+    runs = pd.concat([*(pd.read_csv(path) for path in job.input.runs), judge], ignore_index=True)
+    defaults = {model: chosen_pair(scene) for model, scene in scenes.items()}
+    table = errors(runs, histories, defaults)
     table = table.sort_values(["scene", "method", "nodes", "dt_over_dt_crit"])
-    table[list(TABLE_COLUMNS)].to_csv(
-        job.output.table, index=False, float_format="%.6g", lineterminator="\n"
-    )
+    choosing = table[(table["half"] == CHOOSING) & (table["repeats"] == 1)]
+    fidelity = fidelity_table(choosing, settings["fidelity_share"], settings["fewest_nodes"])
+    for name, content in (("table", table[list(TABLE_COLUMNS)]), ("summary", summary(table))):
+        content.to_csv(job.output[name], index=False, float_format="%.6g", lineterminator="\n")
     with open(job.output.fidelity, "w") as handle:
-        handle.write(HEADER)
+        handle.write(HEADER.format(share=100 * settings["fidelity_share"]))
         yaml.safe_dump(fidelity, handle, sort_keys=True, default_flow_style=None)
 
 

@@ -25,6 +25,7 @@ from yade_scripts.engine import adapter, loop, polyhedra, simulate
 from yade_scripts.files import write_atomic
 from yade_scripts.model import facade, floor_motions, registry
 from yade_scripts.model.motion import amplitude
+from yade_scripts.model.nodes import with_nodes
 from yade_scripts.studies import shaking
 from yade_scripts.studies.tables import to_csv
 
@@ -53,19 +54,6 @@ METHODS = (
     "full 3D",
     "Polyhedra",
 )
-
-
-def with_nodes(job, nodes):
-    """Copy of a scene file with n nodes a return wall, 2n − 1 at the base; None: its own."""
-    if nodes is None:
-        return job
-    numerics = {
-        **job["numerics"],
-        "nodes_thickness": 2 * nodes - 1,
-        "nodes_height": nodes,
-        "nodes_per_block": nodes,
-    }
-    return {**job, "numerics": numerics}
 
 
 def drive_from_python(motions):

@@ -7,22 +7,19 @@ from yade_scripts.model import registry
 CHOSEN = ("nodes_thickness", "nodes_height", "nodes_per_block", "step_fraction")
 
 
-def fidelity_table(table, trusted, fewest_nodes):
-    """Worst error of every pair of nodes and step.
+def fidelity_table(table, share, fewest_nodes):
+    """Error of every pair of nodes and step: what a share of the histories keeps.
 
-    Nodes and step act like a small change of amplitude, so where a history amplifies such
-    changes more than the most that is still trusted, its error is counted in proportion less:
-    what the same change would have made of a history just trusted. A coarse pair may hit the
-    answer by chance, so the error of a pair is the largest of its own and of all finer ones
-    (as many nodes or more, the same step or less). Cost is counted in node evaluations, so
-    that the order does not depend on the machine.
+    A coarse pair may hit the answer by chance, so the error of a pair is the largest of its own
+    and of all finer ones (as many nodes or more, the same step or less). Cost is counted in node
+    evaluations, so that the order does not depend on the machine.
 
     Parameters
     ----------
     table : DataFrame
-        From `errors`, with a column `model`.
-    trusted : float
-        Amplification up to which one history is trusted.
+        Repeating histories of the half that chooses, of `study.errors`; failed runs are wrong.
+    share : float
+        Of the histories that the error holds for; 1: the worst.
     fewest_nodes : int
         Pairs with fewer are left out.
 
@@ -32,11 +29,11 @@ def fidelity_table(table, trusted, fewest_nodes):
         Model to a list of {nodes, step_fraction, error}, cheapest first.
     """
     usable = (table["method"] == "nodes and step") & (table["nodes"] >= fewest_nodes)
-    chosen = table[usable].copy()
-    chosen["error"] *= (trusted / chosen["amplification"]).clip(upper=1.0)
+    chosen = table[usable].fillna({"error": 1.0})
     out = {}
     for model, part in chosen.groupby("model"):
-        worst = part.groupby(["nodes", "dt_over_dt_crit"], as_index=False)["error"].max()
+        pairs = part.groupby(["nodes", "dt_over_dt_crit"])["error"]
+        worst = pairs.quantile(share, interpolation="higher").reset_index()
         worst["error"] = [
             worst.loc[(worst["nodes"] >= n) & (worst["dt_over_dt_crit"] <= f), "error"].max()
             for n, f in zip(worst["nodes"], worst["dt_over_dt_crit"], strict=True)

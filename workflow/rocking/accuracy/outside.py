@@ -40,7 +40,7 @@ class Peak:
 
 
 def compare(job, method, package, run_case, fractions):
-    """Run every W1 case at some steps; write the table of runs.
+    """Run every W1 case of the chart at some steps; write the table of runs.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def compare(job, method, package, run_case, fractions):
     scene = facade.facade_scene(scene_job, "W1", scene_job["beta_s"])
     critical = float(critical_step(scene))
     rows = []
-    for case in (c for c in plan["cases"] if c["model"] == "W1"):
+    for case in (c for c in plan["cases"] if c["case"] in plan["charted"] and c["model"] == "W1"):
         time_s, columns = floor_motions.read(plan["motions"][case["record"]])
         ground = columns[floor_motions.GROUND]
         factor = amplitude(ground, case["direction"], case["pga_g"])

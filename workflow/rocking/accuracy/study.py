@@ -1,4 +1,4 @@
-"""Speed against accuracy: which cases, which runs, their errors, and the fidelity they justify."""
+"""Speed against accuracy: which runs, their errors, and what they say of each method."""
 
 import itertools
 import math
@@ -6,6 +6,11 @@ import math
 import numpy as np
 import pandas as pd
 
+from rocking.accuracy.histories import REPORTING
+
+JUDGE = "SciPy planar"
+COMPILED = "compiled planar"
+WITHIN = 0.01  # the error up to which a history counts as right
 TABLE_COLUMNS = (
     "scene",
     "method",
@@ -19,128 +24,157 @@ TABLE_COLUMNS = (
     "repeats",
     "default",
     "amplification",
+    "half",
 )
+OTHERS = ("lag not compensated", "python drive", "full 3D")  # other ways of running the default
 
 
-def collapse_pga(curve):
-    """Lowest collapsing PGA of an IDA table [g]; the highest that was run if nothing collapsed."""
-    fell = curve.loc[curve["status"] == "overturned", "pga_g"]
-    return float(fell.min() if len(fell) else curve["pga_g"].max())
+def charted(drawn, count):
+    """Cases that every method runs: the first so many drawn ones of the half that reports."""
+    mine = drawn[drawn["half"] == REPORTING]
+    mine = mine if len(mine) else drawn
+    return set(mine.groupby("model", sort=False).head(count)["case"])
 
 
-def choose_cases(curves, shares):
-    """Cases of the study: shares of the collapse PGA of each curve.
-
-    Parameters
-    ----------
-    curves : list of DataFrame
-        IDA tables.
-    shares : sequence of float
-
-    Returns
-    -------
-    list of dict
-        case, model, record, direction, pga_g, share.
-    """
-    cases = []
-    for curve in curves:
-        model, record, direction = curve.iloc[0][["model", "record", "direction"]]
-        for share in shares:
-            pga_g = round(share * collapse_pga(curve), 4)
-            name = f"{model} {record} {direction} {pga_g:g} g"
-            cases.append(
-                {
-                    "case": name,
-                    "model": model,
-                    "record": record,
-                    "direction": direction,
-                    "pga_g": pga_g,
-                    "share": share,
-                }
-            )
-    return cases
-
-
-def plan_runs(cases, settings, sensitivity):
-    """Runs of the study, the default and its perturbed twin first.
+def plan_runs(drawn, settings, scenes):
+    """Runs of YADE, record by record.
 
     Parameters
     ----------
-    cases : list of dict
-        From `choose_cases`.
+    drawn : DataFrame
+        From `histories.drawn`.
     settings : dict
-        Section accuracy: nodes, step_fractions.
-    sensitivity : float
-        Relative change of amplitude of the twin run that tells whether a history repeats.
+        Section accuracy: nodes, step_fractions, chart_histories.
+    scenes : dict
+        Scene files by model; what is chosen there is run where the grid lacks it.
 
     Returns
     -------
     list of dict
         case, model, record, direction, pga_g, method, nodes, step_fraction, factor.
     """
-    keys = ("case", "model", "record", "direction", "pga_g")
+    keys = ["case", "model", "record", "direction", "pga_g"]
+    everything = charted(drawn, settings["chart_histories"])
     runs = []
-    for case in cases:
-        base = {k: case[k] for k in keys} | {"nodes": None, "step_fraction": None, "factor": 1.0}
-        runs.append(base | {"method": "default"})
-        runs.append(base | {"method": "default", "factor": 1.0 + sensitivity})
-        grid = itertools.product(settings["nodes"], settings["step_fractions"])
+    for case in drawn.sort_values(["record", "case"])[keys].to_dict("records"):
+        base = {**case, "nodes": None, "step_fraction": None, "factor": 1.0}
+        grid = list(itertools.product(settings["nodes"], settings["step_fractions"]))
+        if chosen_pair(scenes[case["model"]]) not in grid:
+            runs.append({**base, "method": "nodes and step"})
         runs += [
-            base | {"method": "nodes and step", "nodes": n, "step_fraction": f} for n, f in grid
+            {**base, "method": "nodes and step", "nodes": n, "step_fraction": f} for n, f in grid
         ]
-    seen = set()
-    for case in cases:  # other ways of running the default: the first case of each model
-        if case["model"] not in seen:
-            seen.add(case["model"])
-            base = {k: case[k] for k in keys} | {"nodes": None, "step_fraction": None}
-            others = ("lag not compensated", "python drive", "full 3D")
-            runs += [base | {"factor": 1.0, "method": method} for method in others]
+        if case["case"] in everything:
+            runs += [{**base, "method": method} for method in OTHERS]
             if case["model"] == "W1":  # some 10,000 steps/s: a step of 0.05 would take minutes
-                runs.append(base | {"factor": 1.0, "method": "Polyhedra", "step_fraction": 0.2})
+                runs.append({**base, "method": "Polyhedra", "step_fraction": 0.2})
     return runs
 
 
-def errors(runs, reference, limit):
+def chosen_pair(scene):
+    """Nodes a return wall and step over the critical one of a scene file."""
+    numerics = scene["numerics"]
+    nodes = numerics["nodes_per_block" if scene["model"].startswith("W2") else "nodes_height"]
+    return nodes, numerics["step_fraction"]
+
+
+def errors(runs, histories, defaults):
     """Table of speed against accuracy.
 
     Parameters
     ----------
     runs : DataFrame
-        Table of `yade_scripts/studies/accuracy.py`, or of another engine in the same columns.
-    reference : DataFrame
-        case, d_over_b.
-    limit : float
-        Change of d/b under the tiny perturbation up to which a history repeats.
+        Of `yade_scripts/studies/accuracy.py`, or of another engine or solver in its columns.
+    histories : DataFrame
+        case, half, d_over_b (the reference), repeats, amplification.
+    defaults : dict
+        Model to (nodes, step fraction) of the main job.
 
     Returns
     -------
     DataFrame
-        TABLE_COLUMNS; error is |d/b − reference|/reference, NaN for failed runs, and
-        amplification the change of d/b over the relative change of amplitude that caused it.
+        TABLE_COLUMNS and model; error is |d/b − reference|/reference, NaN for failed runs.
     """
-    exact = reference.set_index("case")["d_over_b"]
-    base = runs[(runs["method"] == "default") & (runs["factor"] == 1.0)].set_index("case")
-    twin = runs[(runs["method"] == "default") & (runs["factor"] != 1.0)].set_index("case")
-    change = (base["d_over_b"].clip(upper=1.0) - twin["d_over_b"].clip(upper=1.0)).abs()
-    rows = runs[runs["factor"] == 1.0]
-    target = rows["case"].map(exact)
+    known = histories.set_index("case")
+    rows = runs.reset_index(drop=True)
+    reference = rows["case"].map(known["d_over_b"])
     value = rows["d_over_b"].where(rows["status"] != "failed").clip(upper=1.0)
+    default = [
+        method == "nodes and step"
+        and nodes == defaults[model][0]
+        and math.isclose(fraction, defaults[model][1] or 0.0, rel_tol=1e-3)
+        for model, method, nodes, fraction in rows[
+            ["model", "method", "nodes", "dt_over_dt_crit"]
+        ].itertuples(index=False)
+    ]
     return pd.DataFrame(
         {
             "scene": rows["case"],
+            "model": rows["model"],
             "method": rows["method"],
             "nodes": rows["nodes"],
-            "dt_over_dt_crit": rows["dt_over_dt_crit"],
-            "error": (value - target).abs() / target,
+            "dt_over_dt_crit": rows["dt_over_dt_crit"].round(4),
+            "error": (value - reference).abs() / reference,
             "realtime_factor": rows["simulated_s"] / rows["wall_s"],
             "wall_s": rows["wall_s"],
             "d_over_b": value,
-            "d_over_b_reference": target,
-            "repeats": (rows["case"].map(change) <= limit).astype(int),
-            "default": (rows["method"] == "default").astype(int),
-            "amplification": rows["case"].map(change / (twin["factor"] - 1.0).abs()),
+            "d_over_b_reference": reference,
+            "repeats": rows["case"].map(known["repeats"]),
+            "default": np.array(default, int),
+            "amplification": rows["case"].map(known["amplification"]),
+            "half": rows["case"].map(known["half"]),
         }
     )
+
+
+def summary(table, keys=("model", "half")):
+    """Spread of the errors of every method, nodes and step over its repeating histories.
+
+    A failed run counts as not within 1 %.
+
+    Parameters
+    ----------
+    table : DataFrame
+        From `errors`.
+    keys : sequence of str
+        Columns to part it by, before method, nodes, dt_over_dt_crit.
+
+    Returns
+    -------
+    DataFrame
+        keys, method, nodes, dt_over_dt_crit, default, histories, within_1_percent (share),
+        error_median, error_90, error_worst, worst (its case), cost (wall over simulated time).
+    """
+    by = [*keys, "method", "nodes", "dt_over_dt_crit"]
+    part = table[table["repeats"] == 1].assign(cost=1.0 / table["realtime_factor"])
+    rows = []
+    for values, group in part.groupby(by, dropna=False):
+        error = group["error"].fillna(np.inf)
+        rows.append(
+            {
+                **dict(zip(by, values, strict=True)),
+                "default": int(group["default"].max()),
+                "histories": len(group),
+                "within_1_percent": float((error <= WITHIN).mean()),
+                "error_median": float(error.median()),
+                "error_90": float(error.quantile(0.9, interpolation="higher")),
+                "error_worst": float(error.max()),
+                "worst": group.loc[error.idxmax(), "scene"],
+                "cost": float(group["cost"].median()),
+            }
+        )
+    return pd.DataFrame(rows)
+
+
+def same_cases(table):
+    """Rows of the repeating cases that every method of a model ran, but for the slow judge."""
+    part = table[(table["repeats"] == 1) & (table["method"] != JUDGE)]
+    keep = []
+    for _, mine in part.groupby("model"):
+        settings = mine.groupby(["method", "nodes", "dt_over_dt_crit"], dropna=False)["scene"]
+        common = set.intersection(*(set(scenes) for _, scenes in settings))
+        keep.append(mine[mine["scene"].isin(common)])
+    return pd.concat(keep)
 
 
 def observed_rate(step, error):

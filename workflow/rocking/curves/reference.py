@@ -41,7 +41,12 @@ def read_motion(path, model):
 
 
 def peak_d_over_b(job, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-5):
-    """Largest |d|/b of one history, 1 if it overturns."""
+    """Largest |d|/b of one history, 1 if it overturns, NaN if it failed."""
+    return judge(job, motion_path, direction, pga_g, nodes=nodes, tolerance=tolerance)[0]
+
+
+def judge(job, motion_path, direction, pga_g, *, nodes, tolerance):
+    """Largest |d|/b of one history as `peak_d_over_b`, and the time simulated [s]."""
     motion = read_motion(motion_path, job["model"])
     history = simulate(
         wall_of(job, nodes),
@@ -51,8 +56,8 @@ def peak_d_over_b(job, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-
         scale=amplitude(motion.base_m_s2, direction, pga_g),
     )
     if history.status == "failed":
-        return float("nan")
-    return min(1.0, float(np.max(np.abs(history.d_over_b))))
+        return float("nan"), float(history.time_s[-1])
+    return min(1.0, float(np.max(np.abs(history.d_over_b)))), float(history.time_s[-1])
 
 
 def ensemble_peaks(job, motion_path, direction, pga_g, factors, *, nodes=17, dt_s=4e-4):

@@ -9,7 +9,7 @@ class Accuracy:
         self.study = study
 
     def records(self, wildcards) -> list[str]:
-        """Records of the accuracy study."""
+        """Records of its ensembles and energy balances."""
         wanted = self.study.cfg(wildcards)["accuracy"]["records"]
         return self.study.needed(wildcards.run, "accuracy.records", wanted)
 
@@ -37,6 +37,19 @@ class Accuracy:
         run = wildcards.run
         return [self.study.floor_motions(run, record) for record in self.records(wildcards)]
 
+    def all_motions(self, wildcards) -> list[str]:
+        """Floor motions of all records of the run: the two halves that fidelity is measured on."""
+        run = wildcards.run
+        return [self.study.floor_motions(run, record) for record in self.study.records[run]]
+
+    def runs(self, wildcards) -> list[str]:
+        """Tables of runs: YADE's, the compiled planar solver's, those of outside engines."""
+        engines = [f"engine_{name}" for name in self.study.cfg(wildcards)["accuracy"]["engines"]]
+        return [
+            f"results/{wildcards.run}/accuracy/{name}.csv"
+            for name in ("runs", "screening", *engines)
+        ]
+
     def energy_histories(self, wildcards) -> list[str]:
         """Balanced runs: every model and record, in the first direction."""
         settings = self.study.cfg(wildcards)["accuracy"]
@@ -50,7 +63,8 @@ class Accuracy:
     def results(self, run) -> list[str]:
         """What the target makes for one run."""
         names = ("speed_accuracy", "stability", "energy_balance")
+        tables = ("accuracy_summary", "ensemble_members")
         return [
-            *(f"results/{run}/tables/{name}.csv" for name in (*names, "ensemble_members")),
+            *(f"results/{run}/tables/{name}.csv" for name in (*names, *tables)),
             *(f"results/{run}/figures/{name}.png" for name in (*names, "chaos")),
         ]

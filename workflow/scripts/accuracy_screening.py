@@ -1,0 +1,38 @@
+"""The compiled planar solver at many nodes and steps on the cases of the accuracy study, timed."""
+
+import itertools
+import json
+import time
+from pathlib import Path
+
+import pandas as pd
+from rocking.accuracy.histories import Solver
+from rocking.accuracy.study import COMPILED
+from rocking.runtime.script import run
+
+from yade_scripts.model import floor_motions
+
+
+def main(job):
+    plan, settings = json.loads(Path(job.input.plan).read_text()), job.params.accuracy
+    scenes = {m: json.loads(Path(path).read_text()) for m, path in plan["scenes"].items()}
+    grid = list(itertools.product(settings["screening_nodes"], settings["screening_steps"]))
+    rows = []
+    for case in plan["cases"]:
+        motion = floor_motions.read(plan["motions"][case["record"]])
+        solver = Solver(scenes[case["model"]], *motion, case["direction"])
+        for nodes, step in [grid[0], *grid]:  # the first one compiles
+            began = time.perf_counter()
+            found = solver.peaks(case["pga_g"], nodes, step)
+            wall = time.perf_counter() - began
+            status = "failed" if found.failed[0] else "overturned" if found.overturned[0] else "ok"
+            row = {**case, "method": COMPILED, "nodes": nodes, "factor": 1.0, "dt_s": found.step_s}
+            row |= {"dt_over_dt_crit": step, "d_over_b": found.d_over_b[0], "status": status}
+            end = float(found.end_s[0])
+            rows.append({**row, "steps": round(end / found.step_s), "simulated_s": end})
+            rows[-1]["wall_s"] = wall
+        del rows[-len(grid) - 1]
+    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.9g", lineterminator="\n")
+
+
+run(main, globals())
