@@ -307,22 +307,21 @@ def planar_turn(state, unturned):
 
 
 def _attach(scene, motions, built, bonded, node_material, dead):
-    """Add the runners that move guided blocks and break bonds, where the scene has any."""
+    """Add what moves guided blocks, breaks bonds and lets go of nodes, where the scene has any."""
     omega = built.omega
     guided = [i for i, block in enumerate(scene.blocks) if block.free and block.motion]
     if guided:
         period = max(1, round(GUIDE_INTERVAL_S / omega.dt))
         built.guide = Guide(scene, omega, built.body, guided, motions, period)
-        omega.engines = [loop.runner(built.guide, period), *omega.engines]
+        loop.between(built.guide, period)
     if bonded:
         materials = {i: node_material(i) for i in bonded}
         built.bonds = Bonds(scene, omega, built.body, bonded, materials, dead)
-        omega.engines = [*omega.engines, loop.runner(built.bonds, 1)]
-        built.bonds.runner = omega.engines[-1]
+        built.bonds.visit = loop.between(built.bonds, 1, first=1)
     if scene.notes.get("rims"):
         built.releases = Releases(scene, omega, built.body, built.node_body, dead, built.bonds)
         period = round(RELEASE_CHECK_S / omega.dt)
-        omega.engines = [*omega.engines, loop.runner(built.releases, period, at_start=False)]
+        loop.between(built.releases, period, first=1 + period)
 
 
 def _joined(utils, omega, block, faces, rigid):

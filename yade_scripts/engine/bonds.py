@@ -117,7 +117,7 @@ class Bonds:
         self.node = np.array(sorted(spheres), int)
         self.intact = np.ones(len(self.node), bool)
         self.broken = []
-        self.runner: Any = None
+        self.visit: Any = None
         self.last: tuple | None = None
         n = self.node
         used = sorted(set(nodes.a[n]) | set(nodes.b[n]))
@@ -185,13 +185,13 @@ class Bonds:
         if over.any():
             for k in np.flatnonzero(over):
                 self._break(k)
-        if self.runner is not None:
+        if self.visit is not None:
             self._schedule(margin)
 
     def _schedule(self, margin):
         """Set the next check from the distance to the nearest strength and its rate [m, m/s]."""
         if not self.intact.any():
-            self.runner.dead = True
+            self.visit.period = math.inf
             return
         now = float(self.omega.time)
         kept = self.intact & np.isfinite(margin)
@@ -202,7 +202,7 @@ class Bonds:
             reach = np.minimum(left / (rate + 1e-9), np.sqrt(2.0 * left / REFERENCE_ACCELERATION))
             wait = min(max(0.5 * float(reach.min()), CHECK_S), LONGEST_CHECK_S)
         self.last = (now, margin)
-        self.runner.iterPeriod = max(1, int(wait / self.omega.dt))
+        self.visit.period = max(1, int(wait / self.omega.dt))
 
     def end(self, nodes):
         """Take the bonds of some nodes out of the scene, broken or not; not counted as broken."""

@@ -32,7 +32,7 @@ RELEASE_CHECK_S = 4e-3
 
 
 class Releases:
-    """Releases contact nodes that have slid past the rim of their face; a PyRunner calls it.
+    """Releases contact nodes that have slid past the rim of their face; called between steps.
 
     Attributes
     ----------
