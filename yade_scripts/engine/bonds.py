@@ -4,7 +4,7 @@ A bonded node is three spheres at the same point of block a:
 
 press  in front of a face of b, penetrating by a preload length
 hook   behind an opposite face of b, penetrating by the same length
-plain  the dry unilateral node, without stiffness until the bond breaks
+plain  the dry unilateral node, which touches nothing until the bond breaks
 
 Press and hook carry kn/2, ks/2, β·kn/2 and β·ks/2 each. Their preloads cancel, and
 while neither opens the pair is a linear spring and dashpot in both normal directions
@@ -16,10 +16,10 @@ The bond breaks, with strengths over the node's own tributary area, when
 
     −N ≥ tension_n    or    |T| ≥ cohesion_n + max(0, N)·tan φ,
 
-with N = kn·penetration and T = ks·slip from the poses of the two blocks. The
-stiffness of press and hook then passes to plain, which starts without shear: what the
-bond stored in tension and shear is dissipated, the energy in compression stays. A node with tension
-but neither cohesion nor friction is a tie: no shear at all.
+with N = kn·penetration and T = ks·slip from the poses of the two blocks. Press and hook then part
+from their faces and plain meets its own, without shear: what the bond stored in tension and shear
+is dissipated, the energy in compression stays. A node with tension but neither cohesion nor
+friction is a tie: no shear at all.
 """
 
 import math
@@ -85,15 +85,25 @@ def rotation(orientation):
     return rotations(np.array([[float(orientation[i]) for i in range(4)]]))[0]
 
 
-def set_material(body, material):
-    """Give a node sphere another ViscElMat, in its present contacts too, without shear."""
-    body.material = material
-    for contact in body.intrs():
-        phys = contact.phys
-        phys.kn, phys.ks = material.kn, material.ks
-        phys.cn, phys.cs = material.cn, material.cs
-        phys.tangensOfFrictionAngle = math.tan(material.frictionAngle)
-        phys.shearForce = (0.0, 0.0, 0.0)
+def separate(omega, spheres):
+    """Take node spheres out of all contacts for good: YADE no longer looks at their pairs.
+
+    YADE keeps an erased pair whose boxes overlap, unless all open pairs go: the others come back.
+    """
+    from yade import utils
+
+    near = []
+    for sphere in spheres:
+        omega.bodies[sphere].mask = 0
+    for contact in omega.interactions.all():
+        pair = contact.id1, contact.id2
+        if not spheres.isdisjoint(pair):
+            omega.interactions.erase(*pair)
+        elif not contact.isReal:
+            near.append(pair)
+    omega.interactions.eraseNonReal()
+    for pair in near:
+        utils.createInteraction(*pair, True)
 
 
 class _Pair:
@@ -193,7 +203,7 @@ class Bonds:
         In the order of breaking.
     """
 
-    def __init__(self, scene, omega, state_of_block, spheres, materials, dead):
+    def __init__(self, scene, omega, state_of_block, spheres, partners):
         """Take over the bonded nodes.
 
         Parameters
@@ -203,13 +213,10 @@ class Bonds:
         state_of_block : list of int
             YADE id whose state carries each block's pose.
         spheres : dict of int to tuple of int
-        materials : dict of int to ViscElMat
-            Node index to the material that wakes its plain sphere.
-        dead : ViscElMat
-            Material without stiffness: the contact stays in YADE's lists but carries nothing.
+        partners : dict of int to tuple of int
+            Node index to YADE id and mask of the face that its plain sphere will touch.
         """
-        self.omega, self.spheres = omega, spheres
-        self.materials, self.dead = materials, dead
+        self.omega, self.spheres, self.partners = omega, spheres, partners
         self.broken = []
         self.visit: Any = None
         of_pair: dict[tuple, list] = {}
@@ -249,19 +256,18 @@ class Bonds:
 
     def end(self, nodes):
         """Take the bonds of some nodes out of the scene, broken or not; not counted as broken."""
-        for node in set(self.spheres).intersection(nodes):
-            for sphere in self.spheres[node]:
-                set_material(self.omega.bodies[sphere], self.dead)
+        ended = set(self.spheres).intersection(nodes)
+        separate(self.omega, {sphere for node in ended for sphere in self.spheres[node]})
         for pair in self.pairs:
             pair.keep(~np.isin(pair.node, nodes))
 
     def _break(self, node):
-        """Take the stiffness of press and hook away and give it to the plain node."""
+        """Part press and hook from their faces and let the plain node meet its own."""
+        from yade import utils
+
         press, hook, plain = self.spheres[node]
-        for sphere, material in (
-            (press, self.dead),
-            (hook, self.dead),
-            (plain, self.materials[node]),
-        ):
-            set_material(self.omega.bodies[sphere], material)
+        face, mask = self.partners[node]
+        separate(self.omega, {press, hook})
+        self.omega.bodies[plain].mask = mask
+        utils.createInteraction(plain, face, True)
         self.broken.append((float(self.omega.time), node))
