@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from yade_scripts.engine import links, loop
-from yade_scripts.engine.bonds import NO_STIFFNESS, PRELOAD_M, Bonds, is_tie
+from yade_scripts.engine.bonds import PRELOAD_M, Bonds, is_tie
 from yade_scripts.engine.faces import RELEASE_CHECK_S, FaceError, Faces, Releases
 from yade_scripts.engine.guide import GUIDE_INTERVAL_S, Guide
 from yade_scripts.model.motion import Motion
@@ -165,8 +165,6 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     )
     omega.materials.append(rigid)
     materials = {}
-    none = NO_STIFFNESS
-    dead = w.ViscElMat(density=1e-12, kn=none, ks=none, cn=none, cs=none, frictionAngle=0.0)
 
     def node_material(i):
         key = tuple(
@@ -195,8 +193,6 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
             omega.materials.append(materials[key])
         return materials[key]
 
-    if nodes.bonded.any() or scene.notes.get("rims"):
-        omega.materials.append(dead)
     body: list[int] = []
     node_body = [-1] * len(nodes)
     drives: dict[str, list[int]] = {}
@@ -207,7 +203,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     for index, block in enumerate(scene.blocks):
         keys = faces.of_block(index)
         if not block.free:
-            ids = [omega.bodies.append(faces.box(key, reach, rigid)) for key in keys]
+            ids = [faces.append(omega, key, reach, rigid) for key in keys]
             if not ids:
                 ids = [omega.bodies.append(utils.box((0, 0, 0), (1, 1, 1), mask=0))]
             if len(ids) > 1 and block.motion is not None:
@@ -232,7 +228,6 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
             rigid,
             node_material,
             bond_material,
-            dead,
             node_radius_m,
             node_body,
             bonded,
@@ -275,7 +270,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     _place_members(w, omega)
     omega.engines, omega.dt = engines, dt_s
     built = Built(omega, body, node_body, unturned, linked=linked, links=scene.links)
-    _attach(scene, motions, built, bonded, node_material, dead)
+    _attach(scene, motions, built, bonded, faces)
     return built
 
 
@@ -306,23 +301,23 @@ def planar_turn(state, unturned):
     return 2.0 * math.atan2(sign * q[0], sign * q[3])
 
 
-def _attach(scene, motions, built, bonded, node_material, dead):
-    """Add the runners that move guided blocks and break bonds, where the scene has any."""
+def _attach(scene, motions, built, bonded, faces):
+    """Add what moves guided blocks, breaks bonds and lets go of nodes, where the scene has any."""
     omega = built.omega
     guided = [i for i, block in enumerate(scene.blocks) if block.free and block.motion]
     if guided:
         period = max(1, round(GUIDE_INTERVAL_S / omega.dt))
         built.guide = Guide(scene, omega, built.body, guided, motions, period)
-        omega.engines = [loop.runner(built.guide, period), *omega.engines]
+        loop.between(built.guide, period)
     if bonded:
-        materials = {i: node_material(i) for i in bonded}
-        built.bonds = Bonds(scene, omega, built.body, bonded, materials, dead)
-        omega.engines = [*omega.engines, loop.runner(built.bonds, 1)]
-        built.bonds.runner = omega.engines[-1]
+        plain = {i: faces.plain[i] for i in bonded}
+        partners = {i: (faces.body[key], faces.bit[key]) for i, key in plain.items()}
+        built.bonds = Bonds(scene, omega, built.body, bonded, partners)
+        built.bonds.visit = loop.between(built.bonds, 1, first=1)
     if scene.notes.get("rims"):
-        built.releases = Releases(scene, omega, built.body, built.node_body, dead, built.bonds)
+        built.releases = Releases(scene, omega, built.body, built.node_body, built.bonds)
         period = round(RELEASE_CHECK_S / omega.dt)
-        omega.engines = [*omega.engines, loop.runner(built.releases, period, at_start=False)]
+        loop.between(built.releases, period, first=1 + period)
 
 
 def _joined(utils, omega, block, faces, rigid):
@@ -349,7 +344,6 @@ def _members(
     rigid,
     node_material,
     bond_material,
-    dead,
     radius_m,
     node_body,
     bonded,
@@ -377,8 +371,8 @@ def _members(
         sphere = utils.sphere(
             tuple(position),
             radius_m,
-            material=dead if is_bonded else node_material(i),
-            mask=faces.bit[faces.plain[i]],
+            material=node_material(i),
+            mask=0 if is_bonded else faces.bit[faces.plain[i]],
         )
         node_body[i] = omega.bodies.append(sphere)
         new = [node_body[i]]
@@ -401,7 +395,7 @@ def _members(
             member.mass, member.inertia = 0.0, (0.0, 0.0, 0.0)
         ids.extend(new)
     for key in keys:
-        i = omega.bodies.append(faces.box(key, reach, rigid))
+        i = faces.append(omega, key, reach, rigid)
         member = omega.bodies[i].state
         member.mass, member.inertia = 0.0, (0.0, 0.0, 0.0)
         ids.append(i)

@@ -97,6 +97,7 @@ class EnergyBalance:
         self._follow_bodies(built)
         spheres = built.bonds.spheres.values() if built.bonds else ()
         self.preload = {body: PRELOAD_DEPTH_M for trio in spheres for body in trio[:2]}
+        self.bond_of = {body: number for number, trio in enumerate(spheres) for body in trio}
         for bodies in built.linked.values():
             self.preload.update(dict.fromkeys(bodies, REACH_M))
 
@@ -244,19 +245,30 @@ class EnergyBalance:
         """Friction and fracture since the last step [J]; keeps what the next one needs."""
         c, kept = self.now, {}
         friction = fracture = 0.0
+        met, broken = [], set()
         for i, key in enumerate(c.keys):
-            kn, ks, shear = c.kn[i], c.ks[i], c.shear_force[i]
-            kept[key] = kn, ks, shear, c.pressed[i]
-            old = self.before.pop(key, None)
+            ks, shear = c.ks[i], c.shear_force[i]
+            kept[key] = ks, shear, c.pressed[i]
             last = np.zeros(3)
-            if old is not None and old[0] == kn:
-                last = old[2]
-            elif old is not None:  # a bond has broken: its nodes have passed their stiffness on
-                fracture += old[3] * (1.0 - kn / old[0]) + 0.5 * (old[2] @ old[2]) / old[1]
+            if key in self.before:
+                last = self.before.pop(key)[1]
+            else:
+                met.append(i)
             if not sticks[i]:
                 friction += 0.5 * (last + shear) @ (travel[i] - (shear - last) / ks)
-        for _, ks, shear, _ in self.before.values():  # contacts that have opened
-            friction += 0.5 * (shear @ shear) / ks
+        for key, (ks, shear, pressed) in self.before.items():  # contacts that are no more
+            stored = 0.5 * (shear @ shear) / ks
+            bonds = {
+                self.bond_of[body] for body in key if body in self.preload and body in self.bond_of
+            }
+            if bonds:  # press or hook of a bond that has broken
+                broken |= bonds
+                fracture += pressed + stored
+            else:
+                friction += stored
+        for i in met:  # what presses the plain nodes of broken bonds has passed on to them
+            if broken.intersection(self.bond_of.get(body) for body in c.keys[i]):
+                fracture -= c.pressed[i]
         self.before = kept
         return friction, fracture
 

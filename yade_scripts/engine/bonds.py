@@ -4,7 +4,7 @@ A bonded node is three spheres at the same point of block a:
 
 press  in front of a face of b, penetrating by a preload length
 hook   behind an opposite face of b, penetrating by the same length
-plain  the dry unilateral node, without stiffness until the bond breaks
+plain  the dry unilateral node, which touches nothing until the bond breaks
 
 Press and hook carry kn/2, ks/2, β·kn/2 and β·ks/2 each. Their preloads cancel, and
 while neither opens the pair is a linear spring and dashpot in both normal directions
@@ -16,10 +16,10 @@ The bond breaks, with strengths over the node's own tributary area, when
 
     −N ≥ tension_n    or    |T| ≥ cohesion_n + max(0, N)·tan φ,
 
-with N = kn·penetration and T = ks·slip from the poses of the two blocks. The
-stiffness of press and hook then passes to plain, which starts without shear: what the
-bond stored in tension and shear is dissipated, the energy in compression stays. A node with tension
-but neither cohesion nor friction is a tie: no shear at all.
+with N = kn·penetration and T = ks·slip from the poses of the two blocks. Press and hook then part
+from their faces and plain meets its own, without shear: what the bond stored in tension and shear
+is dissipated, the energy in compression stays. A node with tension but neither cohesion nor
+friction is a tie: no shear at all.
 """
 
 import math
@@ -33,6 +33,7 @@ FACE_OFFSET_M = 1e-3  # the centre stays inside both boxes, off their surfaces
 CHECK_S = 5e-5  # shortest interval between checks
 LONGEST_CHECK_S = 4e-3
 REFERENCE_ACCELERATION = 50.0  # m/s²: bound on relative acceleration between two checks
+PER_BOND = ("node", "matrix", "constant", "kn", "ks", "tension", "cohesion", "slope", "tie")
 
 
 def is_tie(nodes, i):
@@ -40,14 +41,27 @@ def is_tie(nodes, i):
     return bool(nodes.cohesion_n[i] == 0.0 and nodes.friction_rad[i] == 0.0)
 
 
-def rotation_matrix(vector):
-    """Rotation matrix of a rotation vector, shape (3, 3) (Rodrigues' formula)."""
-    angle = np.linalg.norm(vector)
-    if angle == 0.0:
-        return np.eye(3)
-    x, y, z = np.asarray(vector) / angle
-    k = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.eye(3) + np.sin(angle) * k + (1.0 - np.cos(angle)) * (k @ k)
+def _quaternion(vector):
+    """YADE's quaternion of a rotation vector."""
+    from yade.minieigenHP import Quaternion, Vector3
+
+    angle = float(np.linalg.norm(vector))
+    axis = Vector3(*(float(v) / angle for v in vector)) if angle else Vector3(1, 0, 0)
+    return Quaternion(axis, angle)
+
+
+def _vector(values):
+    """YADE's vector of three numbers."""
+    from yade.minieigenHP import Vector3
+
+    return Vector3(*(float(v) for v in values))
+
+
+def _frame(normal):
+    """Rows: the unit normal and two unit vectors across it."""
+    first = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+    first /= np.linalg.norm(first)
+    return np.array([normal, first, np.cross(normal, first)])
 
 
 def rotations(quaternions):
@@ -71,31 +85,125 @@ def rotation(orientation):
     return rotations(np.array([[float(orientation[i]) for i in range(4)]]))[0]
 
 
-def set_material(body, material):
-    """Give a node sphere another ViscElMat, in its present contacts too, without shear."""
-    body.material = material
-    for contact in body.intrs():
-        phys = contact.phys
-        phys.kn, phys.ks = material.kn, material.ks
-        phys.cn, phys.cs = material.cn, material.cs
-        phys.tangensOfFrictionAngle = math.tan(material.frictionAngle)
-        phys.shearForce = (0.0, 0.0, 0.0)
+def separate(omega, spheres):
+    """Take node spheres out of all contacts for good: YADE no longer looks at their pairs.
+
+    YADE keeps an erased pair whose boxes overlap, unless all open pairs go: the others come back.
+    """
+    from yade import utils
+
+    near = []
+    for sphere in spheres:
+        omega.bodies[sphere].mask = 0
+    for contact in omega.interactions.all():
+        pair = contact.id1, contact.id2
+        if not spheres.isdisjoint(pair):
+            omega.interactions.erase(*pair)
+        elif not contact.isReal:
+            near.append(pair)
+    omega.interactions.eraseNonReal()
+    for pair in near:
+        utils.createInteraction(*pair, True)
+
+
+class _Pair:
+    """The intact bonds between two blocks, as functions of the pose of a in the frame of b.
+
+    That pose moves no node by more than `moved` from where its strength was last computed.
+    """
+
+    def __init__(self, scene, omega, state_of_block, a, b, nodes):
+        """Take over `nodes` (indices into the scene's), all of them on block a and facing b."""
+        columns, n = scene.nodes, np.asarray(nodes, int)
+        self.omega, self.node, self.due, self.before = omega, n, 0, 0
+        self.states, self.home, self.shift = [], [], []
+        arms = []
+        for index in (a, b):
+            block = scene.blocks[index]
+            state = omega.bodies[state_of_block[index]].state
+            # YADE's pose of a block that has not moved: a support's state sits on one of its
+            # faces, and a clump's frame may be turned by half a turn about an axis.
+            place = np.array([float(v) for v in state.pos]) - block.displacement_m
+            self.shift.append(place - block.centre_m)
+            self.states.append(state)
+            self.home.append(state.ori.inverse() * _quaternion(block.rotation_rad))
+            arms.append(columns.position_m[n] - np.array(block.centre_m, float))
+        self.shift = _vector(self.shift[0] - self.shift[1])
+        self.reach = 2.0 * float(np.linalg.norm(arms[0], axis=1).max())  # of a unit of quaternion
+        # displacement of a past b at each node, in the frame of b, is matrix @ pose + constant
+        axes = np.array([_frame(normal) for normal in columns.normal[n]])
+        self.matrix = np.concatenate(
+            [axes, (axes[:, :, :, None] * arms[0][:, None, None, :]).reshape(len(n), 3, 9)], axis=2
+        )
+        self.constant = -np.einsum("nij,nj->ni", axes, arms[1])
+        self.kn, self.ks = columns.kn_n_m[n], columns.ks_n_m[n]
+        self.tension, self.cohesion = columns.tension_n[n], columns.cohesion_n[n]
+        self.slope = np.tan(columns.friction_rad[n])
+        self.tie = np.array([is_tie(columns, i) for i in n])
+        self.at = self.last = self._pose()
+        self.constant[:, 1:] -= self._displacement()[:, 1:]  # slip counts from here
+        self.left = 0.0
+
+    def keep(self, mask):
+        """Forget the bonds outside the mask."""
+        for name in PER_BOND:
+            setattr(self, name, getattr(self, name)[mask])
+
+    def _pose(self):
+        """Place of a past b, and rotation of a, both in the frame of b: two tuples."""
+        (a, b), (home_a, home_b) = self.states, self.home
+        back = (b.ori * home_b).inverse()
+        p, q = back * (a.pos - b.pos - self.shift), back * (a.ori * home_a)
+        return (p[0], p[1], p[2]), (q[0], q[1], q[2], q[3])
+
+    def moved(self, pose, since):
+        """Bound on the motion of any node between two poses [m]."""
+        (p, q), (p0, q0) = pose, since
+        turn = math.dist(q, q0)
+        if turn > 1.0:  # q and −q are the same rotation
+            turn = math.dist(q, [-v for v in q0])
+        return math.dist(p, p0) + self.reach * turn
+
+    def _displacement(self):
+        """Displacement of a past b since the reference: along the normal, across, across (n, 3)."""
+        place, turn = self.at
+        pose = np.array([*place, *rotations(np.array([turn]))[0].ravel()])
+        return self.matrix @ pose + self.constant
+
+    def forces(self):
+        """Normal force (compression positive) and shear force of each bond, as if intact [N].
+
+        The shear force is a magnitude, 0 for ties.
+        """
+        self.at = self._pose()
+        opening, across, along = self._displacement().T
+        return -self.kn * opening, np.where(self.tie, 0.0, self.ks * np.hypot(across, along))
+
+    def margin(self):
+        """How far each node may move before its bond can break [m]; not positive: it breaks."""
+        normal, shear = self.forces()
+        pull = (self.tension + normal) / self.kn
+        limit = self.cohesion + self.slope * np.maximum(normal, 0.0)
+        slide = np.where(self.tie, np.inf, (limit - shear) / (self.ks + self.slope * self.kn))
+        return np.minimum(pull, slide)
 
 
 class Bonds:
-    """Follows the bonded nodes of a built scene and breaks them; called by a PyRunner.
+    """Follows the bonded nodes of a built scene and breaks them; called between steps.
 
-    Between checks the pose is left alone for as long as the nearest bond cannot
-    reach its strength at its present rate and under a generous acceleration, halved.
+    Strengths are computed when the blocks of a pair may have moved by half of what the nearest
+    bond had left, and looked after again no later than half the time in which it could reach
+    its strength at their present speed or under a generous acceleration.
 
     Attributes
     ----------
-    intact : ndarray of bool, shape (n_bonded,)
+    spheres : dict of int to tuple of int
+        Node index to YADE ids (press, hook, plain).
     broken : list of (time_s, node)
         In the order of breaking.
     """
 
-    def __init__(self, scene, omega, state_of_block, spheres, materials, dead):
+    def __init__(self, scene, omega, state_of_block, spheres, partners):
         """Take over the bonded nodes.
 
         Parameters
@@ -105,121 +213,61 @@ class Bonds:
         state_of_block : list of int
             YADE id whose state carries each block's pose.
         spheres : dict of int to tuple of int
-            Node index to YADE ids (press, hook, plain).
-        materials : dict of int to ViscElMat
-            Node index to the material that wakes its plain sphere.
-        dead : ViscElMat
-            Material without stiffness: the contact stays in YADE's lists but carries nothing.
+        partners : dict of int to tuple of int
+            Node index to YADE id and mask of the face that its plain sphere will touch.
         """
-        nodes = scene.nodes
-        self.omega, self.spheres = omega, spheres
-        self.materials, self.dead = materials, dead
-        self.node = np.array(sorted(spheres), int)
-        self.intact = np.ones(len(self.node), bool)
+        self.omega, self.spheres, self.partners = omega, spheres, partners
         self.broken = []
-        self.runner: Any = None
-        self.last: tuple | None = None
-        n = self.node
-        used = sorted(set(nodes.a[n]) | set(nodes.b[n]))
-        slot = {block: k for k, block in enumerate(used)}
-        self.a = np.array([slot[k] for k in nodes.a[n]])
-        self.b = np.array([slot[k] for k in nodes.b[n]])
-        self.states = [omega.bodies[state_of_block[k]].state for k in used]
-        centres = np.array([scene.blocks[k].centre_m for k in used], float)
-        # YADE's pose of a block that has not moved: a support's state sits on one of its
-        # faces, and a clump's frame may be turned by half a turn about an axis.
-        self.shift, self.home_t = np.zeros((len(used), 3)), np.zeros((len(used), 3, 3))
-        for k, (block, state) in enumerate(zip(used, self.states, strict=True)):
-            moved = scene.blocks[block]
-            place = np.array([float(v) for v in state.pos]) - moved.displacement_m
-            self.shift[k] = place - moved.centre_m
-            turned = rotation_matrix(moved.rotation_rad)
-            self.home_t[k] = (turned.T @ rotation(state.ori)).T
-        self.arm_a = (nodes.position_m[n] - centres[self.a])[:, :, None]
-        self.arm_b = (nodes.position_m[n] - centres[self.b])[:, :, None]
-        self.normal = nodes.normal[n][:, :, None]
-        self.kn, self.ks = nodes.kn_n_m[n], nodes.ks_n_m[n]
-        self.tension, self.cohesion = nodes.tension_n[n], nodes.cohesion_n[n]
-        self.slope = np.tan(nodes.friction_rad[n])
-        self.tie = np.array([is_tie(nodes, i) for i in n])
-        self.shear_ks = np.where(self.tie, 0.0, self.ks)
-        self.start = self._relative()[0]  # slip counts from here, penetration from the plane
-
-    def _relative(self):
-        """Displacement of each node on a relative to b, and the normal turned with b."""
-        rows = []
-        for state in self.states:
-            p, q = state.pos, state.ori
-            rows.append((p[0], p[1], p[2], q[0], q[1], q[2], q[3]))
-        poses = np.array(rows)
-        place = poses[:, :3] - self.shift
-        turn = rotations(poses[:, 3:]) @ self.home_t
-        turn_b = turn[self.b]
-        delta = (turn[self.a] @ self.arm_a)[:, :, 0] - (turn_b @ self.arm_b)[:, :, 0]
-        delta += place[self.a] - place[self.b]
-        return delta, (turn_b @ self.normal)[:, :, 0]
-
-    def forces(self):
-        """Normal force (compression positive) and shear force of each bond, as if intact.
-
-        Returns
-        -------
-        normal, shear : ndarray, shape (n_bonded,)
-            [N]; shear is a magnitude, 0 for ties.
-        """
-        delta, unit = self._relative()
-        opening = (delta * unit).sum(axis=1)
-        slip = delta - self.start
-        slip -= (slip * unit).sum(axis=1)[:, None] * unit
-        return -self.kn * opening, self.shear_ks * np.sqrt((slip * slip).sum(axis=1))
+        self.visit: Any = None
+        of_pair: dict[tuple, list] = {}
+        for i in sorted(spheres):
+            of_pair.setdefault((int(scene.nodes.a[i]), int(scene.nodes.b[i])), []).append(i)
+        self.pairs = [
+            _Pair(scene, omega, state_of_block, a, b, nodes) for (a, b), nodes in of_pair.items()
+        ]
 
     def __call__(self):
-        """Break what has reached its strength; set the interval to the next check."""
-        normal, shear = self.forces()
-        limit = self.cohesion + self.slope * np.maximum(normal, 0.0)
-        pull_margin = (self.tension + normal) / self.kn
-        shear_margin = (limit - shear) / self.ks
-        shear_margin[self.tie] = np.inf
-        margin = np.minimum(pull_margin, shear_margin)
-        over = self.intact & (margin <= 0.0)
-        if over.any():
-            for k in np.flatnonzero(over):
-                self._break(k)
-        if self.runner is not None:
-            self._schedule(margin)
+        """Look after the pairs that are due; set when to come again."""
+        now = self.omega.iter
+        for pair in self.pairs:
+            if pair.due <= now:
+                self._look_after(pair, now)
+        self.pairs = [pair for pair in self.pairs if len(pair.node)]
+        if self.visit is not None:
+            self.visit.period = min((pair.due for pair in self.pairs), default=math.inf) - now
 
-    def _schedule(self, margin):
-        """Set the next check from the distance to the nearest strength and its rate [m, m/s]."""
-        if not self.intact.any():
-            self.runner.dead = True
-            return
-        now = float(self.omega.time)
-        kept = self.intact & np.isfinite(margin)
-        wait = CHECK_S
-        if self.last is not None and now > self.last[0]:
-            left = np.maximum(margin[kept], 0.0)
-            rate = np.abs(margin[kept] - self.last[1][kept]) / (now - self.last[0])
-            reach = np.minimum(left / (rate + 1e-9), np.sqrt(2.0 * left / REFERENCE_ACCELERATION))
-            wait = min(max(0.5 * float(reach.min()), CHECK_S), LONGEST_CHECK_S)
-        self.last = (now, margin)
-        self.runner.iterPeriod = max(1, int(wait / self.omega.dt))
+    def _look_after(self, pair, now):
+        """Break the bonds of a pair that have reached their strength; set its next turn."""
+        dt, pose = self.omega.dt, pair._pose()
+        left = pair.left - pair.moved(pose, pair.at)
+        if left <= 0.5 * pair.left:
+            margin = pair.margin()
+            over = margin <= 0.0
+            if over.any():
+                for node in pair.node[over].tolist():
+                    self._break(node)
+                pair.keep(~over)
+                margin = margin[~over]
+            left = pair.left = float(margin.min(initial=math.inf))
+        speed = pair.moved(pose, pair.last) / (max(now - pair.before, 1) * dt)
+        pair.last, pair.before = pose, now
+        wait = 0.5 * min(left / (speed + 1e-9), math.sqrt(2.0 * left / REFERENCE_ACCELERATION))
+        pair.due = now + max(1, int(min(max(CHECK_S, wait), LONGEST_CHECK_S) / dt))
 
     def end(self, nodes):
         """Take the bonds of some nodes out of the scene, broken or not; not counted as broken."""
-        for k in np.flatnonzero(np.isin(self.node, nodes)):
-            for sphere in self.spheres[int(self.node[k])]:
-                set_material(self.omega.bodies[sphere], self.dead)
-            self.intact[k] = False
+        ended = set(self.spheres).intersection(nodes)
+        separate(self.omega, {sphere for node in ended for sphere in self.spheres[node]})
+        for pair in self.pairs:
+            pair.keep(~np.isin(pair.node, nodes))
 
-    def _break(self, k):
-        """Take the stiffness of press and hook away and give it to the plain node."""
-        node = int(self.node[k])
+    def _break(self, node):
+        """Part press and hook from their faces and let the plain node meet its own."""
+        from yade import utils
+
         press, hook, plain = self.spheres[node]
-        for sphere, material in (
-            (press, self.dead),
-            (hook, self.dead),
-            (plain, self.materials[node]),
-        ):
-            set_material(self.omega.bodies[sphere], material)
-        self.intact[k] = False
+        face, mask = self.partners[node]
+        separate(self.omega, {press, hook})
+        self.omega.bodies[plain].mask = mask
+        utils.createInteraction(plain, face, True)
         self.broken.append((float(self.omega.time), node))

@@ -16,7 +16,7 @@ import math
 
 import numpy as np
 
-from yade_scripts.engine.bonds import FACE_OFFSET_M, rotation, set_material
+from yade_scripts.engine.bonds import FACE_OFFSET_M, rotation, separate
 
 BITS = 30
 LOCAL_REACH_M = 0.75  # beyond the joint's nodes in its plane
@@ -32,14 +32,14 @@ RELEASE_CHECK_S = 4e-3
 
 
 class Releases:
-    """Releases contact nodes that have slid past the rim of their face; a PyRunner calls it.
+    """Releases contact nodes that have slid past the rim of their face; called between steps.
 
     Attributes
     ----------
     released : list of (time_s, node)
     """
 
-    def __init__(self, scene, omega, state_of_block, node_body, dead, bonds):
+    def __init__(self, scene, omega, state_of_block, node_body, bonds):
         """Find the nodes of `scene` whose joint has a rim."""
         nodes, rims = scene.nodes, scene.notes["rims"]
         self.bonds, self.body_of = bonds, state_of_block
@@ -47,7 +47,7 @@ class Releases:
         self.touching = {
             k: np.flatnonzero((nodes.a == k) | (nodes.b == k)).tolist() for k in self.debris
         }
-        self.omega, self.node_body, self.dead, self.released = omega, node_body, dead, []
+        self.omega, self.node_body, self.released = omega, node_body, []
         names = [scene.joints[j] for j in nodes.joint]
         self.node = [i for i, name in enumerate(names) if name in rims]
         used = sorted({int(k) for i in self.node for k in (nodes.a[i], nodes.b[i])})
@@ -94,7 +94,7 @@ class Releases:
                     self._release(i)
 
     def _release(self, i):
-        set_material(self.omega.bodies[self.node_body[i]], self.dead)
+        separate(self.omega, {self.node_body[i]})
         if i in self.node:
             self.node.remove(i)
         self.released.append((float(self.omega.time), i))
@@ -119,6 +119,8 @@ class Faces:
     ----------
     nodes_of : dict of key to list of int
     bit : dict of key to int
+    body : dict of key to int
+        YADE id, once the box has been appended.
     plain, press, hook : list
         Face key of each node; press and hook are None for dry nodes.
     """
@@ -128,6 +130,7 @@ class Faces:
         nodes, rims = scene.nodes, scene.notes.get("rims", {})
         self.scene = scene
         self.nodes_of: dict[tuple, list] = {}
+        self.body: dict[tuple, int] = {}
         self.plain, self.press, self.hook = [], [], []
         bonded = nodes.bonded
         for i in range(len(nodes)):
@@ -183,15 +186,15 @@ class Faces:
             on_face = on_face + (edge - width - direction @ on_face) * direction
         return on_face - half[2] * normal, half, axes
 
-    def box(self, key, reach_m, material):
-        """Return the YADE box whose surface is the face `key`, in the reference position."""
+    def append(self, omega, key, reach_m, material):
+        """Append the YADE box whose surface is the face `key`, in the reference position."""
         from yade import minieigenHP, utils
 
         centre, half, _ = self.shape(key, reach_m)
         normal = key[1]
         axis_to = minieigenHP.Quaternion()
         axis_to.setFromTwoVectors(minieigenHP.Vector3(0, 0, 1), minieigenHP.Vector3(*normal))
-        return utils.box(
+        box = utils.box(
             center=tuple(centre),
             extents=tuple(float(v) for v in half),
             orientation=axis_to,
@@ -200,6 +203,8 @@ class Faces:
             material=material,
             mask=self.bit[key],
         )
+        self.body[key] = omega.bodies.append(box)
+        return self.body[key]
 
     def _colour(self):
         """Give faces bits so that faces whose boxes and nodes could meet never share one.

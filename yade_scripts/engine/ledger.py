@@ -93,7 +93,7 @@ class EnergyLedger:
 
     def __call__(self):
         """Take a sample; indices, since unpacking YADE's vectors is many times slower."""
-        t, ground = self.omega.time, self.base.vel[1]
+        t, ground = self.omega.time - self.omega.dt, self.base.vel[1]  # of the forces
         energy = power = 0.0
         pull = self.ground(t)
         for state, mass, inertia, weight, height in self.free:

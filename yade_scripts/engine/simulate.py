@@ -142,8 +142,7 @@ class _Monitor:
 
     def __call__(self):
         """Take a sample; end the run when a stop rule applies. Plain floats, for speed."""
-        t = self.omega.time + self.omega.dt  # positions are those after this step
-        state, support = self.block, self.support
+        t, state, support = self.omega.time, self.block, self.support
         angle = adapter.planar_turn(state, self.unturned)  # rotation about x alone carries d
         c, s = math.cos(angle), math.sin(angle)
         _, y, z = self.arm
@@ -219,7 +218,7 @@ def run(
         if check is not None:
             check()
 
-    omega.engines = [*omega.engines, loop.runner(sample, round(sample_s / dt_s))]
+    loop.between(sample, round(sample_s / dt_s), first=1)
     if setup is not None:
         setup(built)
     began = time.perf_counter()
