@@ -87,7 +87,7 @@ def test_disagreement_is_beyond_the_scatter_of_both():
 
 def test_the_plan_goes_where_outcomes_change():
     """Both sides of the lowest collapse, its island and the gap above; levels of 10, 50, 90 %."""
-    ida = {"start_g": 0.1, "growth": 1.35, "max_pga_g": 3.0, "max_islands": 4}
+    ida = {"start_g": 0.1, "growth": 1.35, "max_pga_g": 3.0, "max_islands": 4, "confirm": "full"}
     ensemble = {"percentiles": [10.0, 90.0], "amplitude_spread": 0.01, "enabled": "auto"}
     table = scan(lambda g: 0.30 < g < 0.40 or g > 0.6)
     found = plan(table, ida, ensemble)
@@ -101,5 +101,7 @@ def test_the_plan_goes_where_outcomes_change():
     slow = table.assign(collapsed=(np.sin(1e4 * GRID) < (GRID - 0.5) * 5).astype(int))
     slow["status"] = np.where(slow["collapsed"] == 1, "overturned", "ok")
     assert len(plan(slow, ida, ensemble)["levels"]) == 3
+    few = plan(table, {**ida, "confirm": "collapse"}, ensemble)
+    assert few["runs"] == pytest.approx([0.97 * lowest, lowest], abs=1e-4)
     never = plan(scan(lambda g: False), ida, ensemble)
     assert (never["levels"], never["runs"][-1]) == ([], 3.0)

@@ -12,8 +12,8 @@ from rocking.runtime.script import run
 
 HEADER = (
     "# Error in d/b that {share:.3g} % of the repeating histories keep, by nodes and step,\n"
-    "# cheapest first (rocking/accuracy/fidelity.py: fidelity_table). Written by `snakemake accuracy`\n"
-    "# to accuracy/fidelity.yaml of its run.\n"
+    "# cheapest first (rocking/accuracy/fidelity.py: fidelity_table). Written by\n"
+    "# `snakemake accuracy` to accuracy/fidelity.yaml of its run.\n"
 )
 
 

@@ -24,7 +24,7 @@ def plan(scan, settings, ensemble):
     scan : DataFrame
         Of `Screen.scan`.
     settings : dict
-        Section ida with a number for start_g: growth, max_pga_g, max_islands.
+        Section ida with a number for start_g: growth, max_pga_g, max_islands, confirm.
     ensemble : dict
         Section ensemble: enabled, percentiles, amplitude_spread.
 
@@ -35,20 +35,22 @@ def plan(scan, settings, ensemble):
     """
     table = from_scan(scan, ensemble["amplitude_spread"])
     pga_g, share = table["pga_g"].to_numpy(), table["probability"].to_numpy()
+    full = settings["confirm"] == "full"
     climb = climb_sequence(settings)
     fallen = scan.loc[scan["status"] == "overturned", "pga_g"]
     if fallen.empty:
-        return {"runs": climb, "levels": []}
+        return {"runs": climb if full else climb[-1:], "levels": []}
     lowest = float(fallen.min())
     low, high = (p / 100.0 for p in ensemble["percentiles"])
     middle = first_crossing(pga_g, share, 0.5)
-    runs = [g for g in climb if g < (middle if np.isfinite(middle) else np.inf)]
-    runs += [BELOW * lowest, lowest]
-    found = islands(pga_g, share)
-    for (a, b), (c, _) in list(itertools.pairwise(found))[: settings["max_islands"]]:
-        runs += [0.5 * (a + b), 0.5 * (b + c)]
-    standing = scan.loc[scan["status"] == "ok", "pga_g"]
-    runs += [g for g in climb if g > standing.max()][:1]
+    runs = [BELOW * lowest, lowest]
+    if full:
+        runs += [g for g in climb if not g >= middle]
+        gaps = itertools.pairwise(islands(pga_g, share))
+        for (a, b), (c, _) in itertools.islice(gaps, settings["max_islands"]):
+            runs += [0.5 * (a + b), 0.5 * (b + c)]
+        standing = scan.loc[scan["status"] == "ok", "pga_g"].max()
+        runs += [g for g in climb if g > standing][:1]
     levels = [first_crossing(pga_g, share, level) for level in (low, 0.5, high)]
     levels = [g for g in levels if np.isfinite(g)]
     if len(levels) == 3 and levels[2] <= NARROW * levels[0]:
