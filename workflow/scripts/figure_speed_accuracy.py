@@ -34,14 +34,14 @@ def points(axis, group, marker, colour, label, **line):
     axis.plot(group["cost"], worst, "_", ls="", color=colour, ms=5)
 
 
-def panel(axis, table, cases, judge):
-    """One model."""
+def panel(axis, table, cases, judge, counts):
+    """One model; `counts` are the node counts of the figure, by which markers are filled."""
     for method, (marker, colour) in METHODS.items():
         mine = table[table["method"] == method]
-        for k, (nodes, group) in enumerate(mine.groupby("nodes", dropna=False)):
+        for nodes, group in mine.groupby("nodes", dropna=False):
             grid = method in (GRID, COMPILED)
             name = "YADE" if method == GRID else method
-            face = {"mfc": ("none", colour, "0.8")[k % 3]} if grid else {}
+            face = {"mfc": ("none", colour, "0.8")[counts.index(nodes) % 3]} if grid else {}
             points(
                 axis, group, marker, colour, f"{name}, {nodes:g} nodes" if grid else name, **face
             )
@@ -73,10 +73,11 @@ def main(job):
     figure, axes = plt.subplots(
         1, len(models), figsize=size, sharey=True, squeeze=False, layout="constrained"
     )
-    handles = {}
+    grid = spread["method"].isin([GRID, COMPILED])
+    counts, handles = sorted(spread.loc[grid, "nodes"].unique()), {}
     for axis, model in zip(axes[0], models, strict=True):
         mine = judge[judge["model"] == model] if len(judge) else judge
-        panel(axis, spread[spread["model"] == model], cases[model], mine)
+        panel(axis, spread[spread["model"] == model], cases[model], mine, counts)
         lines, labels = axis.get_legend_handles_labels()
         handles.update(dict(zip(labels, lines, strict=True)))
     axes[0, 0].set_ylabel("error in peak d/b (%): median, 90 %, worst")
