@@ -69,6 +69,7 @@ ACCURACY = study.Accuracy(STUDY)
 BOUNDARY = study.Boundary(STUDY)
 BUILDING = study.Building(STUDY)
 CALIBRATION = study.Calibration(STUDY)
+COMPARE = study.Compare(STUDY)
 FRAGILITY = study.Fragility(STUDY)
 
 
