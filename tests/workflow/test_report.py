@@ -64,6 +64,52 @@ def test_a_page_escapes_its_text_writes_units_and_marks_the_study(tmp_path):
     assert 'href="http' not in text
 
 
+def test_the_answer_says_what_to_trust_and_how_far_records_were_scaled(tmp_path):
+    (tmp_path / "ida.csv").write_text(
+        "model,record,direction,pga_g,status\nW1,A,pos,0.6,ok\nW1,A,pos,0.7,overturned\n"
+        "W1,B,pos,0.2,failed\n"
+    )
+    (tmp_path / "records.csv").write_text("record,source,pga_g\nA,surrogate,0.1\nB,file,0.2\n")
+    (tmp_path / "collapse.csv").write_text(
+        "model,record,direction,pga_safe_g,pga_collapse_g,pga_p10_g,pga_p90_g,disagreements\n"
+        "W1,A,pos,0.6,0.7,0.6,0.9,2\nW1,B,pos,0.2,,,,0\n"
+    )
+    (tmp_path / "figure.png").write_bytes(b"not looked at" * 999)
+    code = (
+        "import sys; from types import SimpleNamespace as N; from rocking.configuration.words "
+        "import Settings; sys.path.insert(0, sys.argv[1]); snakemake = N(wildcards=N(run='r'), "
+        "params=N(facade=Settings('{\"facade\":{\"height_m\":5.0}}'), models=['W1, a block']), "
+        "input=N(ida=['ida.csv'], records='records.csv', collapse='collapse.csv', "
+        "figure='figure.png', style=sys.argv[2]), output=N(page='p.html', first='p.rst', "
+        "factors='f.csv')); "
+        "exec(open(sys.argv[1] + '/report_summary.py').read())"
+    )
+    style = ROOT / "workflow/report/table.css"
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(SCRIPTS), str(style)],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        env={"PYTHONPATH": f"{ROOT}:{ROOT / 'workflow'}"},
+        timeout=60,
+    )
+    assert done.returncode == 0, done.stderr
+    assert "warning: record A is scaled to 7.0 times its own peak, above 5" in done.stderr
+    assert (tmp_path / "f.csv").read_text().splitlines()[1] == "A,0.1,0.7,7"
+    text = (tmp_path / "p.html").read_text()
+    for piece in (
+        "height 5 m",
+        "1 of 2 records are surrogates",
+        "more than 5 times their own peak: A (7.0)",
+        "1 of 3 runs failed",
+        "1 of 2 curves never collapsed",
+        "At 2 intensities YADE and the planar solver disagree",
+        "1 of 2 curves have no single collapse intensity",
+    ):
+        assert piece in text, piece
+    assert max(map(len, (tmp_path / "p.rst").read_text().splitlines())) < 10_000
+
+
 def study(folder, *words):
     return subprocess.run(
         [
@@ -119,6 +165,13 @@ def test_report_opens_offline_and_clicks_through_to_figures_and_tables(report, t
     with Browser(tmp_path / "profile") as browser:
         browser.open(report.as_uri())
         browser.wait(lambda: "lumped masses" in browser.text(), "the description")
+        # it begins with the answer, from the top of the screen, and not with the graph of the rules
+        first = browser.text()
+        order = ("height 5.75 m", "PGA collapse [g]", "What to trust", "lumped masses")
+        places = [first.index(text) for text in order]
+        assert places == sorted(places)
+        top = "return document.querySelector('.prose h1').getBoundingClientRect().top"
+        assert 0 <= browser.script(top) < 200
         for name in (
             "Records",
             "Floor motions",
@@ -156,6 +209,8 @@ def test_report_opens_offline_and_clicks_through_to_figures_and_tables(report, t
         browser.enter("//iframe")
         browser.wait(lambda: "seed: 1977" in browser.text(), "the provenance")
         assert browser.text().count("surrogate\t") == 2
+        wide = "const page = document.documentElement; return page.scrollWidth - page.clientWidth"
+        assert browser.script(wide) == 0
         browser.leave()
 
         failed = [line for line in browser.log() if line.startswith("SEVERE")]

@@ -18,7 +18,7 @@ from rocking.configuration import config as configuration
 from rocking.curves.pushover import VARIANTS
 from rocking.records import RecordError
 from rocking.records.check import check_study
-from rocking.runtime import file_times, progress, run_lock, terminal
+from rocking.runtime import file_times, first_page, progress, run_lock, terminal
 from rocking.study.calibration import CASES, HISTORIES
 from rocking.study.chosen import chosen
 from yade_scripts import sources
@@ -69,6 +69,7 @@ ACCURACY = study.Accuracy(STUDY)
 BOUNDARY = study.Boundary(STUDY)
 BUILDING = study.Building(STUDY)
 CALIBRATION = study.Calibration(STUDY)
+COMPARE = study.Compare(STUDY)
 FRAGILITY = study.Fragility(STUDY)
 
 
@@ -116,6 +117,7 @@ localrules:
     floor_motions,
     ida_collapse,
     records_check,
+    report_summary,
     figure_record,
     figure_floor_motions,
     fig09_ida,

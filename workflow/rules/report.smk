@@ -1,6 +1,33 @@
 # Pages of the report: tables in readable form, provenance of the records, run times.
 
 
+# What the report begins with, see workflow/Snakefile.
+rule report_summary:
+    input:
+        ida=lambda w: STUDY.ida_tables(w.run),
+        records="results/{run}/tables/records.csv",
+        collapse="results/{run}/tables/ida_collapse.csv",
+        figure="results/{run}/figures/fig09_ida.png",
+        style=REPORT_STYLE,
+        modules=code("report_summary"),
+    output:
+        page=report(
+            "results/{run}/report/summary.html",
+            caption=caption("summary"),
+            category="Answer",
+            labels={"run": "{run}", "result": "at what shaking it falls"},
+        ),
+        first="results/{run}/report/summary.rst",
+        factors="results/{run}/tables/scale_factors.csv",
+    log:
+        "results/{run}/logs/report_summary.log",
+    params:
+        facade=STUDY.params_of("facade"),
+        models=lambda w: [f"{m}, {MODELS[m].meaning}" for m in STUDY.cfg(w)["models"]],
+    script:
+        "../scripts/report_summary.py"
+
+
 rule report_table:
     input:
         table="results/{run}/tables/{table}.csv",

@@ -108,6 +108,7 @@ def with_pages(targets):
             pages.append(f"results/{run}/report/provenance.html")
         if folder == "tables" and table == "ida_collapse":
             pages.append(f"results/{run}/report/run_times.html")
+            pages.append(f"results/{run}/report/summary.html")
     return [*targets, *pages]
 
 

@@ -37,7 +37,7 @@ def kind(name, column):
 
 
 def rows(table):
-    """The table's head and body."""
+    """Head and body of a table."""
     kinds = {name: kind(name, table[name]) for name in table.columns}
     head = "".join(f'<th class="{kinds[n]}">{html.escape(heading(n))}</th>' for n in table.columns)
     body = "\n".join(
@@ -51,10 +51,11 @@ def rows(table):
 
 def page(title, text, content, style):
     """A whole page that needs no other file."""
+    words = f"<p>{html.escape(text, quote=False)}</p>\n" if text else ""
     return (
         f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{html.escape(title)}'
         f"</title><style>\n{Path(style).read_text()}</style></head>\n<body>\n"
-        f"<h1>{html.escape(title)}</h1>\n<p>{html.escape(text, quote=False)}</p>\n{content}\n"
+        f"<h1>{html.escape(title)}</h1>\n{words}{content}\n"
         "</body></html>\n"
     )
 

@@ -8,7 +8,8 @@ from rocking.study.accuracy import Accuracy
 from rocking.study.boundary import Boundary
 from rocking.study.building import Building
 from rocking.study.calibration import Calibration
+from rocking.study.compare import Compare
 from rocking.study.core import Study
 from rocking.study.fragility import Fragility
 
-__all__ = ["Accuracy", "Boundary", "Building", "Calibration", "Fragility", "Study"]
+__all__ = ["Accuracy", "Boundary", "Building", "Calibration", "Compare", "Fragility", "Study"]

@@ -21,6 +21,8 @@ class Study:
 
     Attributes
     ----------
+    name : str
+        Name that all runs begin with, `run` of the configuration.
     runs : dict of str to dict
         Resolved configuration of each run.
     tables : dict of str to dict
@@ -38,6 +40,7 @@ class Study:
         """Resolve the configuration and read the records tables."""
         self.base = Path(base)
         self.runs = configuration.expand_scenarios(config)
+        self.name = str(config.get("run") or "main")
         self.tables = {run: read_table(self.table_path(run)) for run in self.runs}
         self.records = {run: self._record_names(run) for run in self.runs}
         self.faults: dict[tuple[str, str], str] = {}

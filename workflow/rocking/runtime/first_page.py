@@ -1,0 +1,44 @@
+"""What the report begins with: the answers of the runs, above the words that explain them."""
+
+import sys
+from pathlib import Path
+
+PAGE = Path(".snakemake") / "first_page.rst"
+# Snakemake puts the text into a narrow column beside the graph of the rules; here it is the page.
+STYLE = """.. raw:: html
+
+   <style>
+   .overflow-auto:has(> div > div > .prose) { align-items: flex-start; }
+   div:has(> div > .prose):has(#rulegraph) { flex-direction: column; }
+   .prose.max-w-lg { max-width: min(72rem, 72vw); }
+   .prose img { max-width: 100%; max-height: 78vh; margin: 0; }
+   .prose table { font-size: 0.8rem; }
+   .prose td.number, .prose th.number { text-align: right; }
+   </style>
+
+"""
+
+
+def of_runs(runs, words):
+    """Return the path of the text that the report begins with.
+
+    Parameters
+    ----------
+    runs : iterable of str
+        Names; those that have `results/<run>/report/summary.rst` come first.
+    words : str
+        The text for all runs.
+
+    Returns
+    -------
+    str
+        `words` itself where no report is asked for or no run has an answer yet.
+    """
+    found = [Path("results") / run / "report" / "summary.rst" for run in runs]
+    found = [path for path in found if path.is_file()]
+    if not found or not any(word.startswith("--report") for word in sys.argv):
+        return words
+    texts = [path.read_text("utf-8") for path in (*found, Path(words))]
+    PAGE.parent.mkdir(exist_ok=True)
+    PAGE.write_text(STYLE + "\n".join(texts), encoding="utf-8")
+    return str(PAGE.resolve())

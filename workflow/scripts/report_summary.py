@@ -1,0 +1,105 @@
+"""The answer of a run on one page: façade, records, Figure 9, collapse table, what to trust.
+
+Written twice: as a page of the report, and as reStructuredText that the report begins with. How far
+each record was scaled goes into `tables/scale_factors.csv`; factors above LARGE_FACTOR are warned
+of.
+"""
+
+import base64
+import html
+import sys
+from pathlib import Path
+
+import pandas as pd
+from report_table import page, rows
+from rocking.runtime.script import run
+
+LARGE_FACTOR = 5.0  # beyond it a scaled record is hardly a stronger earthquake's motion
+SHOWN = ("model", "record", "direction", "pga_safe_g", "pga_collapse_g")
+BANDS = ("pga_median_g", "pga_p10_g", "pga_p90_g")
+
+
+def scale_factors(records, runs):
+    """Largest intensity of every record's runs over its own peak."""
+    largest = runs.groupby("record", sort=False)["pga_g"].max().rename("pga_largest_g")
+    table = records.set_index("record")[["pga_g"]].join(largest, how="inner").reset_index()
+    return table.assign(scale_factor=table["pga_largest_g"] / table["pga_g"])
+
+
+def cautions(records, runs, collapse, factors):
+    """What to bear in mind, a sentence each."""
+    said = []
+    surrogates = int((records["source"] == "surrogate").sum())
+    if surrogates:
+        said.append(
+            f"{surrogates} of {len(records)} records are surrogates: they have the peaks of the "
+            "motion that they are called after, not its pulses, which decide one-sided rocking."
+        )
+    far = factors[factors["scale_factor"] > LARGE_FACTOR]
+    if len(far):
+        names = ", ".join(f"{row.record} ({row.scale_factor:.1f})" for row in far.itertuples())
+        said.append(f"Scaled to more than {LARGE_FACTOR:g} times their own peak: {names}.")
+    failed = int((runs["status"] == "failed").sum())
+    if failed:
+        said.append(f"{failed} of {len(runs)} runs failed numerically and count for nothing.")
+    never = int(collapse["pga_collapse_g"].isna().sum())
+    if never:
+        said.append(f"{never} of {len(collapse)} curves never collapsed: blank, not strong.")
+    if "disagreements" in collapse and (odd := int(collapse["disagreements"].sum())):
+        said.append(f"At {odd} intensities YADE and the planar solver disagree on the collapse.")
+    if set(BANDS[1:]) <= set(collapse):
+        wide = collapse["pga_p90_g"] > 1.1 * collapse["pga_p10_g"]
+        if wide.any():
+            said.append(
+                f"{int(wide.sum())} of {len(collapse)} curves have no single collapse intensity: "
+                "slightly different histories fall or stand over more than a tenth; use the band."
+            )
+    said.append(
+        "The band is numerical scatter of one façade under one motion, not that of earthquakes "
+        "or materials; stand and fall of single runs near it mean little."
+    )
+    return said
+
+
+def content(p, records, runs, collapse, factors, figure):
+    """Body of the page."""
+    # in short lines, which reStructuredText asks for and a browser joins again
+    data = base64.encodebytes(Path(figure).read_bytes()).decode()
+    columns = [name for name in (*SHOWN, *BANDS) if name in collapse]
+    motions = ", ".join(
+        f"{row.record} ({row.source}, {row.pga_g:.2g} g)" for row in records.itertuples()
+    )
+    points = "".join(
+        f"<li>{html.escape(text)}</li>" for text in cautions(records, runs, collapse, factors)
+    )
+    return (
+        f"<p><b>Façade:</b> {html.escape(p.facade.words)}.<br>"
+        f"<b>Return walls:</b> {html.escape('; '.join(p.models))}.<br>"
+        f"<b>Records:</b> {html.escape(motions)}.</p>\n"
+        f'<p><img alt="Figure 9" src="data:image/png;base64,{data}"></p>\n'
+        f"<h2>At what shaking it falls</h2>\n{rows(collapse[columns].dropna(axis=1, how='all'))}\n"
+        f"<h2>What to trust</h2>\n<ul>{points}</ul>\n"
+    )
+
+
+def main(job):
+    p = job.params
+    records, collapse = pd.read_csv(job.input.records), pd.read_csv(job.input.collapse)
+    runs = pd.concat(pd.read_csv(path) for path in job.input.ida)
+    factors = scale_factors(records, runs)
+    factors.to_csv(job.output.factors, index=False, float_format="%.4g", lineterminator="\n")
+    for row in factors[factors["scale_factor"] > LARGE_FACTOR].itertuples():
+        print(
+            f"warning: record {row.record} is scaled to {row.scale_factor:.1f} times its own peak,"
+            f" above {LARGE_FACTOR:g}",
+            file=sys.stderr,
+        )
+    body = content(p, records, runs, collapse, factors, job.input.figure)
+    title = f"Run {job.wildcards.run}: at what shaking the façade falls"
+    Path(job.output.page).write_text(page(title, "", body, job.input.style))
+    inside = f"<h1>{html.escape(title)}</h1>\n{body}"
+    lines = "\n".join(f"   {line}" for line in inside.splitlines())
+    Path(job.output.first).write_text(f".. raw:: html\n\n{lines}\n\n")
+
+
+run(main, globals())
