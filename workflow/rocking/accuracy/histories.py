@@ -108,7 +108,7 @@ def judged(solver, pga_g, settings):
     Returns
     -------
     dict
-        d_over_b, change_… (relative for nodes and step; NaN where not needed any more),
+        d_over_b, the changes (relative for nodes and step; NaN where not needed any more),
         amplification, repeats.
     """
     nodes, step = settings["reference_nodes"], settings["reference_step"]

@@ -22,7 +22,7 @@ def _meets(line, box):
 
 def _outside(axis, handle):
     """Whether a legend's entry stands for a line that never enters the axes."""
-    own = isinstance(handle, Line2D) and handle.axes is axis and len(handle.get_xdata())
+    own = isinstance(handle, Line2D) and handle.axes is axis and np.size(handle.get_xdata())
     return bool(own) and not _meets(handle, axis.get_window_extent())
 
 

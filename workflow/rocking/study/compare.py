@@ -10,7 +10,7 @@ TABLE = "tables/ida_collapse.csv"
 
 def flat(settings, prefix=""):
     """Configuration by dotted key."""
-    out = {}
+    out: dict = {}
     for key, value in settings.items():
         if isinstance(value, dict):
             out |= flat(value, f"{prefix}{key}.")
