@@ -54,7 +54,7 @@ def panel(axis, table, cases, judge, counts):
     axis.step(front["cost"], 100 * front["error_90"], where="post", color=style.GREY, zorder=1)
     axis.axhline(1.0, color="0.4", lw=0.8, ls=":")
     axis.set(xscale="log", yscale="log", xlabel="wall time over simulated time (-)")
-    axis.set_title(f"{table['model'].iloc[0]}: the same {cases} histories")
+    axis.set_title(f"{table['model'].iloc[0]}: {cases} histories, the same for all")
     axis.xaxis.set_major_locator(LogLocator())
     for side in (axis.xaxis, axis.yaxis):
         side.set_major_formatter(FormatStrFormatter("%g"))
