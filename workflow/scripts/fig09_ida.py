@@ -106,6 +106,7 @@ def main(job):
     shape = (len(p.records), len(p.directions))
     size = (max(5.0, 4.0 * shape[1]), 0.9 + 2.0 * shape[0])
     figure, axes = plt.subplots(*shape, figsize=size, squeeze=False, sharex=True)
+    blank = pd.DataFrame(columns=collapse.PROBABILITY_COLUMNS)
     pushovers = list(job.input.pushover) or [None]
     shown = {r: [highest(row) for key, row in rows.items() if key[1] == r] for r in p.records}
     # bonded façades may stand so much that the others vanish
@@ -123,9 +124,7 @@ def main(job):
                 if key in scans:
                     draw_scan(axis, scans[key])
                 draw_curve(axis, curve, top, joined=key not in scans)
-                draw_probability(
-                    beside, tables.get(key, next(iter(tables.values()))[:0]), rows[key]
-                )
+                draw_probability(beside, tables.get(key, blank), rows[key])
             sign = {"pos": "+", "neg": "−"}[direction]
             axis.set_title(f"{style.provenance(facts[record])}, direction {sign}", loc="left")
             axis.set(xlim=(0, 1.0), ylim=(0, top), ylabel="PGA [g]" if j == 0 else None)
