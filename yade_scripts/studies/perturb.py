@@ -12,6 +12,7 @@ import numpy as np
 
 from yade_scripts.studies.intensities import DIGITS
 
+NODE_KEYS = ("nodes_thickness", "nodes_height", "nodes_per_block")
 STEP_SPREAD = 0.1  # members step at 0.9 to 1 of the stated step: never beyond the critical one
 NODE_CHOICES = 3  # members use the stated number of nodes, or one or two more
 NEAR_COLLAPSE = 0.5  # share of the collapse intensity below which no ensemble is run by itself
@@ -59,7 +60,7 @@ def draw_members(settings):
 def perturbed_numerics(numerics, member):
     """Section numerics of a member: its step and its nodes."""
     out = dict(numerics)
-    for key in ("nodes_thickness", "nodes_height", "nodes_per_block"):
+    for key in NODE_KEYS:
         out[key] = numerics[key] + member.extra_nodes
     for key in ("step_fraction", "step_s"):
         if numerics[key] is not None:

@@ -8,12 +8,19 @@ import pandas as pd
 from smdof.chain import shear_chain
 from yade_scripts.model import models, registry
 from yade_scripts.model.motion import amplitude
-from yade_scripts.studies.perturb import NODE_CHOICES, STEP_SPREAD, Member, perturbed_numerics
+from yade_scripts.studies.perturb import (
+    NODE_CHOICES,
+    NODE_KEYS,
+    STEP_SPREAD,
+    Member,
+    perturbed_numerics,
+)
 
 from .plane import moving_supports, prepare
 from .runs import STEP_FRACTION, Motions, bodies, peaks, stable_step
 
 BLOCK = 32  # amplitudes between two looks at whether the façade has fallen for good
+NODES = 17  # along every edge: within 1 % of its converged answer where YADE needs more
 STEPS = 4  # different steps of the members
 MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change
 
@@ -35,8 +42,9 @@ class Screen:
         self.numerics, self.direction, self.ground = job["numerics"], direction, columns["ground"]
         kind = registry.model(job["model"])
         self.planes = []
+        nodes = {**job["numerics"], **dict.fromkeys(NODE_KEYS, NODES)}
         for extra in range(NODE_CHOICES):
-            numerics = perturbed_numerics(job["numerics"], Member(0, 1.0, extra_nodes=extra))
+            numerics = perturbed_numerics(nodes, Member(0, 1.0, extra_nodes=extra))
             scene = models.build_scene({**job, "model": kind.driven, "numerics": numerics})
             self.planes.append(prepare(scene))
         self.carried, supports = None, []
