@@ -50,11 +50,11 @@ class Probe:
         self.facade = slots[built.body[scene.index(scene.monitor)]]
         self.base = slots[built.body[scene.index(scene.reference)]]
         self.chain = {body for parts in (built.linked or {}).values() for body in parts}
-        omega = built.omega
-        omega.engines = [*omega.engines, loop.runner(self, round(SAMPLE_S / omega.dt))]
+        loop.between(self, round(SAMPLE_S / built.omega.dt), first=1)
 
     def __call__(self):
-        """Take a sample."""
+        """Take a sample; the ledger's comes after it, so bring that up to the same instant."""
+        self.check()
         c = self.books.contacts()
         sign = (c.b == self.facade).astype(float) - (c.a == self.facade)
         push = sign[:, None] * c.force[:, 1:]
