@@ -11,8 +11,9 @@ REPORT_TABLES = {
     "ida_collapse": (
         "Incremental dynamic analyses",
         "collapse intensities",
-        "Highest standing intensity below the first collapse and lowest collapsing intensity of"
-        " every curve; median and band come from the perturbed ensemble where one was run.",
+        "Highest intensity up to which nothing fell, lowest that fell, and the intensities at which 10,"
+        " 50 and 90 % collapse is first reached; how often the outcome reverses, how many runs of the"
+        " planar solver and of YADE stand behind the row, and at how many levels they disagree.",
     ),
     "run_times": (
         "Run times",
@@ -43,7 +44,7 @@ REPORT_TABLES = {
         "Beside the study",
         "claims of the study",
         "What the study says about boundary conditions beside what this run measured. Collapse"
-        " intensities are the middle of their bracket, or the ensemble's median where one was run.",
+        " intensities are those at which half collapse, else the middle of their bracket.",
     ),
     "building_modes": (
         "Beside the study",
