@@ -18,7 +18,7 @@ rule history:
     shell:
         "{params.yade} history --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
-        " --pga {wildcards.pga} --output {output:q} 2> {log:q}"
+        " --pga {wildcards.pga:q} --output {output:q} 2> {log:q}"
 
 
 rule figure_history:
