@@ -184,10 +184,6 @@ class Study:
             return []
         return [path.replace(".csv", "_ensemble.csv") for path in self.ida_tables(run)]
 
-    def sensitivity_tables(self, run) -> list[str]:
-        """Sensitivity tables of a run, made by the same jobs as the ensembles."""
-        return [p.replace("_ensemble.", "_sensitivity.") for p in self.ensemble_tables(run)]
-
     def static_curves(self, run) -> list[str]:
         """Pushover curves behind Figure 9: of the models that have one of their own."""
         models = [name for name in PUSHED if name in self.runs[run]["models"]]
