@@ -289,6 +289,18 @@ def test_power_spectrum_keeps_the_mean_square_and_finds_a_sine():
     assert area == pytest.approx(4.5, rel=0.01)
 
 
+def test_welch_windows_its_segments_with_hann():
+    """A sine on a line: A²/2 spread by the noise bandwidth 3/2 of Hann; half way between two
+    lines its leakage falls like the sixth power of the distance, not the second."""
+    dt, line = 0.005, 0.1
+    time = np.arange(8000) * dt
+    on = power_spectrum(2.0 * np.sin(2 * np.pi * 4.0 * time), dt).power_m2_s3
+    assert on.max() == pytest.approx(2.0 / (1.5 * line), rel=1e-3)
+    off = power_spectrum(2.0 * np.sin(2 * np.pi * 4.05 * time), dt)
+    far = np.interp(6.0, off.frequency_hz, off.power_m2_s3)
+    assert far < 1e-6 * off.power_m2_s3.max()  # a rectangular window leaves 7e-4
+
+
 # Weighted mean error -----------------------------------------------------------------------------
 
 

@@ -99,6 +99,8 @@ rule table_claims:
         ),
     log:
         "results/{run}/logs/table_claims.log",
+    params:
+        w3=STUDY.params_of("w3"),
     script:
         "../scripts/table_claims.py"
 

@@ -355,3 +355,22 @@ rule table_building_explicit_cost:
         coarsenings=lambda w: STUDY.cfg(w)["building"]["explicit_convergence"],
     script:
         "../scripts/table_building_explicit_cost.py"
+
+
+rule table_claims_building:
+    input:
+        modes="results/{run}/tables/building_modes.csv",
+        wme="results/{run}/tables/wme.csv",
+        explicit=BUILDING.explicit_tables,
+        modules=code("table_claims_building"),
+    output:
+        report(
+            "results/{run}/tables/claims_building.csv",
+            caption=caption("table_claims_building"),
+            category="Building",
+            labels={"run": "{run}", "result": "claims of the study's section 2 (CSV)"},
+        ),
+    log:
+        "results/{run}/logs/table_claims_building.log",
+    script:
+        "../scripts/table_claims_building.py"

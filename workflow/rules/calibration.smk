@@ -90,6 +90,27 @@ rule beta_law:
         "../scripts/calibrate_law.py"
 
 
+rule table_claims_calibration:
+    input:
+        free="results/{run}/tables/free_rocking.csv",
+        fits="results/{run}/tables/beta_fit.csv",
+        walls="results/{run}/tables/beta_walls.csv",
+        modules=code("table_claims_calibration"),
+    output:
+        report(
+            "results/{run}/tables/claims_calibration.csv",
+            caption=caption("table_claims_calibration"),
+            category="Calibration of the damping",
+            labels={"run": "{run}", "result": "claims of the study's section 3 (CSV)"},
+        ),
+    log:
+        "results/{run}/logs/table_claims_calibration.log",
+    params:
+        settings=STUDY.params_of("calibration"),
+    script:
+        "../scripts/table_claims_calibration.py"
+
+
 rule fig04_calibration:
     input:
         cases="results/{run}/calibration/cases_batch1.json",

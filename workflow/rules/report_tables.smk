@@ -46,6 +46,18 @@ REPORT_TABLES = {
         "What the study says about boundary conditions beside what this run measured. Collapse"
         " intensities are those at which half collapse, else the middle of their bracket.",
     ),
+    "claims_building": (
+        "Beside the study",
+        "claims of the study, building",
+        "What the study's section 2 says of the building and its equivalent chain beside what this"
+        " run measured; whose number decides stands in the column threshold.",
+    ),
+    "claims_calibration": (
+        "Beside the study",
+        "claims of the study, damping",
+        "What the study's section 3 says of damping beside what this run measured; whose number"
+        " decides stands in the column threshold.",
+    ),
     "building_modes": (
         "Beside the study",
         "periods of the building",

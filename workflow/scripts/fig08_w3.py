@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 from matplotlib.patches import Polygon
 from rocking.curves.pushover import (
-    RULES,
+    DRAWN,
     closed_form,
     complete_curve,
     friction_moment_ratio,
@@ -23,7 +23,13 @@ from yade_scripts.model.facade import FACADE
 from yade_scripts.model.interlocking import interlocking_scene
 from yade_scripts.model.registry import MODELS
 
-RULE_COLOURS = {"rigid": "#D55E00", "bonded": "#E69F00", "sliding": "#0072B2", "hinged": "#009E73"}
+RULE_LINES = {
+    "rigid": {"color": "#D55E00", "ls": "-"},
+    "bonded": {"color": "#E69F00", "ls": "--"},
+    "sliding": {"color": "#0072B2", "ls": "-."},
+    "hinged": {"color": "#009E73", "ls": "-", "lw": 2.0},
+    "study": {"color": "k", "ls": ":", "lw": 1.6},
+}
 FILLS = {"façade": "0.85", "header": "#E69F00", "brick": "#56B4E9", "half": "#9ad0ee"}
 SCHEME_D = 0.3
 SHOWN_D = 0.05  # d/b at which the joints are compared
@@ -53,10 +59,12 @@ def draw_blocks(axis, scene, config, theta=0.0):
             shape, kind = turned(corners(y, z, dy, dz), theta, pivot), "façade"
         elif " header " in block.name:
             shape, kind = corners(y + np.sin(theta) * z, z, dy, dz), "header"
+        elif block.name.endswith(" front"):
+            shape, kind = corners(y, z, dy, dz), "brick"
         elif " brick " in block.name:
             course = int(block.name.split()[-1])
             low = (course - 1) * w3["course_height_m"]
-            shape = corners(-dy, low + dz, dy, dz)
+            shape = corners(dy - w3["brick_length_m"], low + dz, dy, dz)
             kind = "brick"
             if low + 4 * dz <= h + 1e-9:
                 half = corners(-w3["overlap_m"] - 0.5 * rear, low + 3 * dz, 0.5 * rear, dz)
@@ -116,23 +124,23 @@ def draw_capacity(axis, curve, config):
 
 
 def draw_rules(axes, cases):
-    for rule in RULES:
+    for rule in DRAWN:
         curve, joints = cases[rule]
-        colour = RULE_COLOURS[rule]
+        line = RULE_LINES[rule]
         part = curve[curve["d_over_b"] > 0.002]
         axes[0].semilogy(
             part["d_over_b"],
             np.maximum(smoothed(part, "lambda_dem"), 1e-3),
-            color=colour,
             label=rule,
+            **line,
         )
         nearest = joints["d_over_b"].unique()
         nearest = nearest[np.argmin(np.abs(nearest - SHOWN_D))]
         at = joints[joints["d_over_b"] == nearest]
-        axes[1].plot(at["normal_n"] / 1e3, at["z_m"], "o-", ms=2.5, color=colour, label=rule)
+        axes[1].plot(at["normal_n"] / 1e3, at["z_m"], marker="o", ms=2.5, label=rule, **line)
         ratio = friction_moment_ratio(joints)
         ratio = ratio[(ratio.index > 0.002) & (ratio.index <= 1.0)]
-        axes[2].semilogy(ratio.index, np.maximum(ratio, 1e-2), color=colour, label=rule)
+        axes[2].semilogy(ratio.index, np.maximum(ratio, 1e-2), label=rule, **line)
     axes[1].plot(at["weight_n"] / 1e3, at["z_m"], color="k", ls="--", label="γ·t$_s$·v·h$_b$·i")
     axes[1].set(xscale="symlog", xlabel="normal force of the joint [kN]", ylabel="z [m]")
     axes[1].set_title(f"(e) bed joints at d/b = {SHOWN_D:g}", loc="left")
@@ -149,7 +157,7 @@ def main(job):
     configs = [json.loads(Path(p).read_text()) for p in job.input.scenes]
     cases = {}
     for name, config, raw, forces in zip(
-        [*RULES, "default"], configs, job.input.raw, job.input.forces, strict=True
+        [*DRAWN, "default"], configs, job.input.raw, job.input.forces, strict=True
     ):
         curve = complete_curve(pd.read_csv(raw), config, "W3")
         cases[name] = curve, joint_forces(pd.read_csv(forces), config)

@@ -10,6 +10,7 @@ from yade_scripts.model.registry import MODELS
 
 GROUPS = (
     ("header", "header joint"),
+    ("study", "the study's rule"),
     ("lower", "inclined joints"),
     ("overlap", "overlap"),
     ("friction", "friction"),

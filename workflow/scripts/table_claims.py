@@ -11,11 +11,17 @@ from rocking.runtime.script import run
 
 def main(job):
     facts = [json.loads(Path(path).read_text()) for path in job.input.facts]
-    peaks = {
-        Path(path).stem: summary(pd.read_csv(path))["lambda_peak"]
-        for path in getattr(job.input, "pushover", [])
+    pushed = {
+        Path(path).stem: summary(pd.read_csv(path)) for path in getattr(job.input, "pushover", [])
     }
-    claims = table(pd.read_csv(job.input.collapse), peaks, {f["name"]: f["source"] for f in facts})
+    peaks = {model: found["lambda_peak"] for model, found in pushed.items()}
+    rule = json.loads(job.params.w3)["w3"]["header_joint"]
+    claims = table(
+        pd.read_csv(job.input.collapse),
+        peaks,
+        {f["name"]: f["source"] for f in facts},
+        {model: (found["ratio"], rule) for model, found in pushed.items()},
+    )
     claims.to_csv(job.output[0], index=False, lineterminator="\n")
 
 

@@ -6,7 +6,8 @@ not the edge of a box. Where blocks slide off each other the rim is real; it is 
 stated in `scene.notes["rims"]` as joint name → (outward direction of the rim, its
 level along that direction). A node that has slid past its rim is released for good by
 `Releases`. If it belongs to one of the blocks in `scene.notes["debris"]`, that block has
-come out of its slot: it falls, and takes no further part.
+come out of its slot: it falls, and takes no further part; not so for the joints listed in
+`scene.notes["partial"]`, whose face is only a part of the slot.
 
 YADE's masks hold 30 bits. Scenes with more faces get boxes of their joint's size plus
 the largest relative motion, and faces whose boxes and nodes cannot meet share a bit.
@@ -50,6 +51,8 @@ class Releases:
         self.omega, self.node_body, self.released = omega, node_body, []
         names = [scene.joints[j] for j in nodes.joint]
         self.node = [i for i, name in enumerate(names) if name in rims]
+        parts = set(scene.notes.get("partial", ()))
+        self.partial = {i for i in self.node if names[i] in parts}
         used = sorted({int(k) for i in self.node for k in (nodes.a[i], nodes.b[i])})
         self.states = {k: omega.bodies[state_of_block[k]].state for k in used}
         # a clump's frame may be turned by half a turn about an axis; blocks start unturned
@@ -87,7 +90,7 @@ class Releases:
         for i in list(self.of_pair.get((a, b), ())):
             offset = place_a + turn_a @ self.arm[i] - place_b
             if i in self.node and offset @ (turn_b @ self.direction[i]) > self.edge[i]:
-                loose = self.debris.intersection((a, b))
+                loose = set() if i in self.partial else self.debris.intersection((a, b))
                 for block in loose:
                     self._let_fall(block)
                 if not loose:

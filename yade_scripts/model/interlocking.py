@@ -30,13 +30,15 @@ How a header hangs on the façade (`header_joint`)::
              and each point breaks
     sliding  two points that tie in tension but transmit no shear: it rides up the façade
     hinged   one such point at mid height: it also stays level while the façade turns
+    study    bonded, and the return bricks among the lowest courses that have a header below
+             them are cut by an inclined plane, see `split_bricks`
 """
 
 import math
 
 import numpy as np
 
-from yade_scripts.model import panels
+from yade_scripts.model import panels, split_bricks
 from yade_scripts.model.facade import (
     BASE,
     FACADE,
@@ -48,7 +50,7 @@ from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 
-HEADER_JOINTS = ("rigid", "bonded", "sliding", "hinged")
+HEADER_JOINTS = ("rigid", "bonded", "sliding", "hinged", "study")
 UP, DOWN, BACK = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0), (0.0, -1.0, 0.0)
 GAUSS = 0.5 / math.sqrt(3.0)
 
@@ -67,8 +69,8 @@ def interlocking_scene(config, beta_s, *, massive=False):
     -------
     Scene
         Its notes hold "rims" (see `faces`), "motions" (weights of floor motions by
-        name), "debris" (headers, which fall once out), "bed_joints" (names, from the
-        bottom) and "walls" (modelled return walls).
+        name), "debris" (headers, which fall once out), "partial" (see `faces`), "bed_joints"
+        (names, from the bottom) and "walls" (modelled return walls).
 
     Raises
     ------
@@ -107,6 +109,15 @@ class _Assembly:
             raise ValueError(
                 f"w3.header_joint = '{w3['header_joint']}': expected {', '.join(HEADER_JOINTS)}"
             )
+        self.split_inclination = math.radians(w3["split_inclination_deg"])
+        self.split = w3["lower_courses"] if w3["header_joint"] == "study" else 0
+        if self.split:
+            split_bricks.lowest_edge(self.course, self.v, self.split_inclination)
+            if massive:
+                raise ValueError(
+                    "w3.header_joint = 'study': expected another rule for W3m, whose bricks hang "
+                    "on the building's masses and cannot be cut"
+                )
         # in a half model everything is halved: weight and stiffness, hence no number changes
         self.walls = 1 if w3["half_model"] else wall["count"]
         self.share = self.walls / wall["count"]
@@ -114,7 +125,7 @@ class _Assembly:
         spread = 0.5 * (facade["width_m"] - self.t)
         self.x = [0.0] if self.walls == 1 else np.linspace(-spread, spread, self.walls).tolist()
         self.blocks, self.nodes, self.rims, self.motions = [], NodeList(), {}, {}
-        self.beds, self.links, self.panels = [], [], []
+        self.beds, self.links, self.panels, self.partial = [], [], [], []
         self.bed = dict(
             jkn_pa_m=w3["jkn_pa_m"],
             jks_pa_m=w3["jks_pa_m"],
@@ -135,6 +146,7 @@ class _Assembly:
         notes = {
             "rims": self.rims,
             "debris": debris,
+            "partial": self.partial,
             "motions": self.motions,
             "bed_joints": self.beds,
             "walls": self.walls,
@@ -196,20 +208,25 @@ class _Assembly:
 
     def _wall(self, wall, x):
         """One return wall: bricks, headers, and their joints from the bottom up."""
-        brick = self._brick(wall, 1, x)
+        # of a cut brick the rear stands on the column, the front between the two headers
+        rear = front = self._brick(wall, 1, x)
         area = self.t * self.length / 3.0
         foot = [(x, y, 0.0) for y in (0.0, -0.5 * self.length, -self.length)]
-        self.nodes.add_joint(f"{wall} foot", brick, 0, foot, UP, [area] * 3, **self.bed)
-        self._back(wall, 1, brick, x)
+        self.nodes.add_joint(f"{wall} foot", rear, 0, foot, UP, [area] * 3, **self.bed)
+        self._back(wall, 1, front, x)
         for course in range(2, self.courses + 1, 2):
             header = self._header(wall, course, x)
-            self._bed(wall, course - 1, brick, header, x, header_above=True)
+            self._bed(wall, course - 1, front, header, x, header_above=True)
             if course == self.courses:
                 break
-            above = self._brick(wall, course + 1, x)
-            self._bed(wall, course, above, header, x, header_above=False)
-            # the half brick behind the header stands on `brick` and is part of it
-            rear = self.length - self.v
+            below = rear
+            rear, front = self._brick_or_parts(wall, course + 1, x)
+            if rear == front:
+                self._bed(wall, course, front, header, x, header_above=False)
+            else:
+                split_bricks.add_bed(self, f"{wall} bed {course}", course, rear, front, header, x)
+            # the half brick behind the header stands on `below` and is part of it
+            length = self.length - self.v
             place = [(x, y, course * self.course) for y in (-self.v, -self.length)]
             name = f"{wall} half brick {course}"
             soft = {
@@ -217,10 +234,19 @@ class _Assembly:
                 "jkn_pa_m": 0.5 * self.bed["jkn_pa_m"],
                 "jks_pa_m": 0.5 * self.bed["jks_pa_m"],
             }
-            self.nodes.add_joint(name, brick, above, place, DOWN, 0.5 * self.t * rear, **soft)
+            self.nodes.add_joint(name, below, rear, place, DOWN, 0.5 * self.t * length, **soft)
             self.rims[name] = self._brick_rim()
-            brick = above
-            self._back(wall, course + 1, brick, x)
+            self._back(wall, course + 1, front, x)
+
+    def _brick_or_parts(self, wall, course, x):
+        """Append a return brick, cut if it is one of the lowest; return its rear and front."""
+        if course > self.split:
+            whole = self._brick(wall, course, x)
+            return whole, whole
+        bottom = (course - 1) * self.course
+        name, half = f"{wall} brick {course}", course < self.courses
+        motion = self._motion(bottom + 0.5 * self.course)
+        return split_bricks.add_parts(self, name, x, bottom, motion, half)
 
     def _brick(self, wall, course, x):
         """Append a return brick with the half brick above its rear; return its index."""
@@ -291,9 +317,11 @@ class _Assembly:
             jkn_pa_m=w3["jkn_pa_m"], jks_pa_m=w3["jks_pa_m"], beta_s=w3["joint_beta_s"]
         )
         pair = [(x, 0.0, middle - GAUSS * self.course), (x, 0.0, middle + GAUSS * self.course)]
-        if course <= w3["lower_courses"]:
-            # a plane through the joint along which façade and header part as it rises
-            slope = math.radians(w3["lower_inclination_deg"])
+        # a plane through the joint along which façade and header part as it rises
+        inclined = rule != "study" and course <= w3["lower_courses"]
+        if inclined or rule in ("bonded", "study"):
+            slope = math.radians(w3["lower_inclination_deg"]) if inclined else 0.0
+            strength = "lower" if inclined else "header"
             self.nodes.add_joint(
                 name,
                 header,
@@ -302,21 +330,8 @@ class _Assembly:
                 (0.0, -math.cos(slope), -math.sin(slope)),
                 0.5 * area,
                 friction_rad=math.radians(w3["friction_deg"]),
-                tension_pa=w3["lower_tension_mpa"] * 1e6,
-                cohesion_pa=w3["lower_cohesion_mpa"] * 1e6,
-                **stiffness,
-            )
-        elif rule == "bonded":
-            self.nodes.add_joint(
-                name,
-                header,
-                1,
-                pair,
-                BACK,
-                0.5 * area,
-                friction_rad=math.radians(w3["friction_deg"]),
-                tension_pa=w3["header_tension_mpa"] * 1e6,
-                cohesion_pa=w3["header_cohesion_mpa"] * 1e6,
+                tension_pa=w3[f"{strength}_tension_mpa"] * 1e6,
+                cohesion_pa=w3[f"{strength}_cohesion_mpa"] * 1e6,
                 **stiffness,
             )
         else:

@@ -20,10 +20,20 @@ CURVE_COLUMNS = [
     "lambda_dem_corrected",
 ]
 RULES = ("rigid", "bonded", "sliding", "hinged")
+DRAWN = (*RULES, "study")
 # one change of the default W3 each; "header_*" without inclined joints, so only the rule differs
+# ("header_study" has its own, in the return wall)
 VARIANTS: dict[str, dict] = {
     "default": {},
     **{f"header_{rule}": {"w3.header_joint": rule, "w3.lower_courses": 0} for rule in RULES},
+    "header_study": {"w3.header_joint": "study"},
+    "study_7_lower_courses": {"w3.header_joint": "study", "w3.lower_courses": 7},
+    "study_all_courses": {"w3.header_joint": "study", "w3.lower_courses": 1000},
+    "study_all_vertical": {
+        "w3.header_joint": "study",
+        "w3.lower_courses": 1000,
+        "w3.split_inclination_deg": 0.0,
+    },
     "lower_courses_0": {"w3.lower_courses": 0},
     "lower_courses_6": {"w3.lower_courses": 6},
     "overlap_0.0625_m": {"w3.overlap_m": 0.0625},

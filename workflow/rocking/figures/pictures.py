@@ -44,11 +44,12 @@ def _w3_boxes(block, i, places, config):
     """Boxes of a header, or of a return brick with its half brick."""
     w3, h = config["w3"], config["facade"]["height_m"]
     centre, size = np.array(block["centre_m"]), np.array(block["size_m"])
-    if " header " in block["name"]:
+    if " header " in block["name"] or block["name"].endswith(" front"):
         return [(np.array([x, centre[1], centre[2]]), size, i) for x in places]
     low = (int(block["name"].split()[-1]) - 1) * w3["course_height_m"]
     rear = w3["brick_length_m"] - w3["overlap_m"]
-    out = [(np.array([x, -0.5 * size[1], low + 0.5 * size[2]]), size, i) for x in places]
+    y = 0.5 * size[1] - w3["brick_length_m"]  # a cut brick's rear is shorter
+    out = [(np.array([x, y, low + 0.5 * size[2]]), size, i) for x in places]
     if low + 2 * size[2] <= h + 1e-9:
         half = np.array([size[0], rear, size[2]])
         y = -w3["overlap_m"] - 0.5 * rear

@@ -1,6 +1,6 @@
 """Files of pushover, pictures and claims."""
 
-from rocking.curves.pushover import RULES, VARIANTS
+from rocking.curves.pushover import DRAWN, VARIANTS
 
 
 class Boundary:
@@ -36,7 +36,7 @@ class Boundary:
 
     def drawn_variants(self, pattern) -> list[str]:
         """Files of the variants that Figure 8 draws: the header rules, and the default."""
-        return self.variants(pattern, [*(f"header_{rule}" for rule in RULES), "default"])
+        return self.variants(pattern, [*(f"header_{rule}" for rule in DRAWN), "default"])
 
     def results(self, run) -> list[str]:
         """Everything about boundary conditions; IDA of the models of the configuration."""

@@ -107,6 +107,11 @@ class Building:
             for c in self.settings(wildcards.run)["explicit_convergence"]
         ]
 
+    def explicit_tables(self, wildcards) -> list[str]:
+        """Explicit against modal run of every record that is run explicitly."""
+        records = self.records(wildcards.run, "explicit_records")
+        return [f"results/{wildcards.run}/tables/building_explicit_{r}.csv" for r in records]
+
     def results(self, run) -> list[str]:
         """Everything the target `building` makes for one run."""
         names = [f"tables/{name}.csv" for name in TABLES]
@@ -117,6 +122,8 @@ class Building:
         for record in self.records(run, "explicit_records"):
             figures.append(f"fig03_rattling_{record}")
             names.append(f"tables/building_explicit_{record}.csv")
+        if Path(self.settings(run)["plan"]).stem.startswith("case_study"):
+            names.append("tables/claims_building.csv")
         names += [f"figures/{name}.png" for name in figures]
         return [f"results/{run}/{name}" for name in names]
 

@@ -1,5 +1,8 @@
 """Which files the calibration of β needs and makes."""
 
+from pathlib import Path
+
+from rocking.calibration import FREE_ROCKING_HIGH_S, FREE_ROCKING_LOW_S
 from rocking.configuration import config as configuration
 from rocking.records import RecordError, read_table
 
@@ -81,6 +84,12 @@ class Calibration:
     def results(self, run) -> list[str]:
         """What `snakemake calibration` makes for one run."""
         tables = ["free_rocking", "beta_fit", "beta_walls", "beta_regression", "shake_table"]
+        settings = self.settings(run)
+        tested = Path(settings["free_rocking_wall"]).stem == "sorrentino"
+        if tested and {*FREE_ROCKING_LOW_S, *FREE_ROCKING_HIGH_S} <= set(
+            settings["free_rocking_beta_s"]
+        ):
+            tables.append("claims_calibration")
         figures = ["fig04_calibration", "fig05_sorrentino", "fig06_shawa", "damping_choice"]
         return [
             *(f"results/{run}/tables/{name}.csv" for name in tables),
