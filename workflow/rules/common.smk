@@ -15,6 +15,7 @@ except ModuleNotFoundError as error:
         " which `make setup` makes"
     )
 from rocking.configuration import config as configuration
+from rocking.curves.intensity_measures import MEASURES
 from rocking.curves.pushover import VARIANTS
 from rocking.records import RecordError
 from rocking.records.check import check_study
@@ -71,6 +72,7 @@ BUILDING = study.Building(STUDY)
 CALIBRATION = study.Calibration(STUDY)
 COMPARE = study.Compare(STUDY)
 FRAGILITY = study.Fragility(STUDY)
+RISK = study.Risk(STUDY)
 
 
 def files_of(path):

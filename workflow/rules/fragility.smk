@@ -9,6 +9,7 @@ wildcard_constraints:
 rule fragility:
     input:
         with_pages(STUDY.per_run(FRAGILITY.results)),
+        STUDY.per_run(RISK.models_for_openquake),
 
 
 rule capacity_reduction:

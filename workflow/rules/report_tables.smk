@@ -34,6 +34,14 @@ REPORT_TABLES = {
         "Dispersion of the collapse intensity and its interval; share of the draws in which it is"
         " below that of PGA.",
     ),
+    "risk": (
+        "Risk",
+        "rate of collapse",
+        "Annual rate of collapse and its probability within the stated years, from the hazard curve and"
+        " the fitted fragility; intervals from records drawn with replacement. They hold neither the"
+        " uncertainty of the hazard nor that of the façade. Outside share: part of the rate from"
+        " intensities beyond the hazard table, where its outer slopes go on.",
+    ),
     "capacity_reduction": (
         "Capacity reduction",
         "W2/W1 of every record",

@@ -11,5 +11,15 @@ from rocking.study.calibration import Calibration
 from rocking.study.compare import Compare
 from rocking.study.core import Study
 from rocking.study.fragility import Fragility
+from rocking.study.risk import Risk
 
-__all__ = ["Accuracy", "Boundary", "Building", "Calibration", "Compare", "Fragility", "Study"]
+__all__ = [
+    "Accuracy",
+    "Boundary",
+    "Building",
+    "Calibration",
+    "Compare",
+    "Fragility",
+    "Risk",
+    "Study",
+]

@@ -1,0 +1,143 @@
+"""Risk: closed forms of the rate, two forms of one hazard, fragilities that read back the same."""
+
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+from rocking.curves.fragility import Fragility
+from rocking.risk import nrml, rates
+from rocking.risk.hazard import Hazard, HazardError, imt_of, read_hazard
+from scipy import stats
+from scipy.integrate import quad
+
+K0, K, THETA, BETA = 2e-4, 2.3, 0.31, 0.47
+
+
+def power_law(*levels):
+    x = np.array(levels)
+    return Hazard("pga_g", x, K0 * x**-K)
+
+
+def bent(x):
+    """Hazard of a curve that steepens, on its own points."""
+    return 1e-2 * (x / 0.05) ** -(1.2 + 0.5 * np.log(x / 0.05))
+
+
+CURVED = np.geomspace(0.05, 2.0, 9)
+
+
+def test_power_law_hazard_has_the_closed_form_of_jalayer_whatever_its_points():
+    expected = K0 * THETA**-K * np.exp(0.5 * (K * BETA) ** 2)
+    for hazard in (power_law(0.1, 0.2), power_law(0.01, 0.3, 0.5, 9.0), power_law(2.0, 3.0)):
+        rate, _ = rates.collapse_rate(hazard, THETA, BETA)
+        assert rate[0] == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_sharp_fragility_gives_the_hazard_at_its_median():
+    hazard = Hazard("pga_g", CURVED, bent(CURVED))
+    rate, _ = rates.collapse_rate(hazard, CURVED[4], 1e-5)
+    assert rate[0] == pytest.approx(bent(CURVED[4]), rel=1e-3)
+
+
+def test_rate_and_its_parts_agree_with_quadrature():
+    """∫ F(x) |dλ/dx| dx, by quadrature of the hazard's own slope, interval by interval."""
+    hazard = Hazard("pga_g", CURVED, bent(CURVED))
+    edges, rate = rates.by_interval(hazard, THETA, BETA, [0.07, 0.4])
+    fragility = stats.lognorm(BETA, scale=THETA)
+    for a, b, part in zip(edges[1:-2], edges[2:-1], rate[0, 1:-1], strict=True):
+        slope = np.log(hazard.rate(b) / hazard.rate(a)) / np.log(b / a)
+        by_hand, _ = quad(lambda x, s=slope: fragility.cdf(x) * -s * hazard.rate(x) / x, a, b)
+        assert part == pytest.approx(by_hand, rel=1e-8)
+    total, outside = rates.collapse_rate(hazard, THETA, BETA)
+    assert rate.sum() == pytest.approx(total[0], rel=1e-12)
+    assert outside[0] == pytest.approx((rate[0, 0] + rate[0, -1]) / total[0])
+
+
+def test_many_fragilities_at_once_and_the_two_without_a_fit():
+    hazard = Hazard("pga_g", CURVED, bent(CURVED))
+    rate, _ = rates.collapse_rate(hazard, [THETA, 0.0, np.inf], [BETA, 0.3, 0.3])
+    assert rate[0] == pytest.approx(rates.collapse_rate(hazard, THETA, BETA)[0][0])
+    assert np.isinf(rate[1])
+    assert rate[2] == 0.0
+
+
+def test_probability_in_time_is_that_of_a_poisson_process():
+    # 475 years of return period are 10 % in 50 years
+    assert rates.probability_within(1 / 474.561, 50) == pytest.approx(0.1, rel=1e-4)
+
+
+OPENQUAKE = (
+    "#,,,,,\"generated_by='OpenQuake engine 3.18.0', start_date='2023-10-03T06:09:08',"
+    " checksum=2107362341, kind='mean', investigation_time={t}, imt='{imt}'\"\n"
+    "lon,lat,depth,poe-0.1000000,poe-0.4000000,poe-0.6000000,poe-0.9\n"
+)
+
+
+def test_an_export_of_openquake_and_a_table_of_rates_are_one_curve(tmp_path):
+    rate = np.array([2e-2, 3e-3, 9e-4])
+    table, export = tmp_path / "own.csv", tmp_path / "hazard_curve-mean-PGA_1.csv"
+    rows = "".join(f"{x},{y}\n" for x, y in zip((0.1, 0.4, 0.6), rate, strict=True))
+    table.write_text("# a site\npga_g,annual_rate\n" + rows)
+    poes = ",".join(f"{p:.12E}" for p in 1.0 - np.exp(-50.0 * rate))
+    sites = f"13.40,42.35,0.0,{poes},0.0\n13.50,42.35,0.0,1.0,0.2,0.1,0.0\n"
+    export.write_text(OPENQUAKE.format(t="50.0", imt="PGA") + sites)
+    one, other = read_hazard(table, 0.27), read_hazard(export, 0.27, site=(13.40, 42.35))
+    assert one.measure == other.measure == "pga_g"
+    np.testing.assert_allclose(one.intensity, other.intensity)
+    np.testing.assert_allclose(one.annual_rate, other.annual_rate, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("pga,annual_rate\n", "columns pga, annual_rate; expected one of pga_g"),
+        ("pga_g,annual_rate\n0.1,0.1\n", "1 usable points; expected two or more"),
+        ("pga_g,annual_rate\n0.1,0.1\n0.2,0.2\n", "line 3: rate 0.2 at 0.2, 0.1 at 0.1"),
+        ("pga_g,annual_rate\n0.2,0.1\n0.1,0.05\n", "line 3: intensity 0.1 after 0.2"),
+        ("pga_g,annual_rate\n0.1,0.1\nx,0.05\n", "line 3: expected a number, found 'x'"),
+        ("pga_g,annual_rate\n0.1,0.1\n0.2,0.05,1\n", "line 3: 3 values; expected 2"),
+        ("pga_g,annual_rate\n0,0.1\n0.2,0.05\n", "expected positive numbers"),
+        (OPENQUAKE.format(t="50", imt="SA(0.3)") + "1,1,0,.2,.1,.1,0\n", "SA(0.3); Sa(T1) of this"),
+        (OPENQUAKE.format(t="50", imt="MMI") + "1,1,0,.2,.1,.1,0\n", "measure MMI; expected PGA"),
+        (OPENQUAKE.format(t="50", imt="PGA") + "1,1,0,2,.1,.1,0\n", "expected 0 to 1"),
+        (OPENQUAKE.format(t="0", imt="PGA") + "1,1,0,.2,.1,.1,0\n", "expected it positive"),
+        (
+            OPENQUAKE.format(t="50", imt="PGA") + "1,1,0,.2,.1,.01,0\n2,1,0,.2,.1,.01,0\n",
+            "2 sites; expected one (risk.site",
+        ),
+    ],
+)
+def test_a_faulty_hazard_table_is_refused_in_one_line(tmp_path, text, words):
+    path = tmp_path / "hazard.csv"
+    path.write_text(text)
+    with pytest.raises(HazardError, match="hazard.csv") as caught:
+        read_hazard(path, 0.27)
+    assert words in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_openquake_model_carries_the_same_distribution_in_both_forms():
+    fits = {"W1": Fragility(THETA, BETA), "W2": Fragility(0.2, 0.6)}
+    for discrete in (False, True):
+        text = nrml.document("trial", "a façade", imt_of("sa_t1_g", 0.27), fits, discrete)
+        root = ET.fromstring(text)
+        space = {"n": nrml.NAMESPACE}
+        assert root.find("n:fragilityModel/n:limitStates", space).text == "collapse"
+        for function, fit in zip(
+            root.findall("n:fragilityModel/n:fragilityFunction", space), fits.values(), strict=True
+        ):
+            imls = function.find("n:imls", space)
+            assert imls.get("imt") == "SA(0.27)"
+            if discrete:
+                x, p = (
+                    np.array(function.find(f"n:{tag}", space).text.split(), float)
+                    for tag in ("imls", "poes")
+                )
+            else:
+                params = function.find("n:params", space)
+                m, s = (float(params.get(name)) for name in ("mean", "stddev"))
+                # lognormal of mean m and standard deviation s, by its variance alone
+                sigma = np.sqrt(np.log(1.0 + (s / m) ** 2))
+                x = np.geomspace(float(imls.get("minIML")), float(imls.get("maxIML")), 20)
+                p = stats.lognorm(sigma, scale=m * np.exp(-0.5 * sigma**2)).cdf(x)
+            np.testing.assert_allclose(p, fit.probability(x), atol=2e-6)
