@@ -34,6 +34,16 @@ def _package(path):
     return ""
 
 
+def names(files):
+    """Dotted names of those files that are modules of the project, sorted."""
+    found = []
+    for path in map(Path, files):
+        package = _package(path)
+        if package and path.suffix == ".py":
+            found.append(package if path.stem == "__init__" else f"{package}.{path.stem}")
+    return sorted(found)
+
+
 @cache
 def imports(path):
     """Project files that one file imports by itself, with the `__init__` of their packages.

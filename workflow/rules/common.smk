@@ -19,7 +19,7 @@ from rocking.curves.intensity_measures import MEASURES
 from rocking.curves.pushover import VARIANTS
 from rocking.records import RecordError
 from rocking.records.check import check_study
-from rocking.runtime import file_times, first_page, progress, run_lock, terminal
+from rocking.runtime import file_times, first_page, progress, run_lock, terminal, warm
 from rocking.study.calibration import CASES, HISTORIES
 from rocking.study.chosen import chosen
 from yade_scripts import sources
@@ -141,6 +141,7 @@ onstart:
         progress.opening(tasks, list(STUDY.runs), workflow.cores), file=sys.stderr
     )
     progress.Progress(tasks).watch()
+    warm.serve(workflow)
 
 
 onsuccess:

@@ -18,7 +18,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
-from scipy import optimize, stats
+import scipy
 
 from rocking.mechanics import closed_forms
 from yade_scripts.model.facade import joint_stiffness
@@ -126,7 +126,7 @@ class Law:
         row = np.array([1.0, *(math.log(values[name]) for name in self.names)])
         mean = float(row @ np.array(self.coefficients))
         spread = math.sqrt(self.residual_std**2 + float(row @ np.array(self.covariance) @ row))
-        half = float(stats.t.ppf(0.5 + 0.5 * level, self.freedom)) * spread
+        half = float(scipy.stats.t.ppf(0.5 + 0.5 * level, self.freedom)) * spread
         omega = values["omega_c_rad_s"]
         return tuple(math.exp(mean + shift) / omega for shift in (0.0, -half, half))
 
@@ -201,7 +201,7 @@ def fit_law(walls, betas_s, names):
 
 def half_widths(law, level=0.95):
     """Half widths of the coefficients' confidence intervals (Student's t)."""
-    factor = float(stats.t.ppf(0.5 + 0.5 * level, law.freedom))
+    factor = float(scipy.stats.t.ppf(0.5 + 0.5 * level, law.freedom))
     return factor * np.sqrt(np.diag(np.array(law.covariance)))
 
 
@@ -235,7 +235,7 @@ def dimensional_error(b_m, e_mpa, slenderness, betas_s):
         return np.log(front) + rows[:, 2] * (c[3] * rows[:, 1] + c[4])
 
     def solve(keep):
-        return optimize.least_squares(
+        return scipy.optimize.least_squares(
             lambda c: log_beta(c, x[keep]) - y[keep], np.ones(5), x_scale="jac"
         ).x
 

@@ -28,6 +28,7 @@ import yaml
 from yade_scripts.model import registry
 
 FOLDER = Path(__file__).resolve().parents[2] / "schemas"
+LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # libyaml, where PyYAML has it
 TOP = "run"  # the schema whose keys stand at the top level
 STUDY_KEYS = ("scenario", "scenarios", "grid")  # of a study, not of one run
 MAX_VALUES = 20_000  # values in one configuration; more is a mistake or an attack
@@ -63,7 +64,7 @@ def sections(folder: Path = FOLDER) -> dict[str, dict]:
         raise FileNotFoundError(f"{folder}: no {TOP}.schema.yaml")
     names.sort(key=lambda name: name != TOP)
     files = {name: folder / f"{name}.schema.yaml" for name in names}
-    loaded = {name: yaml.safe_load(path.read_text("utf-8")) for name, path in files.items()}
+    loaded = {name: yaml.load(path.read_text("utf-8"), LOADER) for name, path in files.items()}
     for section in loaded.values():
         for _, leaf in leaves(section):
             for part in (leaf, leaf.get("items", {})):

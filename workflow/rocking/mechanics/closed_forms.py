@@ -9,8 +9,7 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from scipy.integrate import quad
-from scipy.optimize import brentq, minimize_scalar
+import scipy
 
 from yade_scripts.model.gravity import GRAVITY_M_S2 as G_M_S2
 
@@ -72,7 +71,7 @@ def quarter_period_finite(theta0_over_alpha, h_m, b_m, gravity_m_s2=G_M_S2):
         drop = 2.0 * math.sin(alpha - theta0 + half) * (math.sin(half) / (s * s) if s else 0.5)
         return 2.0 / (p * math.sqrt(2.0 * drop))
 
-    return quad(integrand, 0.0, math.sqrt(theta0), epsabs=0.0, epsrel=1e-10)[0]
+    return scipy.integrate.quad(integrand, 0.0, math.sqrt(theta0), epsabs=0.0, epsrel=1e-10)[0]
 
 
 def energy_ratio(theta_over_alpha):
@@ -186,7 +185,7 @@ def overturning_half_sine(omega_over_p):
     high = 2.0
     while excess(high) < 0.0:
         high *= 2.0
-    return brentq(excess, 1.0, high, xtol=1e-13)
+    return scipy.optimize.brentq(excess, 1.0, high, xtol=1e-13)
 
 
 def overturning_index(time_s, acceleration_m_s2, alpha_rad, p_rad_s, gravity_m_s2=G_M_S2):
@@ -334,7 +333,7 @@ def tip_over_compliant_base(h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2=G_M_
     if b_m**3 / 12.0 <= q * h_m / 2.0:
         return math.nan, 0.0
     alpha = math.atan2(b_m, h_m)
-    found = minimize_scalar(
+    found = scipy.optimize.minimize_scalar(
         lambda t: -capacity_compliant_base(t, h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2),
         bounds=(0.0, alpha),
         method="bounded",

@@ -1,0 +1,101 @@
+"""Scripts forked from a server are what they are when Python starts them."""
+
+import json
+import os
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+from rocking.runtime import warm
+
+ROOT = Path(__file__).resolve().parents[2]
+
+TELL = """
+import json, os, sys
+loaded = "pandas" in sys.modules
+told = {"name": __name__, "argv": sys.argv, "folder": os.getcwd(), "parent": os.getppid(),
+        "loaded": loaded, "threads": os.environ["OMP_NUM_THREADS"]}
+"""
+
+SNAKEFILE = """
+from rocking.runtime import warm
+
+onstart:
+    warm.serve(workflow)
+
+rule all:
+    input: expand("{{n}}.json", n=[1, 2, 3, 4])
+
+
+rule tell:
+    input: modules={modules!r}
+    output: "{{n}}.json"
+    log: "{{n}}.log"
+    benchmark: "{{n}}.tsv"
+    params: number=lambda w: int(w.n)
+    script: "tell.py"
+"""
+
+
+def snakemake(folder, *arguments):
+    command = [sys.executable, "-m", "snakemake", "--cores", "2", "--quiet", "all", *arguments]
+    environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'workflow'}"}
+    return subprocess.run(
+        command, cwd=folder, env=environment, capture_output=True, text=True, timeout=120
+    )
+
+
+def test_snakemake_starts_many_scripts_from_one_server(tmp_path):
+    """Same parent, libraries there already; params, log and benchmark as ever."""
+    (tmp_path / "tell.py").write_text(
+        TELL + 'told["number"] = snakemake.params.number\n'
+        'json.dump(told, open(snakemake.output[0], "w"))\n'
+    )
+    (tmp_path / "Snakefile").write_text(SNAKEFILE.format(modules=["tell.py"]))
+    done = snakemake(tmp_path)
+    assert done.returncode == 0, done.stderr
+    told = [json.loads((tmp_path / f"{n}.json").read_text()) for n in (1, 2, 3, 4)]
+    assert [t["number"] for t in told] == [1, 2, 3, 4]
+    assert len({t["parent"] for t in told}) == 1
+    for t in told:
+        assert t["loaded"]
+        assert (t["name"], t["folder"], t["threads"]) == ("__main__", str(tmp_path), "1")
+        assert len(t["argv"]) == 1
+        assert t["argv"][0].endswith("tell.py")
+    assert (tmp_path / "1.tsv").read_text().startswith("s\t")
+
+
+def test_a_script_s_end_is_its_own(tmp_path, monkeypatch):
+    """Exit status, an exception, a signal: an error each; the next script runs all the same."""
+    monkeypatch.setattr(warm, "LIBRARIES", ())
+    monkeypatch.chdir(tmp_path)
+    server = warm.Server()
+    Path("good.py").write_text("import os; open(str(os.getpid()), 'w')\n")
+    for name, code, status in (
+        ("exit", "raise SystemExit(3)", 3),
+        ("raise", "raise KeyError", 1),
+        ("killed", "import os; os.kill(os.getpid(), 9)", -9),
+    ):
+        Path(f"{name}.py").write_text(code)
+        with pytest.raises(subprocess.CalledProcessError) as caught:
+            server.run(f"{name}.py")
+        assert caught.value.returncode == status
+    threads = [threading.Thread(target=server.run, args=("good.py",)) for _ in range(6)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(60)
+    assert len([path for path in Path().iterdir() if path.name.isdigit()]) == 6
+
+
+def test_what_changed_since_the_server_started_is_not_run_from_it(tmp_path):
+    (tmp_path / "a.py").write_text("")
+    now = time.time()
+    os.utime(tmp_path / "a.py", (now - 5, now - 5))
+    assert warm.is_current([tmp_path / "a.py"], now)
+    os.utime(tmp_path / "a.py", (now + 5, now + 5))
+    assert not warm.is_current([tmp_path / "a.py"], now)
+    assert warm.is_current([], now)

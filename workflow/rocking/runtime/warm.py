@@ -1,0 +1,161 @@
+"""Scripts started from a process that has loaded the libraries already.
+
+A table takes milliseconds to make and a second or two to import pandas, SciPy and Snakemake. Where
+many scripts are due, one server imports them once (the standard library's `forkserver`), and every
+script is a process forked from it: alone in its process as before, with its own log and benchmark.
+"""
+
+import contextlib
+import multiprocessing
+import os
+import runpy
+import subprocess
+import sys
+import threading
+import time
+from multiprocessing.connection import wait
+from pathlib import Path
+
+from yade_scripts import sources
+
+FEWEST = 3  # scripts; below, starting the server costs more than it saves
+LIBRARIES = (
+    "snakemake.cli",  # a child of Snakemake's process imports it again
+    "snakemake.iocontainers",  # what Snakemake's scripts begin with
+    "pandas",
+    "matplotlib.backends.backend_pdf",
+    "matplotlib.backends.backend_agg",
+)
+THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMEXPR_NUM_THREADS")
+
+
+def is_current(modules, since_s):
+    """Whether none of the files was changed at or after a time [s since the epoch]."""
+    return all(os.stat(path).st_mtime < since_s for path in modules)
+
+
+def _script(path, folder, temporary):
+    """Run a script in a process forked from the server."""
+    os.chdir(folder)
+    if temporary:
+        os.environ.update(dict.fromkeys(("TMPDIR", "TMP", "TEMP", "TEMPDIR"), temporary))
+    sys.argv = [path]
+    sys.path.insert(0, str(Path(path).resolve().parent))
+    runpy.run_path(path, run_name="__main__")
+
+
+class Server:
+    """Starts scripts; used from the threads of one Snakemake process.
+
+    Parameters
+    ----------
+    modules : iterable of str
+        Dotted names of what the server imports beside `LIBRARIES`.
+
+    Raises
+    ------
+    OSError
+        If the server ends at once.
+    """
+
+    def __init__(self, modules=()):
+        """Start, and wait until all is imported, so that an interrupt meets this process alone."""
+        self.began_s = time.time()
+        self.lock = threading.Lock()  # the standard library's bookkeeping is not for threads
+        self.context = multiprocessing.get_context("forkserver")
+        self.context.set_forkserver_preload([*LIBRARIES, *modules])
+        # BLAS reads the number of its threads once, when the server imports it
+        with _environment(dict.fromkeys(THREADS, "1")):
+            self._start(int).join()
+
+    def _start(self, target, *arguments):
+        process = self.context.Process(target=target, args=arguments)
+        try:
+            process.start()
+        except EOFError as error:
+            raise OSError(f"the server of scripts has ended: {error}") from error
+        return process
+
+    def run(self, path, watched=lambda pid: contextlib.nullcontext(), temporary=None):
+        """Run a script in the working folder and wait for its end.
+
+        Parameters
+        ----------
+        path : str
+        watched : callable
+            Takes the process's number, returns the context to wait in (a benchmark).
+        temporary : str, optional
+            Folder for temporary files.
+
+        Raises
+        ------
+        subprocess.CalledProcessError
+            If it ends with another status than 0.
+        OSError
+            If it could not be started.
+        """
+        with self.lock:
+            process = self._start(_script, str(path), os.getcwd(), temporary)
+        with watched(process.pid):
+            wait([process.sentinel])
+        with self.lock:
+            process.join()
+        if process.exitcode:
+            raise subprocess.CalledProcessError(process.exitcode, [sys.executable, str(path)])
+
+
+@contextlib.contextmanager
+def _environment(values):
+    """Environment variables for a while."""
+    before = {name: os.environ.get(name) for name in values}
+    os.environ.update(values)
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value
+
+
+def serve(workflow):
+    """Let Snakemake start the Python scripts of its rules from a server, if many are due.
+
+    A script of several threads, one whose modules were changed since the server started, and one
+    that the server cannot start, are started as Snakemake does.
+
+    Parameters
+    ----------
+    workflow : snakemake.workflow.Workflow
+        With its DAG, as it is in `onstart`.
+    """
+    from snakemake.benchmark import benchmarked
+    from snakemake.script import PythonScript
+
+    due = [job for job in workflow.dag.needrun_jobs() if job.rule.script]
+    if len(due) < FEWEST:
+        return
+    files = {path for job in due for path in job.input.get("modules", ())}
+    try:
+        server, cold = Server(sources.names(files)), PythonScript.execute_script
+    except OSError:
+        return
+
+    def execute_script(self, fname, edit=False):
+        plain = not (self.container_img or self.conda_env or self.env_modules)
+        current = is_current(self.input.get("modules", ()), server.began_s)
+        if not (plain and current and self.threads == 1):
+            return cold(self, fname, edit)
+
+        def watched(pid):
+            if self.bench_record is None:
+                return contextlib.nullcontext()
+            return benchmarked(pid, self.bench_record)
+
+        try:
+            return server.run(fname, watched, self.resources.get("tmpdir"))
+        except OSError:
+            return cold(self, fname, edit)
+
+    PythonScript.execute_script = execute_script
