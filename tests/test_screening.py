@@ -317,7 +317,7 @@ def test_runs_where_nothing_can_be_written(tmp_path):
     code = (
         "import numba.core.caching as c, json\n"
         "c.CacheImpl._locator_classes = []\n"
-        "from rocking.screening.kernel import compiled\n"
+        "from rocking.runtime.compiled import compiled\n"
         "print(json.dumps(compiled(lambda x: x + 1)(1)))"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60, text=True)

@@ -171,9 +171,9 @@ def test_reference_and_runs_scale_a_motion_alike(tmp_path, monkeypatch):
 
     def stand_in(wall, motion, scale, **settings):
         scales.append(scale)
-        return SimpleNamespace(status="ok", d_over_b=np.zeros(3), time_s=np.zeros(3))
+        return SimpleNamespace(status=["ok"], peak_d_over_b=np.zeros(1), end_time_s=np.zeros(1))
 
-    monkeypatch.setattr(reference, "simulate", stand_in)
+    monkeypatch.setattr(reference, "simulate_batch", stand_in)
     job = {**resolved(), "model": "W1", "beta_s": BETA_S}
     for direction in ("pos", "neg"):
         reference.peak_d_over_b(job, path, direction, 0.3)

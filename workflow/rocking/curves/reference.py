@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from rocking.planar import Motion, Wall, simulate, simulate_batch
+from rocking.planar import Motion, Wall, simulate_batch
 from yade_scripts.model import floor_motions, registry
 from yade_scripts.model.motion import amplitude
 
@@ -48,16 +48,15 @@ def peak_d_over_b(job, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-
 def judge(job, motion_path, direction, pga_g, *, nodes, tolerance):
     """Largest |d|/b of one history as `peak_d_over_b`, and the time simulated [s]."""
     motion = read_motion(motion_path, job["model"])
-    history = simulate(
+    found = simulate_batch(
         wall_of(job, nodes),
         motion,
+        amplitude(motion.base_m_s2, direction, pga_g),
         tolerance=tolerance,
         stop_d_over_b=1.0,
-        scale=amplitude(motion.base_m_s2, direction, pga_g),
     )
-    if history.status == "failed":
-        return float("nan"), float(history.time_s[-1])
-    return min(1.0, float(np.max(np.abs(history.d_over_b)))), float(history.time_s[-1])
+    peak, end = float(found.peak_d_over_b[0]), float(found.end_time_s[0])
+    return float("nan") if found.status[0] == "failed" else min(1.0, peak), end
 
 
 def ensemble_peaks(job, motion_path, direction, pga_g, factors, *, nodes=17, dt_s=4e-4):

@@ -5,23 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .contact import SLIP, Equations
+from .contact import OMEGA, SLIP, THETA, VY, Y, Z, initial, law_of
+from .integrate import COLUMNS, Control, Drive, fixed, march, units
 from .motion import Motion
 
-# Dormand and Prince (1980): stages, weights of order 5, and order 5 minus order 4
-_C = (0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0)
-_A = [
-    np.array(row)
-    for row in (
-        (1 / 5,),
-        (3 / 40, 9 / 40),
-        (44 / 45, -56 / 15, 32 / 9),
-        (19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729),
-        (9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656),
-        (35 / 384, 0.0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84),
-    )
-]
-_E = np.array((71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40))
+ROWS = 4096  # room for rows at the start
 
 
 @dataclass(frozen=True)
@@ -77,87 +65,6 @@ class History:
         return np.array([p for p in peaks if p >= smallest])
 
 
-def _step(equations, state, rate, support, tau, h):
-    """One Dormand–Prince step; returns the new state, its limits μN and the error estimate."""
-    stages = np.empty((7,) + state.shape)
-    stages[0] = rate
-    flat = stages.reshape(7, -1)
-    for i in range(1, 7):
-        new = state + h * (_A[i - 1] @ flat[:i]).reshape(state.shape)
-        stages[i], limit = equations.rates(new, *support(tau + h * (_C[i] if i < 6 else 1.0)))
-    return new, limit, h * (_E @ flat).reshape(state.shape)
-
-
-def march(equations, state, motion, factor, duration_s, tolerance, max_step_s, min_step_s, observe):
-    """Advance a batch of cases with one common, error-controlled step.
-
-    Parameters
-    ----------
-    equations : Equations
-    state : ndarray, shape (cases, equations.size)
-    motion : Motion
-    factor : ndarray, shape (cases,)
-        Factor on the accelerations of each case.
-    duration_s, tolerance, max_step_s, min_step_s : float
-        See `simulate`.
-    observe : callable
-        Called as observe(time, state, wall displacements) at the start and after
-        every step; returns the mask of the cases to go on with.
-
-    Returns
-    -------
-    steps, rejected : int
-    """
-    wall = equations.wall
-    unit = np.array([wall.b_m, wall.b_m, wall.alpha_rad] * 2)
-    unit[3:] *= wall.p_rad_s
-    steps = rejected = k = 0
-    time, h = 0.0, 1e-2 * max_step_s
-    raw = motion.interval(0, wall.n_segments)
-
-    def support(tau):
-        base, u, v = raw(tau)
-        if u is None:
-            return factor * base, None, None
-        return factor * base, factor[:, None] * u, factor[:, None] * v
-
-    at = support(0.0)
-    rate, limit = equations.rates(state, *at)
-    going = observe(time, state, at[1])
-    while going.any() and time < duration_s * (1.0 - 1e-12):
-        if not going.all():
-            state, factor = state[going], factor[going]
-            rate = rate[going]
-        start = k * motion.dt_s
-        knot = (k + 1) * motion.dt_s if k < motion.intervals else math.inf
-        left = min(knot, duration_s) - time
-        trial = left if h >= left else min(h, max(0.5 * left, min_step_s))
-        new, limit, error = _step(equations, state, rate, support, time - start, trial)
-        size = np.max(np.abs(error[:, :6]) / unit) / tolerance
-        if not size <= 1.0 and trial > min_step_s:
-            shrink = max(0.2, 0.9 * size**-0.2) if math.isfinite(size) else 0.2
-            h = max(trial * shrink, min_step_s)
-            rejected += 1
-            going = np.ones(len(state), bool)
-            continue
-        steps += 1
-        growth = 5.0 if size <= 0.0 else 0.9 * size**-0.2 if math.isfinite(size) else 1.0
-        h = min(max(trial * min(5.0, growth), min_step_s), max_step_s)
-        equations.return_map(new, limit)
-        state = new
-        if trial == left and knot <= duration_s:
-            k, time = k + 1, knot
-            raw = motion.interval(k, wall.n_segments)
-            at = support(0.0)
-        else:
-            time = duration_s if trial == left else time + trial
-            at = support(time - start)
-        # returned friction or a new interval change the rate at this instant
-        rate, _ = equations.rates(state, *at)
-        going = observe(time, state, at[1])
-    return steps, rejected
-
-
 def simulate(
     wall,
     motion=None,
@@ -205,35 +112,50 @@ def simulate(
         number of return-wall segments.
     """
     motion, duration = checked(wall, motion, duration_s)
-    equations = Equations(wall)
-    rows = []
-
-    def observe(time, state, wall_u):
-        energies = equations.energies(state, wall_u)
-        d = equations.top_displacement(state)[0] / wall.b_m
-        rows.append([time, *state[0, :SLIP], d, *(e[0] for e in energies)])
-        return np.array([abs(d) <= stop_d_over_b])  # False if not finite
-
-    steps, rejected = march(
-        equations,
-        equations.initial(theta0_over_alpha * wall.alpha_rad),
-        motion,
-        np.array([float(scale)]),
-        duration,
-        tolerance,
-        max_step_s,
-        min_step_s,
-        observe,
+    control = Control(
+        duration, tolerance, max_step_s, min_step_s, stop_d_over_b * wall.b_m, fixed_s=0.0
     )
-    columns = dict(zip(_COLUMNS, np.array(rows).T, strict=True))
-    last = columns["d_over_b"][-1]
+    angle = theta0_over_alpha * wall.alpha_rad
+    rows, written, peak, _, last, _, steps, rejected = run(
+        wall, motion, scale, angle, control, np.empty((ROWS, COLUMNS))
+    )
+    time, *state, d, elastic = rows[:written].T
+    kinetic = 0.5 * wall.mass_kg * (state[VY] ** 2 + state[VY + 1] ** 2)
+    kinetic += 0.5 * wall.inertia_kg_m2 * state[OMEGA] ** 2
     return History(
-        theta_over_alpha=columns["theta_rad"] / wall.alpha_rad,
-        overturned=bool(np.nanmax(np.abs(columns["d_over_b"])) >= 1.0),
-        status=ended(last, stop_d_over_b),
+        time,
+        *state[Y:VY],
+        *state[VY : OMEGA + 1],
+        d_over_b=d / wall.b_m,
+        theta_over_alpha=state[THETA] / wall.alpha_rad,
+        contact_work_j=state[SLIP - 2],
+        input_work_j=state[SLIP - 1],
+        kinetic_j=kinetic,
+        potential_j=wall.mass_kg * wall.gravity_m_s2 * (state[Z] - 0.5 * wall.h_m),
+        elastic_j=elastic,
+        overturned=bool(peak >= wall.b_m),
+        status=ended(last / wall.b_m, stop_d_over_b),
         steps=steps,
         rejected=rejected,
-        **columns,
+    )
+
+
+def run(wall, motion, scale, theta_rad, control, rows):
+    """One case in the compiled loop; returns as `integrate.march`."""
+    drive = Drive(
+        float(motion.dt_s),
+        motion.base_m_s2,
+        motion.relative_m_s2,
+        motion.relative_m_s,
+        motion.relative_m,
+    )
+    if not wall.n_segments:  # nothing to push
+        drive = drive._replace(**dict.fromkeys(Drive._fields[2:], np.zeros((0, 2))))
+    loop = fixed if control.fixed_s > 0.0 else march
+    control = Control(*map(float, control))
+    state = initial(wall, float(theta_rad))
+    return loop(
+        law_of(wall), drive, float(scale), state, units(wall), control, wall.n_segments, rows
     )
 
 
@@ -242,23 +164,6 @@ def ended(d_over_b, stop_d_over_b):
     if not math.isfinite(d_over_b):
         return "failed"
     return "overturned" if abs(d_over_b) > stop_d_over_b else "finished"
-
-
-_COLUMNS = (
-    "time_s",
-    "y_m",
-    "z_m",
-    "theta_rad",
-    "vy_m_s",
-    "vz_m_s",
-    "omega_rad_s",
-    "contact_work_j",
-    "input_work_j",
-    "d_over_b",
-    "kinetic_j",
-    "potential_j",
-    "elastic_j",
-)
 
 
 def checked(wall, motion, duration_s):

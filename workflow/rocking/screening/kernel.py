@@ -4,7 +4,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
+
+from rocking.runtime.compiled import compiled
 
 OK, OVERTURNED, FAILED = 0, 1, 2
 REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
@@ -56,14 +57,6 @@ class Rules(NamedTuple):
     overturn_m: float
     rest_velocity_m_s: float
     rest_time_s: float
-
-
-def compiled(function):
-    """Compile without the interpreter's lock; cached on disk where some folder can be written."""
-    try:
-        return njit(nogil=True, cache=True)(function)
-    except RuntimeError:  # numba found no folder for its cache
-        return njit(nogil=True)(function)
 
 
 @compiled
