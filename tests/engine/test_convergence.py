@@ -170,8 +170,10 @@ def test_reference_and_runs_scale_a_motion_alike(tmp_path, monkeypatch):
     scales = []
 
     def stand_in(wall, motion, scale, **settings):
-        scales.append(scale)
-        return SimpleNamespace(status=["ok"], peak_d_over_b=np.zeros(1), end_time_s=np.zeros(1))
+        scales.extend(scale)
+        return SimpleNamespace(
+            status=["finished"], peak_d_over_b=np.zeros(1), end_time_s=np.zeros(1)
+        )
 
     monkeypatch.setattr(reference, "simulate_batch", stand_in)
     job = {**resolved(), "model": "W1", "beta_s": BETA_S}

@@ -1,5 +1,7 @@
 """Reference answers for façade scenes from the independent planar solver."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from rocking.planar import Motion, Wall, simulate_batch
@@ -47,16 +49,39 @@ def peak_d_over_b(job, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-
 
 def judge(job, motion_path, direction, pga_g, *, nodes, tolerance):
     """Largest |d|/b of one history as `peak_d_over_b`, and the time simulated [s]."""
+    found = outcomes(job, motion_path, direction, [pga_g], nodes=nodes, tolerance=tolerance)
+    return float(found.d_over_b[0]), float(found.end_s[0])
+
+
+class Outcomes(NamedTuple):
+    """Of histories at some amplitudes, each of shape (n,).
+
+    Attributes
+    ----------
+    d_over_b : ndarray
+        Largest |d|/b, 1 where the façade overturns, NaN where the history failed.
+    status : list of str
+        "ok", "overturned" or "failed".
+    end_s : ndarray
+        Time simulated.
+    """
+
+    d_over_b: np.ndarray
+    status: list
+    end_s: np.ndarray
+
+
+def outcomes(job, motion_path, direction, pga_g, *, nodes, tolerance):
+    """`Outcomes` of one scene and motion at some amplitudes."""
     motion = read_motion(motion_path, job["model"])
+    scales = [amplitude(motion.base_m_s2, direction, g) for g in pga_g]
     found = simulate_batch(
-        wall_of(job, nodes),
-        motion,
-        amplitude(motion.base_m_s2, direction, pga_g),
-        tolerance=tolerance,
-        stop_d_over_b=1.0,
+        wall_of(job, nodes), motion, scales, tolerance=tolerance, stop_d_over_b=1.0
     )
-    peak, end = float(found.peak_d_over_b[0]), float(found.end_time_s[0])
-    return float("nan") if found.status[0] == "failed" else min(1.0, peak), end
+    peaks = np.minimum(found.peak_d_over_b, 1.0)
+    peaks[[status == "failed" for status in found.status]] = np.nan
+    status = [{"finished": "ok"}.get(word, word) for word in found.status]
+    return Outcomes(peaks, status, found.end_time_s)
 
 
 def ensemble_peaks(job, motion_path, direction, pga_g, factors, *, nodes=17, dt_s=4e-4):

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .contact import OMEGA, SLIP, THETA, VY, Y, Z, initial, law_of
+from .contact import initial, law_of
 from .integrate import COLUMNS, Control, Drive, fixed, march, units
 from .motion import Motion
 
@@ -119,19 +119,22 @@ def simulate(
     rows, written, peak, _, last, _, steps, rejected = run(
         wall, motion, scale, angle, control, np.empty((ROWS, COLUMNS))
     )
-    time, *state, d, elastic = rows[:written].T
-    kinetic = 0.5 * wall.mass_kg * (state[VY] ** 2 + state[VY + 1] ** 2)
-    kinetic += 0.5 * wall.inertia_kg_m2 * state[OMEGA] ** 2
+    time, y, z, theta, vy, vz, omega, contact, given, d, elastic = rows[:written].T
+    kinetic = 0.5 * wall.mass_kg * (vy**2 + vz**2) + 0.5 * wall.inertia_kg_m2 * omega**2
     return History(
-        time,
-        *state[Y:VY],
-        *state[VY : OMEGA + 1],
+        time_s=time,
+        y_m=y,
+        z_m=z,
+        theta_rad=theta,
+        vy_m_s=vy,
+        vz_m_s=vz,
+        omega_rad_s=omega,
         d_over_b=d / wall.b_m,
-        theta_over_alpha=state[THETA] / wall.alpha_rad,
-        contact_work_j=state[SLIP - 2],
-        input_work_j=state[SLIP - 1],
+        theta_over_alpha=theta / wall.alpha_rad,
+        contact_work_j=contact,
+        input_work_j=given,
         kinetic_j=kinetic,
-        potential_j=wall.mass_kg * wall.gravity_m_s2 * (state[Z] - 0.5 * wall.h_m),
+        potential_j=wall.mass_kg * wall.gravity_m_s2 * (z - 0.5 * wall.h_m),
         elastic_j=elastic,
         overturned=bool(peak >= wall.b_m),
         status=ended(last / wall.b_m, stop_d_over_b),
@@ -150,7 +153,8 @@ def run(wall, motion, scale, theta_rad, control, rows):
         motion.relative_m,
     )
     if not wall.n_segments:  # nothing to push
-        drive = drive._replace(**dict.fromkeys(Drive._fields[2:], np.zeros((0, 2))))
+        none = np.zeros((0, 2))
+        drive = Drive(drive.dt_s, drive.base_m_s2, none, none, none)
     loop = fixed if control.fixed_s > 0.0 else march
     control = Control(*map(float, control))
     state = initial(wall, float(theta_rad))

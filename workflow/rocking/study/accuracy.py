@@ -1,5 +1,9 @@
 """Files of the accuracy study."""
 
+from pathlib import Path
+
+from yade_scripts.model.registry import PLANAR
+
 
 class Accuracy:
     """What `snakemake accuracy` reads and makes."""
@@ -59,6 +63,20 @@ class Accuracy:
             for model in settings["energy_models"]
             for record in self.records(wildcards)
         ]
+
+    def judged(self, wildcards) -> list[str]:
+        """Dense scans by the independent planar solver, of the models that it can describe."""
+        run = wildcards.run
+        return [
+            path.replace("/ida/", "/judge/")
+            for path in self.study.ida_tables(run)
+            if Path(path).parent.name in PLANAR
+        ]
+
+    def judge_results(self, run) -> list[str]:
+        """What the target `judge` makes for one run."""
+        tables = [f"results/{run}/tables/judge_{name}.csv" for name in ("scan", "bands")]
+        return [*tables, f"results/{run}/figures/judge.png"]
 
     def results(self, run) -> list[str]:
         """What the target makes for one run."""

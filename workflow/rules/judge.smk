@@ -1,0 +1,72 @@
+# The independent planar solver scans curves by itself; what of its answer the reported ones hold.
+
+
+rule judge:
+    input:
+        with_pages(STUDY.per_run(ACCURACY.judge_results)),
+
+
+rule judge_scan:
+    input:
+        scene="results/{run}/scenes/{model}.json",
+        motion=STUDY.ida_motion,
+        modules=code("judge_scan"),
+    output:
+        "results/{run}/judge/{model}/{record}_{direction}.csv",
+    log:
+        "results/{run}/logs/judge_{model}_{record}_{direction}.log",
+    benchmark:
+        "results/{run}/benchmarks/judge_{model}_{record}_{direction}.tsv"
+    params:
+        accuracy=lambda w: {
+            key: STUDY.cfg(w)["accuracy"][key]
+            for key in ("reference_nodes", "reference_tolerance", "judge_step")
+        },
+    script:
+        "../scripts/judge_scan.py"
+
+
+rule judge_bands:
+    input:
+        scans=ACCURACY.judged,
+        collapse="results/{run}/tables/ida_collapse.csv",
+        modules=code("table_judge"),
+    output:
+        scan="results/{run}/tables/judge_scan.csv",
+        bands=report(
+            "results/{run}/tables/judge_bands.csv",
+            caption=caption("judge"),
+            category="Accuracy and stability",
+            labels={"run": "{run}", "result": "reported bands and the judge's (CSV)"},
+        ),
+    log:
+        "results/{run}/logs/judge_bands.log",
+    params:
+        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
+    script:
+        "../scripts/table_judge.py"
+
+
+rule figure_judge:
+    input:
+        scan="results/{run}/tables/judge_scan.csv",
+        bands="results/{run}/tables/judge_bands.csv",
+        probability="results/{run}/tables/collapse_probability.csv",
+        modules=code("figure_judge"),
+    output:
+        png=report(
+            "results/{run}/figures/judge.png",
+            caption=caption("judge"),
+            category="Accuracy and stability",
+            labels={
+                "run": "{run}",
+                "result": "collapse probability by both planar solvers",
+            },
+        ),
+        pdf="results/{run}/figures/judge.pdf",
+    log:
+        "results/{run}/logs/figure_judge.log",
+    params:
+        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
+    script:
+        "../scripts/figure_judge.py"
