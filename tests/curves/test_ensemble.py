@@ -1,4 +1,4 @@
-"""Perturbed ensembles: members, where they are run, bands and collapse percentiles."""
+"""Perturbed ensembles: members, where they are run, bands."""
 
 import numpy as np
 import pandas as pd
@@ -28,43 +28,26 @@ def table(pga_g, capacity, members):
     return pd.DataFrame(rows)
 
 
-def test_percentiles_of_a_known_distribution_of_capacities():
-    """Capacities uniform in ±10 %: the share of collapses is linear in 1/PGA."""
+def test_bands_of_a_known_distribution_of_capacities():
+    """Capacities uniform in ±10 %: a share linear in 1/PGA, and d/b at its own percentiles."""
     factors = np.linspace(0.9, 1.1, 2001)
-    grid = np.linspace(0.3, 0.6, 301)
-    median, low, high = ensemble.collapse_percentiles(table(grid, 0.4, factors))
+    grid = np.array([0.3, 0.39, 0.4, 0.42])
+    found = ensemble.bands(table(grid, 0.4, factors))
     # collapse when g ≥ 0.4/factor: the share at g is P(factor ≥ 0.4/g)
-    assert median == pytest.approx(0.4, abs=1e-3)
-    assert low == pytest.approx(0.4 / 1.08, abs=1e-3)
-    assert high == pytest.approx(0.4 / 0.92, abs=1e-3)
-
-
-def test_percentiles_that_are_not_bracketed_are_blank():
-    factors = np.linspace(0.99, 1.01, 21)
-    median, low, high = ensemble.collapse_percentiles(table([0.3, 0.35], 0.4, factors))
-    assert np.isnan([median, low, high]).all()
-    assert np.isnan(ensemble.collapse_percentiles([])).all()
+    expected = np.clip((1.1 - 0.4 / grid) / 0.2, 0.0, 1.0)
+    assert found["probability"].to_numpy() == pytest.approx(expected, abs=1e-3)
+    low, middle, high = (found[f"d_over_b_{name}"].iloc[0] for name in ("low", "median", "high"))
+    assert [low, middle, high] == pytest.approx(0.6 * np.array([0.92, 1.0, 1.08]), rel=1e-3)
 
 
 def test_failed_members_do_not_count():
     rows = table([0.3, 0.5], 0.4, np.ones(10))
     spoilt = rows.copy()
     spoilt.loc[[0, 1, 2], ["status", "d_over_b", "collapsed"]] = ["failed", np.nan, np.nan]
-    assert ensemble.collapse_percentiles(spoilt) == ensemble.collapse_percentiles(rows)
-    assert ensemble.bands(spoilt)["members"].tolist() == [7, 10]
-
-
-def test_monotone_fit_is_the_constrained_least_squares_one():
-    """Against brute force over all non-decreasing vectors on a grid."""
-    values, weights = np.array([0.1, 0.6, 0.3, 0.5, 0.4]), np.array([1.0, 2.0, 1.0, 3.0, 1.0])
-    fit = ensemble.monotone(values, weights)
-    assert np.all(np.diff(fit) >= 0.0)
-    best = np.sum(weights * (fit - values) ** 2)
-    rng = np.random.default_rng(3)
-    trials = np.sort(rng.random((20000, 5)), axis=1)
-    near = np.sort(fit + 0.05 * rng.standard_normal((20000, 5)), axis=1)
-    for candidates in (trials, near):
-        assert np.all(((candidates - values) ** 2 @ weights) >= best - 1e-12)
+    got, whole = ensemble.bands(spoilt), ensemble.bands(rows)
+    assert got["members"].tolist() == [7, 10]
+    assert got["probability"].tolist() == whole["probability"].tolist() == [0.0, 1.0]
+    assert ensemble.bands([]).empty
 
 
 def test_members_are_seeded_nested_and_within_their_spread():

@@ -193,6 +193,7 @@ rule ensemble_members:
 rule figure_chaos:
     input:
         ensembles=ACCURACY.ensembles,
+        scans=ACCURACY.scans,
         modules=code("figure_chaos"),
     output:
         png=report(
@@ -206,5 +207,6 @@ rule figure_chaos:
         "results/{run}/logs/figure_chaos.log",
     params:
         percentiles=lambda w: STUDY.cfg(w)["ensemble"]["percentiles"],
+        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
     script:
         "../scripts/figure_chaos.py"

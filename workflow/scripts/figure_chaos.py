@@ -1,8 +1,14 @@
-"""Perturbed ensembles: d/b of every member with median and band, and the share that collapses."""
+"""Perturbed ensembles: d/b of every member with median and band, and the share that collapses.
+
+Behind the shares stands the collapse probability of the dense scan, where there is one; below, the
+level where it first reaches one half.
+"""
 
 import matplotlib.pyplot as plt
 import pandas as pd
-from rocking.curves.ensemble import bands, collapse_percentiles, monotone
+from rocking.curves.collapse import first_crossing, from_scan
+from rocking.curves.ensemble import bands
+from rocking.curves.ida import curve_key
 from rocking.figures import style
 from rocking.runtime.script import run
 
@@ -12,6 +18,7 @@ from yade_scripts.model.registry import MODELS
 def main(job):
     tables = [pd.read_csv(path) for path in job.input.ensembles]
     tables = [t for t in tables if len(t)]
+    scans = {curve_key(pd.read_csv(path, nrows=1)): path for path in job.input.scans}
     percentiles = job.params.percentiles
     count = max(1, len(tables))
     figure, axes = plt.subplots(
@@ -40,15 +47,19 @@ def main(job):
         )
         top.plot(band["pga_g"], band["d_over_b_median"], "o-", color=colour, label="median")
         top.set_title(f"{model} {record} {'+' if direction == 'pos' else '−'}")
-        bottom.plot(band["pga_g"], band["probability"], "o", color=colour, label="share")
         bottom.plot(
-            band["pga_g"],
-            monotone(band["probability"], band["members"]),
-            color=colour,
-            label="non-decreasing fit",
+            band["pga_g"], band["probability"], "o", color=colour, label="YADE, share of members"
         )
-        median = collapse_percentiles(table, percentiles)[0]
-        bottom.axvline(median, color="0.4", lw=0.8, ls=":")
+        known = band
+        if scan := scans.get((model, record, direction)):
+            known = from_scan(pd.read_csv(scan), job.params.spread)
+            near = known["pga_g"].between(0.8 * band["pga_g"].min(), 1.25 * band["pga_g"].max())
+            known = known[near]
+            bottom.plot(
+                known["pga_g"], known["probability"], color="0.3", lw=0.8, label="dense scan"
+            )
+        half = first_crossing(known["pga_g"].to_numpy(), known["probability"].to_numpy(), 0.5)
+        bottom.axvline(half, color="0.4", lw=0.8, ls=":", label="first reaches ½")
         bottom.set_xlabel("PGA (g)")
     if not tables:
         axes[0, 0].set_title("every history repeats: no ensemble was needed")

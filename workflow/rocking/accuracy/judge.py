@@ -1,8 +1,8 @@
 """Dense scans by the independent planar solver, and what of them a reported curve holds.
 
-The judge (`rocking.planar`) shares no code with the solver that screens. By itself it scans a curve:
-every amplitude at steps of `ida.level_ratio` from half the static capacity until all over a factor
-`ida.beyond` have fallen, and in steps of `accuracy.judge_step` wherever its outcomes change. The
+The judge (`rocking.planar`) shares no code with the solver that screens. It scans a curve of its
+own: every amplitude at steps of `ida.level_ratio` from half the static capacity until all over a
+factor `ida.beyond` fall, and in steps of `accuracy.judge_step` wherever outcomes change. The
 dense probability at an amplitude is the share of its histories within ± `ensemble.amplitude_spread`
 that fall; nodes, tolerance and motion are the same for all of them.
 """
@@ -102,7 +102,7 @@ def held(pga_g, share, low_g, high_g):
     at = [math.inf if math.isnan(g) else g for g in (low_g, high_g)]
     out = []
     for curve in (np.maximum.accumulate(share), isotonic_regression(share).x):
-        below, above = np.interp(at, pga_g, curve)
+        below, above = np.interp(at, pga_g, curve, left=0.0)
         out.append(float(above - below))
     return tuple(out)
 

@@ -1,11 +1,9 @@
-"""Statistics of perturbed ensembles: bands of d/b, collapse probability, members needed.
+"""Statistics of perturbed ensembles: bands of d/b, share of collapses, members needed.
 
 An ensemble table has one row a member and intensity (columns pga_g, member,
 d_over_b, collapsed, status). Failed runs say nothing about the façade and are
 left out; an overturned run counts as d/b = 1.
 """
-
-import math
 
 import numpy as np
 import pandas as pd
@@ -53,61 +51,6 @@ def bands(ensemble_rows, percentiles=(10.0, 90.0)):
         low, middle, high = np.percentile(group["d_over_b"], [percentiles[0], 50.0, percentiles[1]])
         out.append((pga_g, len(group), group["collapsed"].mean(), low, middle, high))
     return pd.DataFrame(out, columns=columns)
-
-
-def monotone(values, weights):
-    """Non-decreasing sequence nearest to `values` in weighted least squares.
-
-    Pool-adjacent-violators (Ayer et al., 1955): with shares of collapses and
-    numbers of runs this is the maximum-likelihood estimate of a probability that
-    cannot fall with intensity.
-    """
-    blocks: list[list[float]] = []  # mean, weight, count
-    for value, weight in zip(values, weights, strict=True):
-        blocks.append([float(value), float(weight), 1])
-        while len(blocks) > 1 and blocks[-2][0] > blocks[-1][0]:
-            mean, total, count = blocks.pop()
-            before = blocks[-1]
-            both = before[1] + total
-            blocks[-1] = [(before[0] * before[1] + mean * total) / both, both, before[2] + count]
-    return np.concatenate([np.full(int(n), mean) for mean, _, n in blocks] or [np.zeros(0)])
-
-
-def crossing(pga_g, probability, level):
-    """PGA at which a non-decreasing probability reaches `level`; NaN if it is not bracketed."""
-    above = np.flatnonzero(np.asarray(probability) >= level)
-    if above.size == 0:
-        return math.nan
-    k = int(above[0])
-    if k == 0:
-        return float(pga_g[0]) if probability[0] == level else math.nan
-    share = (level - probability[k - 1]) / (probability[k] - probability[k - 1])
-    return float(pga_g[k - 1] + share * (pga_g[k] - pga_g[k - 1]))
-
-
-def collapse_percentiles(ensemble_rows, percentiles=(10.0, 90.0)):
-    """PGA at which half, and the lower and upper percentile, of the members collapse [g].
-
-    The share of collapses by PGA, made non-decreasing, and linear between intensities.
-
-    Parameters
-    ----------
-    ensemble_rows : DataFrame or list of dict
-    percentiles : pair of float
-        [%]
-
-    Returns
-    -------
-    median, low, high : float
-        NaN where the intensities that were run do not bracket it.
-    """
-    table = bands(ensemble_rows)
-    if table.empty:
-        return math.nan, math.nan, math.nan
-    pga_g = table["pga_g"].to_numpy()
-    smooth = monotone(table["probability"].to_numpy(), table["members"].to_numpy())
-    low, high = percentiles
-    return tuple(crossing(pga_g, smooth, p / 100.0) for p in (50.0, low, high))
 
 
 def median_spread(values, counts, seed, resamples=2000):

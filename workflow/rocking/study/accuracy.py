@@ -36,6 +36,14 @@ class Accuracy:
         """Ensembles of the same curves."""
         return self.curves(wildcards, "_ensemble")
 
+    def scans(self, wildcards) -> list[str]:
+        """Dense scans of the same curves, of the models that have one."""
+        return [
+            path.replace("/ida/", "/screening/")
+            for path in self.curves(wildcards)
+            if self.study.scanned(wildcards.run, Path(path).parent.name)
+        ]
+
     def motions(self, wildcards) -> list[str]:
         """Floor motions of its records."""
         run = wildcards.run
