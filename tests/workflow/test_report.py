@@ -71,8 +71,8 @@ def test_the_answer_says_what_to_trust_and_how_far_records_were_scaled(tmp_path)
     )
     (tmp_path / "records.csv").write_text("record,source,pga_g\nA,surrogate,0.1\nB,file,0.2\n")
     (tmp_path / "collapse.csv").write_text(
-        "model,record,direction,pga_safe_g,pga_collapse_g,pga_p10_g,pga_p90_g,disagreements\n"
-        "W1,A,pos,0.6,0.7,0.6,0.9,2\nW1,B,pos,0.2,,,,0\n"
+        "model,record,direction,pga_safe_g,pga_collapse_g,pga_p10_g,pga_p90_g,disagreements,"
+        "runs_yade,runs_planar\nW1,A,pos,0.6,0.7,0.6,0.9,2,37,641\nW1,B,pos,0.2,,,,0,5,0\n"
     )
     (tmp_path / "figure.png").write_bytes(b"not looked at" * 999)
     code = (
@@ -105,6 +105,7 @@ def test_the_answer_says_what_to_trust_and_how_far_records_were_scaled(tmp_path)
         "1 of 2 curves never collapsed",
         "At 2 intensities YADE and the planar solver disagree",
         "1 of 2 curves have no single collapse intensity",
+        '<td class="number">37</td><td class="number">641</td>',
     ):
         assert piece in text, piece
     assert max(map(len, (tmp_path / "p.rst").read_text().splitlines())) < 10_000

@@ -17,6 +17,7 @@ from rocking.runtime.script import run
 LARGE_FACTOR = 5.0  # beyond it a scaled record is hardly a stronger earthquake's motion
 SHOWN = ("model", "record", "direction", "pga_safe_g", "pga_collapse_g")
 BANDS = ("pga_median_g", "pga_p10_g", "pga_p90_g")
+BEHIND = ("runs_yade", "runs_planar")  # runs that stand behind a row
 
 
 def scale_factors(records, runs):
@@ -65,7 +66,7 @@ def content(p, records, runs, collapse, factors, figure):
     """Body of the page."""
     # in short lines, which reStructuredText asks for and a browser joins again
     data = base64.encodebytes(Path(figure).read_bytes()).decode()
-    columns = [name for name in (*SHOWN, *BANDS) if name in collapse]
+    columns = [name for name in (*SHOWN, *BANDS, *BEHIND) if name in collapse]
     motions = ", ".join(
         f"{row.record} ({row.source}, {row.pga_g:.2g} g)" for row in records.itertuples()
     )
