@@ -71,12 +71,15 @@ def test_the_scan_finds_both_sides_of_a_pulse(tmp_path):
     job = {**resolved(), "model": "W1", "beta_s": 0.00276}
     settings = {**job["ida"], "reference_nodes": 5, "reference_tolerance": 1e-5}
     settings |= {"level_ratio": 0.05, "judge_step": 0.01, "max_pga_g": 2.0}
-    table = judge.scan(job, path, "neg", settings, 0.05)
+    settings["amplitude_spread"] = 0.03
+    table = judge.scan(job, path, "neg", settings, 0.025)
     coarse = table[table["level"] == 1]
     first = coarse.loc[coarse["collapsed"] == 1, "pga_g"].min()
     assert table["pga_g"].is_monotonic_increasing
     assert coarse["pga_g"].iloc[0] == pytest.approx(0.025)
     assert coarse.tail(7)["collapsed"].all()  # a factor 1.35 in steps of 5 %
     fine = table[table["level"] == 0]
-    assert fine["pga_g"].min() <= 0.95 * first < first < fine["pga_g"].max()
+    assert fine["pga_g"].min() == pytest.approx(0.97**2 / 1.05 * first)
     assert set(fine["collapsed"]) == {0, 1}
+    found = judge.compare(table, reported(p10=0.9 * first, p90=math.nan), 0.03)
+    assert found["held"] == pytest.approx(1.0, abs=0.2)  # the fine scan ends where all fall

@@ -10,6 +10,7 @@ rule judge_scan:
     input:
         scene="results/{run}/scenes/{model}.json",
         motion=STUDY.ida_motion,
+        scan="results/{run}/screening/{model}/{record}_{direction}.csv",
         modules=code("judge_scan"),
     output:
         "results/{run}/judge/{model}/{record}_{direction}.csv",
@@ -18,6 +19,7 @@ rule judge_scan:
     benchmark:
         "results/{run}/benchmarks/judge_{model}_{record}_{direction}.tsv"
     params:
+        record=lambda w: w.record,
         accuracy=lambda w: {
             key: STUDY.cfg(w)["accuracy"][key]
             for key in ("reference_nodes", "reference_tolerance", "judge_step")

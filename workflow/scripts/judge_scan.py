@@ -1,8 +1,10 @@
 """Dense scan of one curve by the independent planar solver."""
 
 import json
+import math
 from pathlib import Path
 
+import pandas as pd
 from rocking.accuracy.judge import SCAN_COLUMNS, scan
 from rocking.runtime.script import run
 
@@ -11,10 +13,13 @@ from yade_scripts.model import models
 
 def main(job):
     scene, w = json.loads(Path(job.input.scene).read_text()), job.wildcards
-    settings = {**scene["ida"], **job.params.accuracy}
-    static_g = models.static_multiplier(scene)
-    table = scan(scene, job.input.motion, w.direction, settings, static_g)
-    table = table.assign(model=scene["model"], record=w.record, direction=w.direction)
+    spread = scene["ensemble"]["amplitude_spread"]
+    settings = {**scene["ida"], **job.params.accuracy, "amplitude_spread": spread}
+    known = pd.read_csv(job.input.scan)
+    lowest = known.loc[known["collapsed"] == 1, "pga_g"].min()
+    start_g = 0.5 * (models.static_multiplier(scene) if math.isnan(lowest) else lowest)
+    table = scan(scene, job.input.motion, w.direction, settings, start_g)
+    table = table.assign(model=scene["model"], record=job.params.record, direction=w.direction)
     table = table[list(SCAN_COLUMNS)]
     table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
 

@@ -1,10 +1,10 @@
 """Dense scans by the independent planar solver, and what of them a reported curve holds.
 
-The judge (`rocking.planar`) shares no code with the solver that screens. It scans a curve of its
-own: every amplitude at steps of `ida.level_ratio` from half the static capacity until all over a
-factor `ida.beyond` fall, and in steps of `accuracy.judge_step` wherever outcomes change. The
-dense probability at an amplitude is the share of its histories within ± `ensemble.amplitude_spread`
-that fall; nodes, tolerance and motion are the same for all of them.
+The judge (`rocking.planar`) shares no code with the solver that screens. It runs every amplitude at
+steps of `ida.level_ratio` from half the lowest collapse that the workflow found until all over a
+factor `ida.beyond` fall, and steps of `accuracy.judge_step` from below its own lowest collapse to
+where everything within ± `ensemble.amplitude_spread` falls. The dense probability at an amplitude
+is the share of its histories within that spread that fall; nodes and tolerance are the same.
 """
 
 import math
@@ -17,7 +17,6 @@ from rocking.curves import collapse
 from rocking.curves.reference import outcomes
 
 BLOCK = 16  # amplitudes between two looks at whether the façade has fallen for good
-MARGIN = 0.06  # of the PGA, by which the fine scan reaches beyond the first and the last change
 KEY = collapse.KEY
 SCAN_COLUMNS = (*KEY, "pga_g", "level", "d_over_b", "status", "collapsed")
 BAND_COLUMNS = (
@@ -28,7 +27,7 @@ BAND_COLUMNS = (
 )
 
 
-def scan(job, motion_path, direction, settings, static_g):
+def scan(job, motion_path, direction, settings, start_g):
     """Outcomes of one curve by the judge.
 
     Parameters
@@ -39,9 +38,10 @@ def scan(job, motion_path, direction, settings, static_g):
         Floor motions.
     direction : str
     settings : dict
-        level_ratio, beyond, max_pga_g, judge_step, reference_nodes, reference_tolerance.
-    static_g : float
-        Static capacity; the scan begins at half of it.
+        level_ratio, beyond, max_pga_g, judge_step, reference_nodes, reference_tolerance,
+        amplitude_spread.
+    start_g : float
+        Lowest amplitude.
 
     Returns
     -------
@@ -59,7 +59,7 @@ def scan(job, motion_path, direction, settings, static_g):
         return table
 
     ratio, last = 1.0 + settings["level_ratio"], settings["max_pga_g"]
-    start = min(0.5 * static_g, last)
+    start = min(start_g, last)
     levels = start * ratio ** np.arange(1 + math.ceil(math.log(last / start) / math.log(ratio)))
     levels[-1] = last
     beyond = math.ceil(math.log(settings["beyond"]) / math.log(ratio))
@@ -71,12 +71,18 @@ def scan(job, motion_path, direction, settings, static_g):
     fallen = coarse.loc[coarse["collapsed"] == 1, "pga_g"]
     if fallen.empty:
         return coarse
-    standing = coarse.loc[coarse["collapsed"] == 0, "pga_g"]
-    low = (1.0 - MARGIN) * fallen.min()
-    high = (1.0 + MARGIN) * max(standing.max(), fallen.min())
-    step = 1.0 + settings["judge_step"]
-    fine = low * step ** np.arange(1 + math.ceil(math.log(high / low) / math.log(step)))
-    return pd.concat([coarse, run(fine, 0)]).sort_values("pga_g", ignore_index=True)
+    spread, step = settings["amplitude_spread"], 1.0 + settings["judge_step"]
+    fine, at = [coarse], fallen.min() * (1.0 - spread) ** 2 / ratio
+    while at < last:
+        more = at * step ** np.arange(BLOCK)
+        fine.append(run(more[more <= last], 0))
+        at *= step**BLOCK
+        table = pd.concat(fine).sort_values("pga_g", ignore_index=True)
+        within = table[table["pga_g"] < at * (1.0 - spread)]  # counted in full
+        share, _ = collapse.probability(table["pga_g"], table["collapsed"], within["pga_g"], spread)
+        if share.max() == 1.0:
+            break
+    return pd.concat(fine).sort_values("pga_g", ignore_index=True)
 
 
 def held(pga_g, share, low_g, high_g):
