@@ -1,0 +1,61 @@
+"""YADE as a library: found, loaded without its prompt, and checked for what scenes need."""
+
+import glob
+import io
+import os
+import sys
+
+NEEDED_CLASSES = (
+    "Box",
+    "Sphere",
+    "ViscElMat",
+    "Ip2_ViscElMat_ViscElMat_ViscElPhys",
+    "Ig2_Box_Sphere_ScGeom",
+    "Law2_ScGeom_ViscElPhys_Basic",
+    "InterpolatingDirectedForceEngine",
+    "NewtonIntegrator",
+    "InsertionSortCollider",
+    "PyRunner",
+)
+
+
+class EngineError(RuntimeError):
+    """YADE is absent, lacks a class, or a scene cannot be turned into it."""
+
+
+def load_yade():
+    """Import YADE's library without its prompt and return its wrapper module.
+
+    Looks below YADE_PREFIX (default /usr) for the double-precision build.
+
+    Raises
+    ------
+    EngineError
+        One line when YADE is not installed or lacks a needed class.
+    """
+    if "yade.wrapper" not in sys.modules:
+        prefix = os.environ.get("YADE_PREFIX", "/usr")
+        found = sorted(glob.glob(f"{prefix}/lib/*/yade*/py/yade/__init__.py"))
+        plain = [p for p in found if "/yade-double/" in p or "/yade/py/" in p]
+        if not plain:
+            raise EngineError(
+                f"YADE not found below {prefix}/lib: install Debian's package 'yade' "
+                "or set YADE_PREFIX"
+            )
+        sys.path.insert(1, os.path.dirname(os.path.dirname(plain[0])))
+        os.environ["OMP_NUM_THREADS"] = "1"
+        # The library greets on standard output, which belongs to our own results.
+        stdout, sys.stdout = sys.stdout, io.StringIO()
+        try:
+            import yade  # noqa: F401
+        except ImportError as error:
+            raise EngineError(f"YADE's library does not load in this Python: {error}") from error
+        finally:
+            sys.stdout.close()
+            sys.stdout = stdout
+    import yade.wrapper as wrapper
+
+    missing = [name for name in NEEDED_CLASSES if not hasattr(wrapper, name)]
+    if missing:
+        raise EngineError(f"this YADE lacks the class(es) {', '.join(missing)}")
+    return wrapper

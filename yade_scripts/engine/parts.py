@@ -1,0 +1,164 @@
+"""What blocks are made of in YADE: materials, carriers, node spheres, faces and clumps.
+
+Each contact node is a small sphere of the block that carries it, against a box that stands for
+the opposite block's face. The spheres weigh nothing; mass and inertia sit on the clump. Bonded
+nodes are explained in `bonds`.
+"""
+
+import numpy as np
+
+from yade_scripts.engine.bonds import PRELOAD_M, is_tie
+from yade_scripts.engine.library import EngineError
+
+LEAST_BETA_S = 1e-15  # a dashpot of exactly 0 in series with the face would become the face's
+PARTNER_STIFFNESS = 1e30  # materials combine in series; the face must not soften the node
+UNLIMITED_FRICTION = 1.57  # rad
+# A clump's frame is its principal frame, axes in the order of the moments.
+# Ascending stand-in moments keep that frame on x, y, z; the real ones follow.
+STAND_IN_INERTIA = (1.0, 2.0, 3.0)
+
+
+class Parts:
+    """Appends the bodies of a scene's blocks to YADE.
+
+    Parameters
+    ----------
+    w, utils
+        YADE's modules.
+    omega : Omega
+    scene : Scene
+    faces : Faces
+    radius_m : float
+        Of the node spheres; the face stays at the stated position whatever it is.
+
+    Attributes
+    ----------
+    node_body : list of int
+        YADE id of each node's sphere (the dry one, for bonded nodes).
+    bonded : dict of int to tuple of int
+        YADE ids of a bonded node's two halves and its dry sphere.
+    """
+
+    def __init__(self, w, utils, omega, scene, faces, radius_m):
+        """Append the rigid material of faces; others follow as nodes need them."""
+        self.w, self.utils, self.omega = w, utils, omega
+        self.scene, self.faces, self.radius_m = scene, faces, radius_m
+        self.reach_m = 4.0 * max(max(b.size_m) for b in scene.blocks)
+        self.node_body = [-1] * len(scene.nodes)
+        self.bonded: dict[int, tuple] = {}
+        self.materials: dict[tuple, object] = {}
+        self.rigid = w.ViscElMat(
+            density=1e-12,
+            kn=PARTNER_STIFFNESS,
+            ks=PARTNER_STIFFNESS,
+            cn=PARTNER_STIFFNESS,
+            cs=PARTNER_STIFFNESS,
+            frictionAngle=UNLIMITED_FRICTION,
+        )
+        omega.materials.append(self.rigid)
+
+    def _material(self, kn, ks, beta, friction):
+        """Viscoelastic material of a node; one of each kind."""
+        key = (float(kn), float(ks), float(beta), float(friction))
+        if key not in self.materials:
+            kn, ks, beta, friction = key
+            beta = max(beta, LEAST_BETA_S)
+            self.materials[key] = self.w.ViscElMat(
+                density=1e-12, kn=kn, ks=ks, cn=beta * kn, cs=beta * ks, frictionAngle=friction
+            )
+            self.omega.materials.append(self.materials[key])
+        return self.materials[key]
+
+    def _node_material(self, i):
+        n = self.scene.nodes
+        return self._material(n.kn_n_m[i], n.ks_n_m[i], n.beta_s[i], n.friction_rad[i])
+
+    def _bond_material(self, i):
+        """Half a node; the shear of a tie slips freely."""
+        n = self.scene.nodes
+        friction = 0.0 if is_tie(n, i) else UNLIMITED_FRICTION
+        return self._material(0.5 * n.kn_n_m[i], 0.5 * n.ks_n_m[i], n.beta_s[i], friction)
+
+    def _sphere(self, position, radius_m, material, mask):
+        body = self.utils.sphere(tuple(position), radius_m, material=material, mask=mask)
+        return self.omega.bodies.append(body)
+
+    def _weightless(self, ids):
+        for i in ids:
+            state = self.omega.bodies[i].state
+            state.mass, state.inertia = 0.0, (0.0, 0.0, 0.0)
+        return ids
+
+    def faces_of(self, keys):
+        """Append faces; return their ids."""
+        return [self.faces.append(self.omega, key, self.reach_m, self.rigid) for key in keys]
+
+    def joined(self, block, ids):
+        """Clump the faces of a driven support, so that preloads between them stay inside it."""
+        box = self.utils.box(
+            tuple(block.centre_m), (0.1, 0.1, 0.1), fixed=False, mask=0, material=self.rigid
+        )
+        carrier = self.omega.bodies.append(box)
+        state = self.omega.bodies[carrier].state
+        state.mass, state.inertia = 1.0, STAND_IN_INERTIA
+        return self.omega.bodies.clump([carrier, *self._weightless(ids)])
+
+    def members(self, index, keys):
+        """Append carrier, node spheres and faces of a free block; return their ids."""
+        block, nodes, faces = self.scene.blocks[index], self.scene.nodes, self.faces
+        carrier = self.utils.box(
+            center=tuple(block.centre_m),
+            extents=tuple(0.5 * s for s in block.size_m),
+            fixed=False,
+            wire=True,
+            material=self.rigid,
+            mask=0,
+        )
+        ids = [self.omega.bodies.append(carrier)]
+        state = self.omega.bodies[ids[0]].state
+        state.mass, state.inertia = block.mass_kg, STAND_IN_INERTIA
+        for i in np.flatnonzero(nodes.a == index):
+            is_bonded = faces.press[i] is not None
+            self.node_body[i] = self._sphere(
+                nodes.position_m[i] + self.radius_m * nodes.normal[i],
+                self.radius_m,
+                self._node_material(i),
+                0 if is_bonded else faces.bit[faces.plain[i]],
+            )
+            new = [self.node_body[i]]
+            if is_bonded:
+                place, material = nodes.position_m[i], self._bond_material(i)
+                new += [
+                    self._sphere(place, PRELOAD_M, material, faces.bit[key])
+                    for key in (faces.press[i], faces.hook[i])
+                ]
+                self.bonded[int(i)] = (*new[1:], new[0])
+            ids += self._weightless(new)
+        return ids + self._weightless(self.faces_of(keys))
+
+    def clump(self, block, members, full_rotation):
+        """Join members to a clump with the block's mass, freedoms and initial pose.
+
+        Returns its id and the inverse of its frame: YADE may start a clump turned by 180°.
+        """
+        from yade import minieigenHP
+
+        clump = self.omega.bodies.clump(members)
+        state = self.omega.bodies[clump].state
+        frame = np.array([list(row) for row in state.ori.toRotationMatrix()])
+        if not np.allclose(np.abs(np.diag(frame)), 1.0, atol=1e-9):
+            raise EngineError(f"YADE turned the frame of block '{block.name}'")
+        unturned = state.ori.inverse()
+        state.mass = block.mass_kg
+        state.inertia = tuple(block.inertia_kg_m2)
+        state.blockedDOFs = "".join(d for d in "xyzXYZ" if d not in block.free)
+        self.omega.bodies[clump].aspherical = full_rotation
+        rotation = np.array(block.rotation_rad)
+        angle = float(np.linalg.norm(rotation))
+        state.pos = tuple(np.array(block.centre_m) + np.array(block.displacement_m))
+        if angle > 0.0:
+            turn = minieigenHP.Quaternion(minieigenHP.Vector3(*(rotation / angle)), angle)
+            state.ori = turn * state.ori
+        state.vel = tuple(block.velocity_m_s)
+        state.angVel = tuple(block.angular_velocity_rad_s)
+        return clump, unturned
