@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 from rocking.records import read_table
 from rocking.records.check import check_records
+from rocking.runtime import results_folder
 
 ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
@@ -21,7 +22,7 @@ PATHS = os.pathsep.join([str(ROOT), str(ROOT / "workflow")])
 LIMIT_S = 120.0
 
 
-def snakemake(folder, *words, limit_s=LIMIT_S):
+def snakemake(folder, *words, limit_s=LIMIT_S, paths=PATHS):
     """Run Snakemake in a folder with the project's Snakefile."""
     return subprocess.run(
         [SNAKEMAKE, "--snakefile", str(ROOT / "Snakefile"), "--cores", "1", *words],
@@ -29,7 +30,7 @@ def snakemake(folder, *words, limit_s=LIMIT_S):
         capture_output=True,
         text=True,
         timeout=limit_s,
-        env={**os.environ, "PYTHONPATH": PATHS},
+        env={**os.environ, "PYTHONPATH": paths},
     )
 
 
@@ -126,6 +127,47 @@ def test_a_misspelt_target_is_told_the_nearest(tmp_path, target, told):
     assert done.returncode == 1
     said = [line for line in (done.stdout + done.stderr).splitlines() if target in line]
     assert any(told in line for line in said), said
+    assert "Traceback" not in done.stderr
+
+
+def test_a_file_where_results_belong_is_one_line(tmp_path):
+    (tmp_path / "results").write_text("")
+    done = snakemake(tmp_path, "-n", "--", "check")
+    assert (done.returncode, len(lines(done, "error:"))) == (1, 1)
+    assert "results is no folder" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+READ_ONLY = """mount -t tmpfs -o ro none {folder} && {python} -c "
+from rocking.runtime import results_folder as r
+print(r.fault('{folder}/results'))" """
+
+
+def test_no_right_to_write_is_one_line(tmp_path):
+    """A file system mounted read-only binds root too."""
+    assert results_folder.fault(tmp_path / "not" / "yet") == ""
+    script = READ_ONLY.format(folder=tmp_path, python=sys.executable)
+    done = subprocess.run(
+        ["unshare", "--mount", "--map-root-user", "sh", "-c", script],
+        env={**os.environ, "PYTHONPATH": PATHS},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    if "Operation not permitted" in done.stderr or "permission denied" in done.stderr.lower():
+        pytest.skip("no right to mount here")
+    assert done.stdout == (
+        f"no right to write in {tmp_path}: give this run a folder of yours with --directory\n"
+    )
+
+
+def test_the_wrong_python_is_named_in_one_line(tmp_path):
+    """Snakemake from elsewhere, without this project's package."""
+    (tmp_path / "sitecustomize.py").write_text("import sys\nsys.modules['rocking'] = None\n")
+    done = snakemake(tmp_path, "-n", paths=str(tmp_path))
+    assert done.returncode == 1
+    (line,) = lines(done, "error:")
+    assert "use this project's .venv/bin/snakemake" in line
     assert "Traceback" not in done.stderr
 
 

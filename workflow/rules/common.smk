@@ -19,7 +19,8 @@ from rocking.curves.intensity_measures import MEASURES
 from rocking.curves.pushover import VARIANTS
 from rocking.records import RecordError
 from rocking.records.check import check_study
-from rocking.runtime import file_times, first_page, progress, run_lock, terminal, warm
+from rocking.runtime import file_times, first_page, progress, results_folder
+from rocking.runtime import run_lock, terminal, warm
 from rocking.study.calibration import CASES, HISTORIES
 from rocking.study.chosen import chosen
 from yade_scripts import sources
@@ -45,6 +46,7 @@ YADE = shlex.join([str(YADE_PYTHON), str(BASE / "yade_scripts")])
 LAW_FILE = str(BASE / "config" / "beta_law.json")
 FIDELITY_FILE = str(BASE / "config" / "fidelity.yaml")
 os.environ[lifeline.RUN_PID] = str(os.getpid())  # jobs end with this process
+STOPPED = "stopped: finished runs are kept; repeat the command to go on"
 
 
 def stop(error):
@@ -52,6 +54,8 @@ def stop(error):
     sys.exit(f"error: {error}")
 
 
+if fault := results_folder.fault():
+    stop(fault)
 try:
     configuration.check_files(
         [path for path in workflow.configfiles if Path(path).exists()]
@@ -141,7 +145,10 @@ onstart:
         progress.opening(tasks, list(STUDY.runs), workflow.cores), file=sys.stderr
     )
     progress.Progress(tasks).watch()
-    warm.serve(workflow)
+    try:
+        warm.serve(workflow)
+    except KeyboardInterrupt:
+        sys.exit(STOPPED)
 
 
 onsuccess:
@@ -150,7 +157,4 @@ onsuccess:
 
 
 onerror:
-    print(
-        "stopped: finished runs are kept; repeat the command to go on",
-        file=sys.stderr,
-    )
+    print(STOPPED, file=sys.stderr)

@@ -9,10 +9,12 @@ import contextlib
 import multiprocessing
 import os
 import runpy
+import signal
 import subprocess
 import sys
 import threading
 import time
+from multiprocessing import forkserver
 from multiprocessing.connection import wait
 from pathlib import Path
 
@@ -36,6 +38,7 @@ def is_current(modules, since_s):
 
 def _script(path, folder, temporary):
     """Run a script in a process forked from the server."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     os.chdir(folder)
     if temporary:
         os.environ.update(dict.fromkeys(("TMPDIR", "TMP", "TEMP", "TEMPDIR"), temporary))
@@ -59,14 +62,19 @@ class Server:
     """
 
     def __init__(self, modules=()):
-        """Start, and wait until all is imported, so that an interrupt meets this process alone."""
+        """Start, and wait until all is imported; an interrupt meets this process alone."""
         self.began_s = time.time()
         self.lock = threading.Lock()  # the standard library's bookkeeping is not for threads
         self.context = multiprocessing.get_context("forkserver")
         self.context.set_forkserver_preload([*LIBRARIES, *modules])
-        # BLAS reads the number of its threads once, when the server imports it
-        with _environment(dict.fromkeys(THREADS, "1")):
-            self._start(int).join()
+        before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        try:
+            # BLAS reads the number of its threads once, when the server imports it
+            with _environment(dict.fromkeys(THREADS, "1")):
+                forkserver.ensure_running()
+        finally:
+            signal.signal(signal.SIGINT, before)
+        self._start(int).join()
 
     def _start(self, target, *arguments):
         process = self.context.Process(target=target, args=arguments)

@@ -1,0 +1,25 @@
+"""Whether results can be written, asked before anything is planned."""
+
+import os
+from pathlib import Path
+
+
+def fault(folder="results"):
+    """Say in one line why a folder cannot take results; empty where it can.
+
+    Parameters
+    ----------
+    folder : path
+        Need not exist; its nearest existing parent counts then.
+
+    Returns
+    -------
+    str
+    """
+    path = Path(folder).absolute()
+    there = next(p for p in (path, *path.parents) if os.path.lexists(p))
+    if not there.is_dir():
+        return f"{there} is no folder: results go to {folder}/; move it away"
+    if not os.access(there, os.W_OK | os.X_OK):
+        return f"no right to write in {there}: give this run a folder of yours with --directory"
+    return ""
