@@ -8,7 +8,7 @@ made of stands in `parts`; masks pair every node with its own face only (`faces`
 import math
 from dataclasses import dataclass
 
-from yade_scripts.engine import links, loop
+from yade_scripts.engine import links, loop, ties
 from yade_scripts.engine.bonds import Bonds
 from yade_scripts.engine.faces import RELEASE_CHECK_S, FaceError, Faces, Releases
 from yade_scripts.engine.guide import GUIDE_INTERVAL_S, Guide
@@ -43,6 +43,8 @@ class Built:
         YADE ids of the parts of links, by block.
     links : list of Link
         As built.
+    ties : list of (int, int)
+        YADE ids of the ends of each tie.
     """
 
     omega: object
@@ -54,6 +56,7 @@ class Built:
     releases: Releases | None = None
     linked: dict | None = None
     links: list | None = None
+    ties: tuple | list = ()
 
 
 def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
@@ -94,6 +97,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     drives: dict[str, list[int]] = {}
     unturned: dict[int, object] = {}
     linked = links.place(w, utils, omega, scene)
+    pairs, tied = ties.place(w, utils, omega, scene)
     heaviest = max([b.mass_kg for b in scene.blocks if b.free] or [1.0])
     for index, block in enumerate(scene.blocks):
         keys = faces.of_block(index)
@@ -103,6 +107,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
                 ids = [omega.bodies.append(utils.box((0, 0, 0), (1, 1, 1), mask=0))]
             if len(ids) > 1 and block.motion is not None:
                 ids = [parts.joined(block, ids)]
+            ids += tied.get(index, [])
             for i in ids:
                 state = omega.bodies[i].state
                 state.mass = SUPPORT_MASS_RATIO * heaviest
@@ -113,17 +118,18 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
             body.append(ids[0])
             continue
         members = parts.members(index, keys)
-        members += linked.get(index, [])
+        members += linked.get(index, []) + tied.get(index, [])
         clump, unturned[index] = parts.clump(block, members, full_rotation)
         body.append(clump)
 
+    shape, physics, law = ties.functors(w, scene)
     engines = [
         w.ForceResetter(),
         w.InsertionSortCollider([w.Bo1_Sphere_Aabb(), w.Bo1_Box_Aabb()], verletDist=0.05),
         w.InteractionLoop(
-            [w.Ig2_Box_Sphere_ScGeom()],
-            [w.Ip2_ViscElMat_ViscElMat_ViscElPhys()],
-            [w.Law2_ScGeom_ViscElPhys_Basic()],
+            [w.Ig2_Box_Sphere_ScGeom(), *shape],
+            [w.Ip2_ViscElMat_ViscElMat_ViscElPhys(), *physics],
+            [w.Law2_ScGeom_ViscElPhys_Basic(), *law],
         ),
     ]
     for name, ids in sorted(drives.items()):
@@ -150,7 +156,10 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     )
     _place_members(w, omega)
     omega.engines, omega.dt = engines, dt_s
-    built = Built(omega, body, parts.node_body, unturned, linked=linked, links=scene.links)
+    ties.join(utils, omega, scene, pairs)
+    built = Built(
+        omega, body, parts.node_body, unturned, linked=linked, links=scene.links, ties=pairs
+    )
     _attach(scene, motions, built, parts.bonded, faces)
     return built
 

@@ -12,7 +12,7 @@ At every whole step, with the mean v of the velocities half a step before and af
           cancel
     D_c   dashpots, ∫ (Fn − kn un) vn + cs |vs|² dt, the second where the contact does not slip
     D_μ   friction, ∫ Fs·(dus − dFs/ks)
-    D_f   energy stored in bonds when they break
+    D_f   energy stored in bonds and ties when they break, and what ties took by yielding
 
 Each term follows from its own law, velocities and positions from the integrator, so the
 residual is the error of the time integration and of the books. Python at every step makes such
@@ -59,6 +59,7 @@ class Contacts:
     cs: np.ndarray
     friction: np.ndarray
     pressed: np.ndarray  # energy of the normal springs
+    yielded: np.ndarray  # plastic part of a tie's lengthening, negative
 
     @property
     def force(self):
@@ -98,6 +99,7 @@ class EnergyBalance:
         spheres = built.bonds.spheres.values() if built.bonds else ()
         self.preload = {body: PRELOAD_DEPTH_M for trio in spheres for body in trio[:2]}
         self.bond_of = {body: number for number, trio in enumerate(spheres) for body in trio}
+        self.ties = set(built.ties)
         for bodies in built.linked.values():
             self.preload.update(dict.fromkeys(bodies, REACH_M))
 
@@ -152,32 +154,25 @@ class EnergyBalance:
                 continue
             g, p = contact.geom, contact.phys
             x, n, f, s = g.contactPoint, g.normal, p.normalForce, p.shearForce
-            preload = self.preload.get(contact.id1, self.preload.get(contact.id2, 0.0))
-            keys.append((contact.id1, contact.id2))
+            held = f[0] * n[0] + f[1] * n[1] + f[2] * n[2]
+            key = contact.id1, contact.id2
+            if key in self.ties:  # its spheres overlap whatever it does
+                law = held / p.kn, p.kn, 1.0, 0.0, 0.0, 0.0, p.plastD
+            else:
+                preload = self.preload.get(contact.id1, self.preload.get(contact.id2, 0.0))
+                friction = p.tangensOfFrictionAngle
+                law = g.penetrationDepth, p.kn, p.ks, p.cs, friction, preload, 0.0
+            keys.append(key)
             ends.append((self.slot[contact.id1], self.slot[contact.id2]))
-            rows.append(
-                (
-                    x[0],
-                    x[1],
-                    x[2],
-                    n[0],
-                    n[1],
-                    n[2],
-                    s[0],
-                    s[1],
-                    s[2],
-                    f[0] * n[0] + f[1] * n[1] + f[2] * n[2],
-                    g.penetrationDepth,
-                    p.kn,
-                    p.ks,
-                    p.cs,
-                    p.tangensOfFrictionAngle,
-                    preload,
-                )
-            )
-        table = np.array(rows, float).reshape(-1, 16)
+            # indices: unpacking YADE's vectors is many times slower
+            arms = x[0], x[1], x[2], n[0], n[1], n[2], s[0], s[1], s[2]
+            rows.append((*arms, held, *law))
+        table = np.array(rows, float).reshape(-1, 17)
         a, b = np.array(ends, int).reshape(-1, 2).T
-        shear, (force, depth, kn, ks, cs, friction, preload) = table[:, 6:9], table[:, 9:16].T
+        shear, (force, depth, kn, ks, cs, friction, preload, yielded) = (
+            table[:, 6:9],
+            table[:, 9:].T,
+        )
         pressed = 0.5 * kn * (depth**2 - preload**2)
         return Contacts(
             keys,
@@ -193,6 +188,7 @@ class EnergyBalance:
             cs,
             friction,
             pressed,
+            yielded,
         )
 
     def _before(self):
@@ -248,16 +244,20 @@ class EnergyBalance:
         met, broken = [], set()
         for i, key in enumerate(c.keys):
             ks, shear = c.ks[i], c.shear_force[i]
-            kept[key] = ks, shear, c.pressed[i]
+            kept[key] = ks, shear, c.pressed[i], c.yielded[i]
             last = np.zeros(3)
             if key in self.before:
-                last = self.before.pop(key)[1]
+                _, last, _, yielded = self.before.pop(key)
+                fracture += c.normal_force[i] * (c.yielded[i] - yielded)
             else:
                 met.append(i)
             if not sticks[i]:
                 friction += 0.5 * (last + shear) @ (travel[i] - (shear - last) / ks)
-        for key, (ks, shear, pressed) in self.before.items():  # contacts that are no more
+        for key, (ks, shear, pressed, _) in self.before.items():  # contacts that are no more
             stored = 0.5 * (shear @ shear) / ks
+            if key in self.ties:
+                fracture += pressed
+                continue
             bonds = {
                 self.bond_of[body] for body in key if body in self.preload and body in self.bond_of
             }

@@ -25,6 +25,7 @@ from yade_scripts.model.chain import chain_links, chain_matrices
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
+from yade_scripts.model.ties import facade_ties
 
 BASE = "base"
 FACADE = "façade"
@@ -85,7 +86,8 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     Raises
     ------
     ValueError
-        For an unknown model or a release that is not within 0 ≤ θ₀/α < 1.
+        For an unknown model, a release that is not within 0 ≤ θ₀/α < 1, or ties that meet no
+        return wall.
     """
     kind = registry.model(model)
     if not kind.single_block:
@@ -168,6 +170,7 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
         reference=BASE,
         thickness_m=b,
         links=links,
+        ties=facade_ties(facade.get("ties", ()), 1, range(2, len(blocks)), blocks),
         shaking=GROUND if kind.massive else None,
     )
 

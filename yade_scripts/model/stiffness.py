@@ -4,7 +4,8 @@ The matrices come from the node list that also builds the YADE scene: a node of
 stiffness kn, ks between blocks a and b adds BᵀDB with B the relative velocity
 of the two blocks at the node and D = kn·nnᵀ + ks·(I − nnᵀ), every contact taken
 as closed. Damping is stiffness proportional node by node: C = Σ β BᵀDB. A link of
-stiffness k and dashpot c adds k·BᵀttᵀB and c·BᵀttᵀB with its direction t.
+stiffness k and dashpot c adds k·BᵀttᵀB and c·BᵀttᵀB with its direction t, a tie k·BᵀttᵀB as if
+it were taut.
 """
 
 from dataclasses import dataclass, replace
@@ -117,16 +118,18 @@ def assemble(scene):
     nodes = scene.nodes
     damping = element * nodes.beta_s[:, None, None]
     a, b = nodes.a, nodes.b
-    if scene.links:
-        link_a, link_b = (np.array([getattr(link, end) for link in scene.links]) for end in "ab")
-        place = np.array([link.position_m for link in scene.links])
-        along = np.array([link.direction for link in scene.links])
-        row = np.einsum("ni,nij->nj", along, _between(scene, link_a, link_b, place))
+    bars = [*scene.links, *scene.ties]
+    if bars:
+        bar_a, bar_b = (np.array([getattr(bar, end) for bar in bars]) for end in "ab")
+        place = np.array([x.position_m for x in scene.links] + [x.end_a_m for x in scene.ties])
+        along = np.array([bar.direction for bar in bars])
+        row = np.einsum("ni,nij->nj", along, _between(scene, bar_a, bar_b, place))
         pattern = np.einsum("ni,nj->nij", row, row)
-        k, c = ([getattr(x, v) for x in scene.links] for v in ("stiffness_n_m", "dashpot_ns_m"))
-        element = np.concatenate([element, np.array(k)[:, None, None] * pattern])
-        damping = np.concatenate([damping, np.array(c)[:, None, None] * pattern])
-        a, b = np.concatenate([a, link_a]), np.concatenate([b, link_b])
+        k = np.array([bar.stiffness_n_m for bar in bars])
+        c = np.array([x.dashpot_ns_m for x in scene.links] + [0.0] * len(scene.ties))
+        element = np.concatenate([element, k[:, None, None] * pattern])
+        damping = np.concatenate([damping, c[:, None, None] * pattern])
+        a, b = np.concatenate([a, bar_a]), np.concatenate([b, bar_b])
     numbers = np.concatenate([equation[a], equation[b]], axis=1)
     rows = np.repeat(numbers[:, :, None], 12, axis=2)
     cols = np.repeat(numbers[:, None, :], 12, axis=1)
@@ -177,7 +180,7 @@ def critical_step(scene):
     c = c * scale[:, None] * scale[None, :]
     omega2 = np.linalg.eigvalsh(k)[-1]
     betas = np.unique(scene.nodes.beta_s)
-    if len(betas) == 1 and not scene.links:
+    if len(betas) == 1 and not (scene.links or scene.ties):
         omega = np.sqrt(omega2)
         zeta = betas[0] * omega / 2.0
         return 2.0 / omega * (np.sqrt(1.0 + zeta**2) - zeta)
@@ -241,7 +244,9 @@ def link_factor(scene, dt_s):
     masses = sorted({i for x in scene.links for i in (x.a, x.b) if scene.blocks[i].free})
     if not masses:
         return 1.0
-    bare = replace(scene, nodes=type(scene.nodes)(*(v[:0] for v in vars(scene.nodes).values())))
+    bare = replace(
+        scene, nodes=type(scene.nodes)(*(v[:0] for v in vars(scene.nodes).values())), ties=[]
+    )
     blocks = [b if i in masses else replace(b, free="") for i, b in enumerate(scene.blocks)]
     matrices = assemble(replace(bare, blocks=blocks))
     k, c = matrices.dense()

@@ -10,6 +10,7 @@ The run is that of the analyses (step, ledger, stop rules), sampled every SAMPLE
     {motion}_m_s2, {motion}_m  ground and floors as imposed: acceleration, displacement
     base_y_n, base_z_n, walls_y_n, walls_z_n  contacts' force on the façade (half of it in W3's
                             half model), outward and upward; without the dashpots' shear
+    ties_y_n                pull of its ties on it, where it has any
     input_j                 in the frame of the base, work of inertia forces and driven walls (see
                             `ledger`) since the start
     kinetic_j, potential_j, elastic_j  of the free blocks and of the contacts' springs
@@ -31,6 +32,7 @@ from yade_scripts.studies.tables import to_csv
 SAMPLE_S = 0.01
 HEAD = {"model": "", "record": "", "direction": "", "pga_g": ".4f", "status": "", "dt_s": ".6e"}
 FORCES = ("base_y_n", "base_z_n", "walls_y_n", "walls_z_n")
+TIES = "ties_y_n"
 ENERGIES = ("input_j", "kinetic_j", "potential_j", "elastic_j", "lost_j")
 
 
@@ -59,14 +61,16 @@ class Probe:
         sign = (c.b == self.facade).astype(float) - (c.a == self.facade)
         push = sign[:, None] * c.force[:, 1:]
         below = (c.a == self.base) | (c.b == self.base)
-        base, walls = push[below].sum(axis=0), push[~below].sum(axis=0)
+        tied = np.array([key in self.books.ties for key in c.keys], bool)
+        base, walls = push[below].sum(axis=0), push[~(below | tied)].sum(axis=0)
+        ties = push[tied, :1].sum(axis=0) if self.books.ties else ()
         own = [not self.chain.intersection(key) for key in c.keys]  # not the chain's springs
         now = np.array([self.check.height_j(), c.elastic[own].sum()])
         self.start = now if self.start is None else self.start
         potential, elastic = now - self.start
         kinetic, work = self.check.energy - potential, self.check.work
         lost = work - kinetic - potential - elastic
-        self.rows.append((*base, *walls, work, kinetic, potential, elastic, lost))
+        self.rows.append((*base, *walls, *ties, work, kinetic, potential, elastic, lost))
 
 
 def trace(job, time_s, columns, factor):
@@ -106,7 +110,11 @@ def trace(job, time_s, columns, factor):
         values[f"{name}_m"] = motion.position(history.time_s)
     n = len(history.time_s)
     return history, values | dict(
-        zip((*FORCES, *ENERGIES), np.array(probe.rows[:n]).T, strict=True)
+        zip(
+            (*FORCES, *([TIES] if scene.ties else []), *ENERGIES),
+            np.array(probe.rows[:n]).T,
+            strict=True,
+        )
     )
 
 

@@ -98,6 +98,7 @@ def check(resolved: Mapping) -> None:
             f"facade.gap_m = {show(resolved['facade']['gap_m'])}: expected 0 (m) with the bonded "
             f"models {show(bonded)}"
         )
+    _check_ties(resolved)
     low, high = resolved["ensemble"]["percentiles"]
     if not low < 50.0 < high:
         raise ConfigError(
@@ -127,6 +128,26 @@ def _check_geometry(facade: Mapping, wall: Mapping) -> None:
             f"return_wall.count = {wall['count']}: expected count × thickness_m = {show(total)} "
             f"within facade.width_m = {show(facade['width_m'])} (m)"
         )
+
+
+def _check_ties(resolved: Mapping) -> None:
+    facade = resolved["facade"]
+    several = [name for name in resolved["models"] if not registry.model(name).single_block]
+    for number, row in enumerate(facade["ties"], 1):
+        where = f"facade.ties[{number}]"
+        if row["height_m"] > facade["height_m"]:
+            raise ConfigError(
+                f"{where}.height_m = {show(row['height_m'])}: expected at most facade.height_m = "
+                f"{show(facade['height_m'])} (m)"
+            )
+        if facade["sides"] == "two" or several:
+            what = f"models = {show(several)}" if several else "facade.sides = two"
+            raise ConfigError(f"{what}: expected no facade.ties, or a façade of one block on walls")
+        if row["elongation"] * row["e_mpa"] < row["yield_mpa"]:
+            raise ConfigError(
+                f"{where}.elongation = {show(row['elongation'])}: expected at least the strain at "
+                f"yield, yield_mpa/e_mpa = {show(row['yield_mpa'] / row['e_mpa'])}"
+            )
 
 
 def _at(resolved: Mapping, path: str) -> Any:

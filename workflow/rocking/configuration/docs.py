@@ -90,13 +90,16 @@ def render() -> str:
         lines += [f"### {heading}: {schema.get('title', name).lower()}", ""]
         lines += [" ".join(schema.get("description", "").split()), ""]
         lines += ["| key | unit | default | allowed | meaning |", "|---|---|---|---|---|"]
-        lines += [_row(path, part) for path, part in config_schema.leaves(schema)]
+        for path, part in config_schema.leaves(schema):
+            lines.append(_row(path, part))
+            entries = part.get("items", {})
+            lines += [_row(f"{path}[].{key}", one) for key, one in config_schema.leaves(entries)]
         lines.append("")
     return "\n".join(lines).rstrip() + "\n"
 
 
 def _row(path: str, schema: dict) -> str:
-    default = schema.get("default")
+    default = schema.get("default", "stated")
     shown = default if isinstance(default, str) else _text(default)
     allowed = config_schema.expectation({k: v for k, v in schema.items() if k != "unit"})
     meaning = " ".join(schema.get("description", "").split())

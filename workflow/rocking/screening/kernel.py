@@ -1,7 +1,6 @@
 """The compiled step loop. Leapfrog: positions and forces at whole steps, velocities between."""
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
@@ -10,53 +9,6 @@ from rocking.runtime.compiled import compiled
 OK, OVERTURNED, FAILED = 0, 1, 2
 REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
 COLUMNS = 14  # of a history before the supports' own
-
-
-class Table(NamedTuple):
-    """Motions at the whole steps, for a factor of one.
-
-    Attributes
-    ----------
-    step_s : float
-    ground_m_s2, vertical_m_s2 : ndarray, shape (steps + 1,)
-    place_m, speed_m_s : ndarray, shape (steps + 1, supports)
-        Of the supports relative to the ground; no rows when a chain carries them.
-    """
-
-    step_s: float
-    ground_m_s2: np.ndarray
-    vertical_m_s2: np.ndarray
-    place_m: np.ndarray
-    speed_m_s: np.ndarray
-
-
-class Bodies(NamedTuple):
-    """Masses that carry the supports: M ü + C u̇ + K u = −M a_g + contact forces.
-
-    Attributes
-    ----------
-    mass_kg : ndarray, shape (n,)
-        Without masses the supports are driven.
-    k_n_m, c_n_s_m : ndarray, shape (n, n)
-    """
-
-    mass_kg: np.ndarray
-    k_n_m: np.ndarray
-    c_n_s_m: np.ndarray
-
-
-class Rules(NamedTuple):
-    """When a history ends; the meaning is that of `simulate.StopRules`.
-
-    Attributes
-    ----------
-    limit_s, overturn_m, rest_velocity_m_s, rest_time_s : float
-    """
-
-    limit_s: float
-    overturn_m: float
-    rest_velocity_m_s: float
-    rest_time_s: float
 
 
 @compiled
@@ -102,6 +54,7 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
             inertia[g, 1] += p.kn_n_m[i] * s
             inertia[g, 2] += p.kn_n_m[i] * s * s
             inertia[g, 3] = max(inertia[g, 3], abs(s))
+    yielded, snapped = np.zeros(p.tie_k_n_m.size), np.zeros(p.tie_k_n_m.size, np.bool_)
     y, z, turn, vy, vz, spin = p.start  # rates half a step back, from the second step on
     ay = az = at = 0.0
     peak = moving_until = spent = 0.0
@@ -318,6 +271,33 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
             c12 += beta * (nz * um + ratio * tz * wm)
             c22 += beta * (na * na * u0 + 2.0 * na * ne * u1 + ne * ne * u2)
             c22 += beta * ratio * (ta * ta * w0 + 2.0 * ta * te * w1 + te * te * w2)
+        for i in range(p.tie_k_n_m.size):
+            if snapped[i]:
+                continue
+            j = p.tie_support[i]
+            ry = cos * p.tie_arm_m[i, 0] - sin * p.tie_arm_m[i, 1]
+            rz = sin * p.tie_arm_m[i, 0] + cos * p.tie_arm_m[i, 1]
+            ey, ez = y + ry - p.tie_end_m[i, 0] - su[j], z + rz - p.tie_end_m[i, 1]
+            length = math.hypot(ey, ez)
+            longer = length - p.tie_taut_m[i]
+            pull = p.tie_k_n_m[i] * (longer - yielded[i])
+            if pull <= 0.0:
+                continue
+            if longer > p.tie_snap_m[i]:
+                spent += 0.5 * min(pull, p.tie_capacity_n[i]) ** 2 / p.tie_k_n_m[i]
+                snapped[i] = True
+                broken += 1
+                continue
+            if pull > p.tie_capacity_n[i]:
+                pull = p.tie_capacity_n[i]
+                spent += pull * (longer - pull / p.tie_k_n_m[i] - yielded[i])
+                yielded[i] = longer - pull / p.tie_k_n_m[i]
+            elastic += 0.5 * pull * pull / p.tie_k_n_m[i]
+            gy, gz = -pull * ey / length, -pull * ez / length
+            fy += gy
+            fz += gz
+            moment += ry * gz - rz * gy
+            sf[j] -= gy
 
         d = y + cos * p.monitor_m[0] - sin * p.monitor_m[1] - p.monitor_m[0]
         v = py - pt * (sin * p.monitor_m[0] + cos * p.monitor_m[1])

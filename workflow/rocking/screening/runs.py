@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from .kernel import COLUMNS, FAILED, Bodies, Rules, Table, march
+from .inputs import Bodies, Rules, Table
+from .kernel import COLUMNS, FAILED, march
 from .plane import matrices
 
 STATUS = ("ok", "overturned", "failed")
