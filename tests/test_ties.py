@@ -3,12 +3,15 @@
 import math
 
 import numpy as np
+import pandas as pd
 import pytest
-from yade_process import in_yade, resolved
-
 from rocking.configuration.config import ConfigError
+from rocking.screening import strengthening
 from rocking.screening.plane import prepare
 from rocking.screening.runs import Motions, history
+from scipy.stats import binomtest
+from yade_process import in_yade, resolved
+
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.stiffness import assemble
 from yade_scripts.model.ties import rod
@@ -125,12 +128,9 @@ def test_yade_and_the_compiled_solver(name):
     config, scene = tied(row, model=model, numerics=FEW)
     t, ground = pulses(amplitude)
     floors = [] if model == "W1" else [ground * (1.0 + 0.1 * j) for j in range(1, 5)]
-    names = [f"floor{j}" for j in range(1, len(floors) + 1)]
     planar = history(prepare(scene), Motions(t, ground, floors), config["numerics"], sample_s=0.01)
-    columns = {
-        "ground": ground.tolist(),
-        **{n: f.tolist() for n, f in zip(names, floors, strict=True)},
-    }
+    columns = {f"floor{j}": floor.tolist() for j, floor in enumerate(floors, 1)}
+    columns["ground"] = ground.tolist()
     got = in_yade(
         "accuracy_cases", "balanced", config=config, model=model, beta_s=BETA_S, fraction=0.1,
         time_s=t.tolist(), columns=columns,
@@ -176,3 +176,60 @@ def test_impossible_ties(facade, models, message):
 
     with pytest.raises(ConfigError, match=message):
         config.resolve({"facade": facade, "models": models})
+
+
+# The least tie -------------------------------------------------------------------------------
+
+
+def searched(shares, n=61):
+    """Table of a search at two heights, by shares of members that fell."""
+    rows = []
+    for height, column in shares.items():
+        for k, share in enumerate(column):
+            band = binomtest(round(share * n), n).proportion_ci(0.95, "wilson")
+            rows.append((height, 10.0 * k, round(share * n), n, share, band.low, band.high))
+    names = ["height_m", "force_kn", "fell", "members", "probability", "low", "high"]
+    return pd.DataFrame(rows, columns=names)
+
+
+def test_the_least_tie_is_the_weakest_from_which_all_hold():
+    """An island of collapse above a force that holds counts; so does a height that never holds."""
+    table = searched({3.0: [1.0, 0.0, 0.5, 0.05, 0.0, 0.0], 6.0: [1.0, 1.0, 1.0, 1.0, 1.0, 0.9]})
+    found = strengthening.least(table, 0.1).set_index("height_m")
+    assert found.loc[3.0, "force_kn"] == 30.0
+    assert found.loc[3.0, "force_low_kn"] == 30.0
+    assert found.loc[3.0, "force_high_kn"] == 40.0  # 3 of 61: up to 0.14 with 95 %
+    assert np.isnan(found.loc[6.0, "force_kn"])
+    choice = strengthening.best(strengthening.least(table, 0.1))
+    assert strengthening.to_confirm(table, choice) == [(3.0, 20.0), (3.0, 30.0)]
+    assert strengthening.best(strengthening.least(table[table["height_m"] == 6.0], 0.1)) is None
+
+
+def test_search_finds_the_static_answer():
+    """A long slow push: the least tie at z is that of moments about the middle of the pressed toe.
+
+    F z = λ W h/2 − W (b/2 − c/3) when the tie yields, turned by θ = e_y/z; the weight then presses
+    on a toe of length c = √(2W/(jkn w θ)).
+    """
+    config, scene = tied(facade={"e_mpa": 1e5}, numerics=FEW)
+    job = {**config, "model": "W1", "beta_s": BETA_S}
+    f, z = config["facade"], 6.0
+    h, b = f["height_m"], f["thickness_m"]
+    push = 2.0 * b / h
+    time_s = np.linspace(0.0, 12.0, 601)
+    ground = push * G * 0.5 * (1.0 - np.cos(np.pi * np.minimum(time_s / 8.0, 1.0)))
+    settings = {
+        **config["strengthening"],
+        "pga_g": push,
+        "heights_m": [z],
+        "forces_kn": [6.2, 7.4],
+        "levels": 6,
+        "members": 5,
+    }
+    weight = scene.blocks[1].mass_kg * G
+    turn = settings["yield_mpa"] / 2e5 * settings["length_m"] / z
+    toe = math.sqrt(2.0 * weight / (f["e_mpa"] * 1e6 / h * f["width_m"] * turn))
+    expected = (push * weight * 0.5 * h - weight * (0.5 * b - toe / 3.0)) / z / 1e3
+    table = strengthening.search(job, time_s, {"ground": -ground}, "pos", settings)
+    (found,) = strengthening.least(table, 0.5)["force_kn"]
+    assert found == pytest.approx(expected, rel=0.04)

@@ -169,10 +169,7 @@ class EnergyBalance:
             rows.append((*arms, held, *law))
         table = np.array(rows, float).reshape(-1, 17)
         a, b = np.array(ends, int).reshape(-1, 2).T
-        shear, (force, depth, kn, ks, cs, friction, preload, yielded) = (
-            table[:, 6:9],
-            table[:, 9:].T,
-        )
+        force, depth, kn, ks, cs, friction, preload, yielded = table[:, 9:].T
         pressed = 0.5 * kn * (depth**2 - preload**2)
         return Contacts(
             keys,
@@ -182,7 +179,7 @@ class EnergyBalance:
             table[:, 3:6],
             depth,
             force,
-            shear,
+            table[:, 6:9],
             kn,
             ks,
             cs,

@@ -84,7 +84,7 @@ def check(resolved: Mapping) -> None:
             if value > limit or (word == "below" and value == limit):
                 text = f"{word.replace('_', ' ')} {schema[word]} = {show(limit)}"
                 raise ConfigError(f"{path} = {show(value)}: expected a value {text}")
-        if schema.get("ascending") and any(a >= b for a, b in itertools.pairwise(value)):
+        if schema.get("ascending") and value and any(a >= b for a, b in itertools.pairwise(value)):
             raise ConfigError(f"{path} = {show(value)}: expected ascending values")
     _check_geometry(resolved["facade"], resolved["return_wall"])
     if resolved["facade"]["sides"] == "two" and resolved["models"] != ["W1"]:

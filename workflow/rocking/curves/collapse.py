@@ -112,9 +112,9 @@ def summary(scan, curve, members, spread):
         below, in either method; lowest that fell; first crossings of 10, 50 and 90 %; amplitude
         from which all collapse; largest that was run.
     """
-    own = pd.concat([_outcomes(table) for table in (curve, members) if len(table)])
-    dense = own if scan is None else _outcomes(scan)
-    every = own if scan is None else pd.concat([own, dense])
+    own = [_outcomes(table) for table in (curve, members) if len(table)]
+    every = pd.concat(own if scan is None else [*own, _outcomes(scan)])
+    dense = every if scan is None else _outcomes(scan)
     every = every.sort_values("pga_g", ignore_index=True)
     dense = dense.sort_values("pga_g", ignore_index=True)
     fell, stood = every[every["collapsed"] == 1]["pga_g"], every[every["collapsed"] == 0]["pga_g"]

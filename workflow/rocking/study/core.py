@@ -178,6 +178,14 @@ class Study:
             if self.scanned(run, Path(path).parent.name)
         ]
 
+    def tied_curves(self, run, ending) -> list[str]:
+        """Files of the search for the least tie, of the models that a tie can be added to."""
+        return [
+            path.replace("/ida/", "/strengthening/").replace(".csv", ending)
+            for path in self.ida_tables(run)
+            if MODELS[Path(path).parent.name].twin
+        ]
+
     def ensemble_tables(self, run) -> list[str]:
         """Ensemble tables of a run; none where config switches them off."""
         if self.runs[run]["ensemble"]["enabled"] == "off":

@@ -1,0 +1,77 @@
+"""Collapse probability against tie force at one intensity, and collapse PGA against tie force."""
+
+import json
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from rocking.figures import style
+from rocking.runtime.script import run
+
+SIGNS = {"pos": "+", "neg": "−"}
+LOOKS = (
+    ("#0072B2", "-", "o"),
+    ("#D55E00", "--", "s"),
+    ("#009E73", "-.", "^"),
+    ("#CC79A7", ":", "D"),
+)
+TICKS_KN = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
+
+
+def place(force_kn, first):
+    """Where a force stands on the logarithmic axis; no tie, a step before the weakest."""
+    return np.where(force_kn > 0.0, force_kn, 0.6 * first)
+
+
+def main(job):
+    settings = json.loads(job.params.settings)["strengthening"]
+    table, least = pd.read_csv(job.input.search), pd.read_csv(job.input.least)
+    curve, yade = pd.read_csv(job.input.curve), pd.read_csv(job.input.yade)
+    facts = json.loads(Path(job.input.facts).read_text())
+    first = settings["forces_kn"][0]
+    figure, (left, right) = plt.subplots(1, 2, figsize=(7.6, 3.3))
+    for k, (height, part) in enumerate(table.groupby("height_m")):
+        colour, line, marker = LOOKS[k % len(LOOKS)]
+        x = place(part["force_kn"], first)
+        left.fill_between(x, part["low"], part["high"], color=colour, alpha=0.15, lw=0)
+        share = height / job.params.height_m
+        left.plot(
+            x, part["probability"], line, color=colour, marker=marker, ms=2.5,
+            label=f"tie at {height:.2f} m ({share:.0%} of the height)",
+        )  # fmt: skip
+    for force, part in yade[yade["status"] != "failed"].groupby("force_kn"):
+        label = f"YADE, {len(part)} members" if force == yade["force_kn"].max() else None
+        left.plot(
+            place(force, first), part["collapsed"].mean(), "k*", ms=9, mfc="none", label=label
+        )
+    left.axhline(settings["probability"], color="k", lw=0.7)
+    left.set(ylabel=f"collapse probability at {settings['pga_g']:g} g [-]", ylim=(-0.03, 1.03))
+    left.legend(loc="best", fontsize=7)
+
+    x, height = place(curve["force_kn"], first), curve["height_m"].iloc[0]
+    low, high = curve["pga_p10_g"], curve["pga_p90_g"].fillna(curve["pga_max_g"])
+    right.fill_between(x, low, high, color="#0072B2", alpha=0.2, lw=0, label="10 to 90 % collapse")
+    right.plot(x, curve["pga_median_g"], "o-", ms=3, color="#0072B2", label="50 %")
+    right.plot(x, curve["pga_collapse_g"], "v:", ms=3, color="#D55E00", label="lowest collapse")
+    right.axhline(settings["pga_g"], color="k", lw=0.7)
+    right.set(ylabel="collapse PGA [g]", ylim=(0.0, None))
+    right.set_title(f"tie at {height:.2f} m", loc="left")
+    right.legend(loc="best", fontsize=7)
+    held = least.dropna(subset="force_kn")
+    for axis in (left, right):
+        axis.set_xscale("log")
+        axis.set_xlabel("force of the row of ties at yield [kN]")
+        ticks = [t for t in TICKS_KN if first <= t <= settings["forces_kn"][1]]
+        axis.set_xticks([0.6 * first, *ticks], ["none", *(f"{t:g}" for t in ticks)])
+        axis.minorticks_off()
+    found = f"least tie {held['force_kn'].min():.3g} kN" if len(held) else "no tie tried holds"
+    left.set_title(
+        f"{table['model'].iloc[0]}, {style.provenance(facts)} "
+        f"{SIGNS[table['direction'].iloc[0]]}: {found}",
+        loc="left",
+    )
+    style.save(figure, [job.output.png, job.output.pdf])
+
+
+run(main, globals())

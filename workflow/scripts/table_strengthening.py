@@ -1,0 +1,32 @@
+"""Least tie of every curve and height, and what YADE's members say of the confirmed one."""
+
+import json
+
+import numpy as np
+import pandas as pd
+from rocking.runtime.script import run
+
+
+def confirmed(table, force_kn):
+    """Share of YADE's members that fell at a force, and their number."""
+    mine = table[np.isclose(table["force_kn"], force_kn, rtol=1e-4)]
+    mine = mine[mine["status"] != "failed"]
+    return (mine["collapsed"].mean() if len(mine) else np.nan), len(mine)
+
+
+def main(job):
+    settings = json.loads(job.params.settings)["strengthening"]
+    rows = []
+    for path, yade_path in zip(job.input.least, job.input.yade, strict=True):
+        yade = pd.read_csv(yade_path)
+        for row in pd.read_csv(path).to_dict("records"):
+            here = yade[np.isclose(yade["height_m"], row["height_m"], rtol=1e-4)]
+            share, members = confirmed(here, row["force_kn"])
+            rows.append({**row, "probability_yade": share, "members_yade": members})
+    table = pd.DataFrame(rows)
+    table.insert(3, "pga_g", settings["pga_g"])
+    table.insert(4, "accepted", settings["probability"])
+    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+
+
+run(main, globals())
