@@ -27,7 +27,8 @@ def trial_heights(settings, height_m):
 
 def trial_forces(settings, levels):
     """Forces of the row [kN]: none, then equal ratios between the stated ones."""
-    return np.concatenate(([0.0], np.geomspace(*settings["forces_kn"], levels)))
+    low, high = settings["forces_kn"]
+    return np.concatenate(([0.0], np.geomspace(low, high, levels)))
 
 
 def row_of_rods(settings, height_m, force_kn):
@@ -85,8 +86,8 @@ def search(job, time_s, columns, direction, settings):
         force.
     """
     spread = job["ensemble"]["amplitude_spread"]
-    rows = []
-    bare = None
+    rows: list[tuple] = []
+    bare: tuple | None = None
     for height in trial_heights(settings, job["facade"]["height_m"]):
         for force in trial_forces(settings, settings["levels"]):
             if force == 0.0 and bare:
