@@ -12,6 +12,7 @@ from .plane import matrices
 
 STATUS = ("ok", "overturned", "failed")
 STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
+TABLES = 3  # of motions that are kept, some 10 MB each
 NO_BODIES = Bodies(np.zeros(0), np.zeros((0, 0)), np.zeros((0, 0)))
 
 
@@ -59,6 +60,7 @@ class Motions:
             ("supports_m_s2", np.array(rows[2:]).reshape(-1, time.size + 1)),
         ):
             object.__setattr__(self, name, value)
+        object.__setattr__(self, "_tables", {})
 
     def peak_speed(self):
         """Largest |velocity| of ground and supports at a factor of one [m/s]."""
@@ -69,10 +71,20 @@ class Motions:
     def table(self, step_s, supports=True):
         """Motions at the whole steps; those of the supports relative to the ground, exact.
 
+        The last `TABLES` are kept: amplitudes that are asked for a few at a time share them.
+
         Returns
         -------
         Table
         """
+        kept = self._tables
+        if (step_s, supports) not in kept:
+            while len(kept) >= TABLES:
+                kept.pop(next(iter(kept)))
+            kept[step_s, supports] = self._tabulate(step_s, supports)
+        return kept[step_s, supports]
+
+    def _tabulate(self, step_s, supports):
         t = self.time_s
         grid = step_s * np.arange(math.ceil(t[-1] / step_s) + 1)
         i = np.clip(np.searchsorted(t, grid, side="right") - 1, 0, t.size - 2)

@@ -5,6 +5,7 @@ that take `wildcards` are input functions of rules. Nothing here touches Snakema
 """
 
 from rocking.study.accuracy import Accuracy
+from rocking.study.assessment import Assessment
 from rocking.study.boundary import Boundary
 from rocking.study.building import Building
 from rocking.study.calibration import Calibration
@@ -15,6 +16,7 @@ from rocking.study.risk import Risk
 
 __all__ = [
     "Accuracy",
+    "Assessment",
     "Boundary",
     "Building",
     "Calibration",

@@ -1,0 +1,137 @@
+"""All checks of one façade under one demand, and which mechanism of it they are applied to."""
+
+import numpy as np
+
+from rocking.assessment import checks
+from rocking.assessment.demand import RecordDemand, floor_demand
+from rocking.assessment.mechanism import Facade, overturning
+from rocking.mechanics.closed_forms import G_M_S2
+from rocking.mechanics.rocking_block import overturning_pga
+from yade_scripts.model.motion import SIGNS
+
+CHECKS = {  # key of the tables: what figures call it
+    "linear_ground": "linear q = 2, ground",
+    "linear_height": "linear q = 2, floor",
+    "slv_ground": "non-linear 0.4 d0, ground",
+    "slv_height": "non-linear 0.4 d0, floor",
+    "slc_ground": "non-linear 0.6 d0, ground",
+    "slc_height": "non-linear 0.6 d0, floor",
+    "parts_ground": "NZS parts, rigid, ground",
+    "parts_height": "NZS parts, rigid, floor",
+    "parts_slow": "NZS parts, T_SLV, floor",
+    "housner": "Housner's energy",
+    "oscillator": "rocking oscillator",
+}
+
+
+def facade_of(section, settings):
+    """The façade of sections facade and assessment as its mechanisms see it."""
+    h, b = section["height_m"], section["thickness_m"]
+    arm = settings["roof_arm_m"]
+    return Facade(
+        h,
+        b,
+        section["density_kg_m3"] * G_M_S2 * h * b * section["width_m"],
+        settings["hinge_inset_m"],
+        1e3 * settings["roof_load_kn"],
+        0.5 * b if arm is None else arm,
+    )
+
+
+def ties_of(section, settings, force_kn=None):
+    """Ties of section assessment as pulls of `overturning`; none without a force."""
+    force = settings["tie_kn"] if force_kn is None else force_kn
+    height = settings["tie_height_m"] or section["height_m"]
+    return [(1e3 * force, height, settings["tie_reach_m"], False)] if force > 0.0 else []
+
+
+def mechanism_of(section, settings):
+    """Overturning of the whole façade with its roof load and ties."""
+    return overturning(facade_of(section, settings), ties_of(section, settings))
+
+
+def battery(mechanism, facade, chain, settings, demand):
+    """Every check but the oscillator's, under one demand.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+    facade : dict
+        Section facade.
+    chain : dict
+        Section smdof.
+    settings : dict
+        Section assessment.
+    demand : RecordDemand or TableDemand
+        Of the ground.
+
+    Returns
+    -------
+    dict of str to Check
+        By the keys of `CHECKS`.
+    """
+    h, share = facade["height_m"], settings["height_ratio"]
+    fc, q = settings["confidence_factor"], settings["behaviour_factor"]
+    floor = floor_demand(demand, share, chain)
+    places = {"ground": (demand, "on the ground"), "height": (floor, f"at {share:g} of the height")}
+    found = {}
+    for key, (at, where) in places.items():
+        found[f"linear_{key}"] = checks.linear(
+            mechanism, at, where, confidence_factor=fc, behaviour=q
+        )
+        for limit in checks.LIMITS:
+            found[f"{limit.lower()}_{key}"] = checks.nonlinear(
+                mechanism, at, where, limit, confidence_factor=fc
+            )
+    slow = next(v for s, _, v, _ in found["slv_ground"].steps if s == "T_SLV")
+    for key, height, period in (
+        ("parts_ground", 0.0, 0.0),
+        ("parts_height", share * h, 0.0),
+        ("parts_slow", share * h, slow),
+    ):
+        found[key] = checks.parts(
+            mechanism, demand, height, h, period, response_factor=settings["response_factor"]
+        )
+    found["housner"] = checks.housner(h, facade["thickness_m"], demand)
+    return found
+
+
+def failing_pga(mechanism, facade, chain, settings, record, directions, max_pga_g):
+    """PGA at which each check just fails under one record, its own spectrum scaled [g].
+
+    The rocking oscillator is integrated, so its answer depends on the direction; NaN where it
+    stands up to `max_pga_g`.
+
+    Returns
+    -------
+    list of (direction, key, pga_g)
+    """
+    demand = RecordDemand(record.acceleration_m_s2, record.dt_s)
+    own = battery(mechanism, facade, chain, settings, demand)
+    rows = []
+    for direction in directions:
+        rows += [(direction, key, check.failing_pga_g) for key, check in own.items()]
+        alone = overturning_pga(
+            record.acceleration_m_s2,
+            record.dt_s,
+            facade["height_m"],
+            facade["thickness_m"],
+            SIGNS[direction],
+            max_pga_g,
+        )
+        rows.append((direction, "oscillator", alone))
+    return rows
+
+
+def pulse_share(record):
+    """Share of ∫v² dt that lies in the half cycle of velocity with the largest peak [-].
+
+    Near 1 for a single pulse, small for a long train of cycles. A half cycle lies between two zero
+    crossings.
+    """
+    a = record.acceleration_m_s2
+    v = np.concatenate(([0.0], np.cumsum(0.5 * record.dt_s * (a[1:] + a[:-1]))))
+    v = v - np.linspace(0.0, v[-1], v.size)
+    cycle = np.concatenate(([0], np.cumsum(np.signbit(v[1:]) != np.signbit(v[:-1]))))
+    mine = cycle == cycle[np.abs(v).argmax()]
+    return float(np.sum(v[mine] ** 2) / np.sum(v**2))

@@ -1,0 +1,133 @@
+"""Code against dynamics: ratios of the PGA a check allows to the PGA that fells the façade.
+
+A ratio above 1 is unsafe: the check still passes where the façade has fallen. Either PGA may lie
+beyond the largest that was run; such a ratio is an interval, and enters the lognormal fit and the
+share on the unsafe side as far as it is known.
+"""
+
+import math
+
+import numpy as np
+import pandas as pd
+
+from rocking.curves.fragility import fit
+
+EXACT = 1e-6  # relative half width of the interval that stands for an exact ratio
+COLUMNS = [
+    *("model", "level", "check", "group", "value", "n", "n_facades", "n_censored"),
+    *("median_ratio", "log_scatter", "unsafe_share", "ci_low", "ci_high"),
+]
+
+
+def intervals(check_g, dynamic_g, max_g):
+    """Ratio check/dynamic as low and high, 0 and ∞ where open.
+
+    Parameters
+    ----------
+    check_g, dynamic_g : ndarray
+        NaN where nothing failed or fell up to `max_g`.
+    max_g : ndarray or float
+    """
+    known_check, known_dynamic = np.isfinite(check_g), np.isfinite(dynamic_g)
+    low = np.where(known_check, check_g, max_g) / np.where(known_dynamic, dynamic_g, np.inf)
+    high = np.where(known_check, check_g, np.inf) / np.where(known_dynamic, dynamic_g, max_g)
+    exact = known_check & known_dynamic
+    return np.where(exact, low * (1 - EXACT), low), np.where(exact, high * (1 + EXACT), high)
+
+
+def unsafe(low, high):
+    """1 where a ratio exceeds 1, 0 where it does not, NaN where its interval cannot tell."""
+    return np.where(low > 1.0, 1.0, np.where(high <= 1.0 + 2 * EXACT, 0.0, np.nan))
+
+
+def share_interval(flags, stations, resamples, seed, confidence=0.95):
+    """Share of ones and its interval, stations drawn with replacement.
+
+    A station's components, and the façades that they shake, are drawn together. Where all flags are
+    alike every draw is, too; then the open end is the exact binomial one for as many trials as there
+    are stations, 1 − (tail)^(1/n).
+
+    Returns
+    -------
+    share, low, high : float
+    """
+    flags, stations = np.asarray(flags, float), np.asarray(stations)
+    keep = np.isfinite(flags)
+    if not keep.any():
+        return math.nan, math.nan, math.nan
+    names, index = np.unique(stations[keep], return_inverse=True)
+    ones = np.bincount(index, flags[keep], len(names))
+    count = np.bincount(index, minlength=len(names))
+    share, tail = ones.sum() / count.sum(), 0.5 * (1.0 - confidence)
+    if share in (0.0, 1.0):
+        reach = 1.0 - tail ** (1.0 / len(names))
+        return (0.0, 0.0, reach) if share == 0.0 else (1.0, 1.0 - reach, 1.0)
+    rng = np.random.default_rng(seed)
+    draws = rng.multinomial(len(names), np.full(len(names), 1.0 / len(names)), resamples)
+    found = (draws @ ones) / (draws @ count)
+    low, high = np.percentile(found, [100.0 * tail, 100.0 * (1.0 - tail)])
+    return float(share), float(low), float(high)
+
+
+def summary(table, resamples, seed):
+    """Ratios of one part of the table: median, scatter and share on the unsafe side.
+
+    Parameters
+    ----------
+    table : DataFrame
+        pga_fails_g, pga_dynamic_g, pga_max_g, station, run.
+    """
+    low, high = intervals(
+        *(table[k].to_numpy(float) for k in ("pga_fails_g", "pga_dynamic_g", "pga_max_g"))
+    )
+    known = (low > 0.0) | np.isfinite(high)
+    found = fit(low[known], high[known]) if known.sum() > 1 else None
+    share, below, above = share_interval(unsafe(low, high), table["station"], resamples, seed)
+    return {
+        "n": len(table),
+        "n_facades": table["run"].nunique(),
+        "n_censored": int(np.sum((low == 0.0) | np.isinf(high))),
+        "median_ratio": found.median if found else math.nan,
+        "log_scatter": found.dispersion if found else math.nan,
+        "unsafe_share": share,
+        "ci_low": below,
+        "ci_high": above,
+    }
+
+
+def groups(table):
+    """Parts of the table by what they have in common: (group, value, rows)."""
+    yield "all", "all", table
+    for name, column in (
+        ("height", "height_m"),
+        ("slenderness", "slenderness"),
+        ("T1", "period_s"),
+    ):
+        for value, part in table.groupby(column):
+            yield name, f"{value:g}", part
+    for name, column in (("pulse share", "pulse_share"), ("PGV/PGA", "pgv_over_pga_s")):
+        by_record = table.drop_duplicates("record")[column]
+        middle = float(by_record.median())
+        yield name, f"below {middle:.2g}", table[table[column] <= middle]
+        yield name, f"above {middle:.2g}", table[table[column] > middle]
+
+
+def compare(table, resamples, seed):
+    """Every model, level, check and group; see COLUMNS.
+
+    Parameters
+    ----------
+    table : DataFrame
+        One row a run, model, record, direction, check and level (`p10`, `median`).
+    """
+    rows = []
+    for (model, level, check), part in table.groupby(["model", "level", "check"], sort=False):
+        for group, value, rest in groups(part):
+            if len(rest):
+                one = summary(rest, resamples, seed)
+                rows.append(
+                    {"model": model, "level": level, "check": check, "group": group}
+                    | {"value": value}
+                    | one
+                )
+    return pd.DataFrame(rows, columns=COLUMNS)

@@ -1,0 +1,63 @@
+"""The code's floor spectrum beside the exact one of the chain that it approximates."""
+
+import numpy as np
+import pandas as pd
+
+from rocking.assessment.demand import RecordDemand, floor_demand
+from rocking.mechanics.closed_forms import G_M_S2
+from smdof.chain import floor_motions
+from smdof.spectra import response_spectrum
+
+PERIOD_RATIOS = np.geomspace(0.1, 8.0, 20)  # T over T1
+VARIANTS = {"all modes": False, "first mode, γ1 z/H": True}
+COLUMNS = ["record", "floor", "t_over_t1", "variant", "formula_g", "exact_g"]
+
+
+def beside(record, chain, damping_ratio=0.05, period_ratios=PERIOD_RATIOS):
+    """Formula and exact pseudo-acceleration on every floor of the chain, at the record's own PGA.
+
+    Parameters
+    ----------
+    record : rocking.records.Record
+    chain : dict
+        Section smdof.
+    damping_ratio : float
+        Of the oscillator on the floor.
+
+    Returns
+    -------
+    DataFrame
+        See COLUMNS; both in g.
+    """
+    n, t1 = chain["n_dof"], chain["period_s"]
+    motion = floor_motions(
+        record.acceleration_m_s2,
+        record.dt_s,
+        n,
+        t1,
+        chain["damping_ratio"],
+        chain["damping_model"],
+        tail_s=chain["tail_s"],
+    )
+    ground = RecordDemand(record.acceleration_m_s2, record.dt_s)
+    dt = record.dt_s / motion.refine
+    rows = []
+    for j in range(1, n + 1):
+        exact = response_spectrum(motion.floors_m_s2[j - 1], dt, period_ratios * t1, damping_ratio)
+        for name, simplified in VARIANTS.items():
+            floor = floor_demand(ground, j / n, chain, simplified)
+            for ratio, value in zip(period_ratios, exact.psa_m_s2 / G_M_S2, strict=True):
+                formula = floor.acceleration(ratio * t1, damping_ratio)
+                rows.append((record.name, j, ratio, name, formula, value))
+    return pd.DataFrame(rows, columns=COLUMNS)
+
+
+def spread(table):
+    """Median and 16th, 84th percentile of formula/exact, and share below one, by floor and period."""
+    table = table.assign(ratio=table["formula_g"] / table["exact_g"])
+    by = table.groupby(["variant", "floor", "t_over_t1"], sort=False)["ratio"]
+    found = by.quantile([0.16, 0.5, 0.84]).unstack()
+    found.columns = ["ratio_p16", "ratio_median", "ratio_p84"]
+    found["share_below_1"] = by.apply(lambda v: float((v < 1.0).mean()))
+    found["n"] = by.size()
+    return found.reset_index()

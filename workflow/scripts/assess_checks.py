@@ -1,0 +1,38 @@
+"""PGA at which each check of a code just fails, record by record, its own spectrum scaled."""
+
+import json
+
+import pandas as pd
+from rocking.assessment.battery import failing_pga, mechanism_of, pulse_share
+from rocking.records import load, measures
+from rocking.runtime.script import run
+
+
+def main(job):
+    settings = json.loads(job.params.settings)
+    facade, chain, own = (settings[k] for k in ("facade", "smdof", "assessment"))
+    own = {**own, "confidence_factor": 1.0}  # the dynamic answer knows its façade
+    mechanism = mechanism_of(facade, own)
+    rows = []
+    for name, station in job.params.records.items():
+        record = load(name, job.params.table, baseline=settings["baseline"], seed=settings["seed"])
+        peaks = measures(record)
+        of_record = {
+            "record": name,
+            "station": station,
+            "pulse_share": pulse_share(record),
+            "pgv_over_pga_s": peaks["pgv_cm_s"] / 100.0 / (9.80665 * peaks["pga_g"]),
+        }
+        found = failing_pga(
+            mechanism, facade, chain, own, record, settings["directions"], settings["ida.max_pga_g"]
+        )
+        rows += [
+            {**of_record, "direction": direction, "check": key, "pga_fails_g": pga_g}
+            for direction, key, pga_g in found
+        ]
+    pd.DataFrame(rows).to_csv(
+        job.output[0], index=False, float_format="%.6g", lineterminator="\n"
+    )
+
+
+run(main, globals())

@@ -1,0 +1,57 @@
+"""The code's floor spectrum over the exact one of the chain, over the run's records."""
+
+import json
+
+import matplotlib.pyplot as plt
+import pandas as pd
+from rocking.assessment.floor_spectra import VARIANTS, beside, spread
+from rocking.figures import style
+from rocking.records import load
+from rocking.runtime.script import run
+
+
+def main(job):
+    settings = json.loads(job.params.settings)
+    chain = settings["smdof"]
+    parts = [
+        beside(
+            load(name, job.params.table, baseline=settings["baseline"], seed=settings["seed"]), chain
+        )
+        for name in job.params.records
+    ]
+    table = spread(pd.concat(parts, ignore_index=True))
+    table.to_csv(job.output.table, index=False, float_format="%.6g", lineterminator="\n")
+    figure, axes = plt.subplots(1, len(VARIANTS), figsize=(7.2, 2.9), sharey=True)
+    floors = sorted({1, (chain["n_dof"] + 1) // 2, chain["n_dof"]})
+    for axis, variant in zip(axes, VARIANTS, strict=True):
+        for i, floor in enumerate(floors):
+            own = table[(table["variant"] == variant) & (table["floor"] == floor)]
+            axis.plot(
+                own["t_over_t1"],
+                own["ratio_median"],
+                ("-", "--", "-.")[i],
+                marker=("o", "s", "^")[i],
+                ms=3,
+                color=str(0.25 * i),
+                label=f"floor {floor} of {chain['n_dof']}",
+            )
+            if floor == floors[-1]:
+                axis.fill_between(
+                    own["t_over_t1"],
+                    own["ratio_p16"],
+                    own["ratio_p84"],
+                    color="0.85",
+                    lw=0,
+                    label="16 to 84 %, top floor",
+                )
+        axis.axhline(1.0, color="0.3", lw=0.8)
+        axis.set(xscale="log", yscale="log", ylim=(0.1, 5.0), xlabel="T/T1 [-]")
+        axis.set_title(variant, size=8)
+        axis.set_xticks([0.1, 0.3, 1, 3, 8], ["0.1", "0.3", "1", "3", "8"])
+        axis.set_yticks([0.1, 0.2, 0.5, 1, 2, 5], ["0.1", "0.2", "0.5", "1", "2", "5"])
+    axes[0].set_ylabel("formula / exact [-]")
+    axes[0].legend(loc="lower left", fontsize=7)
+    style.save(figure, [job.output.png, job.output.pdf])
+
+
+run(main, globals())

@@ -1,0 +1,125 @@
+"""Ratios of every check to the dynamic answer, over the façades of the study, table and figures."""
+
+import json
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from rocking.assessment.battery import CHECKS
+from rocking.assessment.comparison import compare
+from rocking.figures import style
+from rocking.runtime.script import run
+
+from yade_scripts.model.registry import MODELS
+
+KEYS = ["record", "direction"]
+FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
+GROUPS = ("height", "slenderness", "T1", "pulse share", "PGV/PGA")
+SHOWN = ("linear_ground", "slv_ground", "slv_height", "slc_height")
+MARKS = ("o", "s", "^", "D")
+HEADINGS = {"height": "height [m]", "slenderness": "h/b [-]", "T1": "T1 [s]"}
+HEADINGS |= {"pulse share": "pulse share [-]", "PGV/PGA": "PGV/PGA [s]"}
+
+
+def gather(job):
+    """One row a run, model, record, direction, check and level."""
+    parts = []
+    for name, facts in json.loads(job.params.runs).items():
+        checks = pd.read_csv(facts["checks"])
+        for path in facts["collapse"]:
+            long = pd.read_csv(path).melt(
+                [*KEYS, "model", "pga_max_g"],
+                ["pga_p10_g", "pga_median_g"],
+                "level",
+                "pga_dynamic_g",
+            )
+            long["level"] = long["level"].map({"pga_p10_g": "p10", "pga_median_g": "median"})
+            both = long.merge(checks, on=KEYS)
+            for key in ("height_m", "slenderness", "period_s"):
+                both[key] = facts[key]
+            parts.append(both.assign(run=name))
+    return pd.concat(parts, ignore_index=True)
+
+
+def draw_ratios(table, output):
+    """A panel a model: median ratio with one logarithmic standard deviation, unsafe share beside."""
+    table = table[(table["group"] == "all") & (table["level"] == "median")]
+    models = list(dict.fromkeys(table["model"]))
+    figure, axes = plt.subplots(
+        1, len(models), figsize=(2.2 + 2.6 * len(models), 3.6), sharey=True, squeeze=False
+    )
+    keys = [k for k in CHECKS if (table["check"] == k).any()]
+    for axis, model in zip(axes.flat, models, strict=True):
+        own = table[table["model"] == model].set_index("check").reindex(keys)
+        y = np.arange(len(keys))[::-1]
+        middle, spread = own["median_ratio"], np.exp(own["log_scatter"])
+        axis.axvspan(1.0, 100.0, color="0.92", lw=0)
+        axis.axvline(1.0, color="0.3", lw=0.8)
+        axis.errorbar(
+            middle,
+            y,
+            xerr=[middle - middle / spread, middle * spread - middle],
+            fmt=MODELS[model].marker,
+            color="0.1",
+            ms=4,
+            capsize=2,
+            lw=0.9,
+        )
+        for at, (_, row) in zip(y, own.iterrows(), strict=True):
+            words = f"{100 * row['unsafe_share']:.0f} %"
+            axis.text(1.02, at, words, transform=axis.get_yaxis_transform(), va="center", size=7)
+        axis.set(xscale="log", xlim=(0.03, 12.0), ylim=(-0.7, len(keys) - 0.3))
+        axis.set_xticks([0.1, 0.3, 1.0, 3.0, 10.0], ["0.1", "0.3", "1", "3", "10"])
+        axis.set_title(f"{model}; right: share unsafe", size=8)
+        axis.set_xlabel("PGA check / PGA collapse [-]")
+        axis.set_yticks(y, [CHECKS[k] for k in keys])
+    style.save(figure, output)
+
+
+def draw_groups(table, output):
+    """Share on the unsafe side by what façades and records have in common."""
+    table = table[table["level"] == "median"]
+    models = list(dict.fromkeys(table["model"]))
+    figure, axes = plt.subplots(
+        len(models), len(GROUPS), figsize=(9.0, 0.9 + 1.7 * len(models)), sharey=True, squeeze=False
+    )
+    for row, model in zip(axes, models, strict=True):
+        for axis, group in zip(row, GROUPS, strict=True):
+            own = table[(table["model"] == model) & (table["group"] == group)]
+            values = list(dict.fromkeys(own["value"]))
+            for i, (check, mark) in enumerate(zip(SHOWN, MARKS, strict=True)):
+                part = own[own["check"] == check].set_index("value").reindex(values)
+                x = np.arange(len(values)) + 0.16 * (i - 1.5)
+                low, high = part["unsafe_share"] - part["ci_low"], part["ci_high"]
+                axis.errorbar(
+                    x,
+                    100 * part["unsafe_share"],
+                    yerr=100 * np.array([low, high - part["unsafe_share"]]).clip(0.0),
+                    fmt=mark,
+                    color=str(0.18 * i),
+                    mfc="none" if i % 2 else str(0.18 * i),
+                    ms=4,
+                    lw=0.8,
+                    label=CHECKS[check],
+                )
+            axis.set_xticks(range(len(values)), [v.replace(" ", "\n") for v in values])
+            axis.set(ylim=(-3, 103), xlim=(-0.5, len(values) - 0.5))
+            if axis is row[0]:
+                axis.set_ylabel(f"{model}: unsafe [%]")
+            if row is axes[-1]:
+                axis.set_xlabel(HEADINGS[group])
+    handles, labels = axes[0, 0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper center", ncols=4, fontsize=7)
+    style.save(figure, output)
+
+
+def main(job):
+    table = gather(job)
+    table.to_csv(job.output.ratios, **FORMAT)
+    found = compare(table, job.params.resamples, job.params.seed)
+    found.to_csv(job.output.table, **FORMAT)
+    draw_ratios(found, [job.output.png, job.output.pdf])
+    draw_groups(found, [job.output.groups_png, job.output.groups_pdf])
+
+
+run(main, globals())
