@@ -111,6 +111,11 @@ class Browser:
         entries = self._call("POST", f"{self.session}/se/log", {"type": "browser"})
         return [f"{entry['level']}: {entry['message']}" for entry in entries]
 
+    def call_cdp(self, command, params):
+        """A command of Chromium's own protocol, as its emulation of other screens."""
+        body = {"cmd": command, "params": params}
+        return self._call("POST", f"{self.session}/goog/cdp/execute", body)
+
     def screenshot(self, path):
         picture = self._call("GET", f"{self.session}/screenshot")
         with open(path, "wb") as handle:

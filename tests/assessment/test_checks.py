@@ -94,7 +94,7 @@ def test_parts_by_hand():
 
 
 def test_housner_by_hand():
-    """α = 0.09967, R = 3.015 m, p = 1.562 1/s: V = √(8·9.81·3.015·0.004963/3)/0.99504 = 0.6286 m/s."""
+    """α = 0.09967, R = 3.015 m: V = √(8·9.81·3.015·0.004963/3)/0.99504 = 0.6286 m/s."""
     found = checks.housner(6.0, 0.6, SPECTRUM)
     three(found.capacity, 0.6286)
     alpha, _, p = block(6.0, 0.6)

@@ -2,6 +2,11 @@
 COMPARED = f"results/{STUDY.name}/assessment"
 
 
+rule assess:
+    input:
+        STUDY.per_run(ASSESSMENT.reports),
+
+
 rule code_against_dynamics:
     input:
         f"{COMPARED}/code_against_dynamics.csv",
@@ -105,3 +110,98 @@ rule compare_code_and_dynamics:
         seed=lambda w: next(iter(STUDY.runs.values()))["seed"],
     script:
         "../scripts/code_against_dynamics.py"
+
+
+rule assess_code:
+    input:
+        site=ASSESSMENT.site,
+        spectrum=ASSESSMENT.spectrum,
+        hazard=ASSESSMENT.hazard,
+        table=lambda w: STUDY.table_path(w.run),
+        records=lambda w: STUDY.record_files(w),
+        modules=code("assess_code"),
+    output:
+        checks="results/{run}/assessment/code_checks.csv",
+        steps="results/{run}/assessment/code_steps.csv",
+        curve="results/{run}/assessment/capacity_curve.csv",
+        sensitivity="results/{run}/assessment/code_sensitivity.csv",
+        mechanisms="results/{run}/assessment/mechanisms.csv",
+        spectra="results/{run}/assessment/spectra.csv",
+    log:
+        "results/{run}/logs/assess_code.log",
+    params:
+        table=lambda w: STUDY.table_path(w.run),
+        records=lambda w: STUDY.records[w.run],
+        settings=STUDY.params_of(
+            "facade", "smdof", "assessment", "baseline", "seed", "risk.site"
+        ),
+    script:
+        "../scripts/assess_code.py"
+
+
+rule assess_dynamic:
+    input:
+        collapse=lambda w: ASSESSMENT.collapse(w.run),
+        checks="results/{run}/assessment/code_checks.csv",
+        hazard=ASSESSMENT.hazard,
+        modules=code("assess_dynamic"),
+    output:
+        table="results/{run}/assessment/dynamic.csv",
+        curves="results/{run}/assessment/dynamic_curves.csv",
+    log:
+        "results/{run}/logs/assess_dynamic.log",
+    params:
+        stations=ASSESSMENT.stations,
+        period_s=lambda w: STUDY.cfg(w)["smdof"]["period_s"],
+        site=lambda w: STUDY.cfg(w)["risk"]["site"],
+        resamples=lambda w: STUDY.cfg(w)["assessment"]["resamples"],
+        seed=lambda w: STUDY.cfg(w)["seed"],
+    script:
+        "../scripts/assess_dynamic.py"
+
+
+rule assess_sensitivity:
+    input:
+        scene=ASSESSMENT.scene,
+        table=lambda w: STUDY.table_path(w.run),
+        records=lambda w: STUDY.record_files(w),
+        modules=code("assess_sensitivity"),
+    output:
+        "results/{run}/assessment/dynamic_sensitivity.csv",
+    log:
+        "results/{run}/logs/assess_sensitivity.log",
+    params:
+        table=lambda w: STUDY.table_path(w.run),
+        records=lambda w: STUDY.records[w.run],
+        settings=STUDY.params_of("directions", "baseline", "seed", "ida.max_pga_g"),
+    script:
+        "../scripts/assess_sensitivity.py"
+
+
+rule assess_report:
+    input:
+        tables=ASSESSMENT.tables,
+        site=ASSESSMENT.site,
+        scene=ASSESSMENT.scene,
+        table=lambda w: STUDY.table_path(w.run),
+        modules=code("assess_report"),
+    output:
+        html="results/{run}/assessment/report.html",
+        pdf="results/{run}/assessment/report.pdf",
+    log:
+        "results/{run}/logs/assess_report.log",
+    params:
+        run=lambda w: w.run,
+        table=lambda w: STUDY.table_path(w.run),
+        stations=ASSESSMENT.stations,
+        settings=STUDY.params_of(
+            "facade",
+            "return_wall",
+            "smdof",
+            "damping",
+            "assessment",
+            "directions",
+            "seed",
+        ),
+    script:
+        "../scripts/assess_report.py"

@@ -71,7 +71,7 @@ if workflow.is_main_process and "check" not in sys.argv:  # that target says so 
     terminal.warn([str(f) for f in FINDINGS if f.status == "warning"])
 
 ACCURACY = study.Accuracy(STUDY)
-ASSESSMENT = study.Assessment(STUDY)
+ASSESSMENT = study.Assessment(STUDY, config)
 BOUNDARY = study.Boundary(STUDY)
 BUILDING = study.Building(STUDY)
 CALIBRATION = study.Calibration(STUDY)

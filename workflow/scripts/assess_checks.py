@@ -30,9 +30,7 @@ def main(job):
             {**of_record, "direction": direction, "check": key, "pga_fails_g": pga_g}
             for direction, key, pga_g in found
         ]
-    pd.DataFrame(rows).to_csv(
-        job.output[0], index=False, float_format="%.6g", lineterminator="\n"
-    )
+    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
 
 
 run(main, globals())

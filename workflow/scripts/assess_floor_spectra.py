@@ -15,7 +15,8 @@ def main(job):
     chain = settings["smdof"]
     parts = [
         beside(
-            load(name, job.params.table, baseline=settings["baseline"], seed=settings["seed"]), chain
+            load(name, job.params.table, baseline=settings["baseline"], seed=settings["seed"]),
+            chain,
         )
         for name in job.params.records
     ]
@@ -49,6 +50,7 @@ def main(job):
         axis.set_title(variant, size=8)
         axis.set_xticks([0.1, 0.3, 1, 3, 8], ["0.1", "0.3", "1", "3", "8"])
         axis.set_yticks([0.1, 0.2, 0.5, 1, 2, 5], ["0.1", "0.2", "0.5", "1", "2", "5"])
+        axis.minorticks_off()
     axes[0].set_ylabel("formula / exact [-]")
     axes[0].legend(loc="lower left", fontsize=7)
     style.save(figure, [job.output.png, job.output.pdf])

@@ -42,7 +42,7 @@ def gather(job):
 
 
 def draw_ratios(table, output):
-    """A panel a model: median ratio with one logarithmic standard deviation, unsafe share beside."""
+    """A panel a model: median ratio with one logarithmic deviation, unsafe share beside."""
     table = table[(table["group"] == "all") & (table["level"] == "median")]
     models = list(dict.fromkeys(table["model"]))
     figure, axes = plt.subplots(
@@ -68,7 +68,7 @@ def draw_ratios(table, output):
         for at, (_, row) in zip(y, own.iterrows(), strict=True):
             words = f"{100 * row['unsafe_share']:.0f} %"
             axis.text(1.02, at, words, transform=axis.get_yaxis_transform(), va="center", size=7)
-        axis.set(xscale="log", xlim=(0.03, 12.0), ylim=(-0.7, len(keys) - 0.3))
+        axis.set(xscale="log", xlim=(0.02, 15.0), ylim=(-0.7, len(keys) - 0.3))
         axis.set_xticks([0.1, 0.3, 1.0, 3.0, 10.0], ["0.1", "0.3", "1", "3", "10"])
         axis.set_title(f"{model}; right: share unsafe", size=8)
         axis.set_xlabel("PGA check / PGA collapse [-]")

@@ -1,11 +1,11 @@
 """Lowest amplitudes at which 10 and 50 % of the members collapse, for many façades and motions.
 
 The dense scan (`rocking.screening.scan`) finds every island of a curve. Where only the first
-crossings are wanted, of thousands of curves, this climbs at `CLIMB` to a first collapse, looks for a
-lower one at `RATIO` over two of its steps below, and runs members from there up to the crossing of
-one half. Members differ in amplitude, node layout and step, as those of the dense scan do. An island
-further below, narrower than a step of the climb, may be missed: what that changes is measured in
-docs/assessment.md.
+crossings are wanted, of thousands of curves, this climbs at `CLIMB` to a first collapse, looks for
+a lower one at `RATIO` over two of its steps below, and runs members from there up to the crossing
+of one half. Members differ in amplitude, node layout and step, as those of the dense scan do. An
+island further below, narrower than a step of the climb, may be missed: what that changes is
+measured in docs/assessment.md.
 """
 
 import math
@@ -16,7 +16,8 @@ import pandas as pd
 from rocking.curves.collapse import first_crossing, from_scan
 from rocking.screening import peaks, stable_step
 from rocking.screening.scan import Screen
-from yade_scripts.model import registry
+from smdof.chain import floor_motions
+from yade_scripts.model import models, registry
 from yade_scripts.model.motion import amplitude
 
 CLIMB = {"one": 1.12, "floors": 1.03}  # from one amplitude of the climb to the next, by walls
@@ -115,3 +116,34 @@ class Climb:
             if pga_g.size and pga_g[-1] >= found[-1] * (1.0 + SPREAD):
                 break
         return found
+
+
+def floor_columns(record, chain):
+    """Times and accelerations of ground and floors under a record, as scenes take them.
+
+    Parameters
+    ----------
+    record : rocking.records.Record
+    chain : dict
+        Section smdof.
+    """
+    motion = floor_motions(
+        record.acceleration_m_s2,
+        record.dt_s,
+        chain["n_dof"],
+        chain["period_s"],
+        chain["damping_ratio"],
+        chain["damping_model"],
+        tail_s=chain["tail_s"],
+    )
+    floors = {f"floor{j + 1}": row for j, row in enumerate(motion.floors_m_s2)}
+    return motion.time_s, {"ground": motion.ground_m_s2, **floors}
+
+
+def collapse_pga(job, record, directions, max_pga_g):
+    """First crossings under one record: (direction, p10, median, histories run) each [g]."""
+    motion = floor_columns(record, job["smdof"])
+    start = START[registry.model(job["model"]).walls] * models.static_multiplier(job)
+    for direction in directions:
+        climb = Climb(job, motion[0], motion[1], direction)
+        yield direction, *climb.crossings(max_pga_g, start), climb.runs

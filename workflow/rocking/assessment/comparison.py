@@ -43,9 +43,9 @@ def unsafe(low, high):
 def share_interval(flags, stations, resamples, seed, confidence=0.95):
     """Share of ones and its interval, stations drawn with replacement.
 
-    A station's components, and the façades that they shake, are drawn together. Where all flags are
-    alike every draw is, too; then the open end is the exact binomial one for as many trials as there
-    are stations, 1 − (tail)^(1/n).
+    A station's components, and the façades that they shake, are drawn together. Where all flags
+    are alike every draw is, too; then the open end is the exact binomial one for as many trials
+    as there are stations, 1 − (tail)^(1/n).
 
     Returns
     -------

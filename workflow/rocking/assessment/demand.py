@@ -110,7 +110,7 @@ class FloorDemand:
         ξ_k of the building's modes.
     """
 
-    ground: object
+    ground: RecordDemand | TableDemand
     period_s: tuple
     share: tuple
     damping_ratio: float = REFERENCE

@@ -53,7 +53,7 @@ def beside(record, chain, damping_ratio=0.05, period_ratios=PERIOD_RATIOS):
 
 
 def spread(table):
-    """Median and 16th, 84th percentile of formula/exact, and share below one, by floor and period."""
+    """Median, 16th and 84th percentile of formula/exact, share below one, by floor and period."""
     table = table.assign(ratio=table["formula_g"] / table["exact_g"])
     by = table.groupby(["variant", "floor", "t_over_t1"], sort=False)["ratio"]
     found = by.quantile([0.16, 0.5, 0.84]).unstack()

@@ -233,14 +233,12 @@ def overturning(facade, pulls=(), name="overturning about the base"):
     return Mechanism(name, tuple(weights), top, tuple(found))
 
 
-def courses(
-    height_m, course_m, return_thickness_m, overlap_m, friction, unit_weight_n_m3, walls=2
-):
+def courses(height_m, course_m, return_thickness_m, overlap_m, friction, unit_weight_n_m3, walls=2):
     """Friction of interlocked courses as pulls, from the top: F_i = μ γ t_s v h_b i a wall.
 
-    Joint i lies at h − i·h_b above the hinge and is gone when it has slipped by the overlap v (upper
-    bound of Casapulla et al., 2019). Their sum, μ γ t_s v h_b n(n − 1)/2 a wall for n courses, is
-    what the Circolare's formula for interlocking is to be compared with.
+    Joint i lies at h − i·h_b above the hinge and is gone when it has slipped by the overlap v
+    (upper bound of Casapulla et al., 2019). Their sum is μ γ t_s v h_b n(n − 1)/2 a wall, for n
+    courses; the Circolare's formula for interlocking could not be read well enough to compare.
 
     Returns
     -------
@@ -297,12 +295,10 @@ def two_blocks(facade, hinge_height_m):
 
     b, w = f.thickness_m, f.weight_n / f.height_m
     weights = [Weight(p, turning((0.5 * b, z), base)) for p, z in spread_weight(w * h1, 0.0, h1)]
-    weights += [
-        Weight(p, upper((0.5 * b, z))) for p, z in spread_weight(w * h2, h1, f.height_m)
-    ]
+    weights += [Weight(p, upper((0.5 * b, z))) for p, z in spread_weight(w * h2, h1, f.height_m)]
     if f.roof_n > 0.0:
         weights.append(Weight(f.roof_n, _vertical(upper((f.roof_arm_m, f.height_m)))))
-    largest = math.asin(min(0.95 * h2 / h1, 0.95))  # the joint leaves the upper block its reach
+    largest = math.asin(min(0.95 * length / h1, 0.95))  # the joint stays within its reach
     return Mechanism("vertical bending", tuple(weights), lower, (), largest)
 
 
@@ -316,7 +312,7 @@ def _vertical(path):
 
 
 def lowest_two_blocks(facade, shares=19):
-    """Hinge height with the smallest α0 [m] and its mechanism, among multiples of h/(shares + 1)."""
+    """Hinge height with the smallest α0 [m], and its mechanism, of multiples of h/(shares + 1)."""
     heights = facade.height_m * np.arange(1, shares + 1) / (shares + 1)
     found = [(two_blocks(facade, float(z)), float(z)) for z in heights]
     mechanism, height = min(found, key=lambda item: item[0].multiplier())

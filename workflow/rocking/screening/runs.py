@@ -1,7 +1,7 @@
 """Histories and peaks: motions on the grid of steps, stop rules, step, and the compiled loop."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -40,6 +40,7 @@ class Motions:
     ground_m_s2: np.ndarray
     supports_m_s2: Any = ()
     vertical_m_s2: Any = None
+    _tables: dict = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def __post_init__(self):
         """Check, and let every acceleration end at zero."""
@@ -60,7 +61,6 @@ class Motions:
             ("supports_m_s2", np.array(rows[2:]).reshape(-1, time.size + 1)),
         ):
             object.__setattr__(self, name, value)
-        object.__setattr__(self, "_tables", {})
 
     def peak_speed(self):
         """Largest |velocity| of ground and supports at a factor of one [m/s]."""

@@ -1,0 +1,163 @@
+"""The blocks of a report as pages of a PDF, drawn by matplotlib."""
+
+import textwrap
+from typing import Any
+
+import matplotlib.pyplot as plt
+from matplotlib.backends.backend_pdf import PdfPages
+
+from rocking.assessment.document import MM, WIDTH_MM, Heading, Paragraph, Picture, Table
+from rocking.figures import style as _style  # noqa: F401  sets the project's type and lines
+
+PAGE_MM = (210.0, 297.0)
+MARGIN_MM = 18.0
+TEXT_MM = PAGE_MM[0] - 2.0 * MARGIN_MM
+SIZES = {1: 15.0, 2: 11.0, 3: 9.5}
+BODY, SMALL = 8.5, 7.2
+LEAD = 1.35  # of a line over the size of its type
+CHARACTER = 0.54  # mean width of a character over the size of its type
+
+
+def _line_mm(size):
+    return size * LEAD / 72.0 * 25.4
+
+
+def _wrapped(text, size, width_mm=TEXT_MM):
+    characters = max(4, int(width_mm / (CHARACTER * size / 72.0 * 25.4)))
+    return textwrap.wrap(text, characters, break_long_words=True) or [""]
+
+
+class _Pages:
+    """Pages that fill from the top; a new one begins where a piece does not fit."""
+
+    def __init__(self, pdf, foot):
+        self.pdf, self.foot, self.number = pdf, foot, 0
+        self.figure: Any = None
+        self.left_mm = 0.0
+
+    def need(self, height_mm):
+        """Begin a page unless so much is left."""
+        if self.figure is None or self.left_mm < height_mm:
+            self.close()
+            self.figure = plt.figure(
+                figsize=(PAGE_MM[0] * MM, PAGE_MM[1] * MM), layout="constrained"
+            )
+            self.number += 1
+            self.left_mm = PAGE_MM[1] - 2.0 * MARGIN_MM
+            foot = f"{self.foot} · page {self.number}"
+            self.figure.text(
+                MARGIN_MM / PAGE_MM[0], 0.5 * MARGIN_MM / PAGE_MM[1], foot, size=6.5, color="0.3"
+            )
+
+    @property
+    def top_mm(self):
+        return MARGIN_MM + self.left_mm
+
+    def text(self, words, size, x_mm=0.0, drop_mm=0.0, **style):
+        self.figure.text(
+            (MARGIN_MM + x_mm) / PAGE_MM[0],
+            (self.top_mm - drop_mm) / PAGE_MM[1],
+            words,
+            size=size,
+            va="top",
+            linespacing=LEAD / 1.2,
+            parse_math=False,
+            **style,
+        )
+
+    def rule(self, drop_mm, weight=0.5, color="0.2"):
+        y = (self.top_mm - drop_mm) / PAGE_MM[1]
+        ends = [MARGIN_MM / PAGE_MM[0], 1.0 - MARGIN_MM / PAGE_MM[0]]
+        self.figure.add_artist(plt.Line2D(ends, [y, y], lw=weight, color=color))
+
+    def lines(self, text, size, after_mm=1.5, **style):
+        """Text, line by line, over pages where it must."""
+        for line in _wrapped(text, size):
+            self.need(_line_mm(size))
+            self.text(line, size, **style)
+            self.left_mm -= _line_mm(size)
+        self.left_mm -= after_mm
+
+    def close(self):
+        if self.figure is not None:
+            self.pdf.savefig(self.figure)
+            plt.close(self.figure)
+        self.figure = None
+
+
+def _heading(pages, block):
+    size = SIZES[block.level]
+    pages.need(_line_mm(size) + 45.0 * (block.level > 1))  # not alone at the foot
+    pages.left_mm -= 3.0 * (block.level > 1)
+    pages.lines(block.text, size, weight="bold")
+
+
+def _paragraph(pages, block):
+    for line in block.text.split("\n"):
+        pages.lines(line, BODY, after_mm=0.0, weight="bold" if block.strong else "normal")
+    pages.left_mm -= 1.5
+
+
+def _table(pages, table):
+    widths = [TEXT_MM * w / sum(table.widths) for w in table.widths]
+    starts = [sum(widths[:i]) for i in range(len(widths))]
+    step = _line_mm(SMALL)
+
+    def row(words, **style):
+        cells = [
+            _wrapped(word, SMALL, width - 2.0) for word, width in zip(words, widths, strict=True)
+        ]
+        height = step * max(map(len, cells)) + 1.0
+        pages.need(height)
+        for cell, x in zip(cells, starts, strict=True):
+            for i, line in enumerate(cell):
+                pages.text(line, SMALL, x, i * step + 0.6, **style)
+        pages.left_mm -= height
+        return height
+
+    pages.need(8.0 * step)
+    source = f" [{table.source}]" if table.source else ""
+    pages.lines(table.caption + source, SMALL, after_mm=0.5, color="0.25")
+    row(table.columns, weight="bold")
+    pages.rule(0.0)
+    for words in table.rows:
+        row(words)
+        pages.rule(0.0, 0.3, "0.8")
+    pages.left_mm -= 3.0
+
+
+def _picture(pages, picture):
+    source = f" [{picture.source}]" if picture.source else ""
+    caption = _wrapped(picture.caption + source, SMALL)
+    pages.need(picture.height_mm + _line_mm(SMALL) * len(caption) + 3.0)
+    _place(pages, picture)
+    pages.left_mm -= picture.height_mm
+    pages.lines(picture.caption + source, SMALL, after_mm=3.0, color="0.25")
+
+
+def _place(pages, picture):
+    """Draw a picture into its part of the page."""
+    above = PAGE_MM[1] - pages.top_mm
+    rows = [above, picture.height_mm, PAGE_MM[1] - above - picture.height_mm]
+    columns = [MARGIN_MM, WIDTH_MM, PAGE_MM[0] - MARGIN_MM - WIDTH_MM]
+    grid = pages.figure.add_gridspec(3, 3, width_ratios=columns, height_ratios=rows)
+    picture.draw(pages.figure.add_subfigure(grid[1, 1]))
+
+
+def write(path, blocks, foot):
+    """Write the blocks to a PDF without dates.
+
+    Parameters
+    ----------
+    path : str
+    blocks : list
+        Of `document`.
+    foot : str
+        At the foot of every page, before its number.
+    """
+    draw = {Heading: _heading, Paragraph: _paragraph, Table: _table, Picture: _picture}
+    with PdfPages(path, metadata={"CreationDate": None, "Producer": None}) as pdf:
+        pages = _Pages(pdf, foot)
+        for block in blocks:
+            draw[type(block)](pages, block)
+        pages.close()

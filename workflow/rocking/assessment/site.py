@@ -1,0 +1,107 @@
+"""The shaking to assess a façade for: a spectrum from a file, or a shape at a hazard's PGA."""
+
+import math
+
+import numpy as np
+
+from rocking.assessment.demand import RecordDemand, TableDemand
+from rocking.records.text import read_text
+
+COLUMNS = ("period_s", "sa_g")
+LONGEST = 10_000
+PERIODS_S = np.concatenate(([0.0], np.geomspace(0.05, 4.0, 31)))
+
+
+class SpectrumError(ValueError):
+    """A spectrum that cannot be used; its text is one line."""
+
+
+def read_spectrum(path):
+    """Read an elastic spectrum of 5 % damping, columns period_s and sa_g, separated by commas.
+
+    Parameters
+    ----------
+    path : str
+        Lines that begin with # are remarks; periods ascend from 0, where sa_g is the PGA, to at
+        least 1 s.
+
+    Returns
+    -------
+    TableDemand
+
+    Raises
+    ------
+    SpectrumError
+        One line with the file, the line and what was expected.
+    rocking.records.RecordError
+        Where the file is missing or no text.
+    """
+    lines = [
+        (n, s)
+        for n, s in enumerate(read_text(path).lines, 1)
+        if s.strip() and not s.startswith("#")
+    ]
+    if not lines or tuple(w.strip() for w in lines[0][1].split(",")) != COLUMNS:
+        found = lines[0][1][:60] if lines else "nothing"
+        raise SpectrumError(f"{path}: columns '{found}'; expected {','.join(COLUMNS)}")
+    if len(lines) > LONGEST:
+        raise SpectrumError(f"{path}: more than {LONGEST} rows")
+    points: list[tuple[float, float]] = []
+    for n, text in lines[1:]:
+        words = text.split(",")
+        try:
+            values = [float(word) for word in words]
+        except ValueError:
+            values = []
+        if len(values) != 2 or not all(map(math.isfinite, values)) or values[1] <= 0.0:
+            raise SpectrumError(
+                f"{path}: line {n}: {text.strip()[:40]!r}; expected a period and a positive sa_g"
+            )
+        if points and values[0] <= points[-1][0]:
+            raise SpectrumError(f"{path}: line {n}: period {values[0]:g} s does not ascend")
+        points.append((values[0], values[1]))
+    if len(points) < 3 or points[0][0] != 0.0 or points[-1][0] < 1.0:
+        raise SpectrumError(
+            f"{path}: expected three or more rows, from period 0 (the PGA) to 1 s or beyond"
+        )
+    return TableDemand(*np.array(points).T)
+
+
+def pga_at(hazard, return_period_years):
+    """PGA with a rate of exceedance of one in the return period [g], on the hazard's power laws.
+
+    Parameters
+    ----------
+    hazard : rocking.risk.hazard.Hazard
+        Of `pga_g`.
+
+    Raises
+    ------
+    SpectrumError
+        If the curve is of another measure, or does not reach that rate.
+    """
+    rate = 1.0 / return_period_years
+    if hazard.measure != "pga_g":
+        raise SpectrumError(f"hazard of {hazard.measure}; expected pga_g, or a spectrum")
+    low, high = hazard.annual_rate[-1], hazard.annual_rate[0]
+    if not low <= rate <= high:
+        raise SpectrumError(
+            f"hazard from {low:.3g} to {high:.3g} a year; expected it to reach {rate:.3g} "
+            f"(return_period_years = {return_period_years:g})"
+        )
+    x, y = np.log(hazard.intensity)[::-1], np.log(hazard.annual_rate)[::-1]
+    return float(np.exp(np.interp(math.log(rate), y, x)))
+
+
+def shapes(records):
+    """Spectra of 5 % damping over the PGA, a row a record, at `PERIODS_S`."""
+    found = []
+    for record in records:
+        demand = RecordDemand(record.acceleration_m_s2, record.dt_s)
+        found.append([demand.acceleration(t) / demand.pga_g for t in PERIODS_S])
+    return np.array(found)
+
+
+def at_pga(shape, pga_g):
+    """The median shape of the records at a PGA."""
+    return TableDemand(PERIODS_S, pga_g * np.median(shape, axis=0))
