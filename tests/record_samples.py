@@ -6,6 +6,8 @@ The layouts follow the published format descriptions; every number in them is ma
 from dataclasses import dataclass, field
 
 import numpy as np
+import pytest
+from rocking.records import RecordError, read_record
 
 DT_S = 0.02
 
@@ -261,3 +263,25 @@ def all_samples():
         csv(),
         single_column(),
     ]
+
+
+def put(folder, sample, data=None):
+    """Write a sample's file, or other bytes under its name; return its path."""
+    path = folder / sample.name
+    path.write_bytes(sample.data if data is None else data)
+    return str(path)
+
+
+def read(path, sample, **changed):
+    """Read a file as the sample is read, but for what is changed."""
+    return read_record(path, **(sample.kwargs | changed))
+
+
+def refusal(path, sample, **changed):
+    """Return the one-line refusal of a file, which names it."""
+    with pytest.raises(RecordError) as caught:
+        read(path, sample, **changed)
+    message = str(caught.value)
+    assert path in message
+    assert "\n" not in message
+    return message

@@ -1,0 +1,109 @@
+"""Readers: one motion as users' files hold it."""
+
+import numpy as np
+import pytest
+import record_samples as samples
+from record_samples import put, read, refusal
+from rocking.records import read_record
+
+
+def variants():
+    """Return {name: (data, what is stated)} of one motion as users' files hold it."""
+    a = samples.motion()
+    g = [f"{v / 9.80665:.7f}" for v in a]
+    t = [f"{samples.DT_S * i:.2f}" for i in range(len(a))]
+    pairs = list(zip(t, g, strict=True))
+    rows = [" ".join(f"{v:>11}" for v in g[i : i + 8]) for i in range(0, len(g), 8)]
+    comma = str.maketrans(".", ",")
+    head = ["A title", "64 points at equal spacing of 0.02 sec", "The units are (g)"]
+    npts = "NPTS=  64, DT= .02000 SEC"
+    step, both = {"dt_s": samples.DT_S}, {"dt_s": samples.DT_S, "units": "g"}
+
+    def join(*lines, encoding="utf-8"):
+        return "\n".join([*lines, ""]).encode(encoding)
+
+    return {
+        "AT2 in OpenSees' words": (join(*head, npts, *rows), {}),
+        "AT2 with a longer heading": (join(*head, "a row", "*** Begin data ***", npts, *rows), {}),
+        "AT2 with a closing line": (join(*head, npts, *rows, "*** End data ***"), {}),
+        "AT2 without NPTS": (join(*head, "no numbers here", *rows), step | {"format": "at2"}),
+        "AT2 without units": (join("A", "B, 90", "C", npts, *rows), {"units": "g"}),
+        "AT2 with doubled line ends": (join(*head, npts, *rows).replace(b"\n", b"\r\r\n"), {}),
+        "AT2 with the station after the component": (
+            join("A", "B, 090 (STATION 5)", "IN UNITS OF G. FILTER 1 Hz", npts, *rows),
+            {"component": "90"},
+        ),
+        "several a line, headed": (join(*head, *rows), {}),
+        "several a line, bare": (join(*rows), both),
+        "several a line, decimal commas": (join(*(row.translate(comma) for row in rows)), both),
+        "one a line, step in the heading": (join("dt = 0.02 s", "units: g", *g), {}),
+        "one a line, decimal commas": (join(*(v.translate(comma) for v in g)), both),
+        "one a line, point first": (join(*(v.replace("0.", ".", 1) for v in g)), both),
+        "sampling rate in the heading": (join("# Sampling rate (Hz): 50", *g), {"units": "g"}),
+        "semicolons and decimal commas": (
+            join("Zeit [s];Beschleunigung [g]", *(";".join(p).translate(comma) for p in pairs)),
+            {},
+        ),
+        "tabs and decimal commas": (
+            join("time\tacc", *("\t".join(p).translate(comma) for p in pairs)),
+            {"units": "g"},
+        ),
+        "Latin-1": (
+            join("# Güímar, 28° N", "# Time (s),Acc (g)", *map(",".join, pairs), encoding="cp1252"),
+            {},
+        ),
+        "unnamed channels": (
+            join("Time (s),,", *(f"{x},{y},{y}9" for x, y in pairs)),
+            {"units": "g", "component": 1},
+        ),
+        "a comma at the end": (join("t,acc_g,", *(f"{x},{y}," for x, y in pairs)), {}),
+        "components without a time": (
+            join(
+                "DT: 0.02 sec", "  N-S   E-W   U-D", *(f"{v} -{v} 0.1".replace("--", "") for v in g)
+            ),
+            {"units": "g", "component": "n-s"},
+        ),
+        "many columns": (
+            join("time ax ay az", *(f"{x} 0.1 {y} 0.2" for x, y in pairs)),
+            {"units": "g", "component": "2"},
+        ),
+        "units after the name": (join("Time s;Acc g", *map(";".join, pairs)), {}),
+    }
+
+
+@pytest.mark.parametrize("name", variants())
+def test_variants_of_users_files_are_read(tmp_path, name):
+    data, stated = variants()[name]
+    path = tmp_path / "record.txt"
+    path.write_bytes(data)
+    record = read_record(path, **stated)
+    assert record.dt_s == pytest.approx(samples.DT_S)
+    np.testing.assert_allclose(record.acceleration_m_s2, samples.motion(), atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("sample", "old", "new", "stated", "asked"),
+    [
+        (samples.esm(), "UNITS: cm/s^2", "UNITS: ", {"units": "gal"}, "states no units"),
+        (samples.esm(), "SAMPLING_INTERVAL_S: 0.020000", "X: 1", {"dt_s": 0.02}, "no time step"),
+        (samples.geonet(), "intervals of 0.020", "unknown steps", {"dt_s": 0.02}, "no time step"),
+        (samples.geonet(), "mm/s/s at", "?", {"units": "mm/s2"}, "states no units"),
+        (samples.cosmos(), "    20.000000", "  -999.00000", {"dt_s": 0.02}, "no time step"),
+    ],
+)
+def test_the_table_states_what_a_header_fails_to_say(tmp_path, sample, old, new, stated, asked):
+    assert old.encode() in sample.data
+    path = put(tmp_path, sample, sample.data.replace(old.encode(), new.encode()))
+    assert asked in refusal(path, sample)
+    again = read(path, sample, **stated)
+    np.testing.assert_allclose(
+        again.acceleration_m_s2, sample.acceleration_m_s2, atol=sample.tolerance_m_s2
+    )
+
+
+def test_a_damaged_time_does_not_make_an_acceleration_of_the_time(tmp_path):
+    sample = samples.columns()
+    lines = sample.data.decode().splitlines()
+    lines[20], lines[21] = lines[21], lines[20]
+    path = put(tmp_path, sample, "\n".join(lines).encode())
+    assert "line 22: time goes from" in refusal(path, sample)
