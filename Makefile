@@ -3,6 +3,8 @@
 # make test    the tests and linters (sets up first)
 # make docs    the documentation site, build/site/index.html; a warning is an error
 # make gallery the pictures of docs/gallery.md again, by its commands
+# make study   docs/study.md again: the study row by row beside a run of all its stages
+# make mutations  one sign, factor or unit changed at a time: do the tests notice?
 # make faults  56 runs killed, starved or doubled at random moments; writes tables/faults.csv
 # make slurm   two records through a real SLURM of one node (root; installs slurm-wlm and munge)
 # make load    a study of 44 records in reduced form, with memory and progress over time
@@ -10,7 +12,7 @@
 CORES ?= $(shell nproc)
 SNAKEMAKE = .venv/bin/snakemake --cores $(CORES)
 RUN ?= main
-.PHONY: setup run test lint docs gallery faults slurm load audit
+.PHONY: setup run test lint docs gallery study mutations faults slurm load audit
 
 setup:
 	@bash tools/setup.sh
@@ -33,6 +35,13 @@ docs: setup
 
 gallery: setup
 	.venv/bin/python tools/gallery.py $(ARGS)
+
+study: setup
+	$(SNAKEMAKE) --configfile config/scenarios/five_models.yaml --config run=study -- study
+	cp results/study/study.md docs/study.md
+
+mutations: setup
+	.venv/bin/python tests/mutations/run.py $(ARGS)
 
 faults: setup
 	.venv/bin/python tests/faults/trials.py --output results/$(RUN)/tables/faults.csv $(ARGS)

@@ -3,15 +3,17 @@
 import numpy as np
 import pytest
 from rocking.building.comparison import chain_top, choose_n, top_motion
-from rocking.building.history import mass_damping_rate, modal_history
+from rocking.building.history import LOADS, mass_damping_rate, modal_history
 from rocking.building.modes import Solver, largest_frequency
+from rocking.study.building import Building
 from scipy.sparse.linalg import spsolve
 from yade_process import run_study
 
 import smdof
 from yade_scripts.model.building.assembly import build
-from yade_scripts.model.building.plan import Plan, Wall
+from yade_scripts.model.building.plan import Opening, Plan, Wall
 from yade_scripts.model.scene import to_json
+from yade_scripts.studies.explicit_building import corner
 
 
 @pytest.fixture(scope="module")
@@ -67,6 +69,23 @@ def test_sudden_gravity_rings_about_the_static_deflection(wall):
     assert history.displacement_m[0].min() == pytest.approx(2.0 * static[row], rel=0.1)
 
 
+def test_sudden_gravity_is_twice_the_static_deflection_and_its_absence_nothing(wall):
+    """A weight applied at once swings about its static place; without it a still wall is still."""
+    scene, solver, modes = wall
+    top = scene.index(scene.monitor)
+    static = solver.static(-9.81 * solver.mass * (solver.dof[:, 1] == 2))
+    row = np.flatnonzero((solver.dof[:, 0] == top) & (solver.dof[:, 1] == 2))[0]
+    lowest = {
+        name: modal_history(
+            modes, [top], np.zeros(400), 0.01, 8.0, direction="z", gravity_m_s2=gravity
+        ).displacement_m.min()
+        for name, gravity in LOADS.items()
+    }
+    assert lowest["sudden gravity"] == pytest.approx(2.0 * static[row], rel=0.1)
+    assert lowest["without dead load"] == 0.0
+    assert [Building(None).sudden_gravity(load) for load in ("plain", "loaded")] == [0.0, 9.81]
+
+
 def test_history_refuses_supports_and_overdamping(wall, ground):
     scene, _, modes = wall
     with pytest.raises(ValueError, match="not free along y"):
@@ -100,6 +119,35 @@ def test_wme_is_zero_for_itself_and_grows_with_a_wrong_period(ground):
 def test_fewest_masses_after_which_nothing_is_gained(means, gain, n):
     rows = [(i + 1, m + shift) for i, m in enumerate(means) for shift in (-0.05, 0.05)]
     assert choose_n(rows, gain) == n
+
+
+@pytest.mark.yade
+def test_explicit_run_rings_under_sudden_gravity(tmp_path):
+    """A wall with a door near one end leans as it settles: the corner's motion is the modal one."""
+    door = Opening("door", 0.24, 0.72, 0.0, 1.2)
+    plan = Plan("wall", (Wall("wall", (0.0, 0.0), (0.0, 1.92), 0.24, 1.92, openings=(door,)),))
+    scene = build(plan, coarsening=4.0).scene
+    solver = Solver(scene)
+    modes = solver.modes(len(solver.mass) - 1)
+    step = 0.8 * 2.0 / largest_frequency(solver.k, solver.mass)
+    scene.notes.update(rate_1_s=5.0, duration_s=0.3, step_s=step)
+    (tmp_path / "scene.json").write_text(to_json(scene))
+    (tmp_path / "motion.csv").write_text("time_s,acceleration_m_s2\n0,0\n0.3,0\n")
+    words = ["explicit_building", "--scene", "scene.json", "--motion", "motion.csv"]
+    found = {}
+    for load in ("plain", "loaded"):
+        gravity = str(Building(None).sudden_gravity(load))
+        done = run_study(*words, "--gravity", gravity, "--output", f"{load}.csv", folder=tmp_path)
+        assert done.returncode == 0, done.stderr
+        found[load] = np.loadtxt(tmp_path / f"{load}.csv", delimiter=",", skiprows=1)
+    assert np.abs(found["plain"][:, 4]).max() < 1e-12  # rounding
+    history = modal_history(
+        modes, [corner(scene)], np.zeros(31), 0.01, 5.0, gravity_m_s2=LOADS["sudden gravity"]
+    )
+    grid = smdof.common_grid(
+        history.time_s, history.displacement_m[0], found["loaded"][:, 0], found["loaded"][:, 4]
+    )
+    assert smdof.weighted_mean_error(*grid) < 0.05
 
 
 @pytest.mark.yade

@@ -280,7 +280,7 @@ rule building_explicit:
         load="plain|loaded",
     params:
         yade=YADE,
-        gravity=lambda w: 9.81 if w.load == "loaded" else 0.0,
+        gravity=lambda w: BUILDING.sudden_gravity(w.load),
     shell:
         "{params.yade} explicit_building --scene {input.scene:q} --motion {input.record:q}"
         " --gravity {params.gravity} --output {output.history:q} --cost {output.cost:q}"

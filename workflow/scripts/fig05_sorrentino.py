@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from rocking.calibration import beta as calibration
 from rocking.calibration import study
-from rocking.calibration.restitution import IMPACTS, TARGETS, read_archive
+from rocking.calibration.restitution import IMPACTS, TARGETS, misfit, read_archive
 from rocking.figures import style
 from rocking.mechanics import closed_forms
 from rocking.runtime.script import run
@@ -39,6 +39,7 @@ def main(job):
             end = max(end, float(found.peak_time_s[:IMPACTS][-1]))
         n = np.arange(1, IMPACTS + 1)
         axes["c"].plot(n, wall["e"][i], "o-", c=colour, lw=0.8)
+    measured_rebounds(axes, wall)
     first = float(wall["found"][0].impact_time_s[0])
     axes["a"].legend(title="β", ncols=2)
     axes["a"].set(xlabel="time [s]", ylabel="θ/α [–]", xlim=(0.0, None))
@@ -56,7 +57,7 @@ def main(job):
             color="#D55E00",
             alpha=0.45,
             lw=0,
-            label="target" if n == 1 else None,
+            label="test: 64–72, 74–86, 100 % of |e$_{1SR}$|" if n == 1 else None,
         )
     axes["c"].axhline(wall["e_1sr"], c="k", ls=":", label=f"|e$_{{1SR}}$| = {wall['e_1sr']:.3f}")
     axes["c"].set(
@@ -66,6 +67,34 @@ def main(job):
     axes["c"].legend(loc="upper right")
     panel_ratio(axes["d"], [wall, *others], facade, calibration.read_law(job.input.law))
     style.save(figure, job.output)
+
+
+def measured_rebounds(axes, wall):
+    """Rebounds θ_n/α that the test's ranges of e_exp mean by eq. 4, at the time of the best run's.
+
+    θ_n/α = 1 − √(1 − e^{2n}[1 − (1 − θ0/α)²])
+    """
+    error = misfit(wall["e"] / wall["e_1sr"], 1.0)
+    best = wall["found"][int(np.nanargmin(error))]
+    released = 1.0 - (1.0 - best.release) ** 2
+    for n, limits in enumerate(TARGETS, 1):
+        energy = (np.array(limits) * wall["e_1sr"]) ** (2 * n) * released
+        low, high = 1.0 - np.sqrt(1.0 - energy)
+        for key in "ab":
+            axes[key].errorbar(
+                best.peak_time_s[n - 1],
+                0.5 * (low + high),
+                yerr=0.5 * (high - low),
+                fmt="D",
+                mfc="white",
+                mec="k",
+                ecolor="k",
+                ms=4,
+                capsize=4,
+                lw=1.2,
+                zorder=5,
+                label="test, from e$_{exp}$" if n == 1 else None,
+            )
 
 
 def panel_ratio(axes, walls, facade, law):
@@ -104,7 +133,9 @@ def panel_ratio(axes, walls, facade, law):
         facade["thickness_m"], facade["height_m"], facade["e_mpa"]
     )
     axes.axhline(1e3 * printed, c="k", ls=":", label=f"eq. 5: {1e3 * printed:.3f} ms")
-    axes.axhspan(0.2, 0.4, color="#56B4E9", alpha=0.15, lw=0)
+    for beta, text in ((0.25, "first bounce"), (1.0, "second and third")):
+        axes.axhline(beta, c="#56B4E9", ls="-.", lw=1.0)
+        axes.text(r[0], beta + 0.015, f"the study: {text}", fontsize=6.5)
     axes.set(
         xscale="log",
         xlabel="return-wall ratio r = total thickness/width [–]",
@@ -115,7 +146,7 @@ def panel_ratio(axes, walls, facade, law):
     )
     axes.minorticks_off()
     axes.set_title(
-        "(d) sensitivity to the widths, which are not stated; blue: 0.2–0.4 ms", loc="left"
+        "(d) sensitivity to the widths, which are not stated; β of the study's text", loc="left"
     )
     axes.legend(ncols=2, fontsize=6.5)
 

@@ -5,11 +5,14 @@ import math
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.lines import Line2D
 from rocking.calibration.restitution import read_archive
 from rocking.figures import style
 from rocking.runtime.script import run
 
 COLOURS = {"eq5": "#0072B2", "fitted": "#D55E00"}
+TRIAL_MS = 0.94  # β found by trial and error for an early test (Shawa et al., 2012)
+LINES = {"eq5": "-", "fitted": "--"}
 NAMES = {"eq5": "eq. 5", "fitted": "fitted law"}
 
 
@@ -31,22 +34,38 @@ def main(job):
         mine = [(t, d) for t, d in runs if t["about"]["record"] == name]
         for axis, direction in zip(row, ("pos", "neg"), strict=False):
             histories(axis, mine, direction, shown)
+            places(axis, mine[0][0]["about"], mine[0][0]["config"]["facade"])
+        limits = [axis.get_ylim() for axis in row[:2]]
         row[1].sharey(row[0])
+        row[0].set_ylim(min(low for low, _ in limits), max(high for _, high in limits))
         peaks(row[2], mine, scales)
         about = mine[0][0]["about"]
         row[0].set_title(
             f"{name} ({about['source']}), φ = {about['tilt_deg']:g}°, ×{shown:g}, +", loc="left"
         )
         row[1].set_title(f"×{shown:g}, −", loc="left")
-        row[2].set_title("peaks", loc="left")
-    axes[0, 0].legend(loc="upper right")
-    axes[-1, 2].legend(loc="lower right", fontsize=6.5)
+        row[2].set_title("peaks [mm]", loc="left")
+    handles = axes[0, 0].get_legend_handles_labels()[0]
+    handles += [
+        Line2D([], [], marker="o", c="0.3", ls="", label="peak, +"),
+        Line2D([], [], marker="v", c="0.3", mfc="none", ls="", label="peak, −"),
+    ]
+    title = f"β found by trial in the tests: {TRIAL_MS:g} ms; grey band: motions as recorded"
+    figure.legend(handles=handles, loc="outside lower center", ncols=3, title=title)
     for axis in axes[-1, :2]:
         axis.set_xlabel("time [s]")
     axes[-1, 2].set_xlabel("factor on the motion [–]")
     for axis in axes[:, 0]:
         axis.set_ylabel("top displacement [mm]")
     style.save(figure, job.output)
+
+
+def places(axis, about, facade):
+    """Mark what the study states of a test: the tilt's upright position and the return wall."""
+    upright = -1e3 * facade["height_m"] * math.sin(math.radians(about["tilt_deg"]))
+    gap = 1e3 * facade["gap_m"]
+    for level, text, line in ((upright, "upright", ":"), (upright - gap, "return wall", "--")):
+        axis.axhline(level, c="0.45", ls=line, lw=0.8, label=text)
 
 
 def relative(test, done):
@@ -66,6 +85,7 @@ def histories(axis, mine, direction, shown):
             done["time_s"],
             d,
             c=colour,
+            ls=LINES[about["law"]],
             lw=0.8,
             label=f"{NAMES[about['law']]}, β = {1e3 * test['beta_s']:.2f} ms",
         )
@@ -96,11 +116,11 @@ def peaks(axis, mine, scales):
                 marker,
                 c=colour,
                 mfc=fill,
-                ls="-",
+                ls=LINES[law],
                 lw=0.7,
-                label=f"{NAMES[law]}, {'+' if direction == 'pos' else '−'}",
             )
     axis.axhline(b, c="0.5", ls=":", lw=0.9)
+    axis.axvline(1.0, c="0.8", lw=4.0, zorder=0)  # as recorded: what the tests are taken to be
     axis.text(scales[0], b, "overturned", va="bottom", fontsize=6.5, color="0.4")
     axis.set(ylim=(0.0, 1.12 * b), xticks=scales, xticklabels=[f"{s:g}" for s in scales])
 

@@ -14,6 +14,7 @@ GROUPS = (
     ("lower", "inclined joints"),
     ("overlap", "overlap"),
     ("friction", "friction"),
+    ("joints", "joint stiffness"),
     ("course", "course height"),
     ("numerical", "numerical band"),
 )

@@ -13,14 +13,13 @@ import numpy as np
 import pandas as pd
 from rocking.building.case import build_model, read_plan, translation_mode
 from rocking.building.comparison import top_motion
-from rocking.building.history import modal_history
+from rocking.building.history import LOADS, modal_history
 from rocking.building.modes import Solver
 from rocking.figures import style
 from rocking.records import G_M_S2, read_csv
 from rocking.runtime.script import run
 
 import smdof
-from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.studies.explicit_building import corner
 
 MODES = 300
@@ -49,7 +48,7 @@ def main(job):
     ground = record.acceleration_m_s2[keep]
     modal = {
         name: modal_history(modes, points, ground, record.dt_s, notes["rate_1_s"], gravity_m_s2=g)
-        for name, g in (("without dead load", 0.0), ("sudden gravity", GRAVITY_M_S2))
+        for name, g in LOADS.items()
     }
     facts = (
         job.wildcards.record,

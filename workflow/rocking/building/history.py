@@ -11,8 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from smdof.oscillator import checked_motion, oscillator_response, refine_linear
+from yade_scripts.model.gravity import GRAVITY_M_S2
 
 from .modes import DIRECTIONS
+
+# what acts from the first instant of an explicit run besides the ground motion [m/s²]: a run that
+# starts from the drawing rings under its own weight, one without it does not
+LOADS = {"without dead load": 0.0, "sudden gravity": GRAVITY_M_S2}
 
 
 @dataclass(frozen=True)

@@ -40,6 +40,7 @@ VARIANTS: dict[str, dict] = {
     "overlap_0.1875_m": {"w3.overlap_m": 0.1875},
     "friction_20_deg": {"w3.friction_deg": 20.0},
     "friction_40_deg": {"w3.friction_deg": 40.0},
+    "joints_twice_as_stiff": {"w3.jkn_pa_m": 2.2e9, "w3.jks_pa_m": 8.8e8},
     "course_0.216_m": {"w3.course_height_m": 0.216},
     "course_0.648_m": {"w3.course_height_m": 0.648},
     "half_step": {"w3.step_fraction": 0.5, "scale": "w3.step_fraction"},

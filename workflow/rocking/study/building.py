@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.registry import MODELS
 
 MODEL_KEYS = [
@@ -106,6 +107,10 @@ class Building:
             f"results/{wildcards.run}/building/explicit_cost_{c:g}.json"
             for c in self.settings(wildcards.run)["explicit_convergence"]
         ]
+
+    def sudden_gravity(self, load) -> float:
+        """Downward acceleration from the first step on [m/s²], of runs "plain" and "loaded"."""
+        return {"plain": 0.0, "loaded": GRAVITY_M_S2}[load]
 
     def explicit_tables(self, wildcards) -> list[str]:
         """Explicit against modal run of every record that is run explicitly."""

@@ -1,0 +1,181 @@
+"""The page that sets the study beside a run: its rows from docs/study.yaml, numbers from tables."""
+
+import math
+
+import pandas as pd
+
+MET = ("yes", "no", "partly", "given", "open")
+HEAD = "| | in the study | its value | here | met | why they differ |\n|---|---|---|---|---|---|\n"
+NOT_RUN = "not part of this run"
+CLAIMS = ("claims_building", "claims_calibration", "claims")
+
+
+def value(table, spec):
+    """One number of a table, as text.
+
+    Parameters
+    ----------
+    table : DataFrame or None
+    spec : dict
+        where (column: value), column, digits; of several rows the one with the largest value of
+        `largest`, or their `sum`, or their `count`.
+
+    Raises
+    ------
+    ValueError
+        If no row, or more than one, is left.
+    """
+    if table is None:
+        return NOT_RUN
+    for column, wanted in spec["where"].items():
+        table = table[table[column] == wanted]
+    if spec.get("largest"):
+        table = table.loc[[table[spec["largest"]].idxmax()]]
+    if spec.get("count"):
+        return f"{len(table)}"
+    if not spec.get("sum") and len(table) != 1:
+        raise ValueError(f"{spec['table']}: {len(table)} rows where {spec['where']}, expected one")
+    number = float(table[spec["column"]].sum())
+    return "–" if math.isnan(number) else f"{number:.{spec['digits']}f}"
+
+
+def row(entry, tables):
+    """One row of the page.
+
+    Parameters
+    ----------
+    entry : dict
+        Of docs/study.yaml.
+    tables : dict of str to DataFrame
+        By name; those that the run did not make are missing.
+
+    Raises
+    ------
+    ValueError
+        If the entry is unknown to the tables of claims, or has no verdict.
+    """
+    here, met = [], entry.get("met")
+    if "here" in entry:
+        found = {
+            key: value(tables.get(spec["table"]), spec)
+            for key, spec in entry.get("values", {}).items()
+        }
+        here.append(entry["here"].format(**found))
+    if "claim" in entry:
+        verdicts, text = _claim(entry["claim"], tables)
+        here.append(text)
+        if met is None:
+            met = " / ".join(dict.fromkeys(verdicts)) or NOT_RUN
+    elif met not in MET:
+        raise ValueError(f"'{entry['id']}': met is '{met}', expected one of {', '.join(MET)}")
+    if "table" in entry:
+        here.append("below")
+    cells = (entry["id"], entry["says"], entry["paper"], "; ".join(here), met, entry.get("why", ""))
+    return "| " + " | ".join(str(cell).replace("|", r"\|") for cell in cells) + " |"
+
+
+def _claim(start, tables):
+    """Verdicts and measured text of a claim, for surrogates and recordings apart."""
+    made = [tables[name] for name in CLAIMS if name in tables]
+    if not made:
+        return [], NOT_RUN
+    claims = pd.concat(made, ignore_index=True)
+    found = claims[claims["claim"].str.startswith(start)]
+    if not len(found):
+        return [], NOT_RUN
+    texts = []
+    for line in found.fillna("").itertuples():
+        source = f"{line.records.split(':')[0]}: " if ":" in line.records else ""
+        whose = "" if line.threshold == "the study's" else " (our threshold)"
+        texts.append(f"{source}{line.measured}{whose}")
+    return found["holds"].tolist(), "; ".join(texts)
+
+
+def records(data, tables):
+    """Table 1 beside the run's motions."""
+    lines = [
+        "| record | source | PGA [g] | PGV [cm/s] | PGD [cm] | duration [s] |",
+        "|---" * 6 + "|",
+    ]
+    made = tables["records"].set_index("record") if "records" in tables else None
+    for name, paper in data["table_1"].items():
+        cells = [f"{p:g}" for p in paper]
+        source = NOT_RUN
+        if made is not None and name in made.index:
+            one = made.loc[name]
+            source = one["source"]
+            columns = ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
+            cells = [f"{one[c]:.3g} ({p:g})" for c, p in zip(columns, paper, strict=True)]
+        lines.append(f"| {name} | {source} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def errors(data, tables):
+    """Table 2 beside the run's errors, the study's in brackets."""
+    lines = [
+        "| quantity | record | SDOF | 2DOF | 3DOF | 4DOF | 5DOF |",
+        "|---" * 7 + "|",
+    ]
+    made = tables.get("wme")
+    for quantity, of_records in data["table_2"].items():
+        for record, paper in of_records.items():
+            cells = []
+            for n, p in enumerate(paper, 1):
+                where = {"record": record, "quantity": quantity, "n_dof": n}
+                spec = {"table": "wme", "where": where, "column": "wme", "digits": 3}
+                cells.append(f"{value(made, spec)} ({p:.3f})" if made is not None else f"({p:.3f})")
+            lines.append(f"| {quantity.replace('_', ' ')} | {record} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def collapse(data, tables):
+    """Figure 9 in numbers: PGA at which half overturn, else the middle of the bracket."""
+    table = tables.get("ida_collapse")
+    if table is None:
+        return []
+    middle = 0.5 * (table["pga_safe_g"].fillna(0.0) + table["pga_collapse_g"])
+    table = table.assign(
+        pga=table["pga_median_g"].fillna(middle),
+        curve=table["record"] + table["direction"].map({"pos": "+", "neg": "−"}),
+    )
+    wide = table.pivot(index="curve", columns="model", values="pga")
+    order = dict.fromkeys(table["curve"])
+    models = list(dict.fromkeys(table["model"]))
+    lines = ["| collapse PGA [g] | " + " | ".join(models) + " |", "|---" * (len(models) + 1) + "|"]
+    for curve in order:
+        cells = ["–" if math.isnan(v) else f"{v:.3f}" for v in wide.loc[curve, models]]
+        lines.append(f"| {curve} | " + " | ".join(cells) + " |")
+    return lines
+
+
+BLOCKS = {"records": records, "wme": errors, "collapse": collapse}
+
+
+def page(data, tables, about):
+    """The page as Markdown.
+
+    Parameters
+    ----------
+    data : dict
+        docs/study.yaml.
+    tables : dict of str to DataFrame
+    about : str
+        Which run, and how to make the page again.
+
+    Returns
+    -------
+    str
+    """
+    rows = [entry for section in data["sections"] for entry in section["rows"]]
+    verdicts = [row(entry, tables).split(" | ")[-2] for entry in rows]
+    count = ", ".join(f"{verdicts.count(word)} {word}" for word in dict.fromkeys(verdicts))
+    lines = ["# The study, row by row", "", about, "", f"{len(rows)} rows: {count}.", ""]
+    for section in data["sections"]:
+        lines += [f"## {section['title']}", "", HEAD.rstrip("\n")]
+        lines += [row(entry, tables) for entry in section["rows"]]
+        for entry in section["rows"]:
+            if "table" in entry:
+                block = BLOCKS[entry["table"]](data, tables)
+                lines += ["", f"{entry['id'].capitalize()}: {entry['says']}", "", *block]
+        lines.append("")
+    return "\n".join(lines).rstrip() + "\n"
