@@ -9,7 +9,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import eigh
+import scipy
 
 from .oscillator import checked_motion, oscillator_response, refine_linear
 
@@ -72,7 +72,7 @@ class Chain:
             does not matter.
         """
         mass, stiffness = self.matrices()
-        values, phi = eigh(stiffness, mass)  # φᵀMφ = 1
+        values, phi = scipy.linalg.eigh(stiffness, mass)  # φᵀMφ = 1
         gamma = phi.T @ np.diag(mass)
         return np.sqrt(values), phi * gamma
 
@@ -126,7 +126,7 @@ class Chain:
         Clough and Penzien (2003), eq. 12-57.
         """
         mass, stiffness = self.matrices()
-        values, phi = eigh(stiffness, mass)
+        values, phi = scipy.linalg.eigh(stiffness, mass)
         zeta = self.damping_ratios(damping_ratio, damping_model, (1, min(2, self.n_dof)))
         shape = mass @ phi
         return (shape * (2.0 * zeta * np.sqrt(values))) @ shape.T

@@ -3,7 +3,7 @@
 import math
 
 import numpy as np
-from scipy.signal import lfilter
+import scipy
 
 
 def checked_motion(ground_m_s2, dt_s):
@@ -111,7 +111,7 @@ def oscillator_response(load_m_s2, dt_s, omega_rad_s, damping_ratio, q0_m=0.0, v
     pole = complex(-damping_ratio * omega_rad_s, omega_d)
     old, new = _step_integrals(pole, dt_s)
     start = v0_m_s - pole.conjugate() * q0_m
-    z, _ = lfilter(
+    z, _ = scipy.signal.lfilter(
         [new, old], [1.0, -np.exp(pole * dt_s)], load_m_s2, zi=[start - new * load_m_s2[0]]
     )
     q = z.imag / omega_d

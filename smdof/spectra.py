@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import signal
+import scipy
 
 from .oscillator import checked_motion, oscillator_response, refine_linear
 
@@ -128,12 +128,12 @@ def power_spectrum(acceleration_m_s2, dt_s, method="welch", segment_s=10.0):
     """
     values = checked_motion(acceleration_m_s2, dt_s)
     if method == "periodogram":
-        f, p = signal.periodogram(values, fs=1.0 / dt_s, detrend=False)
+        f, p = scipy.signal.periodogram(values, fs=1.0 / dt_s, detrend=False)
     elif method == "welch":
         samples = min(values.size, round(segment_s / dt_s))
         if samples < 2:
             raise ValueError(f"segment_s: {segment_s} s holds fewer than 2 samples of {dt_s} s")
-        f, p = signal.welch(values, fs=1.0 / dt_s, window="hann", nperseg=samples)
+        f, p = scipy.signal.welch(values, fs=1.0 / dt_s, window="hann", nperseg=samples)
     else:
         raise ValueError(f"method: expected 'welch' or 'periodogram', got '{method}'")
     return PowerSpectrum(f, p)
