@@ -73,6 +73,15 @@ def test_floor_spectrum_by_hand():
     three(floor.acceleration(0.66), 0.3015)
 
 
+def test_a_grounded_floor_spectrum_is_the_larger_of_two_beyond_the_building():
+    """At 3 s the ground has 0.05 g; the formula 1.483/(1 + 3.919(3/0.33 − 1)^1.2) = 0.0302 g."""
+    plain = floor_demand(SPECTRUM, 0.5, CHAIN, simplified=True)
+    grounded = floor_demand(SPECTRUM, 0.5, CHAIN, simplified=True, grounded=True)
+    three(plain.acceleration(3.0), 0.03017)
+    three(grounded.acceleration(3.0), 0.05)
+    three(grounded.acceleration(0.2), plain.acceleration(0.2))
+
+
 def test_floor_spectrum_of_all_modes_is_continuous_at_the_ground():
     """On the ground no mode has a share; at the roof Σ γψ = 1 and the first is 1.17 (n = 2)."""
     assert floor_demand(SPECTRUM, 0.0, CHAIN).acceleration(0.3) == 0.0

@@ -22,7 +22,7 @@ def main(job):
     ]
     table = spread(pd.concat(parts, ignore_index=True))
     table.to_csv(job.output.table, index=False, float_format="%.6g", lineterminator="\n")
-    figure, axes = plt.subplots(1, len(VARIANTS), figsize=(7.2, 2.9), sharey=True)
+    figure, axes = plt.subplots(1, len(VARIANTS), figsize=(8.6, 2.9), sharey=True)
     floors = sorted({1, (chain["n_dof"] + 1) // 2, chain["n_dof"]})
     for axis, variant in zip(axes, VARIANTS, strict=True):
         for i, floor in enumerate(floors):

@@ -15,7 +15,7 @@ from yade_scripts.model.registry import MODELS
 KEYS = ["record", "direction"]
 FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
 GROUPS = ("height", "slenderness", "T1", "pulse share", "PGV/PGA")
-SHOWN = ("linear_ground", "slv_ground", "slv_height", "slc_height")
+SHOWN = ("linear_ground", "slv_ground", "slv_both", "slc_both")
 MARKS = ("o", "s", "^", "D")
 HEADINGS = {"height": "height [m]", "slenderness": "h/b [-]", "T1": "T1 [s]"}
 HEADINGS |= {"pulse share": "pulse share [-]", "PGV/PGA": "PGV/PGA [s]"}
@@ -46,7 +46,7 @@ def draw_ratios(table, output):
     table = table[(table["group"] == "all") & (table["level"] == "median")]
     models = list(dict.fromkeys(table["model"]))
     figure, axes = plt.subplots(
-        1, len(models), figsize=(2.2 + 2.6 * len(models), 3.6), sharey=True, squeeze=False
+        1, len(models), figsize=(2.2 + 2.6 * len(models), 4.0), sharey=True, squeeze=False
     )
     keys = [k for k in CHECKS if (table["check"] == k).any()]
     for axis, model in zip(axes.flat, models, strict=True):

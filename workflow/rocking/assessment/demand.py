@@ -108,12 +108,17 @@ class FloorDemand:
         Of the modes that count: T_k, γ_k ψ_k(z).
     damping_ratio : float
         ξ_k of the building's modes.
+    grounded : bool
+        Beyond the longest period never below the ground's own spectrum, which a soft oscillator
+        feels whatever the building does. Not in the transcription; see `floor_spectra` for what
+        its absence means.
     """
 
     ground: RecordDemand | TableDemand
     period_s: tuple
     share: tuple
     damping_ratio: float = REFERENCE
+    grounded: bool = False
 
     @property
     def pga_g(self):
@@ -140,10 +145,13 @@ class FloorDemand:
             elif above > 0.0:
                 divisor += (r - 1.0) * above**1.2
             square += (r * peak / divisor) ** 2
-        return float(np.sqrt(square))
+        found = float(np.sqrt(square))
+        if self.grounded and period_s > max(self.period_s):
+            found = max(found, self.ground.acceleration(period_s, damping_ratio))
+        return found
 
 
-def floor_demand(ground, height_ratio, chain, simplified=False):
+def floor_demand(ground, height_ratio, chain, simplified=False, grounded=False):
     """Floor spectrum at a share of the building's height.
 
     Parameters
@@ -156,6 +164,8 @@ def floor_demand(ground, height_ratio, chain, simplified=False):
     simplified : bool
         First mode alone, γ1 = 3n/(2n + 1) and ψ1 = z/H, as the code offers where no modal analysis
         is at hand; else every mode of the equal chain, exact.
+    grounded : bool
+        See `FloorDemand`.
     """
     n = chain["n_dof"]
     if not 0.0 <= height_ratio <= 1.0:
@@ -174,4 +184,5 @@ def floor_demand(ground, height_ratio, chain, simplified=False):
         tuple(float(t) for t in periods),
         tuple(float(s) for s in shares),
         chain["damping_ratio"],
+        grounded,
     )

@@ -9,7 +9,11 @@ from smdof.chain import floor_motions
 from smdof.spectra import response_spectrum
 
 PERIOD_RATIOS = np.geomspace(0.1, 8.0, 20)  # T over T1
-VARIANTS = {"all modes": False, "first mode, γ1 z/H": True}
+VARIANTS = {  # keywords of `floor_demand`
+    "all modes": {},
+    "first mode, γ1 z/H": {"simplified": True},
+    "all modes, at least the ground": {"grounded": True},
+}
 COLUMNS = ["record", "floor", "t_over_t1", "variant", "formula_g", "exact_g"]
 
 
@@ -44,8 +48,8 @@ def beside(record, chain, damping_ratio=0.05, period_ratios=PERIOD_RATIOS):
     rows = []
     for j in range(1, n + 1):
         exact = response_spectrum(motion.floors_m_s2[j - 1], dt, period_ratios * t1, damping_ratio)
-        for name, simplified in VARIANTS.items():
-            floor = floor_demand(ground, j / n, chain, simplified)
+        for name, options in VARIANTS.items():
+            floor = floor_demand(ground, j / n, chain, **options)
             for ratio, value in zip(period_ratios, exact.psa_m_s2 / G_M_S2, strict=True):
                 formula = floor.acceleration(ratio * t1, damping_ratio)
                 rows.append((record.name, j, ratio, name, formula, value))
