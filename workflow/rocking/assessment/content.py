@@ -139,7 +139,7 @@ def _floor_below_ground(steps):
         Paragraph(
             "Caution: at the long period of the turned façade the floor spectrum's formula asks "
             "for less than the ground's spectrum, since it holds the building's amplified modes "
-            "alone. The exact chain does not (spectra below). The larger demand governs."
+            "alone. Compare the exact chain below. The larger demand governs."
         )
     ]
 

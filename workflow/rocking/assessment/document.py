@@ -107,7 +107,7 @@ NUMBER = re.compile(r"[−-]?[0-9.]+(e-?[0-9]+)?( ?[%A-Za-zα/²³]{1,5})?|–")
 
 def _words(text):
     """Escaped text that may break after the signs within names and paths."""
-    return re.sub(r"([_./])(?=[a-z])", r"\1<wbr>", html.escape(text))
+    return re.sub(r"([_./])(?=[a-z]{2})", r"\1<wbr>", html.escape(text))
 
 
 def _image(picture):

@@ -15,6 +15,7 @@ TEXT_MM = PAGE_MM[0] - 2.0 * MARGIN_MM
 SIZES = {1: 15.0, 2: 11.0, 3: 9.5}
 BODY, SMALL = 8.5, 7.2
 LEAD = 1.35  # of a line over the size of its type
+ASCENT = 0.72  # of a line above the baseline
 CHARACTER = 0.54  # mean width of a character over the size of its type
 
 
@@ -56,11 +57,10 @@ class _Pages:
     def text(self, words, size, x_mm=0.0, drop_mm=0.0, **style):
         self.figure.text(
             (MARGIN_MM + x_mm) / PAGE_MM[0],
-            (self.top_mm - drop_mm) / PAGE_MM[1],
+            (self.top_mm - drop_mm - ASCENT * _line_mm(size)) / PAGE_MM[1],
             words,
             size=size,
-            va="top",
-            linespacing=LEAD / 1.2,
+            va="baseline",
             parse_math=False,
             **style,
         )

@@ -5,7 +5,7 @@ from matplotlib.patches import FancyArrowPatch, Polygon, Rectangle
 
 from rocking.assessment.battery import CHECKS
 
-LINES = {"W1": ("-", "0.0"), "W2": ("--", "0.35"), "W2m": ("-.", "0.6")}
+LINES = {"W1": ("-", "0.0"), "W2": ("--", "0.35"), "W2m": ("-.", "0.5")}
 
 
 def _dimension(axis, start, end, words, offset=(0.0, 0.0), **style):
@@ -163,7 +163,7 @@ def fragility(curves, dynamic, checks):
 
 
 def tornado(table, base, label):
-    """Bars of what a key does down and up, the ends marked − and +.
+    """Bars of what a key does down and up, the factors at their ends.
 
     Parameters
     ----------
@@ -175,7 +175,8 @@ def tornado(table, base, label):
 
     def draw(figure):
         axis = figure.subplots()
-        keys = list(dict.fromkeys(table["key"]))
+        spread = table.groupby("key", sort=False)["value"].agg(lambda v: v.max() - v.min())
+        keys = list(spread[spread > 1e-9].index)  # without those that do nothing
         for y, key in enumerate(keys[::-1]):
             part = table[table["key"] == key].sort_values("factor")
             axis.barh(
@@ -188,14 +189,20 @@ def tornado(table, base, label):
                 lw=0.6,
             )
             for _, row in part.iterrows():
-                sign = "−" if row["factor"] < 1.0 else "+"
-                axis.plot(row["value"], y, marker=f"${sign}$", color="0.0", ms=5)
+                right = row["value"] > base
+                axis.annotate(
+                    f"×{row['factor']:g}",
+                    (row["value"], y),
+                    (4 if right else -4, 0),
+                    textcoords="offset points",
+                    ha="left" if right else "right",
+                    va="center",
+                    size=6.5,
+                )
         axis.axvline(base, color="0.0", lw=0.8)
-        names = []
-        for key in keys[::-1]:
-            span = table.loc[table["key"] == key, "factor"]
-            names.append(f"{key.split('.')[-1]}, ×{span.min():g} to ×{span.max():g}")
-        axis.set_yticks(range(len(keys)), names)
+        axis.set_yticks(range(len(keys)), [key.split(".")[-1] for key in keys[::-1]])
+        axis.use_sticky_edges = False
+        axis.margins(x=0.25)
         axis.set_xlabel(label)
 
     return draw
