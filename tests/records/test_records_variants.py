@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import record_samples as samples
 from record_samples import put, read, refusal
-from rocking.records import read_record
+from rocking.records import RecordError, read_record
 
 
 def variants():
@@ -67,6 +67,8 @@ def variants():
             join("time ax ay az", *(f"{x} 0.1 {y} 0.2" for x, y in pairs)),
             {"units": "g", "component": "2"},
         ),
+        "samples and step in the first line": (join("64 0.02", *g), {"units": "g"}),
+        "units in a row of their own": (join("t,a", "s,g", *map(",".join, pairs)), {}),
         "units after the name": (join("Time s;Acc g", *map(";".join, pairs)), {}),
     }
 
@@ -107,3 +109,10 @@ def test_a_damaged_time_does_not_make_an_acceleration_of_the_time(tmp_path):
     lines[20], lines[21] = lines[21], lines[20]
     path = put(tmp_path, sample, "\n".join(lines).encode())
     assert "line 22: time goes from" in refusal(path, sample)
+
+
+def test_a_step_in_the_place_of_a_sample_is_refused(tmp_path):
+    path = tmp_path / "record.txt"
+    path.write_text("\n".join(["0.02", *(f"{v:.6f}" for v in samples.motion())]) + "\n")
+    with pytest.raises(RecordError, match="line 1.*the first number is 0.02, the stated step"):
+        read_record(path, dt_s=0.02, units="m/s2")

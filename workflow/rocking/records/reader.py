@@ -164,6 +164,12 @@ def _units(channel, stated, text):
 def _step(channel, stated, text):
     step = channel.dt_s
     if step is None:
+        if stated is not None and channel.values[0] == stated:
+            raise text.error(
+                channel.line,
+                f"the first number is {stated:g}, the stated step, and would be read as an "
+                f"acceleration; write 'DT= {stated:g}' there, or delete it",
+            )
         step = stated
     elif stated is not None:
         # Where the header rounds coarsely, the stated step is the better one.

@@ -1,14 +1,15 @@
 """Plain numbers: one column, time and accelerations, or several a line without a time.
 
-Lines before the first one of numbers alone are headings. The nearest that splits into
-as many cells as there are columns names them; a unit in it ("Acceleration (g's)",
-"acceleration_m_s2") or in another heading is read as stated by the file, a time step
-likewise. Cells are apart by blanks, tabs, commas or semicolons; numbers may have
-decimal commas where those are not separators too.
+Lines before the first one of numbers alone are headings, and so is a first line "64 0.02"
+of the number of samples and the step. The nearest heading that splits into as many cells as
+there are columns names them; a unit in it ("Acceleration (g's)", "acceleration_m_s2"), alone in
+a row below the names, or in another heading is read as stated by the file, a time step
+likewise. Cells are apart by blanks, tabs, commas or semicolons; numbers may have decimal commas
+where those are not separators too.
 """
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -46,8 +47,21 @@ class _Layout:
         return [cell.replace(",", ".") for cell in cells] if self.decimal_comma else cells
 
 
+def _worded(text):
+    """Return the file with "NPTS= 64, DT= 0.02" for a first line "64 0.02" before one a line."""
+    rows = [row for row in text.lines[: LOOK + 1] if row.strip()]
+    words = text.lines[0].split()
+    if len(words) != 2 or len(rows) < 3 or not is_numbers(text.lines[0]):
+        return text
+    alone = all(len(row.split()) == 1 and is_numbers(row) for row in rows[1:])
+    if not (alone and words[0].isdigit() and "." in words[1]):
+        return text
+    return replace(text, lines=[f"NPTS= {words[0]}, DT= {words[1]}", *text.lines[1:]])
+
+
 def _layout(text):
     """Look at the start of the file; `kind` is the name of a format."""
+    text = _worded(text)
     head = enumerate(text.lines[:MAX_HEADING], 1)
     first, line = next(((n, row) for n, row in head if is_numbers(row)), (0, ""))
     if not first:
@@ -158,6 +172,7 @@ def read_columns(text):
 
 
 def _numbers_only(text, layout, values):
+    text = _worded(text)
     heading = text.lines[: layout.first - 1]
     label = layout.labels[0] if layout.columns == 1 and layout.labels else ""
     unit = heading_unit(label) or stated_unit(heading)
@@ -211,7 +226,7 @@ def _table(text, layout):
     check_last(text, last, layout.cells(text.lines[last - 1])[-1], earlier)
     if used < 2:
         raise text.error(first, "expected at least 2 samples")
-    count = stated_count(text.lines[: first - 1])
+    count = stated_count(_worded(text).lines[: first - 1])
     if count not in (None, used):
         raise text.error(last, f"{used} samples, but the heading declares {count}")
     return table[:used]

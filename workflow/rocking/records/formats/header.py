@@ -40,12 +40,12 @@ def stated_unit(lines):
 
 
 def heading_unit(heading):
-    """Return the unit in a column's heading ("Acc. (g's)", "a_m_s2", "acc g"), or None."""
+    """Return the unit in a column's heading ("Acc. (g's)", "a_m_s2", "acc g", "cm/s2"), or None."""
     bracketed = _BRACKETED.search(heading)
     if bracketed:
         return unit_name(bracketed[1])
     suffix = re.search(r"[_\s,](g|(?:m|cm|mm)_s2|\S*[/²]\S*|gal)$", heading, re.I)
-    return unit_name(suffix[1]) if suffix else None
+    return unit_name(suffix[1] if suffix else heading)
 
 
 def stated_count(lines):
