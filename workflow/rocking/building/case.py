@@ -126,8 +126,7 @@ def fit_floor_load(settings, plan, coarsening=None):
         raise PlanError(f"plan '{plan.name}' has no floor whose load fit_period_s could fit")
     building = build_model(settings, plan, "CBDEM", 0.0, coarsening)
     solver = Solver(building.scene)
-    panels = [first + count for first, count, _ in building.floors]
-    areas = {i: _area(building.scene.blocks[i]) for i in panels}
+    areas = panel_areas(building)
 
     def period(load):
         modes = solver.modes(12, solver.mass_with({i: load * a for i, a in areas.items()}))
@@ -145,5 +144,8 @@ def fit_floor_load(settings, plan, coarsening=None):
     return float(load), period(load)
 
 
-def _area(block):
-    return block.size_m[0] * block.size_m[1]
+def panel_areas(building):
+    """Return {block: area in plan [m²]} of the floors' panels, which carry the load."""
+    blocks = building.scene.blocks
+    panels = [first + count for first, count, _ in building.floors]
+    return {i: blocks[i].size_m[0] * blocks[i].size_m[1] for i in panels}

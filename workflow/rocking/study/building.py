@@ -51,10 +51,10 @@ class Building:
         """Keys of the section that the comparison with chains depends on."""
         return {key: self.settings(wildcards.run)[key] for key in WME_KEYS}
 
-    def _plan_file(self, key, path) -> str:
+    def _plan_file(self, key, path, section="building") -> str:
         found = self.study.beside(path)
         if not Path(found).exists():
-            raise SystemExit(f"error: building.{key}: there is no file '{path}'")
+            raise SystemExit(f"error: {section}.{key}: there is no file '{path}'")
         return found
 
     def plan(self, wildcards) -> str:
@@ -72,6 +72,21 @@ class Building:
         others = self.settings(wildcards.run)["alternative_plans"]
         rest = [self._plan_file("alternative_plans", path) for path in others]
         return [self.plan(wildcards), *rest]
+
+    def search_plan(self, wildcards) -> str:
+        """Plan file that the search starts from."""
+        path = self.study.runs[wildcards.run]["building_search"]["plan"]
+        return self._plan_file("plan", path, "building_search")
+
+    def compared_plans(self, wildcards) -> list[str]:
+        """Plan files that stand beside what the search found."""
+        paths = self.study.runs[wildcards.run]["building_search"]["plans"]
+        return [self._plan_file("plans", path, "building_search") for path in paths]
+
+    def search_keys(self, wildcards) -> dict:
+        """Params function: the section of the search."""
+        section = self.study.runs[wildcards.run]["building_search"]
+        return {key: value for key, value in section.items() if key not in ("plan", "plans")}
 
     def is_case_study(self, wildcards) -> bool:
         """True where the study's own figures belong beside the results."""
@@ -135,3 +150,12 @@ class Building:
     def periods(self, run) -> list[str]:
         """Periods and equivalent chain of a run's building."""
         return [f"results/{run}/tables/{name}.csv" for name in ("building_modes", "building_chain")]
+
+    def search_results(self, run) -> list[str]:
+        """What the search for the study's building makes."""
+        names = ["tables/building_search.csv", "tables/building_search_best.csv"]
+        return [f"results/{run}/{name}" for name in (*names, "figures/building_search.png")]
+
+    def reading_results(self, run) -> list[str]:
+        """Table 2 under every reading."""
+        return [f"results/{run}/tables/{name}.csv" for name in ("wme_readings", "wme_lowest")]

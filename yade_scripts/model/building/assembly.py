@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from yade_scripts.model.building.bricks import Brick, Bricks, lay
-from yade_scripts.model.building.contacts import KINDS, Interfaces, Joints, interfaces
+from yade_scripts.model.building.contacts import KINDS, Interfaces, Joints, interfaces, weakened
 from yade_scripts.model.building.floors import floor_boxes
 from yade_scripts.model.building.plan import TOLERANCE_M, Plan, PlanError
 from yade_scripts.model.scene import Block, Nodes, Scene, box_inertia
@@ -90,6 +90,7 @@ def build(
         floors.append((first, len(box.low_m) - 1, 1 - plan.wall(floor.walls[0]).axis))
         first += len(box.low_m)
     faces = interfaces(bricks, timber_low, timber_high, floors, joints, brick)
+    faces = weakened(faces, bricks, [wall.facade for wall in plan.walls], plan.facade_bond)
     check_support(plan, bricks, faces, first)
 
     low = np.concatenate([bricks.low_m, timber_low])

@@ -8,7 +8,7 @@ the stated size and keeps jkn times joint spacing, hence E, whatever the size
 of the bricks. The ground has no half of its own.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -224,3 +224,28 @@ def interfaces(bricks, timber_low, timber_high, floors, joints, brick):
         1.0 / compliance[:, 1],
         kind,
     )
+
+
+def weakened(faces, bricks, is_facade, factor):
+    """Scale the joints between façades and other walls.
+
+    Parameters
+    ----------
+    faces : Interfaces
+    bricks : Bricks
+    is_facade : sequence of bool
+        For every wall of the plan.
+    factor : float
+        Stiffness over that of bonded masonry.
+
+    Returns
+    -------
+    Interfaces
+    """
+    n = len(bricks)
+    between = np.flatnonzero((faces.a < n) & (faces.b >= 0) & (faces.b < n))
+    kind = np.asarray(is_facade, bool)[bricks.wall]
+    across = between[kind[faces.a[between]] != kind[faces.b[between]]]
+    scale = np.ones(len(faces))
+    scale[across] = factor
+    return replace(faces, jkn_pa_m=scale * faces.jkn_pa_m, jks_pa_m=scale * faces.jks_pa_m)

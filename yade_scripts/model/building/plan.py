@@ -110,12 +110,19 @@ class Floor:
 
 @dataclass(frozen=True)
 class Plan:
-    """Walls and floors of one building."""
+    """Walls and floors of one building.
+
+    `facade_bond` is the stiffness of the joints between a façade and the walls that cross it, over
+    that of bonded masonry. `corner_m` is what the simplified building keeps of the corners: a
+    length of façade beside each crossing wall or, negative, a length cut off those walls' ends.
+    """
 
     name: str
     walls: tuple
     floors: tuple = ()
     monitor_floor: str | None = None
+    facade_bond: float = 1.0
+    corner_m: float = 0.0
 
     def wall(self, name):
         """Return the wall called `name`; PlanError lists the known ones."""
@@ -125,14 +132,64 @@ class Plan:
         raise PlanError(f"no wall '{name}'; the plan has {[w.name for w in self.walls]}")
 
     def without_facades(self):
-        """Return the simplified building: the same plan without the façade walls."""
-        return replace(self, walls=tuple(w for w in self.walls if not w.facade))
+        """Return the simplified building: without façades, its corners as `corner_m` says."""
+        sides = [w for w in self.walls if not w.facade]
+        facades = [w for w in self.walls if w.facade]
+        if self.corner_m > 0.0:
+            sides += [_corners_of(w, sides, self.corner_m) for w in facades]
+        elif self.corner_m < 0.0:
+            crossing = [any(overlap_in_plan(s, f) for f in facades) for s in sides]
+            sides = [
+                _shortened(s, -self.corner_m) if crosses else s
+                for s, crosses in zip(sides, crossing, strict=True)
+            ]
+        return replace(self, walls=tuple(sides))
 
     def with_floor_load(self, load_kg_m2):
         """Return the plan with one floor load [kg/m²] on every floor."""
         return replace(
             self, floors=tuple(replace(f, load_kg_m2=float(load_kg_m2)) for f in self.floors)
         )
+
+
+def _corners_of(facade, sides, kept_m):
+    """Return a façade cut down to `kept_m` on either side of the walls that cross it."""
+    spans = sorted(
+        tuple(v - facade.origin_m for v in side.footprint()[facade.axis])
+        for side in sides
+        if side.axis != facade.axis and overlap_in_plan(side, facade)
+    )
+    starts = [0.0, *(high + kept_m for _, high in spans)]
+    ends = [*(low - kept_m for low, _ in spans), facade.length_m]
+    gaps = [(a, b) for a, b in zip(starts, ends, strict=True) if b - a > TOLERANCE_M]
+    pieces = [(opening, *facade.span(opening)) for opening in facade.openings]
+    for low, high in gaps:
+        pieces = [
+            (opening, *part)
+            for opening, a, b in pieces
+            for part in ((a, min(b, low)), (max(a, high), b))
+            if part[1] - part[0] > TOLERANCE_M
+        ]
+    openings = [
+        Opening(f"{o.name}, {k}", a, b - a, o.sill_m, o.height_m)
+        for k, (o, a, b) in enumerate(pieces)
+    ]
+    openings += [
+        Opening(f"removed, {k}", a, b - a, facade.base_m, facade.height_m)
+        for k, (a, b) in enumerate(gaps)
+    ]
+    start, end = sorted((facade.start_m, facade.end_m))  # openings count from the origin
+    return replace(facade, start_m=start, end_m=end, openings=tuple(openings))
+
+
+def _shortened(wall, cut_m):
+    """Return a wall with `cut_m` taken off both ends, its openings where they were."""
+    low, high = sorted((wall.start_m, wall.end_m))
+    start, end = list(low), list(high)
+    start[wall.axis] += cut_m
+    end[wall.axis] -= cut_m
+    openings = tuple(replace(o, from_start_m=wall.span(o)[0] - cut_m) for o in wall.openings)
+    return replace(wall, start_m=tuple(start), end_m=tuple(end), openings=openings)
 
 
 def _record(cls, data, where, convert=None):
@@ -315,6 +372,9 @@ def check(plan, source="plan"):
                 raise PlanError(f"{source}: walls '{one.name}' and '{two.name}' overlap")
     for floor in plan.floors:
         _check_floor(plan, floor, f"{source}, floor '{floor.name}'")
+    bond = plan.facade_bond
+    if isinstance(bond, bool) or not isinstance(bond, (int, float)) or not 0.0 < bond <= 1.0:
+        raise PlanError(f"{source}: facade_bond must be above 0 and at most 1, got {bond!r}")
     if plan.monitor_floor is not None and plan.monitor_floor not in [f.name for f in plan.floors]:
         raise PlanError(f"{source}: monitor_floor '{plan.monitor_floor}' is not a floor")
 

@@ -1,0 +1,158 @@
+"""Table 2 of the study under every reading its text allows, one departure at a time.
+
+"The weighted mean error … was obtained from the time-history responses and the acceleration
+and power spectra … where x was time, period or frequency, Y was acceleration, spectral
+acceleration or power amplitude … and X was the total range of x considered": the text names
+neither the point that is the top, nor the ranges X, nor the kind of spectra, nor the chain's
+damping model.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+import smdof
+
+from .comparison import N_DOF, TopMotion
+
+ARIAS = (0.05, 0.95)
+STUDY_PERIOD_S = 0.27
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One way to read Table 2; the defaults are those of `tables/wme.csv`.
+
+    Attributes
+    ----------
+    point : {"roof", "left", "right"}
+        The roof's panel, or the highest brick half-way along a wall that carries it.
+    relative : bool
+        Accelerations relative to the ground.
+    strong : bool
+        Only between 5 and 95 % of the reference's integral of a².
+    longest_period_s : float
+        Response spectra from 0.02 s to here.
+    absolute_spectrum : bool
+        Peak absolute acceleration in place of the pseudo-acceleration.
+    power : {"welch", "periodogram", "amplitude"}
+        Averaged or whole-record density, or the square root of the latter.
+    highest_hz : float
+    study_period : bool
+        Chains tuned to the study's 0.27 s, not to SBDEM's own period.
+    period_of : {"mass", "order"}
+        SBDEM's own period: as in `search.modes_of_study`.
+    period_factor : float
+        Of the chains' period: what the rounding of 0.27 s to two digits hides is 2 %.
+    rayleigh : bool
+        Chains with Rayleigh damping, 5 % in their first two modes.
+    """
+
+    point: str = "roof"
+    relative: bool = False
+    strong: bool = False
+    longest_period_s: float = 2.0
+    absolute_spectrum: bool = False
+    power: str = "welch"
+    highest_hz: float = 25.0
+    study_period: bool = False
+    period_of: str = "mass"
+    period_factor: float = 1.0
+    rayleigh: bool = False
+
+
+def readings(longest_period_s=2.0, highest_hz=25.0):
+    """Return {name: Reading}, the one of `tables/wme.csv` first."""
+    own = Reading(longest_period_s=longest_period_s, highest_hz=highest_hz)
+    return {
+        "as tabled": own,
+        "top of the left wall": replace(own, point="left"),
+        "top of the right wall": replace(own, point="right"),
+        "relative to the ground": replace(own, relative=True),
+        "strong motion only": replace(own, strong=True),
+        "periods to 1 s": replace(own, longest_period_s=1.0),
+        "periods to 4 s": replace(own, longest_period_s=4.0),
+        "absolute spectral acceleration": replace(own, absolute_spectrum=True),
+        "periodogram": replace(own, power="periodogram"),
+        "amplitude spectrum": replace(own, power="amplitude"),
+        "frequencies to 10 Hz": replace(own, highest_hz=10.0),
+        "chains of 0.27 s": replace(own, study_period=True),
+        "chains of the first mode": replace(own, period_of="order"),
+        "chains 2 % slower": replace(own, period_factor=1.02),
+        "chains 2 % faster": replace(own, period_factor=0.98),
+        "chains with Rayleigh damping": replace(own, rayleigh=True),
+    }
+
+
+def curves(time_s, acceleration_m_s2, reading):
+    """Return the `TopMotion` of an acceleration under a reading.
+
+    Parameters
+    ----------
+    time_s, acceleration_m_s2 : ndarray, shape (nt,)
+        Uniformly sampled.
+    reading : Reading
+    """
+    dt = (time_s[-1] - time_s[0]) / (len(time_s) - 1)
+    periods = np.linspace(0.02, reading.longest_period_s, 199)
+    response = smdof.response_spectrum(acceleration_m_s2, dt, periods)
+    method = "welch" if reading.power == "welch" else "periodogram"
+    power = smdof.power_spectrum(acceleration_m_s2, dt, method)
+    low = power.frequency_hz <= reading.highest_hz
+    density = power.power_m2_s3[low]
+    return TopMotion(
+        {
+            "acceleration": (np.asarray(time_s), np.asarray(acceleration_m_s2)),
+            "response_spectrum": (
+                periods,
+                response.sa_m_s2 if reading.absolute_spectrum else response.psa_m_s2,
+            ),
+            "power_spectrum": (
+                power.frequency_hz[low],
+                np.sqrt(density) if reading.power == "amplitude" else density,
+            ),
+        }
+    )
+
+
+def strong_part(time_s, acceleration_m_s2):
+    """Return start and end of the time between 5 and 95 % of ∫a²dt (Trifunac and Brady, 1975)."""
+    share = np.cumsum(np.square(acceleration_m_s2))
+    low, high = np.searchsorted(share / share[-1], ARIAS)
+    return float(time_s[low]), float(time_s[high])
+
+
+def errors(history, point, record, own_period_s, damping_ratio, reading):
+    """Return {n: {quantity: WME}} of equal chains against a building's top.
+
+    Parameters
+    ----------
+    history : History
+    point : int
+        Row of the history that is the top.
+    record : Record
+        Ground motion.
+    own_period_s : float
+        SBDEM's first period under the reading.
+    damping_ratio : float
+    reading : Reading
+    """
+
+    def cut(time, motion, ground, window):
+        motion = motion - ground if reading.relative else motion
+        inside = (time >= window[0] - 1e-9) & (time <= window[1] + 1e-9)
+        return curves(time[inside], motion[inside], reading)
+
+    time, top = history.time_s, history.acceleration_m_s2[point]
+    window = strong_part(time, top) if reading.strong else (time[0], time[-1])
+    reference = cut(time, top, history.ground_m_s2, window)
+    period = reading.period_factor * (STUDY_PERIOD_S if reading.study_period else own_period_s)
+    model = "rayleigh" if reading.rayleigh else "modal"
+    out = {}
+    for n in N_DOF:
+        chain = smdof.floor_motions(
+            record.acceleration_m_s2, record.dt_s, n, period, damping_ratio, model
+        )
+        motion = cut(chain.time_s, chain.floors_m_s2[-1], chain.ground_m_s2, window)
+        out[n] = reference.wme(motion)
+    return out

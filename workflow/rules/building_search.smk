@@ -1,0 +1,98 @@
+# The search for the study's building, and Table 2 under every reading of its text.
+# Not part of the main job nor of `building`; ask for `building_search` or `wme_readings`.
+rule building_search:
+    input:
+        lambda w: with_pages(STUDY.per_run(BUILDING.search_results)),
+
+
+rule wme_readings:
+    input:
+        lambda w: with_pages(STUDY.per_run(BUILDING.reading_results)),
+
+
+rule table_building_search:
+    input:
+        plan=BUILDING.search_plan,
+        modules=code("building_search"),
+    output:
+        "results/{run}/tables/building_search.csv",
+    log:
+        "results/{run}/logs/table_building_search.log",
+    benchmark:
+        "results/{run}/benchmarks/table_building_search.tsv"
+    params:
+        building=BUILDING.keys(),
+        search=BUILDING.search_keys,
+    script:
+        "../scripts/building_search.py"
+
+
+rule table_building_search_best:
+    input:
+        plan=BUILDING.search_plan,
+        search="results/{run}/tables/building_search.csv",
+        plans=BUILDING.compared_plans,
+        modules=code("building_search_verify"),
+    output:
+        report(
+            "results/{run}/tables/building_search_best.csv",
+            caption=caption("building_search"),
+            category="Building",
+            labels={"run": "{run}", "result": "search for the study's building (CSV)"},
+        ),
+    log:
+        "results/{run}/logs/table_building_search_best.log",
+    benchmark:
+        "results/{run}/benchmarks/table_building_search_best.tsv"
+    params:
+        building=BUILDING.keys(),
+        search=BUILDING.search_keys,
+    script:
+        "../scripts/building_search_verify.py"
+
+
+rule figure_building_search:
+    input:
+        search="results/{run}/tables/building_search.csv",
+        modules=code("figure_building_search"),
+    output:
+        png=report(
+            "results/{run}/figures/building_search.png",
+            caption=caption("building_search"),
+            category="Building",
+            labels={"run": "{run}", "result": "search for the study's building"},
+        ),
+        pdf="results/{run}/figures/building_search.pdf",
+    log:
+        "results/{run}/logs/figure_building_search.log",
+    script:
+        "../scripts/figure_building_search.py"
+
+
+rule table_wme_readings:
+    input:
+        plan=BUILDING.plan,
+        fit="results/{run}/building/fit.json",
+        modes="results/{run}/building/SBDEM_modes.npz",
+        records=BUILDING.of_wme_records("results/{run}/records/{record}.csv"),
+        modules=code("table_wme_readings"),
+    output:
+        readings="results/{run}/tables/wme_readings.csv",
+        lowest=report(
+            "results/{run}/tables/wme_lowest.csv",
+            caption=caption("wme_readings"),
+            category="Building",
+            labels={"run": "{run}", "result": "2: every reading of its text (CSV)"},
+        ),
+    log:
+        "results/{run}/logs/table_wme_readings.log",
+    benchmark:
+        "results/{run}/benchmarks/table_wme_readings.tsv"
+    params:
+        building=BUILDING.keys(
+            "damping_ratio", "wme_longest_period_s", "wme_highest_frequency_hz"
+        ),
+        records=lambda w: BUILDING.records(w.run, "wme_records"),
+        paper=BUILDING.is_case_study,
+    script:
+        "../scripts/table_wme_readings.py"
