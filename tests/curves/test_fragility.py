@@ -5,7 +5,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rocking.curves import fragility
-from rocking.curves.intensity_measures import MEASURES, per_pga, record_measures
+from rocking.curves.intensity_measures import (
+    HOUSNER_S,
+    MEASURES,
+    incremental_velocity,
+    per_pga,
+    record_measures,
+)
+from rocking.curves.sufficiency import properties, slope
 from rocking.mechanics.closed_forms import block
 from rocking.records import Record
 from scipy import stats
@@ -194,6 +201,10 @@ def test_measures_of_a_harmonic_are_those_of_the_closed_forms():
     assert found["pgv_cm_s"] == pytest.approx(100 * 0.3 * 9.80665 / np.pi, rel=1e-3)
     assert found["sa_t1_g"] == pytest.approx(0.3 / (2 * 0.05), rel=0.02)  # resonance, 1/2ζ
     assert found["p_pgv_over_g"] == pytest.approx(p * 0.3 / np.pi, rel=1e-3)
+    # between two zeros the velocity changes by aT/π
+    assert found["miv_cm_s"] == pytest.approx(100 * 0.3 * 9.80665 / np.pi, rel=1e-3)
+    # far above resonance Sa is the static a, so AvgSa about a period of 0.01 s is the PGA
+    assert record_measures(harmonic(), 0.01, 0.05, p)["sa_avg_g"] == pytest.approx(0.3, rel=0.01)
     stiff = record_measures(harmonic(), 0.01, 0.05, p)
     assert stiff["sa_t1_g"] == pytest.approx(0.3, rel=0.01)  # a rigid oscillator sees the PGA
 
@@ -206,3 +217,46 @@ def test_measures_scale_with_the_record_so_the_factors_do_not():
     for name, value in one.items():
         assert other[name] == pytest.approx(value, rel=1e-9), name
     assert one["pga_g"] == 1.0
+
+
+def test_spectrum_intensity_of_a_slow_step_is_that_of_a_plateau():
+    """A constant acceleration from rest: Sd = 2a/ω² undamped, so PSV = 2aT/2π; less by damping."""
+    record = Record("step", np.full(4000, 1.0), 0.005, "surrogate")
+    decay = 1.0 + np.exp(-np.pi * 0.05 / np.sqrt(1 - 0.05**2))  # first overshoot at 5 %
+    expected = np.trapezoid(decay * HOUSNER_S / (2 * np.pi), HOUSNER_S)
+    found = record_measures(record, 0.27, 0.05, 1.5)["housner_cm"]
+    assert found == pytest.approx(100 * expected, rel=0.01)
+
+
+def test_incremental_velocity_takes_the_largest_lobe_exactly():
+    # triangles between the zeros: 1/2·1·1, −1/2·2·2 (its zeros half way between samples), 1/2
+    a = np.array([0.0, 1.0, 0.0, -1.0, -2.0, -1.0, 1.0, 0.0])
+    lobe = 0.5 * 1 + 1.5 + 1.5 + 0.5 * 0.5 * 1
+    assert incremental_velocity(a, 1.0) == pytest.approx(lobe)
+    assert incremental_velocity(-a, 0.5) == pytest.approx(0.5 * lobe)
+
+
+def test_sufficiency_finds_the_slope_that_is_there_and_holds_zero_where_none_is():
+    """Intervals of 60 samples of 40 records: as often right as they say, and as wide as theory."""
+    rng = np.random.default_rng(11)
+    names = np.repeat(np.arange(40), 2)
+    held, widths = 0, []
+    for trial in range(60):
+        x = np.repeat(rng.standard_normal(40), 2)
+        noise = np.repeat(0.3 * rng.standard_normal(40), 2)  # of the record, in both directions
+        found = slope(x, 0.5 * x + noise, names, 0.9, 300, trial)
+        assert found.value == pytest.approx(np.polyfit(x, 0.5 * x + noise, 1)[0])
+        held += found.low < 0.5 < found.high
+        # standard error of a slope, s/(σ_x √n), by records and not by curves
+        widths.append((found.high - found.low) / (2 * 1.645 * 0.3 / (np.std(x) * np.sqrt(40))))
+    assert 0.75 <= held / 60 <= 0.98
+    assert np.mean(widths) == pytest.approx(1.0, abs=0.12)
+    assert np.isnan(slope(x[:4], noise[:4], names[:4], 0.9, 100, 1).value)
+
+
+def test_properties_of_a_motion_do_not_change_with_its_scale():
+    one, other = properties(harmonic(0.1)), properties(harmonic(0.7))
+    for name, value in one.items():
+        assert other[name] == pytest.approx(value, rel=1e-9), name
+    assert one["pgv_over_pga_s"] == pytest.approx(1.0 / np.pi, rel=1e-3)
+    assert one["significant_duration_s"] == pytest.approx(36.0, rel=0.01)

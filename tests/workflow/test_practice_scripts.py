@@ -15,6 +15,7 @@ from smdof.chain import floor_motions
 from yade_scripts.model.motion import Motion
 
 ROOT = Path(__file__).resolve().parents[2]
+OUTPUTS = ("fragility", "measures", "sufficiency", "brackets", "curves")
 HEAD = "model,record,direction,pga_g,d_over_b,collapsed,status,dt_s,steps,wall_s\n"
 
 
@@ -67,7 +68,7 @@ def fragility(tmp_path_factory):
         pga = 0.40 / (period / np.pi) / 9.80665  # PGV = aT/π from rest
         curves.append(curve(folder / f"W1_{i}.csv", "W1", f"R{i}", "pos", pga * 0.97, pga * 1.03))
     curves.append(curve(folder / "W1_never.csv", "W1", "R2", "neg", 3.0, None))
-    names = {k: str(folder / f"{k}.csv") for k in ("fragility", "measures", "brackets", "curves")}
+    names = {k: str(folder / f"{k}.csv") for k in OUTPUTS}
     settings = {
         "measures": ["pgv_cm_s", "pga_g", "p_pgv_over_g"],
         "confidence": 0.9,

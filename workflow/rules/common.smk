@@ -78,6 +78,7 @@ CALIBRATION = study.Calibration(STUDY)
 COMPARE = study.Compare(STUDY)
 FRAGILITY = study.Fragility(STUDY)
 RISK = study.Risk(STUDY)
+SURROGATES = study.Surrogates(STUDY)
 
 
 def files_of(path):

@@ -26,6 +26,7 @@ rule fragility_table:
     output:
         fragility="results/{run}/tables/fragility.csv",
         measures="results/{run}/tables/intensity_measures.csv",
+        sufficiency="results/{run}/tables/im_sufficiency.csv",
         brackets="results/{run}/fragility/brackets.csv",
         curves="results/{run}/fragility/curves.csv",
     log:
@@ -71,6 +72,7 @@ rule fragility_figure:
 rule figure_intensity_measures:
     input:
         measures="results/{run}/tables/intensity_measures.csv",
+        sufficiency="results/{run}/tables/im_sufficiency.csv",
         modules=code("figure_intensity_measures"),
     output:
         png=report(

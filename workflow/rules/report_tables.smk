@@ -34,6 +34,12 @@ REPORT_TABLES = {
         "Dispersion of the collapse intensity and its interval; share of the draws in which it is"
         " below that of PGA.",
     ),
+    "im_sufficiency": (
+        "Fragility",
+        "sufficiency of intensity measures",
+        "Slope of the logarithm of the collapse intensity on that of a property of the motion, with its"
+        " interval; sufficient: the interval holds zero, the measure says all that the property does.",
+    ),
     "risk": (
         "Risk",
         "rate of collapse",
@@ -41,6 +47,14 @@ REPORT_TABLES = {
         " the fitted fragility; intervals from records drawn with replacement. They hold neither the"
         " uncertainty of the hazard nor that of the façade. Outside share: part of the rate from"
         " intensities beyond the hazard table, where its outer slopes go on.",
+    ),
+    "surrogate_trust": (
+        "Records",
+        "surrogates beside their records",
+        "Ratio of the collapse PGA of surrogates to that of their records, by half of the stations: its"
+        " median, percentiles and scatter (standard deviation of the logarithm); share within 20 %;"
+        " share of records whose weak side is that of the surrogate, and the median |ln(pos/neg)| of"
+        " both. Pulses: how many of the record's own velocity pulses the surrogate keeps.",
     ),
     "capacity_reduction": (
         "Capacity reduction",

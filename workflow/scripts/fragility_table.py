@@ -1,13 +1,14 @@
 """Fragility of every model by every intensity measure, and how efficient the measures are.
 
-Writes tables/fragility.csv and tables/intensity_measures.csv, and what they rest on:
+Writes tables/fragility.csv, tables/intensity_measures.csv and tables/im_sufficiency.csv (slopes of
+the collapse intensity on properties of the motion), and what they rest on:
 fragility/brackets.csv (the collapse intervals of the curves, in every measure) and
 fragility/curves.csv (fitted probability with its band).
 """
 
 import numpy as np
 import pandas as pd
-from rocking.curves import collapse, fragility
+from rocking.curves import collapse, fragility, sufficiency
 from rocking.curves.intensity_measures import per_pga, record_measures
 from rocking.mechanics.closed_forms import block
 from rocking.records import read_csv
@@ -45,18 +46,39 @@ def remark(found, part, settings):
     return "; ".join(words)
 
 
+def slopes(curves, factors, properties, settings):
+    """Whether the collapse intensity in each measure still depends on what the motion is."""
+    rows = []
+    for model, part in curves.groupby("model", sort=False):
+        records = part["record"].to_numpy()
+        for name in settings["measures"]:
+            factor = np.array([factors[record][name] for record in records])
+            intensity = np.log(part["pga_median_g"].to_numpy(float) * factor)
+            for against in sufficiency.PROPERTIES:
+                x = np.log([properties[record][against] for record in records])
+                draws = (settings["confidence"], settings["resamples"], settings["seed"])
+                found = sufficiency.slope(x, intensity, records, *draws)
+                zero = int(found.low <= 0.0 <= found.high) if np.isfinite(found.low) else np.nan
+                row = (found.value, found.low, found.high, zero, found.n)
+                rows.append((model, name, against, *row))
+    columns = ["model", "im", "against", "slope", "ci_low", "ci_high", "sufficient", "n"]
+    return pd.DataFrame(rows, columns=columns)
+
+
 def main(job):
     settings, confidence = job.params.fragility, job.params.fragility["confidence"]
     p_rad_s = block(job.params.facade["height_m"], job.params.facade["thickness_m"]).p_rad_s
     chain = job.params.smdof
-    factors = {}
+    factors, properties = {}, {}
     for path in job.input.records:
         record = read_csv(path)
+        properties[record.name] = sufficiency.properties(record)
         factors[record.name] = per_pga(
             record_measures(record, chain["period_s"], chain["damping_ratio"], p_rad_s)
         )
-    found = (pd.read_csv(path) for path in (job.input.collapse, job.input.probability))
+    found = [pd.read_csv(path) for path in (job.input.collapse, job.input.probability)]
     table = brackets(*found, factors, settings["measures"])
+    slopes(found[0], factors, properties, settings).to_csv(job.output.sufficiency, **FORMAT)
     fits, efficiency, curves = [], [], []
     for model, of_model in table.groupby("model", sort=False):
         reference = None  # dispersions by PGA of the same draws, if PGA is among the measures

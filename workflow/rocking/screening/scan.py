@@ -89,22 +89,20 @@ class Screen:
         table["collapsed"] = (table["status"] == "overturned").astype(int)
         return table
 
-    def scan(self, settings):
-        """Scan all amplitudes: at `level_ratio`, then finer wherever outcomes may change.
+    def climb(self, settings):
+        """Outcomes from half the static capacity up, at steps of `level_ratio`.
 
-        The first pass climbs from half the static capacity until the façade has fallen at every
-        amplitude over a factor `beyond`, or to `max_pga_g`. The second has `members` amplitudes
-        within ± `amplitude_spread` of any, and turns node layout and step with them.
+        It ends when the façade has fallen at every amplitude over a factor `beyond`, or at
+        `max_pga_g`.
 
         Parameters
         ----------
         settings : dict
-            level_ratio, beyond, max_pga_g, members, amplitude_spread.
+            level_ratio, beyond, max_pga_g.
 
         Returns
         -------
         DataFrame
-            By ascending amplitude.
         """
         ratio, last = 1.0 + settings["level_ratio"], settings["max_pga_g"]
         start = min(0.5 * self.static_g, last)
@@ -117,7 +115,25 @@ class Screen:
             outcome = pd.concat(parts)["collapsed"].to_numpy()
             if outcome.size >= run and outcome[-run:].all():
                 break
-        coarse = pd.concat(parts, ignore_index=True)
+        return pd.concat(parts, ignore_index=True)
+
+    def scan(self, settings):
+        """Scan all amplitudes: at `level_ratio`, then finer wherever outcomes may change.
+
+        The first pass is that of `climb`. The second has `members` amplitudes within
+        ± `amplitude_spread` of any, and turns node layout and step with them.
+
+        Parameters
+        ----------
+        settings : dict
+            level_ratio, beyond, max_pga_g, members, amplitude_spread.
+
+        Returns
+        -------
+        DataFrame
+            By ascending amplitude.
+        """
+        coarse = self.climb(settings)
         fallen = coarse.loc[coarse["collapsed"] == 1, "pga_g"]
         if fallen.empty:
             return coarse

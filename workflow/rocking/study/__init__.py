@@ -13,6 +13,7 @@ from rocking.study.compare import Compare
 from rocking.study.core import Study
 from rocking.study.fragility import Fragility
 from rocking.study.risk import Risk
+from rocking.study.surrogates import Surrogates
 
 __all__ = [
     "Accuracy",
@@ -24,4 +25,5 @@ __all__ = [
     "Fragility",
     "Risk",
     "Study",
+    "Surrogates",
 ]

@@ -13,7 +13,7 @@ class Fragility:
     def results(self, run) -> list[str]:
         """Everything the target `fragility` makes for one run."""
         names = ("fragility", "intensity_measures")
-        tables = [f"results/{run}/tables/{name}.csv" for name in names]
+        tables = [f"results/{run}/tables/{name}.csv" for name in (*names, "im_sufficiency")]
         return tables + [f"results/{run}/figures/{name}.png" for name in names]
 
     def record_files(self, wildcards) -> list[str]:

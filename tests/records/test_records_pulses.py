@@ -1,0 +1,103 @@
+"""Pulses of a record: what was put in is found, with its sign, and a surrogate keeps it."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from rocking.curves import surrogate_trust
+from rocking.records import Record, integrate, measures
+from rocking.records.pulses import PERIODS_S, find_pulses, pulse_spec
+from rocking.records.surrogate import generate
+from rocking.records.surrogate_model import Pulse
+
+DT = 0.01
+# far apart, on periods of the search, of opposite signs
+MADE = (
+    Pulse(0.8, float(PERIODS_S[16]), 2.0, 30.0, 8.0),
+    Pulse(0.3, float(PERIODS_S[8]), 1.6, 200.0, 15.0),
+)
+
+
+def motion(pulses, noise=0.0):
+    t = DT * np.arange(2001)
+    a = sum(pulse.acceleration(t) for pulse in pulses)
+    a += noise * np.random.default_rng(3).standard_normal(t.size) * np.exp(-((t - 9) ** 2) / 8)
+    return Record("trial", a, DT, "file")
+
+
+def test_pulses_are_found_with_their_parameters_the_strongest_first():
+    for made, found in zip(MADE, find_pulses(motion(MADE), 2), strict=True):
+        assert found.period_s == pytest.approx(made.period_s)
+        assert found.cycles == made.cycles
+        assert found.time_s == pytest.approx(made.time_s, abs=DT)
+        assert found.amplitude_m_s == pytest.approx(made.amplitude_m_s, rel=0.01)
+        difference = (found.phase_deg - made.phase_deg + 180.0) % 360.0 - 180.0
+        assert abs(difference) < 1.0
+
+
+def test_the_mirrored_record_has_the_mirrored_pulses():
+    record = motion(MADE, noise=0.2)
+    mirrored = Record("trial", -record.acceleration_m_s2, DT, "file")
+    for p, q in zip(find_pulses(record, 3), find_pulses(mirrored, 3), strict=True):
+        np.testing.assert_allclose(
+            p.acceleration(record.time_s), -q.acceleration(record.time_s), atol=1e-9
+        )
+
+
+def test_each_pulse_leaves_less_of_the_velocity():
+    record = motion(MADE, noise=0.6)
+    t = record.time_s
+    left = []
+    for count in range(1, 4):
+        rest = record.acceleration_m_s2 - sum(p.acceleration(t) for p in find_pulses(record, count))
+        velocity, _ = integrate(rest, DT)
+        left.append(np.sum(velocity**2))
+    assert np.all(np.diff(left) < 0.0)
+
+
+def test_a_surrogate_with_pulses_keeps_peaks_and_the_way_the_ground_went():
+    record = motion(MADE, noise=0.6)
+    peaks = measures(record)
+    target = [peaks[name] for name in ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")]
+    made = generate("trial", *target, spec=pulse_spec(record, 2), seed=1)
+    for name in ("pga_g", "pgv_cm_s", "pgd_cm"):
+        assert measures(made)[name] == pytest.approx(peaks[name], rel=0.01)
+    velocity = integrate(record.acceleration_m_s2, DT)[0]
+    like = np.interp(record.time_s, made.time_s, integrate(made.acceleration_m_s2, made.dt_s)[0])
+    assert np.corrcoef(velocity, like)[0, 1] > 0.8
+
+
+def rows(scatter, keep_side):
+    rng = np.random.default_rng(5)
+    out = []
+    for i in range(400):
+        for sign, direction in ((1.0, "pos"), (-1.0, "neg")):
+            real = 0.3 * np.exp(0.4 * sign)
+            side = sign if keep_side else -sign
+            made = 1.1 * 0.3 * np.exp(0.4 * side + scatter * rng.standard_normal())
+            own = (f"R{i}", f"S{i // 2}", "W1", direction)
+            for kind, pulses, value in (("recorded", None, real), ("surrogate", 0, made)):
+                out.append((*own, kind, pulses, pulses, 0, value, value, 3.0))
+    return pd.DataFrame(out, columns=surrogate_trust.COLUMNS)
+
+
+def test_summary_returns_the_distribution_that_made_the_ratios():
+    table = surrogate_trust.summary(rows(0.1, keep_side=True))
+    whole = table[table["half"] == "all"].iloc[0]
+    assert whole["n"] == 800
+    assert whole["ratio_median"] == pytest.approx(1.1, rel=0.02)
+    assert whole["scatter"] == pytest.approx(0.1, rel=0.1)
+    assert whole["side_agrees"] == 1.0
+    halves = table[table["half"] != "all"]
+    assert halves["n"].sum() == 800
+    lost = surrogate_trust.summary(rows(0.05, keep_side=False)).iloc[0]
+    assert lost["side_agrees"] == 0.0
+    assert lost["scatter"] == pytest.approx(0.8, rel=0.05)
+
+
+def test_both_components_of_a_station_are_in_one_half_and_what_never_fell_is_counted():
+    table = rows(0.1, keep_side=True)
+    halves = surrogate_trust.half_of(table["station"])
+    assert table.assign(half=halves).groupby("station")["half"].nunique().max() == 1
+    table.loc[(table["kind"] == "surrogate") & (table["record"] == "R0"), "pga_half_g"] = np.nan
+    whole = surrogate_trust.summary(table).iloc[0]
+    assert whole["n_censored"] == 2

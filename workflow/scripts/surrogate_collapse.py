@@ -1,0 +1,67 @@
+"""Collapse of one recorded motion and of surrogates made for it, by the same scan."""
+
+import json
+import sys
+from pathlib import Path
+
+import pandas as pd
+from rocking.curves.surrogate_trust import COLUMNS, outcome
+from rocking.records import RecordError, measures, read_csv
+from rocking.records.pulses import pulse_spec
+from rocking.records.surrogate import generate
+from rocking.runtime.script import run
+from rocking.screening.scan import Screen
+
+from smdof.chain import floor_motions
+
+
+def surrogate(record, pulses, seed):
+    """Surrogate of a record with its peaks and so many of its pulses, or the most below that."""
+    peaks = measures(record)
+    target = [peaks[name] for name in ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")]
+    for count in range(pulses, -1, -1):
+        spec = pulse_spec(record, count) if count else None
+        try:
+            return generate(record.name, *target, spec=spec, seed=seed), count
+        except RecordError as error:
+            print(f"{count} pulses: {error}", file=sys.stderr)
+    return None, 0
+
+
+def main(job):
+    p = job.params
+    record = read_csv(job.input.record)
+    scenes = [json.loads(Path(path).read_text()) for path in job.input.scenes]
+    motions = [("recorded", None, None, 0, record)]
+    for pulses in p.surrogates["pulses"]:
+        for draw in range(p.surrogates["draws"]):
+            made, kept = surrogate(record, pulses, p.seed + draw)
+            if made is not None:
+                motions.append(("surrogate", pulses, kept, draw, made))
+    chain, rows = p.smdof, []
+    for *what, motion in motions:
+        floors = floor_motions(
+            motion.acceleration_m_s2,
+            motion.dt_s,
+            chain["n_dof"],
+            chain["period_s"],
+            chain["damping_ratio"],
+            chain["damping_model"],
+            tail_s=chain["tail_s"],
+        )
+        columns = {f"floor{j + 1}": row for j, row in enumerate(floors.floors_m_s2)}
+        columns["ground"] = floors.ground_m_s2
+        for scene in scenes:
+            ratio = p.surrogates["level_ratio"]
+            for direction in p.directions:
+                screen = Screen(scene, floors.time_s, columns, direction)
+                found = outcome(screen.climb({**scene["ida"], "level_ratio": ratio}), ratio)
+                own = (record.name, p.station, scene["model"], direction, *what)
+                rows.append(dict(zip(COLUMNS, own, strict=False)) | found)
+    table = pd.DataFrame(rows, columns=COLUMNS)
+    for name in ("pulses", "pulses_kept"):
+        table[name] = table[name].astype("Int64")
+    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+
+
+run(main, globals())

@@ -1,0 +1,18 @@
+"""Collapse of all records and surrogates in one table, and the distribution of their ratio."""
+
+import pandas as pd
+from rocking.curves.surrogate_trust import summary
+from rocking.runtime.script import run
+
+FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
+
+
+def main(job):
+    table = pd.concat([pd.read_csv(path) for path in job.input.tables], ignore_index=True)
+    for name in ("pulses", "pulses_kept"):
+        table[name] = table[name].astype("Int64")
+    table.to_csv(job.output.table, **FORMAT)
+    summary(table).to_csv(job.output.summary, **FORMAT)
+
+
+run(main, globals())
