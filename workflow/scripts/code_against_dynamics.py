@@ -83,10 +83,14 @@ def draw_groups(table, output):
     figure, axes = plt.subplots(
         len(models), len(GROUPS), figsize=(9.0, 0.9 + 1.7 * len(models)), sharey=True, squeeze=False
     )
-    for row, model in zip(axes, models, strict=True):
-        for axis, group in zip(row, GROUPS, strict=True):
+    for number, model in enumerate(models, 1):
+        for axis, group in zip(axes[number - 1], GROUPS, strict=True):
             own = table[(table["model"] == model) & (table["group"] == group)]
             values = list(dict.fromkeys(own["value"]))
+            if not values:
+                axis.set_axis_off()
+                axis.text(0.5, 50.0, f"{model} has no {group}", ha="center", size=7)
+                continue
             for i, (check, mark) in enumerate(zip(SHOWN, MARKS, strict=True)):
                 part = own[own["check"] == check].set_index("value").reindex(values)
                 x = np.arange(len(values)) + 0.16 * (i - 1.5)
@@ -104,9 +108,9 @@ def draw_groups(table, output):
                 )
             axis.set_xticks(range(len(values)), [v.replace(" ", "\n") for v in values])
             axis.set(ylim=(-3, 103), xlim=(-0.5, len(values) - 0.5))
-            if axis is row[0]:
+            if group == GROUPS[0]:
                 axis.set_ylabel(f"{model}: unsafe [%]")
-            if row is axes[-1]:
+            if number == len(models):
                 axis.set_xlabel(HEADINGS[group])
     handles, labels = axes[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=4, fontsize=7)
