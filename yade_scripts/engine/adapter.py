@@ -3,14 +3,15 @@
 YADE is imported as a library (`library`): neither its prompt nor its XML-RPC server
 starts, so nothing listens on a port and no user session is needed. What blocks are
 made of stands in `parts`; masks pair every node with its own face only (`faces`).
+Nodes that never break are pairs of spheres (`welds`).
 """
 
 import math
 from dataclasses import dataclass
 
-from yade_scripts.engine import links, loop, ties
+from yade_scripts.engine import links, loop, ties, welds
 from yade_scripts.engine.bonds import Bonds
-from yade_scripts.engine.faces import RELEASE_CHECK_S, FaceError, Faces, Releases
+from yade_scripts.engine.faces import NODE_BITS, RELEASE_CHECK_S, FaceError, Faces, Releases
 from yade_scripts.engine.guide import GUIDE_INTERVAL_S, Guide
 from yade_scripts.engine.library import EngineError, load_yade
 from yade_scripts.engine.parts import Parts
@@ -98,6 +99,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     unturned: dict[int, object] = {}
     linked = links.place(w, utils, omega, scene)
     pairs, tied = ties.place(w, utils, omega, scene)
+    welded = welds.Welds(w, utils, omega, scene)
     heaviest = max([b.mass_kg for b in scene.blocks if b.free] or [1.0])
     for index, block in enumerate(scene.blocks):
         keys = faces.of_block(index)
@@ -118,19 +120,23 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
             body.append(ids[0])
             continue
         members = parts.members(index, keys)
-        members += linked.get(index, []) + tied.get(index, [])
+        members += linked.get(index, []) + tied.get(index, []) + welded.members.get(index, [])
         clump, unturned[index] = parts.clump(block, members, full_rotation)
         body.append(clump)
 
     shape, physics, law = ties.functors(w, scene)
+    collider = w.InsertionSortCollider([w.Bo1_Sphere_Aabb(), w.Bo1_Box_Aabb()], verletDist=0.05)
+    if faces.box_bit:  # nodes of neighbouring blocks must not touch each other
+        collider.avoidSelfInteractionMask = NODE_BITS
     engines = [
         w.ForceResetter(),
-        w.InsertionSortCollider([w.Bo1_Sphere_Aabb(), w.Bo1_Box_Aabb()], verletDist=0.05),
+        collider,
         w.InteractionLoop(
-            [w.Ig2_Box_Sphere_ScGeom(), *shape],
-            [w.Ip2_ViscElMat_ViscElMat_ViscElPhys(), *physics],
-            [w.Law2_ScGeom_ViscElPhys_Basic(), *law],
+            [w.Ig2_Box_Sphere_ScGeom(), *shape, *welded.geometry],
+            [w.Ip2_ViscElMat_ViscElMat_ViscElPhys(), *physics, *welded.physics],
+            [w.Law2_ScGeom_ViscElPhys_Basic(), *law, *welded.law],
         ),
+        *welded.drag,
     ]
     for name, ids in sorted(drives.items()):
         motion = motions[name]
@@ -149,19 +155,32 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     omega.dt = dt_s
     if scene.shaking:
         engines += links.shake(w, scene, motions[scene.shaking], body, omega)
-    engines.append(
-        w.NewtonIntegrator(
-            damping=0.0, gravity=(0, 0, -scene.gravity_m_s2), exactAsphericalRot=full_rotation
-        )
-    )
+    weighing, gravity = _weight(w, scene, body)
+    newton = w.NewtonIntegrator(damping=0.0, gravity=gravity, exactAsphericalRot=full_rotation)
+    engines += [*weighing, newton]
     _place_members(w, omega)
     omega.engines, omega.dt = engines, dt_s
     ties.join(utils, omega, scene, pairs)
+    welded.join()
     built = Built(
         omega, body, parts.node_body, unturned, linked=linked, links=scene.links, ties=pairs
     )
     _attach(scene, motions, built, parts.bonded, faces)
     return built
+
+
+def _weight(w, scene, body):
+    """Engines for the weight of single blocks, and the gravity of all.
+
+    Gravity acts on every body; where some are weightless the others' weight is a force.
+    """
+    free = [i for i, block in enumerate(scene.blocks) if block.free]
+    if not any(scene.blocks[i].weightless for i in free):
+        return [], (0, 0, -scene.gravity_m_s2)
+    heavy = [i for i in free if not scene.blocks[i].weightless]
+    force = [(0, 0, -scene.blocks[i].mass_kg * scene.gravity_m_s2) for i in heavy]
+    engines = [w.ForceEngine(force=f, ids=[body[i]]) for i, f in zip(heavy, force, strict=True)]
+    return engines, (0, 0, 0)
 
 
 def _place_members(w, omega):

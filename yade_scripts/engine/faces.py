@@ -14,12 +14,15 @@ the largest relative motion, and faces whose boxes and nodes cannot meet share a
 """
 
 import math
+from typing import Any
 
 import numpy as np
 
 from yade_scripts.engine.bonds import FACE_OFFSET_M, rotation, separate
 
 BITS = 30
+# Of boxes alone, where spheres may meet spheres: what has the same mask can then be kept apart
+BOX_BIT, NODE_BITS = 1 << 30, (1 << 30) - 1
 LOCAL_REACH_M = 0.75  # beyond the joint's nodes in its plane
 LOCAL_DEPTH_M = 0.30  # of a local box behind its face
 MOTION_M = 0.25  # boxes this far apart never meet before the run has ended
@@ -124,8 +127,10 @@ class Faces:
     bit : dict of key to int
     body : dict of key to int
         YADE id, once the box has been appended.
+    box_bit : int
+        Further bit of all boxes.
     plain, press, hook : list
-        Face key of each node; press and hook are None for dry nodes.
+        Face key of each node; press and hook are None for dry nodes, all for welded ones.
     """
 
     def __init__(self, scene):
@@ -134,9 +139,16 @@ class Faces:
         self.scene = scene
         self.nodes_of: dict[tuple, list] = {}
         self.body: dict[tuple, int] = {}
-        self.plain, self.press, self.hook = [], [], []
-        bonded = nodes.bonded
+        self.plain: list[Any] = []
+        self.press: list[Any] = []
+        self.hook: list[Any] = []
+        bonded, welded = nodes.bonded, nodes.welded
+        self.box_bit = BOX_BIT if welded.any() else 0
         for i in range(len(nodes)):
+            if welded[i]:  # pairs of spheres, see `welds`
+                for keys in (self.plain, self.press, self.hook):
+                    keys.append(None)
+                continue
             normal = nodes.normal[i]
             level = float(normal @ nodes.position_m[i] - nodes.gap_m[i])
             rim = rims.get(scene.joints[nodes.joint[i]])
@@ -204,7 +216,7 @@ class Faces:
             fixed=False,
             wire=True,
             material=material,
-            mask=self.bit[key],
+            mask=self.bit[key] | self.box_bit,
         )
         self.body[key] = omega.bodies.append(box)
         return self.body[key]

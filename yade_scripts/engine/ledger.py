@@ -79,7 +79,7 @@ class EnergyLedger:
                     omega.bodies[body].state,
                     block.mass_kg,
                     block.inertia_kg_m2,
-                    block.mass_kg * scene.gravity_m_s2,
+                    0.0 if block.weightless else block.mass_kg * scene.gravity_m_s2,
                     block.centre_m[2],
                 )
                 if index in linked:

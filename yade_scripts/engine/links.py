@@ -77,9 +77,11 @@ def place(w, utils, omega, scene):
 def shake(w, scene, motion, body, omega):
     """Inertia forces −m·a_g of the free blocks in the frame of the ground, as engines."""
     groups: dict[float, list] = {}
+    same: dict[str, float] = {}  # masses that differ by rounding alone share an engine
     for index, block in enumerate(scene.blocks):
         if "y" in block.free:
-            groups.setdefault(block.mass_kg, []).append(body[index])
+            mass = same.setdefault(f"{block.mass_kg:.10g}", block.mass_kg)
+            groups.setdefault(mass, []).append(body[index])
             state = omega.bodies[body[index]].state
             velocity = state.vel  # velocities live at half steps: start half a step back
             first = 0.5 * omega.dt * float(motion.acceleration_m_s2[0])

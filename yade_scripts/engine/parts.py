@@ -2,7 +2,7 @@
 
 Each contact node is a small sphere of the block that carries it, against a box that stands for
 the opposite block's face. The spheres weigh nothing; mass and inertia sit on the clump. Bonded
-nodes are explained in `bonds`.
+nodes are explained in `bonds`, welded ones in `welds`.
 """
 
 import numpy as np
@@ -117,7 +117,7 @@ class Parts:
         ids = [self.omega.bodies.append(carrier)]
         state = self.omega.bodies[ids[0]].state
         state.mass, state.inertia = block.mass_kg, STAND_IN_INERTIA
-        for i in np.flatnonzero(nodes.a == index):
+        for i in np.flatnonzero((nodes.a == index) & ~nodes.welded):
             is_bonded = faces.press[i] is not None
             self.node_body[i] = self._sphere(
                 nodes.position_m[i] + self.radius_m * nodes.normal[i],

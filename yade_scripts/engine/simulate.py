@@ -82,6 +82,7 @@ def choose_step(scene, numerics):
     Parameters
     ----------
     scene : Scene
+        Its note "critical_step_s", where it has one, spares the dense search for it.
     numerics : dict
         Keys step_s (None: use the fraction) and step_fraction.
 
@@ -95,7 +96,7 @@ def choose_step(scene, numerics):
     StepError
         If the step would be beyond the critical one.
     """
-    critical = critical_step(scene)
+    critical = scene.notes.get("critical_step_s") or critical_step(scene)
     step = numerics.get("step_s") or numerics["step_fraction"] * critical
     if step > critical:
         raise StepError(

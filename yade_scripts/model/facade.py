@@ -99,7 +99,6 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     tilt = math.radians(facade["tilt_deg"])
     mass = facade["density_kg_m3"] * h * b * width
     jkn_base, jkn_back = joint_stiffness(config)
-    ratio = facade["shear_stiffness_ratio"]
 
     blocks = [
         Block(
@@ -117,25 +116,8 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     # Debris under the base (tilt) belongs to the block as protruding nodes: it
     # rests rotated by φ about its front toe and cannot come back to the vertical.
     protrusion = (1.0 - points) * b * math.tan(tilt)
-    base_xyz = np.stack([np.zeros_like(points), points * b, -protrusion], axis=1)
-    columns, column_weights = _columns(planar, width / math.sqrt(3.0))
-    positions, areas, gaps = _spread(
-        base_xyz, weights * b * width, columns, column_weights, gap_m=-protrusion
-    )
     # index 1 is the façade, appended to `blocks` below
-    nodes.add_joint(
-        BASE,
-        1,
-        0,
-        positions,
-        (0, 0, 1),
-        areas,
-        jkn_base,
-        ratio * jkn_base,
-        beta_s=beta_s,
-        friction_rad=math.radians(facade["friction_deg"]),
-        gap_m=gaps,
-    )
+    add_base(config, beta_s, nodes, 1, 0, planar=planar, protrusion_m=protrusion)
     # lift of each base node in the pose turned about the toe; debris lies under a tilted base
     angle = release_ratio * math.atan2(b, h)
     lift = (1.0 - points) * b * math.sin(angle)
@@ -172,6 +154,47 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
         links=links,
         ties=facade_ties(facade.get("ties", ()), 1, range(2, len(blocks)), blocks),
         shaking=GROUND if kind.massive else None,
+    )
+
+
+def add_base(config, beta_s, nodes, facade, ground, *, planar, origin=(0.0, 0.0), protrusion_m=0.0):
+    """Add the joint between a façade's base and the ground.
+
+    Parameters
+    ----------
+    config, beta_s
+        See `facade_scene`.
+    nodes : NodeList
+    facade, ground : int
+        Indices of the blocks.
+    planar : bool
+    origin : tuple of 2 floats
+        x of the façade's middle and y of its back face [m].
+    protrusion_m : float or ndarray
+        Of each node across the thickness below the base.
+    """
+    section = config["facade"]
+    b, width = section["thickness_m"], section["width_m"]
+    jkn, _ = joint_stiffness(config)
+    points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
+    protrusion = np.broadcast_to(protrusion_m, points.shape)
+    line = np.stack([origin[0] + 0 * points, origin[1] + points * b, -protrusion], axis=1)
+    columns, column_weights = _columns(planar, width / math.sqrt(3.0))
+    positions, areas, gaps = _spread(
+        line, weights * b * width, columns, column_weights, gap_m=-protrusion
+    )
+    nodes.add_joint(
+        BASE,
+        facade,
+        ground,
+        positions,
+        (0, 0, 1),
+        areas,
+        jkn,
+        section["shear_stiffness_ratio"] * jkn,
+        beta_s=beta_s,
+        friction_rad=math.radians(section["friction_deg"]),
+        gap_m=gaps,
     )
 
 

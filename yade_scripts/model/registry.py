@@ -82,6 +82,14 @@ MODELS = {
         Model("W2cm", "floors", True, "W2c with the building's mass", "#B5A21E", ">", massive=True),
     )
 }
+# The complete building has an assembly, a study and rules of its own (`building.complete`)
+COMPLETE = {
+    model.name: model
+    for model in (
+        Model("CB", "building", False, "complete building, façade cracked off", "#000000", "X"),
+        Model("CBc", "building", True, "complete building, façade bonded", "#7F7F7F", "*"),
+    )
+}
 WITH_WALLS = tuple(name for name, model in MODELS.items() if model.walls != "none")
 PLANAR = tuple(n for n in WITH_WALLS if MODELS[n].single_block and MODELS[n].plain == n)
 PUSHED = tuple(name for name, model in MODELS.items() if model.static)

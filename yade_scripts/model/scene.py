@@ -13,11 +13,13 @@ is kn·penetration + β·kn·(its rate), never tensile unless the node is bonded
 import json
 import math
 from dataclasses import asdict, dataclass, field
+from typing import Any
 
 import numpy as np
 
 from yade_scripts.model.gravity import GRAVITY_M_S2
 
+WELD_N = 1e15  # strength from which a bonded node is meant never to break
 DOFS = "xyzXYZ"  # translations, then rotations about the same axes (YADE's letters)
 
 
@@ -49,6 +51,11 @@ class Block:
         Initial velocity of the centroid.
     angular_velocity_rad_s : tuple of 3 floats
         Initial angular velocity.
+    weightless : bool
+        Inertia without weight: a part whose joints are linear, so that its dead load only
+        adds a static answer.
+    drag_1_s : float
+        Mass-proportional damping: a force −rate·m·v on the centroid, v relative to the frame.
     """
 
     name: str
@@ -62,6 +69,8 @@ class Block:
     rotation_rad: tuple = (0.0, 0.0, 0.0)
     velocity_m_s: tuple = (0.0, 0.0, 0.0)
     angular_velocity_rad_s: tuple = (0.0, 0.0, 0.0)
+    weightless: bool = False
+    drag_1_s: float = 0.0
 
 
 def box_inertia(mass_kg, size_m):
@@ -114,9 +123,14 @@ class Nodes:
         return len(self.a)
 
     @property
+    def welded(self):
+        """Mask of the nodes that are linear both ways and never break, shape (n,)."""
+        return (self.tension_n >= WELD_N) & (self.cohesion_n >= WELD_N)
+
+    @property
     def bonded(self):
-        """Mask of the nodes that start with tensile or cohesive strength, shape (n,)."""
-        return (self.tension_n > 0.0) | (self.cohesion_n > 0.0)
+        """Mask of the nodes that start with a strength that they may reach, shape (n,)."""
+        return ((self.tension_n > 0.0) | (self.cohesion_n > 0.0)) & ~self.welded
 
 
 @dataclass(frozen=True)
@@ -376,6 +390,24 @@ class NodeList:
             shape = (0, 3) if key in ("position_m", "normal") else (0,)
             columns[key] = np.concatenate(parts).astype(dtype) if parts else np.zeros(shape, dtype)
         return Nodes(**columns)
+
+
+def from_dict(data):
+    """Return the scene that `to_json` wrote, from its parsed text."""
+    nodes = Nodes(**{k: np.array(v) for k, v in data["nodes"].items()})
+    parts: list[list[dict[str, Any]]] = [
+        [{k: tuple(v) if isinstance(v, list) else v for k, v in part.items()} for part in data[key]]
+        for key in ("blocks", "links")
+    ]
+    blocks, links = parts
+    rest = {k: v for k, v in data.items() if k not in ("nodes", "blocks", "links")}
+    rest["monitor_point_m"] = tuple(rest["monitor_point_m"])
+    return Scene(
+        blocks=[Block(**part) for part in blocks],
+        nodes=nodes,
+        links=[Link(**part) for part in links],
+        **rest,
+    )
 
 
 def to_json(scene):

@@ -5,7 +5,7 @@ stiffness kn, ks between blocks a and b adds BᵀDB with B the relative velocity
 of the two blocks at the node and D = kn·nnᵀ + ks·(I − nnᵀ), every contact taken
 as closed. Damping is stiffness proportional node by node: C = Σ β BᵀDB. A link of
 stiffness k and dashpot c adds k·BᵀttᵀB and c·BᵀttᵀB with its direction t, a tie k·BᵀttᵀB as if
-it were taut.
+it were taut, the drag of a block rate·m to the diagonal of C.
 """
 
 from dataclasses import dataclass, replace
@@ -135,7 +135,15 @@ def assemble(scene):
     cols = np.repeat(numbers[:, None, :], 12, axis=1)
     keep = (rows >= 0) & (cols >= 0) & ((element != 0.0) | (damping != 0.0))
     dof = np.argwhere(equation >= 0)
-    return Triplets(rows[keep], cols[keep], element[keep], damping[keep], mass[equation >= 0], dof)
+    rows, cols, k, c = rows[keep], cols[keep], element[keep], damping[keep]
+    mass = mass[equation >= 0]
+    rate = np.array([block.drag_1_s for block in scene.blocks])[dof[:, 0]]
+    dragged = np.flatnonzero((rate > 0.0) & (dof[:, 1] < 3))
+    if dragged.size:
+        rows, cols = np.concatenate([rows, dragged]), np.concatenate([cols, dragged])
+        k = np.concatenate([k, np.zeros(dragged.size)])
+        c = np.concatenate([c, (rate * mass)[dragged]])
+    return Triplets(rows, cols, k, c, mass, dof)
 
 
 def modes(scene):

@@ -41,6 +41,16 @@ def model_plan(plan, model):
     return plan if model == "CBDEM" else plan.without_facades()
 
 
+def real_brick(settings):
+    """Return the real brick of section building."""
+    return Brick(*(settings[f"brick_{part}_m"] for part in ("length", "height", "width")))
+
+
+def real_joints(settings):
+    """Return the joint stiffnesses of section building, which hold for the real brick."""
+    return Joints(**{k: v for k, v in settings.items() if k.endswith(("_jkn_pa_m", "_jks_pa_m"))})
+
+
 def build_model(settings, plan, model, load_kg_m2=None, coarsening=None):
     """Build CBDEM or SBDEM with the section `building` of the configuration.
 
@@ -62,13 +72,11 @@ def build_model(settings, plan, model, load_kg_m2=None, coarsening=None):
     plan = model_plan(plan, model)
     if load_kg_m2 is not None:
         plan = plan.with_floor_load(load_kg_m2)
-    brick = Brick(*(settings[f"brick_{part}_m"] for part in ("length", "height", "width")))
-    stiffness = {k: v for k, v in settings.items() if k.endswith(("_jkn_pa_m", "_jks_pa_m"))}
     return build(
         plan,
-        brick=brick,
+        brick=real_brick(settings),
         coarsening=settings["coarsening"] if coarsening is None else coarsening,
-        joints=Joints(**stiffness),
+        joints=real_joints(settings),
         density_kg_m3=settings["density_kg_m3"],
         timber_density_kg_m3=settings["timber_density_kg_m3"],
     )

@@ -10,6 +10,7 @@ from rocking.study.boundary import Boundary
 from rocking.study.building import Building
 from rocking.study.calibration import Calibration
 from rocking.study.compare import Compare
+from rocking.study.complete import Complete
 from rocking.study.core import Study
 from rocking.study.fragility import Fragility
 from rocking.study.risk import Risk
@@ -22,6 +23,7 @@ __all__ = [
     "Building",
     "Calibration",
     "Compare",
+    "Complete",
     "Fragility",
     "Risk",
     "Study",

@@ -8,11 +8,11 @@ from yade_scripts.model.building.bricks import Brick, Bricks, lay
 from yade_scripts.model.building.contacts import KINDS, Interfaces, Joints, interfaces, weakened
 from yade_scripts.model.building.floors import floor_boxes
 from yade_scripts.model.building.plan import TOLERANCE_M, Plan, PlanError
-from yade_scripts.model.scene import Block, Nodes, Scene, box_inertia
+from yade_scripts.model.scene import WELD_N, Block, Nodes, Scene, box_inertia
 
 GROUND = "ground"
-BOND_N = 1e15  # strength of a bond that is meant never to break
-GAUSS = 1.0 / np.sqrt(3.0)
+# Points of equal weight in a rectangle of half sides 1 with its zeroth, first and second moments
+POINTS = np.sqrt([(0.0, 2 / 3), (1 / 2, 1 / 6), (1 / 2, 1 / 6)]) * [(1, 1), (1, -1), (-1, -1)]
 
 
 @dataclass
@@ -52,9 +52,9 @@ def build(
 ):
     """Build the brick model of a plan.
 
-    Every interface becomes 2 × 2 Gauss points that carry a bonded linear spring,
-    which integrates the force and the moments of a linearly varying relative
-    displacement exactly. The ground is a support driven by the motion "ground".
+    Every interface becomes three points that carry a welded linear spring each, with the
+    second moments of the rectangle: force and moments of a linearly varying relative
+    displacement are exact. The ground is a support driven by the motion "ground".
 
     Parameters
     ----------
@@ -145,32 +145,33 @@ def _monitor(plan, blocks, floors):
 
 
 def _nodes(faces, ground):
-    """Return the bonded nodes of the interfaces, 2 × 2 Gauss points each, as `Nodes`."""
+    """Return the welded nodes of the interfaces, three points each, as `Nodes`."""
     n = len(faces)
     first = np.where(faces.axis == 0, 1, 0)  # the two in-plane directions of each interface
     second = np.where(faces.axis == 2, 1, 2)
     rows = np.arange(n)
-    position = np.repeat(faces.centre_m[:, None, :], 4, axis=1)
-    for k, (u, v) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1))):
-        position[rows, k, first] += u * GAUSS * faces.half_m[rows, first]
-        position[rows, k, second] += v * GAUSS * faces.half_m[rows, second]
-    area = np.repeat(faces.area_m2 / 4.0, 4)
+    count = len(POINTS)
+    position = np.repeat(faces.centre_m[:, None, :], count, axis=1)
+    for k, (u, v) in enumerate(POINTS):
+        position[rows, k, first] += u * faces.half_m[rows, first]
+        position[rows, k, second] += v * faces.half_m[rows, second]
+    area = np.repeat(faces.area_m2 / count, count)
     b = np.where(faces.b < 0, ground, faces.b)
-    zero = np.zeros(4 * n)
+    zero = np.zeros(count * n)
     return Nodes(
-        a=np.repeat(faces.a, 4),
-        b=np.repeat(b, 4),
-        joint=np.repeat(faces.kind, 4),
+        a=np.repeat(faces.a, count),
+        b=np.repeat(b, count),
+        joint=np.repeat(faces.kind, count),
         position_m=position.reshape(-1, 3),
-        normal=np.repeat(np.eye(3)[faces.axis], 4, axis=0),
+        normal=np.repeat(np.eye(3)[faces.axis], count, axis=0),
         area_m2=area,
-        kn_n_m=np.repeat(faces.jkn_pa_m, 4) * area,
-        ks_n_m=np.repeat(faces.jks_pa_m, 4) * area,
+        kn_n_m=np.repeat(faces.jkn_pa_m, count) * area,
+        ks_n_m=np.repeat(faces.jks_pa_m, count) * area,
         beta_s=zero,
         friction_rad=zero.copy(),
         gap_m=zero.copy(),
-        tension_n=np.full(4 * n, BOND_N),
-        cohesion_n=np.full(4 * n, BOND_N),
+        tension_n=np.full(count * n, WELD_N),
+        cohesion_n=np.full(count * n, WELD_N),
     )
 
 

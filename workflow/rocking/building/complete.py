@@ -1,0 +1,128 @@
+"""The complete building of a configuration (CB, CBc): its scene, its modes, its linear answer."""
+
+import numpy as np
+from scipy import sparse
+from scipy.optimize import brentq
+from scipy.signal import cont2discrete, dlsim
+from scipy.sparse.linalg import eigsh
+
+from yade_scripts.model import stiffness
+from yade_scripts.model.building import complete
+from yade_scripts.model.registry import COMPLETE
+
+from .case import build_model, real_brick, real_joints, translation_mode
+from .history import mass_damping_rate
+from .modes import Solver
+
+MODES = 12
+
+
+def complete_building(config, plan, load_kg_m2, model, beta_s, coarsening=None, back_joint=None):
+    """Build the scene of CB or CBc, with its critical step.
+
+    Parameters
+    ----------
+    config : dict
+        Resolved configuration: sections building, complete, facade, return_wall, numerics.
+    plan : Plan
+        With its front façade.
+    load_kg_m2 : float or None
+        On every floor; None keeps the plan's own.
+    model : {"CB", "CBc"}
+    beta_s : float
+    coarsening, back_joint
+        None takes the configured ones.
+
+    Returns
+    -------
+    Scene
+        Notes: critical_step_s; rate_1_s, the mass-proportional damping that gives building.
+        damping_ratio in the first mode along y of what stands behind the crack; mass_behind_kg.
+    """
+    settings, own = config["building"], config["complete"]
+    left, crack = complete.behind(plan)
+    building = build_model(
+        settings, left, "CBDEM", load_kg_m2, own["coarsening"] if coarsening is None else coarsening
+    )
+    modes = Solver(complete.with_rigid_floors(building)).modes(MODES)
+    rate = mass_damping_rate(modes.omega[translation_mode(modes)], settings["damping_ratio"])
+    scene = complete.complete_scene(
+        config,
+        building,
+        crack,
+        beta_s,
+        bonded=COMPLETE[model].bonded,
+        back_joint=own["back_joint"] if back_joint is None else back_joint,
+        brick=real_brick(settings),
+        joints=real_joints(settings),
+        rate_1_s=rate,
+    )
+    scene.notes.update(critical_step_s=critical_step(scene), rate_1_s=rate)
+    return scene
+
+
+def critical_step(scene):
+    """Critical step of a large scene by Lanczos iteration, see `stiffness.critical_step` [s].
+
+    Raises
+    ------
+    ValueError
+        See `stiffness.assemble`.
+    """
+    triplets = stiffness.assemble(scene)
+    size = len(triplets.mass)
+    scale = sparse.diags_array(1.0 / np.sqrt(triplets.mass))
+    k, c = (
+        sparse.csr_array(
+            scale
+            @ sparse.coo_array((v, (triplets.rows, triplets.cols)), shape=(size, size)).tocsr()
+            @ scale
+        )
+        for v in (triplets.k, triplets.c)
+    )
+    start = np.random.default_rng(0).standard_normal(size)
+
+    def largest(matrix):
+        found = eigsh(matrix, k=1, which="LA", v0=start, tol=1e-4, return_eigenvectors=False)
+        return float(found[0])
+
+    limit = 2.0 / np.sqrt(largest(k))
+    if largest(limit**2 * k + 2.0 * limit * c) <= 4.0:
+        return limit
+    return brentq(lambda h: largest(h**2 * k + 2.0 * h * c) - 4.0, 1e-3 * limit, limit, rtol=1e-4)
+
+
+def linear_history(scene, points, time_s, ground_m_s2, count=60):
+    """Answer of a scene whose joints all stay closed, by its modes with their coupled damping.
+
+    q̈ + φᵀCφ q̇ + ω²q = −Γ_y a_g, integrated exactly for a piecewise-linear a_g.
+
+    Parameters
+    ----------
+    scene : Scene
+    points : sequence of int
+        Blocks that are free along y.
+    time_s, ground_m_s2 : ndarray, shape (nt,)
+        Uniformly sampled.
+    count : int
+        Lowest modes that take part.
+
+    Returns
+    -------
+    time_s : ndarray, shape (nt,)
+    displacement_m : ndarray, shape (n_points, nt)
+        Along y, relative to the ground.
+    """
+    modes = Solver(scene).modes(count)
+    triplets = stiffness.assemble(scene)
+    size, n = len(triplets.mass), len(modes.omega)
+    c = sparse.coo_array((triplets.c, (triplets.rows, triplets.cols)), shape=(size, size)).tocsr()
+    zero, one = np.zeros((n, n)), np.eye(n)
+    a = np.block([[zero, one], [-np.diag(modes.omega**2), -modes.phi.T @ (c @ modes.phi)]])
+    b = np.concatenate([np.zeros(n), -modes.participation[:, 1]])[:, None]
+    rows = [np.flatnonzero((modes.dof[:, 0] == p) & (modes.dof[:, 1] == 1))[0] for p in points]
+    shape = np.hstack([modes.phi[rows], np.zeros((len(rows), n))])
+    dt = (time_s[-1] - time_s[0]) / (len(time_s) - 1)
+    system = cont2discrete((a, b, shape, np.zeros((len(rows), 1))), dt, method="foh")
+    _, moved, _ = dlsim(system, np.asarray(ground_m_s2)[:, None])
+    return np.asarray(time_s), moved.T

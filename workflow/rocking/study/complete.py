@@ -1,0 +1,116 @@
+"""What the rules of the complete building read, and what makes up its results."""
+
+import itertools
+
+from yade_scripts.model.building.complete import BACK_JOINTS
+from yade_scripts.model.registry import COMPLETE, MODELS
+
+CHECKS = {"linear": "linear", "level": "check"}  # kind of history to prefix of its keys
+
+
+class Complete:
+    """What `snakemake complete` reads and makes."""
+
+    models = tuple(COMPLETE)
+
+    def __init__(self, study):
+        """Keep the study."""
+        self.study = study
+
+    def settings(self, run) -> dict:
+        """Section complete of a run."""
+        return self.study.runs[run]["complete"]
+
+    def scene(self, wildcards) -> str:
+        """Scene file of a curve, with the configured bricks and back joint."""
+        own, run = self.settings(wildcards.run), wildcards.run
+        name = f"{wildcards.complete}_{own['coarsening']:g}_{own['back_joint']}"
+        return f"results/{run}/complete/scenes/{name}.json"
+
+    def scan(self, wildcards) -> str:
+        """Dense scan of the two-way model that shows where a curve begins."""
+        w = wildcards
+        return f"results/{w.run}/screening/{_twin(w.complete)}/{w.record}_{w.direction}.csv"
+
+    def scans(self, run) -> list[str]:
+        """Dense scans of the two-way models beside the curves."""
+        return [
+            f"results/{run}/screening/{_twin(model)}/{record}_{direction}.csv"
+            for model, record, direction in self._cases(run)
+        ]
+
+    def _cases(self, run):
+        directions = self.study.runs[run]["directions"]
+        return itertools.product(COMPLETE, self.study.records[run], directions)
+
+    def curves(self, run) -> list[str]:
+        """IDA tables of a run's complete buildings."""
+        return [f"results/{run}/ida/{m}/{record}_{d}.csv" for m, record, d in self._cases(run)]
+
+    # checks
+
+    def _name(self, run, model, coarsening=None, back=None) -> str:
+        own = self.settings(run)
+        size = own["coarsening"] if coarsening is None else coarsening
+        return f"{model}_{size:g}_{back or own['back_joint']}"
+
+    def check_motion(self, wildcards) -> str:
+        """Floor motions of the record of the checks."""
+        run = wildcards.run
+        record = self.settings(run)["check_record"]
+        self.study.needed(run, "complete.check_record", [record])
+        return self.study.floor_motions(run, record)
+
+    def motion(self, wildcards) -> str:
+        """Motion of a history of the checks."""
+        if wildcards.kind in ("linear", "level"):
+            return self.check_motion(wildcards)
+        return f"results/{wildcards.run}/complete/pulse.csv"
+
+    def how(self, wildcards) -> str:
+        """Options of a history of the checks."""
+        own, kind = self.settings(wildcards.run), wildcards.kind
+        pga_g = own["check_pga_g" if kind == "level" else "linear_pga_g"]
+        options = [f"--direction {own['check_direction']} --pga {pga_g:g}"]
+        if kind in ("linear", "level"):
+            options.append(f"--until {own[f'{CHECKS[kind]}_duration_s']:g}")
+        return " ".join(options + ["--apart"] * (kind == "apart"))
+
+    def scenes_of(self, model):
+        """Input function: scenes of all coarsenings."""
+        return lambda w: [
+            f"results/{w.run}/complete/scenes/{self._name(w.run, model, c)}.json"
+            for c in self.settings(w.run)["convergence"]
+        ]
+
+    def histories_of(self, model, kind):
+        """Input function: histories of the curves' brick size."""
+        return lambda w: [
+            f"results/{w.run}/complete/histories/{self._name(w.run, model)}_{kind}.csv"
+        ]
+
+    def levels(self, folder, ending):
+        """Input function: one file of each brick size, and of the other back joint."""
+
+        def files(wildcards):
+            run, own = wildcards.run, self.settings(wildcards.run)
+            other = next(b for b in BACK_JOINTS if b != own["back_joint"])
+            names = [self._name(run, "CB", c) for c in own["convergence"]]
+            names.append(self._name(run, "CB", back=other))
+            return [f"results/{run}/complete/{folder}/{name}{ending}" for name in names]
+
+        return files
+
+    def results(self, run) -> list[str]:
+        """Everything the target `complete` makes for one run."""
+        tables = ("checks", "convergence", "collapse", "probability")
+        return [
+            *(f"results/{run}/tables/complete_{name}.csv" for name in tables),
+            f"results/{run}/figures/complete_ida.png",
+        ]
+
+
+def _twin(model) -> str:
+    """Name of the two-way model with the same joint."""
+    how = ("floors", COMPLETE[model].bonded, True)
+    return next(m.name for m in MODELS.values() if (m.walls, m.bonded, m.massive) == how)

@@ -1,0 +1,121 @@
+"""Welded nodes and mass-proportional damping in YADE: what makes up a linear brick building.
+
+A welded node never breaks. It is a pair of spheres, one of either block, that touch at the
+node; `CohFrict` holds them with the node's kn and ks and a strength that is never reached: one
+contact where a bonded node has two, and no dashpot. The pairs are fixed, so these spheres have
+no bound and the collider passes them over.
+
+`LinearDragEngine` damps a block by 6πνr·v on one more of its spheres, r = rate·m/(6πν).
+"""
+
+import math
+
+import numpy as np
+
+from yade_scripts.model.scene import DOFS
+
+# The normal of a pair turns by (shear displacement)/(2r). A radius far above any joint
+# displacement keeps the springs linear; without a collider it may exceed the brick.
+NODE_RADIUS_M = 0.1
+DRAG_VISCOSITY_PA_S = 1.0
+NEEDED = (
+    "CohFrictMat",
+    "Ip2_CohFrictMat_CohFrictMat_CohFrictPhys",
+    "Ig2_Sphere_Sphere_ScGeom6D",
+    "Law2_ScGeom6D_CohFrictPhys_CohesionMoment",
+    "LinearDragEngine",
+)
+
+
+class WeldError(ValueError):
+    """A welded node cannot be built on these blocks."""
+
+
+class Welds:
+    """The spheres of welded nodes and of drag, and what steps them.
+
+    Attributes
+    ----------
+    members : dict of int to list of int
+        YADE ids by block, for the clumps of the free ones.
+    geometry, physics, law : list
+        Functors for the interaction loop; empty without welded nodes.
+    drag : list
+        Engine of the drag; empty without any.
+    """
+
+    def __init__(self, w, utils, omega, scene):
+        """Append the spheres; `join` follows once the engines stand."""
+        self.utils, self.nodes = utils, scene.nodes
+        self.members: dict[int, list] = {}
+        self.pairs: list[tuple] = []
+        self.geometry, self.physics, self.law, self.drag = [], [], [], []
+        self.welded = np.flatnonzero(scene.nodes.welded).tolist()
+        dragged = [i for i, block in enumerate(scene.blocks) if block.drag_1_s > 0.0]
+        if not (self.welded or dragged):
+            return
+        missing = [name for name in NEEDED if not hasattr(w, name)]
+        if missing:
+            raise WeldError(f"this YADE lacks the class(es) {', '.join(missing)}")
+        if scene.links:
+            raise WeldError(
+                "a scene cannot have both links and welded nodes: they share a mask bit"
+            )
+        self.material = w.CohFrictMat(
+            density=1e-30,
+            young=1.0,
+            poisson=0.3,
+            frictionAngle=0.5,
+            isCohesive=True,
+            momentRotationLaw=False,
+            normalCohesion=1e30,
+            shearCohesion=1e30,
+        )
+        omega.materials.append(self.material)
+        self.omega, self.scene = omega, scene
+        for i in self.welded:
+            self.pairs.append(tuple(self._half(i, *side) for side in (("a", 1.0), ("b", -1.0))))
+        if self.welded:
+            self.geometry = [w.Ig2_Sphere_Sphere_ScGeom6D(updateRotations=False)]
+            self.physics = [
+                w.Ip2_CohFrictMat_CohFrictMat_CohFrictPhys(setCohesionOnNewContacts=True)
+            ]
+            self.law = [w.Law2_ScGeom6D_CohFrictPhys_CohesionMoment()]
+        if dragged:
+            ids = [self._dragged(i) for i in dragged]
+            self.drag = [w.LinearDragEngine(nu=DRAG_VISCOSITY_PA_S, ids=ids)]
+
+    def _half(self, i, side, sign):
+        """Append one sphere of node i; return its id."""
+        nodes, index = self.nodes, int(getattr(self.nodes, side)[i])
+        if self.scene.blocks[index].motion is not None:
+            name = self.scene.blocks[index].name
+            raise WeldError(f"block '{name}' is driven: no node on it can be welded")
+        return self._append(index, nodes.position_m[i] + sign * NODE_RADIUS_M * nodes.normal[i])
+
+    def _dragged(self, index):
+        """Append the sphere that drags a block; return its id."""
+        block = self.scene.blocks[index]
+        radius = block.drag_1_s * block.mass_kg / (6.0 * math.pi * DRAG_VISCOSITY_PA_S)
+        return self._append(index, block.centre_m, radius)
+
+    def _append(self, index, centre, radius=NODE_RADIUS_M):
+        free = bool(self.scene.blocks[index].free)
+        sphere = self.utils.sphere(
+            tuple(float(v) for v in centre), radius, material=self.material, fixed=not free, mask=0
+        )
+        sphere.bounded = False
+        number = self.omega.bodies.append(sphere)
+        sphere.state.mass, sphere.state.inertia = 0.0, (0.0, 0.0, 0.0)
+        if free:
+            self.members.setdefault(index, []).append(number)
+        else:
+            sphere.state.blockedDOFs = DOFS
+        return number
+
+    def join(self):
+        """Make the contacts, with the stiffness of each node."""
+        for i, pair in zip(self.welded, self.pairs, strict=True):
+            physics = self.utils.createInteraction(*pair).phys
+            physics.kn, physics.ks = float(self.nodes.kn_n_m[i]), float(self.nodes.ks_n_m[i])
+            physics.normalAdhesion = physics.shearAdhesion = 1e30

@@ -1,0 +1,258 @@
+"""The complete building: a brick building, and before it a façade that rocks against its walls.
+
+The crack runs along the inner face of the front façade. Behind it everything is the brick model
+with its linear joints, side walls that now end at the crack in every course, floors and the rear
+façade; nothing drives it but the ground. Before it stands the façade of the other models, one
+rigid block on a compliant base, so that nothing differs from W2m but what it rocks against. Where
+the bricks of the side walls end, Gauss points up each course touch its back: unilateral and dry
+(CB), or with tension and cohesion from the start (CBc). (Nodes on the edges would be shared by two
+bricks, and pivots lie on no brick's edge here but on the base, whose nodes are Gauss–Lobatto's.)
+
+The scene stands in the frame of the ground. The bricks are weightless: their joints are linear, so
+their dead load adds a static answer and no more. The plan need not be symmetric, and the study's
+is not, so the whole building is modelled and the façade moves in space.
+"""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from yade_scripts.model.building.contacts import Joints
+from yade_scripts.model.building.plan import TOLERANCE_M, Opening, PlanError, Wall
+from yade_scripts.model.facade import FACADE, add_base, joint_stiffness
+from yade_scripts.model.gravity import GRAVITY_M_S2
+from yade_scripts.model.scene import Block, NodeList, Nodes, Scene, box_inertia
+
+BACK_JOINTS = ("bricks", "facade")
+GROUND_MOTION = "ground"
+
+
+def front_wall(plan):
+    """Return the façade wall along x that lies farthest outward.
+
+    Raises
+    ------
+    PlanError
+        If the plan has none.
+    """
+    facades = [wall for wall in plan.walls if wall.facade and wall.axis == 0]
+    if not facades:
+        raise PlanError(f"plan '{plan.name}': expected a wall along x with facade: true")
+    return max(facades, key=lambda wall: wall.offset_m)
+
+
+def behind(plan):
+    """Return the plan without its front façade, and y of the crack [m].
+
+    Walls along y that reached into the façade end at its inner face.
+
+    Raises
+    ------
+    PlanError
+        If the plan has no front façade, or no wall along y meets it.
+    """
+    front = front_wall(plan)
+    crack = front.offset_m - 0.5 * front.thickness_m
+    walls: list[Wall] = []
+    met = False
+    for wall in plan.walls:
+        if wall is front:
+            continue
+        end = wall.origin_m + wall.length_m
+        if wall.axis == 1 and end >= crack - TOLERANCE_M:
+            met = True
+            wall = _shortened(wall, crack)
+        walls.append(wall)
+    if not met:
+        raise PlanError(f"plan '{plan.name}': no wall along y meets the façade '{front.name}'")
+    return replace(plan, walls=tuple(walls)), crack
+
+
+def _shortened(wall, end):
+    """Return a wall along y that ends at y = `end`, its openings where they were."""
+    flipped = wall.start_m[1] > wall.end_m[1]
+    cut = wall.origin_m + wall.length_m - end
+    x = wall.offset_m
+    openings = tuple(
+        Opening(o.name, o.from_start_m - cut * flipped, o.width_m, o.sill_m, o.height_m)
+        for o in wall.openings
+    )
+    for opening in openings:
+        if opening.from_start_m < -TOLERANCE_M or opening.end_m > wall.length_m - cut + TOLERANCE_M:
+            raise PlanError(f"wall '{wall.name}', opening '{opening.name}' lies across the crack")
+    if flipped:
+        return replace(wall, start_m=(x, end), openings=openings)
+    return replace(wall, end_m=(x, end), openings=openings)
+
+
+def complete_scene(
+    config, building, crack_m, beta_s, *, bonded, back_joint, brick, joints=None, rate_1_s=0.0
+):
+    """Scene of the complete building.
+
+    Parameters
+    ----------
+    config : dict
+        Resolved configuration; sections facade, return_wall, numerics, complete.
+    building : Building
+        What `behind` left, built.
+    crack_m : float
+        y of the crack.
+    beta_s : float
+        Stiffness-proportional damping of the façade's base and back face [s].
+    bonded : bool
+        The back joint starts with the strengths of section return_wall.
+    back_joint : {"bricks", "facade"}
+        jkn of the back joint: the half brick behind it, 2E/s, so that what yields is the bricks
+        alone; or E/L of the other models on top of the bricks. The dashpots are β·E/L in both,
+        for that is the stiffness whose β is calibrated.
+    brick : Brick
+        Real brick, for which `joints` is stated.
+    joints : Joints, optional
+    rate_1_s : float
+        Mass-proportional damping of everything behind the crack.
+
+    Returns
+    -------
+    Scene
+        Its notes tell the mass behind the crack [kg].
+
+    Raises
+    ------
+    ValueError
+        If no brick ends at the crack behind the façade, or `back_joint` is unknown.
+    """
+    if back_joint not in BACK_JOINTS:
+        raise ValueError(
+            f"complete.back_joint = '{back_joint}': expected {' or '.join(BACK_JOINTS)}"
+        )
+    section = config["facade"]
+    h, b, width = section["height_m"], section["thickness_m"], section["width_m"]
+    bricks, base = building.bricks, with_rigid_floors(building)
+    ends = np.flatnonzero(np.abs(bricks.high_m[:, 1] - crack_m) < TOLERANCE_M)
+    blocks = [
+        replace(block, weightless=True, drag_1_s=rate_1_s) if block.free else block
+        for block in base.blocks
+    ]
+    ground = len(blocks) - 1
+    blocks[ground] = replace(blocks[ground], motion=None)
+    if not len(ends):
+        raise ValueError("the complete building: no brick ends at the crack")
+    middle = 0.5 * float(bricks.low_m[ends, 0].min() + bricks.high_m[ends, 0].max())
+    facade = len(blocks)
+    mass = section["density_kg_m3"] * h * b * width
+    jkn_base, jkn_back = joint_stiffness(config)
+    back = crack_m + section["gap_m"]
+    blocks.append(
+        Block(
+            FACADE,
+            (middle, back + 0.5 * b, 0.5 * h),
+            (width, b, h),
+            mass,
+            box_inertia(mass, (width, b, h)),
+            displacement_m=(0.0, 0.0, -mass * GRAVITY_M_S2 / (jkn_base * b * width)),
+        )
+    )
+    nodes = NodeList()
+    add_base(config, beta_s, nodes, facade, ground, planar=False, origin=(middle, back))
+    points, weights = np.polynomial.legendre.leggauss(config["complete"]["nodes_per_course"])
+    points, weights = 0.5 + 0.5 * points, 0.5 * weights
+    moduli = (joints or Joints()).moduli(brick)[0]  # of the head joints, normal and shear
+    wall = config["return_wall"]
+    touched = 0
+    for i in ends:
+        (x0, y0, z0), (x1, _, z1) = bricks.low_m[i], bricks.high_m[i]
+        z1 = min(z1, h)
+        x0, x1 = max(x0, middle - 0.5 * width), min(x1, middle + 0.5 * width)
+        if z1 - z0 <= TOLERANCE_M or x1 - x0 <= TOLERANCE_M:
+            continue
+        touched += 1
+        line = np.stack(
+            [0 * points + 0.5 * (x0 + x1), 0 * points + crack_m, z0 + points * (z1 - z0)], axis=1
+        )
+        jkn, jks = jkn_back, section["shear_stiffness_ratio"] * jkn_back
+        if back_joint == "bricks":
+            jkn, jks = (2.0 * e / (crack_m - y0) for e in moduli)
+        nodes.add_joint(
+            bricks.name(i),
+            int(i),
+            facade,
+            line,
+            (0, -1, 0),
+            weights * (z1 - z0) * (x1 - x0),
+            jkn,
+            jks,
+            beta_s=beta_s * jkn_back / jkn,
+            friction_rad=math.radians(wall["friction_deg"]),
+            gap_m=section["gap_m"],
+            tension_pa=wall["tension_mpa"] * 1e6 if bonded else 0.0,
+            cohesion_pa=wall["cohesion_mpa"] * 1e6 if bonded else 0.0,
+        )
+    if not touched:
+        raise ValueError("the complete building: no brick ends at the crack behind the façade")
+    return Scene(
+        blocks,
+        [*base.joints, *nodes.joints],
+        joined(base.nodes, nodes.done(), len(base.joints)),
+        monitor=FACADE,
+        monitor_point_m=(middle, back + 0.5 * b, h),
+        reference=blocks[ground].name,
+        thickness_m=b,
+        shaking=GROUND_MOTION,
+        notes={**base.notes, "mass_behind_kg": building.mass_kg, "top": base.monitor},
+    )
+
+
+def with_rigid_floors(building):
+    """Return a building's scene with the beams and the panel of each floor as one rigid block.
+
+    Between bricks nothing changes: bricks come first in the scene, the ground last. Beams are
+    light and their joints with the panel stiff, so alone they would halve the critical step; the
+    first periods change by 0.1 %.
+    """
+    scene = building.scene
+    blocks, index = list(scene.blocks), np.arange(len(scene.blocks))
+    gone: set[int] = set()
+    for first, count, _ in building.floors:
+        parts, panel = range(first, first + count + 1), first + count
+        mass = np.array([blocks[i].mass_kg for i in parts])
+        centres = np.array([blocks[i].centre_m for i in parts])
+        centre = mass @ centres / mass.sum()
+        arm = centres - centre
+        own = np.array([blocks[i].inertia_kg_m2 for i in parts]).sum(axis=0)
+        inertia = own + mass @ ((arm**2).sum(axis=1)[:, None] - arm**2)
+        blocks[panel] = replace(
+            blocks[panel],
+            centre_m=tuple(centre.tolist()),
+            mass_kg=float(mass.sum()),
+            inertia_kg_m2=tuple(inertia.tolist()),
+        )
+        gone.update(parts[:-1])
+        index[list(parts)] = panel
+    kept = np.array([i for i in range(len(blocks)) if i not in gone])
+    place = np.full(len(blocks), -1)
+    place[kept] = np.arange(len(kept))
+    nodes = scene.nodes
+    a, b = place[index[nodes.a]], place[index[nodes.b]]
+    between = a != b
+    columns = {name: getattr(nodes, name)[between] for name in vars(nodes)}
+    columns |= {"a": a[between], "b": b[between]}
+    return replace(scene, blocks=[blocks[i] for i in kept], nodes=Nodes(**columns))
+
+
+def joined(one, two, joints):
+    """Return the nodes of two lists as one; the second's joints count from `joints`."""
+    columns = {}
+    for name in vars(one):
+        second = getattr(two, name) + joints if name == "joint" else getattr(two, name)
+        columns[name] = np.concatenate([getattr(one, name), second])
+    return Nodes(**columns)
+
+
+def apart(scene):
+    """Return the scene without the nodes between façade and building: each stands alone."""
+    facade = scene.index(scene.monitor)
+    kept = scene.nodes.b != facade
+    columns = {name: getattr(scene.nodes, name)[kept] for name in vars(scene.nodes)}
+    return replace(scene, nodes=Nodes(**columns))

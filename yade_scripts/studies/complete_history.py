@@ -1,0 +1,136 @@
+"""Entry point: one history of the complete building, with the motion of its floors.
+
+    python3 yade_scripts complete_history --scene complete/CBc_6_bricks.json
+        --motion smdof/RRS228_4dof.csv --direction neg --pga 0.1 --output history.csv
+        --cost history.json [--until 6] [--apart] [--frames frames.json]
+
+Displacements are relative to the ground. With --apart façade and building stand each alone:
+the nodes between them are left out.
+"""
+
+import argparse
+import json
+import resource
+import time
+from dataclasses import replace
+
+import numpy as np
+
+from yade_scripts.engine import adapter, loop
+from yade_scripts.files import read_json, write_atomic
+from yade_scripts.model import floor_motions
+from yade_scripts.model.building.complete import apart
+from yade_scripts.model.motion import SIGNS, amplitude
+from yade_scripts.model.scene import from_dict
+from yade_scripts.studies import shaking
+from yade_scripts.studies.frames import Camera
+
+COLUMNS = ("time_s", "d_over_b", "top_m", "ends_m", "facade_m", "broken")
+
+
+class Recorder:
+    """Displacements along y at every sample: see COLUMNS."""
+
+    def __init__(self, scene, every_s):
+        """`top` is the floor on top, `ends` the highest bricks behind the façade."""
+        self.scene, self.every_s, self.rows = scene, every_s, []
+        facade = scene.index(scene.monitor)
+        behind = np.unique(scene.nodes.a[scene.nodes.b == facade])
+        heights = np.array([scene.blocks[i].centre_m[2] for i in behind])
+        highest = [int(i) for i in behind[heights >= heights.max(initial=0.0) - 1e-6]]
+        self.groups = [[scene.index(scene.notes["top"])], highest, [facade]]
+
+    def __call__(self, built):
+        """Start recording; the `setup` of a run."""
+        self.omega, self.bonds = built.omega, built.bonds
+        states = [[built.omega.bodies[built.body[i]].state for i in g] for g in self.groups]
+        self.states = [[(s, s.pos[1]) for s in group] for group in states]
+        loop.between(self.sample, max(1, round(self.every_s / built.omega.dt)), first=1)
+
+    def sample(self):
+        """Keep time, displacements and the number of broken bonds."""
+        moved = [
+            sum(s.pos[1] - start for s, start in group) / len(group) if group else np.nan
+            for group in self.states
+        ]
+        broken = len(self.bonds.broken) if self.bonds else 0
+        self.rows.append((self.omega.time, *moved, broken))
+
+
+def main(arguments=None):
+    """Parse the command line, run, write history and cost; return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--scene", required=True, help="scene file (JSON)")
+    parser.add_argument("--motion", required=True, help="floor motions (CSV); the ground's counts")
+    parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
+    parser.add_argument("--pga", type=float, required=True, help="intensity [g]")
+    parser.add_argument("--until", type=float, help="end of motion and run [s]")
+    parser.add_argument("--every", type=float, default=0.005, help="interval of samples [s]")
+    parser.add_argument("--apart", action="store_true", help="nothing between façade and building")
+    parser.add_argument("--frames", help="poses of all blocks (JSON)")
+    parser.add_argument("--interval", type=float, default=0.05, help="between frames [s]")
+    parser.add_argument("--fall", type=float, default=1.0, help="d/b at which to stop")
+    parser.add_argument("--output", required=True, help="history to write (CSV)")
+    parser.add_argument("--cost", required=True, help="outcome and cost (JSON)")
+    args = parser.parse_args(arguments)
+    job = read_json(args.scene)
+    scene = from_dict(job["scene"])
+    if args.apart:
+        scene = apart(scene)
+    time_s, columns = floor_motions.read(args.motion)
+    factor = amplitude(columns["ground"], args.direction, args.pga)
+    numerics = job["numerics"]
+    if args.until is not None:
+        kept = time_s <= args.until + 1e-9
+        time_s, columns = time_s[kept], {"ground": columns["ground"][kept]}
+        numerics = {**numerics, "after_motion_s": 0.0}
+    adapter.load_yade()
+    case = shaking.prepare(scene, numerics, time_s, columns, factor)
+    case = replace(case, rules=replace(case.rules, overturn_ratio=args.fall))
+    recorder = Recorder(scene, args.every)
+    camera = Camera(scene) if args.frames else None
+
+    def setup(built):
+        recorder(built)
+        if camera:
+            camera.attach(args.interval)(built)
+
+    cpu = time.process_time()
+    history = case.checked(setup=setup)
+    cpu = time.process_time() - cpu
+    rows = np.array(recorder.rows)
+    d_over_b = np.interp(rows[:, 0], history.time_s, history.d_m) / scene.thickness_m
+    lines = [",".join(COLUMNS)]
+    for row, ratio in zip(rows, d_over_b, strict=True):
+        lines.append(",".join(f"{v:.9g}" for v in (row[0], ratio, *row[1:])))
+    write_atomic(args.output, "\n".join(lines) + "\n")
+    cost = {
+        "blocks": len(scene.blocks),
+        "nodes": len(scene.nodes),
+        "status": history.status,
+        "reason": history.reason,
+        "d_over_b": float(history.peak_d_over_b),
+        "step_s": history.dt_s,
+        "steps": history.steps,
+        "simulated_s": float(history.time_s[-1]),
+        "cpu_s": cpu,
+        "memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0,
+    }
+    write_atomic(args.cost, json.dumps(cost, indent=1, sort_keys=True) + "\n")
+    if camera:
+        blocks = [
+            {"name": b.name, "centre_m": list(b.centre_m), "size_m": list(b.size_m), "free": b.free}
+            for b in scene.blocks
+        ]
+        d = np.interp(camera.times, history.time_s, history.d_m) / scene.thickness_m
+        frames = {
+            "time_s": camera.times,
+            "moved": camera.rows,
+            "blocks": blocks,
+            "d_over_b": np.round(d, 6).tolist(),
+            "status": history.status,
+            "pga_g": args.pga,
+            "model": job["model"],
+        }
+        write_atomic(args.frames, json.dumps(frames, separators=(",", ":")) + "\n")
+    return 0
