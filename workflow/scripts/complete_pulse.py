@@ -5,7 +5,7 @@ from rocking.runtime.script import run
 
 from yade_scripts.model import floor_motions
 
-STEP_S, PUSH_S, END_S = 0.005, 0.1, 3.0
+STEP_S, PUSH_S, END_S = 0.005, 0.1, 1.5
 
 
 def main(job):
