@@ -182,3 +182,48 @@ rule figure_complete:
         "results/{run}/logs/figure_complete.log",
     script:
         "../scripts/figure_complete.py"
+
+
+rule complete_frames:
+    input:
+        scene=COMPLETE.scene,
+        motion=STUDY.ida_motion,
+        curve="results/{run}/ida/{complete}/{record}_{direction}.csv",
+        yade="results/{run}/yade.txt",
+        modules=study_code("complete_history"),
+    output:
+        history="results/{run}/complete/collapse/{complete}_{record}_{direction}.csv",
+        cost="results/{run}/complete/collapse/{complete}_{record}_{direction}.json",
+        frames="results/{run}/complete/collapse/{complete}_{record}_{direction}_frames.json",
+    log:
+        "results/{run}/logs/complete_frames_{complete}_{record}_{direction}.log",
+    params:
+        yade=YADE,
+    shell:
+        "{params.yade} complete_history --scene {input.scene:q} --motion {input.motion:q}"
+        " --direction {wildcards.direction} --collapse {input.curve:q} --fall 6"
+        " --frames {output.frames:q} --output {output.history:q} --cost {output.cost:q}"
+        " 2> {log:q}"
+
+
+rule figure_complete_collapse:
+    input:
+        frames="results/{run}/complete/collapse/{complete}_{record}_{direction}_frames.json",
+        facts="results/{run}/records/{record}.json",
+        modules=code("figure_complete_collapse"),
+    output:
+        png=report(
+            "results/{run}/figures/complete_collapse_{complete}_{record}_{direction}.png",
+            caption=caption("complete_collapse"),
+            category="Complete building",
+            labels={
+                "run": "{run}",
+                "record": "{record}",
+                "result": "{complete}: side views of the lowest collapse",
+            },
+        ),
+        pdf="results/{run}/figures/complete_collapse_{complete}_{record}_{direction}.pdf",
+    log:
+        "results/{run}/logs/figure_complete_collapse_{complete}_{record}_{direction}.log",
+    script:
+        "../scripts/figure_complete_collapse.py"

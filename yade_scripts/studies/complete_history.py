@@ -4,6 +4,8 @@
         --motion smdof/RRS228_4dof.csv --direction neg --pga 0.1 --output history.csv
         --cost history.json [--until 6] [--apart] [--frames frames.json]
 
+or, in place of --pga, --collapse ida/CB/RRS228_neg.csv: the lowest intensity that fell.
+
 Displacements are relative to the ground. With --apart façade and building stand each alone:
 the nodes between them are left out.
 """
@@ -23,7 +25,9 @@ from yade_scripts.model.building.complete import apart
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.model.scene import from_dict
 from yade_scripts.studies import shaking
+from yade_scripts.studies.ensemble import read_curve
 from yade_scripts.studies.frames import Camera
+from yade_scripts.studies.intensities import fallen_or_highest
 
 COLUMNS = ("time_s", "d_over_b", "top_m", "ends_m", "facade_m", "broken")
 
@@ -63,7 +67,8 @@ def main(arguments=None):
     parser.add_argument("--scene", required=True, help="scene file (JSON)")
     parser.add_argument("--motion", required=True, help="floor motions (CSV); the ground's counts")
     parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
-    parser.add_argument("--pga", type=float, required=True, help="intensity [g]")
+    parser.add_argument("--pga", type=float, help="intensity [g]")
+    parser.add_argument("--collapse", help="IDA table: its first collapse, or else its highest run")
     parser.add_argument("--until", type=float, help="end of motion and run [s]")
     parser.add_argument("--every", type=float, default=0.005, help="interval of samples [s]")
     parser.add_argument("--apart", action="store_true", help="nothing between façade and building")
@@ -73,12 +78,15 @@ def main(arguments=None):
     parser.add_argument("--output", required=True, help="history to write (CSV)")
     parser.add_argument("--cost", required=True, help="outcome and cost (JSON)")
     args = parser.parse_args(arguments)
+    if (args.pga is None) == (args.collapse is None):
+        raise ValueError("expected either --pga or --collapse")
+    pga_g = fallen_or_highest(read_curve(args.collapse)[0]) if args.collapse else args.pga
     job = read_json(args.scene)
     scene = from_dict(job["scene"])
     if args.apart:
         scene = apart(scene)
     time_s, columns = floor_motions.read(args.motion)
-    factor = amplitude(columns["ground"], args.direction, args.pga)
+    factor = amplitude(columns["ground"], args.direction, pga_g)
     numerics = job["numerics"]
     if args.until is not None:
         kept = time_s <= args.until + 1e-9
@@ -129,7 +137,7 @@ def main(arguments=None):
             "blocks": blocks,
             "d_over_b": np.round(d, 6).tolist(),
             "status": history.status,
-            "pga_g": args.pga,
+            "pga_g": pga_g,
             "model": job["model"],
         }
         write_atomic(args.frames, json.dumps(frames, separators=(",", ":")) + "\n")

@@ -37,6 +37,9 @@ USUAL_S = {
     "building_fit": 20.0,
     "building_modal": 10.0,
     "building_cost": 8.0,
+    "complete_ida": 420.0,
+    "complete_history": 25.0,
+    "complete_frames": 30.0,
 }
 MODELS = {"W1": 1.0, "W2": 2.3, "W1c": 7.0, "W2c": 9.0, "W3": 18.0}
 SHORT_S = 2.0  # a table or a figure

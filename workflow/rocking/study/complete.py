@@ -104,9 +104,12 @@ class Complete:
     def results(self, run) -> list[str]:
         """Everything the target `complete` makes for one run."""
         tables = ("checks", "convergence", "collapse", "probability")
+        own = self.settings(run)
+        case = f"{own['check_record']}_{own['check_direction']}"
+        figures = ["complete_ida", *(f"complete_collapse_{model}_{case}" for model in COMPLETE)]
         return [
             *(f"results/{run}/tables/complete_{name}.csv" for name in tables),
-            f"results/{run}/figures/complete_ida.png",
+            *(f"results/{run}/figures/{name}.png" for name in figures),
         ]
 
 
