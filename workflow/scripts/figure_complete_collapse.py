@@ -40,7 +40,7 @@ def main(job):
     facade = next(i for i in free if blocks[i]["name"] == FACADE)
     last = int(np.argmax(np.abs(d)))
     chosen = [int(np.argmax(np.abs(d[: last + 1]) >= v * abs(d[last]))) for v in VIEWS]
-    figure, axes = plt.subplots(1, len(chosen), figsize=(7.2, 2.9), sharey=True)
+    figure, axes = plt.subplots(1, len(chosen), figsize=(7.2, 2.3), sharey=True)
     for axis, frame in zip(axes, chosen, strict=True):
         moved = frames["moved"][frame]
         for indices, colour in ((wall, MASONRY), ([facade], GREY)):

@@ -52,7 +52,7 @@ class Camera:
             self.omega = omega
             self.states = [bodies[i].state for i in built.body]
             self.start = [tuple(float(v) for v in s.pos) for s in self.states]
-            self.turn = [2.0 * np.arctan2(s.ori[0], s.ori[3]) for s in self.states]
+            self.unturned = [built.unturned.get(i) for i in range(len(self.states))]
             omega.engines = [*omega.engines, loop.runner(self, round(interval_s / omega.dt))]
 
         return setup
@@ -60,11 +60,11 @@ class Camera:
     def __call__(self):
         """Keep displacement and rotation of every block."""
         row = []
-        for state, start, turn, block in zip(
-            self.states, self.start, self.turn, self.scene.blocks, strict=True
+        for state, start, unturned, block in zip(
+            self.states, self.start, self.unturned, self.scene.blocks, strict=True
         ):
-            p = state.pos
-            angle = 2.0 * np.arctan2(state.ori[0], state.ori[3]) - turn
+            p = state.pos  # a clump's own frame may be turned by half a turn
+            angle = 0.0 if unturned is None else adapter.planar_turn(state, unturned)
             dy = p[1] - start[1] + block.displacement_m[1]
             dz = p[2] - start[2] + block.displacement_m[2]
             row.append([round(float(v), 7) for v in (dy, dz, angle)])

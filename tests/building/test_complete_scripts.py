@@ -1,0 +1,72 @@
+"""Scripts of the complete building, run alone: where a curve begins, and its tables."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from rocking.curves import collapse
+
+ROOT = Path(__file__).parents[2]
+
+
+def script(name, folder, **parts):
+    """Run a script as it is run without Snakemake."""
+    words = [sys.executable, str(ROOT / "workflow" / "scripts" / name)]
+    for part, values in parts.items():
+        words.append(f"--{part}")
+        words += [f"{k}={v if isinstance(v, str) else json.dumps(v)}" for k, v in values.items()]
+    done = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr
+
+
+def test_a_curve_begins_at_the_lowest_collapse_of_the_scan(tmp_path):
+    """One gap between two islands: its middle is looked at too; without a collapse, the end."""
+    pga = 0.1 * 1.01 ** np.arange(120)
+    fell = ((pga > 0.15) & (pga < 0.18)) | (pga > 0.2)
+    for name, values in (("falls", fell), ("stands", 0 * fell)):
+        scan = pd.DataFrame({"pga_g": pga, "collapsed": values.astype(int)})
+        scan["status"] = np.where(values, "overturned", "ok")
+        scan.to_csv(tmp_path / f"{name}.csv", index=False)
+        script(
+            "complete_plan.py",
+            tmp_path,
+            input={"scan": f"{name}.csv"},
+            output={"plan": f"{name}.json"},
+            params={"spread": 0.01, "most": 4},
+        )
+    plan = json.loads((tmp_path / "falls.json").read_text())
+    assert plan["start_g"] == pytest.approx(pga[pga > 0.15][0], abs=1e-4)
+    assert plan["islands"] == [pytest.approx(0.19, abs=0.004)]
+    plan = json.loads((tmp_path / "stands.json").read_text())
+    assert plan == {"start_g": pytest.approx(pga[-1], abs=1e-4), "islands": []}
+
+
+def test_curves_are_tabled_in_the_form_of_the_other_models(tmp_path):
+    """A row a curve, a row a run; a failed run is neither."""
+    head = "model,record,direction,pga_g,d_over_b,collapsed,status,dt_s,steps,wall_s\n"
+    rows = ["0.20,0.4,0,ok", "0.21,1,1,overturned", "0.22,0.6,0,ok", "0.23,,,failed"]
+    rows += ["0.24,1,1,overturned"]
+    text = "".join(f"CB,shake,neg,{row},4e-4,1000,0.5\n" for row in rows)
+    (tmp_path / "curve.csv").write_text(head + text)
+    script(
+        "table_complete_collapse.py",
+        tmp_path,
+        input={"ida": ["curve.csv"]},
+        output={"collapse": "collapse.csv", "probability": "probability.csv"},
+        params={"spread": 0.02},
+    )
+    table = pd.read_csv(tmp_path / "collapse.csv")
+    assert list(table.columns) == collapse.COLUMNS
+    row = table.iloc[0]
+    assert row[["pga_safe_g", "pga_collapse_g", "pga_all_g"]].tolist() == [0.20, 0.21, 0.24]
+    assert row["reversals"] == 2
+    share = pd.read_csv(tmp_path / "probability.csv")
+    assert list(share.columns) == collapse.PROBABILITY_COLUMNS
+    assert share["pga_g"].tolist() == [0.20, 0.21, 0.22, 0.24]
+    assert share["probability_yade"].tolist() == [0.0, 1.0, 0.0, 1.0]
+    assert share["members_yade"].tolist() == [1, 1, 1, 1]
+    assert share["probability"].isna().all()
