@@ -57,10 +57,8 @@ class Welds:
         missing = [name for name in NEEDED if not hasattr(w, name)]
         if missing:
             raise WeldError(f"this YADE lacks the class(es) {', '.join(missing)}")
-        if scene.links:
-            raise WeldError(
-                "a scene cannot have both links and welded nodes: they share a mask bit"
-            )
+        if scene.links or scene.ties:
+            raise WeldError("welded nodes share a mask bit with links and a shape with ties")
         self.material = w.CohFrictMat(
             density=1e-30,
             young=1.0,

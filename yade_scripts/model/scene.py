@@ -397,15 +397,16 @@ def from_dict(data):
     nodes = Nodes(**{k: np.array(v) for k, v in data["nodes"].items()})
     parts: list[list[dict[str, Any]]] = [
         [{k: tuple(v) if isinstance(v, list) else v for k, v in part.items()} for part in data[key]]
-        for key in ("blocks", "links")
+        for key in ("blocks", "links", "ties")
     ]
-    blocks, links = parts
-    rest = {k: v for k, v in data.items() if k not in ("nodes", "blocks", "links")}
+    blocks, links, ties = parts
+    rest = {k: v for k, v in data.items() if k not in ("nodes", "blocks", "links", "ties")}
     rest["monitor_point_m"] = tuple(rest["monitor_point_m"])
     return Scene(
         blocks=[Block(**part) for part in blocks],
         nodes=nodes,
         links=[Link(**part) for part in links],
+        ties=[Tie(**part) for part in ties],
         **rest,
     )
 

@@ -188,7 +188,8 @@ def critical_step(scene):
     c = c * scale[:, None] * scale[None, :]
     omega2 = np.linalg.eigvalsh(k)[-1]
     betas = np.unique(scene.nodes.beta_s)
-    if len(betas) == 1 and not (scene.links or scene.ties):
+    dragged = any(block.drag_1_s for block in scene.blocks)
+    if len(betas) == 1 and not (scene.links or scene.ties or dragged):
         omega = np.sqrt(omega2)
         zeta = betas[0] * omega / 2.0
         return 2.0 / omega * (np.sqrt(1.0 + zeta**2) - zeta)
