@@ -54,7 +54,7 @@ def main(job):
             ylim=(-0.3, 7.0),
             aspect="equal",
             xlabel="y [m]",
-            title=f"t = {frames['time_s'][frame]:.2f} s\nd/b = {d[frame]:.2f}",
+            title=f"t = {frames['time_s'][frame]:.2f} s\nd/b = {abs(d[frame]):.2f}",
         )
     axes[0].set_ylabel("z [m]")
     source = style.provenance(json.loads(Path(job.input.facts).read_text()))
