@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from rocking.assessment import checks
+from rocking.assessment.battery import ties_of
 from rocking.assessment.demand import RecordDemand, TableDemand, eta, floor_demand
 from rocking.assessment.mechanism import Facade, overturning
 from rocking.mechanics.closed_forms import (
@@ -157,3 +158,15 @@ def test_one_degree_of_freedom_overturns_where_the_closed_form_says():
     found = overturning_pga(pulse, dt, h, b, -1.0, 3.0, ratio=1.002)
     assert found / math.tan(alpha) == pytest.approx(x, rel=6e-3)
     assert math.isnan(overturning_pga(pulse, dt, h, b, 1.0, 0.9 * x * alpha))
+
+
+def test_rows_of_ties_enter_the_mechanism_with_their_capacity():
+    """Two rods of 16 mm at 235 MPa: 94.5 kN at 5 m on 100 kN: (100·0.3 + 94.5·5)/300 = 1.675."""
+    row = {"height_m": 5.0, "count": 2, "diameter_mm": 16.0, "length_m": 4.0, "e_mpa": 2e5}
+    row |= {"yield_mpa": 235.0, "elongation": 0.05, "slack_mm": 0.0, "anchor_kn": None}
+    ((force, height, reach, fades),) = ties_of({"ties": [row], "height_m": 6.0})
+    three(force, 94.50e3)
+    assert (height, reach, fades) == (5.0, pytest.approx(0.2), False)
+    tied = overturning(Facade(6.0, 0.6, 100e3), ties_of({"ties": [row], "height_m": 6.0}))
+    three(tied.multiplier(), 1.675)
+    assert ties_of({"ties": [], "height_m": 6.0}, 5e3) == [(5e3, 6.0, 0.2, False)]

@@ -49,11 +49,12 @@ def mechanisms(settings, demand):
     """The mechanism as stated, with more ties, and the one left when the top is held."""
     facade, chain, own = (settings[k] for k in ("facade", "smdof", "assessment"))
     wall = facade_of(facade, own)
-    found = [("as stated", own["tie_kn"], mechanism_of(facade, own))]
+    stated = 1e-3 * sum(force for force, *_ in ties_of(facade))
+    found = [("as stated", stated, mechanism_of(facade, own))]
     for share in TIE_SHARES:
         force = 1e-3 * share * wall.weight_n
-        tied = overturning(wall, ties_of(facade, own, own["tie_kn"] + force))
-        found.append((f"ties of {100 * share:g} % of the weight", own["tie_kn"] + force, tied))
+        tied = overturning(wall, ties_of(facade, 1e3 * force))
+        found.append((f"one more row, {100 * share:g} % of the weight", stated + force, tied))
     height, bent = lowest_two_blocks(wall)
     found.append((f"top held: hinge at {height:.2f} m", np.nan, bent))
     rows = []

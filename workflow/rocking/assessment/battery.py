@@ -8,6 +8,9 @@ from rocking.assessment.mechanism import Facade, overturning
 from rocking.mechanics.closed_forms import G_M_S2
 from rocking.mechanics.rocking_block import overturning_pga
 from yade_scripts.model.motion import SIGNS
+from yade_scripts.model.ties import rod
+
+ADDED_REACH_M = 0.2  # elongation of a rod of 4 m that snaps at 5 %
 
 CHECKS = {  # key of the tables: what figures call it
     "linear_ground": "linear q = 2, ground",
@@ -40,16 +43,30 @@ def facade_of(section, settings):
     )
 
 
-def ties_of(section, settings, force_kn=None):
-    """Ties of section assessment as pulls of `overturning`; none without a force."""
-    force = settings["tie_kn"] if force_kn is None else force_kn
-    height = settings["tie_height_m"] or section["height_m"]
-    return [(1e3 * force, height, settings["tie_reach_m"], False)] if force > 0.0 else []
+def ties_of(section, added_n=0.0):
+    """Rows of ties of section facade as pulls of `overturning`, rigid up to their capacity.
+
+    Parameters
+    ----------
+    section : dict
+        Section facade; each row pulls with what `rod` gives until its elongation.
+    added_n : float
+        Capacity of one more row at the height of the highest, at the top where there is none.
+    """
+    rows = section["ties"]
+    pulls = []
+    for row in rows:
+        _, capacity, elongation = rod(row)
+        pulls.append((capacity, row["height_m"], elongation + 1e-3 * row["slack_mm"], False))
+    if added_n > 0.0:
+        height = max((row["height_m"] for row in rows), default=section["height_m"])
+        pulls.append((added_n, height, ADDED_REACH_M, False))
+    return pulls
 
 
 def mechanism_of(section, settings):
     """Overturning of the whole façade with its roof load and ties."""
-    return overturning(facade_of(section, settings), ties_of(section, settings))
+    return overturning(facade_of(section, settings), ties_of(section))
 
 
 def battery(mechanism, facade, chain, settings, demand):

@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.patches import FancyArrowPatch, Polygon, Rectangle
 
 from rocking.assessment.battery import CHECKS
+from yade_scripts.model.ties import rod
 
 LINES = {"W1": ("-", "0.0"), "W2": ("--", "0.35"), "W2m": ("-.", "0.5")}
 
@@ -61,10 +62,10 @@ def sketch(facade, wall, chain, own, mechanism):
                 ha="center",
                 arrowprops={"arrowstyle": "->"},
             )
-        if own["tie_kn"] > 0.0:
-            z = own["tie_height_m"] or h
+        for row in facade["ties"]:
+            z = row["height_m"]
             axis.plot([-depth, b], [z, z], color="0.0", lw=1.4)
-            axis.text(b + 0.03 * h, z, f"ties {own['tie_kn']:g} kN", size=7.5, va="center")
+            axis.text(b + 0.03 * h, z, f"{1e-3 * rod(row)[1]:.3g} kN", size=7.5, va="center")
         place = own["height_ratio"] * h
         axis.annotate(
             f"floor spectrum\nat {place:.3g} m",
