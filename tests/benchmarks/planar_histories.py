@@ -29,11 +29,11 @@ from yade_scripts.model.motion import amplitude  # noqa: E402
 SUITE = ROOT / "config" / "suites" / "recorded_suite.tsv"
 
 
-def solve(job, motion, dt_s, direction, pga_g, judge_nodes):
+def solve(job, motion, direction, pga_g, judge_nodes):
     """Histories that overturned, and the simulated time where the solver tells it [s]."""
     if judge_nodes:
         floors = motion.floors_m_s2 if job["model"] == "W2" else None
-        driven = Motion(dt_s, motion.ground_m_s2, floors)
+        driven = Motion(float(motion.time_s[1]), motion.ground_m_s2, floors)
         scales = [amplitude(motion.ground_m_s2, direction, g) for g in pga_g]
         found = simulate_batch(wall_of(job, judge_nodes), driven, scales, stop_d_over_b=1.0)
         return found.overturned.sum(), found.end_time_s.sum()
@@ -66,9 +66,9 @@ def main(arguments=None):
         )
         for direction in ("pos", "neg"):
             if not count:  # compiles
-                solve(job, motion, record.dt_s, direction, pga_g[:1], args.judge)
+                solve(job, motion, direction, pga_g[:1], args.judge)
             began = time.process_time()
-            down, length = solve(job, motion, record.dt_s, direction, pga_g, args.judge)
+            down, length = solve(job, motion, direction, pga_g, args.judge)
             spent += time.process_time() - began
             count, fell, simulated = count + each, fell + down, simulated + length
     print(

@@ -5,7 +5,7 @@ import math
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import MaxNLocator
 from rocking.accuracy.judge import KEY
 from rocking.curves import collapse
 from rocking.figures import style
@@ -21,8 +21,8 @@ def draw(axis, key, scan, row, reported, spread):
     colour = MODELS[key[0]].colour
     valid = scan[scan["status"] != "failed"].sort_values("pga_g")
     share, _ = collapse.probability(valid["pga_g"], valid["collapsed"], valid["pga_g"], spread)
-    axis.plot(reported["pga_g"], reported["probability"], ".", color=colour, ms=2.5, mew=0)
     axis.plot(valid["pga_g"], share, color="0.1", lw=0.8)
+    axis.plot(reported["pga_g"], reported["probability"], ".", color=colour, ms=3, mew=0)
     for outcome, place in ((0, -0.1), (1, 1.1)):
         there = valid.loc[valid["collapsed"] == outcome, "pga_g"]
         axis.plot(there, np.full(len(there), place), "|", color="0.4", ms=3, mew=0.4)
@@ -37,10 +37,7 @@ def draw(axis, key, scan, row, reported, spread):
     stood = valid.loc[valid["collapsed"] == 0, "pga_g"]
     if len(fell):
         axis.set_xlim(0.9 * fell.min(), 1.1 * max(stood.max(), fell.min()))
-    axis.set_xscale("log")
-    axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
-    axis.xaxis.set_major_formatter(FormatStrFormatter("%g"))
-    axis.xaxis.set_minor_formatter(NullFormatter())
+    axis.xaxis.set_major_locator(MaxNLocator(4))
     axis.set_ylim(-0.18, 1.18)
 
 
