@@ -9,6 +9,8 @@ Models by boundary condition (design words)::
     W2m, W2cm  as W2 and W2c, but each block is a mass of the chain, joined to the others by its
           springs and dashpots, and feels the façade; in the frame of the ground
 
+What a block takes from the masses is the rule of `wall_motion`; by default block j is mass j's.
+
 The façade fills 0 ≤ y ≤ b, 0 ≤ z ≤ h; the return walls stand at y < 0. It
 rocks outward about its front toe (y = b, z = 0). A planar scene has one column
 of nodes at x = 0 and the freedoms y, z and rotation about x: façade and motion
@@ -22,27 +24,18 @@ import numpy as np
 
 from yade_scripts.model import registry
 from yade_scripts.model.chain import chain_links, chain_matrices
+from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.gravity import GRAVITY_M_S2
+from yade_scripts.model.panels import Hanging, building_mass
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 from yade_scripts.model.ties import facade_ties
+from yade_scripts.model.wall_motion import PARTS, motion_of
 
 BASE = "base"
 FACADE = "façade"
-GROUND = "ground"
-
-
-def building_mass(config):
-    """Mass of the building behind the façade [kg]; ValueError where the job states none."""
-    mass = config["return_wall"].get("building_mass_kg")
-    if not mass:
-        raise ValueError("return_wall.building_mass_kg: expected the building's mass (kg)")
-    return mass
-
-
-def floor_motion(j):
-    """Name of the motion of lumped mass j, counted from 1 at the bottom."""
-    return f"floor{j}"
+WALL = "return wall"
+PIECE_M = 0.25  # depth of wall that moves with the contact, where the masses are elsewhere
 
 
 def joint_stiffness(config):
@@ -135,14 +128,10 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
             rotation_rad=rotation,
         )
     )
-    links = []
+    links, motions = [], {}
     if kind.walls != "none" and facade.get("sides") != "two":
-        _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar)
-        if kind.massive:
-            masses = range(2, len(blocks))
-            _, stiffness, damping = chain_matrices(config["smdof"], building_mass(config))
-            heights = [blocks[i].centre_m[2] for i in masses]
-            links = chain_links(stiffness, damping, masses, 0, heights)
+        links = _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, motions)
+    walls = [i for i, block in enumerate(blocks) if block.name.startswith(WALL)]
     return Scene(
         blocks,
         nodes.joints,
@@ -152,8 +141,9 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
         reference=BASE,
         thickness_m=b,
         links=links,
-        ties=facade_ties(facade.get("ties", ()), 1, range(2, len(blocks)), blocks),
+        ties=facade_ties(facade.get("ties", ()), 1, walls, blocks),
         shaking=GROUND if kind.massive else None,
+        notes={"motions": motions} if motions else {},
     )
 
 
@@ -239,37 +229,53 @@ def _initial_pose(h, b, angle, settlement):
     return (0.0, float(dy), float(dz - settlement)), (-angle, 0.0, 0.0)
 
 
-def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar):
-    """Append the return walls, driven or massive, and the back joints."""
+def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, motions):
+    """Append the return walls, driven or massive, and the back joints; return the links."""
     facade, wall, numerics = config["facade"], config["return_wall"], config["numerics"]
     h, width = facade["height_m"], facade["width_m"]
     total = wall["count"] * wall["thickness_m"]
-    count = config["smdof"]["n_dof"] if kind.chain else 1
+    masses = config["smdof"]["n_dof"] if kind.chain else 1
+    parts = PARTS if kind.chain and wall["motion"] == "interpolated" else 1
+    count = masses * parts
     nodes_up = numerics["nodes_per_block" if kind.chain else "nodes_height"]
-    points, weights = gauss_lobatto(nodes_up)
+    points, weights = gauss_lobatto(
+        1 + math.ceil((nodes_up - 1) / parts) if parts > 1 else nodes_up
+    )
     columns, column_weights = _columns(planar, width - wall["thickness_m"])
+    apart = kind.massive and wall["motion"] != "top"  # else each block is a mass of the chain
+    hanging = Hanging(config, blocks, nodes, wall["count"], PIECE_M) if apart else None
+    mass, motion, own = 1.0, None, []
+    if kind.massive:
+        light = facade["density_kg_m3"] * total * PIECE_M * h / count
+        mass = light if hanging else building_mass(config) / count
     for j in range(1, count + 1):
         low, tall = (j - 1) * h / count, h / count
-        name = f"return wall {j}"
-        motion = floor_motion(j) if kind.chain else GROUND
-        mass = building_mass(config) / count if kind.massive else 1.0
+        middle = low + 0.5 * tall
+        name = f"{WALL} {j}"
+        if not kind.massive:
+            motion = GROUND
+            if kind.chain:
+                motion = motion_of(wall["motion"], middle, h, masses, motions)
         blocks.append(
             Block(
                 name,
-                (0.0, -0.5 * h - facade["gap_m"], low + 0.5 * tall),
+                (0.0, -0.5 * h - facade["gap_m"], middle),
                 (total, h, tall),
                 mass,
                 (1.0, 1.0, 1.0),
                 free="y" if kind.massive else "",
-                motion=None if kind.massive else motion,
+                motion=motion,
             )
         )
+        own.append(len(blocks) - 1)
+        if hanging:
+            hanging.hang(own[-1], 0.0)
         line = np.stack([0 * points, 0 * points, low + points * tall], axis=1)
         positions, areas, _ = _spread(line, weights * tall * total, columns, column_weights)
         nodes.add_joint(
             name,
             1,
-            len(blocks) - 1,
+            own[-1],
             positions,
             (0, 1, 0),
             areas,
@@ -281,3 +287,9 @@ def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar):
             tension_pa=wall["tension_mpa"] * 1e6 if kind.bonded else 0.0,
             cohesion_pa=wall["cohesion_mpa"] * 1e6 if kind.bonded else 0.0,
         )
+    if hanging:
+        return hanging.finish(own)
+    if not kind.massive:
+        return []
+    _, stiffness, damping = chain_matrices(config["smdof"], building_mass(config))
+    return chain_links(stiffness, damping, own, 0, [blocks[i].centre_m[2] for i in own])

@@ -10,7 +10,7 @@ return brick. Half a model by symmetry: half the façade and one return wall::
      │         ├────┐┌────┤
      │  y = 0 >├────┴┴────┤   (outward is to the left here)
 
-Return bricks are driven along y by the motion at their height and are free in z and in
+Return bricks are driven along y by the rule of `wall_motion` and are free in z and in
 rotation about x (paper, section 4); a half brick belongs to the return brick below it.
 Its two bed joints in series make the joint to the next return brick half as stiff, as
 stiff as the two bed joints of the header beside it.
@@ -38,17 +38,14 @@ import math
 
 import numpy as np
 
-from yade_scripts.model import panels, split_bricks
-from yade_scripts.model.facade import (
-    BASE,
-    FACADE,
-    GROUND,
-    floor_motion,
-    joint_stiffness,
-)
+from yade_scripts.model import split_bricks
+from yade_scripts.model.facade import BASE, FACADE, joint_stiffness
+from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.gravity import GRAVITY_M_S2
+from yade_scripts.model.panels import Hanging
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
+from yade_scripts.model.wall_motion import motion_of
 
 HEADER_JOINTS = ("rigid", "bonded", "sliding", "hinged", "study")
 UP, DOWN, BACK = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0), (0.0, -1.0, 0.0)
@@ -125,7 +122,7 @@ class _Assembly:
         spread = 0.5 * (facade["width_m"] - self.t)
         self.x = [0.0] if self.walls == 1 else np.linspace(-spread, spread, self.walls).tolist()
         self.blocks, self.nodes, self.rims, self.motions = [], NodeList(), {}, {}
-        self.beds, self.links, self.panels, self.partial = [], [], [], []
+        self.beds, self.bricks, self.hanging, self.partial = [], [], None, []
         self.bed = dict(
             jkn_pa_m=w3["jkn_pa_m"],
             jks_pa_m=w3["jks_pa_m"],
@@ -136,12 +133,13 @@ class _Assembly:
     def scene(self):
         """Assemble everything."""
         self._facade()
+        links = []
         if self.massive:
-            panels.add_panels(self)
+            self.hanging = Hanging(self.config, self.blocks, self.nodes, self.walls, self.length)
         for wall, x in enumerate(self.x, 1):
             self._wall(f"wall {wall}" if self.walls > 1 else "wall", x)
-        if self.massive:
-            panels.add_masses(self)
+        if self.hanging:
+            links = self.hanging.finish(self.bricks)
         debris = [b.name for b in self.blocks if " header " in b.name]
         notes = {
             "rims": self.rims,
@@ -159,7 +157,7 @@ class _Assembly:
             monitor_point_m=(0.0, 0.5 * self.b, self.h),
             reference=BASE,
             thickness_m=self.b,
-            links=self.links,
+            links=links,
             shaking=GROUND if self.massive else None,
             notes=notes,
         )
@@ -264,7 +262,7 @@ class _Assembly:
             own = box_inertia(m, (self.t, length, self.course))
             dy, dz = y - centre[1], z - centre[2]
             inertia += np.array(own) + m * np.array([dy**2 + dz**2, dz**2, dy**2])
-        motion = None if self.massive else self._motion(parts[0][2])
+        motion = None if self.massive else self._motion(centre[2])
         self.blocks.append(
             Block(
                 f"{wall} brick {course}",
@@ -276,22 +274,15 @@ class _Assembly:
                 motion=motion,
             )
         )
-        index = len(self.blocks) - 1
-        if self.massive:
-            storey = min(int(centre[2] / self.h * len(self.panels)), len(self.panels) - 1)
-            place = (x, -self.length, centre[2])
-            panels.tie(self, f"{wall} brick {course} tie", index, self.panels[storey], place)
-        return index
+        self.bricks.append(len(self.blocks) - 1)
+        if self.hanging:
+            self.hanging.hang(self.bricks[-1], x)
+        return self.bricks[-1]
 
     def _motion(self, z):
-        """Name of the motion at height z, linear between ground and lumped masses."""
-        n = self.config["smdof"]["n_dof"]
-        place = min(z / (self.h / n), n - 1e-9)
-        low = int(place)
-        name = f"at {z:.4f} m"
-        names = [GROUND] + [floor_motion(j) for j in range(1, n + 1)]
-        self.motions[name] = {names[low]: 1.0 - (place - low), names[low + 1]: place - low}
-        return name
+        """Name of the motion of a brick at height z."""
+        rule, n = self.config["return_wall"]["motion"], self.config["smdof"]["n_dof"]
+        return motion_of(rule, z, self.h, n, self.motions)
 
     def _header(self, wall, course, x):
         """Append a header and its joint to the façade; return its index."""

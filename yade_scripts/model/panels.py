@@ -1,74 +1,122 @@
-"""How the bricks of W3m hang on the masses of the chain.
+"""How return walls hang on the masses of the chain, where the rule of `wall_motion` asks for it.
 
-The masses stand at the storey heights, and a light panel hangs between each two of them: a bar
-that may shift along y and turn about x, tied to the mass above and the mass (or ground) below.
-A brick is tied to its panel at the height of its centroid, so it follows the masses by
-interpolation of height and its reaction reaches them by the same lever.
+The masses stand at the storey heights. A light panel hangs between each two of them: a bar that
+may shift along y and turn about x, tied to the mass above and the mass (or ground) below, so it
+moves by interpolation of height and reactions reach the masses by the same lever.
+
+    top           pieces of wall are tied to their mass
+    middle        to a slab that shifts along y, tied to its panel at the storey's middle
+    interpolated  to their panel, at the height of their centroid
 """
 
+from dataclasses import replace
+
 from yade_scripts.model.chain import chain_links, chain_matrices
-from yade_scripts.model.facade import building_mass
 from yade_scripts.model.scene import Block, box_inertia
+from yade_scripts.model.wall_motion import storey_of
 
 OUT = (0.0, -1.0, 0.0)
 TIE_N_M, TIE_BETA_S = 1e9, 2e-5  # some eight times a brick's front joint
 
 
-def add_panels(assembly):
-    """Panels between the storey heights, before the bricks that hang on them."""
-    n = assembly.config["smdof"]["n_dof"]
-    tall = assembly.h / n
-    size = (assembly.t, assembly.length, tall)
-    mass = assembly.walls * assembly.density * assembly.t * assembly.length * tall
-    for j in range(1, n + 1):
-        assembly.panels.append(len(assembly.blocks))
-        assembly.blocks.append(
-            Block(
-                f"panel {j}",
-                (0.0, -assembly.length, (j - 0.5) * tall),
-                size,
-                mass,
-                box_inertia(mass, size),
-                free="yX",
+def building_mass(config):
+    """Mass of the building behind the façade [kg]; ValueError where the job states none."""
+    mass = config["return_wall"].get("building_mass_kg")
+    if not mass:
+        raise ValueError("return_wall.building_mass_kg: expected the building's mass (kg)")
+    return mass
+
+
+class Hanging:
+    """Masses of the chain, with the panels and slabs that a rule needs.
+
+    Parameters
+    ----------
+    config : dict
+        Sections facade, return_wall, smdof.
+    blocks, nodes
+        Of the scene that is being assembled; block 0 is the ground.
+    walls : int
+        Modelled return walls.
+    length_m : float
+        Of the walls that move with panels and slabs.
+    """
+
+    def __init__(self, config, blocks, nodes, walls, length_m):
+        """Add masses, panels and slabs; what hangs on them comes after."""
+        wall, self.nodes, self.blocks = config["return_wall"], nodes, blocks
+        self.config, self.walls, self.length = config, walls, length_m
+        self.h, self.n = config["facade"]["height_m"], config["smdof"]["n_dof"]
+        self.total = building_mass(config) * walls / wall["count"]
+        tall = self.h / self.n
+        self.heights = [(j + 1) * tall for j in range(self.n)]
+        self.masses = [
+            self._add(f"mass {j}", (0.0, -2.0 * length_m, z), (wall["thickness_m"], length_m, 0.1))
+            for j, z in enumerate(self.heights, 1)
+        ]
+        self.first, self.carriers = len(blocks), list(self.masses)
+        if wall["motion"] == "top":
+            return
+        size = (wall["thickness_m"], length_m, tall)
+        mass = walls * config["facade"]["density_kg_m3"] * size[0] * size[1] * size[2]
+        for j, head in enumerate(self.masses):
+            foot, middle = (self.masses[j - 1] if j else 0), (j + 0.5) * tall
+            place = (0.0, -length_m, middle)
+            panel = self._add(f"panel {j + 1}", place, size, mass, box_inertia(mass, size), "yX")
+            self._join(f"panel {j + 1} foot", panel, foot, (0.0, -length_m, j * tall))
+            self._join(f"panel {j + 1} head", panel, head, (0.0, -length_m, (j + 1) * tall))
+            self.carriers[j] = panel
+            if wall["motion"] == "middle":
+                self.carriers[j] = self._add(f"slab {j + 1}", place, size, mass)
+                self._join(f"slab {j + 1} tie", self.carriers[j], panel, place)
+
+    def _add(self, name, centre, size, mass=1.0, inertia=(1.0, 1.0, 1.0), free="y"):
+        self.blocks.append(Block(name, centre, size, mass, inertia, free=free))
+        return len(self.blocks) - 1
+
+    def _join(self, name, a, b, place):
+        """Join two blocks along y at one point, in tension and compression, without shear."""
+        k = self.walls * TIE_N_M
+        self.nodes.add_joint(
+            name, a, b, [place], OUT, 1.0, k, k, beta_s=TIE_BETA_S, tension_pa=1e30
+        )
+
+    def hang(self, index, x_m):
+        """Tie a piece of wall to what carries it, at the height of its centroid."""
+        z = self.blocks[index].centre_m[2]
+        carrier = self.carriers[storey_of(z / self.h, self.n)]
+        name = f"{self.blocks[index].name} tie"
+        self._join(name, index, carrier, (x_m, -self.length, z))
+
+    def finish(self, hung):
+        """Give the masses what the pieces of wall leave of the building's mass.
+
+        Parameters
+        ----------
+        hung : sequence of int
+            Block indices of the pieces of wall.
+
+        Returns
+        -------
+        list of Link
+
+        Raises
+        ------
+        ValueError
+            If nothing is left.
+        """
+        own = [i for i in range(self.first, len(self.blocks)) if self._light(i)]
+        carried = sum(self.blocks[i].mass_kg for i in {*own, *hung})
+        if carried >= self.total:
+            share = self.total / building_mass(self.config)
+            raise ValueError(
+                f"return_wall.building_mass_kg = {self.total / share:g}: expected more than the "
+                f"{carried / share:.0f} kg of the return walls in contact with the façade"
             )
-        )
+        for i in self.masses:
+            self.blocks[i] = replace(self.blocks[i], mass_kg=(self.total - carried) / self.n)
+        _, stiffness, damping = chain_matrices(self.config["smdof"], self.total)
+        return chain_links(stiffness, damping, self.masses, 0, self.heights)
 
-
-def add_masses(assembly):
-    """Masses of the chain: what the bricks and panels leave of the building's mass."""
-    n = assembly.config["smdof"]["n_dof"]
-    total = building_mass(assembly.config) * assembly.share
-    names = ("panel", "brick")
-    hung = sum(b.mass_kg for b in assembly.blocks if any(name in b.name for name in names))
-    if hung >= total:
-        raise ValueError(
-            f"return_wall.building_mass_kg = {total / assembly.share:g}: expected more than the "
-            f"{hung / assembly.share:.0f} kg of the return walls' bricks"
-        )
-    first = len(assembly.blocks)
-    heights = [j * assembly.h / n for j in range(1, n + 1)]
-    for j, z in enumerate(heights, 1):
-        assembly.blocks.append(
-            Block(
-                f"mass {j}",
-                (0.0, -2.0 * assembly.length, z),
-                (assembly.t, assembly.length, 0.1),
-                (total - hung) / n,
-                (1.0, 1.0, 1.0),
-                free="y",
-            )
-        )
-    _, stiffness, damping = chain_matrices(assembly.config["smdof"], total)
-    assembly.links = chain_links(stiffness, damping, range(first, first + n), 0, heights)
-    for j, panel in enumerate(assembly.panels):
-        low = first + j - 1 if j else 0
-        for end, other, z in (("foot", low, j * assembly.h / n), ("head", first + j, heights[j])):
-            tie(assembly, f"panel {j + 1} {end}", panel, other, (0.0, -assembly.length, z))
-
-
-def tie(assembly, name, a, b, place):
-    """Join two blocks along y at one point, in tension and compression, without shear."""
-    stiffness = assembly.walls * TIE_N_M
-    assembly.nodes.add_joint(
-        name, a, b, [place], OUT, 1.0, stiffness, stiffness, beta_s=TIE_BETA_S, tension_pa=1e30
-    )
+    def _light(self, index):
+        return self.blocks[index].name.startswith(("panel ", "slab "))

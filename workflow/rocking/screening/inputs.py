@@ -31,11 +31,17 @@ class Bodies(NamedTuple):
     mass_kg : ndarray, shape (n,)
         Without masses the supports are driven.
     k_n_m, c_n_s_m : ndarray, shape (n, n)
+    upper : ndarray of int, shape (supports,)
+        A support hangs between this mass and the one before it (before mass 0 the ground).
+    weight : ndarray, shape (supports,)
+        Share of the upper one, in the support's motion and of its force.
     """
 
     mass_kg: np.ndarray
     k_n_m: np.ndarray
     c_n_s_m: np.ndarray
+    upper: np.ndarray
+    weight: np.ndarray
 
 
 class Rules(NamedTuple):

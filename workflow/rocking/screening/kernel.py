@@ -36,9 +36,17 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
     dt = table.step_s
     groups, count = p.level_m.size, p.place_m.size
     chain = bodies.mass_kg.size
-    supports = chain if chain > 0 else table.place_m.shape[1]
+    supports = bodies.upper.size if chain > 0 else table.place_m.shape[1]
     su, sv, sdu = np.zeros(supports + 1), np.zeros(supports + 1), np.zeros(supports + 1)
-    sf, ca, cv = np.zeros(supports + 1), np.zeros(supports), np.zeros(supports)
+    sf = np.zeros(supports + 1)
+    # of the masses; the last entry is the ground, which index −1 reaches
+    cu, cv, ca, cf = (
+        np.zeros(chain + 1),
+        np.zeros(chain + 1),
+        np.zeros(chain + 1),
+        np.zeros(chain + 1),
+    )
+    cw = np.zeros(chain + 1)
     slip, intact = np.zeros(count), p.bonded.copy()
     # of each group: the nodes that touched at the last step, one range from either end; bonds
     starts, stops, left = p.first[:-1].copy(), p.first[:-1].copy(), np.zeros(groups, np.int64)
@@ -69,11 +77,15 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
         ag = factor * table.ground_m_s2[row]
         # velocities at the whole step, from the acceleration of the step before
         py, pz, pt = vy + half * ay, vz + half * az, spin + half * at
+        for i in range(chain):
+            cw[i], cf[i] = cv[i] + half * ca[i], 0.0
         for j in range(supports):
             sf[j] = 0.0
             if chain > 0:
-                sv[j] = cv[j] + half * ca[j]
-                sdu[j] = past * cv[j]
+                i, share = bodies.upper[j], bodies.weight[j]
+                su[j] = share * cu[i] + (1.0 - share) * cu[i - 1]
+                sv[j] = share * cw[i] + (1.0 - share) * cw[i - 1]
+                sdu[j] = past * (share * cv[i] + (1.0 - share) * cv[i - 1])
             else:
                 now = factor * table.place_m[row, j]
                 sv[j] = factor * table.speed_m_s[row, j]
@@ -323,10 +335,15 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
         az = (fz - r12 * at) * upper
         ay = (fy - o01 * az - o02 * at) * inverse
         shaken = False
+        if chain > 0:
+            for j in range(supports):
+                i, share = bodies.upper[j], bodies.weight[j]
+                cf[i] += share * sf[j]
+                cf[i - 1] += (1.0 - share) * sf[j]
         for j in range(chain):
-            pull = sf[j]
+            pull = cf[j]
             for i in range(chain):
-                pull -= bodies.k_n_m[j, i] * su[i] + bodies.c_n_s_m[j, i] * sv[i]
+                pull -= bodies.k_n_m[j, i] * cu[i] + bodies.c_n_s_m[j, i] * cw[i]
             ca[j] = pull / bodies.mass_kg[j] - ag
             shaken = shaken or abs(ca[j] + ag) > quiet_m_s2
         if k % every == 0 and written < rows.shape[0]:
@@ -337,9 +354,14 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
             rows[written, 9], rows[written, 10] = elastic, spent
             rows[written, 11], rows[written, 12] = p.mass_kg * (ay + ag), p.mass_kg * (az + gravity)
             rows[written, 13] = p.inertia_kg_m2 * at
-            for j in range(supports):
-                rows[written, COLUMNS + j] = su[j]
-                rows[written, COLUMNS + supports + j] = sv[j]
+            if chain > 0:
+                for j in range(chain):
+                    rows[written, COLUMNS + j] = cu[j]
+                    rows[written, COLUMNS + chain + j] = cw[j]
+            else:
+                for j in range(supports):
+                    rows[written, COLUMNS + j] = su[j]
+                    rows[written, COLUMNS + supports + j] = sv[j]
             written += 1
         if not (abs(v) <= max_speed_m_s and math.isfinite(d)):
             status = FAILED
@@ -358,7 +380,7 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
         y, z, turn = y + dt * vy, z + dt * vz, turn + dt * spin
         for j in range(chain):
             cv[j] += ahead * ca[j]
-            su[j] += dt * cv[j]
+            cu[j] += dt * cv[j]
         k += 1
         time = k * dt
     return peak, status, time, written, broken

@@ -13,7 +13,9 @@ from .plane import matrices
 STATUS = ("ok", "overturned", "failed")
 STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
 TABLES = 3  # of motions that are kept, some 10 MB each
-NO_BODIES = Bodies(np.zeros(0), np.zeros((0, 0)), np.zeros((0, 0)))
+NO_BODIES = Bodies(
+    np.zeros(0), np.zeros((0, 0)), np.zeros((0, 0)), np.zeros(0, np.int64), np.zeros(0)
+)
 
 
 @dataclass(frozen=True)
@@ -127,7 +129,7 @@ class Series:
     contact : ndarray, shape (n, 3)
         Force along y, z [N] and moment about x [N·m] of the nodes on the block.
     supports_m, supports_m_s : ndarray, shape (n, m)
-        Relative to the ground.
+        Of the supports, or of the masses that carry them, relative to the ground.
     peak_d_over_b : float
     status : str
         "ok", "overturned" or "failed".
@@ -153,25 +155,32 @@ class Series:
     broken: int
 
 
-def bodies(mass_kg, stiffness_n_m, damping_n_s_m):
+def bodies(mass_kg, stiffness_n_m, damping_n_s_m, upper=None, weight=None):
     """Masses that carry the supports and feel the block (see `kernel.Bodies`).
 
     Parameters
     ----------
     mass_kg : array_like, shape (n,)
-        In the order of `moving_supports(scene)`.
+        From the bottom up.
     stiffness_n_m, damping_n_s_m : array_like, shape (n, n)
+    upper, weight : array_like, shape (m,), or None
+        Where each support hangs, in the order of `moving_supports(scene)`; None: support i
+        moves with mass i.
 
     Raises
     ------
     ValueError
-        If shapes differ or a mass is not positive.
+        If shapes differ, a mass is not positive or a support hangs on none of them.
     """
     m = np.asarray(mass_kg, float)
     k, c = np.array(stiffness_n_m, float), np.array(damping_n_s_m, float)
     if m.ndim != 1 or k.shape != (m.size,) * 2 or c.shape != k.shape or not np.all(m > 0.0):
         raise ValueError("bodies: expected n positive masses and two matrices of shape (n, n)")
-    return Bodies(m, k, c)
+    upper = np.arange(m.size) if upper is None else np.asarray(upper, np.int64)
+    weight = np.ones(upper.size) if weight is None else np.asarray(weight, float)
+    if weight.shape != upper.shape or np.any(upper < 0) or np.any(upper >= m.size):
+        raise ValueError(f"bodies: expected supports between the {m.size} masses and their weights")
+    return Bodies(m, k, c, upper.astype(np.int64), weight)
 
 
 def stable_step(planar, carried=NO_BODIES):
@@ -180,8 +189,13 @@ def stable_step(planar, carried=NO_BODIES):
     The scheme is (M + ½hC₁)a = F − Kx − Cv − ½h(C − C₁)a⁻, v⁺ = v + ha, x⁺ = x + hv⁺, with C₁ the
     block's own part of C; its amplification matrix acts on (x, v, a⁻).
     """
-    n = carried.mass_kg.size
-    mass, k, c = matrices(planar, n)
+    n, supports = carried.mass_kg.size, np.arange(carried.upper.size)
+    mass, k, c = matrices(planar, supports.size)
+    hang = np.zeros((3 + supports.size, 4 + n))  # the last column is the ground
+    hang[:3, :3] = np.eye(3)
+    hang[3 + supports, 3 + carried.upper] = carried.weight
+    hang[3 + supports, np.where(carried.upper > 0, 2 + carried.upper, -1)] = 1.0 - carried.weight
+    k, c = (hang[:, :-1].T @ whole @ hang[:, :-1] for whole in (k, c))
     mass = np.diag(np.concatenate((mass, carried.mass_kg)))
     k[3:, 3:] += carried.k_n_m
     c[3:, 3:] += carried.c_n_s_m
@@ -225,7 +239,7 @@ def _rules(planar, motions, numerics, factors):
 def _set_up(planar, motions, numerics, factors, carried, step_s):
     carried = carried or NO_BODIES
     wanted = int(planar.support.max(initial=-1)) + 1
-    given = carried.mass_kg.size or len(motions.supports_m_s2)
+    given = carried.upper.size or len(motions.supports_m_s2)
     if wanted > given:
         raise ValueError(f"screening: the scene has {wanted} moving supports, got {given}")
     factors = np.atleast_1d(np.asarray(factors, float))

@@ -8,6 +8,7 @@ import pandas as pd
 from smdof.chain import shear_chain
 from yade_scripts.model import models, registry
 from yade_scripts.model.motion import amplitude
+from yade_scripts.model.wall_motion import floor_motion
 from yade_scripts.studies.perturb import (
     NODE_CHOICES,
     NODE_KEYS,
@@ -49,7 +50,7 @@ class Screen:
             self.planes.append(prepare(scene))
         self.carried, supports = None, []
         if kind.massive:
-            self.carried = carried_masses(job)
+            self.carried = carried_masses(job, scene)
         else:
             columns = models.motion_columns(scene, columns)
             supports = [columns[name] for name in moving_supports(scene)]
@@ -146,10 +147,23 @@ class Screen:
         return pd.concat([coarse, members]).sort_values("pga_g", ignore_index=True)
 
 
-def carried_masses(job):
-    """Masses, springs and dashpots of the chain that carries the return walls of a scene file."""
+def carried_masses(job, scene):
+    """Masses, springs and dashpots of the chain that carries the return walls of a scene file.
+
+    Parameters
+    ----------
+    job : dict
+        Sections smdof, return_wall.
+    scene : Scene
+        The driven twin, whose motions say where each wall hangs.
+    """
     chain, mass = job["smdof"], job["return_wall"]["building_mass_kg"]
     shear = shear_chain(chain["n_dof"], chain["period_s"], mass)
     own, stiffness = shear.matrices()
     damping = shear.damping_matrix(chain["damping_ratio"], chain["damping_model"])
-    return bodies(np.diag(own), stiffness, damping)
+    mixed = scene.notes.get("motions", {})
+    floors = [floor_motion(j) for j in range(1, chain["n_dof"] + 1)]
+    shares = [mixed.get(name, {name: 1.0}) for name in moving_supports(scene)]
+    upper = [max(floors.index(name) for name in share if name in floors) for share in shares]
+    weight = [share[floors[i]] for share, i in zip(shares, upper, strict=True)]
+    return bodies(np.diag(own), stiffness, damping, upper, weight)
