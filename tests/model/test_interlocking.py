@@ -164,8 +164,9 @@ def test_full_model_gives_the_curve_of_the_half_model():
 def test_peaks_at_the_default_step_are_those_at_half_of_it():
     """Below collapse d/b changes by less than 2 % with half the step."""
     data = job()
+    data["return_wall"]["motion"] = "interpolated"  # these floors drift; the wall's foot does not
     t = np.linspace(0.0, 2.4, 241)
-    ground = 1.4 * np.where(t < 1.6, np.sin(2.0 * np.pi * t / 0.8), 0.0)
+    ground = 1.2 * np.where(t < 1.6, np.sin(2.0 * np.pi * t / 0.8), 0.0)
     columns = {f"floor{j}": ((1.0 + 0.1 * j) * ground).tolist() for j in range(1, 5)}
     step = data["w3"]["step_fraction"]
     (status, peak), (_, finer) = in_yade(

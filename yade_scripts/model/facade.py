@@ -128,7 +128,8 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
             rotation_rad=rotation,
         )
     )
-    links, motions = [], {}
+    links: list = []
+    motions: dict = {}
     if kind.walls != "none" and facade.get("sides") != "two":
         links = _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, motions)
     walls = [i for i, block in enumerate(blocks) if block.name.startswith(WALL)]

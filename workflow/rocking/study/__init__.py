@@ -13,6 +13,7 @@ from rocking.study.compare import Compare
 from rocking.study.complete import Complete
 from rocking.study.core import Study
 from rocking.study.fragility import Fragility
+from rocking.study.premises import Premises
 from rocking.study.risk import Risk
 from rocking.study.surrogates import Surrogates
 
@@ -25,6 +26,7 @@ __all__ = [
     "Compare",
     "Complete",
     "Fragility",
+    "Premises",
     "Risk",
     "Study",
     "Surrogates",

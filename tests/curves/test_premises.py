@@ -1,0 +1,72 @@
+"""What a premise is worth: ratios, losses, and variants that change what they say."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from rocking.curves import premises
+from yade_process import resolved
+
+from yade_scripts.model.models import build_scene
+from yade_scripts.model.scene import to_json
+
+STAGE = {"period_s": 0.22, "complete_period_s": 0.25, "mass_kg": 66e3}
+
+
+def capacity(**pga_g):
+    """One curve a model; every measure at the given amplitude, a band of ± 1 % about it."""
+    factors = {"pga_collapse_g": 0.99, "pga_p10_g": 0.99, "pga_p90_g": 1.01, "pga_all_g": 1.01}
+    rows = [
+        {"model": name, "record": "A", "direction": "pos", "pga_median_g": g}
+        | {key: g * factor for key, factor in factors.items()}
+        for name, g in pga_g.items()
+    ]
+    return pd.DataFrame(rows)
+
+
+def test_the_driven_loss_is_that_of_motion_and_premise():
+    """W1 0.4, W2 0.14, W2m 0.2 g: 65 % driven, of which 50 by motion and 15 by the premise."""
+    found = premises.losses(capacity(W1=0.4, W2=0.14, W2m=0.2)).set_index("measure").loc["median"]
+    assert found["loss_driven"] == pytest.approx(0.65)
+    assert found["loss_two_way"] == pytest.approx(0.5)
+    assert found["premise"] == pytest.approx(0.15)
+    assert premises.losses(capacity(W1=0.4, W2=0.14)).empty
+
+
+def test_a_substitute_that_stands_more_is_unsafe():
+    """Outside the reference's own scatter; inside it neither is stronger."""
+    table = premises.beside(capacity(W2m=0.2, W2=0.14, W1=0.4, W2cm=0.201), "W2m")
+    side = dict(zip(table["model"], table["side"], strict=True))
+    assert side == {"W2m": "", "W2": "safe", "W1": "unsafe", "W2cm": "even"}
+    assert table["ratio_median"].tolist() == pytest.approx([1.0, 0.7, 2.0, 1.005])
+    blank = premises.beside(capacity(W2=0.14), "W2m")
+    assert blank["ratio_median"].isna().all()
+    assert blank["side"].tolist() == [""]
+
+
+def test_a_curve_of_probabilities_alone():
+    """Crossings by straight lines; lowest amplitude at which any fell, first at which all did."""
+    table = pd.DataFrame({"pga_g": [0.4, 0.1, 0.3, 0.2], "probability": [1.0, 0.0, 0.8, 0.2]})
+    found = premises.given(table.assign(members=5, members_yade=np.nan, probability_yade=np.nan))
+    assert found["pga_collapse_g"] == 0.2
+    assert found["pga_p10_g"] == pytest.approx(0.15)
+    assert found["pga_median_g"] == pytest.approx(0.25)
+    assert found["pga_p90_g"] == pytest.approx(0.35)
+    assert found["pga_all_g"] == 0.4
+    assert found["runs"] == 20
+
+
+@pytest.mark.parametrize("model", ["W2", "W3"])
+def test_every_variant_changes_the_scene_or_its_motion(model):
+    """Names are unique and no key is misspelt: each variant is another scene, chain or record."""
+    job = {**resolved(), "model": model, "beta_s": 0.00276}
+    base = to_json(build_scene(job))
+    known = premises.variants(model)
+    assert len(known) == sum(model in v.models for v in premises.VARIANTS)
+    for name, variant in known.items():
+        new = premises.varied(job, variant, STAGE)
+        assert {k: v.keys() for k, v in new.items() if isinstance(v, dict)} == {
+            k: v.keys() for k, v in job.items() if isinstance(v, dict)
+        }, name
+        other = [new["smdof"] != job["smdof"], new["damping"] != job["damping"], variant.surrogate]
+        assert to_json(build_scene(new)) != base or any(other), name
+    assert premises.varied(job, known["two_way"], STAGE)["model"] == f"{model}m"

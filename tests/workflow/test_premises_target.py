@@ -1,0 +1,67 @@
+"""The target `premises`: its plan, and a reduced map whose limit is known."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+REDUCED = [
+    "--config",
+    "run=small",
+    f"records_table={ROOT}/config/records.tsv",
+    "records=RRS228",
+    "directions=neg",
+    "models=[W2, W2m]",
+    "return_wall={building_mass_kg: 66000}",
+    "numerics={after_motion_s: 0.1}",
+    "ida={level_ratio: 0.1}",
+    "ensemble={members: 3, amplitude_spread: 0.05}",
+    "premises={mass_ratios: [0.001, 0.3], periods_s: [0.27], damping_ratios: [], level_ratio: 0.1}",
+]
+
+
+def snakemake(folder, *words):
+    """Run Snakemake in a folder of its own."""
+    return subprocess.run(
+        [
+            str(Path(sys.executable).with_name("snakemake")),
+            *("--snakefile", str(ROOT / "workflow/Snakefile"), "--cores", "1", "--nolock", *words),
+        ],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+
+
+def test_the_scenario_plans_every_chart(tmp_path):
+    """Both runs: the map over the recorded suite, the chart of W2 and of W3 variant by variant."""
+    scenario = str(ROOT / "config/scenarios/premises.yaml")
+    done = snakemake(tmp_path, "-n", "--configfile", scenario, "--", "premises")
+    assert done.returncode == 0, done.stderr[-2000:]
+    jobs = dict(
+        line.split() for line in (done.stdout + done.stderr).splitlines() if len(line.split()) == 2
+    )
+    assert jobs["premises_map"] == "44"
+    assert jobs["premises_varied"] == "4"
+    assert int(jobs["premises_scene"]) > 15
+    assert jobs["figure_premises_tornado"] == "2"
+
+
+@pytest.mark.slow
+def test_a_light_facade_cannot_push_its_building(tmp_path):
+    """Through the rules: at a thousandth of the building's mass the driven model has no error."""
+    done = snakemake(
+        tmp_path, *REDUCED, "--", "results/small/tables/premises_map.csv",
+        "results/small/figures/premises_ratios.png",
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr[-3000:]
+    results = tmp_path / "results/small"
+    table = pd.read_csv(results / "tables/premises_map.csv").set_index(["mass_ratio", "measure"])
+    assert table.loc[(0.001, "median"), "median"] == pytest.approx(1.0, abs=0.02)
+    beside = pd.read_csv(results / "tables/premises.csv")
+    assert beside["model"].tolist() == ["W2", "W2m"]
+    assert (results / "figures/premises_ratios.png").stat().st_size > 10_000

@@ -1,0 +1,68 @@
+"""What `premises` makes and reads."""
+
+from pathlib import Path
+
+from rocking.curves.premises import variants
+from yade_scripts.model.registry import MODELS
+
+
+class Premises:
+    """Files of the models side by side, of the map over buildings and of the tornado chart."""
+
+    def __init__(self, study):
+        """Keep the study."""
+        self.study = study
+
+    def settings(self, run) -> dict:
+        """Section premises of a run."""
+        return self.study.runs[run]["premises"]
+
+    def tornado_records(self, run) -> list[str]:
+        """Records of the tornado chart."""
+        named = self.settings(run)["tornado_records"]
+        if named is None:
+            return self.study.records[run]
+        return self.study.needed(run, "premises.tornado_records", named)
+
+    def bricks(self, wildcards) -> list[str]:
+        """Curves of the models that only YADE runs."""
+        scans = {path.replace("/screening/", "/ida/") for path in self.study.scans(wildcards.run)}
+        return [path for path in self.study.ida_tables(wildcards.run) if path not in scans]
+
+    def others(self, wildcards) -> list[str]:
+        """Probability tables of further models."""
+        return [self.study.beside(path) for path in self.settings(wildcards.run)["other_curves"]]
+
+    def sweep(self, wildcards) -> list[str]:
+        """Map of every record."""
+        run = wildcards.run
+        return [f"results/{run}/premises/map/{r}.csv" for r in self.study.records[run]]
+
+    def building(self, wildcards) -> list[str]:
+        """The building's mass, where the run states none."""
+        stated = self.study.cfg(wildcards)["return_wall"]["building_mass_kg"]
+        return [] if stated else [f"results/{wildcards.run}/building/fit.json"]
+
+    def tornado(self, wildcards) -> list[str]:
+        """Analyses behind the tornado chart of a model."""
+        run, model = wildcards.run, wildcards.model
+        records = self.tornado_records(run)
+        folder = f"results/{run}/premises/{model}"
+        if MODELS[model].twin:
+            return [f"{folder}/{record}.csv" for record in records]
+        return [
+            f"{folder}/{name}/{record}_{direction}.csv"
+            for name in ("base", *variants(model))
+            for record in records
+            for direction in self.study.cfg(wildcards)["directions"]
+        ]
+
+    def results(self, run) -> list[str]:
+        """Everything the target `premises` makes for one run."""
+        names = ["premises", "premises_ratios"]
+        if self.settings(run)["mass_ratios"]:
+            names.append("premises_map")
+        if self.tornado_records(run):
+            names += [f"premises_tornado_{m}" for m in self.settings(run)["tornado_models"]]
+        tables = [f"results/{run}/tables/{name}.csv" for name in (*names, "premises_losses")]
+        return [*tables, *(f"results/{run}/figures/{Path(name).name}.png" for name in names)]

@@ -1,0 +1,243 @@
+# What the driven return walls are worth, beside every other premise: models side by side, a map over
+# buildings, a tornado chart. Ask for `premises`; config/scenarios/premises.yaml has the runs.
+from rocking.curves.premises import VARIANTS
+
+PREMISES = study.Premises(STUDY)
+
+
+wildcard_constraints:
+    variant="|".join(["base", *(re.escape(v.name) for v in VARIANTS)]),
+
+
+rule premises:
+    input:
+        with_pages(STUDY.per_run(PREMISES.results)),
+
+
+rule table_premises:
+    input:
+        scans=lambda w: STUDY.scans(w.run),
+        bricks=PREMISES.bricks,
+        others=PREMISES.others,
+        facts=STUDY.record_facts,
+        modules=code("table_premises"),
+    output:
+        table="results/{run}/tables/premises.csv",
+        ratios="results/{run}/tables/premises_ratios.csv",
+        losses="results/{run}/tables/premises_losses.csv",
+        probability="results/{run}/premises/probability.csv",
+    log:
+        "results/{run}/logs/table_premises.log",
+    params:
+        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
+        reference=lambda w: PREMISES.settings(w.run)["reference"],
+        benchmarks=lambda w: f"results/{w.run}/benchmarks",
+    script:
+        "../scripts/table_premises.py"
+
+
+rule figure_premises:
+    input:
+        probability="results/{run}/premises/probability.csv",
+        facts=STUDY.record_facts,
+        modules=code("figure_premises"),
+    output:
+        png=report(
+            "results/{run}/figures/premises.png",
+            caption=caption("premises"),
+            category="Premises",
+            labels={
+                "run": "{run}",
+                "result": "collapse probability, models side by side",
+            },
+        ),
+        pdf="results/{run}/figures/premises.pdf",
+    log:
+        "results/{run}/logs/figure_premises.log",
+    params:
+        facade=STUDY.params_of("facade"),
+    script:
+        "../scripts/figure_premises.py"
+
+
+rule figure_premises_ratios:
+    input:
+        table="results/{run}/tables/premises.csv",
+        modules=code("figure_premises_ratios"),
+    output:
+        png=report(
+            "results/{run}/figures/premises_ratios.png",
+            caption=caption("premises_ratios"),
+            category="Premises",
+            labels={"run": "{run}", "result": "each model over the reference"},
+        ),
+        pdf="results/{run}/figures/premises_ratios.pdf",
+    log:
+        "results/{run}/logs/figure_premises_ratios.log",
+    params:
+        reference=lambda w: PREMISES.settings(w.run)["reference"],
+    script:
+        "../scripts/figure_premises_ratios.py"
+
+
+rule premises_map:
+    input:
+        scene="results/{run}/scenes/W2.json",
+        record="results/{run}/records/{record}.csv",
+        modules=code("premises_map"),
+    output:
+        "results/{run}/premises/map/{record}.csv",
+    log:
+        "results/{run}/logs/premises_map_{record}.log",
+    benchmark:
+        "results/{run}/benchmarks/premises_map_{record}.tsv"
+    params:
+        premises=lambda w: {
+            key: PREMISES.settings(w.run)[key]
+            for key in ("mass_ratios", "periods_s", "damping_ratios", "level_ratio")
+        },
+        directions=lambda w: STUDY.cfg(w)["directions"],
+    script:
+        "../scripts/premises_map.py"
+
+
+rule table_premises_map:
+    input:
+        curves=PREMISES.sweep,
+        modules=code("table_premises_map"),
+    output:
+        "results/{run}/tables/premises_map.csv",
+    log:
+        "results/{run}/logs/table_premises_map.log",
+    script:
+        "../scripts/table_premises_map.py"
+
+
+rule figure_premises_map:
+    input:
+        table="results/{run}/tables/premises_map.csv",
+        modules=code("figure_premises_map"),
+    output:
+        png=report(
+            "results/{run}/figures/premises_map.png",
+            caption=caption("premises_map"),
+            category="Premises",
+            labels={"run": "{run}", "result": "error of driven walls, by building"},
+        ),
+        pdf="results/{run}/figures/premises_map.pdf",
+    log:
+        "results/{run}/logs/figure_premises_map.log",
+    params:
+        smdof=lambda w: STUDY.cfg(w)["smdof"],
+        records=lambda w: len(STUDY.records[w.run]),
+        directions=lambda w: len(STUDY.cfg(w)["directions"]),
+    script:
+        "../scripts/figure_premises_map.py"
+
+
+rule premises_stage:
+    input:
+        fit="results/{run}/building/fit.json",
+        cbdem="results/{run}/building/CBDEM_modes.npz",
+        sbdem="results/{run}/building/SBDEM_modes.npz",
+        modules=code("premises_stage"),
+    output:
+        "results/{run}/premises/stage.json",
+    log:
+        "results/{run}/logs/premises_stage.log",
+    script:
+        "../scripts/premises_stage.py"
+
+
+rule premises_varied:
+    input:
+        scene="results/{run}/scenes/W2.json",
+        stage="results/{run}/premises/stage.json",
+        record="results/{run}/records/{record}.csv",
+        law=LAW_FILE,
+        modules=code("premises_varied"),
+    output:
+        "results/{run}/premises/W2/{record}.csv",
+    log:
+        "results/{run}/logs/premises_varied_{record}.log",
+    benchmark:
+        "results/{run}/benchmarks/premises_varied_{record}.tsv"
+    params:
+        directions=lambda w: STUDY.cfg(w)["directions"],
+        surrogates_table=lambda w: STUDY.beside(
+            PREMISES.settings(w.run)["surrogates_table"]
+        ),
+        seed=lambda w: STUDY.cfg(w)["seed"],
+    script:
+        "../scripts/premises_varied.py"
+
+
+rule premises_scene:
+    input:
+        scene="results/{run}/scenes/W3.json",
+        stage="results/{run}/premises/stage.json",
+        law=LAW_FILE,
+        modules=code("premises_scene"),
+    output:
+        "results/{run}/premises/W3/{variant}.json",
+    log:
+        "results/{run}/logs/premises_scene_{variant}.log",
+    params:
+        growth=lambda w: PREMISES.settings(w.run)["bricks_growth"],
+    script:
+        "../scripts/premises_scene.py"
+
+
+use rule ida as premises_ida with:
+    input:
+        scene="results/{run}/premises/W3/{variant}.json",
+        motion=STUDY.ida_motion,
+        plan=[],
+        yade="results/{run}/yade.txt",
+        modules=study_code("ida"),
+    output:
+        "results/{run}/premises/W3/{variant}/{record}_{direction}.csv",
+    log:
+        "results/{run}/logs/premises_ida_{variant}_{record}_{direction}.log",
+    benchmark:
+        "results/{run}/benchmarks/premises_ida_{variant}_{record}_{direction}.tsv"
+    params:
+        yade=YADE,
+        plan=plan_option,
+        journal="results/{run}/cache/premises/{variant}_{record}_{direction}.jsonl",
+
+
+rule table_premises_tornado:
+    input:
+        curves=lambda w: PREMISES.tornado(w),
+        modules=code("table_premises_tornado"),
+    output:
+        "results/{run}/tables/premises_tornado_{model}.csv",
+    log:
+        "results/{run}/logs/table_premises_tornado_{model}.log",
+    params:
+        planar=lambda w: MODELS[w.model].twin,
+        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
+    script:
+        "../scripts/table_premises_tornado.py"
+
+
+rule figure_premises_tornado:
+    input:
+        table="results/{run}/tables/premises_tornado_{model}.csv",
+        facts=STUDY.record_facts,
+        modules=code("figure_premises_tornado"),
+    output:
+        png=report(
+            "results/{run}/figures/premises_tornado_{model}.png",
+            caption=caption("premises_tornado"),
+            category="Premises",
+            labels={"run": "{run}", "result": "what each premise of {model} is worth"},
+        ),
+        pdf="results/{run}/figures/premises_tornado_{model}.pdf",
+    log:
+        "results/{run}/logs/figure_premises_tornado_{model}.log",
+    params:
+        facade=STUDY.params_of("facade"),
+    script:
+        "../scripts/figure_premises_tornado.py"
