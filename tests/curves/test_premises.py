@@ -53,6 +53,9 @@ def test_a_curve_of_probabilities_alone():
     assert found["pga_p90_g"] == pytest.approx(0.35)
     assert found["pga_all_g"] == 0.4
     assert found["runs"] == 20
+    # stands to 0.1 g, then 0.09 + 0.05 + 0.01 g in the three steps
+    assert found["pga_mean_g"] == pytest.approx(0.25)
+    assert np.isnan(premises.standing([0.1, 0.2], [0.0, 0.5]))
 
 
 @pytest.mark.parametrize("model", ["W2", "W3"])

@@ -11,8 +11,9 @@ from rocking.runtime.script import run
 
 from yade_scripts.model.registry import MODELS
 
-RATIOS = [f"ratio_{name}" for name in premises.MEASURES]
-COLUMNS = ["model", "record", "source", "direction", "method", "runs", "cpu_s", *premises.CAPACITY]
+SIDE = [f"pga_{name}_g" for name in premises.SIDE]
+RATIOS = [f"ratio_{name}" for name in premises.SIDE]
+COLUMNS = ["model", "record", "source", "direction", "method", "runs", "cpu_s", *SIDE]
 COLUMNS += ["reference", *RATIOS, "side"]
 OPTIONS = {"index": False, "float_format": "%.4f", "lineterminator": "\n"}
 
@@ -33,12 +34,14 @@ def curves(job):
         key = curve_key(scan)
         found = collapse.summary(scan, scan, (), spread)
         dense = collapse.from_scan(scan, spread)
+        found["pga_mean_g"] = premises.standing(dense["pga_g"], dense["probability"])
         yield key, "planar", len(scan), cpu_s(folder, "screen", key), found, dense
     for path in job.input.bricks:
         curve = read_curve(path)
         key = curve_key(curve)
         found = collapse.summary(None, curve, (), spread)
         dense = collapse.from_scan(curve, spread)
+        found["pga_mean_g"] = premises.standing(dense["pga_g"], dense["probability"])
         yield key, "YADE", len(curve), cpu_s(folder, "ida", key), found, dense
     for path in job.input.others:
         whole = pd.read_csv(path)
@@ -56,7 +59,7 @@ def main(job):
     rows, parts = [], []
     for key, method, runs, cost, found, dense in curves(job):
         named = dict(zip(collapse.KEY, key, strict=True))
-        own = {name: found[name] for name in premises.CAPACITY}
+        own = {name: found[name] for name in SIDE}
         where = source.get(named["record"], "")
         rows.append(
             {**named, "source": where, "method": method, "runs": runs, "cpu_s": cost, **own}

@@ -16,6 +16,7 @@ from yade_scripts.model.registry import MODELS
 
 MEASURES = ("collapse", "p10", "median", "p90", "all")
 CAPACITY = [f"pga_{name}_g" for name in MEASURES]
+SIDE = (*MEASURES, "mean")  # of models side by side, whose whole curve is known
 KEY = ["record", "direction"]
 BASE = "as configured"
 
@@ -162,6 +163,18 @@ def varied(job, variant, stage):
     return new
 
 
+def standing(pga_g, share):
+    """Mean collapse intensity, ∫(1 − P) dPGA [g]; NaN where the curve ends before all collapse.
+
+    Where outcomes reverse, first crossings say where trouble begins; this says how much of the
+    range of amplitudes a façade stands in all.
+    """
+    pga_g, share = np.asarray(pga_g, float), np.asarray(share, float)
+    if not share.size or share[-1] < 1.0:
+        return np.nan
+    return float(pga_g[0] + np.trapezoid(1.0 - share, pga_g))
+
+
 def given(table):
     """Collapse intensities of one curve of which only probabilities are known.
 
@@ -173,7 +186,7 @@ def given(table):
     Returns
     -------
     dict
-        pga_collapse_g … pga_all_g, runs.
+        pga_collapse_g … pga_all_g, pga_mean_g, runs.
     """
     table = table.sort_values("pga_g")
     share = table["probability"].fillna(table.get("probability_yade"))
@@ -186,6 +199,7 @@ def given(table):
         "pga_collapse_g": fell.min() if fell.size else np.nan,
         **dict(zip(("pga_p10_g", "pga_median_g", "pga_p90_g"), crossings, strict=True)),
         "pga_all_g": above.min() if fell.size and above.size else np.nan,
+        "pga_mean_g": standing(pga_g, share),
         "runs": int(runs),
     }
 
@@ -196,21 +210,23 @@ def beside(capacity, reference):
     Parameters
     ----------
     capacity : DataFrame
-        model, record, direction and `CAPACITY`.
+        model, record, direction and the intensities of `SIDE`, as far as known.
     reference : str
         A model of it; where it is missing the ratios are blank.
 
     Returns
     -------
     DataFrame
-        With reference, ratio_collapse … ratio_all, side ("safe", "unsafe"; of the median, within
+        With reference, ratio_collapse … ratio_mean, side ("safe", "unsafe"; of the median, within
         its own scatter "even").
     """
     table = capacity.reset_index(drop=True).copy()
-    other = capacity[capacity["model"] == reference].set_index(KEY)[CAPACITY]
+    names = [name for name in SIDE if f"pga_{name}_g" in capacity]
+    columns = [f"pga_{name}_g" for name in names]
+    other = capacity[capacity["model"] == reference].set_index(KEY)[columns]
     other = other.reindex(pd.MultiIndex.from_frame(table[KEY])).reset_index(drop=True)
     table["reference"] = reference
-    for name in MEASURES:
+    for name in names:
         table[f"ratio_{name}"] = table[f"pga_{name}_g"] / other[f"pga_{name}_g"]
     side = np.where(table["pga_median_g"] > other["pga_p90_g"], "unsafe", "even")
     side = np.where(table["pga_median_g"] < other["pga_p10_g"], "safe", side)
@@ -232,7 +248,9 @@ def losses(capacity):
         premise; curves of which all three are known.
     """
     rows = []
-    for measure in ("collapse", "median", "all"):
+    for measure in ("collapse", "median", "mean", "all"):
+        if f"pga_{measure}_g" not in capacity:
+            continue
         wide = capacity.pivot(index=KEY, columns="model", values=f"pga_{measure}_g")
         if not {"W1", "W2", "W2m"} <= set(wide):
             break

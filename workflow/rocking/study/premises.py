@@ -1,7 +1,5 @@
 """What `premises` makes and reads."""
 
-from pathlib import Path
-
 from rocking.curves.premises import variants
 from yade_scripts.model.registry import MODELS
 
@@ -38,11 +36,6 @@ class Premises:
         run = wildcards.run
         return [f"results/{run}/premises/map/{r}.csv" for r in self.study.records[run]]
 
-    def building(self, wildcards) -> list[str]:
-        """The building's mass, where the run states none."""
-        stated = self.study.cfg(wildcards)["return_wall"]["building_mass_kg"]
-        return [] if stated else [f"results/{wildcards.run}/building/fit.json"]
-
     def tornado(self, wildcards) -> list[str]:
         """Analyses behind the tornado chart of a model."""
         run, model = wildcards.run, wildcards.model
@@ -65,4 +58,4 @@ class Premises:
         if self.tornado_records(run):
             names += [f"premises_tornado_{m}" for m in self.settings(run)["tornado_models"]]
         tables = [f"results/{run}/tables/{name}.csv" for name in (*names, "premises_losses")]
-        return [*tables, *(f"results/{run}/figures/{Path(name).name}.png" for name in names)]
+        return [*tables, *(f"results/{run}/figures/{name}.png" for name in names)]
