@@ -11,7 +11,7 @@ from yade_scripts.model.registry import MODELS
 
 
 def title(pulses):
-    return "peaks alone" if pulses == 0 else f"peaks and {pulses} pulses"
+    return "peaks alone" if pulses == 0 else f"peaks and {pulses:g} pulses"
 
 
 def main(job):
@@ -59,7 +59,7 @@ def main(job):
     axes[1, 0].set_ylabel("log₂(pos/neg), surrogate [-]")
     axes[1, 0].legend(loc="lower right", fontsize=7)
     records = found["record"].nunique()
-    figure.suptitle(f"{records} recorded components, both directions, beside surrogates of theirs")
+    figure.suptitle(f"{records} recorded components\nand surrogates of theirs")
     style.save(figure, job.output)
 
 
