@@ -98,6 +98,13 @@ def test_each_claim_can_fail(claim, change):
     assert holds(verdicts(**change), claim) == "no"
 
 
+@pytest.mark.parametrize(("rebound", "holds"), [(0.008, "yes"), (0.0045, "no")])
+def test_overdamped_is_a_rebound_below_a_hundredth_of_the_release(rebound, holds):
+    """Released at θ0/α = 0.5: 0.008 is 1.6 % of it and rocks, 0.0045 is 0.9 % and does not."""
+    found = verdicts(free=free_table(rebounds={0.0005: rebound}))
+    assert holds == found[next(c for c in found if c.startswith("above β = 0.002 s"))]["holds"]
+
+
 def test_undamped_means_that_energy_stays():
     """Restitution 1 after the first impact keeps everything, the study's ranges leave a twelfth."""
     kept = {b: (0.7, 0.7**0.5 / E_1SR**0.5, 0.7 ** (1 / 3) / E_1SR ** (2 / 3)) for b in BETAS}

@@ -1,0 +1,28 @@
+"""The table of changes fits the code: each text is found where the table says, and changes it."""
+
+from pathlib import Path
+
+import pytest
+import yaml
+
+from mutations.run import replaced
+
+ROOT = Path(__file__).parents[2]
+TABLE = yaml.safe_load((Path(__file__).parent / "table.yaml").read_text(encoding="utf-8"))
+
+
+def test_every_change_can_be_made():
+    changes = [change for entry in TABLE.values() for change in entry["changes"]]
+    assert len(changes) >= 40
+    for change in changes:
+        before = (ROOT / change["file"]).read_text(encoding="utf-8")
+        after = replaced(before, change["old"], change["new"], change.get("at"))
+        assert after != before
+        assert len(after) - len(before) == len(change["new"]) - len(change["old"])
+
+
+def test_an_ambiguous_change_is_refused():
+    assert replaced("a b a", "a", "c", at=2) == "a b c"
+    for old, at in (("a", None), ("d", None), ("a", 3)):
+        with pytest.raises(SystemExit, match="out of date"):
+            replaced("a b a", old, "c", at)
