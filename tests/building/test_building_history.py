@@ -5,6 +5,7 @@ import pytest
 from rocking.building.comparison import chain_top, choose_n, top_motion
 from rocking.building.history import LOADS, mass_damping_rate, modal_history
 from rocking.building.modes import Solver, largest_frequency
+from rocking.mechanics.closed_forms import rayleigh_ratio
 from rocking.study.building import Building
 from scipy.sparse.linalg import spsolve
 from yade_process import run_study
@@ -67,6 +68,14 @@ def test_sudden_gravity_rings_about_the_static_deflection(wall):
     row = np.flatnonzero((solver.dof[:, 0] == top) & down)[0]
     assert history.displacement_m[0, -1] == pytest.approx(static[row], rel=1e-4)
     assert history.displacement_m[0].min() == pytest.approx(2.0 * static[row], rel=0.1)
+
+
+def test_mass_damping_gives_its_ratio_at_its_frequency():
+    """Eq. 2 with β = 0: ζ = a/2ω; and a rate stated for 0.25 s gives less to what is faster."""
+    omega = 2.0 * np.pi / 0.25
+    rate = mass_damping_rate(omega, 0.05)
+    assert rayleigh_ratio(omega, rate, 0.0) == pytest.approx(0.05)
+    assert rayleigh_ratio(2.0 * omega, rate, 0.0) == pytest.approx(0.025)
 
 
 def test_sudden_gravity_is_twice_the_static_deflection_and_its_absence_nothing(wall):
