@@ -352,7 +352,7 @@ def blocks(settings, tables, beta, provenance, folder):
         _ties(t["mechanisms"], folder),
         Paragraph(
             "Added ties are judged by the mechanism alone; under shaking the target "
-            "`strengthening` searches for the least row that holds. A top that is held changes "
+            "strengthening searches for the least row that holds. A top that is held changes "
             "the mechanism to vertical bending; floors and ties must then carry its reaction."
         ),
         Heading("Provenance"),
