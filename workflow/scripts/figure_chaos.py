@@ -64,8 +64,9 @@ def main(job):
     if not tables:
         axes[0, 0].set_title("every history repeats: no ensemble was needed")
     else:
-        axes[0, 0].legend(fontsize=7)
-        axes[1, 0].legend(fontsize=7)
+        found = [axis.get_legend_handles_labels() for axis in axes[:, 0]]
+        lines, labels = ([*upper, *lower] for upper, lower in zip(*found, strict=True))
+        figure.legend(lines, labels, loc="outside right upper", fontsize=7)
     axes[0, 0].set(ylabel="peak d/b (-)", ylim=(0.0, 1.05))
     axes[1, 0].set(ylabel="collapsed members (-)", ylim=(-0.03, 1.03))
     style.save(figure, job.output)
