@@ -184,6 +184,7 @@ def facade_loads():
             "count": 2,
             "thickness_m": 0.375,
             "length_m": None,
+            "motion": "top",
             "friction_deg": 30.0,
             "cohesion_mpa": 0.1,
             "tension_mpa": 0.07,

@@ -71,6 +71,7 @@ UNQUOTED = {
     "wildcards.direction": "pos|neg",
     "params.gravity": "a number of the rule itself",
     "params.steps": "an integer by its schema",
+    "params.how": "directions and numbers by their schemas, made into options there",
 }
 
 

@@ -39,6 +39,7 @@ def is_current(modules, since_s):
 def _script(path, folder, temporary):
     """Run a script in a process forked from the server."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
     os.chdir(folder)
     if temporary:
         os.environ.update(dict.fromkeys(("TMPDIR", "TMP", "TEMP", "TEMPDIR"), temporary))
@@ -67,13 +68,15 @@ class Server:
         self.lock = threading.Lock()  # the standard library's bookkeeping is not for threads
         self.context = multiprocessing.get_context("forkserver")
         self.context.set_forkserver_preload([*LIBRARIES, *modules])
-        before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        # Held back, not ignored: the server inherits that, and here an interrupt comes late
+        # but is not lost.
+        held = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
         try:
             # BLAS reads the number of its threads once, when the server imports it
             with _environment(dict.fromkeys(THREADS, "1")):
                 forkserver.ensure_running()
         finally:
-            signal.signal(signal.SIGINT, before)
+            signal.pthread_sigmask(signal.SIG_SETMASK, held)
         self._start(int).join()
 
     def _start(self, target, *arguments):
