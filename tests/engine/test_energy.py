@@ -41,6 +41,9 @@ def test_dashpots_only_take_energy():
     assert t[-1] > 2.0
 
 
+FEW = {"nodes_thickness": 5, "nodes_height": 5, "nodes_per_block": 5}  # the books cost by the node
+
+
 def shake(amplitude_m_s2, relative=0.0):
     """Two cycles of 0.8 s for the base, and floors that move `relative` times more."""
     t = np.linspace(0.0, 2.4, 241)
@@ -56,7 +59,7 @@ def test_books_of_a_run_balance_to_second_order(model, amplitude, relative):
         in_yade(
             "accuracy_cases",
             "balanced",
-            config=resolved(),
+            config=resolved(numerics=FEW),
             model=model,
             beta_s=0.002,
             fraction=fraction,
@@ -76,7 +79,7 @@ def test_books_of_a_run_balance_to_second_order(model, amplitude, relative):
 
 def test_books_count_what_breaking_bonds_take():
     """A bonded façade torn off by parting floors: no node breaks for less than in pure tension."""
-    config = resolved()
+    config = resolved(numerics=FEW)
     got = in_yade(
         "accuracy_cases",
         "balanced",
