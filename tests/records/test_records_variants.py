@@ -68,6 +68,14 @@ def variants():
             {"units": "g", "component": "2"},
         ),
         "samples and step in the first line": (join("64 0.02", *g), {"units": "g"}),
+        "Fortran's double precision": (
+            join("dt = 0.02 s", "units: g", *(f"{float(v):.7E}".replace("E", "D") for v in g)),
+            {},
+        ),
+        "UTF-16": (
+            join("Time (s),Acc (g)", *map(",".join, pairs), encoding="utf-16"),
+            {},
+        ),
         "units in a row of their own": (join("t,a", "s,g", *map(",".join, pairs)), {}),
         "units after the name": (join("Time s;Acc g", *map(";".join, pairs)), {}),
     }

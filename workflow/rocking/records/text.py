@@ -4,6 +4,7 @@ The limits keep memory below 1 GB whatever the file holds: a record of 2 million
 samples lasts 10,000 s at 200 Hz.
 """
 
+import codecs
 import hashlib
 import math
 import os
@@ -21,6 +22,8 @@ MAX_LINE_CHARACTERS = 10_000
 MAX_SAMPLES = 2_000_000
 
 _CONTROL = re.compile(rb"[\x00-\x08\x0b\x0e-\x1f\x7f]")
+_FORTRAN = re.compile(r"(\d\.?)[dD]([-+]?\d)")  # 1.5D-03
+_DOUBLES = re.compile(r"[0-9+\-.,;dDeE\s]*")
 _NUMERIC = re.compile(r"[0-9+\-.eE \t]*")
 
 
@@ -79,6 +82,8 @@ def text_from_bytes(path, data):
     if len(data) > MAX_BYTES:
         raise RecordError(f"{path}: larger than {MAX_BYTES // 2**20} MB; cut it to the motion")
     digest = hashlib.sha256(data).hexdigest()
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):  # as spreadsheets save it
+        data = data.decode("utf-16", errors="replace").encode()
     data = data.rstrip(b"\x1a")  # DOS end-of-file mark
     if not data.strip():
         raise RecordError(f"{path}: the file is empty")
@@ -94,6 +99,11 @@ def text_from_bytes(path, data):
         content = data.decode("utf-8-sig")
     except UnicodeDecodeError:  # names in Latin-1 headings; numbers are ASCII in any encoding
         content = data.decode("cp1252", errors="replace")
+    if _FORTRAN.search(content):
+        content = "\n".join(
+            _FORTRAN.sub(r"\1E\2", line) if _DOUBLES.fullmatch(line) else line
+            for line in content.split("\n")
+        )
     # Not str.splitlines: it also breaks at separators no record format knows.
     content = content.replace("\r\r\n", "\n")  # copied as text twice
     lines = content.replace("\r\n", "\n").replace("\r", "\n").split("\n")
