@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from yade_scripts.model.scene import Link
+from yade_scripts.model.bars import Link
 
 ROUNDING = 1e-9  # of the largest entry
 

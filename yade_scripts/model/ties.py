@@ -13,7 +13,7 @@ height, and moves with that; what a rod weighs is left out.
 
 import math
 
-from yade_scripts.model.scene import Tie
+from yade_scripts.model.bars import Tie
 
 
 def rod(row):

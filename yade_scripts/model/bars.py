@@ -1,0 +1,111 @@
+"""What joins two blocks of a scene apart from contact nodes: links and ties, as plain data."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Link:
+    """A spring and a dashpot in parallel between two blocks, linear both ways.
+
+    The force on `a` along `direction` is −k·u − c·u̇ with u the displacement of a past b.
+
+    Parameters
+    ----------
+    name : str
+    a, b : int
+        Indices of the blocks; a support as `b` stands for the ground.
+    stiffness_n_m, dashpot_ns_m : float
+        k and c, neither negative.
+    position_m : tuple of 3 floats
+        Where it acts on both blocks, in the reference position.
+    direction : tuple of 3 floats
+        Unit vector.
+
+    Raises
+    ------
+    ValueError
+        If k or c is negative or not finite, or the link joins a block to itself.
+    """
+
+    name: str
+    a: int
+    b: int
+    stiffness_n_m: float
+    dashpot_ns_m: float
+    position_m: tuple
+    direction: tuple = (0.0, 1.0, 0.0)
+
+    def __post_init__(self):
+        """Check the values."""
+        for label in ("stiffness_n_m", "dashpot_ns_m"):
+            value = getattr(self, label)
+            if not (np.isfinite(value) and value >= 0.0):
+                raise ValueError(f"link '{self.name}': {label} must not be negative, got {value}")
+        if self.a == self.b:
+            raise ValueError(f"link '{self.name}' joins a block to itself")
+
+
+@dataclass(frozen=True)
+class Tie:
+    """A rod between a point of block `a` and one of block `b`, which can only pull.
+
+    With e its lengthening past its slack, and p the part of it that is plastic, it pulls with
+    k·(e − p) between 0 and its capacity along the line between the points as they are; past the
+    capacity p grows, and at e = elongation it snaps for good.
+
+    Parameters
+    ----------
+    name : str
+    a, b : int
+        Indices of the blocks.
+    end_a_m, end_b_m : tuple of 3 floats
+        Where it acts on each, in the reference position.
+    stiffness_n_m, capacity_n : float
+    slack_m : float
+        How far its ends part before it is taut.
+    elongation_m : float
+        At which it snaps; not less than capacity/k.
+
+    Raises
+    ------
+    ValueError
+        One line, if a value is not finite and positive (slack: not negative), the ends coincide,
+        the tie joins a block to itself or would snap before it reaches its capacity.
+    """
+
+    name: str
+    a: int
+    b: int
+    end_a_m: tuple
+    end_b_m: tuple
+    stiffness_n_m: float
+    capacity_n: float
+    slack_m: float
+    elongation_m: float
+
+    def __post_init__(self):
+        """Check the values."""
+        for label in ("stiffness_n_m", "capacity_n", "elongation_m"):
+            value = getattr(self, label)
+            if not (np.isfinite(value) and value > 0.0):
+                raise ValueError(f"tie '{self.name}': {label} must be positive, got {value}")
+        if not (np.isfinite(self.slack_m) and self.slack_m >= 0.0):
+            raise ValueError(f"tie '{self.name}': slack_m must not be negative, got {self.slack_m}")
+        if self.a == self.b or self.length_m <= 0.0:
+            raise ValueError(f"tie '{self.name}' needs two ends on two blocks")
+        if self.elongation_m < self.capacity_n / self.stiffness_n_m * (1.0 - 1e-9):
+            raise ValueError(f"tie '{self.name}' would snap before it pulls {self.capacity_n:g} N")
+
+    @property
+    def length_m(self):
+        """Distance of its ends in the reference position."""
+        return math.dist(self.end_a_m, self.end_b_m)
+
+    @property
+    def direction(self):
+        """Unit vector from its end on b to that on a, in the reference position."""
+        offset = np.subtract(self.end_a_m, self.end_b_m)
+        return tuple(float(v) for v in offset / self.length_m)
