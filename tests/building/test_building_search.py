@@ -8,6 +8,7 @@ import pytest
 from rocking.building.case import (
     PAPER_PERIODS_S,
     build_model,
+    mass_behind_facade,
     panel_areas,
     read_plan,
     translation_mode,
@@ -159,6 +160,19 @@ def test_the_twist_turns_the_floor_about_the_vertical(settings):
     twist, along = motion(twist_mode(modes)), motion(translation_mode(modes))
     assert length / 2 * twist[5] > 5 * max(twist[0], twist[1], length / 2 * twist[3])
     assert along[1] > 5 * max(along[0], length / 2 * along[5])
+
+
+def test_mass_behind_the_facade_is_the_building_less_one_wall(settings):
+    """The front façade fills the space between the side walls: ρ h t (w − 2 t)."""
+    whole = read_plan(BUILDINGS / "case_study.yaml")
+    given = {**settings, "coarsening": COARSE}
+    blocks = build_model(given, whole, "CBDEM", 200.0).scene.blocks
+    wall = next(w for w in whole.walls if w.facade)
+    width = np.hypot(*np.subtract(wall.end_m, wall.start_m)) - 2.0 * wall.thickness_m
+    facade = settings["density_kg_m3"] * wall.height_m * wall.thickness_m * width
+    complete = sum(block.mass_kg for block in blocks if block.free)
+    behind = mass_behind_facade(given, whole, 200.0)
+    assert complete - behind == pytest.approx(facade, rel=1e-3)
 
 
 def test_the_two_readings_of_made_up_modes():

@@ -155,6 +155,22 @@ def test_rigid_motions_strain_the_base_alone():
         assert r @ (solver.k @ r) == pytest.approx(expected[base].sum(), rel=1e-9)
 
 
+def test_rigid_rotations_turn_every_block_about_the_centre_of_mass():
+    """Displacement e × r of the centroid and a unit rotation, for blocks of any mass."""
+    building = build(single_wall(0.96, 0.72), coarsening=4.0)
+    solver = Solver(building.scene)
+    rigid = rigid_motions(building.scene, solver.dof, solver.mass)
+    block, letter = solver.dof.T
+    weight = np.array([b.mass_kg for b in building.scene.blocks])[np.unique(block)]
+    place = np.array([b.centre_m for b in building.scene.blocks], float)
+    arm = place - weight @ place[np.unique(block)] / weight.sum()
+    for axis in range(3):
+        moved = np.cross(np.eye(3)[axis], arm)
+        turned = np.where(letter - 3 == axis, 1.0, 0.0)
+        expected = np.where(letter < 3, moved[block, letter % 3], turned)
+        assert rigid[:, 3 + axis] == pytest.approx(expected, abs=1e-12)
+
+
 def test_sparse_modes_equal_dense_modes_and_masses_sum_to_one():
     building = build(single_wall(0.96, 0.72), coarsening=4.0)
     solver = Solver(building.scene)
