@@ -17,6 +17,7 @@ FORCES = {
     "base_y_n": ("base, outward", "#56B4E9"),
     "walls_y_n": ("return walls, outward", "#D55E00"),
     "walls_z_n": ("return walls, upward", "#E69F00"),
+    "ties_y_n": ("ties, outward", "#009E73"),
 }
 ENERGIES = {
     "input_j": ("input", "black"),
@@ -30,7 +31,7 @@ ENERGIES = {
 def curves(axis, history, named, scale):
     """Draw the columns that are ever other than zero."""
     for column, (label, colour) in named.items():
-        if np.abs(history[column]).max() > 0.0:
+        if column in history and np.abs(history[column]).max() > 0.0:
             axis.plot(history["time_s"], history[column] / scale, color=colour, lw=0.8, label=label)
 
 
