@@ -28,7 +28,8 @@ from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.panels import Hanging, building_mass
 from yade_scripts.model.quadrature import gauss_lobatto
-from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
+from yade_scripts.model.scene import Block, NodeList, Scene
+from yade_scripts.model.shape import is_plain, shape_of
 from yade_scripts.model.ties import facade_ties
 from yade_scripts.model.wall_motion import PARTS, motion_of
 
@@ -89,9 +90,19 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
         raise ValueError(f"release θ0/α must lie in [0, 1), got {release_ratio}")
     facade, numerics = config["facade"], config["numerics"]
     h, b, width = facade["height_m"], facade["thickness_m"], facade["width_m"]
+    shape, raised = shape_of(facade), facade.get("base_height_m", 0.0)
+    if raised and kind.massive:
+        raise ValueError(
+            f"facade.base_height_m = {raised:g}: expected 0 (m) with model {model}, whose masses "
+            "are not driven"
+        )
     tilt = math.radians(facade["tilt_deg"])
-    mass = facade["density_kg_m3"] * h * b * width
     jkn_base, jkn_back = joint_stiffness(config)
+    motions: dict = {}
+    ground = GROUND
+    if raised:
+        whole = raised + h
+        ground = motion_of("interpolated", raised, whole, config["smdof"]["n_dof"], motions)
 
     blocks = [
         Block(
@@ -101,7 +112,7 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
             1.0,
             (1.0, 1.0, 1.0),
             free="",
-            motion=None if kind.massive else GROUND,
+            motion=None if kind.massive else ground,
         )
     ]
     nodes = NodeList()
@@ -112,35 +123,41 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     # index 1 is the façade, appended to `blocks` below
     add_base(config, beta_s, nodes, 1, 0, planar=planar, protrusion_m=protrusion)
     # lift of each base node in the pose turned about the toe; debris lies under a tilted base
-    angle = release_ratio * math.atan2(b, h)
+    angle = release_ratio * math.atan2(*shape.lever_m)
+    walls_stand = kind.walls != "none" and facade.get("sides") != "two"
+    kn = weights * b * (width - shape.base_lost_m) * jkn_base
+    if not release_ratio:
+        angle = _lean(shape, kn, points, walls_stand)
     lift = (1.0 - points) * b * math.sin(angle)
-    settlement = _settlement(mass * GRAVITY_M_S2, weights * b * width * jkn_base, lift)
-    displacement, rotation = _initial_pose(h, b, tilt + angle, settlement)
+    settlement = _settlement(shape.mass_kg * GRAVITY_M_S2, kn, lift)
+    displacement, rotation = _initial_pose(shape.lever_m, tilt + angle, settlement)
     blocks.append(
         Block(
             FACADE,
-            (0.0, 0.5 * b, 0.5 * h),
-            (width, b, h),
-            mass,
-            box_inertia(mass, (width, b, h)),
+            shape.centre_m,
+            shape.size_m,
+            shape.mass_kg,
+            tuple(np.diag(shape.tensor_kg_m2).tolist()),
             free="yzX" if planar else "xyzXYZ",
             displacement_m=displacement,
             rotation_rad=rotation,
+            lever_m=shape.lever_m,
         )
     )
     links: list = []
-    motions: dict = {}
-    if kind.walls != "none" and facade.get("sides") != "two":
-        links = _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, motions)
+    if walls_stand:
+        links = _add_return_walls(
+            config, kind, beta_s, blocks, nodes, jkn_back, planar, motions, shape
+        )
     walls = [i for i, block in enumerate(blocks) if block.name.startswith(WALL)]
     return Scene(
         blocks,
         nodes.joints,
         nodes.done(),
         monitor=FACADE,
-        monitor_point_m=(0.0, 0.5 * b, h),
+        monitor_point_m=(0.0, 0.5 * sum(shape.storeys[-1][2:]), shape.top_m),
         reference=BASE,
-        thickness_m=b,
+        thickness_m=shape.overturning_m if not is_plain(facade) else b,
         links=links,
         ties=facade_ties(facade.get("ties", ()), 1, walls, blocks),
         shaking=GROUND if kind.massive else None,
@@ -171,8 +188,9 @@ def add_base(config, beta_s, nodes, facade, ground, *, planar, origin=(0.0, 0.0)
     protrusion = np.broadcast_to(protrusion_m, points.shape)
     line = np.stack([origin[0] + 0 * points, origin[1] + points * b, -protrusion], axis=1)
     columns, column_weights = _columns(planar, width / math.sqrt(3.0))
+    standing = width - shape_of(section).base_lost_m
     positions, areas, gaps = _spread(
-        line, weights * b * width, columns, column_weights, gap_m=-protrusion
+        line, weights * b * standing, columns, column_weights, gap_m=-protrusion
     )
     nodes.add_joint(
         BASE,
@@ -187,6 +205,15 @@ def add_base(config, beta_s, nodes, facade, ground, *, planar, origin=(0.0, 0.0)
         friction_rad=math.radians(section["friction_deg"]),
         gap_m=gaps,
     )
+
+
+def wall_strips(width_m, wall):
+    """Where the return walls stand along the façade: (x0, x1) of each, evenly apart [m]."""
+    half = 0.5 * wall["thickness_m"]
+    if wall["count"] == 1:
+        return [(-half, half)]
+    spread = 0.5 * width_m - half
+    return [(x - half, x + half) for x in np.linspace(-spread, spread, wall["count"]).tolist()]
 
 
 def _columns(planar, distance_m):
@@ -221,16 +248,48 @@ def _settlement(weight_n, kn_n_m, lift_m):
     raise AssertionError("unreachable: the last node closes the loop")
 
 
-def _initial_pose(h, b, angle, settlement):
+def _lean(shape, kn_n_m, points, walls_stand):
+    """Outward rotation at which a façade of eccentric weight rests on its base [rad].
+
+    About the toe Σ F_i a_i cos φ = W (b_g cos φ − z_g sin φ), with a_i the nodes' places inward
+    from it. Return walls hold what leans on them; ValueError where nothing holds it.
+    """
+    b, weight = shape.thickness_m, shape.mass_kg * GRAVITY_M_S2
+    (arm, height), place = shape.lever_m, (1.0 - points) * shape.thickness_m
+
+    def excess(angle):
+        lift = place * math.sin(angle)
+        force = kn_n_m * np.maximum(0.0, _settlement(weight, kn_n_m, lift) - lift)
+        about = arm * math.cos(angle) - height * math.sin(angle)
+        return math.cos(angle) * (force @ place) - weight * about
+
+    side = math.copysign(1.0, 0.5 * b - arm)
+    if abs(arm - 0.5 * b) < 1e-9 * b or (side < 0.0 and walls_stand):
+        return 0.0
+    steps = side * math.atan2(arm, height) * np.linspace(0.0, 1.0, 201)
+    balanced = [i for i, angle in enumerate(steps) if side * excess(angle) <= 0.0]
+    if not balanced:
+        raise ValueError(
+            f"facade.thickness_steps: the weight stands {arm:.3g} m from the front of the base and "
+            "the façade does not stand on it; expected it nearer the middle"
+        )
+    low, high = steps[balanced[0] - 1], steps[balanced[0]]
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if side * excess(middle) > 0.0 else (low, middle)
+    return 0.5 * (low + high)
+
+
+def _initial_pose(lever_m, angle, settlement):
     """Pose turned outward by `angle` about the front toe and settled; outward is about −x."""
-    arm = np.array([-0.5 * b, 0.5 * h])  # toe → centroid, in (y, z)
+    arm = np.array([-lever_m[0], lever_m[1]])  # toe → centroid, in (y, z)
     c, s = math.cos(angle), math.sin(angle)
     turned = np.array([c * arm[0] + s * arm[1], -s * arm[0] + c * arm[1]])
     dy, dz = turned - arm
     return (0.0, float(dy), float(dz - settlement)), (-angle, 0.0, 0.0)
 
 
-def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, motions):
+def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, motions, shape):
     """Append the return walls, driven or massive, and the back joints; return the links."""
     facade, wall, numerics = config["facade"], config["return_wall"], config["numerics"]
     h, width = facade["height_m"], facade["width_m"]
@@ -249,14 +308,23 @@ def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, mot
     if kind.massive:
         light = facade["density_kg_m3"] * total * PIECE_M * h / count
         mass = light if hanging else building_mass(config) / count
+    raised = facade.get("base_height_m", 0.0)
+    whole = raised + h
+    strips = wall_strips(width, wall)
     for j in range(1, count + 1):
-        low, tall = (j - 1) * h / count, h / count
+        low, tall = (j - 1) * whole / count, whole / count
+        if raised and kind.chain:  # of the building's height what is behind the façade
+            low, tall = max(low, raised) - raised, min(tall, low + tall - raised)
+            if tall <= 1e-9:
+                continue
+        elif raised:
+            low, tall = 0.0, h
         middle = low + 0.5 * tall
         name = f"{WALL} {j}"
         if not kind.massive:
-            motion = GROUND
+            motion = blocks[0].motion
             if kind.chain:
-                motion = motion_of(wall["motion"], middle, h, masses, motions)
+                motion = motion_of(wall["motion"], raised + middle, whole, masses, motions)
         blocks.append(
             Block(
                 name,
@@ -271,23 +339,30 @@ def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, mot
         own.append(len(blocks) - 1)
         if hanging:
             hanging.hang(own[-1], 0.0)
-        line = np.stack([0 * points, 0 * points, low + points * tall], axis=1)
-        positions, areas, _ = _spread(line, weights * tall * total, columns, column_weights)
-        nodes.add_joint(
-            name,
-            1,
-            own[-1],
-            positions,
-            (0, 1, 0),
-            areas,
-            jkn_back,
-            facade["shear_stiffness_ratio"] * jkn_back,
-            beta_s=beta_s,
-            friction_rad=math.radians(wall["friction_deg"]),
-            gap_m=facade["gap_m"],
-            tension_pa=wall["tension_mpa"] * 1e6 if kind.bonded else 0.0,
-            cohesion_pa=wall["cohesion_mpa"] * 1e6 if kind.bonded else 0.0,
-        )
+        pieces = shape.back_parts(low, tall, strips)
+        for number, (foot, length, y, lost, _) in enumerate(pieces, 1):
+            at, share = points, weights
+            if len(pieces) > 1:
+                fewer = 1 + math.ceil((nodes_up - 1) * length / tall)
+                at, share = gauss_lobatto(max(3, fewer))
+            line = np.stack([0 * at, y + 0 * at, foot + at * length], axis=1)
+            areas = share * length * (total - lost)
+            positions, areas, _ = _spread(line, areas, columns, column_weights)
+            nodes.add_joint(
+                name if len(pieces) == 1 else f"{name} part {number}",
+                1,
+                own[-1],
+                positions,
+                (0, 1, 0),
+                areas,
+                jkn_back,
+                facade["shear_stiffness_ratio"] * jkn_back,
+                beta_s=beta_s,
+                friction_rad=math.radians(wall["friction_deg"]),
+                gap_m=facade["gap_m"],
+                tension_pa=wall["tension_mpa"] * 1e6 if kind.bonded else 0.0,
+                cohesion_pa=wall["cohesion_mpa"] * 1e6 if kind.bonded else 0.0,
+            )
     if hanging:
         return hanging.finish(own)
     if not kind.massive:

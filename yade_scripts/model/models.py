@@ -4,6 +4,7 @@ import math
 
 from yade_scripts.model import facade, interlocking, registry
 from yade_scripts.model.gravity import GRAVITY_M_S2
+from yade_scripts.model.shape import is_plain, shape_of
 
 
 def build_scene(job):
@@ -40,6 +41,7 @@ def numerics(job):
 def static_multiplier(job):
     """Static λ at which the façade starts to turn [-]: b/h, and more for W1c and W3.
 
+    A façade with a shape of its own: b_g/z_g (see `shape`) for b/h.
     W1c: b/h + N_w f_t t_s h²/3/(W h/2), at which the top of the bond reaches its tensile
     strength f_t if tension grows linearly from the toe. (Of W2c no such number is known:
     floors that move apart tear its bonds.)
@@ -52,9 +54,12 @@ def static_multiplier(job):
     if kind.walls == "one" and kind.bonded:
         weight = section["density_kg_m3"] * GRAVITY_M_S2 * h * b * section["width_m"]
         bond = wall["count"] * wall["tension_mpa"] * 1e6 * wall["thickness_m"] * h**2 / 3.0
+        if not is_plain(section):
+            own = shape_of(section)
+            return (own.lever_m[0] + bond / (own.mass_kg * GRAVITY_M_S2)) / own.lever_m[1]
         return b / h + bond / (0.5 * weight * h)
     if kind.walls != "bricks":
-        return b / h
+        return b / h if is_plain(section) else shape_of(section).static_multiplier
     w3 = job["w3"]
     course = w3["course_height_m"]
     arms = sum(i * (h - i * course) for i in range(1, round(h / course)))

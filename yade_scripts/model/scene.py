@@ -57,6 +57,8 @@ class Block:
         adds a static answer.
     drag_1_s : float
         Mass-proportional damping: a force −rate·m·v on the centroid, v relative to the frame.
+    lever_m : tuple of 2 floats or None
+        From the centroid out (y) and down (z) to the edge it rocks about; None: half its edges.
     """
 
     name: str
@@ -72,6 +74,12 @@ class Block:
     angular_velocity_rad_s: tuple = (0.0, 0.0, 0.0)
     weightless: bool = False
     drag_1_s: float = 0.0
+    lever_m: tuple | None = None
+
+    @property
+    def arms_m(self):
+        """Distances out and down to the edge it rocks about [m]."""
+        return self.lever_m or (0.5 * self.size_m[1], 0.5 * self.size_m[2])
 
 
 def box_inertia(mass_kg, size_m):
@@ -184,10 +192,9 @@ class Scene:
 
     @property
     def overturning_energy_j(self):
-        """Energy that overturns the monitored block, m g (R − h/2), R half its diagonal [J]."""
+        """Energy that overturns the monitored block, m g (R − z), R from centroid to toe [J]."""
         block = self.blocks[self.index(self.monitor)]
-        depth, height = block.size_m[1], block.size_m[2]
-        rise = 0.5 * (math.hypot(depth, height) - height)
+        rise = math.hypot(*block.arms_m) - block.arms_m[1]
         return block.mass_kg * self.gravity_m_s2 * rise
 
     @property

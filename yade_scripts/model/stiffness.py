@@ -225,8 +225,8 @@ def lag_factors(scene, dt_s):
     if len(free) != 1 or dt_s <= 0.0:
         return factors
     block = scene.blocks[free[0]]
-    _, ly, lz = block.size_m
-    phi = np.array([0.0, 0.5 * lz, 0.5 * ly, -1.0, 0.0, 0.0])  # about the toe, outward
+    out, down = block.arms_m
+    phi = np.array([0.0, down, out, -1.0, 0.0, 0.0])  # about the toe, outward
     inertia = block.mass_kg * (phi[1] ** 2 + phi[2] ** 2) + block.inertia_kg_m2[0]
     b_matrix, d = _relative_velocity(scene)
     velocity = np.where(
@@ -234,8 +234,8 @@ def lag_factors(scene, dt_s):
     )
     damping = nodes.beta_s * np.einsum("ni,nij,nj->n", velocity, d, velocity)
     upright = np.abs(nodes.normal[:, 1]) > 0.5
-    for joint in np.unique(nodes.joint[upright]):
-        mine = nodes.joint == joint
+    for touched in np.unique(nodes.b[upright]):
+        mine = upright & (nodes.b == touched)
         rate = damping[mine].sum() / inertia
         wall = scene.blocks[nodes.b[mine][0]]
         if wall.free:

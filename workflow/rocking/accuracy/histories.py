@@ -63,7 +63,8 @@ class Solver:
         scene = models.build_scene(with_nodes(job, SCAN_NODES))
         columns = models.motion_columns(scene, columns)
         supports = [columns[name] for name in moving_supports(scene)]
-        self.motions = Motions(time_s, self.ground, supports)
+        base = columns[scene.blocks[scene.index(scene.reference)].motion]
+        self.motions = Motions(time_s, base, supports)
 
     def plane(self, nodes):
         """Scene with n nodes a return wall, and the stable step [s] of the scheme."""

@@ -8,6 +8,7 @@ from rocking.assessment.mechanism import Facade, overturning
 from rocking.mechanics.closed_forms import G_M_S2
 from rocking.mechanics.rocking_block import overturning_pga
 from yade_scripts.model.motion import SIGNS
+from yade_scripts.model.shape import refuse
 from yade_scripts.model.ties import rod
 
 ADDED_REACH_M = 0.2  # elongation of a rod of 4 m that snaps at 5 %
@@ -31,6 +32,7 @@ CHECKS = {  # key of the tables: what figures call it
 
 def facade_of(section, settings):
     """The façade of sections facade and assessment as its mechanisms see it."""
+    refuse(section, "the assessment")
     h, b = section["height_m"], section["thickness_m"]
     arm = settings["roof_arm_m"]
     return Facade(

@@ -16,6 +16,7 @@ from rocking.configuration.files import check_files, write_resolved
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show
 from rocking.configuration.words import Settings
 from yade_scripts.model import registry
+from yade_scripts.model.shape import is_plain, shape_of
 
 __all__ = [
     "ConfigError",
@@ -99,6 +100,7 @@ def check(resolved: Mapping) -> None:
             f"models {show(bonded)}"
         )
     _check_ties(resolved)
+    _check_shape(resolved)
     low, high = resolved["ensemble"]["percentiles"]
     if not low < 50.0 < high:
         raise ConfigError(
@@ -148,6 +150,29 @@ def _check_ties(resolved: Mapping) -> None:
                 f"{where}.elongation = {show(row['elongation'])}: expected at least the strain at "
                 f"yield, yield_mpa/e_mpa = {show(row['yield_mpa'] / row['e_mpa'])}"
             )
+
+
+def _check_shape(resolved: Mapping) -> None:
+    facade = resolved["facade"]
+    if is_plain(facade):
+        return
+    for name in resolved["models"]:
+        kind = registry.model(name)
+        if not kind.single_block:
+            raise ConfigError(f"models = {name}: expected a façade of one block with a shape")
+        if kind.massive and facade["base_height_m"]:
+            raise ConfigError(
+                f"facade.base_height_m = {show(facade['base_height_m'])}: expected 0 (m) with "
+                f"{name}, whose masses are not driven"
+            )
+    if facade["tilt_deg"]:
+        raise ConfigError(
+            f"facade.tilt_deg = {show(facade['tilt_deg'])}: expected 0 (°) with a shape"
+        )
+    try:
+        shape_of(facade)
+    except ValueError as error:
+        raise ConfigError(str(error)) from None
 
 
 def _at(resolved: Mapping, path: str) -> Any:

@@ -9,6 +9,7 @@ import pandas as pd
 from rocking.mechanics import closed_forms
 from yade_scripts.model import registry
 from yade_scripts.model.facade import joint_stiffness
+from yade_scripts.model.shape import refuse
 
 CURVE_COLUMNS = [
     "d_over_b",
@@ -81,6 +82,7 @@ def closed_form(d_over_b, config, model):
         Lower is nan for models without interlocking.
     """
     facade, wall = config["facade"], config["return_wall"]
+    refuse(facade, "the kinematic curve")
     h, b = facade["height_m"], facade["thickness_m"]
     theta = theta_of(d_over_b, facade)
     rigid = closed_forms.capacity_rigid(theta, h, b)

@@ -3,6 +3,8 @@
 import numpy as np
 from matplotlib.collections import PolyCollection
 
+from yade_scripts.model.shape import is_plain, shape_of
+
 DEPTH = np.array([0.42, 0.22])  # screen displacement per metre of x, into the page
 RETURN_WALL_SHOWN_M = 2.2  # of the return-wall supports, which are longer than needed
 STRIPS = 20  # pieces of the façade, so that its colour follows the displacement
@@ -29,7 +31,11 @@ def boxes(frames, walls, config):
         name = block["name"]
         if name == "base":
             continue
-        if name == "façade":
+        if name == "façade" and not is_plain(facade):  # its storeys; openings, gable are left out
+            for z0, z1, y0, y1 in shape_of(facade).storeys:
+                middle = np.array([0.0, 0.5 * (y0 + y1), 0.5 * (z0 + z1)])
+                out.append((middle, np.array([facade["width_m"], y1 - y0, z1 - z0]), i))
+        elif name == "façade":
             out.append((centre, np.array([facade["width_m"], size[1], size[2]]), i))
         elif name.startswith("return wall"):
             y = -facade["gap_m"] - 0.5 * RETURN_WALL_SHOWN_M

@@ -221,7 +221,8 @@ def _rules(planar, motions, numerics, factors):
     rows = np.vstack([motions.ground_m_s2, motions.supports_m_s2])
     envelope = np.abs(rows).max(axis=0)
     later = np.maximum.accumulate(envelope[::-1])[::-1]  # largest from each sample on
-    uplift = planar.gravity_m_s2 * planar.thickness_m / (planar.monitor_m[1] * 2.0)
+    height = planar.monitor_m[1] - planar.origin_m[:, 1].min()
+    uplift = planar.gravity_m_s2 * planar.thickness_m / height
     size = np.abs(factors)
     quiet = numerics["quiet_ratio"] * np.minimum(uplift, size * envelope.max())
     last = np.searchsorted(-later, -quiet / np.maximum(size, 1e-300), side="left") - 1

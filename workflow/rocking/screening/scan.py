@@ -49,12 +49,14 @@ class Screen:
             scene = models.build_scene({**job, "model": kind.driven, "numerics": numerics})
             self.planes.append(prepare(scene))
         self.carried, supports = None, []
+        base = self.ground
         if kind.massive:
             self.carried = carried_masses(job, scene)
         else:
             columns = models.motion_columns(scene, columns)
+            base = columns[scene.blocks[scene.index(scene.reference)].motion]
             supports = [columns[name] for name in moving_supports(scene)]
-        self.motions = Motions(time_s, self.ground, supports)
+        self.motions = Motions(time_s, base, supports)
         self.static_g = models.static_multiplier(job)
 
     def run(self, pga_g, scatter):

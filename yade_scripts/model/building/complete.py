@@ -23,6 +23,7 @@ from yade_scripts.model.building.plan import TOLERANCE_M, Opening, PlanError, Wa
 from yade_scripts.model.facade import FACADE, add_base, joint_stiffness
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.scene import Block, NodeList, Nodes, Scene, box_inertia
+from yade_scripts.model.shape import refuse
 
 BACK_JOINTS = ("bricks", "facade")
 GROUND_MOTION = "ground"
@@ -128,6 +129,7 @@ def complete_scene(
             f"complete.back_joint = '{back_joint}': expected {' or '.join(BACK_JOINTS)}"
         )
     section = config["facade"]
+    refuse(section, "the complete building")
     h, b, width = section["height_m"], section["thickness_m"], section["width_m"]
     bricks, base = building.bricks, with_rigid_floors(building)
     ends = np.flatnonzero(np.abs(bricks.high_m[:, 1] - crack_m) < TOLERANCE_M)

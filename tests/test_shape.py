@@ -1,0 +1,200 @@
+"""Shapes of a façade: mass and moments another way, statics, rest, and YADE beside the plane."""
+
+import math
+
+import numpy as np
+import pytest
+from rocking.configuration.config import ConfigError
+from rocking.screening.plane import moving_supports, prepare
+from rocking.screening.runs import Motions, history
+from yade_process import in_yade, resolved
+
+from yade_scripts.model import models
+from yade_scripts.model.facade import facade_scene
+from yade_scripts.model.shape import shape_of
+from yade_scripts.model.stiffness import assemble
+
+BETA_S = 0.002
+G = 9.80665
+FEW = {"nodes_thickness": 3, "nodes_height": 3, "nodes_per_block": 3}
+STEP = {"z_m": 3.24, "thickness_m": 0.25}
+WINDOW = {"x_m": -1.2, "z_m": 4.0, "width_m": 1.0, "height_m": 1.5}
+SIDE = {"x_m": 1.8, "z_m": 1.0, "width_m": 0.6, "height_m": 1.2}  # before the right wall
+DOOR = {"x_m": 0.4, "z_m": 0.0, "width_m": 1.2, "height_m": 2.2}
+SHAPES = {
+    "gable": {"gable_height_m": 1.5},
+    "parapet": {"parapet_height_m": 1.0, "parapet_thickness_m": 0.2},
+    "thinner, outer face flush": {"thickness_steps": [STEP]},
+    "thinner, inner face flush": {"thickness_steps": [STEP], "flush_face": "inner"},
+    "openings": {"openings": [WINDOW, DOOR, SIDE]},
+}
+ALL = {"gable_height_m": 1.5, "thickness_steps": [STEP], "openings": [WINDOW, DOOR, SIDE]}
+
+
+def inside(facade, x, y, z):
+    """Whether points belong to the façade, by its drawing."""
+    h, b, w = facade["height_m"], facade["thickness_m"], facade["width_m"]
+    thick = np.full(z.shape, b)
+    for row in facade["thickness_steps"]:
+        thick[z > row["z_m"]] = row["thickness_m"]
+    if facade["parapet_thickness_m"]:
+        thick[z > h] = facade["parapet_thickness_m"]
+    outer = facade["flush_face"] == "outer"
+    found = (y > b - thick) & (y < b) if outer else (y > 0.0) & (y < thick)
+    if facade["gable_height_m"]:
+        found &= np.abs(x) < 0.5 * w * np.minimum(1.0, (h - z) / facade["gable_height_m"] + 1.0)
+    for row in facade["openings"]:
+        high = (z > row["z_m"]) & (z < row["z_m"] + row["height_m"])
+        found &= ~(high & (np.abs(x - row["x_m"]) < 0.5 * row["width_m"]))
+    return found
+
+
+@pytest.mark.parametrize("name", [*SHAPES, "all"])
+def test_mass_and_moments_are_those_of_the_drawing(name):
+    """Sums over cells of 50 × 25 × 20 mm: mass, centroid and all moments within 0.2 %."""
+    facade = resolved(facade={**SHAPES, "all": ALL}[name])["facade"]
+    shape = shape_of(facade)
+    axes = [
+        np.arange(low + 0.5 * step, high, step)
+        for low, high, step in ((-2.2, 2.2, 0.05), (0.0, 0.375, 0.025), (0.0, shape.top_m, 0.02))
+    ]
+    grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+    kept = grid[inside(facade, *grid.T)]
+    cell = facade["density_kg_m3"] * 0.05 * 0.025 * 0.02
+    assert shape.mass_kg == pytest.approx(cell * len(kept), rel=2e-3)
+    assert shape.centre_m == pytest.approx(kept.mean(axis=0), abs=3e-3)
+    about = kept - kept.mean(axis=0)
+    second = about.T @ about
+    tensor = cell * (np.trace(second) * np.eye(3) - second)
+    assert shape.tensor_kg_m2 == pytest.approx(tensor, rel=2e-3, abs=2e-3 * tensor[2, 2])
+
+
+def test_a_façade_in_pieces_is_the_whole():
+    """A step to the same thickness changes no mass, no stiffness and no static capacity."""
+    cut = {"thickness_steps": [{"z_m": 3.0, "thickness_m": 0.375}]}
+    whole, parts = (
+        facade_scene(resolved(facade=f, numerics={"nodes_height": 9}), "W1", BETA_S)
+        for f in ({}, cut)
+    )
+    assert len(parts.joints) == 1 + len(whole.joints)
+    for one, other in zip(whole.blocks, parts.blocks, strict=True):
+        assert one.mass_kg == pytest.approx(other.mass_kg, rel=1e-12)
+        assert one.centre_m == pytest.approx(other.centre_m, rel=1e-12)
+        assert one.inertia_kg_m2 == pytest.approx(other.inertia_kg_m2, rel=1e-12)
+    assert parts.thickness_m == pytest.approx(whole.thickness_m, rel=1e-12)
+    k, c = assemble(whole).dense()
+    assert assemble(parts).dense()[0] == pytest.approx(k, rel=1e-9, abs=1e-6 * k.max())
+
+
+def test_openings_take_width_from_base_and_walls():
+    """Σ kn: jkn b (w − 1.2) at the base, jkn (2·0.375·6.48 − 0.275·1.2) at the walls."""
+    config = resolved(facade={"openings": [WINDOW, DOOR, SIDE]})
+    scene = facade_scene(config, "W1", BETA_S)
+    n, jkn = scene.nodes, 1.8e9 / 6.48
+    up = n.normal[:, 2] > 0.5
+    assert n.kn_n_m[up].sum() == pytest.approx(jkn * 0.375 * 3.2, rel=1e-12)
+    wall = 2.0 * jkn * (0.75 * 6.48 - 0.275 * 1.2)  # 0.275 m of the right wall's 0.375
+    assert n.kn_n_m[~up].sum() == pytest.approx(wall, rel=1e-12)
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_static_multiplier(name):
+    """λ = b_g/z_g on a stiff base: a push held at 0.99 of it is borne, at 1.01 it fells."""
+    facade = {**SHAPES[name], "base_stiffness_pa_m": 1e12}
+    config = resolved(facade=facade, numerics=FEW)
+    scene, shape = facade_scene(config, "W1", BETA_S), shape_of(config["facade"])
+    arm, height = 0.375 - shape.centre_m[1], shape.centre_m[2]
+    job = {**config, "model": "W1"}
+    assert models.static_multiplier(job) == pytest.approx(arm / height, rel=1e-12)
+    time_s = np.linspace(0.0, 14.0, 1401)
+    for share, status in ((0.99, "ok"), (1.01, "overturned")):
+        push = share * arm / height * G * 0.5 * (1.0 - np.cos(np.pi * np.minimum(time_s / 5, 1)))
+        found = history(prepare(scene), Motions(time_s, -push), config["numerics"])
+        assert found.status == status
+    # at d/b = 1 the centroid stands above the toe
+    turned = -found.pose[-1, 2]
+    assert arm * math.cos(turned) - height * math.sin(turned) == pytest.approx(0.0, abs=2e-3)
+
+
+def test_a_leaning_façade_rests():
+    """Weight e = y_g − b/2 off the middle: θ = W e/(K − W z_g), K = jkn w b³/12; it stays there."""
+    config = resolved(facade={"thickness_steps": [{"z_m": 3.24, "thickness_m": 0.32}]})
+    scene, shape = facade_scene(config, "W1", BETA_S), shape_of(config["facade"])
+    weight = shape.mass_kg * 9.81
+    k = 1.8e9 / 6.48 * 4.4 * 0.375**3 / 12.0
+    theta = weight * (shape.centre_m[1] - 0.1875) / (k - weight * shape.centre_m[2])
+    assert -scene.blocks[1].rotation_rad[0] == pytest.approx(theta, rel=2e-3)
+    time_s = np.linspace(0.0, 3.0, 301)
+    still = history(prepare(scene), Motions(time_s, 0.0 * time_s), config["numerics"])
+    assert np.ptp(still.d_m) < 1e-3 * theta * 6.48
+
+
+def test_base_above_the_ground():
+    """Base at a third of the height of a chain of four: between masses 1 and 2, a block less."""
+    config = resolved(facade={"height_m": 6.0, "base_height_m": 3.0})
+    scene = facade_scene(config, "W2", BETA_S)
+    t = np.linspace(0.0, 1.0, 11)
+    columns = {"ground": t, **{f"floor{j}": 10.0**j * t for j in range(1, 5)}}
+    found = models.motion_columns(scene, columns)
+    # masses at 2.25, 4.5, 6.75, 9 m
+    assert found[scene.blocks[0].motion] == pytest.approx((2 / 3 * 10.0 + 1 / 3 * 100.0) * t)
+    walls = [b for b in scene.blocks if b.name.startswith("return wall")]
+    assert [b.motion for b in walls] == ["floor2", "floor3", "floor4"]
+    assert [b.centre_m[2] for b in walls] == pytest.approx([0.75, 2.625, 4.875])
+    assert [b.size_m[2] for b in walls] == pytest.approx([1.5, 2.25, 2.25])
+    assert facade_scene(config, "W1", BETA_S).motions == [scene.blocks[0].motion]
+
+
+def pulses(amplitude):
+    """Pulses of 1 s that end where they began [m/s²]."""
+    t = np.arange(0.0, 2.4, 0.01)
+    place = np.sin(2.0 * np.pi * t) * np.exp(-(((t - 1.2) / 0.5) ** 2)) / (2.0 * np.pi) ** 2
+    return t, -amplitude * np.gradient(np.gradient(place, t), t)
+
+
+@pytest.mark.yade
+def test_yade_and_the_compiled_solver():
+    """A façade with everything on top of a storey, W2: peak d/b within 1 %, the books close."""
+    short = {**FEW, "after_motion_s": 0.5}
+    config = resolved(facade={**ALL, "base_height_m": 2.0}, numerics=short)
+    scene = facade_scene(config, "W2", BETA_S)
+    t, ground = pulses(1.2)
+    columns = {f"floor{j}": ground * (1.0 + 0.1 * j) for j in range(1, 5)} | {"ground": ground}
+    moved = models.motion_columns(scene, columns)
+    planar = history(
+        prepare(scene),
+        Motions(t, moved[scene.blocks[0].motion], [moved[m] for m in moving_supports(scene)]),
+        config["numerics"],
+    )
+    got = in_yade(
+        "accuracy_cases", "balanced", config=config, model="W2", beta_s=BETA_S, fraction=0.15,
+        time_s=t.tolist(), columns={k: v.tolist() for k, v in columns.items()},
+    )  # fmt: skip
+    assert got["status"] == planar.status == "ok"
+    assert planar.peak_d_over_b > 0.1
+    assert got["peak"] == pytest.approx(planar.peak_d_over_b, rel=0.01)
+    assert got["residual"] < 2e-3 * got["overturning"]
+
+
+@pytest.mark.parametrize(
+    ("facade", "models", "message"),
+    [
+        ({"openings": [{**WINDOW, "x_m": 2.0}]}, ["W1"], r"openings\[1\].x_m = 2.*half of"),
+        ({"openings": [{**WINDOW, "z_m": 6.0}]}, ["W1"], r"openings\[1\].height_m = 1.5.*head"),
+        ({"openings": [WINDOW, {**WINDOW, "x_m": -0.5}]}, ["W1"], r"openings\[2\].*apart from"),
+        ({"openings": [{**WINDOW, "x_m": 0, "width_m": 4.4}]}, ["W1"], "masonry beside"),
+        ({"thickness_steps": [{**STEP, "thickness_m": -0.2}]}, ["W1"], "thickness_m = -0.2"),
+        ({"thickness_steps": [STEP, STEP]}, ["W1"], r"thickness_steps\[2\].z_m.*ascending"),
+        ({"thickness_steps": [{"z_m": 1, "thickness_m": 3}]}, ["W1"], "weight falls"),
+        ({"gable_height_m": 1.0, "parapet_height_m": 1.0}, ["W1"], "parapet_height_m.*gable"),
+        ({"gable_height_m": 1.0}, ["W3"], "W3: expected a façade of one block"),
+        ({"base_height_m": 3.0}, ["W2m"], "base_height_m = 3.*W2m"),
+        ({"gable_height_m": 1.0, "tilt_deg": 1.0}, ["W1"], "tilt_deg = 1"),
+    ],
+)
+def test_impossible_shapes(facade, models, message):
+    """One line with key, value and what was expected."""
+    from rocking.configuration import config
+
+    with pytest.raises(ConfigError, match=message):
+        config.resolve({"facade": facade, "models": models})

@@ -1,0 +1,258 @@
+"""Shape of a rigid façade: setbacks, openings, a gable or a parapet; its mass and its contacts.
+
+The façade is a box a storey of its thickness, less the boxes of its openings, under a triangular
+prism (gable) or a further box (parapet). With signed masses m_i, centroids r_i and moments J_i of
+the parts about their own centroids (box: m(l_j² + l_k²)/12; prism of width w, height g and
+thickness t: J_x = m(t²/12 + g²/18), J_y = m(w²/24 + g²/18), J_z = m(w²/24 + t²/12))
+
+    m = Σ m_i,  r = Σ m_i r_i/m,  J = Σ [J_i + m_i(|d_i|² 1 − d_i d_iᵀ)],  d_i = r_i − r
+
+exactly. With b_g from the centroid out to the toe and z_g down to the base, it turns from the
+static multiplier λ = b_g/z_g on, and its weight line passes the toe when its top, H above the base,
+has moved by H b_g/z_g: that is the b of d/b, and b itself for a plain façade.
+"""
+
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+
+from yade_scripts.model.scene import box_inertia
+
+FLUSH = ("outer", "inner")
+OWN_KEYS = ("thickness_steps", "openings", "gable_height_m", "parapet_height_m")
+
+
+@dataclass(frozen=True)
+class Shape:
+    """What a scene takes from the shape of its façade.
+
+    Attributes
+    ----------
+    mass_kg : float
+    centre_m : tuple of 3 floats
+        Centroid; x from the façade's middle, y from the back face at its foot, z from its base.
+    tensor_kg_m2 : ndarray, shape (3, 3)
+        Inertia about the centroid.
+    thickness_m, height_m, width_m, top_m : float
+        At the base; of what the return walls hold; along x; of the whole façade.
+    storeys : tuple of (z0, z1, y0, y1)
+        From the base up [m].
+    openings : tuple of (x0, x1, z0, z1)
+    parts : tuple of (mass_kg, centre, tensor, size)
+        The signed parts that were added up.
+    """
+
+    mass_kg: float
+    centre_m: tuple
+    tensor_kg_m2: np.ndarray
+    thickness_m: float
+    height_m: float
+    width_m: float
+    top_m: float
+    storeys: tuple
+    openings: tuple
+    parts: tuple
+
+    @property
+    def lever_m(self):
+        """Distances (b_g, z_g) of the centroid from the front toe, inward and up."""
+        return self.thickness_m - self.centre_m[1], self.centre_m[2]
+
+    @property
+    def size_m(self):
+        """Edges of the box that bounds it."""
+        low, high = min(s[2] for s in self.storeys), max(s[3] for s in self.storeys)
+        return (self.width_m, high - low, self.top_m)
+
+    @property
+    def static_multiplier(self):
+        """λ = b_g/z_g from which it turns about a rigid toe [-]."""
+        return self.lever_m[0] / self.lever_m[1]
+
+    @property
+    def overturning_m(self):
+        """Displacement H b_g/z_g of the top at which the weight line passes the toe."""
+        return self.top_m * self.static_multiplier
+
+    @property
+    def base_strips(self):
+        """Parts (x0, x1) of the base that stand on something: the piers between its doors."""
+        doors = [(x0, x1) for x0, x1, z0, _ in self.openings if z0 <= 0.0]
+        return _less((-0.5 * self.width_m, 0.5 * self.width_m), doors)
+
+    @property
+    def base_lost_m(self):
+        """Width of the base that its doors take."""
+        return float(sum(x1 - x0 for x0, x1, z0, _ in self.openings if z0 <= 0.0))
+
+    def back_parts(self, low_m, tall_m, walls):
+        """Contact of the back face with return walls between two heights.
+
+        Parameters
+        ----------
+        low_m, tall_m : float
+            Foot and height of a block of the walls, from the façade's base.
+        walls : list of (x0, x1)
+
+        Returns
+        -------
+        list of (low_m, tall_m, y_m, lost_m, strips)
+            Cut wherever the back face steps or an opening begins or ends in front of a wall:
+            the face's y, the width that openings take from the walls, and what is left of them.
+        """
+        near = [
+            (x0, x1, z0, z1)
+            for x0, x1, z0, z1 in self.openings
+            if any(x0 < right and x1 > left for left, right in walls)
+        ]
+        high = low_m + tall_m
+        edges = [s[0] for s in self.storeys[1:]] + [z for row in near for z in row[2:]]
+        cuts = sorted({z for z in edges if low_m + 1e-9 < z < high - 1e-9})
+        if not cuts:
+            spans = [(low_m, tall_m)]
+        else:
+            spans = [(a, b - a) for a, b in itertools.pairwise((low_m, *cuts, high))]
+        found = []
+        for foot, tall in spans:
+            middle = foot + 0.5 * tall
+            y = next(y0 for z0, z1, y0, _ in self.storeys if z0 <= middle <= z1)
+            holes = [(x0, x1) for x0, x1, z0, z1 in near if z0 < middle < z1]
+            strips = [part for wall in walls for part in _less(wall, holes)]
+            lost = sum(b - a for a, b in walls) - sum(b - a for a, b in strips) if holes else 0.0
+            if strips:
+                found.append((foot, tall, y, lost, strips))
+        return found
+
+
+def _less(interval, holes):
+    """What is left of an interval without holes, as intervals."""
+    left = [interval]
+    for low, high in holes:
+        parts = [part for a, b in left for part in ((a, min(b, low)), (max(a, high), b))]
+        left = [(a, b) for a, b in parts if b - a > 1e-9]
+    return left
+
+
+def is_plain(facade):
+    """Whether a section facade describes a homogeneous box that stands on the ground."""
+    return not (any(facade.get(key) for key in OWN_KEYS) or facade.get("base_height_m"))
+
+
+def refuse(facade, what):
+    """Raise a ValueError of one line if the façade is no plain box on the ground."""
+    if not is_plain(facade):
+        given = [key for key in (*OWN_KEYS, "base_height_m") if facade.get(key)]
+        raise ValueError(
+            f"facade.{given[0]}: {what} knows a plain façade on the ground alone; expected none"
+        )
+
+
+def shape_of(facade):
+    """`Shape` of a section facade of the configuration.
+
+    Raises
+    ------
+    ValueError
+        One line with key, value and what was expected, if parts lie outside each other's
+        bounds, openings overlap, or the weight falls outside the base.
+    """
+    h, b, width = facade["height_m"], facade["thickness_m"], facade["width_m"]
+    density = facade["density_kg_m3"]
+    gable, parapet = facade.get("gable_height_m", 0.0), facade.get("parapet_height_m", 0.0)
+    if gable and parapet:
+        raise ValueError(f"facade.parapet_height_m = {parapet:g}: expected 0 (m) with a gable")
+    storeys = _storeys(facade)
+    openings = _openings(facade)
+    parts = [_box(density, (-0.5 * width, 0.5 * width), s[2:], s[:2]) for s in storeys]
+    for x0, x1, z0, z1 in openings:
+        for s0, s1, y0, y1 in storeys:
+            if min(z1, s1) > max(z0, s0):
+                parts.append(_box(-density, (x0, x1), (y0, y1), (max(z0, s0), min(z1, s1))))
+    if gable:
+        y0, y1 = storeys[-1][2:]
+        t = y1 - y0
+        mass = 0.5 * density * gable * t * width
+        own = np.array([t**2 / 12, width**2 / 24, width**2 / 24])
+        own += np.array([gable**2 / 18, gable**2 / 18, t**2 / 12])
+        centre = np.array([0.0, 0.5 * (y0 + y1), h + gable / 3.0])
+        parts.append((mass, centre, np.diag(mass * own), (width, t, gable)))
+    mass = sum(part[0] for part in parts)
+    first = parts[0][1]
+    centre = first + sum(m * (r - first) for m, r, _, _ in parts) / mass
+    tensor = sum(own + m * _offset(r - centre) for m, r, own, _ in parts)
+    top = h + gable + parapet
+    found = Shape(
+        mass, tuple(map(float, centre)), tensor, b, h, width, top, storeys, openings, tuple(parts)
+    )
+    if not 0.0 < found.centre_m[1] < b:
+        raise ValueError(
+            f"facade.thickness_steps: the weight falls {found.centre_m[1]:.3g} m from the back of "
+            f"the base; expected between 0 and facade.thickness_m = {b:g} (m)"
+        )
+    if found.base_lost_m > width - 1e-3:
+        raise ValueError("facade.openings: doors take the whole base; expected piers between them")
+    return found
+
+
+def _offset(d):
+    return (d @ d) * np.eye(3) - np.outer(d, d)
+
+
+def _box(density, x, y, z):
+    """Signed mass, centroid, moments and size of a box between bounds."""
+    size = (x[1] - x[0], y[1] - y[0], z[1] - z[0])
+    mass = density * size[2] * size[1] * size[0]
+    centre = np.array([0.5 * (low + high) for low, high in (x, y, z)])
+    return mass, centre, np.diag(box_inertia(mass, size)), size
+
+
+def _storeys(facade):
+    """(z0, z1, y0, y1) of the storeys of thickness, the parapet last."""
+    h, b = facade["height_m"], facade["thickness_m"]
+    steps, last = facade.get("thickness_steps", ()), 0.0
+    for number, row in enumerate(steps, 1):
+        if not last < row["z_m"] < h:
+            raise ValueError(
+                f"facade.thickness_steps[{number}].z_m = {row['z_m']:g}: expected ascending "
+                f"heights above 0 and below facade.height_m = {h:g} (m)"
+            )
+        last = row["z_m"]
+    edges = [0.0, *(row["z_m"] for row in steps), h]
+    thick = [b, *(row["thickness_m"] for row in steps)]
+    if parapet := facade.get("parapet_height_m", 0.0):
+        edges.append(h + parapet)
+        thick.append(facade.get("parapet_thickness_m") or thick[-1])
+    back = [b - t if facade.get("flush_face", FLUSH[0]) == FLUSH[0] else 0.0 for t in thick]
+    rows = zip(edges, edges[1:], back, thick, strict=False)
+    return tuple((z0, z1, y, y + t) for z0, z1, y, t in rows)
+
+
+def _openings(facade):
+    """(x0, x1, z0, z1) of the openings, inside the façade and apart from each other."""
+    h, width = facade["height_m"], facade["width_m"]
+    found: list[tuple] = []
+    for number, row in enumerate(facade.get("openings", ()), 1):
+        where = f"facade.openings[{number}]"
+        x, z, wide, tall = (row[key] for key in ("x_m", "z_m", "width_m", "height_m"))
+        if abs(x) + 0.5 * wide > 0.5 * width + 1e-9:
+            raise ValueError(
+                f"{where}.x_m = {x:g}: expected its {wide:g} m within half of facade.width_m on "
+                f"either side of the middle, {0.5 * width:g} (m)"
+            )
+        if z + tall > h + 1e-9:
+            raise ValueError(
+                f"{where}.height_m = {tall:g}: expected a head, z_m + height_m, of at most "
+                f"facade.height_m = {h:g} (m)"
+            )
+        mine = (x - 0.5 * wide, x + 0.5 * wide, z, z + tall)
+        beside = wide
+        for other, (x0, x1, z0, z1) in enumerate(found, 1):
+            if mine[2] < z1 - 1e-9 and mine[3] > z0 + 1e-9:
+                if mine[0] < x1 - 1e-9 and mine[1] > x0 + 1e-9:
+                    raise ValueError(f"{where}: expected it apart from facade.openings[{other}]")
+                beside += x1 - x0
+        if beside > width - 1e-3:
+            raise ValueError(f"{where}.width_m = {wide:g}: expected masonry beside the openings")
+        found.append(mine)
+    return tuple(found)
