@@ -9,7 +9,9 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+from rocking.curves.ida import curve_key
 from rocking.records import Record, load, read_table, write_csv
+from rocking.study import Study
 
 from smdof.chain import floor_motions
 from yade_scripts.model.motion import Motion
@@ -49,11 +51,13 @@ def curve(path, model, name, direction, safe, collapse):
     return str(path)
 
 
-def collapse_tables(folder, curves, ending=""):
-    """Tables of collapse intensities and probability of curves without a dense scan."""
+def collapse_tables(folder, curves, ending="", scans=()):
+    """Tables of collapse intensities and probability; without scans, of YADE's runs alone."""
     names = {k: str(folder / f"{k}{ending}.csv") for k in ("collapse", "probability")}
-    lists = {"ida": curves, "ensemble": [], "scans": []}
-    script("table_ida_collapse", folder, input=lists, output=names, params={"spread": 0.01})
+    lists = {"ida": curves, "ensemble": [], "scans": scans}
+    keys = [list(curve_key(pd.read_csv(path))) for path in scans or curves]
+    params = {"spread": 0.01, "curves": keys}
+    script("table_ida_collapse", folder, input=lists, output=names, params=params)
     return names
 
 
@@ -123,6 +127,37 @@ def test_a_curve_without_collapse_counts(fragility):
     assert (row["n"], row["n_censored"], row["n_records"]) == (6, 1, 5)
     assert row["median"] > before["median"]
     assert row["dispersion"] > before["dispersion"]
+
+
+def test_what_yade_does_not_confirm_rests_on_the_scan_alone(tmp_path):
+    """Two scanned curves that fall at 0.31 g; YADE, which runs the second, falls at 0.28 g."""
+    scans = [
+        curve(tmp_path / f"scan_{name}.csv", "W1", name, "pos", 0.29, 0.31) for name in ("A", "B")
+    ]
+    own = curve(tmp_path / "ida_B.csv", "W1", "B", "pos", 0.27, 0.28)
+    found = collapse_tables(tmp_path, [own], scans=scans)
+    table = pd.read_csv(found["collapse"]).set_index("record")
+    assert table["pga_collapse_g"].to_dict() == {"A": 0.31, "B": 0.28}
+    assert table["runs_yade"].to_dict() == {"A": 0, "B": 2}
+    assert (table["runs_planar"] == 2).all()
+    assert table.loc["A", "pga_p10_g"] == table.loc["B", "pga_p10_g"]
+
+
+def test_yade_confirms_the_records_that_the_configuration_says():
+    config = {
+        "models": ["W1", "W3"],
+        "records": ["BUCAR0", "RRS228", "HVSC1"],
+        "directions": ["neg"],
+        "ida": {"confirm_every": 2},
+    }
+    study = Study(config, ROOT)
+    names = [f"{m}/{r}_neg.csv" for m in config["models"] for r in config["records"]]
+    assert [path.split("/", 2)[2] for path in study.scans("main")] == [
+        f"screening/{name}" for name in names if "W3" not in name
+    ]
+    assert study.ida_tables("main") == [  # bricks have no scan to rest on
+        f"results/main/ida/{name}" for name in names if name != "W1/RRS228_neg.csv"
+    ]
 
 
 def test_committed_suite_is_the_one_its_rule_makes(tmp_path):
@@ -203,7 +238,7 @@ def test_capacity_ratio_is_in_ground_acceleration(tmp_path):
             "records": [str(tmp_path / "R.json")],
         },
         output={k: str(tmp_path / v) for k, v in out.items()},
-        params={"spread": 0.01},
+        params={"spread": 0.01, "w1": w1, "w2": w2},
     )
     table = pd.read_csv(tmp_path / "t.csv").set_index("direction")
     assert table.loc["pos", "ratio"] == pytest.approx(0.5)

@@ -146,9 +146,9 @@ use rule ida as reduction_ida with:
 
 rule figure_capacity_reduction:
     input:
-        w1=FRAGILITY.reduction_reference,
+        w1=lambda w: FRAGILITY.confirmed(w, FRAGILITY.reduction_reference(w)),
         w1_scans=FRAGILITY.reference_scans,
-        w2=FRAGILITY.reduction_curves,
+        w2=lambda w: FRAGILITY.confirmed(w, FRAGILITY.reduction_curves(w)),
         w2_scans=FRAGILITY.reduction_scans,
         facts=FRAGILITY.reduction_facts,
         records=STUDY.record_facts,
@@ -165,7 +165,8 @@ rule figure_capacity_reduction:
     log:
         "results/{run}/logs/figure_capacity_reduction.log",
     params:
-        n_dof=lambda w: STUDY.cfg(w)["smdof"]["n_dof"],
+        w1=FRAGILITY.reduction_reference,
+        w2=FRAGILITY.reduction_curves,
         spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
         facade=lambda w: STUDY.cfg(w)["facade"],
         smdof=lambda w: STUDY.cfg(w)["smdof"],

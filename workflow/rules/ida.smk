@@ -36,6 +36,7 @@ rule ida_collapse:
     log:
         "results/{run}/logs/ida_collapse.log",
     params:
+        curves=lambda w: STUDY.curves(w.run),
         spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
     script:
         "../scripts/table_ida_collapse.py"

@@ -119,12 +119,11 @@ def main(job):
             beside = axis.inset_axes(BESIDE, sharey=axis)
             for path in pushovers:
                 draw_pushover(axis, path, facade["height_m"], facade["thickness_m"])
-            for key, curve in curves.items():
-                if key[1:] != (record, direction):
-                    continue
+            for key in (key for key in rows if key[1:] == (record, direction)):
                 if key in scans:
                     draw_scan(axis, scans[key])
-                draw_curve(axis, curve, top, joined=key not in scans)
+                if key in curves:
+                    draw_curve(axis, curves[key], top, joined=key not in scans)
                 draw_probability(beside, tables.get(key, blank), rows[key])
             sign = {"pos": "+", "neg": "−"}[direction]
             axis.set_title(f"{style.provenance(facts[record])}, direction {sign}", loc="left")

@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.curves import collapse
-from rocking.curves.ida import read_curve
+from rocking.curves.ida import curve_key, read_curve
 from rocking.figures import style
 from rocking.runtime.script import run
 
@@ -39,21 +39,19 @@ def main(job):
         source[facts["name"]] = facts["source"]
     reference = {}
     spread = job.params.spread
-    for path, scan in zip(job.input.w1, job.input.w1_scans, strict=True):
-        curve = read_curve(path)
-        key = curve["record"][0], curve["direction"][0]
-        reference[key] = capacity(curve, pd.read_csv(scan), spread)
+    confirmed = {path: read_curve(path) for path in (*job.input.w1, *job.input.w2)}
+    for path, at in zip(job.params.w1, job.input.w1_scans, strict=True):
+        key = curve_key(scan := pd.read_csv(at))
+        reference[key[1:]] = capacity(confirmed.get(path, ()), scan, spread)
     cases = {str(Path(path).parent): json.loads(Path(path).read_text()) for path in job.input.facts}
     peaks = {path: json.loads(Path(path).read_text()) for path in job.input.facts}
     rows = []
-    for path, scan in zip(job.input.w2, job.input.w2_scans, strict=True):
-        curve = read_curve(path)
-        record, direction = curve["record"][0], curve["direction"][0]
+    for path, at in zip(job.params.w2, job.input.w2_scans, strict=True):
+        _, record, direction = curve_key(scan := pd.read_csv(at))
         case = cases[str(Path(path).parent)]
         peak = peaks[str(Path(path).with_name(f"{record}.json"))]
-        of_base, open2 = capacity(
-            curve, pd.read_csv(scan), spread
-        )  # the analysis scales by the peak at the façade's base
+        # the analysis scales by the peak at the façade's base
+        of_base, open2 = capacity(confirmed.get(path, ()), scan, spread)
         w1, open1 = reference[record, direction]
         if np.isnan(of_base) or np.isnan(w1):
             continue  # every run failed

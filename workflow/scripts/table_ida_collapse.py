@@ -14,12 +14,12 @@ def tables(paths):
 
 def main(job):
     scans, ensembles = tables(job.input.scans), tables(job.input.ensemble)
-    spread = job.params.spread
+    curves = {curve_key(curve): curve for curve in map(read_curve, job.input.ida)}
+    spread, none = job.params.spread, pd.DataFrame()
     rows, parts = [], []
-    for curve in map(read_curve, job.input.ida):
-        key = curve_key(curve)
-        scan, members = scans.get(key), ensembles.get(key, pd.DataFrame())
-        named = dict(zip(("model", "record", "direction"), key, strict=True))
+    for key in map(tuple, job.params.curves):
+        scan, curve, members = scans.get(key), curves.get(key, none), ensembles.get(key, none)
+        named = dict(zip(collapse.KEY, key, strict=True))
         row = named | collapse.summary(scan, curve, members, spread)
         table = collapse.beside(scan, members, spread)
         row["disagreements"] = int((table["agrees"] == 0).sum())

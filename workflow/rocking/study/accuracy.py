@@ -76,9 +76,9 @@ class Accuracy:
         """Dense scans by the independent planar solver, of the models that it can describe."""
         run = wildcards.run
         return [
-            path.replace("/ida/", "/judge/")
-            for path in self.study.ida_tables(run)
-            if Path(path).parent.name in PLANAR
+            f"results/{run}/judge/{model}/{record}_{direction}.csv"
+            for model, record, direction in self.study.curves(run)
+            if model in PLANAR
         ]
 
     def judge_results(self, run) -> list[str]:

@@ -1,5 +1,6 @@
 """Runs of a study, their configurations and records, and the files of the main job."""
 
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -142,14 +143,22 @@ class Study:
 
     # curves
 
-    def ida_tables(self, run) -> list[str]:
-        """IDA tables of a run, by model, record and direction."""
+    def curves(self, run) -> list[tuple[str, str, str]]:
+        """Model, record and direction of every curve of a run."""
         resolved = self.runs[run]
+        return list(product(resolved["models"], self.records[run], resolved["directions"]))
+
+    def confirmed(self, run) -> list[str]:
+        """Records whose dense scans YADE confirms: one of every `ida.confirm_every`, in order."""
+        return self.records[run][:: self.runs[run]["ida"]["confirm_every"]]
+
+    def ida_tables(self, run) -> list[str]:
+        """IDA tables of a run, by model, record and direction: curves that YADE runs."""
+        confirmed = self.confirmed(run)
         return [
             f"results/{run}/ida/{model}/{record}_{direction}.csv"
-            for model in resolved["models"]
-            for record in self.records[run]
-            for direction in resolved["directions"]
+            for model, record, direction in self.curves(run)
+            if record in confirmed or not self.scanned(run, model)
         ]
 
     def known_runs(self, job):
@@ -173,17 +182,17 @@ class Study:
     def scans(self, run) -> list[str]:
         """Dense scans of a run's curves."""
         return [
-            path.replace("/ida/", "/screening/")
-            for path in self.ida_tables(run)
-            if self.scanned(run, Path(path).parent.name)
+            f"results/{run}/screening/{model}/{record}_{direction}.csv"
+            for model, record, direction in self.curves(run)
+            if self.scanned(run, model)
         ]
 
     def tied_curves(self, run, ending) -> list[str]:
         """Files of the search for the least tie, of the models that a tie can be added to."""
         return [
-            path.replace("/ida/", "/strengthening/").replace(".csv", ending)
-            for path in self.ida_tables(run)
-            if MODELS[Path(path).parent.name].twin
+            f"results/{run}/strengthening/{model}/{record}_{direction}{ending}"
+            for model, record, direction in self.curves(run)
+            if MODELS[model].twin
         ]
 
     def ensemble_tables(self, run) -> list[str]:

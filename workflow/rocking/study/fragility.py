@@ -44,6 +44,11 @@ class Fragility:
             for direction in directions
         ]
 
+    def confirmed(self, wildcards, curves) -> list[str]:
+        """Those of some curves that YADE runs."""
+        records = self.study.confirmed(wildcards.run)
+        return [path for path in curves if Path(path).stem.rpartition("_")[0] in records]
+
     def reduction_scans(self, wildcards) -> list[str]:
         """Dense scans behind the W2 curves, in their order."""
         paths = map(Path, self.reduction_curves(wildcards))
