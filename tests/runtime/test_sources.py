@@ -1,11 +1,13 @@
 """Dependencies read from imports: they are what Python really loads, and every rule has them."""
 
+import os
 import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from rocking.runtime import stamps
 
 from yade_scripts import sources
 
@@ -80,8 +82,8 @@ def test_a_reader_does_not_touch_the_runs_in_yade():
     assert "adapter.py" not in {p.name for p in sources.sources(SCRIPTS / "table_records.py")}
 
 
-def test_a_change_of_any_imported_module_changes_the_digest(tmp_path, monkeypatch):
-    """Journals are keyed by it."""
+def package_of_four(tmp_path, monkeypatch):
+    """A package in which a imports b, b imports c, and nobody d."""
     package = tmp_path / "yade_scripts"
     package.mkdir()
     for name, text in {
@@ -94,12 +96,48 @@ def test_a_change_of_any_imported_module_changes_the_digest(tmp_path, monkeypatc
         (package / f"{name}.py").write_text(text)
     monkeypatch.setattr(sources, "ROOT", tmp_path)
     monkeypatch.setitem(sources.PACKAGES, "yade_scripts", package)
+    return package
+
+
+def as_at_a_start():
+    for function in (sources.sources, sources.imports, stamps.stamp):
+        function.cache_clear()
+
+
+def test_a_change_of_any_imported_module_changes_the_digest(tmp_path, monkeypatch):
+    """Journals are keyed by it."""
+    package = package_of_four(tmp_path, monkeypatch)
     before = sources.digest(package / "a.py")
     for name, differs in (("c", True), ("d", False)):
         (package / f"{name}.py").write_text("X = 2\n")
-        sources.sources.cache_clear()
-        sources.imports.cache_clear()
+        as_at_a_start()
         assert (sources.digest(package / "a.py") != before) is differs
         (package / f"{name}.py").write_text("X = 1\n" if name == "c" else "")
-    sources.sources.cache_clear()
-    sources.imports.cache_clear()
+    as_at_a_start()
+
+
+def test_a_stamp_is_as_old_as_the_code_and_new_when_it_changes(tmp_path, monkeypatch):
+    """Its date decides what Snakemake runs again: not for a touched file or a stamp deleted."""
+    package = package_of_four(tmp_path, monkeypatch)
+    for path in package.iterdir():
+        os.utime(path, (1e9, 1e9))
+    os.utime(package / "c.py", (1.1e9, 1.1e9))
+
+    def made():
+        as_at_a_start()
+        path = stamps.stamp(package / "a.py", tmp_path / "stamps")
+        assert [file.name for file in stamps.files([path])] == [
+            *("__init__.py", "a.py", "b.py", "c.py")
+        ]
+        return path.stat().st_mtime
+
+    assert made() == 1.1e9
+    os.utime(package / "b.py", (1.2e9, 1.2e9))
+    (package / "d.py").write_text("X = 2\n")
+    assert made() == 1.1e9
+    (package / "c.py").write_text("X = 2\n")
+    os.utime(package / "c.py", (1.1e9, 1.1e9))
+    assert made() > 1.2e9
+    (tmp_path / "stamps" / "yade_scripts-a").unlink()
+    assert made() == 1.2e9
+    as_at_a_start()

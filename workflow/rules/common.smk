@@ -20,10 +20,9 @@ from rocking.curves.pushover import VARIANTS
 from rocking.records import RecordError
 from rocking.records.check import check_study
 from rocking.runtime import file_times, first_page, progress, results_folder
-from rocking.runtime import run_lock, terminal, warm
+from rocking.runtime import run_lock, stamps, terminal, warm
 from rocking.study.calibration import CASES, HISTORIES
 from rocking.study.chosen import chosen
-from yade_scripts import sources
 from yade_scripts.engine import lifeline
 from yade_scripts.model.registry import MODELS, PUSHED, WITH_WALLS
 
@@ -82,20 +81,16 @@ RISK = study.Risk(STUDY)
 SURROGATES = study.Surrogates(STUDY)
 
 
-def files_of(path):
-    """A script and all it imports, as inputs of a rule."""
-    return [str(file) for file in sources.sources(path)]
-
-
 def code(script):
-    """Input function: a script of `workflow/scripts` and all it imports."""
+    """Input function: a script of `workflow/scripts` and all it imports, as one stamp."""
     folder = BASE / "workflow" / "scripts"
-    return lambda w: files_of(folder / f"{script.format(**dict(w))}.py")
+    return lambda w: str(stamps.stamp(folder / f"{script.format(**dict(w))}.py"))
 
 
 def study_code(name):
-    """Input function: a study inside YADE and all it imports."""
-    return lambda w: files_of(BASE / "yade_scripts" / "studies" / f"{name}.py")
+    """Input function: a study inside YADE and all it imports, as one stamp."""
+    path = BASE / "yade_scripts" / "studies" / f"{name}.py"
+    return lambda w: str(stamps.stamp(path))
 
 
 def plan_option(wildcards, input):

@@ -18,6 +18,7 @@ from multiprocessing import forkserver
 from multiprocessing.connection import wait
 from pathlib import Path
 
+from rocking.runtime import stamps
 from yade_scripts import sources
 
 FEWEST = 3  # scripts; below, starting the server costs more than it saves
@@ -115,6 +116,12 @@ class Server:
             raise subprocess.CalledProcessError(process.exitcode, [sys.executable, str(path)])
 
 
+def _modules(job):
+    """Input `modules` of a job as a list: one stamp, files, or nothing."""
+    named = job.input.get("modules", [])
+    return [named] if isinstance(named, str) else named
+
+
 @contextlib.contextmanager
 def _environment(values):
     """Environment variables for a while."""
@@ -147,15 +154,16 @@ def serve(workflow):
     due = [job for job in workflow.dag.needrun_jobs() if job.rule.script]
     if len(due) < FEWEST:
         return
-    files = {path for job in due for path in job.input.get("modules", ())}
+    modules = {path for job in due for path in _modules(job)}
     try:
-        server, cold = Server(sources.names(files)), PythonScript.execute_script
+        server = Server(sources.names(stamps.files(modules)))
+        cold = PythonScript.execute_script
     except OSError:
         return
 
     def execute_script(self, fname, edit=False):
         plain = not (self.container_img or self.conda_env or self.env_modules)
-        current = is_current(self.input.get("modules", ()), server.began_s)
+        current = is_current(stamps.files(_modules(self)), server.began_s)
         if not (plain and current and self.threads == 1):
             return cold(self, fname, edit)
 

@@ -1,0 +1,63 @@
+"""One file that stands for a script and all it imports, as the input of a rule.
+
+Forty files a job were most of what Snakemake spent on planning a study of thousands of jobs.
+"""
+
+import os
+from functools import cache
+from pathlib import Path
+
+from yade_scripts import sources
+
+FOLDER = Path(".snakemake") / "modules"
+
+
+@cache
+def stamp(script, folder=FOLDER):
+    """Return the stamp of a script, written anew if what it stands for has changed.
+
+    It is dated like the newest of the files when it is first made, so that it can be deleted
+    without harm, and to the present when their content differs from what it says.
+
+    Parameters
+    ----------
+    script : Path
+    folder : Path
+        Where stamps are kept; made if missing.
+
+    Returns
+    -------
+    Path
+        Its lines are the digest of the content, then the files.
+    """
+    files, content = sources.sources(script), sources.digest(script)
+    text = "\n".join([content, *map(str, files)]) + "\n"
+    target = Path(folder) / f"{script.parent.name}-{script.stem}"
+    before = target.read_text("utf-8") if target.is_file() else ""
+    if before == text:
+        return target
+    target.parent.mkdir(parents=True, exist_ok=True)
+    new = target.with_name(f".{target.name}.{os.getpid()}")
+    new.write_text(text, "utf-8")
+    if not before:
+        dated_s = max(file.stat().st_mtime for file in files)
+        os.utime(new, (dated_s, dated_s))
+    elif before.startswith(content):  # the same files in another place
+        os.utime(new, (dated_s := target.stat().st_mtime, dated_s))
+    os.replace(new, target)
+    return target
+
+
+def files(modules):
+    """Return the files behind the input `modules` of a job: those of stamps, or as they are.
+
+    Parameters
+    ----------
+    modules : iterable of path
+    """
+    paths = map(Path, modules)
+    return [
+        file
+        for path in paths
+        for file in ([path] if path.suffix else map(Path, path.read_text("utf-8").splitlines()[1:]))
+    ]
