@@ -18,6 +18,7 @@ FORCES = {
     "walls_y_n": ("return walls, outward", "#D55E00"),
     "walls_z_n": ("return walls, upward", "#E69F00"),
     "ties_y_n": ("ties, outward", "#009E73"),
+    "floors_y_n": ("floors, outward", "#CC79A7"),
 }
 ENERGIES = {
     "input_j": ("input", "black"),

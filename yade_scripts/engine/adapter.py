@@ -9,7 +9,7 @@ Nodes that never break are pairs of spheres (`welds`).
 import math
 from dataclasses import dataclass
 
-from yade_scripts.engine import links, loop, ties, welds
+from yade_scripts.engine import floors, links, loop, ties, welds
 from yade_scripts.engine.bonds import Bonds
 from yade_scripts.engine.faces import NODE_BITS, RELEASE_CHECK_S, FaceError, Faces, Releases
 from yade_scripts.engine.guide import GUIDE_INTERVAL_S, Guide
@@ -46,6 +46,8 @@ class Built:
         As built.
     ties : list of (int, int)
         YADE ids of the ends of each tie.
+    floors : list of (int, int or None)
+        YADE ids of each floor's spheres on the façade and on its carrier.
     """
 
     omega: object
@@ -58,6 +60,7 @@ class Built:
     linked: dict | None = None
     links: list | None = None
     ties: tuple | list = ()
+    floors: tuple | list = ()
 
 
 def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
@@ -99,17 +102,20 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     unturned: dict[int, object] = {}
     linked = links.place(w, utils, omega, scene)
     pairs, tied = ties.place(w, utils, omega, scene)
+    resting, held = floors.place(w, utils, omega, scene)
     welded = welds.Welds(w, utils, omega, scene)
     heaviest = max([b.mass_kg for b in scene.blocks if b.free] or [1.0])
     for index, block in enumerate(scene.blocks):
         keys = faces.of_block(index)
         if not block.free:
             ids = parts.faces_of(keys)
+            if block.motion is not None:
+                ids += linked.get(index, [])
             if not ids:
                 ids = [omega.bodies.append(utils.box((0, 0, 0), (1, 1, 1), mask=0))]
             if len(ids) > 1 and block.motion is not None:
                 ids = [parts.joined(block, ids)]
-            ids += tied.get(index, [])
+            ids += tied.get(index, []) + held.get(index, [])
             for i in ids:
                 state = omega.bodies[i].state
                 state.mass = SUPPORT_MASS_RATIO * heaviest
@@ -120,11 +126,14 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
             body.append(ids[0])
             continue
         members = parts.members(index, keys)
-        members += linked.get(index, []) + tied.get(index, []) + welded.members.get(index, [])
+        for added in (linked, tied, held, welded.members):
+            members += added.get(index, [])
         clump, unturned[index] = parts.clump(block, members, full_rotation)
         body.append(clump)
 
-    shape, physics, law = ties.functors(w, scene)
+    shape, physics, law = (
+        [*a, *b] for a, b in zip(ties.functors(w, scene), floors.functors(w, scene), strict=True)
+    )
     collider = w.InsertionSortCollider([w.Bo1_Sphere_Aabb(), w.Bo1_Box_Aabb()], verletDist=0.05)
     if faces.box_bit:  # nodes of neighbouring blocks must not touch each other
         collider.avoidSelfInteractionMask = NODE_BITS
@@ -157,13 +166,21 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
         engines += links.shake(w, scene, motions[scene.shaking], body, omega)
     weighing, gravity = _weight(w, scene, body)
     newton = w.NewtonIntegrator(damping=0.0, gravity=gravity, exactAsphericalRot=full_rotation)
-    engines += [*weighing, newton]
+    engines += [*weighing, *floors.loads(w, scene, resting), newton]
     _place_members(w, omega)
     omega.engines, omega.dt = engines, dt_s
     ties.join(utils, omega, scene, pairs)
+    floors.join(utils, scene, resting)
     welded.join()
     built = Built(
-        omega, body, parts.node_body, unturned, linked=linked, links=scene.links, ties=pairs
+        omega,
+        body,
+        parts.node_body,
+        unturned,
+        linked=linked,
+        links=scene.links,
+        ties=pairs,
+        floors=resting,
     )
     _attach(scene, motions, built, parts.bonded, faces)
     return built

@@ -7,7 +7,7 @@ At every whole step, with the mean v of the velocities half a step before and af
     W_in  work of whatever moves a support or guides a block, ∫ −F·v dt, F the contacts' force on
           it; in the frame of the ground also of the inertia forces, ∫ −m a_g v dt
     K     ½ m v² + ½ ωᵀ I ω of the free blocks, of guided ones without the motion imposed on them
-    U     m g Δz of the free blocks
+    U     m g Δz of the free blocks, P Δz of the loads of floors
     E     ½ kn un² + ½ |Fs|²/ks of the contacts, for bonds and links without their preloads, which
           cancel
     D_c   dashpots, ∫ (Fn − kn un) vn + cs |vs|² dt, the second where the contact does not slip
@@ -23,7 +23,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from yade_scripts.engine import adapter, loop
+from yade_scripts.engine import adapter, floors, loop
 from yade_scripts.engine.bonds import FACE_OFFSET_M, PRELOAD_M
 from yade_scripts.engine.links import REACH_M
 
@@ -100,6 +100,8 @@ class EnergyBalance:
         self.preload = {body: PRELOAD_DEPTH_M for trio in spheres for body in trio[:2]}
         self.bond_of = {body: number for number, trio in enumerate(spheres) for body in trio}
         self.ties = set(built.ties)
+        self.floors = {pair for pair in built.floors if pair[1] is not None}
+        self.raised = floors.Raised(self.scene, built)
         for bodies in built.linked.values():
             self.preload.update(dict.fromkeys(bodies, REACH_M))
 
@@ -158,6 +160,8 @@ class EnergyBalance:
             key = contact.id1, contact.id2
             if key in self.ties:  # its spheres overlap whatever it does
                 law = held / p.kn, p.kn, 1.0, 0.0, 0.0, 0.0, p.plastD
+            elif key in self.floors:
+                law = 0.0, p.kn, p.ks, 0.0, 0.0, 0.0, 0.0
             else:
                 preload = self.preload.get(contact.id1, self.preload.get(contact.id2, 0.0))
                 friction = p.tangensOfFrictionAngle
@@ -192,6 +196,7 @@ class EnergyBalance:
         """Forces and contacts at the step, and the velocities half a step before it."""
         self.speed, self.now = self._speeds(), self.contacts()
         self.place = np.array([[float(v) for v in s.pos] for s in self.states])
+        self.lifted = self.raised()
 
     def _after(self):
         """Add up the works of the step; keep a row at every sample."""
@@ -273,7 +278,7 @@ class EnergyBalance:
         """Keep the energies of the present step."""
         c = self.now
         kinetic = 0.5 * (self.mass * mean[:, :3] ** 2 + self.inertia * mean[:, 3:] ** 2).sum()
-        potential = self.weight @ (self.place[:, 2] - self.height)
+        potential = self.weight @ (self.place[:, 2] - self.height) + self.lifted
         stored = np.array([kinetic, potential, c.elastic.sum()])
         if self.start is None:
             self.start = stored

@@ -23,7 +23,7 @@ dissipate meanwhile, which is why the step is compared with the critical one bef
 import math
 from typing import Any
 
-from yade_scripts.engine import loop
+from yade_scripts.engine import floors, loop
 from yade_scripts.engine.links import built_stiffness
 
 DRIVE = "InterpolatingDirectedForceEngine"  # moves the supports
@@ -65,13 +65,16 @@ class EnergyLedger:
             names, drives = [], []
         else:
             self.ground = curves.get(reference.motion, lambda t: 0.0)
-        linked = {i for link in scene.links for i in (link.a, link.b) if scene.blocks[i].free}
+        # driven, a floor of its own mass is one more free block, whose springs only store
+        links = scene.links if scene.shaking else ()
+        linked = {i for link in links for i in (link.a, link.b) if scene.blocks[i].free}
         for name, drive in zip(names, drives, strict=True):
             # with one motion no support moves relative to the base, and nothing works
             if len(names) > 1 and name != reference.motion:
                 states = [(i, omega.bodies[i].state) for i in drive.ids]
                 self.walls += [(i, state, state.mass, curves[name]) for i, state in states]
         self.free, self.guided = [], []
+        self.raised = floors.Raised(scene, built)
         for index, block in enumerate(scene.blocks):
             if block.free:
                 body = built.body[index]
@@ -94,7 +97,8 @@ class EnergyLedger:
     def __call__(self):
         """Take a sample; indices, since unpacking YADE's vectors is many times slower."""
         t, ground = self.omega.time - self.omega.dt, self.base.vel[1]  # of the forces
-        energy = power = 0.0
+        power = 0.0
+        energy = self.raised()
         pull = self.ground(t)
         for state, mass, inertia, weight, height in self.free:
             y = state.vel[1] - ground
@@ -126,9 +130,10 @@ class EnergyLedger:
         self.excess = max(self.excess, excess) if math.isfinite(excess) else math.inf
 
     def height_j(self):
-        """Weight times height of the free blocks above their reference position [J]."""
+        """Weight times height of free blocks and loads above their reference position [J]."""
         blocks = (*self.free, *(entry[1:] for entry in self.guided))
-        return sum(weight * (state.pos[2] - height) for state, _, _, weight, height in blocks)
+        own = sum(weight * (state.pos[2] - height) for state, _, _, weight, height in blocks)
+        return own + self.raised()
 
     def _pushes(self, pull):
         """Force of everything but links and inertia on each mass [N], and its speed [m/s]."""

@@ -32,7 +32,7 @@ def place(w, utils, omega, scene):
     Returns
     -------
     members : dict of int to list of int
-        YADE ids by block, for the clumps of the free ones.
+        YADE ids by block, for the clumps of the free and the driven ones.
     """
     rigid = w.ViscElMat(density=1e-30, kn=1e30, ks=1e30, cn=1e30, cs=1e30, frictionAngle=0.0)
     if scene.links:
@@ -40,8 +40,9 @@ def place(w, utils, omega, scene):
     members: dict[int, list] = {}
     for number, link in enumerate(scene.links, 1):
         for block in (scene.blocks[link.a], scene.blocks[link.b]):
-            if block.motion is not None or set(block.free) & set(DOFS[3:]):
-                raise LinkError(f"link '{link.name}': block '{block.name}' is driven or can turn")
+            guided = block.free and block.motion is not None
+            if guided or set(block.free) & set(DOFS[3:]):
+                raise LinkError(f"link '{link.name}': block '{block.name}' is guided or can turn")
         half = w.ViscElMat(
             density=1e-30,
             kn=0.5 * built_stiffness(link),

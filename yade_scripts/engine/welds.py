@@ -57,8 +57,10 @@ class Welds:
         missing = [name for name in NEEDED if not hasattr(w, name)]
         if missing:
             raise WeldError(f"this YADE lacks the class(es) {', '.join(missing)}")
-        if scene.links or scene.ties:
-            raise WeldError("welded nodes share a mask bit with links and a shape with ties")
+        if scene.links or scene.ties or scene.floors:
+            raise WeldError(
+                "welded nodes share a mask bit with links, a shape with ties and floors"
+            )
         self.material = w.CohFrictMat(
             density=1e-30,
             young=1.0,

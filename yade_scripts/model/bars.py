@@ -1,4 +1,4 @@
-"""What joins two blocks of a scene apart from contact nodes: links and ties, as plain data."""
+"""What joins two blocks of a scene apart from contact nodes, as plain data: links, ties, floors."""
 
 import math
 from dataclasses import dataclass
@@ -109,3 +109,46 @@ class Tie:
         """Unit vector from its end on b to that on a, in the reference position."""
         offset = np.subtract(self.end_a_m, self.end_b_m)
         return tuple(float(v) for v in offset / self.length_m)
+
+
+@dataclass(frozen=True)
+class Floor:
+    """A floor or roof on a point of block `a`: its weight, and friction against its carrier `b`.
+
+    The load is a vertical force on the point, wherever it goes. With u the horizontal displacement
+    of the point past the carrier, and p the part of it that has slipped, the carrier holds it with
+    −k·(u − p), at most the capacity, past which p grows; the force may point either way.
+
+    Parameters
+    ----------
+    name : str
+    a, b : int
+        Indices of the blocks; the carrier does not turn.
+    position_m : tuple of 3 floats
+        The point, in the reference position.
+    load_n, stiffness_n_m, capacity_n : float
+        Load, k and capacity; k positive, the others not negative.
+
+    Raises
+    ------
+    ValueError
+        One line, if a value is not as said or the floor joins a block to itself.
+    """
+
+    name: str
+    a: int
+    b: int
+    position_m: tuple
+    load_n: float
+    stiffness_n_m: float
+    capacity_n: float
+
+    def __post_init__(self):
+        """Check the values."""
+        for label in ("load_n", "stiffness_n_m", "capacity_n"):
+            value, least = getattr(self, label), "positive" if label[0] == "s" else "at least 0"
+            good = value > 0.0 if label[0] == "s" else value >= 0.0
+            if not (np.isfinite(value) and good):
+                raise ValueError(f"floor '{self.name}': {label} must be {least}, got {value}")
+        if self.a == self.b:
+            raise ValueError(f"floor '{self.name}' joins a block to itself")

@@ -25,7 +25,7 @@ import numpy as np
 from yade_scripts.model import registry
 from yade_scripts.model.chain import chain_links, chain_matrices
 from yade_scripts.model.floor_motions import GROUND
-from yade_scripts.model.gravity import GRAVITY_M_S2
+from yade_scripts.model.floors import facade_floors, loaded
 from yade_scripts.model.panels import Hanging, building_mass
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene
@@ -80,8 +80,8 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     Raises
     ------
     ValueError
-        For an unknown model, a release that is not within 0 ≤ θ₀/α < 1, or ties that meet no
-        return wall.
+        For an unknown model, a release that is not within 0 ≤ θ₀/α < 1, or ties and floors that
+        meet no return wall.
     """
     kind = registry.model(model)
     if not kind.single_block:
@@ -126,10 +126,11 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     angle = release_ratio * math.atan2(*shape.lever_m)
     walls_stand = kind.walls != "none" and facade.get("sides") != "two"
     kn = weights * b * (width - shape.base_lost_m) * jkn_base
+    weight, lever = loaded(facade.get("floors", ()), shape)
     if not release_ratio:
-        angle = _lean(shape, kn, points, walls_stand)
+        angle = _lean(weight, lever, kn, points, b, walls_stand)
     lift = (1.0 - points) * b * math.sin(angle)
-    settlement = _settlement(shape.mass_kg * GRAVITY_M_S2, kn, lift)
+    settlement = _settlement(weight, kn, lift)
     displacement, rotation = _initial_pose(shape.lever_m, tilt + angle, settlement)
     blocks.append(
         Block(
@@ -150,6 +151,9 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
             config, kind, beta_s, blocks, nodes, jkn_back, planar, motions, shape
         )
     walls = [i for i, block in enumerate(blocks) if block.name.startswith(WALL)]
+    floors, springs = facade_floors(
+        facade.get("floors", ()), 1, walls, blocks, shape, config["smdof"]["damping_ratio"]
+    )
     return Scene(
         blocks,
         nodes.joints,
@@ -158,8 +162,9 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
         monitor_point_m=(0.0, 0.5 * sum(shape.storeys[-1][2:]), shape.top_m),
         reference=BASE,
         thickness_m=shape.overturning_m if not is_plain(facade) else b,
-        links=links,
+        links=[*links, *springs],
         ties=facade_ties(facade.get("ties", ()), 1, walls, blocks),
+        floors=floors,
         shaking=GROUND if kind.massive else None,
         notes={"motions": motions} if motions else {},
     )
@@ -248,14 +253,14 @@ def _settlement(weight_n, kn_n_m, lift_m):
     raise AssertionError("unreachable: the last node closes the loop")
 
 
-def _lean(shape, kn_n_m, points, walls_stand):
+def _lean(weight, lever, kn_n_m, points, b, walls_stand):
     """Outward rotation at which a façade of eccentric weight rests on its base [rad].
 
     About the toe Σ F_i a_i cos φ = W (b_g cos φ − z_g sin φ), with a_i the nodes' places inward
-    from it. Return walls hold what leans on them; ValueError where nothing holds it.
+    from it and (b_g, z_g) the lever of its weight and loads. Return walls hold what leans on them;
+    ValueError where nothing holds it.
     """
-    b, weight = shape.thickness_m, shape.mass_kg * GRAVITY_M_S2
-    (arm, height), place = shape.lever_m, (1.0 - points) * shape.thickness_m
+    (arm, height), place = lever, (1.0 - points) * b
 
     def excess(angle):
         lift = place * math.sin(angle)
@@ -270,8 +275,8 @@ def _lean(shape, kn_n_m, points, walls_stand):
     balanced = [i for i, angle in enumerate(steps) if side * excess(angle) <= 0.0]
     if not balanced:
         raise ValueError(
-            f"facade.thickness_steps: the weight stands {arm:.3g} m from the front of the base and "
-            "the façade does not stand on it; expected it nearer the middle"
+            f"facade: weight and loads stand {arm:.3g} m from the front of the base and the façade "
+            "does not stand on it; expected them nearer the middle"
         )
     low, high = steps[balanced[0] - 1], steps[balanced[0]]
     for _ in range(60):

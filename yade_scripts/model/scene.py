@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from yade_scripts.model.bars import Link, Tie
+from yade_scripts.model.bars import Floor, Link, Tie
 from yade_scripts.model.gravity import GRAVITY_M_S2
 
 WELD_N = 1e15  # strength from which a bonded node is meant never to break
@@ -164,6 +164,7 @@ class Scene:
         b of d/b.
     links : list of Link
     ties : list of Tie
+    floors : list of Floor
     shaking : str or None
         Name of the ground motion in whose frame the scene is described: supports without
         motion of their own stand still and every free block feels −m·a_g along y. None:
@@ -180,6 +181,7 @@ class Scene:
     gravity_m_s2: float = GRAVITY_M_S2
     links: list = field(default_factory=list)
     ties: list = field(default_factory=list)
+    floors: list = field(default_factory=list)
     shaking: str | None = None
     notes: dict = field(default_factory=dict)
 
@@ -298,20 +300,17 @@ class NodeList:
 def from_dict(data):
     """Return the scene that `to_json` wrote, from its parsed text."""
     nodes = Nodes(**{k: np.array(v) for k, v in data["nodes"].items()})
-    parts: list[list[dict[str, Any]]] = [
-        [{k: tuple(v) if isinstance(v, list) else v for k, v in part.items()} for part in data[key]]
-        for key in ("blocks", "links", "ties")
-    ]
-    blocks, links, ties = parts
-    rest = {k: v for k, v in data.items() if k not in ("nodes", "blocks", "links", "ties")}
+    kinds: dict[str, Any] = {"blocks": Block, "links": Link, "ties": Tie, "floors": Floor}
+    parts: dict[str, Any] = {
+        key: [
+            kind(**{k: tuple(v) if isinstance(v, list) else v for k, v in part.items()})
+            for part in data[key]
+        ]
+        for key, kind in kinds.items()
+    }
+    rest = {k: v for k, v in data.items() if k not in ("nodes", *kinds)}
     rest["monitor_point_m"] = tuple(rest["monitor_point_m"])
-    return Scene(
-        blocks=[Block(**part) for part in blocks],
-        nodes=nodes,
-        links=[Link(**part) for part in links],
-        ties=[Tie(**part) for part in ties],
-        **rest,
-    )
+    return Scene(nodes=nodes, **parts, **rest)
 
 
 def to_json(scene):

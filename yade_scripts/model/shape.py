@@ -86,6 +86,10 @@ class Shape:
         """Width of the base that its doors take."""
         return float(sum(x1 - x0 for x0, x1, z0, _ in self.openings if z0 <= 0.0))
 
+    def faces_at(self, height_m):
+        """Places of back and front face (y0, y1) at a height, those below at a step [m]."""
+        return next(s[2:] for s in self.storeys if s[0] <= height_m <= s[1])
+
     def back_parts(self, low_m, tall_m, walls):
         """Contact of the back face with return walls between two heights.
 
@@ -116,7 +120,7 @@ class Shape:
         found = []
         for foot, tall in spans:
             middle = foot + 0.5 * tall
-            y = next(y0 for z0, z1, y0, _ in self.storeys if z0 <= middle <= z1)
+            y, _ = self.faces_at(middle)
             holes = [(x0, x1) for x0, x1, z0, z1 in near if z0 < middle < z1]
             strips = [part for wall in walls for part in _less(wall, holes)]
             lost = sum(b - a for a, b in walls) - sum(b - a for a, b in strips) if holes else 0.0

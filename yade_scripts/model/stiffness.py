@@ -5,7 +5,8 @@ stiffness kn, ks between blocks a and b adds BᵀDB with B the relative velocity
 of the two blocks at the node and D = kn·nnᵀ + ks·(I − nnᵀ), every contact taken
 as closed. Damping is stiffness proportional node by node: C = Σ β BᵀDB. A link of
 stiffness k and dashpot c adds k·BᵀttᵀB and c·BᵀttᵀB with its direction t, a tie k·BᵀttᵀB as if
-it were taut, the drag of a block rate·m to the diagonal of C.
+it were taut, a floor k·BᵀttᵀB along x and y as if it stuck, the drag of a block rate·m to the
+diagonal of C.
 """
 
 from dataclasses import dataclass, replace
@@ -90,6 +91,19 @@ def free_dofs(scene):
     return equation
 
 
+def _bars(scene):
+    """Blocks a and b, place, direction, stiffness and dashpot of links, ties and floors."""
+    rows = [
+        (x.a, x.b, x.position_m, x.direction, x.stiffness_n_m, x.dashpot_ns_m) for x in scene.links
+    ]
+    rows += [(x.a, x.b, x.end_a_m, x.direction, x.stiffness_n_m, 0.0) for x in scene.ties]
+    for x in scene.floors:
+        if x.capacity_n > 0.0:
+            held = (x.a, x.b, x.position_m)
+            rows += [(*held, along, x.stiffness_n_m, 0.0) for along in np.eye(3)[:2].tolist()]
+    return rows
+
+
 def assemble(scene):
     """Assemble K, C and the diagonal M of a scene's free degrees of freedom.
 
@@ -118,17 +132,13 @@ def assemble(scene):
     nodes = scene.nodes
     damping = element * nodes.beta_s[:, None, None]
     a, b = nodes.a, nodes.b
-    bars = [*scene.links, *scene.ties]
+    bars = _bars(scene)
     if bars:
-        bar_a, bar_b = (np.array([getattr(bar, end) for bar in bars]) for end in "ab")
-        place = np.array([x.position_m for x in scene.links] + [x.end_a_m for x in scene.ties])
-        along = np.array([bar.direction for bar in bars])
+        bar_a, bar_b, place, along, k_bar, c_bar = map(np.array, zip(*bars, strict=True))
         row = np.einsum("ni,nij->nj", along, _between(scene, bar_a, bar_b, place))
         pattern = np.einsum("ni,nj->nij", row, row)
-        k = np.array([bar.stiffness_n_m for bar in bars])
-        c = np.array([x.dashpot_ns_m for x in scene.links] + [0.0] * len(scene.ties))
-        element = np.concatenate([element, k[:, None, None] * pattern])
-        damping = np.concatenate([damping, c[:, None, None] * pattern])
+        element = np.concatenate([element, k_bar[:, None, None] * pattern])
+        damping = np.concatenate([damping, c_bar[:, None, None] * pattern])
         a, b = np.concatenate([a, bar_a]), np.concatenate([b, bar_b])
     numbers = np.concatenate([equation[a], equation[b]], axis=1)
     rows = np.repeat(numbers[:, :, None], 12, axis=2)
@@ -189,7 +199,7 @@ def critical_step(scene):
     omega2 = np.linalg.eigvalsh(k)[-1]
     betas = np.unique(scene.nodes.beta_s)
     dragged = any(block.drag_1_s for block in scene.blocks)
-    if len(betas) == 1 and not (scene.links or scene.ties or dragged):
+    if len(betas) == 1 and not (_bars(scene) or dragged):
         omega = np.sqrt(omega2)
         zeta = betas[0] * omega / 2.0
         return 2.0 / omega * (np.sqrt(1.0 + zeta**2) - zeta)
@@ -254,7 +264,10 @@ def link_factor(scene, dt_s):
     if not masses:
         return 1.0
     bare = replace(
-        scene, nodes=type(scene.nodes)(*(v[:0] for v in vars(scene.nodes).values())), ties=[]
+        scene,
+        nodes=type(scene.nodes)(*(v[:0] for v in vars(scene.nodes).values())),
+        ties=[],
+        floors=[],
     )
     blocks = [b if i in masses else replace(b, free="") for i, b in enumerate(scene.blocks)]
     matrices = assemble(replace(bare, blocks=blocks))

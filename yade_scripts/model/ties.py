@@ -14,6 +14,7 @@ height, and moves with that; what a rod weighs is left out.
 import math
 
 from yade_scripts.model.bars import Tie
+from yade_scripts.model.floors import wall_behind
 
 
 def rod(row):
@@ -61,23 +62,15 @@ def facade_ties(rows, facade, walls, blocks):
         One line, if a tie lies above the façade or meets no return wall.
     """
     ties = []
-    height = blocks[facade].size_m[2]
     for number, row in enumerate(rows, 1):
         z = row["height_m"]
-        behind = [
-            i for i in walls if abs(z - blocks[i].centre_m[2]) <= 0.5 * blocks[i].size_m[2] + 1e-9
-        ]
-        if not behind or z > height:
-            raise ValueError(
-                f"ties[{number}].height_m = {z:g}: expected a height at which the façade of "
-                f"{height:g} m has a return wall (m)"
-            )
+        behind = wall_behind(f"ties[{number}].height_m", z, walls, blocks)
         stiffness, capacity, elongation = rod(row)
         ties.append(
             Tie(
                 f"tie {number}",
                 facade,
-                behind[0],
+                behind,
                 (0.0, 0.0, z),
                 (0.0, -row["length_m"], z),
                 stiffness,

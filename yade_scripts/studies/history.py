@@ -10,7 +10,7 @@ The run is that of the analyses (step, ledger, stop rules), sampled every SAMPLE
     {motion}_m_s2, {motion}_m  ground and floors as imposed: acceleration, displacement
     base_y_n, base_z_n, walls_y_n, walls_z_n  contacts' force on the façade (half of it in W3's
                             half model), outward and upward; without the dashpots' shear
-    ties_y_n                pull of its ties on it, where it has any
+    ties_y_n, floors_y_n    pull of its ties, and of its floors, on it, where it has any
     input_j                 in the frame of the base, work of inertia forces and driven walls (see
                             `ledger`) since the start
     kinetic_j, potential_j, elastic_j  of the free blocks and of the contacts' springs
@@ -32,7 +32,7 @@ from yade_scripts.studies.tables import to_csv
 SAMPLE_S = 0.01
 HEAD = {"model": "", "record": "", "direction": "", "pga_g": ".4f", "status": "", "dt_s": ".6e"}
 FORCES = ("base_y_n", "base_z_n", "walls_y_n", "walls_z_n")
-TIES = "ties_y_n"
+BARS = ("ties", "floors")
 ENERGIES = ("input_j", "kinetic_j", "potential_j", "elastic_j", "lost_j")
 
 
@@ -61,16 +61,17 @@ class Probe:
         sign = (c.b == self.facade).astype(float) - (c.a == self.facade)
         push = sign[:, None] * c.force[:, 1:]
         below = (c.a == self.base) | (c.b == self.base)
-        tied = np.array([key in self.books.ties for key in c.keys], bool)
-        base, walls = push[below].sum(axis=0), push[~(below | tied)].sum(axis=0)
-        ties = push[tied, :1].sum(axis=0) if self.books.ties else ()
+        own_keys = [getattr(self.books, bar) for bar in BARS]
+        pulls = [np.array([key in keys for key in c.keys], bool) for keys in own_keys if keys]
+        base, walls = push[below].sum(axis=0), push[~np.any([below, *pulls], axis=0)].sum(axis=0)
+        bars = [push[mine, 0].sum() for mine in pulls]
         own = [not self.chain.intersection(key) for key in c.keys]  # not the chain's springs
         now = np.array([self.check.height_j(), c.elastic[own].sum()])
         self.start = now if self.start is None else self.start
         potential, elastic = now - self.start
         kinetic, work = self.check.energy - potential, self.check.work
         lost = work - kinetic - potential - elastic
-        self.rows.append((*base, *walls, *ties, work, kinetic, potential, elastic, lost))
+        self.rows.append((*base, *walls, *bars, work, kinetic, potential, elastic, lost))
 
 
 def trace(job, time_s, columns, factor):
@@ -109,9 +110,10 @@ def trace(job, time_s, columns, factor):
         values[f"{name}_m_s2"] = pulled
         values[f"{name}_m"] = motion.position(history.time_s)
     n = len(history.time_s)
+    bars = [f"{bar}_y_n" for bar in BARS if getattr(probe.books, bar)]
     return history, values | dict(
         zip(
-            (*FORCES, *([TIES] if scene.ties else []), *ENERGIES),
+            (*FORCES, *bars, *ENERGIES),
             np.array(probe.rows[:n]).T,
             strict=True,
         )

@@ -16,7 +16,7 @@ from rocking.configuration.files import check_files, write_resolved
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show
 from rocking.configuration.words import Settings
 from yade_scripts.model import registry
-from yade_scripts.model.shape import is_plain, shape_of
+from yade_scripts.model.shape import Shape, is_plain, shape_of
 
 __all__ = [
     "ConfigError",
@@ -99,8 +99,8 @@ def check(resolved: Mapping) -> None:
             f"facade.gap_m = {show(resolved['facade']['gap_m'])}: expected 0 (m) with the bonded "
             f"models {show(bonded)}"
         )
-    _check_ties(resolved)
     _check_shape(resolved)
+    _check_bars(resolved)
     low, high = resolved["ensemble"]["percentiles"]
     if not low < 50.0 < high:
         raise ConfigError(
@@ -132,11 +132,13 @@ def _check_geometry(facade: Mapping, wall: Mapping) -> None:
         )
 
 
-def _check_ties(resolved: Mapping) -> None:
+def _check_bars(resolved: Mapping) -> None:
+    """Refuse ties and floors that nothing carries, that snap early or that hold nothing."""
     facade = resolved["facade"]
     several = [name for name in resolved["models"] if not registry.model(name).single_block]
-    for number, row in enumerate(facade["ties"], 1):
-        where = f"facade.ties[{number}]"
+    rows = [(key, *row) for key in ("ties", "floors") for row in enumerate(facade[key], 1)]
+    for key, number, row in rows:
+        where = f"facade.{key}[{number}]"
         if row["height_m"] > facade["height_m"]:
             raise ConfigError(
                 f"{where}.height_m = {show(row['height_m'])}: expected at most facade.height_m = "
@@ -144,12 +146,32 @@ def _check_ties(resolved: Mapping) -> None:
             )
         if facade["sides"] == "two" or several:
             what = f"models = {show(several)}" if several else "facade.sides = two"
-            raise ConfigError(f"{what}: expected no facade.ties, or a façade of one block on walls")
-        if row["elongation"] * row["e_mpa"] < row["yield_mpa"]:
+            raise ConfigError(
+                f"{what}: expected no facade.{key}, or a façade of one block on walls"
+            )
+        if key == "ties" and row["elongation"] * row["e_mpa"] < row["yield_mpa"]:
             raise ConfigError(
                 f"{where}.elongation = {show(row['elongation'])}: expected at least the strain at "
                 f"yield, yield_mpa/e_mpa = {show(row['yield_mpa'] / row['e_mpa'])}"
             )
+        if key == "floors":
+            _check_floor(where, row, shape_of(facade))
+
+
+def _check_floor(where: str, row: Mapping, shape: Shape) -> None:
+    back, front = shape.faces_at(row["height_m"])
+    if (row["arm_m"] or 0.0) > front - back + 1e-9:
+        raise ConfigError(
+            f"{where}.arm_m = {show(row['arm_m'])}: expected at most the thickness at that height, "
+            f"{show(front - back)} (m)"
+        )
+    if row["load_kn"] == row["anchor_kn"] == 0.0:
+        raise ConfigError(f"{where}.load_kn = 0: expected a load, or an anchor_kn (kN) above 0")
+    if row["mass_t"] > 0.0 and row["friction"] * row["load_kn"] + row["anchor_kn"] == 0.0:
+        raise ConfigError(
+            f"{where}.mass_t = {show(row['mass_t'])}: expected friction or anchor_kn (kN) that "
+            "joins it to the façade"
+        )
 
 
 def _check_shape(resolved: Mapping) -> None:

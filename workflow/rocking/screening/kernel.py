@@ -6,6 +6,8 @@ import numpy as np
 
 from rocking.runtime.compiled import compiled
 
+from .bars import act, advance, at_rest
+
 OK, OVERTURNED, FAILED = 0, 1, 2
 REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
 COLUMNS = 14  # of a history before the supports' own
@@ -62,7 +64,8 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
             inertia[g, 1] += p.kn_n_m[i] * s
             inertia[g, 2] += p.kn_n_m[i] * s * s
             inertia[g, 3] = max(inertia[g, 3], abs(s))
-    yielded, snapped = np.zeros(p.tie_k_n_m.size), np.zeros(p.tie_k_n_m.size, np.bool_)
+    barred = p.bars.tie_k_n_m.size + p.bars.floor_k_n_m.size > 0
+    memory, push = at_rest(p.bars), np.zeros(3)
     y, z, turn, vy, vz, spin = p.start  # rates half a step back, from the second step on
     ay = az = at = 0.0
     peak = moving_until = spent = 0.0
@@ -283,39 +286,19 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
             c12 += beta * (nz * um + ratio * tz * wm)
             c22 += beta * (na * na * u0 + 2.0 * na * ne * u1 + ne * ne * u2)
             c22 += beta * ratio * (ta * ta * w0 + 2.0 * ta * te * w1 + te * te * w2)
-        for i in range(p.tie_k_n_m.size):
-            if snapped[i]:
-                continue
-            j = p.tie_support[i]
-            ry = cos * p.tie_arm_m[i, 0] - sin * p.tie_arm_m[i, 1]
-            rz = sin * p.tie_arm_m[i, 0] + cos * p.tie_arm_m[i, 1]
-            ey, ez = y + ry - p.tie_end_m[i, 0] - su[j], z + rz - p.tie_end_m[i, 1]
-            length = math.hypot(ey, ez)
-            longer = length - p.tie_taut_m[i]
-            pull = p.tie_k_n_m[i] * (longer - yielded[i])
-            if pull <= 0.0:
-                continue
-            if longer > p.tie_snap_m[i]:
-                spent += 0.5 * min(pull, p.tie_capacity_n[i]) ** 2 / p.tie_k_n_m[i]
-                snapped[i] = True
-                broken += 1
-                continue
-            if pull > p.tie_capacity_n[i]:
-                pull = p.tie_capacity_n[i]
-                spent += pull * (longer - pull / p.tie_k_n_m[i] - yielded[i])
-                yielded[i] = longer - pull / p.tie_k_n_m[i]
-            elastic += 0.5 * pull * pull / p.tie_k_n_m[i]
-            gy, gz = -pull * ey / length, -pull * ez / length
-            fy += gy
-            fz += gz
-            moment += ry * gz - rz * gy
-            sf[j] -= gy
+        gravity = p.gravity_m_s2 + factor * table.vertical_m_s2[row]
+        if barred:
+            heavier = gravity / p.gravity_m_s2
+            stored, taken, lost = act(
+                p.bars, memory, (y, z, cos, sin), half, (su, sv, sf), ag, heavier, push
+            )
+            fy, fz, moment = fy + push[0], fz + push[1], moment + push[2]
+            elastic, spent, broken = elastic + stored, spent + taken, broken + lost
 
         d = y + cos * p.monitor_m[0] - sin * p.monitor_m[1] - p.monitor_m[0]
         v = py - pt * (sin * p.monitor_m[0] + cos * p.monitor_m[1])
         if abs(d) > peak:
             peak = abs(d)
-        gravity = p.gravity_m_s2 + factor * table.vertical_m_s2[row]
         # the dashpots belong to the velocity of this step, v + ½h a, not to its prediction
         fy += half * (c00 * ay + c01 * az + c02 * at) - p.mass_kg * ag
         fz += half * (c01 * ay + c11 * az + c12 * at) - p.mass_kg * gravity
@@ -378,6 +361,8 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
         ahead = dt if k > 0 else 0.5 * dt
         vy, vz, spin = vy + ahead * ay, vz + ahead * az, spin + ahead * at
         y, z, turn = y + dt * vy, z + dt * vz, turn + dt * spin
+        if barred:
+            advance(p.bars, memory, ahead, dt)
         for j in range(chain):
             cv[j] += ahead * ca[j]
             cu[j] += dt * cv[j]

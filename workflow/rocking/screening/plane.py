@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .bars import Bars, elements, of_scene
+
 LEVEL_M = 1e-9  # nodes of one group lie this close to one line, their planes to one plane
 
 
@@ -37,12 +39,8 @@ class Planar(NamedTuple):
     mass_kg, inertia_kg_m2, gravity_m_s2, thickness_m : float
     monitor_m : ndarray, shape (2,)
         Point that moves by d.
-    tie_arm_m, tie_end_m : ndarray, shape (ties, 2)
-        Ends of the ties on the block and on the support.
-    tie_support : ndarray of int, shape (ties,)
-    tie_taut_m : ndarray, shape (ties,)
-        Length, slack included, beyond which a tie pulls.
-    tie_k_n_m, tie_capacity_n, tie_snap_m : ndarray, shape (ties,)
+    bars : Bars
+        Ties and floors.
     """
 
     first: np.ndarray
@@ -66,13 +64,7 @@ class Planar(NamedTuple):
     gravity_m_s2: float
     thickness_m: float
     monitor_m: np.ndarray
-    tie_arm_m: np.ndarray
-    tie_end_m: np.ndarray
-    tie_support: np.ndarray
-    tie_taut_m: np.ndarray
-    tie_k_n_m: np.ndarray
-    tie_capacity_n: np.ndarray
-    tie_snap_m: np.ndarray
+    bars: Bars
 
 
 def moving_supports(scene):
@@ -100,7 +92,8 @@ def prepare(scene):
     ValueError
         One line if the scene is not of that kind.
     """
-    free = [i for i, block in enumerate(scene.blocks) if block.free]
+    sprung = {link.a for link in scene.links}  # floors with a mass of their own
+    free = [i for i, block in enumerate(scene.blocks) if block.free and i not in sprung]
     if len(free) != 1 or scene.blocks[free[0]].free != "yzX":
         raise ValueError("screening: expected one free block with the freedoms y, z, rotation x")
     (own,) = free
@@ -151,28 +144,8 @@ def prepare(scene):
         gravity_m_s2=float(scene.gravity_m_s2),
         thickness_m=float(scene.thickness_m),
         monitor_m=np.array(scene.monitor_point_m, float)[1:] - centre,
-        **_ties(scene, own, centre, column),
+        bars=of_scene(scene, own, centre, column),
     )
-
-
-def _ties(scene, own, centre, column):
-    """Values of the ties by the names of `Planar`."""
-    ties = scene.ties
-    if any(tie.a != own for tie in ties):
-        raise ValueError("screening: every tie must hold the free block to a support")
-
-    def values(pick, kind=float):
-        return np.array([pick(tie) for tie in ties], kind)
-
-    return {
-        "tie_arm_m": values(lambda x: x.end_a_m[1:]).reshape(-1, 2) - centre,
-        "tie_end_m": values(lambda x: x.end_b_m[1:]).reshape(-1, 2) - centre,
-        "tie_support": values(lambda x: column.get(scene.blocks[x.b].motion, -1), np.int64),
-        "tie_taut_m": values(lambda x: x.length_m + x.slack_m),
-        "tie_k_n_m": values(lambda x: x.stiffness_n_m),
-        "tie_capacity_n": values(lambda x: x.capacity_n),
-        "tie_snap_m": values(lambda x: x.elongation_m),
-    }
 
 
 def _groups(nodes, centre):
@@ -230,16 +203,18 @@ def _group(scene, own, centre, column, mine):
 
 
 def matrices(planar, supports=0):
-    """Mass, stiffness and damping of the block and its supports, nodes closed and ties taut.
+    """Mass, stiffness and damping of the block and what it meets, nodes closed, ties taut.
 
     Returns
     -------
-    mass : ndarray, shape (3,)
-        Of y, z, rotation about x.
-    k, c : ndarray, shape (3 + supports, 3 + supports)
-        The freedoms of the supports along y follow the block's.
+    mass : ndarray, shape (3 + floors,)
+        Of y, z, rotation about x, and of the floors that have a mass.
+    k, c : ndarray, shape (3 + supports + floors, 3 + supports + floors)
+        The freedoms of the supports along y follow the block's, those of the floors follow them.
     """
-    p, size = planar, 3 + supports
+    p = planar
+    floors = p.bars.mass_kg[p.bars.mass_kg > 0.0]
+    size = 3 + supports + floors.size
     k, c = np.zeros((size, size)), np.zeros((size, size))
     for g in range(len(p.level_m)):
         ny, nz = p.normal[g]
@@ -253,12 +228,7 @@ def matrices(planar, supports=0):
                 element = stiffness * p.kn_n_m[i] * np.outer(row, row)
                 k += element
                 c += p.beta_s[g] * element
-    for i in range(len(p.tie_k_n_m)):
-        (ry, rz), along = p.tie_arm_m[i], p.tie_arm_m[i] - p.tie_end_m[i]
-        y, z = along / np.linalg.norm(along)
-        row = np.zeros(size)
-        row[:3] = y, z, z * ry - y * rz
-        if supports and p.tie_support[i] >= 0:
-            row[3 + p.tie_support[i]] = -y
-        k += p.tie_k_n_m[i] * np.outer(row, row)
-    return np.array([p.mass_kg, p.mass_kg, p.inertia_kg_m2]), k, c
+    for stiffness, dashpot, row in elements(p.bars, supports):
+        k += stiffness * np.outer(row, row)
+        c += dashpot * np.outer(row, row)
+    return np.array([p.mass_kg, p.mass_kg, p.inertia_kg_m2, *floors]), k, c

@@ -125,7 +125,8 @@ class Series:
         y, z [m] of the centroid from its reference place in the ground's frame, rotation about
         x [rad] (outward is negative), and their rates.
     elastic_j, spent_j : ndarray
-        Energy stored in the nodes; taken by dashpots, friction and broken bonds so far.
+        Energy stored in nodes, ties and floors, raised loads included; taken by dashpots,
+        friction, yielding and what broke so far.
     contact : ndarray, shape (n, 3)
         Force along y, z [N] and moment about x [N·m] of the nodes on the block.
     supports_m, supports_m_s : ndarray, shape (n, m)
@@ -191,14 +192,16 @@ def stable_step(planar, carried=NO_BODIES):
     """
     n, supports = carried.mass_kg.size, np.arange(carried.upper.size)
     mass, k, c = matrices(planar, supports.size)
-    hang = np.zeros((3 + supports.size, 4 + n))  # the last column is the ground
+    floors = mass.size - 3
+    hang = np.zeros((len(k), 4 + n + floors))  # the last column is the ground
     hang[:3, :3] = np.eye(3)
     hang[3 + supports, 3 + carried.upper] = carried.weight
     hang[3 + supports, np.where(carried.upper > 0, 2 + carried.upper, -1)] = 1.0 - carried.weight
+    hang[3 + supports.size :, 3 + n : -1] = np.eye(floors)
     k, c = (hang[:, :-1].T @ whole @ hang[:, :-1] for whole in (k, c))
-    mass = np.diag(np.concatenate((mass, carried.mass_kg)))
-    k[3:, 3:] += carried.k_n_m
-    c[3:, 3:] += carried.c_n_s_m
+    mass = np.diag(np.concatenate((mass[:3], carried.mass_kg, mass[3:])))
+    k[3 : 3 + n, 3 : 3 + n] += carried.k_n_m
+    c[3 : 3 + n, 3 : 3 + n] += carried.c_n_s_m
     own, one = np.zeros_like(c), np.eye(len(c))
     own[:3, :3] = c[:3, :3]
 

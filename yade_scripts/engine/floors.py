@@ -1,0 +1,106 @@
+"""Floors of a scene in YADE: a force on a sphere of the façade, and a cohesive pair that slides.
+
+The load is a `ForceEngine` on a massless sphere of the façade's clump, at the floor's point. What
+holds is `CohFrict` between that sphere and one of the carrier, REACH_M straight above: ks is the
+floor's, the cohesion its capacity, there is no friction, and `fragile` is off, so that the shear
+across the vertical is elastic, perfectly plastic and the same whichever way it points; kn is
+nothing. Their radii put the contact at the façade's sphere, and REACH_M is so long that the normal
+stays vertical. The spheres have mask 0, so no collider finds them.
+"""
+
+from yade_scripts.model.scene import DOFS
+
+REACH_M, RADIUS_M = 1e3, 1e-3
+NO_STIFFNESS = 1e-6  # N/m along the vertical
+
+
+def _material(w):
+    """A material whose contacts YADE keeps whatever their normal force."""
+    return w.CohFrictMat(
+        density=1e-30,
+        young=1.0,
+        poisson=0.3,
+        frictionAngle=0.0,
+        isCohesive=True,
+        momentRotationLaw=False,
+        normalCohesion=1e30,
+        shearCohesion=1e30,
+        fragile=False,
+    )
+
+
+def functors(w, scene):
+    """Geometry, physics and law of the interaction loop that floors need.
+
+    The geometry serves the wires of ties too: YADE has one for two spheres.
+    """
+    if not scene.floors:
+        return [], [], []
+    return (
+        [w.Ig2_Sphere_Sphere_ScGeom6D(updateRotations=False, avoidGranularRatcheting=False)],
+        [w.Ip2_CohFrictMat_CohFrictMat_CohFrictPhys(setCohesionOnNewContacts=True)],
+        [w.Law2_ScGeom6D_CohFrictPhys_CohesionMoment()],
+    )
+
+
+def place(w, utils, omega, scene):
+    """Append the spheres of each floor; those of floors that hold nothing stay single.
+
+    Returns
+    -------
+    pairs : list of (int, int or None)
+        YADE ids of the spheres on the façade and on the carrier.
+    members : dict of int to list of int
+        YADE ids by block.
+    """
+    pairs: list[tuple] = []
+    members: dict[int, list] = {}
+    if scene.floors:
+        material = _material(w)
+        omega.materials.append(material)
+    for floor in scene.floors:
+        x, y, z = floor.position_m
+        ends = [(floor.a, (x, y, z), RADIUS_M), (floor.b, (x, y, z + REACH_M), REACH_M + RADIUS_M)]
+        ids = []
+        for block, centre, radius in ends[: 1 + (floor.capacity_n > 0.0)]:
+            sphere = utils.sphere(centre, radius, fixed=False, material=material, mask=0)
+            ids.append(omega.bodies.append(sphere))
+            sphere.state.mass, sphere.state.inertia = 0.0, (0.0, 0.0, 0.0)
+            if not scene.blocks[block].free:
+                sphere.state.blockedDOFs = DOFS
+            members.setdefault(block, []).append(ids[-1])
+        pairs.append((ids[0], ids[1] if len(ids) > 1 else None))
+    return pairs, members
+
+
+def loads(w, scene, pairs):
+    """Engines of the loads."""
+    return [
+        w.ForceEngine(force=(0.0, 0.0, -floor.load_n), ids=[own])
+        for floor, (own, _) in zip(scene.floors, pairs, strict=True)
+        if floor.load_n > 0.0
+    ]
+
+
+def join(utils, scene, pairs):
+    """Make the contacts, once engines stand and blocks are where they start."""
+    for floor, pair in zip(scene.floors, pairs, strict=True):
+        if pair[1] is not None:
+            physics = utils.createInteraction(*pair).phys
+            physics.kn, physics.ks = NO_STIFFNESS, floor.stiffness_n_m
+            physics.shearAdhesion = floor.capacity_n
+
+
+class Raised:
+    """Loads of floors times their height above the reference position."""
+
+    def __init__(self, scene, built):
+        """Take hold of the points that are loaded."""
+        self.loads = [
+            (floor.load_n, built.omega.bodies[own].state, floor.position_m[2])
+            for floor, (own, _) in zip(scene.floors, built.floors, strict=True)
+        ]
+
+    def __call__(self):
+        """Energy now [J]."""
+        return sum(load * (state.pos[2] - height) for load, state, height in self.loads)

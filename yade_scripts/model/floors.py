@@ -1,0 +1,122 @@
+"""Floors and roof on a façade: their load, and what friction and anchors hold.
+
+A floor presses with P on the façade, s from its inner face, and holds it against the return wall
+behind, whose motion it has, by a spring k that slides at
+
+    F = μ P + F_a
+
+with F_a what anchors hold beside friction. P is a dead load that goes where its point goes; its
+vertical inertia is left out. With a mass m of its own the floor moves along y on a spring
+m (2π/T)² and a dashpot 2 ζ m (2π/T) against that wall, and it is this mass that F joins to the
+façade.
+"""
+
+import math
+
+from yade_scripts.model.bars import Floor, Link
+from yade_scripts.model.gravity import GRAVITY_M_S2
+from yade_scripts.model.scene import Block
+
+DEPTH_M = 0.2  # of a roof's block, for drawings
+
+
+def capacity_n(row):
+    """What a floor holds, F = μ P + F_a [N]; `row` is an entry of facade.floors."""
+    return 1e3 * (row["friction"] * row["load_kn"] + row["anchor_kn"])
+
+
+def loaded(rows, shape):
+    """Weight of a façade with the loads of its floors [N], and its lever (b_g, z_g) [m].
+
+    `rows` as `facade_floors` takes, `shape` of the façade; see `Shape.lever_m`.
+    """
+    weights, levers = [shape.mass_kg * GRAVITY_M_S2], [shape.lever_m]
+    for row in rows:
+        weights.append(1e3 * row["load_kn"])
+        levers.append((shape.thickness_m - place_of(row, shape)[1], row["height_m"]))
+    total = sum(weights)
+    arm, height = (
+        sum(w * part for w, part in zip(weights, parts, strict=True)) / total
+        for parts in zip(*levers, strict=True)
+    )
+    return total, (arm, height)
+
+
+def place_of(row, shape):
+    """Point of a floor on the façade: s from its inner face, or the middle of its thickness."""
+    back, front = shape.faces_at(row["height_m"])
+    return (
+        0.0,
+        0.5 * (back + front) if row["arm_m"] is None else back + row["arm_m"],
+        row["height_m"],
+    )
+
+
+def wall_behind(what, height_m, walls, blocks):
+    """Index of the return wall at a height of the façade, the lower of two.
+
+    Raises
+    ------
+    ValueError
+        One line that begins with `what`, if there is none.
+    """
+    for i in walls:
+        if abs(height_m - blocks[i].centre_m[2]) <= 0.5 * blocks[i].size_m[2] + 1e-9:
+            return i
+    raise ValueError(
+        f"{what} = {height_m:g}: expected a height at which the façade has a return wall (m)"
+    )
+
+
+def facade_floors(rows, facade, walls, blocks, shape, damping_ratio):
+    """Floors of a façade; the blocks of those with a mass are appended to `blocks`.
+
+    Parameters
+    ----------
+    rows : list of dict
+        Section facade.floors: height_m, load_kn, arm_m, friction, anchor_kn, stiffness_kn_m,
+        mass_t, period_s.
+    facade : int
+        Index of the façade's block.
+    walls : sequence of int
+        Indices of the return walls' blocks.
+    blocks : list of Block
+    shape : Shape
+    damping_ratio : float
+        ζ of a floor on its spring.
+
+    Returns
+    -------
+    floors : list of Floor
+    links : list of Link
+
+    Raises
+    ------
+    ValueError
+        One line, if a floor meets no return wall.
+    """
+    floors, links = [], []
+    for number, row in enumerate(rows, 1):
+        z = row["height_m"]
+        carrier = wall_behind(f"floors[{number}].height_m", z, walls, blocks)
+        if row["mass_t"] > 0.0:
+            mass, omega = 1e3 * row["mass_t"], 2.0 * math.pi / row["period_s"]
+            size = (shape.width_m, blocks[carrier].size_m[1], DEPTH_M)
+            place = (0.0, -0.5 * size[1], z)
+            blocks.append(Block(f"floor {number}", place, size, mass, (1.0,) * 3, free="y"))
+            spring, dashpot = mass * omega**2, 2.0 * damping_ratio * mass * omega
+            own = len(blocks) - 1
+            links.append(Link(f"floor {number}", own, carrier, spring, dashpot, place))
+            carrier = own
+        floors.append(
+            Floor(
+                f"floor {number}",
+                facade,
+                carrier,
+                place_of(row, shape),
+                1e3 * row["load_kn"],
+                1e3 * row["stiffness_kn_m"],
+                capacity_n(row),
+            )
+        )
+    return floors, links
