@@ -1,11 +1,24 @@
 """Compilation by numba, for both planar solvers; they share nothing else."""
 
+import hashlib
+from pathlib import Path
+from typing import Any
+
 from numba import njit
 
 
 def compiled(function):
-    """Compile without the interpreter's lock; cached on disk where some folder can be written."""
+    """Compile without the interpreter's lock; cached on disk where some folder can be written.
+
+    numba's cache looks at the file of a function alone, and would keep what it calls from the
+    files beside it as these were; here a change of any of them makes it anew.
+    """
     try:
-        return njit(nogil=True, cache=True)(function)
+        made: Any = njit(nogil=True, cache=True)(function)
     except RuntimeError:  # numba found no folder for its cache
         return njit(nogil=True)(function)
+    beside = sorted(Path(function.__code__.co_filename).parent.glob("*.py"))
+    digest = hashlib.sha256(b"".join(path.read_bytes() for path in beside)).hexdigest()
+    index = made._cache._cache_file
+    index._source_stamp = (index._source_stamp, digest)
+    return made
