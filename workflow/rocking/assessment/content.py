@@ -5,6 +5,7 @@ import pandas as pd
 from rocking.assessment import pictures
 from rocking.assessment.battery import CHECKS, mechanism_of
 from rocking.assessment.document import Heading, Paragraph, Picture, Table
+from yade_scripts.model.floors import capacity_n
 from yade_scripts.model.registry import MODELS
 from yade_scripts.model.ties import rod
 
@@ -55,6 +56,16 @@ def _ties_said(rows):
     return "; ".join(said) or "none"
 
 
+def _floors_said(rows):
+    """Floors and roof in words."""
+    said = [
+        f"{row['load_kn']:g} kN at {row['height_m']:g} m, "
+        f"held up to {1e-3 * capacity_n(row):.3g} kN"
+        for row in rows
+    ]
+    return "; ".join(said) or "none"
+
+
 def _assumptions(settings, beta):
     """Rows: what is assumed, its value, where it comes from."""
     f, w, c, a = (settings[k] for k in ("facade", "return_wall", "smdof", "assessment"))
@@ -82,6 +93,7 @@ def _assumptions(settings, beta):
             "return_wall.building_mass_kg",
         ),
         ("roof load", f"{a['roof_load_kn']:g} kN at {arm}", "assessment; code's mechanisms only"),
+        ("floors", _floors_said(f["floors"]), "facade.floors; in the dynamic models only"),
         (
             "ties",
             _ties_said(f["ties"]),
@@ -293,8 +305,8 @@ def blocks(settings, tables, beta, provenance, folder):
         Paragraph(_answer(t["checks"], t["dynamic"]), strong=True),
         Paragraph(
             "The code's answer compares one mechanism with one spectrum. The dynamic answer shakes "
-            "the façade against its return walls with motions scaled in PGA; it leaves out roof "
-            "load, and knows no material that crushes or falls apart."
+            "the façade against its return walls with motions scaled in PGA; its roof load is that "
+            "of facade.floors, and it knows no material that crushes or falls apart."
         ),
         Heading("The façade as modelled"),
         Picture(
