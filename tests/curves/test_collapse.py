@@ -75,6 +75,24 @@ def test_members_of_a_curve_follow_its_probability():
     assert sum(w for _, high, w in collapse.brackets(half, {}) if np.isinf(high)) == 0.5
 
 
+def test_single_runs_stand_for_the_amplitudes_nearest_to_them():
+    """One threshold between two runs: the share rises linearly in ± spread about their middle."""
+    sparse = runs((0.2, 0), (0.399, 0), (0.401, 1), (0.41, 1), (0.6, 1))
+    middle = np.sqrt(0.399 * 0.401)
+    found = collapse.summary(None, sparse[:3], sparse[3:], 0.01)
+    for name, share in (("p10", 0.1), ("median", 0.5), ("p90", 0.9)):
+        expected = middle * (1.0 + 0.01 * (2.0 * share - 1.0))
+        assert found[f"pga_{name}_g"] == pytest.approx(expected, rel=1e-4)
+    table = collapse.single_runs(collapse.outcomes(sparse), 0.01)
+    assert table["probability_yade"].iloc[[0, -1]].tolist() == [0.0, 1.0]
+    at = table.set_index("pga_g")["members_yade"]
+    assert (at[0.2], at[0.399], at[0.401]) == (1, 2, 2)  # 0.41 lies 2 % off
+    weights = np.array(collapse.brackets(table.assign(members=np.nan, probability=np.nan), {}))
+    assert weights[:, 2].sum() == pytest.approx(1.0)
+    assert np.all(weights[:, 0] < 0.41)
+    assert np.all(weights[:, 1] > 0.39)
+
+
 def test_disagreement_is_beyond_the_scatter_of_both():
     """Eleven members that all stand where all planar ones fall disagree; one of 11 does not."""
     dense = scan(lambda g: g > 0.5)

@@ -71,48 +71,49 @@ def test_perturbed_numerics_change_step_and_nodes_only():
     assert out["step_fraction"] == pytest.approx(0.95 * NUMERICS["step_fraction"])
 
 
-def test_ensembles_run_where_histories_do_not_repeat():
+def test_sensitivity_is_measured_from_half_the_collapse_intensity():
     curve = {0.1: "ok", 0.2: "ok", 0.3: "ok", 0.35: "failed", 0.4: "overturned", 0.5: "overturned"}
     assert perturb.probe_intensities(curve) == [0.2, 0.3, 0.4]
-    calm = dict.fromkeys((0.1, 0.2, 0.3, 0.4), 1e-6)
-    auto = {**SETTINGS, "enabled": "auto"}
-    assert perturb.sensitive_intensities(curve, calm, auto) == ([], False)
-    assert perturb.sensitive_intensities(curve, {**calm, 0.3: 0.2}, auto) == ([0.3], True)
-    assert perturb.sensitive_intensities(curve, {**calm, 0.1: 0.2}, auto) == ([], False)
-    on, off = ({**SETTINGS, "enabled": word} for word in ("on", "off"))
-    assert perturb.sensitive_intensities(curve, calm, on)[1]
-    assert perturb.sensitive_intensities(curve, {0.3: 0.2}, off) == ([], False)
 
 
-@pytest.mark.parametrize(("centre", "width"), [(0.4, 0.02), (0.3, 0.1), (0.55, 0.001)])
-def test_levels_bracket_the_band(centre, width):
-    """Whatever the true band, the levels reach below its tenth and above its ninetieth percent."""
-
-    def share(g):
-        return float(1.0 / (1.0 + np.exp(-np.clip((g - centre) / width * 4.0, -700, 700))))
-
-    fractions = {}
-    settings = {**SETTINGS, "max_levels": 40}
-    while (g := perturb.next_level(fractions, settings, 0.4, 0.01)) is not None:
-        assert g not in fractions
-        fractions[g] = share(g)
-    assert min(fractions.values()) <= 0.1
-    assert max(fractions.values()) >= 0.9
-    levels = sorted(fractions)
-    steep = [
-        (a, b)
-        for a, b in zip(levels[:-1], levels[1:], strict=True)
-        if fractions[b] - fractions[a] > 0.5
-    ]
-    assert all(b - a <= 0.0101 for a, b in steep)
+def searched(falls, done, **more):
+    """Outcomes once the search for the band has ended, and how many runs it took."""
+    settings, found = {**SETTINGS, **more}, dict(done)
+    while (g := perturb.next_amplitude(found, settings, resolved()["ida"])) is not None:
+        assert g not in found
+        found[g] = "overturned" if falls(g) else "ok"
+    return found, len(found) - len(done)
 
 
-def test_levels_end_at_their_largest_number():
-    fractions = {}
-    settings = {**SETTINGS, "max_levels": 4}
-    while (g := perturb.next_level(fractions, settings, 0.4, 0.01)) is not None:
-        fractions[g] = 0.5  # a band that is never bracketed
-    assert len(fractions) == 4
+@pytest.mark.parametrize("threshold", [0.3602, 0.384, 0.3999])
+def test_search_closes_in_on_a_threshold(threshold):
+    """One change: its neighbours end within 0.5 %, its window within as much, in few runs."""
+    found, runs = searched(lambda g: g >= threshold, {0.2: "ok", 0.36: "ok", 0.4: "overturned"})
+    low, high = (
+        max(g for g, s in found.items() if s == "ok"),
+        min(g for g, s in found.items() if s != "ok"),
+    )
+    assert low < threshold <= high < 1.0052 * low
+    window = np.array(sorted(g for g in found if abs(g / threshold - 1.0) < 0.012))
+    assert np.diff(np.log(window)).max() < 0.0055
+    above = np.array(sorted(g for g in found if g >= high))
+    assert above[-1] > 1.2 * threshold
+    assert np.diff(np.log(above)).max() < 1.3 * resolved()["ida"]["search_ratio"]
+    assert runs < 20
+
+
+def test_search_finds_the_gap_above_an_island_and_leaves_failures():
+    def falls(g):
+        return 0.30 < g < 0.33 or g > 0.36
+
+    found, _ = searched(falls, {0.28: "ok", 0.31: "overturned"})
+    outcome = [falls(g) for g in sorted(found)]
+    assert np.flatnonzero(np.diff(outcome)).size == 3
+    for edge in (0.30, 0.33, 0.36):
+        assert min(g for g in found if g >= edge) / max(g for g in found if g <= edge) < 1.0055
+    assert perturb.next_amplitude({0.3: "ok"}, SETTINGS, resolved()["ida"]) is None
+    done = {0.3: "ok", 0.3119: "overturned", **dict.fromkeys((0.3059,), "failed")}
+    assert all(g > 0.3119 for g in set(searched(lambda g: True, done)[0]) - set(done))
 
 
 def test_more_members_are_needed_where_the_spread_is_wide():

@@ -80,11 +80,16 @@ def draw_curve(axis, curve, top, joined):
 
 
 def draw_probability(axis, table, row):
-    """Collapse probability: of the scan a line, of YADE's ensembles symbols."""
+    """Collapse probability: a line, of the scan or, without one, of YADE's runs; else symbols."""
     kind = MODELS[row["model"]]
     dense = table[table["members"].notna() & table["probability_yade"].isna()]
-    axis.plot(dense["probability"], dense["pga_g"], color=kind.colour, lw=0.9)
-    axis.plot(table["probability_yade"], table["pga_g"], kind.marker, color=kind.colour, mfc="none")
+    known = dense["probability"]
+    if len(dense):
+        symbol = {"color": kind.colour, "mfc": "none"}
+        axis.plot(table["probability_yade"], table["pga_g"], kind.marker, **symbol)
+    else:  # no scan: of YADE's own runs
+        dense, known = table, table["probability_yade"]
+    axis.plot(known, dense["pga_g"], color=kind.colour, lw=0.9)
     if not len(dense) and np.isfinite(row["pga_collapse_g"]):
         edge = (row["pga_safe_g"], row["pga_collapse_g"])
         axis.plot((0.0, 1.0), edge, color=kind.colour, lw=0.9, ls=":")

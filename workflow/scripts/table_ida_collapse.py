@@ -21,10 +21,14 @@ def main(job):
         scan, curve, members = scans.get(key), curves.get(key, none), ensembles.get(key, none)
         named = dict(zip(collapse.KEY, key, strict=True))
         row = named | collapse.summary(scan, curve, members, spread)
-        table = collapse.beside(scan, members, spread)
+        if scan is None and len(members):
+            table = collapse.single_runs(collapse.outcomes(curve, members), spread)
+        else:
+            table = collapse.beside(scan, members, spread)
+        table = table.assign(**named).reindex(columns=collapse.PROBABILITY_COLUMNS)
         row["disagreements"] = int((table["agrees"] == 0).sum())
         rows.append(row)
-        parts.append(table.assign(**named)[collapse.PROBABILITY_COLUMNS])
+        parts.append(table)
     options = {"index": False, "float_format": "%.4f", "lineterminator": "\n"}
     table = pd.DataFrame(rows, columns=collapse.COLUMNS)
     table.to_csv(job.output.collapse, **options)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from yade_scripts.engine import floors, links, loop, ties, welds
 from yade_scripts.engine.bonds import Bonds
-from yade_scripts.engine.faces import NODE_BITS, RELEASE_CHECK_S, FaceError, Faces, Releases
+from yade_scripts.engine.faces import NODE_BITS, FaceError, Faces, Releases
 from yade_scripts.engine.guide import GUIDE_INTERVAL_S, Guide
 from yade_scripts.engine.library import EngineError, load_yade
 from yade_scripts.engine.parts import Parts
@@ -242,5 +242,5 @@ def _attach(scene, motions, built, bonded, faces):
         built.bonds.visit = loop.between(built.bonds, 1, first=1)
     if scene.notes.get("rims"):
         built.releases = Releases(scene, omega, built.body, built.node_body, built.bonds)
-        period = round(RELEASE_CHECK_S / omega.dt)
-        loop.between(built.releases, period, first=1 + period)
+        period = built.releases.period
+        built.releases.visit = loop.between(built.releases, period, first=1 + period)

@@ -23,6 +23,7 @@ friction is a tie: no shear at all.
 """
 
 import math
+from heapq import heappop, heappush
 from typing import Any
 
 import numpy as np
@@ -64,25 +65,19 @@ def _frame(normal):
     return np.array([normal, first, np.cross(normal, first)])
 
 
-def rotations(quaternions):
-    """Rotation matrices of quaternions (x, y, z, w), shapes (n, 4) and (n, 3, 3)."""
-    x, y, z, w = quaternions.T
-    out = np.empty((len(quaternions), 3, 3))
-    out[:, 0, 0] = 1 - 2 * (y * y + z * z)
-    out[:, 0, 1] = 2 * (x * y - z * w)
-    out[:, 0, 2] = 2 * (x * z + y * w)
-    out[:, 1, 0] = 2 * (x * y + z * w)
-    out[:, 1, 1] = 1 - 2 * (x * x + z * z)
-    out[:, 1, 2] = 2 * (y * z - x * w)
-    out[:, 2, 0] = 2 * (x * z - y * w)
-    out[:, 2, 1] = 2 * (y * z + x * w)
-    out[:, 2, 2] = 1 - 2 * (x * x + y * y)
-    return out
+def rotation(quaternion):
+    """Rotation matrix of a quaternion (x, y, z, w), by rows: nine floats."""
+    x, y, z, w = quaternion
+    return (
+        *(1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
+        *(2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)),
+        *(2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)),
+    )
 
 
-def rotation(orientation):
-    """Rotation matrix of one YADE quaternion, shape (3, 3)."""
-    return rotations(np.array([[float(orientation[i]) for i in range(4)]]))[0]
+def safe_wait(left_m, speed_m_s):
+    """Half the time [s] to move so far, at this speed or under REFERENCE_ACCELERATION from rest."""
+    return 0.5 * min(left_m / (speed_m_s + 1e-9), math.sqrt(2.0 * left_m / REFERENCE_ACCELERATION))
 
 
 def separate(omega, spheres):
@@ -167,8 +162,7 @@ class _Pair:
     def _displacement(self):
         """Displacement of a past b since the reference: along the normal, across, across (n, 3)."""
         place, turn = self.at
-        pose = np.array([*place, *rotations(np.array([turn]))[0].ravel()])
-        return self.matrix @ pose + self.constant
+        return self.matrix @ np.array(place + rotation(turn)) + self.constant
 
     def forces(self):
         """Normal force (compression positive) and shear force of each bond, as if intact [N].
@@ -225,16 +219,20 @@ class Bonds:
         self.pairs = [
             _Pair(scene, omega, state_of_block, a, b, nodes) for (a, b), nodes in of_pair.items()
         ]
+        self.queue = [(0, number) for number in range(len(self.pairs))]  # a heap: step, pair
 
     def __call__(self):
         """Look after the pairs that are due; set when to come again."""
-        now = self.omega.iter
-        for pair in self.pairs:
-            if pair.due <= now:
+        now, due = self.omega.iter, []
+        while self.queue and self.queue[0][0] <= now:
+            due.append(heappop(self.queue)[1])
+        for number in sorted(due):
+            pair = self.pairs[number]
+            if len(pair.node):
                 self._look_after(pair, now)
-        self.pairs = [pair for pair in self.pairs if len(pair.node)]
+                heappush(self.queue, (pair.due, number))
         if self.visit is not None:
-            self.visit.period = min((pair.due for pair in self.pairs), default=math.inf) - now
+            self.visit.period = self.queue[0][0] - now if self.queue else math.inf
 
     def _look_after(self, pair, now):
         """Break the bonds of a pair that have reached their strength; set its next turn."""
@@ -251,8 +249,8 @@ class Bonds:
             left = pair.left = float(margin.min(initial=math.inf))
         speed = pair.moved(pose, pair.last) / (max(now - pair.before, 1) * dt)
         pair.last, pair.before = pose, now
-        wait = 0.5 * min(left / (speed + 1e-9), math.sqrt(2.0 * left / REFERENCE_ACCELERATION))
-        pair.due = now + max(1, int(min(max(CHECK_S, wait), LONGEST_CHECK_S) / dt))
+        wait = min(max(CHECK_S, safe_wait(left, speed)), LONGEST_CHECK_S)
+        pair.due = now + max(1, int(wait / dt))
 
     def end(self, nodes):
         """Take the bonds of some nodes out of the scene, broken or not; not counted as broken."""

@@ -72,6 +72,7 @@ def between(function, period, *, first=0):
 
 def _visit(taken):
     """Call what is due after so many steps; return the steps to the next call."""
+    next_due = math.inf
     for visit in _visits:
         if visit.due <= taken:
             try:
@@ -80,7 +81,9 @@ def _visit(taken):
                 _errors.append(error)
                 _ending.append(True)
             visit.due = taken + visit.period
-    return min((visit.due for visit in _visits), default=math.inf) - taken
+        if visit.due < next_due:
+            next_due = visit.due
+    return next_due - taken
 
 
 def runner(function, period, *, at_start=True):

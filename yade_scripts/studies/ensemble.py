@@ -11,6 +11,7 @@ import argparse
 import csv
 import math
 import sys
+from dataclasses import replace
 
 import numpy as np
 
@@ -117,16 +118,15 @@ def measure_sensitivity(runner, status, d_over_b, settings):
 
     Returns
     -------
-    changes : dict of float to float
-    rows : list of dict
+    list of dict
         Contract of the sensitivity table.
     """
-    changes, rows = {}, []
+    rows: list[dict] = []
     size = settings["sensitivity_perturbation"]
     for g in perturb.probe_intensities(status):
         row = runner.run(g, perturb.Member(0, 1.0 + size))
         value = math.nan if row["d_over_b"] is None else row["d_over_b"]
-        changes[g] = perturb.sensitivity(d_over_b[g], value)
+        change = perturb.sensitivity(d_over_b[g], value)
         rows.append(
             {
                 "model": row["model"],
@@ -136,13 +136,13 @@ def measure_sensitivity(runner, status, d_over_b, settings):
                 "perturbation": size,
                 "d_over_b": d_over_b[g],
                 "d_over_b_perturbed": value,
-                "change": changes[g],
-                "repeats": int(changes[g] <= settings["sensitivity_threshold"]),
+                "change": change,
+                "repeats": int(change <= settings["sensitivity_threshold"]),
             }
         )
-    worst = max(changes.values(), default=float("nan"))
-    runner.say(f"sensitivity at {len(changes)} intensities: at most {worst:.2g}")
-    return changes, rows
+    worst = max((row["change"] for row in rows), default=math.nan)
+    runner.say(f"sensitivity at {len(rows)} intensities: at most {worst:.2g}")
+    return rows
 
 
 def run_members(runner, pga_g, members):
@@ -155,7 +155,7 @@ def run_members(runner, pga_g, members):
 
 
 def analyse(runner, status, d_over_b, plan=None):
-    """Measure sensitivity, then run ensembles where needed; with a plan, at its levels alone.
+    """Run a plan's ensembles; without one search the collapse band, or measure sensitivity alone.
 
     Returns
     -------
@@ -168,23 +168,27 @@ def analyse(runner, status, d_over_b, plan=None):
         wanted = plan if runner.job["model"] in settings["models"] else []
         members = perturb.draw_members(settings)
         return [row for g in wanted for row in run_members(runner, g, members)[0]], []
-    changes, sensitivity_rows = measure_sensitivity(runner, status, d_over_b, settings)
     if runner.job["model"] not in settings["models"]:
-        return [], sensitivity_rows
-    members = perturb.draw_members(settings)
-    wanted, collapse = perturb.sensitive_intensities(status, changes, settings)
+        return [], measure_sensitivity(runner, status, d_over_b, settings)
     rows: list[dict] = []
-    fractions: dict[float, float] = {}
-    if collapse:
-        start = min(g for g, s in status.items() if s == "overturned")
-        tolerance = ida["tolerance_g"]
-        while (g := perturb.next_level(fractions, settings, start, tolerance)) is not None:
-            more, fractions[g] = run_members(runner, g, members)
-            rows += more
-    for g in wanted:
-        if g not in fractions and not any(a < g for a in fractions):
+    if settings["enabled"] == "on":
+        first = min((g for g, s in status.items() if s == "overturned"), default=math.inf)
+        members = perturb.draw_members(settings)
+        for g in sorted(g for g in status if g < first):
             rows += run_members(runner, g, members)[0]
-    return rows, sensitivity_rows
+    return rows + search_band(runner, status, settings, ida), []
+
+
+def search_band(runner, status, settings, ida):
+    """Rows of single members, each at an amplitude of its own, until the collapse band is known."""
+    rows, outcomes = [], dict(status)
+    for member in perturb.draw_members({**settings, "members": settings["max_runs"]}):
+        if (g := perturb.next_amplitude(outcomes, settings, ida)) is None:
+            break
+        rows.append(runner.run(g, replace(member, amplitude_factor=1.0)))
+        outcomes[g] = rows[-1]["status"]
+    runner.say(f"{len(rows)} members at amplitudes of their own")
+    return rows
 
 
 def main(arguments=None):

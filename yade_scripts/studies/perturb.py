@@ -6,6 +6,8 @@ millionth can decide between a third of the thickness and overturning. There one
 history says little; the share of slightly perturbed runs that collapse does.
 """
 
+import itertools
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,7 +17,8 @@ from yade_scripts.studies.intensities import DIGITS
 NODE_KEYS = ("nodes_thickness", "nodes_height", "nodes_per_block")
 STEP_SPREAD = 0.1  # members step at 0.9 to 1 of the stated step: never beyond the critical one
 NODE_CHOICES = 3  # members use the stated number of nodes, or one or two more
-NEAR_COLLAPSE = 0.5  # share of the collapse intensity below which no ensemble is run by itself
+NEAR_COLLAPSE = 0.5  # share of the collapse intensity from which sensitivity is measured
+FINE = 0.2  # of the window of an ensemble: distance between its amplitudes where outcomes change
 
 
 @dataclass(frozen=True)
@@ -90,63 +93,41 @@ def probe_intensities(curve):
     return sorted(g for g, s in curve.items() if s != "failed" and lowest <= g <= first)
 
 
-def sensitive_intensities(curve, changes, settings):
-    """Intensities that need an ensemble [g], and whether the collapse needs one.
+def next_amplitude(outcomes, settings, ida):
+    """Next amplitude of a search for the collapse band [g], or None when the band is known.
 
-    Below half the collapse intensity small rocking may not repeat to the last
-    digit either, but its band is narrow and no collapse depends on it.
-
-    Returns
-    -------
-    intensities : list of float
-        Ascending.
-    collapse : bool
-    """
-    if settings["enabled"] == "off":
-        return [], False
-    collapsed = [g for g, s in curve.items() if s == "overturned"]
-    first = min(collapsed, default=float("inf"))
-    if settings["enabled"] == "on":
-        return sorted(g for g in curve if g < first), bool(collapsed)
-    limit = settings["sensitivity_threshold"]
-    lowest = NEAR_COLLAPSE * first if collapsed else 0.0
-    chosen = sorted(g for g, change in changes.items() if change > limit and g >= lowest)
-    return [g for g in chosen if g < first], bool(chosen and collapsed)
-
-
-def next_level(fractions, settings, start_g, tolerance_g):
-    """Next intensity of the collapse band [g], or None when the band is bracketed.
-
-    From the first collapse of the curve down until at most the lower percentile of
-    the members collapses, up until at least the upper one does, with growing steps;
-    then halving where the share jumps by more than a half over more than `tolerance_g`.
+    From the lowest collapse on, gaps wider than `search_ratio` are closed up to a factor `beyond`
+    over the highest amplitude that stood; then neighbours of different outcome are halved, the
+    lowest first, down to FINE of the window ± amplitude_spread, and what is left of that window
+    about each change is filled as densely. Gaps in which a run failed are left.
 
     Parameters
     ----------
-    fractions : dict of float to float
-        Share of collapsed members by PGA; NaN where every member failed.
-    settings : dict
-        Section ensemble: percentiles, level_step, level_growth, max_levels.
-    start_g, tolerance_g : float
+    outcomes : dict of float to str
+        Status by PGA, of everything that was run.
+    settings, ida : dict
+        Sections ensemble (amplitude_spread) and ida (search_ratio, beyond, max_pga_g).
     """
-    low, high = (p / 100.0 for p in settings["percentiles"])
-    if not fractions:
-        return round(start_g, DIGITS)
-    if len(fractions) >= settings["max_levels"]:
+    valid = sorted(g for g, status in outcomes.items() if status != "failed")
+    fell = [g for g in valid if outcomes[g] == "overturned"]
+    if not fell:
         return None
-    step = max(settings["level_step"] * start_g, tolerance_g)
-    for side, reached in ((-1, lambda f: f <= low), (1, lambda f: f >= high)):
-        if any(reached(f) for g, f in fractions.items() if side * (g - start_g) >= 0.0):
-            continue
-        offset, width = 0.0, step
-        while (g := round(start_g + side * offset, DIGITS)) in fractions:
-            offset, width = offset + width, width * settings["level_growth"]
-        if g > 0.0:
-            return g
-    levels = sorted(g for g, f in fractions.items() if np.isfinite(f))
-    for a, b in zip(levels[:-1], levels[1:], strict=True):
-        middle = round(0.5 * (a + b), DIGITS)
-        jump = abs(fractions[b] - fractions[a]) > 0.5
-        if jump and b - a > tolerance_g * (1.0 + 1e-9) and middle not in fractions:
-            return middle
+    spread = settings["amplitude_spread"]
+    fine, step = 2.0 * spread * FINE, ida["search_ratio"]
+    highest = max([fell[0], *(g for g in valid if outcomes[g] == "ok")])
+    top = min(highest * ida["beyond"], ida["max_pga_g"])
+    pairs = list(itertools.pairwise(valid))
+    changes = [(a, b) for a, b in pairs if outcomes[a] != outcomes[b]]
+    low, high = 1.0 - spread, 1.0 + spread
+    centres = [math.sqrt(a * b) for a, b in changes]
+    near = [(a, b) for a, b in pairs if any(b > low * c and a < high * c for c in centres)]
+    if valid[-1] < top:
+        pairs.append((valid[-1], top))
+    above = [(a, b) for a, b in pairs if fell[0] <= a < top]
+    for gaps, width in ((above, step), (changes, fine), (near, fine)):
+        for a, b in gaps:
+            parts = max(2, math.ceil(math.log(b / a) / math.log1p(width))) if gaps is above else 2
+            middle = round(a * (b / a) ** (1.0 / parts), DIGITS)
+            if b / a > 1.0 + 1.25 * width and a < middle < b and middle not in outcomes:
+                return middle
     return None

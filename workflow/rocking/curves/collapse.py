@@ -53,6 +53,38 @@ def probability(pga_g, collapsed, at_g, spread):
         return np.where(members > 0, (total[last] - total[first]) / members, np.nan), members
 
 
+def single_runs(runs, spread):
+    """Collapse probability of a curve of single runs, each at an amplitude of its own.
+
+    Every run stands for the amplitudes nearest to it, by their ratio; the probability is the
+    share of the interval ± spread whose nearest run collapsed, linear between the rows returned.
+
+    Parameters
+    ----------
+    runs : DataFrame
+        By ascending pga_g, with collapsed (0 or 1), see `outcomes`; at least one row.
+    spread : float
+
+    Returns
+    -------
+    DataFrame
+        pga_g, probability_yade, members_yade (runs within ± spread, 0 between two distant ones).
+    """
+    pga_g, collapsed = runs["pga_g"].to_numpy(float), runs["collapsed"].to_numpy(float)
+    edge = np.sqrt(pga_g[1:] * pga_g[:-1])
+    turn = edge[collapsed[1:] != collapsed[:-1]]
+    at = np.unique(np.concatenate([pga_g, turn / (1.0 + spread), turn / (1.0 - spread)]))
+    ends = [pga_g[0] * (1.0 - 2.0 * spread), pga_g[-1] * (1.0 + 2.0 * spread)]
+    at = at[(at >= pga_g[0]) & (at <= pga_g[-1])]
+    edge = np.log(np.concatenate([ends[:1], edge, ends[1:]]))
+    fallen = np.concatenate(([0.0], np.cumsum(collapsed * np.diff(edge))))
+    low, high = np.log(at * (1.0 - spread)), np.log(at * (1.0 + spread))
+    share = (np.interp(high, edge, fallen) - np.interp(low, edge, fallen)) / (high - low)
+    _, members = probability(pga_g, collapsed, at, spread)
+    share = np.clip(share.round(9), 0.0, 1.0)
+    return pd.DataFrame({"pga_g": at, "probability_yade": share, "members_yade": members})
+
+
 def first_crossing(pga_g, share, level):
     """Lowest amplitude at which a share is first reached [g]; NaN if it never is.
 
@@ -112,16 +144,17 @@ def summary(scan, curve, members, spread):
         below, in either method; lowest that fell; first crossings of 10, 50 and 90 %; amplitude
         from which all collapse; largest that was run.
     """
-    own = [_outcomes(table) for table in (curve, members) if len(table)]
-    every = pd.concat(own if scan is None else [*own, _outcomes(scan)])
-    dense = every if scan is None else _outcomes(scan)
-    every = every.sort_values("pga_g", ignore_index=True)
-    dense = dense.sort_values("pga_g", ignore_index=True)
+    own = [table for table in (curve, members) if len(table)]
+    every = outcomes(*own) if scan is None else outcomes(*own, scan)
+    dense = every if scan is None else outcomes(scan)
     fell, stood = every[every["collapsed"] == 1]["pga_g"], every[every["collapsed"] == 0]["pga_g"]
     lowest = fell.min() if len(fell) else np.nan
     highest = stood.max() if len(stood) else np.nan
-    share, _ = probability(dense["pga_g"], dense["collapsed"], dense["pga_g"], spread)
-    low, middle, high = (first_crossing(dense["pga_g"], share, level) for level in LEVELS)
+    at_g = dense["pga_g"]
+    share, _ = probability(at_g, dense["collapsed"], at_g, spread)
+    if scan is None and len(members) and len(every):
+        at_g, share = single_runs(every, spread)[["pga_g", "probability_yade"]].to_numpy().T
+    low, middle, high = (first_crossing(at_g, share, level) for level in LEVELS)
     above = every["pga_g"][every["pga_g"] > highest]
     return {
         "pga_safe_g": stood[~(stood * (1.0 + spread) >= lowest)].max(),
@@ -137,13 +170,14 @@ def summary(scan, curve, members, spread):
     }
 
 
-def _outcomes(table):
-    """Amplitude and outcome of every run that did not fail."""
-    valid = table[table["status"] != "failed"]
-    factor = valid.get("amplitude_factor", 1.0)
-    return pd.DataFrame(
-        {"pga_g": valid["pga_g"] * factor, "collapsed": valid["collapsed"].astype(int)}
-    )
+def outcomes(*tables):
+    """Amplitude and outcome of every run that did not fail, by ascending amplitude."""
+    parts = []
+    for table in tables:
+        valid = table[table["status"] != "failed"]
+        pga_g = valid["pga_g"] * valid.get("amplitude_factor", 1.0)
+        parts.append(pd.DataFrame({"pga_g": pga_g, "collapsed": valid["collapsed"].astype(int)}))
+    return pd.concat(parts).sort_values("pga_g", ignore_index=True)
 
 
 def brackets(table, row, count=10):
@@ -157,7 +191,7 @@ def brackets(table, row, count=10):
     Parameters
     ----------
     table : DataFrame
-        Rows of tables/collapse_probability.csv of the curve; without planar ones if not scanned.
+        Rows of tables/collapse_probability.csv of the curve; those of YADE alone if not scanned.
     row : mapping
         Its row of tables/ida_collapse.csv.
     count : int
@@ -167,13 +201,14 @@ def brackets(table, row, count=10):
     list of (low, high, weight)
         [g]; high = ∞ where the member never collapsed. Empty where every run failed.
     """
-    dense = table[table["members"].notna()]
+    by = "" if table["members"].notna().any() else "_yade"
+    dense = table[table[f"members{by}"].notna()]
     if not len(dense):
         known = {k: float(row[f"pga_{k}_g"]) for k in ("safe", "collapse", "max")}
         if math.isfinite(known["collapse"]):
             return [(np.nan_to_num(known["safe"]), known["collapse"], 1.0)]
         return [(known["max"], math.inf, 1.0)] if math.isfinite(known["max"]) else []
-    pga_g, share = dense["pga_g"].to_numpy(), np.maximum.accumulate(dense["probability"])
+    pga_g, share = dense["pga_g"].to_numpy(), np.maximum.accumulate(dense[f"probability{by}"])
     out = []
     for level in (np.arange(count) + 0.5) / count:
         k = int(np.searchsorted(share, level))
