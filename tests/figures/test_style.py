@@ -1,8 +1,11 @@
-"""Legends lie on no curve and name nothing that is not to be seen."""
+"""Legends lie on no curve and name nothing that is not to be seen; figures say their records."""
+
+import json
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from matplotlib.lines import Line2D
 from rocking.figures import style
 
 
@@ -55,3 +58,48 @@ def test_what_never_enters_the_axes_is_not_named(axis):
     axis.legend(loc="upper left")
     style.settle_legends(axis.figure)
     assert texts(axis) == ["seen", "through"]
+
+
+def facts(folder, name, kind, details):
+    path = folder / f"{name}.json"
+    path.write_text(json.dumps({"name": name, "source": kind, "details": details}))
+    return str(path)
+
+
+def test_what_records_are_is_said_by_kind_and_counted_where_they_are_many(tmp_path):
+    about = {"about": {"station": "ABC", "event": "Somewhere, 1990"}}
+    few = [
+        facts(tmp_path, "A", "surrogate", about),
+        facts(tmp_path, "B", "file", {"file": "b.at2", "component": "North"}),
+    ]
+    recorded, stands_for, note = style.origins(few, 20.0).splitlines()
+    assert recorded == "recorded: B (North, b.at2)"
+    assert stands_for == "surrogates, in place of: A (ABC, Somewhere, 1990)"
+    assert "not its record" in note
+    licence = {"source": "A. Author (2001), Journal", "licence": "CC BY 4.0, https://x"}
+    many = [
+        facts(tmp_path, f"R{i}", "recorded, shipped", {"station": i // 2, "event": "E"} | licence)
+        for i in range(6)
+    ]
+    assert style.origins(many, 20.0) == (
+        "recorded, shipped: 6 (R0 to R5), 3 stations, 1 event. A. Author (2001), CC BY 4.0"
+    )
+    assert style.origins([], 20.0) == ""
+
+
+@pytest.mark.parametrize("side", ["lower", "upper"])
+def test_the_line_on_records_is_below_all_else(tmp_path, side):
+    """Red, the legend's, stays in the figure, whose size grows by the line alone."""
+    known, shapes = [facts(tmp_path, "A", "surrogate", {})], []
+    for name, records in (("bare", ()), ("said", known)):
+        figure, axis = plt.subplots(figsize=(5.0, 3.0))
+        axis.plot([0.0, 1.0], [0.0, 1.0], color="0.5")
+        red = Line2D([], [], color="red", lw=4)
+        figure.legend([red], ["legend"], loc=f"outside {side} center")
+        style.save(figure, [tmp_path / f"{name}.png"], records)
+        image = plt.imread(tmp_path / f"{name}.png")
+        rows = np.flatnonzero((image[..., :3] == (1.0, 0.0, 0.0)).all(axis=2).any(axis=1))
+        shapes.append((image.shape[0], rows.min(), rows.max()))
+    (height, *legend), (taller, *same) = shapes
+    np.testing.assert_allclose(same, legend, atol=3)
+    assert height + 20 < taller < height + 120

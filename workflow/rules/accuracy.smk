@@ -194,6 +194,7 @@ rule figure_chaos:
     input:
         ensembles=ACCURACY.ensembles,
         scans=ACCURACY.scans,
+        facts=ACCURACY.facts,
         modules=code("figure_chaos"),
     output:
         png=report(

@@ -46,6 +46,7 @@ rule collapse_frames:
 rule fig07_models:
     input:
         frames=lambda w: [f"results/{w.run}/frames/{m}.json" for m in WITH_WALLS],
+        facts=BOUNDARY.picture_facts,
         modules=code("fig07_models"),
     output:
         png=report(
@@ -66,6 +67,7 @@ rule fig07_models:
 rule animation_collapse:
     input:
         frames="results/{run}/frames/{model}_collapse.json",
+        facts=BOUNDARY.picture_facts,
         modules=code("animation_collapse"),
     output:
         report(

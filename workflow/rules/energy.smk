@@ -45,6 +45,7 @@ rule table_energy_balance:
 rule figure_energy_balance:
     input:
         histories=ACCURACY.energy_histories,
+        facts=ACCURACY.facts,
         modules=code("figure_energy_balance"),
     output:
         png=report(

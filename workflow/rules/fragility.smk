@@ -73,6 +73,7 @@ rule figure_intensity_measures:
     input:
         measures="results/{run}/tables/intensity_measures.csv",
         sufficiency="results/{run}/tables/im_sufficiency.csv",
+        facts=STUDY.record_facts,
         modules=code("figure_intensity_measures"),
     output:
         png=report(

@@ -54,6 +54,7 @@ rule figure_judge:
         scan="results/{run}/tables/judge_scan.csv",
         bands="results/{run}/tables/judge_bands.csv",
         probability="results/{run}/tables/collapse_probability.csv",
+        facts=STUDY.record_facts,
         modules=code("figure_judge"),
     output:
         png=report(

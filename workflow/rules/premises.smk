@@ -63,6 +63,7 @@ rule figure_premises:
 rule figure_premises_ratios:
     input:
         table="results/{run}/tables/premises.csv",
+        facts=STUDY.record_facts,
         modules=code("figure_premises_ratios"),
     output:
         png=report(
@@ -116,6 +117,7 @@ rule table_premises_map:
 rule figure_premises_map:
     input:
         table="results/{run}/tables/premises_map.csv",
+        facts=STUDY.record_facts,
         modules=code("figure_premises_map"),
     output:
         png=report(

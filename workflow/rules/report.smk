@@ -64,9 +64,6 @@ rule report_provenance:
     log:
         "results/{run}/logs/report_provenance.log",
     params:
-        about=lambda w: {
-            name: STUDY.tables[w.run][name].about for name in STUDY.records[w.run]
-        },
         table=lambda w: STUDY.cfg(w)["records_table"],
     script:
         "../scripts/report_provenance.py"

@@ -45,6 +45,7 @@ rule figure_surrogate_trust:
     input:
         table="results/{run}/tables/surrogates.csv",
         summary="results/{run}/tables/surrogate_trust.csv",
+        facts=STUDY.record_facts,
         modules=code("figure_surrogate_trust"),
     output:
         png=report(

@@ -63,6 +63,7 @@ def main(job):
         dot.set_data([time_s[i]], [d[i]])
         return line, dot
 
+    figure.supxlabel(style.origins(job.input.facts, 6.4), fontsize=6.5)
     movie = FuncAnimation(figure, update, frames=len(shown), blit=False)
     movie.save(job.output[0], writer=PillowWriter(fps=20), dpi=90)
     plt.close(figure)

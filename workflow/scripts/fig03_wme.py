@@ -70,7 +70,7 @@ def main(job):
         ax.legend(loc="upper right", ncols=3 if letter == "a" else 1)
         ax.set_title(f"({letter})", loc="left")
     figure.suptitle(f"{style.provenance(facts)}: SBDEM and chains with T1 = {period:.3f} s")
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

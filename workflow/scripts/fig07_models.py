@@ -54,7 +54,7 @@ def main(job):
         f"displacements × {k:g}",
         fontsize=8.5,
     )
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

@@ -14,7 +14,6 @@ from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from rocking.curves import collapse
 from rocking.curves.ida import branches, curve_key, read_curve
 from rocking.curves.pushover import smoothed
-from rocking.curves.surrogate_trust import NOTE as SURROGATE_NOTE
 from rocking.figures import style
 from rocking.runtime.script import run
 
@@ -151,9 +150,7 @@ def main(job):
     figure.legend(
         legend.values(), legend.keys(), loc="outside upper center", ncols=min(len(legend), 5)
     )
-    if any(f["source"] == "surrogate" for f in facts.values()):
-        figure.supxlabel(SURROGATE_NOTE, fontsize=7)
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 def records(path):

@@ -86,13 +86,11 @@ def main(job):
     axis.set_ylim(bottom=0)
     axis.set_xlim(left=0)
     axis.legend(loc="best", ncols=max(1, used["base_height_ratio"].nunique()), fontsize=7)
-    kinds = " and ".join(sorted(set(table["source"])))
     axis.set_title(
-        f"{table['record'].nunique()} records ({kinds}), "
-        f"{table['direction'].nunique()} direction(s)",
+        f"{table['record'].nunique()} records, {table['direction'].nunique()} direction(s)",
         loc="left",
     )
-    style.save(figure, [job.output.png, job.output.pdf])
+    style.save(figure, [job.output.png, job.output.pdf], job.input.records)
 
 
 run(main, globals())

@@ -69,7 +69,7 @@ def main(job):
         figure.legend(lines, labels, loc="outside right upper", fontsize=7)
     axes[0, 0].set(ylabel="peak d/b (-)", ylim=(0.0, 1.05))
     axes[1, 0].set(ylabel="collapsed members (-)", ylim=(-0.03, 1.03))
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

@@ -76,7 +76,7 @@ def main(job):
         for m in dict.fromkeys(key[0] for key in scans)
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=2)
-    style.save(figure, (job.output.png, job.output.pdf))
+    style.save(figure, (job.output.png, job.output.pdf), job.input.facts)
 
 
 run(main, globals())

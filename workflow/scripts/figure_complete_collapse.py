@@ -60,7 +60,7 @@ def main(job):
     source = style.provenance(json.loads(Path(job.input.facts).read_text()))
     case = f"{frames['model']}, {job.wildcards.record} {job.wildcards.direction}"
     figure.suptitle(f"{case}, {frames['pga_g']:.3g} g: {source}", fontsize=8)
-    style.save(figure, (job.output.png, job.output.pdf))
+    style.save(figure, (job.output.png, job.output.pdf), job.input.facts)
 
 
 run(main, globals())

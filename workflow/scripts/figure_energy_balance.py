@@ -58,7 +58,7 @@ def main(job):
     axes[0, 0].set_ylabel("energy over m g (R − h/2) (-)")
     axes[1, 0].set_ylabel("|residual| (%)")
     figure.legend(handles.values(), handles.keys(), loc="outside right upper", fontsize=7)
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

@@ -53,7 +53,7 @@ def main(job):
         f"{style.provenance(facts)} through {len(motions) - 1} lumped masses, "
         f"{100 * chain['damping_ratio']:g} % {chain['damping_model']} damping"
     )
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

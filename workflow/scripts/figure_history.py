@@ -63,7 +63,7 @@ def main(job):
         f"largest |d|/b {history['d_over_b'].abs().max():.3f}{ending}",
         fontsize=9,
     )
-    style.save(figure, [job.output[0]])
+    style.save(figure, [job.output[0]], job.input.facts)
 
 
 run(main, globals())

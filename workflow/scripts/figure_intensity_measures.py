@@ -54,7 +54,7 @@ def main(job):
     if records < job.params.min_records:
         note += "; too few for more than an indication"
     axes[0].set_title(note, loc="left")
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

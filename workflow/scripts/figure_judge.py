@@ -60,7 +60,7 @@ def main(job):
         draw(axis, key, scan, bands.loc[key], known[key], job.params.spread)
     figure.supxlabel("PGA (g)")
     figure.supylabel("collapse probability (-)")
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

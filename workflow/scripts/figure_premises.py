@@ -59,7 +59,7 @@ def main(job):
         axis.set_visible(False)
     handles, labels = axes[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=min(len(labels), 5))
-    style.save(figure, [job.output.png, job.output.pdf])
+    style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
 
 
 run(main, globals())

@@ -56,7 +56,7 @@ def main(job):
     axis.set_ylim(0, 1.05 * max(1.0, part["high"].max()))
     axis.set_title(f"half collapse, T1 = {p.smdof['period_s']:g} s", loc="left")
     axis.legend(title="damping", loc="lower left")
-    style.save(figure, [job.output.png, job.output.pdf])
+    style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
 
 
 run(main, globals())

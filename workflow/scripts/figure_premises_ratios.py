@@ -42,7 +42,7 @@ def main(job):
     axes[1].annotate("unsafe side", (0.98, 0.03), xycoords="axes fraction", fontsize=7, ha="right")
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=max(1, len(labels)))
-    style.save(figure, [job.output.png, job.output.pdf])
+    style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
 
 
 run(main, globals())

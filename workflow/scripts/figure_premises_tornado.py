@@ -71,7 +71,7 @@ def main(job):
     axes[0, 0].fill_between([], [], color="0.9", label="scatter as configured")
     handles, labels = axes[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=2 if columns < 3 else 4)
-    style.save(figure, [job.output.png, job.output.pdf])
+    style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
 
 
 run(main, globals())

@@ -34,7 +34,7 @@ def main(job):
     axes["s"].loglog(periods, spectrum.psa_m_s2 / G_M_S2)
     axes["s"].set(xlabel="period [s]", ylabel="pseudo-acceleration, 5 % damping [g]")
     figure.suptitle(f"{style.provenance(facts)}, baseline treatment: {facts['baseline']}")
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

@@ -1,6 +1,5 @@
 """Hazard curve above the fragility curves, and at which intensities the façade falls."""
 
-import json
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -63,13 +62,12 @@ def main(job):
     axes[2].xaxis.set_major_formatter(lambda v, _: f"{v:g}")
     if models:
         figure.legend(loc="outside lower center", fontsize=8)
-    sources = {json.loads(Path(path).read_text())["source"] for path in job.input.facts}
     records = int(table["n_records"].max())
     figure.suptitle(
-        f"{records} records ({' and '.join(sorted(sources))}),"
-        f" {100 * job.params.confidence:g} % intervals; hazard: {Path(str(job.input.hazard)).name}"
+        f"{records} records, {100 * job.params.confidence:g} % intervals;"
+        f" hazard: {Path(str(job.input.hazard)).name}"
     )
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

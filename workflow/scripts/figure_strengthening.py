@@ -71,7 +71,7 @@ def main(job):
         f"{SIGNS[table['direction'].iloc[0]]}: {found}",
         loc="left",
     )
-    style.save(figure, [job.output.png, job.output.pdf])
+    style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
 
 
 run(main, globals())

@@ -60,7 +60,7 @@ def main(job):
     axes[1, 0].legend(loc="lower right", fontsize=7)
     records = found["record"].nunique()
     figure.suptitle(f"{records} recorded components\nand surrogates of theirs")
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

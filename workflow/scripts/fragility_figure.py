@@ -1,8 +1,5 @@
 """Fragility curves with bands, a panel an intensity measure; steps are the records themselves."""
 
-import json
-from pathlib import Path
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -78,13 +75,11 @@ def main(job):
     for axis in axes[:, 0]:
         axis.set_ylabel("probability of collapse [-]")
     records = brackets["record"].nunique()
-    sources = {json.loads(Path(path).read_text())["source"] for path in job.input.facts}
-    note = f"{records} records ({' and '.join(sorted(sources))})"
-    note += f", {100 * job.params.confidence:g} % bands"
+    note = f"{records} records, {100 * job.params.confidence:g} % bands"
     if records < job.params.min_records:
         note += "; too few for more than an indication"
     figure.suptitle(note)
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 def plain(axis):

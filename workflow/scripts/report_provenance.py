@@ -22,7 +22,7 @@ def main(job):
     body = []
     for path in job.input.facts:
         facts = json.loads(Path(path).read_text())
-        about = job.params.about.get(facts["name"], {})
+        about = facts["details"].pop("about", {})
         event = ", ".join(str(about[k]) for k in ("event", "station") if k in about)
         if "mw" in about:
             event += f", Mw {about['mw']:g}"

@@ -135,7 +135,7 @@ def _figure(job, explicit, modal, second_s):
     with open(job.input.facts) as handle:
         figure.suptitle(f"SBDEM, explicit and modal: {style.provenance(json.load(handle))}")
     figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3)
-    style.save(figure, (job.output.png, job.output.pdf))
+    style.save(figure, (job.output.png, job.output.pdf), job.input.facts)
 
 
 run(main, globals())

@@ -19,11 +19,6 @@ SUMMARY = [
     *("half", "model", "pulses", "n", "n_censored", "ratio_median", "ratio_p10", "ratio_p90"),
     *("scatter", "within_20_percent", "side_agrees", "n_sides", "side_recorded", "side_surrogate"),
 ]
-# measured on the recorded suite, docs/motions.md
-NOTE = (
-    "surrogate: not the record. Against recorded motions, three of four surrogates collapse within"
-    " a factor of 1.5;\nwhich direction is the weak one, it does not tell (docs/motions.md)"
-)
 DISTINCT = 1.1  # directions whose collapse differs by less have no weak side
 
 

@@ -1,5 +1,7 @@
 """What all figures share: the style file, colours of the models, and saving in two formats."""
 
+import json
+import textwrap
 from pathlib import Path
 
 import matplotlib
@@ -8,8 +10,21 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D
+from matplotlib.transforms import Bbox
 
 GREY = "0.65"
+MARGIN_IN = 0.05
+NAMED = 4  # records that are named one by one below a figure
+SOURCES = {
+    "file": "recorded",
+    "recorded, shipped": "recorded, shipped",
+    "surrogate": "surrogates, in place of",
+}
+# measured on the recorded suite, docs/motions.md
+SURROGATE_NOTE = (
+    "A surrogate is not its record: three of four collapse within a factor of 1.5 of it; which"
+    " direction is the weak one, they do not tell (docs/motions.md)."
+)
 
 plt.style.use(Path(__file__).with_name("paper.mplstyle"))
 
@@ -68,15 +83,98 @@ def settle_legends(figure):
         axis.legend(*zip(*kept, strict=True), title=title, fontsize=size, **place)
 
 
-def save(figure, output):
-    """Save a figure to the job's outputs (png, pdf) without dates, then close it."""
+def save(figure, output, facts=()):
+    """Save a figure to the job's outputs (png, pdf) without dates, then close it.
+
+    Parameters
+    ----------
+    facts : str or sequence of str
+        Provenance files of the records whose results it shows; what they say is added below the
+        figure, which keeps its size.
+    """
     settle_legends(figure)
+    box = figure.bbox_inches.extents
+    if text := origins(facts, figure.get_figwidth()):
+        line = figure.text(0.5, 0.0, text, fontsize=6.5, ha="center", va="top")
+        figure.draw_without_rendering()
+        figure.set_layout_engine("none")  # all stays where it is now
+        for legend in figure.legends:
+            legend.set_bbox_to_anchor((0.0, 0.0, 1.0, 1.0), figure.transFigure)
+        box[1] = line.get_window_extent().y0 / figure.dpi - MARGIN_IN
     plain = {"png": {"Software": None}, "pdf": {"CreationDate": None, "Producer": None}}
     for path in [str(p) for p in output]:
-        figure.savefig(path, metadata=plain[path.rpartition(".")[2]])
+        kind = path.rpartition(".")[2]
+        figure.savefig(path, metadata=plain[kind], bbox_inches=Bbox.from_extents(*box))
     plt.close(figure)
 
 
 def provenance(facts):
     """Say where a record comes from, for titles: one of `records.record.SOURCES`."""
     return f"{facts['name']} ({facts['source']})"
+
+
+def origins(facts, width_in):
+    """Where records come from, as text for below a figure of a width [inch].
+
+    Parameters
+    ----------
+    facts : str or sequence of str
+        Provenance files of records.
+    """
+    paths = [facts] if isinstance(facts, str) else facts
+    lines = sources([json.loads(Path(path).read_text()) for path in paths])
+    return "\n".join(textwrap.fill(line, int(22 * width_in)) for line in lines)
+
+
+def sources(facts):
+    """Lines on the origin of records, one a kind of source.
+
+    Parameters
+    ----------
+    facts : sequence of dict
+        What provenance files of records hold (`records.store`).
+
+    Returns
+    -------
+    list of str
+        Station, event, component and file of up to `NAMED` records, of more their numbers.
+    """
+    lines = []
+    for source, words in SOURCES.items():
+        mine = [f["details"] | {"name": f["name"]} for f in facts if f["source"] == source]
+        if not mine:
+            continue
+        named = "; ".join(map(_origin, mine)) if len(mine) <= NAMED else _count(mine)
+        lines.append(f"{words}: {named}{_licence(mine[0])}")
+        if source == "surrogate":
+            lines.append(SURROGATE_NOTE)
+    return lines
+
+
+def _about(details, key):
+    """What the records table says of a record, else its file."""
+    return details.get("about", {}).get(key, details.get(key))
+
+
+def _origin(details):
+    parts = [_about(details, key) for key in ("station", "event", "component")]
+    parts.append(details.get("file"))
+    known = ", ".join(str(part) for part in parts if part)
+    return f"{details['name']} ({known})" if known else details["name"]
+
+
+def _count(many):
+    text = f"{len(many)} ({many[0]['name']} to {many[-1]['name']})"
+    for key in ("station", "event"):
+        different = {_about(details, key) for details in many} - {None}
+        if different:
+            text += f", {len(different)} {key}{'s' if len(different) > 1 else ''}"
+    return text
+
+
+def _licence(details):
+    """Author, year and licence of shipped motions."""
+    if "licence" not in details:
+        return ""
+    author = details["source"].partition(")")[0]
+    return f". {author}), {details['licence'].partition(',')[0]}"

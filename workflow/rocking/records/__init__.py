@@ -6,6 +6,7 @@ peak = measures(rec)                             # pga_g, pgv_cm_s, pgd_cm, dura
 """
 
 import os
+from dataclasses import replace
 
 from .baseline import treat
 from .errors import RecordError
@@ -96,10 +97,12 @@ def load(
     if path is not None:
         record = read_record(path, format=row.format, **row.stated(vertical))
         options = {"method": baseline} if isinstance(baseline, str) else dict(baseline)
-        return treat(record, **options)
-    surrogates_path = surrogates_path or surrogates_for(table_path)
-    spec = read_specs(surrogates_path).get(name) if surrogates_path else None
-    return generate(name, **row.targets, spec=spec, seed=seed)
+        record = treat(record, **options)
+    else:
+        surrogates_path = surrogates_path or surrogates_for(table_path)
+        spec = read_specs(surrogates_path).get(name) if surrogates_path else None
+        record = generate(name, **row.targets, spec=spec, seed=seed)
+    return replace(record, details=record.details | {"about": row.about}) if row.about else record
 
 
 def records_row(record):

@@ -44,6 +44,10 @@ class Accuracy:
             if self.study.scanned(wildcards.run, Path(path).parent.name)
         ]
 
+    def facts(self, wildcards) -> list[str]:
+        """Provenance files of the same records."""
+        return [f"results/{wildcards.run}/records/{r}.json" for r in self.records(wildcards)]
+
     def motions(self, wildcards) -> list[str]:
         """Floor motions of its records."""
         run = wildcards.run

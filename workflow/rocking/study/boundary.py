@@ -19,6 +19,10 @@ class Boundary:
         """Floor motions of that record."""
         return self.study.floor_motions(wildcards.run, self.picture_record(wildcards.run))
 
+    def picture_facts(self, wildcards) -> str:
+        """Provenance file of that record."""
+        return f"results/{wildcards.run}/records/{self.picture_record(wildcards.run)}.json"
+
     def picture_curve(self, wildcards) -> str:
         """IDA table of a model under that record."""
         direction = self.study.cfg(wildcards)["pictures"]["direction"]
