@@ -32,11 +32,10 @@ def facade(**changes):
     return Wall(**(values | changes))
 
 
-def rate(wall, state, base=0.0, u=None, v=None):
+def rate(wall, state, base=0.0, u=None, v=None, lift=0.0):
     """Rates and friction limits of the compiled law, for one state."""
     out, limit = np.empty(state.size), np.empty(wall.eta_m.size)
     still = np.zeros(wall.n_segments + 1)
-    rates(
-        law_of(wall), state, base, still if u is None else u, still if v is None else v, out, limit
-    )
+    u, v = still if u is None else u, still if v is None else v
+    rates(law_of(wall), state, base, lift, u, v, out, limit)
     return out, limit

@@ -27,7 +27,9 @@ rule assess_collapse:
     params:
         table=lambda w: STUDY.table_path(w.run),
         records=lambda w: STUDY.records[w.run],
-        settings=STUDY.params_of("directions", "baseline", "seed", "ida.max_pga_g"),
+        settings=STUDY.params_of(
+            "directions", "baseline", "seed", "vertical_motion", "ida.max_pga_g"
+        ),
     script:
         "../scripts/assess_collapse.py"
 
@@ -173,7 +175,9 @@ rule assess_sensitivity:
     params:
         table=lambda w: STUDY.table_path(w.run),
         records=lambda w: STUDY.records[w.run],
-        settings=STUDY.params_of("directions", "baseline", "seed", "ida.max_pga_g"),
+        settings=STUDY.params_of(
+            "directions", "baseline", "seed", "vertical_motion", "ida.max_pga_g"
+        ),
     script:
         "../scripts/assess_sensitivity.py"
 

@@ -79,6 +79,7 @@ COMPLETE = study.Complete(STUDY)
 FRAGILITY = study.Fragility(STUDY)
 RISK = study.Risk(STUDY)
 SURROGATES = study.Surrogates(STUDY)
+VERTICAL = study.Vertical(STUDY)
 
 
 def code(script):

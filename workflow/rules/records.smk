@@ -15,8 +15,9 @@ rule record:
             k: v for k, v in asdict(STUDY.record_row(w)).items() if k != "line"
         },
         table=lambda w: STUDY.table_path(w.run),
-        baseline=lambda w: STUDY.cfg(w)["baseline"],
-        seed=lambda w: STUDY.cfg(w)["seed"],
+        how=lambda w: {
+            key: STUDY.cfg(w)[key] for key in ("baseline", "seed", "vertical_motion")
+        },
     script:
         "../scripts/record.py"
 

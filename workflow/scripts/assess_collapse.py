@@ -13,9 +13,10 @@ def main(job):
     scene = json.loads(Path(job.input.scene).read_text())
     settings = json.loads(job.params.settings)
     limit = settings["ida.max_pga_g"]
+    how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}
     rows = []
     for name in job.params.records:
-        record = load(name, job.params.table, baseline=settings["baseline"], seed=settings["seed"])
+        record = load(name, job.params.table, **how)
         peak = measures(record)["pga_g"]
         for direction, low, half, runs in collapse_pga(
             scene, record, settings["directions"], limit

@@ -26,9 +26,10 @@ def main(job):
     names, limit = job.params.records, settings["ida.max_pga_g"]
     every = names[:: max(1, len(names) // RECORDS)][:RECORDS]
     direction = settings["directions"][:1]
+    how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}
     rows = []
     for name in every:
-        record = load(name, job.params.table, baseline=settings["baseline"], seed=settings["seed"])
+        record = load(name, job.params.table, **how)
         cases = [("as stated", 1.0, scene)]
         for section, key, factors in VARIED:
             for factor in factors:

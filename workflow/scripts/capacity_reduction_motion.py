@@ -9,6 +9,7 @@ import math
 
 import numpy as np
 from rocking.records import G_M_S2, read_csv
+from rocking.records.floors import vertical_at
 from rocking.runtime.script import run
 
 from smdof.chain import floor_motions
@@ -36,7 +37,8 @@ def main(job):
         tail_s=tail_s,
     )
     levels = np.vstack([motion.ground_m_s2, motion.floors_m_s2])[below:]
-    write(job.output.motion, motion.time_s, levels[0], levels[1:])
+    up = vertical_at(record, motion.time_s)
+    write(job.output.motion, motion.time_s, levels[0], levels[1:], up)
     facts = {
         "record": record.name,
         "t1_s": period_s,

@@ -17,6 +17,7 @@ def main(job):
     facts = json.loads(Path(job.input.facts).read_text())
     chain = json.loads(job.params.smdof)["smdof"]
     time, columns = floor_motions.read(job.input.motion)
+    columns.pop(floor_motions.VERTICAL, None)
     motions = np.array(list(columns.values())) / G_M_S2
     colours = [style.GREY, *plt.colormaps["viridis"](np.linspace(0.85, 0.1, len(motions) - 1))]
     labels = [name.replace("floor", "floor ") for name in columns]

@@ -3,26 +3,18 @@
 import json
 
 from rocking.records import read_csv
+from rocking.records.floors import floor_columns
 from rocking.runtime.script import run
 
-from smdof.chain import floor_motions
-from yade_scripts.model.floor_motions import write
+from yade_scripts.model import floor_motions
 
 
 def main(job):
-    chain = json.loads(job.params.smdof)["smdof"]
-    record = read_csv(job.input.record)
-    n = int(job.wildcards.n)
-    motion = floor_motions(
-        record.acceleration_m_s2,
-        record.dt_s,
-        n,
-        chain["period_s"],
-        chain["damping_ratio"],
-        chain["damping_model"],
-        tail_s=chain["tail_s"],
-    )
-    write(job.output[0], motion.time_s, motion.ground_m_s2, motion.floors_m_s2)
+    chain = {**json.loads(job.params.smdof)["smdof"], "n_dof": int(job.wildcards.n)}
+    time_s, columns = floor_columns(read_csv(job.input.record), chain)
+    vertical = columns.pop(floor_motions.VERTICAL, None)
+    ground, *floors = columns.values()
+    floor_motions.write(job.output[0], time_s, ground, floors, vertical)
 
 
 run(main, globals())

@@ -6,10 +6,9 @@ from pathlib import Path
 import pandas as pd
 from rocking.curves import collapse
 from rocking.records import read_csv
+from rocking.records.floors import floor_columns
 from rocking.runtime.script import run
 from rocking.screening.scan import Screen
-
-from smdof.chain import floor_motions
 
 COLUMNS = ["record", "direction", "mass_ratio", "period_s", "damping_ratio"]
 COLUMNS += [*(f"pga_{name}_g" for name in ("collapse", "median", "all", "max")), "runs_planar"]
@@ -33,23 +32,13 @@ def main(job):
     spread, rows = 0.5 * (MEMBERS - 1) * settings["level_ratio"], []
     for period, damping in buildings(chain, settings):
         smdof = {**chain, "period_s": period, "damping_ratio": damping}
-        motion = floor_motions(
-            record.acceleration_m_s2,
-            record.dt_s,
-            chain["n_dof"],
-            period,
-            damping,
-            chain["damping_model"],
-            tail_s=chain["tail_s"],
-        )
-        columns = {"ground": motion.ground_m_s2}
-        columns |= {f"floor{j}": row for j, row in enumerate(motion.floors_m_s2, 1)}
+        motion = floor_columns(record, smdof)
         for direction in job.params.directions:
             for ratio in (0.0, *settings["mass_ratios"]):
                 wall = {**scene["return_wall"], "building_mass_kg": own_mass / (ratio or 1.0)}
                 model = "W2m" if ratio else "W2"
                 case = {**scene, "smdof": smdof, "return_wall": wall, "model": model}
-                scan = Screen(case, motion.time_s, columns, direction).climb(ida)
+                scan = Screen(case, *motion, direction).climb(ida)
                 found = collapse.summary(scan, scan, (), spread)
                 named = (record.name, direction, ratio, period, damping)
                 rows.append([*named, *(found[name] for name in COLUMNS[5:])])

@@ -8,28 +8,12 @@ from rocking.calibration.beta import beta_for
 from rocking.curves import collapse
 from rocking.curves.premises import BASE, CAPACITY, Variant, variants, varied
 from rocking.records import load, read_csv
+from rocking.records.floors import floor_columns
 from rocking.records.table import read_table
 from rocking.runtime.script import run
 from rocking.screening.scan import Screen
 
-from smdof.chain import floor_motions
-
 COLUMNS = ["model", "record", "direction", "premise", "level", *CAPACITY, "runs_planar"]
-
-
-def floors(record, smdof):
-    """Floor motions of a record as time and columns."""
-    motion = floor_motions(
-        record.acceleration_m_s2,
-        record.dt_s,
-        smdof["n_dof"],
-        smdof["period_s"],
-        smdof["damping_ratio"],
-        smdof["damping_model"],
-        tail_s=smdof["tail_s"],
-    )
-    columns = {f"floor{j}": row for j, row in enumerate(motion.floors_m_s2, 1)}
-    return motion.time_s, {"ground": motion.ground_m_s2, **columns}
 
 
 def main(job):
@@ -49,7 +33,7 @@ def main(job):
         source = record
         if variant.surrogate:
             source = load(record.name, p.surrogates_table, seed=p.seed)
-        motion = floors(source, case["smdof"])
+        motion = floor_columns(source, case["smdof"])
         settings = {**case["ida"], **case["ensemble"]}
         for direction in p.directions:
             scan = Screen(case, *motion, direction).scan(settings)

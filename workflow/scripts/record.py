@@ -6,7 +6,7 @@ from rocking.runtime.script import run
 
 def main(job):
     p = job.params
-    record = load(job.wildcards.record, p.table, baseline=p.baseline, seed=p.seed)
+    record = load(job.wildcards.record, p.table, **p.how)
     write_csv(record, job.output.record)
 
 

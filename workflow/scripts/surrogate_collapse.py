@@ -7,12 +7,11 @@ from pathlib import Path
 import pandas as pd
 from rocking.curves.surrogate_trust import COLUMNS, outcome
 from rocking.records import RecordError, measures, read_csv
+from rocking.records.floors import floor_columns
 from rocking.records.pulses import pulse_spec
 from rocking.records.surrogate import generate
 from rocking.runtime.script import run
 from rocking.screening.scan import Screen
-
-from smdof.chain import floor_motions
 
 
 def surrogate(record, pulses, seed):
@@ -38,23 +37,13 @@ def main(job):
             made, kept = surrogate(record, pulses, p.seed + draw)
             if made is not None:
                 motions.append(("surrogate", pulses, kept, draw, made))
-    chain, rows = p.smdof, []
+    rows = []
     for *what, motion in motions:
-        floors = floor_motions(
-            motion.acceleration_m_s2,
-            motion.dt_s,
-            chain["n_dof"],
-            chain["period_s"],
-            chain["damping_ratio"],
-            chain["damping_model"],
-            tail_s=chain["tail_s"],
-        )
-        columns = {f"floor{j + 1}": row for j, row in enumerate(floors.floors_m_s2)}
-        columns["ground"] = floors.ground_m_s2
+        floors = floor_columns(motion, p.smdof)
         for scene in scenes:
             ratio = p.surrogates["level_ratio"]
             for direction in p.directions:
-                screen = Screen(scene, floors.time_s, columns, direction)
+                screen = Screen(scene, *floors, direction)
                 found = outcome(screen.climb({**scene["ida"], "level_ratio": ratio}), ratio)
                 own = (record.name, p.station, scene["model"], direction, *what)
                 rows.append(dict(zip(COLUMNS, own, strict=False)) | found)

@@ -164,9 +164,11 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     omega.dt = dt_s
     if scene.shaking:
         engines += links.shake(w, scene, motions[scene.shaking], body, omega)
+    if scene.vertical:
+        engines += links.shake(w, scene, motions[scene.vertical], body, omega, axis=2)
     weighing, gravity = _weight(w, scene, body)
     newton = w.NewtonIntegrator(damping=0.0, gravity=gravity, exactAsphericalRot=full_rotation)
-    engines += [*weighing, *floors.loads(w, scene, resting), newton]
+    engines += [*weighing, *floors.loads(w, scene, resting, motions.get(scene.vertical)), newton]
     _place_members(w, omega)
     omega.engines, omega.dt = engines, dt_s
     ties.join(utils, omega, scene, pairs)

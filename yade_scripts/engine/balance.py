@@ -5,7 +5,8 @@ At every whole step, with the mean v of the velocities half a step before and af
     W_in = ΔK + ΔU + ΔE + D_c + D_μ + D_f + residual
 
     W_in  work of whatever moves a support or guides a block, ∫ −F·v dt, F the contacts' force on
-          it; in the frame of the ground also of the inertia forces, ∫ −m a_g v dt
+          it; in the frame of the ground also of the inertia forces, ∫ −m a_g v dt, and of those
+          of a vertical motion
     K     ½ m v² + ½ ωᵀ I ω of the free blocks, of guided ones without the motion imposed on them
     U     m g Δz of the free blocks, P Δz of the loads of floors
     E     ½ kn un² + ½ |Fs|²/ks of the contacts, for bonds and links without their preloads, which
@@ -84,9 +85,10 @@ class EnergyBalance:
     def __init__(self, scene, sample_s=0.01, motions=None):
         """Prepare the books of a run of `scene`, with a row every `sample_s`.
 
-        `motions` as for `simulate.run`, needed in the frame of the ground only.
+        `motions` as for `simulate.run`, needed where there are inertia forces only.
         """
-        self.shaking = motions[scene.shaking] if scene.shaking else None
+        own = {1: scene.shaking, 2: scene.vertical}
+        self.inertial = {axis: motions[name] for axis, name in own.items() if name and motions}
         self.scene, self.sample_s, self.rows = scene, sample_s, []
         self.work = np.zeros(4)  # input, dashpots, friction, fracture
         self.before: dict = {}
@@ -196,7 +198,7 @@ class EnergyBalance:
         """Forces and contacts at the step, and the velocities half a step before it."""
         self.speed, self.now = self._speeds(), self.contacts()
         self.place = np.array([[float(v) for v in s.pos] for s in self.states])
-        self.lifted = self.raised()
+        self.lifted, self.carried = self.raised(), self.raised.momentum()
 
     def _after(self):
         """Add up the works of the step; keep a row at every sample."""
@@ -217,9 +219,11 @@ class EnergyBalance:
         driven_b = (force * mean[c.b, :3] * self.driven[c.b]).sum()
         dashpots = (c.normal_force - c.kn * c.depth) @ closing + (viscous * sliding).sum()
         power = np.array([driven_a - driven_b, dashpots])
-        if self.shaking is not None:
-            ground = np.interp(self.omega.time, self.shaking.time_s, self.shaking.acceleration_m_s2)
-            power[0] -= ground * (self.mass[:, 1] @ mean[:, 1])
+        for axis, motion in self.inertial.items():
+            pull = np.interp(self.omega.time, motion.time_s, motion.acceleration_m_s2)
+            power[0] -= pull * (self.mass[:, axis] @ mean[:, axis])
+            if axis == 2:  # loads of floors too
+                power[0] -= pull * 0.5 * (self.carried + self.raised.momentum())
         friction, fracture = self._losses(earlier * dt, sticks)
         self.work[:2] += 0.5 * dt * power
         self.work[2] += friction

@@ -1,6 +1,7 @@
 """Floors of a scene in YADE: a force on a sphere of the façade, and a cohesive pair that slides.
 
-The load is a `ForceEngine` on a massless sphere of the façade's clump, at the floor's point. What
+The load is a `ForceEngine` on a massless sphere of the façade's clump, at the floor's point; under
+a vertical motion a second engine adds what its mass weighs more or less there. What
 holds is `CohFrict` between that sphere and one of the carrier, REACH_M straight above: ks is the
 floor's, the cohesion its capacity, there is no friction, and `fragile` is off, so that the shear
 across the vertical is elastic, perfectly plastic and the same whichever way it points; kn is
@@ -73,13 +74,24 @@ def place(w, utils, omega, scene):
     return pairs, members
 
 
-def loads(w, scene, pairs):
-    """Engines of the loads."""
-    return [
-        w.ForceEngine(force=(0.0, 0.0, -floor.load_n), ids=[own])
-        for floor, (own, _) in zip(scene.floors, pairs, strict=True)
-        if floor.load_n > 0.0
-    ]
+def loads(w, scene, pairs, lift=None):
+    """Engines of the loads; `lift` is the vertical motion in whose frame they act."""
+    found = []
+    for floor, (own, _) in zip(scene.floors, pairs, strict=True):
+        if floor.load_n > 0.0:
+            found.append(w.ForceEngine(force=(0.0, 0.0, -floor.load_n), ids=[own]))
+        if floor.load_n > 0.0 and lift is not None:
+            mass = floor.load_n / scene.gravity_m_s2
+            found.append(
+                w.InterpolatingDirectedForceEngine(
+                    times=lift.time_s.tolist(),
+                    magnitudes=(-mass * lift.acceleration_m_s2).tolist(),
+                    direction=(0, 0, 1),
+                    ids=[own],
+                    wrap=False,
+                )
+            )
+    return found
 
 
 def join(utils, scene, pairs):
@@ -96,6 +108,7 @@ class Raised:
 
     def __init__(self, scene, built):
         """Take hold of the points that are loaded."""
+        self.gravity = scene.gravity_m_s2
         self.loads = [
             (floor.load_n, built.omega.bodies[own].state, floor.position_m[2])
             for floor, (own, _) in zip(scene.floors, built.floors, strict=True)
@@ -104,3 +117,7 @@ class Raised:
     def __call__(self):
         """Energy now [J]."""
         return sum(load * (state.pos[2] - height) for load, state, height in self.loads)
+
+    def momentum(self):
+        """Mass of the loads times their speed along z [kg·m/s]."""
+        return sum(load * state.vel[2] for load, state, _ in self.loads) / self.gravity

@@ -6,11 +6,12 @@ blocks
 
     E = Σ ½ m |v − v_g|² + ½ ωᵀ I ω + m g Δz
 
-changes by the work of three things only: the inertia forces −m a_g, whatever moves
+changes by the work of three things only: the inertia forces −m a_g and, under a vertical
+motion, −m a_z, whatever moves
 relative to the base (driven return walls, bricks guided along y), and the contacts, which
 store and dissipate. Contacts cannot give more than they were given, so at every sample
 
-    E(t) − E(0) − ∫ Σ −m a_g (v − v_g) dt − ∫ Σ_j −F_j (v_j − v_g) dt ≤ 0
+    E(t) − E(0) − ∫ Σ −m a_g (v − v_g) − m a_z v_z dt − ∫ Σ_j −F_j (v_j − v_g) dt ≤ 0
 
 with F_j the contacts' force on what is moved, but for the integration of the samples. Masses
 joined by links are moved too, as far as the façade is concerned: their own energy is many
@@ -65,10 +66,11 @@ class EnergyLedger:
             names, drives = [], []
         else:
             self.ground = curves.get(reference.motion, lambda t: 0.0)
+        self.lift = _Curve(self.motions[scene.vertical]) if scene.vertical else lambda t: 0.0
         # driven, a floor of its own mass is one more free block, whose springs only store
         links = scene.links if scene.shaking else ()
         linked = {i for link in links for i in (link.a, link.b) if scene.blocks[i].free}
-        for name, drive in zip(names, drives, strict=True):
+        for name, drive in zip(names, drives[: len(names)], strict=True):  # inertia follows
             # with one motion no support moves relative to the base, and nothing works
             if len(names) > 1 and name != reference.motion:
                 states = [(i, omega.bodies[i].state) for i in drive.ids]
@@ -97,16 +99,16 @@ class EnergyLedger:
     def __call__(self):
         """Take a sample; indices, since unpacking YADE's vectors is many times slower."""
         t, ground = self.omega.time - self.omega.dt, self.base.vel[1]  # of the forces
-        power = 0.0
+        pull, lift = self.ground(t), self.lift(t)
         energy = self.raised()
-        pull = self.ground(t)
+        power = -lift * self.raised.momentum()
         for state, mass, inertia, weight, height in self.free:
             y = state.vel[1] - ground
             energy += 0.5 * mass * y * y + _energy(state, mass, inertia, weight, height)
-            power -= mass * pull * y
+            power -= mass * (pull * y + lift * state.vel[2])
         for body, state, mass, inertia, weight, height in self.guided:
             energy += _energy(state, mass, inertia, weight, height)
-            power -= self.forces.f(body)[1] * (state.vel[1] - ground)
+            power -= self.forces.f(body)[1] * (state.vel[1] - ground) + mass * lift * state.vel[2]
         for i, wall, mass, curve in self.walls:
             # what acts on a wall less what drives it is the façade's push on it
             pushed = self.forces.f(i)[1] - mass * curve(t)

@@ -75,23 +75,26 @@ def place(w, utils, omega, scene):
     return members
 
 
-def shake(w, scene, motion, body, omega):
-    """Inertia forces −m·a_g of the free blocks in the frame of the ground, as engines."""
+def shake(w, scene, motion, body, omega, axis=1):
+    """Inertia forces −m·a of the blocks free along an axis (1: y, 2: z), as engines.
+
+    They belong to the frame that moves with the motion along that axis.
+    """
     groups: dict[float, list] = {}
     same: dict[str, float] = {}  # masses that differ by rounding alone share an engine
     for index, block in enumerate(scene.blocks):
-        if "y" in block.free:
+        if DOFS[axis] in block.free:
             mass = same.setdefault(f"{block.mass_kg:.10g}", block.mass_kg)
             groups.setdefault(mass, []).append(body[index])
             state = omega.bodies[body[index]].state
-            velocity = state.vel  # velocities live at half steps: start half a step back
-            first = 0.5 * omega.dt * float(motion.acceleration_m_s2[0])
-            state.vel = (velocity[0], velocity[1] + first, velocity[2])
+            velocity = list(state.vel)  # velocities live at half steps: start half a step back
+            velocity[axis] += 0.5 * omega.dt * float(motion.acceleration_m_s2[0])
+            state.vel = tuple(velocity)
     return [
         w.InterpolatingDirectedForceEngine(
             times=motion.time_s.tolist(),
             magnitudes=(-mass * motion.acceleration_m_s2).tolist(),
-            direction=(0, 1, 0),
+            direction=tuple(int(i == axis) for i in range(3)),
             ids=ids,
             wrap=False,
         )

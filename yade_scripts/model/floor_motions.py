@@ -1,5 +1,8 @@
 """The floor-motion file: columns time_s, ground_m_s2, floor1_m_s2 … of absolute accelerations.
 
+A last column vertical_m_s2, where there is one, is the vertical acceleration of ground and walls
+alike, positive upward: the building is taken as rigid along its height.
+
 Written by the workflow, read by it and inside YADE: `smdof/{record}_{n}dof.csv`, and with the
 ground alone the motions of a shake table.
 """
@@ -7,6 +10,7 @@ ground alone the motions of a shake table.
 import numpy as np
 
 GROUND = "ground"
+VERTICAL = "vertical"
 UNIT = "_m_s2"
 
 
@@ -17,7 +21,7 @@ def read(path):
     -------
     time_s : ndarray, shape (nt,)
     accelerations : dict of str to ndarray
-        "ground", "floor1", … [m/s²], from the ground up.
+        "ground", "floor1", … [m/s²], from the ground up; "vertical" last, if it is there.
 
     Raises
     ------
@@ -35,7 +39,7 @@ def read(path):
     return data[:, 0], columns
 
 
-def write(path, time_s, ground_m_s2, floors_m_s2=()):
+def write(path, time_s, ground_m_s2, floors_m_s2=(), vertical_m_s2=None):
     """Write a floor-motion file.
 
     Parameters
@@ -43,7 +47,11 @@ def write(path, time_s, ground_m_s2, floors_m_s2=()):
     time_s, ground_m_s2 : ndarray, shape (nt,)
     floors_m_s2 : array_like, shape (n, nt)
         From the lowest floor up.
+    vertical_m_s2 : ndarray, shape (nt,), or None
     """
     names = ["time_s", GROUND + UNIT, *(f"floor{j + 1}{UNIT}" for j in range(len(floors_m_s2)))]
-    columns = np.column_stack([time_s, ground_m_s2, *floors_m_s2])
+    rows = [time_s, ground_m_s2, *floors_m_s2]
+    if vertical_m_s2 is not None:
+        names, rows = [*names, VERTICAL + UNIT], [*rows, vertical_m_s2]
+    columns = np.column_stack(rows)
     np.savetxt(path, columns, fmt="%.9g", delimiter=",", header=",".join(names), comments="")

@@ -1,8 +1,10 @@
 """Which assembly builds the scene of a model, so that entry points need not know."""
 
 import math
+from dataclasses import replace
 
 from yade_scripts.model import facade, interlocking, registry
+from yade_scripts.model.floor_motions import VERTICAL
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.shape import is_plain, shape_of
 
@@ -66,6 +68,19 @@ def static_multiplier(job):
     friction = math.tan(math.radians(w3["friction_deg"])) * wall["thickness_m"]
     moment = wall["count"] * friction * w3["overlap_m"] * course * arms
     return b / h + moment / (h * b * section["width_m"] * 0.5 * h)
+
+
+def shaken(scene, columns):
+    """A scene and the motions it needs: shaken vertically too where the motions say how.
+
+    Returns
+    -------
+    scene : Scene
+    columns : dict of str to ndarray
+        See `motion_columns`.
+    """
+    vertical = VERTICAL if VERTICAL in columns else None
+    return replace(scene, vertical=vertical), motion_columns(scene, columns)
 
 
 def motion_columns(scene, columns):

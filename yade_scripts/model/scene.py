@@ -169,6 +169,10 @@ class Scene:
         Name of the ground motion in whose frame the scene is described: supports without
         motion of their own stand still and every free block feels −m·a_g along y. None:
         an inertial frame.
+    vertical : str or None
+        Name of the vertical motion that supports and ground share. The scene is described in the
+        frame that moves with it: nothing prescribed moves along z, and every block that is free
+        along z feels −m·a_z. Exactly the same, since all that is prescribed moves together.
     """
 
     blocks: list
@@ -183,6 +187,7 @@ class Scene:
     ties: list = field(default_factory=list)
     floors: list = field(default_factory=list)
     shaking: str | None = None
+    vertical: str | None = None
     notes: dict = field(default_factory=dict)
 
     def index(self, name):
@@ -202,7 +207,8 @@ class Scene:
     @property
     def motions(self):
         """Names of the motions that drive the scene, sorted."""
-        return sorted({m for m in (self.shaking, *(b.motion for b in self.blocks)) if m})
+        own = (self.shaking, self.vertical)
+        return sorted({m for m in (*own, *(b.motion for b in self.blocks)) if m})
 
 
 class NodeList:

@@ -43,7 +43,7 @@ def balanced_run(job, time_s, columns, factor):
     """
     scene, numerics = models.build_scene(job), models.numerics(job)
     case = shaking.prepare(scene, numerics, time_s, columns, factor)
-    books = balance.EnergyBalance(scene, case.sample_s, case.motions)
+    books = balance.EnergyBalance(case.scene, case.sample_s, case.motions)
     history = case.run(setup=books.attach)
     return history, books, scene.overturning_energy_j
 

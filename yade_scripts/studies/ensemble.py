@@ -84,8 +84,7 @@ class Runner:
         """Scene with so many extra nodes, and the hash of it and of its motions."""
         if extra_nodes not in self.scenes:
             job = {**self.job, "numerics": numerics}
-            scene = models.build_scene(job)
-            self.columns = models.motion_columns(scene, self.columns)
+            scene, self.columns = models.shaken(models.build_scene(job), self.columns)
             motion = b"".join(self.columns[n].tobytes() for n in scene.motions)
             self.scenes[extra_nodes] = (
                 scene,

@@ -104,7 +104,8 @@ def trace(job, time_s, columns, factor):
         "velocity_m_s": history.velocity_m_s,
         "rotation_rad": history.rotation_rad,
     }
-    for name in sorted(case.motions, key=lambda name: name != floor_motions.GROUND):
+    ahead = (floor_motions.GROUND, floor_motions.VERTICAL)
+    for name in sorted(case.motions, key=lambda name: [name != first for first in ahead]):
         motion = case.motions[name]
         pulled = np.interp(history.time_s, motion.time_s, motion.acceleration_m_s2)
         values[f"{name}_m_s2"] = pulled

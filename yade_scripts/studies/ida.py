@@ -47,8 +47,8 @@ def analyse(job, time_s, columns, record, direction, journal, say, renew=None, p
     model, settings = job["model"], dict(job["ida"])
     if settings["start_g"] is None:
         settings["start_g"] = round(0.5 * models.static_multiplier(job), DIGITS)
-    scene, numerics = models.build_scene(job), models.numerics(job)
-    columns = models.motion_columns(scene, columns)
+    scene, columns = models.shaken(models.build_scene(job), columns)
+    numerics = models.numerics(job)
     motion_bytes = b"".join(columns[n].tobytes() for n in scene.motions) + time_s.tobytes()
     base_key = run_key(to_json(scene), motion_bytes, numerics, direction, digest(__file__))
     rows: list[dict] = []

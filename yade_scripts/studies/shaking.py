@@ -83,7 +83,7 @@ def prepare(scene, numerics, time_s, columns, factor):
     time_s, columns
         See `floor_motions.read`.
     factor : float
-        On the motion's amplitude; its sign is the direction.
+        On the motion's amplitude; its sign is the direction, which the vertical motion has not.
 
     Returns
     -------
@@ -94,16 +94,18 @@ def prepare(scene, numerics, time_s, columns, factor):
     ValueError
         If the motion lacks a floor, or the stated step is beyond the critical one.
     """
-    columns = models.motion_columns(scene, columns)
+    scene, columns = models.shaken(scene, columns)
     missing = [name for name in scene.motions if name not in columns]
     if missing:
         raise ValueError(f"the motion file has no column for {', '.join(missing)}")
-    motions = {name: adapter.Motion(time_s, factor * columns[name]) for name in scene.motions}
+    factors = dict.fromkeys(scene.motions, factor) | {scene.vertical: abs(factor)}
+    motions = {n: adapter.Motion(time_s, factors[n] * columns[n]) for n in scene.motions}
+    level = {name: motion for name, motion in motions.items() if name != scene.vertical}
     step, critical = simulate.choose_step(scene, numerics)
     return Shaking(
         scene,
         motions,
-        stop_rules(scene, numerics, time_s, motions),
+        stop_rules(scene, numerics, time_s, level),
         step,
         critical,
         numerics["sample_interval_s"],
@@ -136,6 +138,7 @@ def stop_rules(scene, numerics, time_s, motions):
     time_s : ndarray
         Times of the motion file [s].
     motions : dict of str to adapter.Motion
+        The horizontal ones: the vertical motion moves no façade that stands upright.
 
     Returns
     -------

@@ -11,6 +11,7 @@ import numpy as np
 
 from rocking.screening import Motions, moving_supports, peaks, prepare, stable_step
 from yade_scripts.model import models
+from yade_scripts.model.floor_motions import VERTICAL
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.nodes import with_nodes
 
@@ -64,7 +65,7 @@ class Solver:
         columns = models.motion_columns(scene, columns)
         supports = [columns[name] for name in moving_supports(scene)]
         base = columns[scene.blocks[scene.index(scene.reference)].motion]
-        self.motions = Motions(time_s, base, supports)
+        self.motions = Motions(time_s, base, supports, columns.get(VERTICAL))
 
     def plane(self, nodes):
         """Scene with n nodes a return wall, and the stable step [s] of the scheme."""

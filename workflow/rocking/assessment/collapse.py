@@ -14,9 +14,9 @@ import numpy as np
 import pandas as pd
 
 from rocking.curves.collapse import first_crossing, from_scan
+from rocking.records.floors import floor_columns
 from rocking.screening import peaks, stable_step
 from rocking.screening.scan import Screen
-from smdof.chain import floor_motions
 from yade_scripts.model import models, registry
 from yade_scripts.model.motion import amplitude
 
@@ -116,28 +116,6 @@ class Climb:
             if pga_g.size and pga_g[-1] >= found[-1] * (1.0 + SPREAD):
                 break
         return found
-
-
-def floor_columns(record, chain):
-    """Times and accelerations of ground and floors under a record, as scenes take them.
-
-    Parameters
-    ----------
-    record : rocking.records.Record
-    chain : dict
-        Section smdof.
-    """
-    motion = floor_motions(
-        record.acceleration_m_s2,
-        record.dt_s,
-        chain["n_dof"],
-        chain["period_s"],
-        chain["damping_ratio"],
-        chain["damping_model"],
-        tail_s=chain["tail_s"],
-    )
-    floors = {f"floor{j + 1}": row for j, row in enumerate(motion.floors_m_s2)}
-    return motion.time_s, {"ground": motion.ground_m_s2, **floors}
 
 
 def collapse_pga(job, record, directions, max_pga_g):

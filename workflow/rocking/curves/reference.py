@@ -39,9 +39,10 @@ def wall_of(job, nodes):
 def read_motion(path, model):
     """Motion of the base and of the return walls."""
     time_s, columns = floor_motions.read(path)
+    vertical = columns.pop(floor_motions.VERTICAL, None)
     ground, *floors = columns.values()
     floors = np.array(floors) if registry.model(model).chain else None
-    return Motion(float(time_s[1] - time_s[0]), ground, floors)
+    return Motion(float(time_s[1] - time_s[0]), ground, floors, vertical)
 
 
 def peak_d_over_b(job, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-5):

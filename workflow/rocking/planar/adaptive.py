@@ -25,7 +25,7 @@ class History:
     d_over_b, theta_over_alpha : ndarray
         Top displacement relative to the base over thickness; rotation over α.
     contact_work_j, input_work_j : ndarray
-        Work of the interface forces and of the inertia forces −m·a_g, in the base's frame.
+        Work of the interface forces and of the inertia forces −m·a, in the base's frame.
     kinetic_j, potential_j, elastic_j : ndarray
     overturned : bool
         |d/b| reached 1 at some time, outward or, without return walls, inward.
@@ -148,13 +148,14 @@ def run(wall, motion, scale, theta_rad, control, rows):
     drive = Drive(
         float(motion.dt_s),
         motion.base_m_s2,
+        motion.vertical_m_s2,
         motion.relative_m_s2,
         motion.relative_m_s,
         motion.relative_m,
     )
     if not wall.n_segments:  # nothing to push
         none = np.zeros((0, 2))
-        drive = Drive(drive.dt_s, drive.base_m_s2, none, none, none)
+        drive = drive._replace(relative_m_s2=none, relative_m_s=none, relative_m=none)
     loop = fixed if control.fixed_s > 0.0 else march
     control = Control(*map(float, control))
     state = initial(wall, float(theta_rad))

@@ -87,14 +87,15 @@ def penetration(law, i, y, z, cos, sin, wall_u):
 
 
 @compiled
-def rates(law, state, base_m_s2, wall_u, wall_v, out, limit):
+def rates(law, state, base_m_s2, lift_m_s2, wall_u, wall_v, out, limit):
     """Time derivative of the state and the friction limits μN, into `out` and `limit`.
 
     Parameters
     ----------
     law : Law
     state, out : ndarray, shape (8 + nodes,)
-    base_m_s2 : float
+    base_m_s2, lift_m_s2 : float
+        Accelerations of the supports along y and z.
     wall_u, wall_v : ndarray, shape (segments,)
         Return-wall displacements and velocities relative to the base.
     limit : ndarray, shape (nodes,)
@@ -130,10 +131,10 @@ def rates(law, state, base_m_s2, wall_u, wall_v, out, limit):
         moment += py * (zeta * cos - eta * sin) - pz * (eta * cos + zeta * sin)
     out[Y], out[Z], out[THETA] = vy, vz, omega
     out[VY] = fy / law.mass_kg - base_m_s2
-    out[VZ] = fz / law.mass_kg - law.gravity_m_s2
+    out[VZ] = fz / law.mass_kg - law.gravity_m_s2 - lift_m_s2
     out[OMEGA] = moment / law.inertia_kg_m2
     out[WORK_CONTACT] = fy * vy + fz * vz + moment * omega
-    out[WORK_INPUT] = -law.mass_kg * base_m_s2 * vy
+    out[WORK_INPUT] = -law.mass_kg * (base_m_s2 * vy + lift_m_s2 * vz)
 
 
 @compiled

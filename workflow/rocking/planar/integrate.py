@@ -59,6 +59,7 @@ class Drive(NamedTuple):
 
     dt_s: float
     base_m_s2: np.ndarray
+    vertical_m_s2: np.ndarray
     relative_m_s2: np.ndarray
     relative_m_s: np.ndarray
     relative_m: np.ndarray
@@ -66,12 +67,12 @@ class Drive(NamedTuple):
 
 @compiled
 def _support(drive, factor, k, tau, u, v):
-    """Base acceleration at τ of interval k; displacements and velocities of walls into u, v."""
+    """Base and vertical acceleration at τ of interval k; places and velocities of walls in u, v."""
     last = drive.base_m_s2.size - 1
     if k >= last:  # beyond the motion everything stands
         for j in range(drive.relative_m.shape[0]):
             u[j], v[j] = factor * drive.relative_m[j, last], 0.0
-        return 0.0
+        return 0.0, 0.0
     for j in range(drive.relative_m.shape[0]):
         w = drive.relative_m_s2[j, k]
         jerk = (drive.relative_m_s2[j, k + 1] - w) / drive.dt_s
@@ -80,8 +81,10 @@ def _support(drive, factor, k, tau, u, v):
         v[j] = v0 + tau * (w + tau * jerk / 2.0)
         u[j] *= factor
         v[j] *= factor
-    a = drive.base_m_s2[k]
-    return factor * (a + (drive.base_m_s2[k + 1] - a) / drive.dt_s * tau)
+    a, z, share = drive.base_m_s2[k], drive.vertical_m_s2[k], tau / drive.dt_s
+    a += (drive.base_m_s2[k + 1] - a) * share
+    z += (drive.vertical_m_s2[k + 1] - z) * share
+    return factor * a, abs(factor) * z  # a mirror image along y leaves z as it is
 
 
 @compiled
@@ -107,7 +110,7 @@ def march(law, drive, factor, state, unit, control, segments, rows):
     law : Law
     drive : Drive
     factor : float
-        On all accelerations.
+        On all accelerations; its sign on the horizontal ones alone.
     state : ndarray, shape (8 + nodes,)
         Of the start.
     unit : ndarray, shape (6,)
@@ -132,7 +135,8 @@ def march(law, drive, factor, state, unit, control, segments, rows):
     keep, intervals = rows.shape[0] > 0, drive.base_m_s2.size - 1
     d = top_displacement(law, state)
     peak, turned, end = abs(d), state[THETA], control.duration_s
-    rates(law, state, _support(drive, factor, 0, 0.0, u, v), u, v, stages[0], limit)
+    a, z = _support(drive, factor, 0, 0.0, u, v)
+    rates(law, state, a, z, u, v, stages[0], limit)
     if keep:
         rows, written = _row(law, state, time, u, rows, written), 1
     while abs(d) <= control.stop_m and time < end * (1.0 - 1e-12):
@@ -146,8 +150,8 @@ def march(law, drive, factor, state, unit, control, segments, rows):
                 for m in range(i):
                     gain += _A[i, m] * stages[m, j]
                 new[j] = state[j] + trial * gain
-            a = _support(drive, factor, k, time - start + trial * _C[i], u, v)
-            rates(law, new, a, u, v, stages[i], limit)
+            a, z = _support(drive, factor, k, time - start + trial * _C[i], u, v)
+            rates(law, new, a, z, u, v, stages[i], limit)
         size = 0.0
         for j in range(6):
             error = 0.0
@@ -177,7 +181,8 @@ def march(law, drive, factor, state, unit, control, segments, rows):
             time = end if trial == left else time + trial
             tau = time - start
         # returned friction or a new interval change the rate at this instant
-        rates(law, state, _support(drive, factor, k, tau, u, v), u, v, stages[0], limit)
+        a, z = _support(drive, factor, k, tau, u, v)
+        rates(law, state, a, z, u, v, stages[0], limit)
         d = top_displacement(law, state)
         if abs(d) > peak:
             peak = abs(d)
@@ -201,18 +206,18 @@ def fixed(law, drive, factor, state, unit, control, segments, rows):
     state, keep, written, steps = state.copy(), rows.shape[0] > 0, 0, 0
     d = top_displacement(law, state)
     peak, turned = abs(d), state[THETA]
-    a = _support(drive, factor, 0, 0.0, u, v)
+    a, z = _support(drive, factor, 0, 0.0, u, v)
     if keep:
         rows, written = _row(law, state, 0.0, u, rows, written), 1
     while abs(d) <= control.stop_m and steps < total:
         k, tau = steps // parts, (steps % parts) * h
-        a = _support(drive, factor, k, tau, u, v)
-        rates(law, state, a, u, v, stages[0], limit)
+        a, z = _support(drive, factor, k, tau, u, v)
+        rates(law, state, a, z, u, v, stages[0], limit)
         return_map(law, state, limit)
         for i in range(1, 4):
             share = 1.0 if i == 3 else 0.5
-            a = _support(drive, factor, k, tau + share * h, u, v)
-            rates(law, state + share * h * stages[i - 1], a, u, v, stages[i], limit)
+            a, z = _support(drive, factor, k, tau + share * h, u, v)
+            rates(law, state + share * h * stages[i - 1], a, z, u, v, stages[i], limit)
         state = state + h / 6.0 * (stages[0] + 2.0 * (stages[1] + stages[2]) + stages[3])
         steps += 1
         d = top_displacement(law, state)

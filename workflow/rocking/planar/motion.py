@@ -42,6 +42,8 @@ class Motion:
         Positive outward (+y).
     walls_m_s2 : array_like, shape (m, nt), or None
         Absolute accelerations of the segments, base up; None moves them with the base.
+    vertical_m_s2 : array_like, shape (nt,), or None
+        Of base and walls alike, positive upward.
 
     Raises
     ------
@@ -52,6 +54,7 @@ class Motion:
     dt_s: float
     base_m_s2: np.ndarray
     walls_m_s2: np.ndarray | None = None
+    vertical_m_s2: np.ndarray | None = None
     relative_m_s2: np.ndarray = field(init=False, repr=False)
     relative_m_s: np.ndarray = field(init=False, repr=False)
     relative_m: np.ndarray = field(init=False, repr=False)
@@ -64,6 +67,10 @@ class Motion:
         if base.ndim != 1 or base.size < 2 or not np.all(np.isfinite(base)):
             raise ValueError("motion: expected one row of at least 2 finite base accelerations")
         object.__setattr__(self, "base_m_s2", base)
+        lift = 0.0 * base if self.vertical_m_s2 is None else np.asarray(self.vertical_m_s2, float)
+        if lift.shape != base.shape or not np.all(np.isfinite(lift)):
+            raise ValueError(f"motion: expected {base.size} finite vertical accelerations")
+        object.__setattr__(self, "vertical_m_s2", lift)
         if self.walls_m_s2 is None:
             for name in ("relative_m_s2", "relative_m_s", "relative_m"):
                 object.__setattr__(self, name, np.zeros((0, base.size)))

@@ -8,6 +8,8 @@ peak = measures(rec)                             # pga_g, pgv_cm_s, pgd_cm, dura
 import os
 from dataclasses import replace
 
+import numpy as np
+
 from .baseline import treat
 from .errors import RecordError
 from .formats import FORMATS
@@ -55,7 +57,14 @@ def surrogates_for(table_path):
 
 
 def load(
-    name, table_path, *, baseline="none", seed=DEFAULT_SEED, surrogates_path=None, vertical=False
+    name,
+    table_path,
+    *,
+    baseline="none",
+    seed=DEFAULT_SEED,
+    surrogates_path=None,
+    vertical=False,
+    vertical_motion="off",
 ):
     """Load the motion of one table row, from its file or as a surrogate.
 
@@ -77,6 +86,10 @@ def load(
     vertical : bool
         The row's vertical motion (columns vertical, vertical_file), upward positive as the
         file gives it, instead of the horizontal one.
+    vertical_motion : str
+        The configuration's: "on" adds the vertical motion to the horizontal one. Both begin at the
+        same instant; where the vertical one ends earlier the ground rests, and what goes on
+        beyond the horizontal one is left out.
 
     Returns
     -------
@@ -87,13 +100,20 @@ def load(
     RecordError
         Naming the table, file, row or line.
     """
+    if vertical_motion == "on":
+        options = {"baseline": baseline, "seed": seed}
+        up = load(name, table_path, vertical=True, **options)
+        return _beside(load(name, table_path, **options), up, table_path)
     table = read_table(table_path)
     if name not in table:
         raise RecordError(f"{table_path}: no record {name!r}{nearest(str(name), table)}")
     row = table[name]
     path = row.vertical_path if vertical else row.path
     if vertical and path is None:
-        raise RecordError(f"{table_path}, line {row.line}: record {name} has no vertical motion")
+        raise RecordError(
+            f"{table_path}, line {row.line}: record {name} has no vertical motion; expected it in "
+            "the column vertical or vertical_file"
+        )
     if path is not None:
         record = read_record(path, format=row.format, **row.stated(vertical))
         options = {"method": baseline} if isinstance(baseline, str) else dict(baseline)
@@ -103,6 +123,19 @@ def load(
         spec = read_specs(surrogates_path).get(name) if surrogates_path else None
         record = generate(name, **row.targets, spec=spec, seed=seed)
     return replace(record, details=record.details | {"about": row.about}) if row.about else record
+
+
+def _beside(record, up, table_path):
+    """A record with its vertical motion beside it."""
+    if abs(up.dt_s - record.dt_s) > 1e-3 * record.dt_s:
+        raise RecordError(
+            f"{table_path}: record {record.name}: vertical motion at steps of {up.dt_s:g} s, "
+            f"expected {record.dt_s:g} s as the horizontal one"
+        )
+    both, count = np.zeros(len(record)), min(len(record), len(up))
+    both[:count] = up.acceleration_m_s2[:count]
+    details = {**record.details, "vertical": up.details}
+    return replace(record, vertical_m_s2=both, details=details)
 
 
 def records_row(record):

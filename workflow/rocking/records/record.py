@@ -57,6 +57,8 @@ class Record:
     details : dict
         Provenance as plain values: file, format, component, SHA-256, or the
         surrogate's solved parameters.
+    vertical_m_s2 : ndarray, shape (n,), or None
+        The vertical motion recorded with it, upward positive; None where it is left out.
     """
 
     name: str
@@ -66,6 +68,7 @@ class Record:
     units_read: str = "m/s2"
     baseline: str = "none"
     details: dict = field(default_factory=dict)
+    vertical_m_s2: np.ndarray | None = None
 
     def __post_init__(self):
         """Check shape, step, finiteness and a plausible peak."""

@@ -1,8 +1,9 @@
 """The normalised record between rules: a CSV of the motion, a JSON of its provenance.
 
-`{name}.csv` has the columns time_s and acceleration_m_s2 and nothing else, so that any
-tool reads it; `{name}.json` beside it has name, dt_s, source, units_read, baseline and
-details. Both are written to a temporary name and renamed.
+`{name}.csv` has the columns time_s and acceleration_m_s2, vertical_m_s2 where the record is used
+with its vertical motion, and nothing else, so that any tool reads it; `{name}.json` beside it has
+name, dt_s, source, units_read, baseline and details. Both are written to a temporary name and
+renamed.
 """
 
 import json
@@ -36,12 +37,15 @@ def _write(path, content):
 
 def write_csv(record, path):
     """Write a record as `path` (CSV) and its provenance beside it (JSON)."""
-    rows = zip(record.time_s.tolist(), record.acceleration_m_s2.tolist(), strict=True)
-    body = "".join(f"{time:.9g},{a:.9g}\n" for time, a in rows)
+    columns = {"time_s": record.time_s, "acceleration_m_s2": record.acceleration_m_s2}
+    if record.vertical_m_s2 is not None:
+        columns["vertical_m_s2"] = record.vertical_m_s2
+    rows = zip(*(values.tolist() for values in columns.values()), strict=True)
+    body = "".join(",".join(f"{value:.9g}" for value in row) + "\n" for row in rows)
     provenance = {key: getattr(record, key) for key in _KEYS} | {"details": record.details}
     # Provenance first: a CSV that exists always has its side file.
     _write(side_path(path), json.dumps(provenance, indent=1, sort_keys=True) + "\n")
-    _write(os.fspath(path), "time_s,acceleration_m_s2\n" + body)
+    _write(os.fspath(path), ",".join(columns) + "\n" + body)
 
 
 def read_csv(path):
@@ -52,7 +56,7 @@ def read_csv(path):
     RecordError
         Either file missing or damaged, or the two do not belong together.
     """
-    channel = read_columns(read_text(path))[0]
+    channel, *other = read_columns(read_text(path))
     side = side_path(path)
     text = read_text(side)
     try:
@@ -65,4 +69,10 @@ def read_csv(path):
         raise RecordError(f"{side}: does not belong to {path} (units or time step differ)")
     if values["source"] not in SOURCES:
         raise RecordError(f"{side}: source {values['source']!r}; expected {' or '.join(SOURCES)}")
-    return Record(acceleration_m_s2=np.array(channel.values), details=details, **values)
+    vertical = np.array(other[0].values) if other else None
+    return Record(
+        acceleration_m_s2=np.array(channel.values),
+        details=details,
+        vertical_m_s2=vertical,
+        **values,
+    )

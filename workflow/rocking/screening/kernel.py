@@ -23,7 +23,7 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
     bodies : Bodies
     table : Table
     factor : float
-        On all horizontal motions and on the vertical one.
+        On all horizontal motions; its size on the vertical one, which has no direction.
     rules : Rules
     motion_s, quiet_m_s2, max_speed_m_s : float
         End of the motion that matters; absolute acceleration below which a mass of the
@@ -286,7 +286,7 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
             c12 += beta * (nz * um + ratio * tz * wm)
             c22 += beta * (na * na * u0 + 2.0 * na * ne * u1 + ne * ne * u2)
             c22 += beta * ratio * (ta * ta * w0 + 2.0 * ta * te * w1 + te * te * w2)
-        gravity = p.gravity_m_s2 + factor * table.vertical_m_s2[row]
+        gravity = p.gravity_m_s2 + abs(factor) * table.vertical_m_s2[row]
         if barred:
             heavier = gravity / p.gravity_m_s2
             stored, taken, lost = act(

@@ -30,7 +30,7 @@ class Motions:
     supports_m_s2 : array_like, shape (m, nt)
         Absolute, in the order of `moving_supports(scene)`.
     vertical_m_s2 : array_like, shape (nt,), or None
-        Of ground and walls alike, positive upward; scaled like the others.
+        Of ground and walls alike, positive upward; scaled by the size of the others' factor.
 
     Raises
     ------

@@ -7,6 +7,7 @@ import pandas as pd
 
 from smdof.chain import shear_chain
 from yade_scripts.model import models, registry
+from yade_scripts.model.floor_motions import VERTICAL
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.wall_motion import floor_motion
 from yade_scripts.studies.perturb import (
@@ -56,7 +57,7 @@ class Screen:
             columns = models.motion_columns(scene, columns)
             base = columns[scene.blocks[scene.index(scene.reference)].motion]
             supports = [columns[name] for name in moving_supports(scene)]
-        self.motions = Motions(time_s, base, supports)
+        self.motions = Motions(time_s, base, supports, columns.get(VERTICAL))
         self.static_g = models.static_multiplier(job)
 
     def run(self, pga_g, scatter):

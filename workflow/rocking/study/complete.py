@@ -23,6 +23,11 @@ class Complete:
 
     def scene(self, wildcards) -> str:
         """Scene file of a curve, with the configured bricks and back joint."""
+        if self.study.cfg(wildcards)["vertical_motion"] == "on":
+            raise SystemExit(
+                "error: complete: expected vertical_motion = off: the complete building has been "
+                "checked under horizontal motion alone"
+            )
         own, run = self.settings(wildcards.run), wildcards.run
         name = f"{wildcards.complete}_{own['coarsening']:g}_{own['back_joint']}"
         return f"results/{run}/complete/scenes/{name}.json"

@@ -45,6 +45,9 @@ class Study:
         self.tables = {run: read_table(self.table_path(run)) for run in self.runs}
         self.records = {run: self._record_names(run) for run in self.runs}
         self.faults: dict[tuple[str, str], str] = {}
+        for run, resolved in self.runs.items():
+            if resolved["vertical_motion"] == "on":
+                self.check_vertical(run, "vertical_motion = on", self.records[run])
 
     def cfg(self, wildcards) -> dict[str, Any]:
         """Resolved configuration of the run that a job belongs to."""
@@ -70,6 +73,22 @@ class Study:
     def _record_names(self, run) -> list[str]:
         wanted = self.runs[run]["records"]
         return list(self.tables[run]) if wanted == "all" else self.known(run, "records", wanted)
+
+    def check_vertical(self, run, key, names):
+        """Refuse records without a vertical motion.
+
+        Raises
+        ------
+        ConfigError
+            In one line with the key that needs it, the table and its line.
+        """
+        for row in (self.tables[run][name] for name in names):
+            if row.vertical_path is None:
+                raise configuration.ConfigError(
+                    f"{key}: {self.runs[run]['records_table']}, line {row.line}: record "
+                    f"{row.record} has no vertical motion; expected it in the column vertical or "
+                    "vertical_file"
+                )
 
     def known(self, run, key, names) -> list[str]:
         """Return record names that a configuration key gives.
