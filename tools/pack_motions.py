@@ -28,7 +28,7 @@ WORDS = {
     "and packed by tools/pack_motions.py",
 }
 COLUMNS = (
-    *("record", "file", "component", "vertical", "event", "station"),
+    *("record", "file", "dt_s", "units", "component", "vertical", "event", "station"),
     *("pga_g", "pgv_cm_s", "pgd_cm", "duration_s"),
 )
 
@@ -49,11 +49,16 @@ def main(folder):
             duration = f"{float(item['dt_s']) * (int(item['samples']) - 1):.3f}"
             peaks = [item[key] for key in ("pga_g", "pgv_cm_s", "pgd_cm")]
             vertical = f"{item['station']} UD"
-            row = [label.replace(" ", "_"), SUITE.name, label, vertical, event, item["station"]]
+            about = [label, vertical, event, item["station"]]
+            row = [label.replace(" ", "_"), SUITE.name, "", "", *about]  # the file states its step
             rows.append([*row, *peaks, duration])
     packed.write(SUITE, motions, **WORDS)
     table = "".join("\t".join(row) + "\n" for row in rows)
-    note = "# Recorded motions of recorded_suite.motions, which states source and licence.\n"
+    note = (
+        "# Recorded motions of recorded_suite.motions, which states source and licence.\n"
+        "# A record of yours takes one row: a name, its file (from this folder), and step and\n"
+        "# units where the file does not state them.\n"
+    )
     SUITE.with_suffix(".tsv").write_text(note + table, encoding="utf-8")
 
 

@@ -1,6 +1,7 @@
 """The shipped recorded motions: peaks of their source, provenance, and damage refused."""
 
 import csv
+import subprocess
 import sys
 from pathlib import Path
 
@@ -46,6 +47,21 @@ def test_peaks_and_durations_of_all_motions_are_the_inventory_s(opened):
         for key in ("pga_g", "pgv_cm_s", "pgd_cm"):
             assert peaks[key] == pytest.approx(float(item[key]), rel=0.01), (item["file"], key)
         assert peaks["significant_duration_s"] == pytest.approx(float(item["d5_95_s"]), abs=0.011)
+
+
+def test_one_row_adds_a_record_of_one_s_own(tmp_path):
+    """The row of docs/motions.md, in a copy of the project's folders."""
+    suites = tmp_path / "config" / "suites"
+    suites.mkdir(parents=True)
+    for path in (TABLE, MOTIONS):
+        (suites / path.name).write_bytes(path.read_bytes())
+    (tmp_path / "my_record.txt").write_text("0.0\n0.1\n-0.2\n0.1\n0.0\n")
+    page = (ROOT / "docs" / "motions.md").read_text("utf-8")
+    command = next(line for line in page.splitlines() if line.startswith("printf 'MINE"))
+    subprocess.run(command, shell=True, cwd=tmp_path, check=True, timeout=60)
+    assert list(read_table(suites / TABLE.name))[-2:] == ["T1214_NS", "MINE"]
+    peaks = measures(load("MINE", suites / TABLE.name))
+    assert (peaks["pga_g"], peaks["duration_s"]) == pytest.approx((0.2, 0.04))
 
 
 def test_the_table_has_44_horizontal_motions_with_their_vertical_ones():
