@@ -55,6 +55,13 @@ def test_dry_run_of_the_main_job(folder):
     assert any(line.split() == ["ida", "16"] for line in (done.stdout + done.stderr).splitlines())
 
 
+def test_a_rule_s_code_is_found_in_a_new_folder(tmp_path):
+    """Stamps are made while Snakemake plans, in whatever order it comes to the rules."""
+    named = ("figures/record_RRS228.png", "smdof/RRS228_4dof.csv", "scenes/W1.json")
+    done = snakemake(tmp_path, "-n", "--", *(f"results/main/{name}" for name in named))
+    assert done.returncode == 0, done.stderr
+
+
 @pytest.mark.parametrize(
     ("words", "told"),
     [

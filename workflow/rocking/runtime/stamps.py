@@ -9,13 +9,14 @@ from pathlib import Path
 
 from yade_scripts import sources
 
-FOLDER = Path(".snakemake") / "modules"
+FOLDER = Path(".snakemake") / "code"
 
 
 @cache
 def stamp(script, folder=FOLDER):
     """Return the stamp of a script, written anew if what it stands for has changed.
 
+    Each has a folder of its own, for Snakemake remembers what a folder held when it first looked.
     It is dated like the newest of the files when it is first made, so that it can be deleted
     without harm, and to the present when their content differs from what it says.
 
@@ -32,12 +33,12 @@ def stamp(script, folder=FOLDER):
     """
     files, content = sources.sources(script), sources.digest(script)
     text = "\n".join([content, *map(str, files)]) + "\n"
-    target = Path(folder) / f"{script.parent.name}-{script.stem}"
+    target = Path(folder) / f"{script.parent.name}-{script.stem}" / "stamp"
     before = target.read_text("utf-8") if target.is_file() else ""
     if before == text:
         return target
     target.parent.mkdir(parents=True, exist_ok=True)
-    new = target.with_name(f".{target.name}.{os.getpid()}")
+    new = target.with_name(f".{os.getpid()}")
     new.write_text(text, "utf-8")
     if not before:
         dated_s = max(file.stat().st_mtime for file in files)
