@@ -67,9 +67,9 @@ def rebound_histories(config, beta_s, ratio, limit_s, fractions):
     return found
 
 
-def shaken(config, model, beta_s, time_s, columns, factor, planar=True):
+def shaken(config, model, beta_s, time_s, columns, factor, planar=True, two_components=False):
     """Peak d/b, status and reason of one earthquake run."""
-    scene = facade.facade_scene(config, model, beta_s, planar=planar)
+    scene = facade.facade_scene(config, model, beta_s, planar=planar, two_components=two_components)
     columns = {name: np.array(values) for name, values in columns.items()}
     numerics = config["numerics"]
     h = shaking.prepare(scene, numerics, np.array(time_s), columns, factor).retried()

@@ -79,6 +79,7 @@ COMPLETE = study.Complete(STUDY)
 FRAGILITY = study.Fragility(STUDY)
 RISK = study.Risk(STUDY)
 SURROGATES = study.Surrogates(STUDY)
+TWO_COMPONENTS = study.TwoComponents(STUDY)
 VERTICAL = study.Vertical(STUDY)
 
 

@@ -16,6 +16,7 @@ from yade_scripts.engine.guide import GUIDE_INTERVAL_S, Guide
 from yade_scripts.engine.library import EngineError, load_yade
 from yade_scripts.engine.parts import Parts
 from yade_scripts.model.motion import Motion
+from yade_scripts.model.scene import DOFS
 
 __all__ = ["Built", "EngineError", "FaceError", "Motion", "build", "load_yade"]
 
@@ -98,7 +99,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     faces = Faces(scene)
     parts = Parts(w, utils, omega, scene, faces, node_radius_m)
     body: list[int] = []
-    drives: dict[str, list[int]] = {}
+    drives: dict[tuple, list[int]] = {}
     unturned: dict[int, object] = {}
     linked = links.place(w, utils, omega, scene)
     pairs, tied = ties.place(w, utils, omega, scene)
@@ -113,16 +114,17 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
                 ids += linked.get(index, [])
             if not ids:
                 ids = [omega.bodies.append(utils.box((0, 0, 0), (1, 1, 1), mask=0))]
-            if len(ids) > 1 and block.motion is not None:
+            if len(ids) > 1 and block.drives:
                 ids = [parts.joined(block, ids)]
             ids += tied.get(index, []) + held.get(index, [])
             for i in ids:
                 state = omega.bodies[i].state
                 state.mass = SUPPORT_MASS_RATIO * heaviest
                 state.inertia = (state.mass,) * 3
-                state.blockedDOFs = "xyzXYZ" if block.motion is None else "xzXYZ"
-            if block.motion is not None:
-                drives.setdefault(block.motion, []).extend(ids)
+                driven = [DOFS[axis] for axis, _ in block.drives]
+                state.blockedDOFs = "".join(dof for dof in DOFS if dof not in driven)
+            for axis, name in block.drives:
+                drives.setdefault((name, axis), []).extend(ids)
             body.append(ids[0])
             continue
         members = parts.members(index, keys)
@@ -147,20 +149,23 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
         ),
         *welded.drag,
     ]
-    for name, ids in sorted(drives.items()):
+    for (name, axis), ids in sorted(drives.items()):
         motion = motions[name]
+        direction = [float(i == axis) for i in range(3)]
         mass = omega.bodies[ids[0]].state.mass
         engines.append(
             w.InterpolatingDirectedForceEngine(
                 times=motion.time_s.tolist(),
                 magnitudes=(mass * motion.acceleration_m_s2).tolist(),
-                direction=(0, 1, 0),
+                direction=direction,
                 ids=ids,
                 wrap=False,
             )
         )
+        before = -0.5 * dt_s * float(motion.acceleration_m_s2[0])
         for i in ids:  # velocities live at half steps: start half a step back
-            omega.bodies[i].state.vel = (0, -0.5 * dt_s * float(motion.acceleration_m_s2[0]), 0)
+            state = omega.bodies[i].state
+            state.vel = [state.vel[k] + before * direction[k] for k in range(3)]
     omega.dt = dt_s
     if scene.shaking:
         engines += links.shake(w, scene, motions[scene.shaking], body, omega)

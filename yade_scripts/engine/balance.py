@@ -138,7 +138,7 @@ class EnergyBalance:
                 k = self.slot[built.body[index]]
                 self.mass[k], self.inertia[k] = block.mass_kg, block.inertia_kg_m2
                 self.weight[k] = block.mass_kg * scene.gravity_m_s2
-                self.driven[k] = False, block.motion is not None, False
+                self.driven[k] = block.motion_x is not None, block.motion is not None, False
                 self.mass[k, self.driven[k]] = 0.0
         self.height = np.array([s.pos[2] for s in self.states])
 

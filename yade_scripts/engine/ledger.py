@@ -57,24 +57,27 @@ class EnergyLedger:
         reference = scene.blocks[scene.index(scene.reference)]
         self.omega, self.forces, self.links = omega, omega.forces, built.links
         self.base = omega.bodies[built.body[scene.index(scene.reference)]].state
-        names = sorted({b.motion for b in scene.blocks if not b.free and b.motion})
+        names = sorted({(n, k) for b in scene.blocks if not b.free for k, n in b.drives})
         drives = [e for e in omega.engines if type(e).__name__ == DRIVE]
-        curves = {name: _Curve(self.motions[name]) for name in names}
+        curves = {name: _Curve(self.motions[name]) for name, _ in names}
         self.walls, self.masses = [], []
         if scene.shaking:
             self.ground: Any = _Curve(self.motions[scene.shaking])
             names, drives = [], []
         else:
             self.ground = curves.get(reference.motion, lambda t: 0.0)
+        self.ground_x: Any = curves.get(reference.motion_x, lambda t: 0.0)
         self.lift = _Curve(self.motions[scene.vertical]) if scene.vertical else lambda t: 0.0
         # driven, a floor of its own mass is one more free block, whose springs only store
         links = scene.links if scene.shaking else ()
         linked = {i for link in links for i in (link.a, link.b) if scene.blocks[i].free}
-        for name, drive in zip(names, drives[: len(names)], strict=True):  # inertia follows
+        still = {reference.motion, reference.motion_x}
+        driving = drives[: len(names)]  # inertia follows
+        for (name, axis), drive in zip(names, driving, strict=True):
             # with one motion no support moves relative to the base, and nothing works
-            if len(names) > 1 and name != reference.motion:
+            if len(names) > 1 and name not in still:
                 states = [(i, omega.bodies[i].state) for i in drive.ids]
-                self.walls += [(i, state, state.mass, curves[name]) for i, state in states]
+                self.walls += [(i, axis, state, state.mass, curves[name]) for i, state in states]
         self.free, self.guided = [], []
         self.raised = floors.Raised(scene, built)
         for index, block in enumerate(scene.blocks):
@@ -99,20 +102,21 @@ class EnergyLedger:
     def __call__(self):
         """Take a sample; indices, since unpacking YADE's vectors is many times slower."""
         t, ground = self.omega.time - self.omega.dt, self.base.vel[1]  # of the forces
-        pull, lift = self.ground(t), self.lift(t)
+        beside = self.base.vel[0]
+        pull, pull_x, lift = self.ground(t), self.ground_x(t), self.lift(t)
         energy = self.raised()
         power = -lift * self.raised.momentum()
         for state, mass, inertia, weight, height in self.free:
-            y = state.vel[1] - ground
-            energy += 0.5 * mass * y * y + _energy(state, mass, inertia, weight, height)
-            power -= mass * (pull * y + lift * state.vel[2])
+            x, y = state.vel[0] - beside, state.vel[1] - ground
+            energy += 0.5 * mass * y * y + _energy(state, mass, inertia, weight, height, beside)
+            power -= mass * (pull * y + pull_x * x + lift * state.vel[2])
         for body, state, mass, inertia, weight, height in self.guided:
             energy += _energy(state, mass, inertia, weight, height)
             power -= self.forces.f(body)[1] * (state.vel[1] - ground) + mass * lift * state.vel[2]
-        for i, wall, mass, curve in self.walls:
+        for i, axis, wall, mass, curve in self.walls:
             # what acts on a wall less what drives it is the façade's push on it
-            pushed = self.forces.f(i)[1] - mass * curve(t)
-            power -= pushed * (wall.vel[1] - ground)
+            pushed = self.forces.f(i)[axis] - mass * curve(t)
+            power -= pushed * (wall.vel[axis] - (ground if axis else beside))
         for pushed, speed in self._pushes(pull):
             power -= pushed * speed
         if self.start is None:
@@ -154,10 +158,10 @@ class EnergyLedger:
         return [(force[index], state.vel[1]) for index, _, state, *_ in self.masses]
 
 
-def _energy(state, mass, inertia, weight, height):
-    """Energy of a block but for its motion along y [J]."""
+def _energy(state, mass, inertia, weight, height, beside=0.0):
+    """Energy of a block but for its motion along y [J]; `beside`: velocity of the base along x."""
     velocity, spin = state.vel, state.angVel
-    x, z = velocity[0], velocity[2]
+    x, z = velocity[0] - beside, velocity[2]
     turning = sum(inertia[axis] * spin[axis] ** 2 for axis in (0, 1, 2))
     return 0.5 * (mass * (x * x + z * z) + turning) + weight * (state.pos[2] - height)
 

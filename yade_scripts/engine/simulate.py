@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from yade_scripts.engine import adapter, loop
+from yade_scripts.engine.bonds import rotation
 from yade_scripts.model.stiffness import compensated, critical_step
 
 OK, OVERTURNED, FAILED = "ok", "overturned", "failed"
@@ -136,6 +137,7 @@ class _Monitor:
         centre = scene.blocks[scene.index(scene.monitor)].centre_m
         self.centre_y = float(centre[1])
         self.arm = tuple(float(p - c) for p, c in zip(scene.monitor_point_m, centre, strict=True))
+        self.spatial = scene.two_components
         self.start = self.support.pos[1]
         self.b = scene.thickness_m
         self.rows, self.moving_until = [], 0.0
@@ -149,6 +151,11 @@ class _Monitor:
         _, y, z = self.arm
         d = (state.pos[1] - self.centre_y) + (c * y - s * z - y) - (support.pos[1] - self.start)
         v = state.vel[1] - state.angVel[0] * (s * y + c * z) - support.vel[1]
+        if self.spatial:
+            turn = np.array(rotation(state.ori * self.unturned), float).reshape(3, 3)
+            arm = turn @ self.arm
+            d += arm[1] - (c * y - s * z)
+            v = state.vel[1] + state.angVel[2] * arm[0] - state.angVel[0] * arm[2] - support.vel[1]
         self.rows.append((t, d, v, -angle))
         rules = self.rules
         if not (math.isfinite(d) and math.isfinite(v)) or abs(v) > rules.max_speed_m_s:
@@ -207,7 +214,11 @@ def run(
     if compensate_lag:
         scene = compensated(scene, dt_s)
     built = adapter.build(
-        scene, motions, dt_s, node_radius_m=node_radius_m, full_rotation=full_rotation
+        scene,
+        motions,
+        dt_s,
+        node_radius_m=node_radius_m,
+        full_rotation=full_rotation or scene.two_components,
     )
     omega = built.omega
     monitor = _Monitor(scene, built, rules)

@@ -14,11 +14,14 @@ What a block takes from the masses is the rule of `wall_motion`; by default bloc
 The façade fills 0 ≤ y ≤ b, 0 ≤ z ≤ h; the return walls stand at y < 0. It
 rocks outward about its front toe (y = b, z = 0). A planar scene has one column
 of nodes at x = 0 and the freedoms y, z and rotation about x: façade and motion
-are symmetric in x, so nothing else can move. A full scene spreads the nodes in
-x and frees all six.
+are symmetric in x, so nothing else can move. A full scene spreads the nodes over the
+rectangle of the base, edges and corners included, and over the faces of the return walls, and
+frees all six; under two components its supports also move along x, which the façade feels by
+friction at its base and at the walls that it touches.
 """
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -26,8 +29,10 @@ from yade_scripts.model import registry
 from yade_scripts.model.chain import chain_links, chain_matrices
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.floors import facade_floors, loaded
+from yade_scripts.model.motion import along
 from yade_scripts.model.panels import Hanging, building_mass
 from yade_scripts.model.quadrature import gauss_lobatto
+from yade_scripts.model.rest import initial_pose, lean, settlement
 from yade_scripts.model.scene import Block, NodeList, Scene
 from yade_scripts.model.shape import is_plain, shape_of
 from yade_scripts.model.ties import facade_ties
@@ -36,6 +41,8 @@ from yade_scripts.model.wall_motion import PARTS, motion_of
 BASE = "base"
 FACADE = "façade"
 WALL = "return wall"
+MIDDLE = np.array([0.0]), np.array([1.0])  # the column of nodes of a planar scene
+WALL_COLUMNS = 2  # of nodes on a return wall of a full scene, at its edges
 PIECE_M = 0.25  # depth of wall that moves with the contact, where the masses are elsewhere
 
 
@@ -56,7 +63,9 @@ def joint_stiffness(config):
     return base, back
 
 
-def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
+def facade_scene(
+    config, model, beta_s, *, planar=True, release_ratio=0.0, width_nodes=5, two_components=False
+):
     """Build the scene of a façade with one of the single-block boundary conditions.
 
     Parameters
@@ -72,6 +81,10 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     release_ratio : float
         θ₀/α of a free-rocking release: the façade starts rotated outward about
         its front toe, at rest, with the base nodes around the toe carrying its weight.
+    width_nodes : int
+        Columns of nodes along each pier of the base of a full scene, its ends included.
+    two_components : bool
+        Supports of a full scene are driven along x too, by the motions `motion.along`.
 
     Returns
     -------
@@ -80,8 +93,8 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     Raises
     ------
     ValueError
-        For an unknown model, a release that is not within 0 ≤ θ₀/α < 1, or ties and floors that
-        meet no return wall.
+        For an unknown model, a release that is not within 0 ≤ θ₀/α < 1, ties and floors that
+        meet no return wall, or two components with masses that are not driven.
     """
     kind = registry.model(model)
     if not kind.single_block:
@@ -96,6 +109,8 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
             f"facade.base_height_m = {raised:g}: expected 0 (m) with model {model}, whose masses "
             "are not driven"
         )
+    if two_components and (planar or kind.massive):
+        raise ValueError(f"{model}: two components need a full scene and driven supports")
     tilt = math.radians(facade["tilt_deg"])
     jkn_base, jkn_back = joint_stiffness(config)
     motions: dict = {}
@@ -121,17 +136,18 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     # rests rotated by φ about its front toe and cannot come back to the vertical.
     protrusion = (1.0 - points) * b * math.tan(tilt)
     # index 1 is the façade, appended to `blocks` below
-    add_base(config, beta_s, nodes, 1, 0, planar=planar, protrusion_m=protrusion)
+    columns = None if planar else _columns(shape.base_strips, width_nodes)
+    add_base(config, beta_s, nodes, 1, 0, planar=planar, protrusion_m=protrusion, columns=columns)
     # lift of each base node in the pose turned about the toe; debris lies under a tilted base
     angle = release_ratio * math.atan2(*shape.lever_m)
     walls_stand = kind.walls != "none" and facade.get("sides") != "two"
     kn = weights * b * (width - shape.base_lost_m) * jkn_base
     weight, lever = loaded(facade.get("floors", ()), shape)
     if not release_ratio:
-        angle = _lean(weight, lever, kn, points, b, walls_stand)
+        angle = lean(weight, lever, kn, points, b, walls_stand)
     lift = (1.0 - points) * b * math.sin(angle)
-    settlement = _settlement(weight, kn, lift)
-    displacement, rotation = _initial_pose(shape.lever_m, tilt + angle, settlement)
+    sunk = settlement(weight, kn, lift)
+    displacement, rotation = initial_pose(shape.lever_m, tilt + angle, sunk)
     blocks.append(
         Block(
             FACADE,
@@ -150,6 +166,12 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
         links = _add_return_walls(
             config, kind, beta_s, blocks, nodes, jkn_back, planar, motions, shape
         )
+    if two_components:
+        blocks = [b if b.free else replace(b, motion_x=along(b.motion)) for b in blocks]
+        motions |= {
+            along(name): {along(floor): share for floor, share in mix.items()}
+            for name, mix in list(motions.items())
+        }
     walls = [i for i, block in enumerate(blocks) if block.name.startswith(WALL)]
     floors, springs = facade_floors(
         facade.get("floors", ()), 1, walls, blocks, shape, config["smdof"]["damping_ratio"]
@@ -170,7 +192,18 @@ def facade_scene(config, model, beta_s, *, planar=True, release_ratio=0.0):
     )
 
 
-def add_base(config, beta_s, nodes, facade, ground, *, planar, origin=(0.0, 0.0), protrusion_m=0.0):
+def add_base(
+    config,
+    beta_s,
+    nodes,
+    facade,
+    ground,
+    *,
+    planar,
+    origin=(0.0, 0.0),
+    protrusion_m=0.0,
+    columns=None,
+):
     """Add the joint between a façade's base and the ground.
 
     Parameters
@@ -185,6 +218,8 @@ def add_base(config, beta_s, nodes, facade, ground, *, planar, origin=(0.0, 0.0)
         x of the façade's middle and y of its back face [m].
     protrusion_m : float or ndarray
         Of each node across the thickness below the base.
+    columns : tuple of 2 ndarrays or None
+        Places in x and weights; None: the middle of a planar scene, else two Gauss points.
     """
     section = config["facade"]
     b, width = section["thickness_m"], section["width_m"]
@@ -192,7 +227,8 @@ def add_base(config, beta_s, nodes, facade, ground, *, planar, origin=(0.0, 0.0)
     points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
     protrusion = np.broadcast_to(protrusion_m, points.shape)
     line = np.stack([origin[0] + 0 * points, origin[1] + points * b, -protrusion], axis=1)
-    columns, column_weights = _columns(planar, width / math.sqrt(3.0))
+    gauss = np.array([-0.5, 0.5]) * (width / math.sqrt(3.0)), np.array([0.5, 0.5])
+    columns, column_weights = MIDDLE if planar else columns or gauss
     standing = width - shape_of(section).base_lost_m
     positions, areas, gaps = _spread(
         line, weights * b * standing, columns, column_weights, gap_m=-protrusion
@@ -221,11 +257,14 @@ def wall_strips(width_m, wall):
     return [(x - half, x + half) for x in np.linspace(-spread, spread, wall["count"]).tolist()]
 
 
-def _columns(planar, distance_m):
-    """Positions in x and weights of the node columns: one on the symmetry plane, or two."""
-    if planar:
-        return np.array([0.0]), np.array([1.0])
-    return np.array([-0.5, 0.5]) * distance_m, np.array([0.5, 0.5])
+def _columns(strips, count):
+    """Places in x and weights of so many columns along each strip (x0, x1), ends included."""
+    points, weights = gauss_lobatto(count)
+    whole = sum(b - a for a, b in strips)
+    return (
+        np.concatenate([a + points * (b - a) for a, b in strips]),
+        np.concatenate([weights * (b - a) / whole for a, b in strips]),
+    )
 
 
 def _spread(line_xyz, areas, columns, column_weights, gap_m=0.0):
@@ -237,61 +276,6 @@ def _spread(line_xyz, areas, columns, column_weights, gap_m=0.0):
         np.concatenate([areas * share for share in column_weights]),
         np.concatenate([gaps for _ in columns]),
     )
-
-
-def _settlement(weight_n, kn_n_m, lift_m):
-    """Settlement s at which the base nodes carry the weight, Σ kn·max(0, s − lift) = W [m].
-
-    Piecewise linear and increasing in s: nodes come into contact in order of their lift.
-    """
-    order = np.argsort(lift_m)
-    lift, kn = lift_m[order], kn_n_m[order]
-    for closed in range(1, len(lift) + 1):
-        settlement = (weight_n + kn[:closed] @ lift[:closed]) / kn[:closed].sum()
-        if closed == len(lift) or settlement <= lift[closed]:
-            return float(settlement)
-    raise AssertionError("unreachable: the last node closes the loop")
-
-
-def _lean(weight, lever, kn_n_m, points, b, walls_stand):
-    """Outward rotation at which a façade of eccentric weight rests on its base [rad].
-
-    About the toe Σ F_i a_i cos φ = W (b_g cos φ − z_g sin φ), with a_i the nodes' places inward
-    from it and (b_g, z_g) the lever of its weight and loads. Return walls hold what leans on them;
-    ValueError where nothing holds it.
-    """
-    (arm, height), place = lever, (1.0 - points) * b
-
-    def excess(angle):
-        lift = place * math.sin(angle)
-        force = kn_n_m * np.maximum(0.0, _settlement(weight, kn_n_m, lift) - lift)
-        about = arm * math.cos(angle) - height * math.sin(angle)
-        return math.cos(angle) * (force @ place) - weight * about
-
-    side = math.copysign(1.0, 0.5 * b - arm)
-    if abs(arm - 0.5 * b) < 1e-9 * b or (side < 0.0 and walls_stand):
-        return 0.0
-    steps = side * math.atan2(arm, height) * np.linspace(0.0, 1.0, 201)
-    balanced = [i for i, angle in enumerate(steps) if side * excess(angle) <= 0.0]
-    if not balanced:
-        raise ValueError(
-            f"facade: weight and loads stand {arm:.3g} m from the front of the base and the façade "
-            "does not stand on it; expected them nearer the middle"
-        )
-    low, high = steps[balanced[0] - 1], steps[balanced[0]]
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if side * excess(middle) > 0.0 else (low, middle)
-    return 0.5 * (low + high)
-
-
-def _initial_pose(lever_m, angle, settlement):
-    """Pose turned outward by `angle` about the front toe and settled; outward is about −x."""
-    arm = np.array([-lever_m[0], lever_m[1]])  # toe → centroid, in (y, z)
-    c, s = math.cos(angle), math.sin(angle)
-    turned = np.array([c * arm[0] + s * arm[1], -s * arm[0] + c * arm[1]])
-    dy, dz = turned - arm
-    return (0.0, float(dy), float(dz - settlement)), (-angle, 0.0, 0.0)
 
 
 def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, motions, shape):
@@ -306,7 +290,6 @@ def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, mot
     points, weights = gauss_lobatto(
         1 + math.ceil((nodes_up - 1) / parts) if parts > 1 else nodes_up
     )
-    columns, column_weights = _columns(planar, width - wall["thickness_m"])
     apart = kind.massive and wall["motion"] != "top"  # else each block is a mass of the chain
     hanging = Hanging(config, blocks, nodes, wall["count"], PIECE_M) if apart else None
     mass, motion, own = 1.0, None, []
@@ -345,7 +328,8 @@ def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, mot
         if hanging:
             hanging.hang(own[-1], 0.0)
         pieces = shape.back_parts(low, tall, strips)
-        for number, (foot, length, y, lost, _) in enumerate(pieces, 1):
+        for number, (foot, length, y, lost, own_strips) in enumerate(pieces, 1):
+            columns, column_weights = MIDDLE if planar else _columns(own_strips, WALL_COLUMNS)
             at, share = points, weights
             if len(pieces) > 1:
                 fewer = 1 + math.ceil((nodes_up - 1) * length / tall)

@@ -3,9 +3,12 @@
 import math
 from dataclasses import replace
 
+import numpy as np
+
 from yade_scripts.model import facade, interlocking, registry
 from yade_scripts.model.floor_motions import VERTICAL
 from yade_scripts.model.gravity import GRAVITY_M_S2
+from yade_scripts.model.motion import along
 from yade_scripts.model.shape import is_plain, shape_of
 
 
@@ -15,7 +18,8 @@ def build_scene(job):
     Parameters
     ----------
     job : dict
-        A scene file: model, beta_s and the configuration's sections.
+        A scene file: model, beta_s and the configuration's sections; with `width_nodes` the
+        full scene under two components.
 
     Returns
     -------
@@ -29,6 +33,15 @@ def build_scene(job):
     kind = registry.model(job["model"])
     if kind.walls == "bricks":
         return interlocking.interlocking_scene(job, job["beta_s"], massive=kind.massive)
+    if count := job.get("width_nodes"):
+        return facade.facade_scene(
+            job,
+            job["model"],
+            job["beta_s"],
+            planar=False,
+            width_nodes=count,
+            two_components=True,
+        )
     return facade.facade_scene(job, job["model"], job["beta_s"])
 
 
@@ -81,6 +94,36 @@ def shaken(scene, columns):
     """
     vertical = VERTICAL if VERTICAL in columns else None
     return replace(scene, vertical=vertical), motion_columns(scene, columns)
+
+
+def with_second(time_s, columns, second_time_s, second):
+    """Floor motions of two components on one time axis: those along the façade as `along(name)`.
+
+    Parameters
+    ----------
+    time_s, columns
+        Of the component out of plane, see `floor_motions.read`.
+    second_time_s, second
+        Of the component along the façade.
+
+    Returns
+    -------
+    time_s : ndarray
+        Of the first, to the end of the longer.
+    columns : dict of str to ndarray
+        Linear between samples, zero after either's end.
+    """
+    step = time_s[1] - time_s[0]
+    last = max(time_s[-1], second_time_s[-1])
+    longer = time_s[0] + step * np.arange(math.ceil((last - time_s[0]) / step - 1e-6) + 1)
+
+    def on(times, values):
+        return np.interp(longer, times, values, right=0.0)
+
+    return longer, {
+        **{name: on(time_s, values) for name, values in columns.items()},
+        **{along(name): on(second_time_s, values) for name, values in second.items()},
+    }
 
 
 def motion_columns(scene, columns):

@@ -9,6 +9,11 @@ from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 SIGNS = {"pos": 1.0, "neg": -1.0}  # of the record along the outward normal
 
 
+def along(name):
+    """Name of the motion along the façade (x) that goes with one out of plane; None for None."""
+    return f"along {name}" if name else None
+
+
 def amplitude(ground_m_s2, direction, pga_g):
     """Factor that brings a motion to a peak ground acceleration; its sign is the direction.
 

@@ -45,6 +45,8 @@ class Block:
         block without free degrees is a support.
     motion : str or None
         Name of the motion that drives a support along y; None keeps it at rest.
+    motion_x : str or None
+        Name of the motion that drives it along x.
     displacement_m, rotation_rad : tuple of 3 floats
         Initial pose relative to the reference: translation of the centroid and
         rotation vector about it.
@@ -75,6 +77,12 @@ class Block:
     weightless: bool = False
     drag_1_s: float = 0.0
     lever_m: tuple | None = None
+    motion_x: str | None = None
+
+    @property
+    def drives(self):
+        """(axis, name) of the motions that drive it; axis 0 is x, 1 is y."""
+        return [(i, name) for i, name in enumerate((self.motion_x, self.motion)) if name]
 
     @property
     def arms_m(self):
@@ -207,8 +215,13 @@ class Scene:
     @property
     def motions(self):
         """Names of the motions that drive the scene, sorted."""
-        own = (self.shaking, self.vertical)
-        return sorted({m for m in (*own, *(b.motion for b in self.blocks)) if m})
+        own = {self.shaking, self.vertical}
+        return sorted((own | {name for b in self.blocks for _, name in b.drives}) - {None})
+
+    @property
+    def two_components(self):
+        """Whether supports move along the façade too."""
+        return any(block.motion_x for block in self.blocks)
 
 
 class NodeList:

@@ -219,21 +219,19 @@ def stable_step(planar, carried=NO_BODIES):
     return low
 
 
-def _rules(planar, motions, numerics, factors):
+def limits(uplift_m_s2, thickness_m, motions, numerics, factors):
     """Stop rules, and per factor: end of motion [s], quiet [m/s²], largest speed [m/s]."""
     rows = np.vstack([motions.ground_m_s2, motions.supports_m_s2])
     envelope = np.abs(rows).max(axis=0)
     later = np.maximum.accumulate(envelope[::-1])[::-1]  # largest from each sample on
-    height = planar.monitor_m[1] - planar.origin_m[:, 1].min()
-    uplift = planar.gravity_m_s2 * planar.thickness_m / height
     size = np.abs(factors)
-    quiet = numerics["quiet_ratio"] * np.minimum(uplift, size * envelope.max())
+    quiet = numerics["quiet_ratio"] * np.minimum(uplift_m_s2, size * envelope.max())
     last = np.searchsorted(-later, -quiet / np.maximum(size, 1e-300), side="left") - 1
     motion = np.where(last < 0, 0.0, motions.time_s[np.maximum(last, 0)])
     speed = numerics["max_speed_ratio"] * (size * motions.peak_speed() + 1.0)
     rules = Rules(
         float(motions.time_s[-2] + numerics["after_motion_s"]),
-        float(numerics["overturn_ratio"] * planar.thickness_m),
+        float(numerics["overturn_ratio"] * thickness_m),
         float(numerics["rest_velocity_m_s"]),
         float(numerics["rest_time_s"]),
     )
@@ -249,7 +247,10 @@ def _set_up(planar, motions, numerics, factors, carried, step_s):
     factors = np.atleast_1d(np.asarray(factors, float))
     step = step_s or STEP_FRACTION * stable_step(planar, carried)
     table = motions.table(step, supports=not carried.mass_kg.size)
-    return carried, table, factors, _rules(planar, motions, numerics, factors)
+    height = planar.monitor_m[1] - planar.origin_m[:, 1].min()
+    uplift = planar.gravity_m_s2 * planar.thickness_m / height
+    rules = limits(uplift, planar.thickness_m, motions, numerics, factors)
+    return carried, table, factors, rules
 
 
 def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None, sample_s=0.005):

@@ -16,6 +16,7 @@ from rocking.study.fragility import Fragility
 from rocking.study.premises import Premises
 from rocking.study.risk import Risk
 from rocking.study.surrogates import Surrogates
+from rocking.study.two_components import TwoComponents
 from rocking.study.vertical import Vertical
 
 __all__ = [
@@ -31,5 +32,6 @@ __all__ = [
     "Risk",
     "Study",
     "Surrogates",
+    "TwoComponents",
     "Vertical",
 ]
