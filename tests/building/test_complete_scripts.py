@@ -46,27 +46,34 @@ def test_a_curve_begins_at_the_lowest_collapse_of_the_scan(tmp_path):
 
 
 def test_curves_are_tabled_in_the_form_of_the_other_models(tmp_path):
-    """A row a curve, a row a run; a failed run is neither."""
+    """A row a curve; what YADE found at a level beside the scan; a failed run is neither."""
     head = "model,record,direction,pga_g,d_over_b,collapsed,status,dt_s,steps,wall_s\n"
     rows = ["0.20,0.4,0,ok", "0.21,1,1,overturned", "0.22,0.6,0,ok", "0.23,,,failed"]
     rows += ["0.24,1,1,overturned"]
     text = "".join(f"CB,shake,neg,{row},4e-4,1000,0.5\n" for row in rows)
     (tmp_path / "curve.csv").write_text(head + text)
+    pga = 0.2 + 0.005 * np.arange(9)
+    scan = pd.DataFrame({"model": "CB", "record": "shake", "direction": "neg", "pga_g": pga})
+    fell = pga > 0.2075
+    scan["collapsed"], scan["status"] = fell.astype(int), np.where(fell, "overturned", "ok")
+    scan.to_csv(tmp_path / "scan.csv", index=False)
     script(
         "table_complete_collapse.py",
         tmp_path,
-        input={"ida": ["curve.csv"]},
+        input={"ida": ["curve.csv"], "scans": ["scan.csv"]},
         output={"collapse": "collapse.csv", "probability": "probability.csv"},
-        params={"spread": 0.02},
+        params={"spread": 0.01},
     )
     table = pd.read_csv(tmp_path / "collapse.csv")
     assert list(table.columns) == collapse.COLUMNS
     row = table.iloc[0]
-    assert row[["pga_safe_g", "pga_collapse_g", "pga_all_g"]].tolist() == [0.20, 0.21, 0.24]
-    assert row["reversals"] == 2
+    assert row[["pga_safe_g", "pga_collapse_g", "pga_all_g"]].tolist() == [0.205, 0.21, 0.225]
+    assert row[["runs_planar", "runs_yade", "disagreements"]].tolist() == [9, 5, 1]
+    assert row["reversals"] == 0
     share = pd.read_csv(tmp_path / "probability.csv")
     assert list(share.columns) == collapse.PROBABILITY_COLUMNS
-    assert share["pga_g"].tolist() == [0.20, 0.21, 0.22, 0.24]
-    assert share["probability_yade"].tolist() == [0.0, 1.0, 0.0, 1.0]
-    assert share["members_yade"].tolist() == [1, 1, 1, 1]
-    assert share["probability"].isna().all()
+    own = share[share["members_yade"] == 1]
+    assert own["pga_g"].tolist() == [0.20, 0.21, 0.22, 0.24]
+    assert own["probability_yade"].tolist() == [0.0, 1.0, 0.0, 1.0]
+    assert own["probability"].tolist() == [0.0, 1.0, 1.0, 1.0]
+    assert len(share) == 9 + 4

@@ -5,6 +5,17 @@ wildcard_constraints:
     back="bricks|facade",
 
 
+COMPLETE_SECTIONS = STUDY.params_of(
+    "facade",
+    "return_wall",
+    "damping",
+    "numerics",
+    "building",
+    "complete",
+    "ida.max_pga_g",
+)
+
+
 rule complete:
     input:
         lambda w: with_pages(STUDY.per_run(COMPLETE.results)),
@@ -22,22 +33,38 @@ rule complete_scene:
     log:
         "results/{run}/logs/complete_scene_{complete}_{coarsening}_{back}.log",
     params:
-        config=STUDY.params_of(
-            "facade",
-            "return_wall",
-            "damping",
-            "numerics",
-            "building",
-            "complete",
-            "ida.max_pga_g",
-        ),
+        config=COMPLETE_SECTIONS,
     script:
         "../scripts/complete_scene.py"
 
 
+rule complete_scan:
+    input:
+        plan=BUILDING.plan,
+        fit="results/{run}/building/fit.json",
+        fidelity=FIDELITY_FILE,
+        law=LAW_FILE,
+        motion=STUDY.ida_motion,
+        modules=code("complete_scan"),
+    output:
+        "results/{run}/screening/{complete}/{record}_{direction}.csv",
+    log:
+        "results/{run}/logs/complete_scan_{complete}_{record}_{direction}.log",
+    benchmark:
+        "results/{run}/benchmarks/complete_scan_{complete}_{record}_{direction}.tsv"
+    params:
+        config=COMPLETE_SECTIONS,
+        settings=lambda w: {
+            **{key: STUDY.cfg(w)["ida"][key] for key in ("beyond", "max_pga_g")},
+            "amplitude_spread": STUDY.cfg(w)["ensemble"]["amplitude_spread"],
+        },
+    script:
+        "../scripts/complete_scan.py"
+
+
 rule complete_plan:
     input:
-        scan=COMPLETE.scan,
+        scan="results/{run}/screening/{complete}/{record}_{direction}.csv",
         modules=code("complete_plan"),
     output:
         "results/{run}/complete/plans/{complete}_{record}_{direction}.json",
@@ -152,6 +179,7 @@ rule table_complete_convergence:
 rule complete_collapse:
     input:
         ida=lambda w: COMPLETE.curves(w.run),
+        scans=lambda w: COMPLETE.scans(w.run),
         modules=code("table_complete_collapse"),
     output:
         collapse="results/{run}/tables/complete_collapse.csv",
@@ -159,7 +187,7 @@ rule complete_collapse:
     log:
         "results/{run}/logs/complete_collapse.log",
     params:
-        spread=lambda w: COMPLETE.settings(w.run)["level_ratio"] / 2,
+        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
     script:
         "../scripts/table_complete_collapse.py"
 
@@ -167,7 +195,7 @@ rule complete_collapse:
 rule figure_complete:
     input:
         ida=lambda w: COMPLETE.curves(w.run),
-        scans=lambda w: COMPLETE.scans(w.run),
+        scans=lambda w: COMPLETE.scans(w.run) + COMPLETE.twins(w.run),
         facts=STUDY.record_facts,
         modules=code("figure_complete"),
     output:

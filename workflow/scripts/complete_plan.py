@@ -1,4 +1,4 @@
-"""Where a curve of the complete building begins, and islands: from the two-way model's scan."""
+"""Where a curve of the complete building begins, and islands: from the scan of its reduction."""
 
 import itertools
 import json

@@ -1,20 +1,26 @@
 """The complete building of a configuration (CB, CBc): its scene, its modes, its linear answer."""
 
+import json
+from pathlib import Path
+
 import numpy as np
 from scipy import sparse
 from scipy.optimize import brentq
 from scipy.signal import cont2discrete, dlsim
 from scipy.sparse.linalg import eigsh
 
+from rocking.calibration.beta import beta_for
 from yade_scripts.model import stiffness
 from yade_scripts.model.building import complete
 from yade_scripts.model.registry import COMPLETE
+from yade_scripts.studies.perturb import Member, perturbed_numerics
 
-from .case import build_model, real_brick, real_joints, translation_mode
+from .case import build_model, read_plan, real_brick, real_joints, translation_mode
 from .history import mass_damping_rate
 from .modes import Solver
 
 MODES = 12
+OWN = ("step_fraction", "quiet_ratio", "rest_velocity_m_s", "sample_interval_s")  # of numerics
 
 
 def complete_building(config, plan, load_kg_m2, model, beta_s, coarsening=None, back_joint=None):
@@ -59,6 +65,32 @@ def complete_building(config, plan, load_kg_m2, model, beta_s, coarsening=None, 
     )
     scene.notes.update(critical_step_s=critical_step(scene), rate_1_s=rate)
     return scene
+
+
+def scene_of(config, job, model, coarsening=None, back_joint=None, extra_nodes=0):
+    """Scene of CB or CBc from the files of a rule, and β.
+
+    Parameters
+    ----------
+    config : dict
+        As `complete_building`; its numerics with numbers for the nodes.
+    job : Job
+        Inputs plan, fit and law.
+    extra_nodes : int
+        Added to the nodes along every edge and up every course, as members of a scan do.
+
+    Returns
+    -------
+    Scene, float
+    """
+    load = json.loads(Path(job.input.fit).read_text())["floor_load_kg_m2"]
+    beta = beta_for(config, job.input.law)
+    numerics = perturbed_numerics(config["numerics"], Member(0, 1.0, extra_nodes=extra_nodes))
+    own = config["complete"]
+    own = {**own, "nodes_per_course": own["nodes_per_course"] + extra_nodes}
+    config = {**config, "numerics": numerics, "complete": own}
+    plan = read_plan(job.input.plan)
+    return complete_building(config, plan, load, model, beta, coarsening, back_joint), beta
 
 
 def critical_step(scene):
@@ -126,3 +158,14 @@ def linear_history(scene, points, time_s, ground_m_s2, count=60):
     system = cont2discrete((a, b, shape, np.zeros((len(rows), 1))), dt, method="foh")
     _, moved, _ = dlsim(system, np.asarray(ground_m_s2)[:, None])
     return np.asarray(time_s), moved.T
+
+
+def run_numerics(config):
+    """Section numerics of the runs of the complete building: the section complete states its own.
+
+    Raises
+    ------
+    KeyError
+        If one of them is missing.
+    """
+    return {**config["numerics"], "step_s": None, **{key: config["complete"][key] for key in OWN}}

@@ -24,24 +24,28 @@ class Table(NamedTuple):
 
 
 class Bodies(NamedTuple):
-    """Masses that carry the supports: M ü + C u̇ + K u = −M a_g + contact forces.
+    """Coordinates that carry the supports: M ü + C u̇ + K u = −M r a_g + Hᵀ·contact forces.
+
+    They are the masses of a chain, or the modes of a building. Supports move by H u.
 
     Attributes
     ----------
     mass_kg : ndarray, shape (n,)
         Without masses the supports are driven.
     k_n_m, c_n_s_m : ndarray, shape (n, n)
-    upper : ndarray of int, shape (supports,)
-        A support hangs between this mass and the one before it (before mass 0 the ground).
-    weight : ndarray, shape (supports,)
-        Share of the upper one, in the support's motion and of its force.
+    hang, lift : ndarray, shape (supports, n)
+        H: what each coordinate adds to a support's motion along y, and along z; `lift` without
+        rows where supports only move along y.
+    ground : ndarray, shape (n,)
+        r: motion of the coordinates when everything moves by one with the ground.
     """
 
     mass_kg: np.ndarray
     k_n_m: np.ndarray
     c_n_s_m: np.ndarray
-    upper: np.ndarray
-    weight: np.ndarray
+    hang: np.ndarray
+    lift: np.ndarray
+    ground: np.ndarray
 
 
 class Rules(NamedTuple):

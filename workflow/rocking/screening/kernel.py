@@ -38,17 +38,25 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
     dt = table.step_s
     groups, count = p.level_m.size, p.place_m.size
     chain = bodies.mass_kg.size
-    supports = bodies.upper.size if chain > 0 else table.place_m.shape[1]
+    supports = bodies.hang.shape[0] if chain > 0 else table.place_m.shape[1]
+    hang, lift = np.ascontiguousarray(bodies.hang.T), np.ascontiguousarray(bodies.lift.T)
     su, sv, sdu = np.zeros(supports + 1), np.zeros(supports + 1), np.zeros(supports + 1)
-    sf = np.zeros(supports + 1)
-    # of the masses; the last entry is the ground, which index −1 reaches
-    cu, cv, ca, cf = (
-        np.zeros(chain + 1),
-        np.zeros(chain + 1),
-        np.zeros(chain + 1),
-        np.zeros(chain + 1),
+    sf, sfz = np.zeros(supports + 1), np.zeros(supports + 1)
+    sz, svz, sdz = np.zeros(supports + 1), np.zeros(supports + 1), np.zeros(supports + 1)
+    lifted = lift.size > 0
+    # of the masses
+    cu, cv, cw, ca, cf = (
+        np.zeros(chain),
+        np.zeros(chain),
+        np.zeros(chain),
+        np.zeros(chain),
+        np.zeros(chain),
     )
-    cw = np.zeros(chain + 1)
+    reach = 0  # how far from the diagonal their matrices have entries: modes have none beside it
+    for i in range(chain):
+        for j in range(chain):
+            if bodies.k_n_m[i, j] != 0.0 or bodies.c_n_s_m[i, j] != 0.0:
+                reach = max(reach, abs(i - j))
     slip, intact = np.zeros(count), p.bonded.copy()
     # of each group: the nodes that touched at the last step, one range from either end; bonds
     starts, stops, left = p.first[:-1].copy(), p.first[:-1].copy(), np.zeros(groups, np.int64)
@@ -82,14 +90,32 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
         py, pz, pt = vy + half * ay, vz + half * az, spin + half * at
         for i in range(chain):
             cw[i], cf[i] = cv[i] + half * ca[i], 0.0
-        for j in range(supports):
-            sf[j] = 0.0
-            if chain > 0:
-                i, share = bodies.upper[j], bodies.weight[j]
-                su[j] = share * cu[i] + (1.0 - share) * cu[i - 1]
-                sv[j] = share * cw[i] + (1.0 - share) * cw[i - 1]
-                sdu[j] = past * (share * cv[i] + (1.0 - share) * cv[i - 1])
-            else:
+        sf[:] = 0.0
+        sfz[:] = 0.0
+        if chain > 0:
+            su[:] = 0.0
+            sv[:] = 0.0
+            sdu[:] = 0.0
+            for i in range(
+                chain
+            ):  # the inner loop over supports, so that it runs in parallel lanes
+                u, w, du = cu[i], cw[i], past * cv[i]
+                for j in range(supports):
+                    su[j] += hang[i, j] * u
+                    sv[j] += hang[i, j] * w
+                    sdu[j] += hang[i, j] * du
+            if lifted:
+                sz[:] = 0.0
+                svz[:] = 0.0
+                sdz[:] = 0.0
+                for i in range(chain):
+                    u, w, du = cu[i], cw[i], past * cv[i]
+                    for j in range(supports):
+                        sz[j] += lift[i, j] * u
+                        svz[j] += lift[i, j] * w
+                        sdz[j] += lift[i, j] * du
+        else:
+            for j in range(supports):
                 now = factor * table.place_m[row, j]
                 sv[j] = factor * table.speed_m_s[row, j]
                 if k > last:  # coasts after the table
@@ -107,11 +133,11 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
                 sign = 1.0
                 ry, rz = cos * ry - sin * rz, sin * ry + cos * rz
                 ey, ez = cos * ey - sin * ez, sin * ey + cos * ez
-                d0 = p.level_m[g] - ny * (y + ry - su[j]) - nz * (z + rz)
+                d0 = p.level_m[g] - ny * (y + ry - su[j]) - nz * (z + rz - sz[j])
             else:
                 sign = -1.0
                 ny, nz = cos * ny - sin * nz, sin * ny + cos * nz
-                ry, rz = ry + su[j] - y, rz - z
+                ry, rz = ry + su[j] - y, rz + sz[j] - z
                 d0 = p.level_m[g] - ny * ry - nz * rz
             d1 = -(ny * ey + nz * ez)
             low, high = p.first[g], p.first[g + 1]
@@ -148,11 +174,12 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
             elif start == stop:
                 continue
             ty, tz = -nz, ny
-            q0 = -sign * (ny * (py - pt * rz - sv[j]) + nz * (pz + pt * ry))
+            q0 = -sign * (ny * (py - pt * rz - sv[j]) + nz * (pz + pt * ry - svz[j]))
             q1 = -sign * pt * (nz * ey - ny * ez)
-            s0 = sign * (ty * (py - pt * rz - sv[j]) + tz * (pz + pt * ry))
+            s0 = sign * (ty * (py - pt * rz - sv[j]) + tz * (pz + pt * ry - svz[j]))
             s1 = sign * pt * (tz * ey - ty * ez)
-            g0 = sign * (ty * (past * (vy - spin * rz) - sdu[j]) + tz * past * (vz + spin * ry))
+            g0 = ty * (past * (vy - spin * rz) - sdu[j])
+            g0 = sign * (g0 + tz * (past * (vz + spin * ry) - sdz[j]))
             g1 = sign * past * spin * (tz * ey - ty * ez)
             beta, ratio, friction = p.beta_s[g], p.shear_ratio[g], p.friction[g]
             n0 = n1 = t0 = t1 = 0.0
@@ -275,6 +302,7 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
             moment += ry * gz - rz * gy
             moment += sign * (ey * (nz * n1 - tz * t1) - ez * (ny * n1 - ty * t1))
             sf[j] -= gy
+            sfz[j] -= gz
             # rows (direction, arm × direction) with the arm linear in s
             na, ne = nz * ry - ny * rz, nz * ey - ny * ez
             ta, te = tz * ry - ty * rz, tz * ey - ty * ez
@@ -318,17 +346,19 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
         az = (fz - r12 * at) * upper
         ay = (fy - o01 * az - o02 * at) * inverse
         shaken = False
-        if chain > 0:
-            for j in range(supports):
-                i, share = bodies.upper[j], bodies.weight[j]
-                cf[i] += share * sf[j]
-                cf[i - 1] += (1.0 - share) * sf[j]
+        for i in range(supports if chain > 0 else 0):
+            if sf[i] != 0.0 or sfz[i] != 0.0:
+                for j in range(chain):
+                    cf[j] += bodies.hang[i, j] * sf[i]
+                if lifted:
+                    for j in range(chain):
+                        cf[j] += bodies.lift[i, j] * sfz[i]
         for j in range(chain):
             pull = cf[j]
-            for i in range(chain):
+            for i in range(max(0, j - reach), min(chain, j + reach + 1)):
                 pull -= bodies.k_n_m[j, i] * cu[i] + bodies.c_n_s_m[j, i] * cw[i]
-            ca[j] = pull / bodies.mass_kg[j] - ag
-            shaken = shaken or abs(ca[j] + ag) > quiet_m_s2
+            ca[j] = pull / bodies.mass_kg[j] - bodies.ground[j] * ag
+            shaken = shaken or abs(ca[j] + bodies.ground[j] * ag) > quiet_m_s2
         if k % every == 0 and written < rows.shape[0]:
             rows[written, 0], rows[written, 1], rows[written, 2] = time, d, v
             rows[written, 3], rows[written, 4], rows[written, 5] = y, z, turn

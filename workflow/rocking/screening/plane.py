@@ -209,12 +209,13 @@ def matrices(planar, supports=0):
     -------
     mass : ndarray, shape (3 + floors,)
         Of y, z, rotation about x, and of the floors that have a mass.
-    k, c : ndarray, shape (3 + supports + floors, 3 + supports + floors)
-        The freedoms of the supports along y follow the block's, those of the floors follow them.
+    k, c : ndarray, shape (3 + 2·supports + floors, 3 + 2·supports + floors)
+        The freedoms of the supports along y follow the block's, those of the floors follow them,
+        then come those of the supports along z.
     """
     p = planar
     floors = p.bars.mass_kg[p.bars.mass_kg > 0.0]
-    size = 3 + supports + floors.size
+    size = 3 + 2 * supports + floors.size
     k, c = np.zeros((size, size)), np.zeros((size, size))
     for g in range(len(p.level_m)):
         ny, nz = p.normal[g]
@@ -225,10 +226,12 @@ def matrices(planar, supports=0):
                 row[:3] = y, z, z * ry - y * rz
                 if supports and p.support[g] >= 0:
                     row[3 + p.support[g]] = -y
+                    row[size - supports + p.support[g]] = -z
                 element = stiffness * p.kn_n_m[i] * np.outer(row, row)
                 k += element
                 c += p.beta_s[g] * element
-    for stiffness, dashpot, row in elements(p.bars, supports):
+    for stiffness, dashpot, part in elements(p.bars, supports):
+        row = np.pad(part, (0, supports))
         k += stiffness * np.outer(row, row)
         c += dashpot * np.outer(row, row)
     return np.array([p.mass_kg, p.mass_kg, p.inertia_kg_m2, *floors]), k, c

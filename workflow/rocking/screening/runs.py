@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from scipy.linalg import block_diag
 
 from .inputs import Bodies, Rules, Table
 from .kernel import COLUMNS, FAILED, march
@@ -13,9 +14,8 @@ from .plane import matrices
 STATUS = ("ok", "overturned", "failed")
 STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
 TABLES = 3  # of motions that are kept, some 10 MB each
-NO_BODIES = Bodies(
-    np.zeros(0), np.zeros((0, 0)), np.zeros((0, 0)), np.zeros(0, np.int64), np.zeros(0)
-)
+_NONE = np.zeros((0, 0))
+NO_BODIES = Bodies(np.zeros(0), _NONE, _NONE, _NONE, _NONE, np.zeros(0))
 
 
 @dataclass(frozen=True)
@@ -156,7 +156,7 @@ class Series:
     broken: int
 
 
-def bodies(mass_kg, stiffness_n_m, damping_n_s_m, upper=None, weight=None):
+def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, ground=None):
     """Masses that carry the supports and feel the block (see `kernel.Bodies`).
 
     Parameters
@@ -164,24 +164,35 @@ def bodies(mass_kg, stiffness_n_m, damping_n_s_m, upper=None, weight=None):
     mass_kg : array_like, shape (n,)
         From the bottom up.
     stiffness_n_m, damping_n_s_m : array_like, shape (n, n)
-    upper, weight : array_like, shape (m,), or None
-        Where each support hangs, in the order of `moving_supports(scene)`; None: support i
+    hang : array_like, shape (m, n), or None
+        Motion of each support along y, in the order of `moving_supports(scene)`; None: support i
         moves with mass i.
+    lift : array_like, shape (m, n), or None
+        The same along z; None: none.
+    ground : array_like, shape (n,), or None
+        None: masses, which the ground moves by one.
 
     Raises
     ------
     ValueError
-        If shapes differ, a mass is not positive or a support hangs on none of them.
+        If shapes differ or a mass is not positive.
     """
     m = np.asarray(mass_kg, float)
     k, c = np.array(stiffness_n_m, float), np.array(damping_n_s_m, float)
     if m.ndim != 1 or k.shape != (m.size,) * 2 or c.shape != k.shape or not np.all(m > 0.0):
         raise ValueError("bodies: expected n positive masses and two matrices of shape (n, n)")
-    upper = np.arange(m.size) if upper is None else np.asarray(upper, np.int64)
-    weight = np.ones(upper.size) if weight is None else np.asarray(weight, float)
-    if weight.shape != upper.shape or np.any(upper < 0) or np.any(upper >= m.size):
-        raise ValueError(f"bodies: expected supports between the {m.size} masses and their weights")
-    return Bodies(m, k, c, upper.astype(np.int64), weight)
+    hang = np.eye(m.size) if hang is None else np.array(hang, float)
+    lift = np.zeros((0, m.size)) if lift is None else np.array(lift, float)
+    ground = np.ones(m.size) if ground is None else np.array(ground, float)
+    shapes = ((0, m.size), hang.shape)
+    if (
+        hang.ndim != 2
+        or hang.shape[1] != m.size
+        or lift.shape not in shapes
+        or len(ground) != m.size
+    ):
+        raise ValueError(f"bodies: expected {m.size} columns of hang and lift, rows of ground")
+    return Bodies(m, k, c, hang, lift, ground)
 
 
 def stable_step(planar, carried=NO_BODIES):
@@ -190,15 +201,16 @@ def stable_step(planar, carried=NO_BODIES):
     The scheme is (M + ½hC₁)a = F − Kx − Cv − ½h(C − C₁)a⁻, v⁺ = v + ha, x⁺ = x + hv⁺, with C₁ the
     block's own part of C; its amplification matrix acts on (x, v, a⁻).
     """
-    n, supports = carried.mass_kg.size, np.arange(carried.upper.size)
-    mass, k, c = matrices(planar, supports.size)
+    n = carried.mass_kg.size
+    mass, k, c = matrices(planar, len(carried.hang))
     floors = mass.size - 3
-    hang = np.zeros((len(k), 4 + n + floors))  # the last column is the ground
-    hang[:3, :3] = np.eye(3)
-    hang[3 + supports, 3 + carried.upper] = carried.weight
-    hang[3 + supports, np.where(carried.upper > 0, 2 + carried.upper, -1)] = 1.0 - carried.weight
-    hang[3 + supports.size :, 3 + n : -1] = np.eye(floors)
-    k, c = (hang[:, :-1].T @ whole @ hang[:, :-1] for whole in (k, c))
+    lift = carried.lift if len(carried.lift) else 0.0 * carried.hang
+    # rows: the block, supports along y, floors, supports along z; columns: block, masses, floors
+    hang = block_diag(np.eye(3), carried.hang, np.eye(floors))
+    hang = np.vstack(
+        [hang, np.hstack([np.zeros((len(lift), 3)), lift, np.zeros((len(lift), floors))])]
+    )
+    k, c = (hang.T @ whole @ hang for whole in (k, c))
     mass = np.diag(np.concatenate((mass[:3], carried.mass_kg, mass[3:])))
     k[3 : 3 + n, 3 : 3 + n] += carried.k_n_m
     c[3 : 3 + n, 3 : 3 + n] += carried.c_n_s_m
@@ -241,7 +253,7 @@ def limits(uplift_m_s2, thickness_m, motions, numerics, factors):
 def _set_up(planar, motions, numerics, factors, carried, step_s):
     carried = carried or NO_BODIES
     wanted = int(planar.support.max(initial=-1)) + 1
-    given = carried.upper.size or len(motions.supports_m_s2)
+    given = len(carried.hang) or len(motions.supports_m_s2)
     if wanted > given:
         raise ValueError(f"screening: the scene has {wanted} moving supports, got {given}")
     factors = np.atleast_1d(np.asarray(factors, float))

@@ -18,6 +18,7 @@ from yade_scripts.studies.perturb import (
     perturbed_numerics,
 )
 
+from .inputs import Bodies
 from .plane import moving_supports, prepare
 from .runs import STEP_FRACTION, Motions, bodies, peaks, stable_step
 
@@ -27,38 +28,33 @@ STEPS = 4  # different steps of the members
 MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change
 
 
-class Screen:
-    """Outcomes of one model, record and direction at any amplitudes, by the planar solver.
+class Scan:
+    """Outcomes of one curve at any amplitudes, by the planar solver.
 
-    Parameters
+    Attributes
     ----------
-    job : dict
-        A scene file.
-    time_s, columns
-        Floor motions, see `yade_scripts.model.floor_motions.read`.
+    numerics : dict
     direction : str
+    ground : ndarray, shape (nt,)
+        Acceleration of the ground for a factor of one [m/s²].
+    planes : list of Planar
+        The scene in every layout of nodes that members use.
+    steps_s : list of float
+        Their time steps.
+    carried : Bodies or None
+    motions : Motions
+    static_g : float
+        Static multiplier, from half of which a curve climbs.
     """
 
-    def __init__(self, job, time_s, columns, direction):
-        """Prepare the scene in every layout of nodes that members use."""
-        self.numerics, self.direction, self.ground = job["numerics"], direction, columns["ground"]
-        kind = registry.model(job["model"])
-        self.planes = []
-        nodes = {**job["numerics"], **dict.fromkeys(NODE_KEYS, NODES)}
-        for extra in range(NODE_CHOICES):
-            numerics = perturbed_numerics(nodes, Member(0, 1.0, extra_nodes=extra))
-            scene = models.build_scene({**job, "model": kind.driven, "numerics": numerics})
-            self.planes.append(prepare(scene))
-        self.carried, supports = None, []
-        base = self.ground
-        if kind.massive:
-            self.carried = carried_masses(job, scene)
-        else:
-            columns = models.motion_columns(scene, columns)
-            base = columns[scene.blocks[scene.index(scene.reference)].motion]
-            supports = [columns[name] for name in moving_supports(scene)]
-        self.motions = Motions(time_s, base, supports, columns.get(VERTICAL))
-        self.static_g = models.static_multiplier(job)
+    numerics: dict
+    direction: str
+    ground: np.ndarray
+    planes: list
+    steps_s: list
+    carried: Bodies | None
+    motions: Motions
+    static_g: float
 
     def run(self, pga_g, scatter):
         """Outcomes at ascending amplitudes; `scatter` turns node layout and step with them.
@@ -74,18 +70,17 @@ class Screen:
         table = pd.DataFrame({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
         table["d_over_b"], table["status"] = np.nan, "failed"
         factor = np.array([amplitude(self.ground, self.direction, g) for g in pga_g])
-        for layout, plane in enumerate(self.planes):
+        for layout, (plane, whole) in enumerate(zip(self.planes, self.steps_s, strict=True)):
             for share in np.unique(step):  # the motions are tabulated once a step
                 mine = np.flatnonzero((extra == layout) & (step == share))
                 if mine.size:
-                    h = share * STEP_FRACTION * stable_step(plane)
                     found = peaks(
                         plane,
                         self.motions,
                         self.numerics,
                         factor[mine],
                         carried=self.carried,
-                        step_s=h,
+                        step_s=share * whole,
                     )
                     table.loc[mine, "d_over_b"] = np.minimum(found.d_over_b, 1.0)
                     status = np.where(found.failed, "failed", "ok")
@@ -150,6 +145,45 @@ class Screen:
         return pd.concat([coarse, members]).sort_values("pga_g", ignore_index=True)
 
 
+class Screen(Scan):
+    """Outcomes of one model, record and direction.
+
+    Parameters
+    ----------
+    job : dict
+        A scene file.
+    time_s, columns
+        Floor motions, see `yade_scripts.model.floor_motions.read`.
+    direction : str
+    """
+
+    def __init__(self, job, time_s, columns, direction):
+        """Prepare the scene in every layout of nodes that members use."""
+        self.numerics, self.direction, self.ground = job["numerics"], direction, columns["ground"]
+        kind = registry.model(job["model"])
+        self.planes = []
+        for numerics in layouts(job["numerics"]):
+            scene = models.build_scene({**job, "model": kind.driven, "numerics": numerics})
+            self.planes.append(prepare(scene))
+        self.steps_s = [STEP_FRACTION * stable_step(plane) for plane in self.planes]
+        self.carried, supports = None, []
+        base = self.ground
+        if kind.massive:
+            self.carried = carried_masses(job, scene)
+        else:
+            columns = models.motion_columns(scene, columns)
+            base = columns[scene.blocks[scene.index(scene.reference)].motion]
+            supports = [columns[name] for name in moving_supports(scene)]
+        self.motions = Motions(time_s, base, supports, columns.get(VERTICAL))
+        self.static_g = models.static_multiplier(job)
+
+
+def layouts(numerics):
+    """Section numerics in every layout of nodes that members use."""
+    nodes = {**numerics, **dict.fromkeys(NODE_KEYS, NODES)}
+    return [perturbed_numerics(nodes, Member(0, 1.0, extra_nodes=n)) for n in range(NODE_CHOICES)]
+
+
 def carried_masses(job, scene):
     """Masses, springs and dashpots of the chain that carries the return walls of a scene file.
 
@@ -167,6 +201,5 @@ def carried_masses(job, scene):
     mixed = scene.notes.get("motions", {})
     floors = [floor_motion(j) for j in range(1, chain["n_dof"] + 1)]
     shares = [mixed.get(name, {name: 1.0}) for name in moving_supports(scene)]
-    upper = [max(floors.index(name) for name in share if name in floors) for share in shares]
-    weight = [share[floors[i]] for share, i in zip(shares, upper, strict=True)]
-    return bodies(np.diag(own), stiffness, damping, upper, weight)
+    hang = [[share.get(floor, 0.0) for floor in floors] for share in shares]
+    return bodies(np.diag(own), stiffness, damping, hang)

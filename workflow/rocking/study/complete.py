@@ -32,12 +32,13 @@ class Complete:
         name = f"{wildcards.complete}_{own['coarsening']:g}_{own['back_joint']}"
         return f"results/{run}/complete/scenes/{name}.json"
 
-    def scan(self, wildcards) -> str:
-        """Dense scan of the two-way model that shows where a curve begins."""
-        w = wildcards
-        return f"results/{w.run}/screening/{_twin(w.complete)}/{w.record}_{w.direction}.csv"
-
     def scans(self, run) -> list[str]:
+        """Dense scans by the reduction, which show where the curves begin."""
+        return [
+            f"results/{run}/screening/{m}/{record}_{d}.csv" for m, record, d in self._cases(run)
+        ]
+
+    def twins(self, run) -> list[str]:
         """Dense scans of the two-way models beside the curves."""
         return [
             f"results/{run}/screening/{_twin(model)}/{record}_{direction}.csv"

@@ -1,0 +1,149 @@
+"""The complete building by few coordinates: a planar twin that runs hundreds of times as fast.
+
+Everything behind the crack is linear, so its lowest modes and the deformations that its ends
+suffer under unit forces stand for all of it (Rubin 1975, component modes with residual
+attachment). Modes alone do not do: what an impact gives back hangs on how far the ends of the
+walls give way, and thirty modes leave them twice as stiff. The façade before them keeps its nodes
+and moves in its plane, without turning about a vertical axis.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.linalg import eigh
+
+from rocking.screening.plane import prepare
+from rocking.screening.runs import STEP_FRACTION, Motions, bodies, stable_step
+from rocking.screening.scan import Scan
+from yade_scripts.model.building.complete import GROUND_MOTION, apart
+from yade_scripts.model.scene import Nodes
+
+from .modes import Solver
+
+STEP = 0.7  # of the whole building's critical step: coordinates are no faster than what they span
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """Coordinates q of what stands behind the crack: q̈ + rate·μ q̇ + ω²q = −Γ a_g + Hᵀf.
+
+    Attributes
+    ----------
+    omega : ndarray, shape (n,)
+        Circular frequencies [rad/s], ascending.
+    hang, lift : ndarray, shape (m, n)
+        H: motion of the ends along y, outward, and along z.
+    participation : ndarray, shape (n,)
+        Γ, along y.
+    moving : ndarray, shape (n,)
+        μ, share of translation in the kinetic energy: the drag acts on it alone.
+    ends : ndarray of int, shape (m,)
+        Blocks of the scene that end at the crack behind the façade.
+    """
+
+    omega: np.ndarray
+    hang: np.ndarray
+    lift: np.ndarray
+    participation: np.ndarray
+    moving: np.ndarray
+    ends: np.ndarray
+
+    def carried(self, rate_1_s):
+        """`kernel.Bodies`, each coordinate scaled so that it moves no end by more than itself."""
+        scale = 1.0 / np.abs(np.vstack([self.hang, self.lift])).max(axis=0)
+        mass = scale**2
+        return bodies(
+            mass,
+            np.diag(self.omega**2 * mass),
+            np.diag(rate_1_s * self.moving * mass),
+            self.hang * scale,
+            self.lift * scale,
+            self.participation / scale,
+        )
+
+
+def reduction(scene, count):
+    """Reduce what stands behind the crack of a complete building.
+
+    Parameters
+    ----------
+    scene : Scene
+        Of `complete.complete_scene`.
+    count : int
+        Lowest modes; to them comes one residual deformation an end.
+
+    Returns
+    -------
+    Reduction
+
+    Raises
+    ------
+    ValueError
+        If some block is not held.
+    """
+    facade, nodes = scene.index(scene.monitor), scene.nodes
+    back, blocks = nodes.b == facade, list(scene.blocks)
+    blocks[facade] = replace(blocks[facade], free="")
+    solver = Solver(apart(replace(scene, blocks=blocks)))
+    modes, ends = solver.modes(count), np.unique(nodes.a[back])
+    # motion along y, then along z, of the middle of an end's nodes
+    pick = np.zeros((len(solver.mass), 2 * len(ends)))
+    for column, end in enumerate(ends):
+        x, y, z = nodes.position_m[back & (nodes.a == end)].mean(axis=0) - blocks[end].centre_m
+        parts = ((1, 1.0), (3, -z), (5, x)), ((2, 1.0), (3, y), (4, -x))
+        for axis, part in enumerate(parts):
+            for freedom, share in part:
+                own = (solver.dof == (end, freedom)).all(axis=1)
+                pick[own, column + axis * len(ends)] = share
+    static = np.stack([solver.static(force) for force in pick.T], axis=1)
+    rest = static - modes.phi @ ((modes.phi.T @ pick) / modes.omega[:, None] ** 2)
+    rest /= np.sqrt(np.einsum("ij,i,ij->j", rest, solver.mass, rest))
+    basis = np.hstack([modes.phi, rest])
+    squared, own = eigh(basis.T @ (solver.k @ basis), basis.T @ (solver.mass[:, None] * basis))
+    phi = basis @ own
+    along = solver.mass * (solver.dof[:, 1] == 1)
+    hang, lift = np.split(pick.T @ phi, 2)
+    moving = np.einsum("ij,i,ij->j", phi, solver.mass * (solver.dof[:, 1] < 3), phi)
+    return Reduction(np.sqrt(squared), hang, lift, phi.T @ along, moving, ends)
+
+
+def in_plane(scene, ends):
+    """Scene of the façade alone in its plane, a moving support in the place of every end."""
+    facade, ground, nodes = scene.index(scene.monitor), scene.index(scene.reference), scene.nodes
+    kept = [ground, *ends, facade]
+    blocks = [replace(scene.blocks[i], free="", motion=f"end{i}") for i in kept]
+    blocks[0] = replace(blocks[0], motion=GROUND_MOTION)
+    blocks[-1] = replace(scene.blocks[facade], free="yzX")
+    mine = (nodes.a == facade) | (nodes.b == facade)
+    place = np.full(len(scene.blocks), -1)
+    place[kept] = np.arange(len(kept))
+    columns = {name: getattr(nodes, name)[mine] for name in vars(nodes)}
+    columns |= {"a": place[columns["a"]], "b": place[columns["b"]]}
+    return replace(scene, blocks=blocks, nodes=Nodes(**columns))
+
+
+class ReducedScan(Scan):
+    """Outcomes of a complete building at any amplitudes, by its reduction.
+
+    Parameters
+    ----------
+    scenes : sequence of Scene
+        The building in every layout of nodes that members use; all have the bricks of the first.
+    modes : int
+    numerics : dict
+        Section numerics of its scene file.
+    time_s, ground_m_s2 : ndarray, shape (nt,)
+    direction : str
+    """
+
+    def __init__(self, scenes, modes, numerics, time_s, ground_m_s2, direction):
+        """Reduce the building."""
+        self.numerics, self.direction, self.ground = numerics, direction, ground_m_s2
+        self.reduction = reduction(scenes[0], modes)
+        self.planes = [prepare(in_plane(scene, self.reduction.ends)) for scene in scenes]
+        self.carried = self.reduction.carried(scenes[0].notes["rate_1_s"])
+        self.motions = Motions(time_s, ground_m_s2)
+        plane = self.planes[0]
+        self.static_g = plane.thickness_m / (2.0 * plane.monitor_m[1])
+        critical = STEP * min(scene.notes["critical_step_s"] for scene in scenes)
+        self.steps_s = [min(STEP_FRACTION * stable_step(p), critical) for p in self.planes]

@@ -1,0 +1,31 @@
+"""Dense scan of one curve of the complete building, by its reduction to few coordinates."""
+
+import json
+
+from rocking.accuracy.fidelity import choose, read_fidelity
+from rocking.building.complete import run_numerics, scene_of
+from rocking.building.reduced import ReducedScan
+from rocking.runtime.script import run
+
+from yade_scripts.model import floor_motions
+from yade_scripts.studies.perturb import NODE_CHOICES
+
+
+def main(job):
+    config, w = json.loads(job.params.config), job.wildcards
+    own = config["complete"]
+    config["numerics"], _ = choose(config, "W2", read_fidelity(job.input.fidelity))
+    layouts = [scene_of(config, job, w.complete, extra_nodes=n)[0] for n in range(NODE_CHOICES)]
+    time_s, columns = floor_motions.read(job.input.motion)
+    screen = ReducedScan(
+        layouts, own["modes"], run_numerics(config), time_s, columns["ground"], w.direction
+    )
+    table = screen.scan({**job.params.settings, **own["scan"]})
+    for place, (name, value) in enumerate(
+        {"model": w.complete, "record": w.record, "direction": w.direction}.items()
+    ):
+        table.insert(place, name, value)
+    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+
+
+run(main, globals())
