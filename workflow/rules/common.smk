@@ -80,6 +80,7 @@ FRAGILITY = study.Fragility(STUDY)
 RISK = study.Risk(STUDY)
 SURROGATES = study.Surrogates(STUDY)
 TWO_COMPONENTS = study.TwoComponents(STUDY)
+UNCERTAINTY = study.Uncertainty(STUDY)
 VERTICAL = study.Vertical(STUDY)
 
 

@@ -41,6 +41,7 @@ rule vertical_ratios:
 rule figure_vertical:
     input:
         table="results/{run}/tables/vertical.csv",
+        facts=STUDY.record_facts,
         modules=code("figure_vertical"),
     output:
         png=report(

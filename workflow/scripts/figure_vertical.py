@@ -55,7 +55,7 @@ def main(job):
     left.legend(loc="upper left", fontsize=7)
     right.legend(loc="upper right", fontsize=7)
     figure.suptitle(f"{table['record'].nunique()} components with their vertical motions")
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

@@ -17,6 +17,7 @@ from rocking.study.premises import Premises
 from rocking.study.risk import Risk
 from rocking.study.surrogates import Surrogates
 from rocking.study.two_components import TwoComponents
+from rocking.study.uncertainty import Uncertainty
 from rocking.study.vertical import Vertical
 
 __all__ = [
@@ -33,5 +34,6 @@ __all__ = [
     "Study",
     "Surrogates",
     "TwoComponents",
+    "Uncertainty",
     "Vertical",
 ]

@@ -1,0 +1,109 @@
+# Uncertainty of material and model beside that of the motion: ask for `uncertainty`.
+wildcard_constraints:
+    cell=r"cell\d+",
+
+
+rule uncertainty:
+    input:
+        lambda w: with_pages(STUDY.per_run(UNCERTAINTY.results)),
+
+
+rule uncertainty_collapse:
+    input:
+        record="results/{run}/records/{record}.csv",
+        scenes=UNCERTAINTY.scenes,
+        modules=code("uncertainty_collapse"),
+    output:
+        "results/{run}/uncertainty/{record}.csv",
+    log:
+        "results/{run}/logs/uncertainty_{record}.log",
+    benchmark:
+        "results/{run}/benchmarks/uncertainty_{record}.tsv"
+    params:
+        settings=UNCERTAINTY.params,
+        direction=UNCERTAINTY.direction,
+    script:
+        "../scripts/uncertainty_collapse.py"
+
+
+rule uncertainty_cells:
+    input:
+        tables=UNCERTAINTY.collapses,
+        records=UNCERTAINTY.records,
+        scenes=UNCERTAINTY.scenes,
+        modules=code("uncertainty_cells"),
+    output:
+        "results/{run}/uncertainty/cells.json",
+    log:
+        "results/{run}/logs/uncertainty_cells.log",
+    params:
+        settings=UNCERTAINTY.params,
+    script:
+        "../scripts/uncertainty_cells.py"
+
+
+rule uncertainty_yade:
+    input:
+        cells="results/{run}/uncertainty/cells.json",
+        yade="results/{run}/yade.txt",
+        modules=study_code("cells"),
+    output:
+        "results/{run}/uncertainty/yade/{cell}.csv",
+    log:
+        "results/{run}/logs/uncertainty_yade_{cell}.log",
+    params:
+        yade=YADE,
+    shell:
+        "{params.yade} cells --cells {input.cells:q} --cell {wildcards.cell}"
+        " --output {output:q} 2> {log:q}"
+
+
+rule uncertainty_confirm:
+    input:
+        cells="results/{run}/uncertainty/cells.json",
+        yade=UNCERTAINTY.confirmed,
+        modules=code("uncertainty_confirm"),
+    output:
+        "results/{run}/tables/uncertainty_confirm.csv",
+    log:
+        "results/{run}/logs/uncertainty_confirm.log",
+    script:
+        "../scripts/uncertainty_confirm.py"
+
+
+rule uncertainty_tables:
+    input:
+        tables=UNCERTAINTY.collapses,
+        modules=code("uncertainty_tables"),
+    output:
+        samples="results/{run}/uncertainty/samples.csv",
+        parts="results/{run}/tables/uncertainty_parts.csv",
+        sensitivity="results/{run}/tables/uncertainty_sensitivity.csv",
+        fragility="results/{run}/tables/uncertainty_fragility.csv",
+    log:
+        "results/{run}/logs/uncertainty_tables.log",
+    params:
+        settings=UNCERTAINTY.params,
+    script:
+        "../scripts/uncertainty_tables.py"
+
+
+rule figure_uncertainty:
+    input:
+        parts="results/{run}/tables/uncertainty_parts.csv",
+        sensitivity="results/{run}/tables/uncertainty_sensitivity.csv",
+        fragility="results/{run}/tables/uncertainty_fragility.csv",
+        facts=UNCERTAINTY.facts,
+        modules=code("figure_uncertainty"),
+    output:
+        png=report(
+            "results/{run}/figures/uncertainty.png",
+            caption=caption("uncertainty"),
+            category="Fragility",
+            labels={"run": "{run}", "result": "motion, material and model form"},
+        ),
+        pdf="results/{run}/figures/uncertainty.pdf",
+    log:
+        "results/{run}/logs/figure_uncertainty.log",
+    script:
+        "../scripts/figure_uncertainty.py"

@@ -1,0 +1,28 @@
+"""Cells of the design by YADE beside the planar solver."""
+
+import json
+from pathlib import Path
+
+import pandas as pd
+from rocking.runtime.script import run
+
+COLUMNS = ["cell", "record", "direction", "model", "sample", "pga_g"]
+COLUMNS += ["d_over_b_planar", "status_planar", "d_over_b_yade", "status_yade", "agrees"]
+
+
+def main(job):
+    cells = json.loads(Path(job.input.cells).read_text())
+    rows = []
+    for path in job.input.yade:
+        own, found = cells[Path(path).stem], pd.read_csv(path)
+        known = [own[key] for key in ("record", "direction", "model", "sample")]
+        planar = zip(own["planar"]["d_over_b"], own["planar"]["status"], strict=True)
+        for (value, status), yade in zip(planar, found.to_dict("records"), strict=True):
+            same = int(status == yade["status"])
+            both = (value, status, yade["d_over_b"], yade["status"], same)
+            rows.append((Path(path).stem, *known, yade["pga_g"], *both))
+    table = pd.DataFrame(rows, columns=COLUMNS)
+    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+
+
+run(main, globals())
