@@ -59,7 +59,7 @@ def rules():
     """Yield (name, text) of every rule with a script or a study of its own."""
     for path in sorted((ROOT / "workflow" / "rules").glob("*.smk")):
         for block in re.split(r"(?m)^(?=(?:use )?rule )", path.read_text("utf-8")):
-            if re.search(r"^    (script|shell):", block, re.M):
+            if re.search(r"^    script:|{params.yade}", block, re.M):
                 yield re.match(r"(?:use )?rule (\w+)", block)[1], block
 
 

@@ -14,6 +14,7 @@ from tests.faults.workspace import RESULTS, Workspace, comparable
 TARGETS = (
     "tables/ida_collapse.csv",
     "tables/records.csv",
+    "tables/shared.csv",
     "figures/fig09_ida.png",
     "figures/record_BUCAR0.png",
 )

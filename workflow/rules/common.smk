@@ -22,6 +22,7 @@ from rocking.records.check import check_study
 from rocking.runtime import file_times, first_page, progress, results_folder
 from rocking.runtime import run_lock, stamps, terminal, warm
 from rocking.study.calibration import CASES, HISTORIES
+from rocking.study import shared
 from rocking.study.chosen import chosen
 from yade_scripts.engine import lifeline
 from yade_scripts.model.registry import MODELS, PUSHED, WITH_WALLS
@@ -78,6 +79,7 @@ COMPARE = study.Compare(STUDY)
 COMPLETE = study.Complete(STUDY)
 FRAGILITY = study.Fragility(STUDY)
 RISK = study.Risk(STUDY)
+SHARED = STUDY.shared
 SURROGATES = study.Surrogates(STUDY)
 TWO_COMPONENTS = study.TwoComponents(STUDY)
 UNCERTAINTY = study.Uncertainty(STUDY)
@@ -113,6 +115,8 @@ wildcard_constraints:
     ),
     model="|".join(WITH_WALLS),
     direction="pos|neg",
+    motions="[0-9a-f]+",
+    chain="[0-9a-f]+",
     n=r"\d+",
 
 
@@ -127,12 +131,17 @@ localrules:
     report_summary,
     figure_record,
     figure_floor_motions,
+    own_record,
+    own_floor_motions,
+    own_figure,
+    shared_files,
     fig09_ida,
 
 
 onstart:
     try:
         run_lock.hold()
+        file_times.settle(shared.FOLDER)
         for name, resolved in STUDY.runs.items():
             file_times.settle(f"results/{name}")
             choices = chosen(resolved, FIDELITY_FILE, LAW_FILE)

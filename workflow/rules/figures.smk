@@ -3,48 +3,48 @@
 
 rule figure_record:
     input:
-        record="results/{run}/records/{record}.csv",
-        facts="results/{run}/records/{record}.json",
+        record="results/.shared/{motions}/records/{record}.csv",
+        facts="results/.shared/{motions}/records/{record}.json",
         modules=code("figure_record"),
     output:
         png=report(
-            "results/{run}/figures/record_{record}.png",
+            "results/.shared/{motions}/figures/record_{record}.png",
             caption=caption("record"),
             category="Records",
-            labels={
-                "run": "{run}",
-                "record": "{record}",
+            labels=lambda w: {
+                "run": SHARED.label(w),
+                "record": w.record,
                 "result": "accelerogram",
             },
         ),
-        pdf="results/{run}/figures/record_{record}.pdf",
+        pdf="results/.shared/{motions}/figures/record_{record}.pdf",
     log:
-        "results/{run}/logs/figure_record_{record}.log",
+        "results/.shared/{motions}/logs/figure_record_{record}.log",
     script:
         "../scripts/figure_record.py"
 
 
 rule figure_floor_motions:
     input:
-        motion=STUDY.ida_motion,
-        facts="results/{run}/records/{record}.json",
+        motion=SHARED.of(STUDY.ida_motion),
+        facts="results/.shared/{motions}/records/{record}.json",
         modules=code("figure_floor_motions"),
     output:
         png=report(
-            "results/{run}/figures/floor_motions_{record}.png",
+            "results/.shared/{motions}/{chain}/figures/floor_motions_{record}.png",
             caption=caption("floor_motions"),
             category="Floor motions",
-            labels={
-                "run": "{run}",
-                "record": "{record}",
+            labels=lambda w: {
+                "run": SHARED.label(w),
+                "record": w.record,
                 "result": "floor motions and spectra",
             },
         ),
-        pdf="results/{run}/figures/floor_motions_{record}.pdf",
+        pdf="results/.shared/{motions}/{chain}/figures/floor_motions_{record}.pdf",
     log:
-        "results/{run}/logs/figure_floor_motions_{record}.log",
+        "results/.shared/{motions}/{chain}/logs/figure_floor_motions_{record}.log",
     params:
-        smdof=STUDY.params_of("smdof"),
+        smdof=SHARED.of(STUDY.params_of("smdof")),
     script:
         "../scripts/figure_floor_motions.py"
 

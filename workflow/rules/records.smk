@@ -1,23 +1,23 @@
 # Accelerograms: read or generated, baseline treated, measured.
 rule record:
     input:
-        file=STUDY.record_file,
-        vertical=lambda w: STUDY.record_row(w).vertical_path or [],
-        surrogates=STUDY.surrogate_parameters,
+        file=SHARED.of(STUDY.record_file),
+        vertical=SHARED.of(lambda w: STUDY.record_row(w).vertical_path or []),
+        surrogates=SHARED.of(STUDY.surrogate_parameters),
         modules=code("record"),
     output:
-        record="results/{run}/records/{record}.csv",
-        facts="results/{run}/records/{record}.json",
+        record="results/.shared/{motions}/records/{record}.csv",
+        facts="results/.shared/{motions}/records/{record}.json",
     log:
-        "results/{run}/logs/record_{record}.log",
+        "results/.shared/{motions}/logs/record_{record}.log",
     params:
-        row=lambda w: {
-            k: v for k, v in asdict(STUDY.record_row(w)).items() if k != "line"
-        },
-        table=lambda w: STUDY.table_path(w.run),
-        how=lambda w: {
-            key: STUDY.cfg(w)[key] for key in ("baseline", "seed", "vertical_motion")
-        },
+        row=SHARED.of(
+            lambda w: {
+                k: v for k, v in asdict(STUDY.record_row(w)).items() if k != "line"
+            }
+        ),
+        table=SHARED.of(lambda w: STUDY.table_path(w.run)),
+        how=SHARED.of(lambda w: SHARED.treatment(w.run)),
     script:
         "../scripts/record.py"
 

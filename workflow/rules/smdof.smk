@@ -3,13 +3,13 @@
 
 rule floor_motions:
     input:
-        record="results/{run}/records/{record}.csv",
+        record="results/.shared/{motions}/records/{record}.csv",
         modules=code("floor_motions"),
     output:
-        "results/{run}/smdof/{record}_{n}dof.csv",
+        "results/.shared/{motions}/{chain}/smdof/{record}_{n}dof.csv",
     log:
-        "results/{run}/logs/floor_motions_{record}_{n}.log",
+        "results/.shared/{motions}/{chain}/logs/floor_motions_{record}_{n}.log",
     params:
-        smdof=STUDY.params_of("smdof"),
+        smdof=SHARED.of(STUDY.params_of("smdof")),
     script:
         "../scripts/floor_motions.py"

@@ -6,6 +6,7 @@ from typing import Any
 
 from rocking.configuration import config as configuration
 from rocking.records import read_table, surrogates_for
+from rocking.study.shared import Shared
 from yade_scripts.model.registry import MODELS, PUSHED
 
 
@@ -44,6 +45,7 @@ class Study:
         self.name = str(config.get("run") or "main")
         self.tables = {run: read_table(self.table_path(run)) for run in self.runs}
         self.records = {run: self._record_names(run) for run in self.runs}
+        self.shared = Shared(self.runs)
         self.faults: dict[tuple[str, str], str] = {}
         for run, resolved in self.runs.items():
             if resolved["vertical_motion"] == "on":
@@ -150,11 +152,11 @@ class Study:
     def record_facts(self, wildcards):
         """Provenance files of all records of a run."""
         run = wildcards.run
-        return [f"results/{run}/records/{record}.json" for record in self.records[run]]
+        return [self.shared.path(run, f"records/{name}.json") for name in self.records[run]]
 
     def floor_motions(self, run, record) -> str:
         """Floor motions of a record."""
-        return f"results/{run}/smdof/{record}_{self.runs[run]['smdof']['n_dof']}dof.csv"
+        return self.shared.floor_motions(run, record)
 
     def ida_motion(self, wildcards) -> str:
         """Floor motions of a job's record."""
@@ -227,10 +229,8 @@ class Study:
 
     def main_results(self, run) -> list[str]:
         """What the main job makes for one run."""
-        figures = [f"record_{record}" for record in self.records[run]]
-        figures += [f"floor_motions_{record}" for record in self.records[run]]
         return [
-            f"results/{run}/tables/records.csv",
+            *(f"results/{run}/tables/{name}.csv" for name in ("records", "shared")),
             *(f"results/{run}/tables/{t}.csv" for t in ("ida_collapse", "collapse_probability")),
-            *(f"results/{run}/figures/{name}.png" for name in [*figures, "fig09_ida"]),
+            f"results/{run}/figures/fig09_ida.png",
         ]

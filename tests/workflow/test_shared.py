@@ -1,0 +1,117 @@
+"""Runs share their motions: one file under many names, whatever else the study has."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import yaml
+from rocking.configuration.config import expand_scenarios
+from rocking.study.shared import Shared
+
+ROOT = Path(__file__).resolve().parents[2]
+STUDY = {
+    "run": "s",
+    "records": ["BUCAR0"],
+    "models": ["W1"],
+    "scenarios": {
+        "thin": {"facade": {"thickness_m": 0.3}},
+        "thick": {"facade": {"thickness_m": 0.4}},
+        "soft": {"smdof": {"period_s": 0.5}},
+    },
+}
+
+
+@pytest.mark.parametrize(
+    ("override", "same"),
+    [
+        ({"facade": {"height_m": 5.0}, "models": ["W2"], "records": ["RRS228"]}, (True, True)),
+        ({"smdof": {"damping_ratio": 0.02}}, (True, False)),
+        ({"baseline": {"highpass_hz": 0.1}}, (False, True)),
+        ({"seed": 3}, (False, True)),
+        ({"vertical_motion": "on"}, (False, True)),
+        ({"records_table": "config/suites/recorded_suite.tsv"}, (False, True)),
+    ],
+)
+def test_what_makes_a_motion_decides_where_it_is_kept(override, same):
+    study = {**STUDY, "scenarios": {**STUDY["scenarios"], "other": override}}
+    keys = Shared(expand_scenarios(study)).keys
+    assert tuple(keys["s-thin"][k] == keys["s-other"][k] for k in ("motions", "chain")) == same
+    alone = Shared(expand_scenarios({**study, "scenario": "other"})).keys
+    assert alone == {"s-other": keys["s-other"]}
+
+
+def test_runs_alike_are_found_by_the_wildcards_of_a_file():
+    shared = Shared(expand_scenarios(STUDY))
+    motions, chain = shared.keys["s-thick"].values()
+    assert shared.alike({"motions": motions, "record": "A"}) == ["s-thin", "s-thick", "s-soft"]
+    assert shared.alike({"motions": motions, "chain": chain}) == ["s-thin", "s-thick"]
+    assert shared.label({"motions": motions}) == "s-thin and 2 more"
+    taken = shared.of(lambda w: (w.run, w.record))
+    wildcards = type("W", (dict,), {"record": "A"})(motions=motions, record="A")
+    assert taken(wildcards) == ("s-thin", "A")
+
+
+def snakemake(folder, *words):
+    """Run the study in a folder; return what it printed."""
+    command = [sys.executable, "-m", "snakemake", "--snakefile", str(ROOT / "workflow/Snakefile")]
+    done = subprocess.run(
+        [*command, "--cores", "1", *words],
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'workflow'}"},
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+    assert done.returncode == 0, done.stderr[-3000:]
+    return done.stdout + done.stderr
+
+
+def test_a_motion_is_made_once_and_stands_in_every_run(tmp_path):
+    """Two runs have the same file, the third its own chain; alone, a run finds all there."""
+    (tmp_path / "study.yaml").write_text(yaml.safe_dump(STUDY))
+    names = ("records/BUCAR0.json", "smdof/BUCAR0_4dof.csv")
+    runs = ("s-thin", "s-thick", "s-soft")
+    wanted = [f"results/{run}/{name}" for run in runs for name in names]
+    study = ("--configfile", "study.yaml", "--")
+    counted = snakemake(tmp_path, "-n", "--quiet", "rules", *study, *wanted)
+    jobs = dict(line.split() for line in counted.splitlines() if len(line.split()) == 2)
+    assert (jobs["record"], jobs["floor_motions"], jobs["own_record"]) == ("1", "2", "3")
+    snakemake(tmp_path, *study, *wanted)
+    record, motion = ([tmp_path / "results" / run / name for run in runs] for name in names)
+    assert len({path.stat().st_ino for path in record}) == 1
+    assert motion[0].samefile(motion[1])
+    assert motion[0].read_bytes() != motion[2].read_bytes()
+    again = ("-n", "--config", "scenario=thick", *study[:2])
+    assert "Nothing to be done" in snakemake(tmp_path, *again, "--", wanted[2], wanted[3])
+
+
+def test_a_run_s_names_are_made_again_where_they_stand_already(tmp_path):
+    """A link to the same file, to an older one, and a missing one all end as the shared file."""
+    kept = tmp_path / "results/.shared/abc"
+    own = tmp_path / "results/r"
+    for folder in (kept / "records", kept / "figures", own / "records"):
+        folder.mkdir(parents=True)
+    files = [kept / "records/A.csv", kept / "records/B.csv", kept / "figures/C.png"]
+    for path in files:
+        path.write_text(path.name)
+    (own / "records/A.csv").write_text("older")
+    os.link(files[1], own / "records/B.csv")
+    script = ROOT / "workflow/scripts/link_shared.py"
+    (own / "tables").mkdir()
+    named = ",".join(str(path.relative_to(tmp_path)) for path in files)
+    subprocess.run(
+        [sys.executable, script, "--input", f"files={named}", "--output", "results/r/tables/s.csv"],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'workflow'}"},
+        check=True,
+        timeout=60,
+    )
+    assert (own / "tables/s.csv").read_text().splitlines() == [
+        "file,kept_in",
+        *(f"{'/'.join(p.parts[-2:])},{p.relative_to(tmp_path).as_posix()}" for p in files),
+    ]
+    found = sorted(path for path in own.rglob("*.*") if path.parent.name != "tables")
+    assert [path.name for path in found] == ["C.png", "A.csv", "B.csv"]
+    assert all(a.samefile(b) for a, b in zip(found, [files[2], *files[:2]], strict=True))
