@@ -1,10 +1,12 @@
 """Pulses of a record: what was put in is found, with its sign, and a surrogate keeps it."""
 
+from pathlib import Path
+
 import numpy as np
 import pandas as pd
 import pytest
 from rocking.curves import surrogate_trust
-from rocking.records import Record, integrate, measures
+from rocking.records import Record, integrate, load, measures, read_table
 from rocking.records.pulses import PERIODS_S, find_pulses, pulse_spec
 from rocking.records.surrogate import generate
 from rocking.records.surrogate_model import Pulse
@@ -92,6 +94,31 @@ def test_summary_returns_the_distribution_that_made_the_ratios():
     lost = surrogate_trust.summary(rows(0.05, keep_side=False)).iloc[0]
     assert lost["side_agrees"] == 0.0
     assert lost["scatter"] == pytest.approx(0.8, rel=0.05)
+
+
+def test_scatter_is_that_of_the_draws_beside_the_record():
+    draws = [(0.2 * np.exp(0.3 * z), d) for d, z in enumerate(np.linspace(-2.0, 2.0, 41))]
+    own = ("R", "S", "W1", "pos")
+    rows = [(*own, "recorded", None, None, 0, 0.2 * np.exp(0.35), 0.2 * np.exp(0.35), 3.0)]
+    rows += [(*own, "surrogate", 6, 6, d, value, value, 3.0) for value, d in draws]
+    rows += [("T", "S", "W1", "pos", "surrogate", None, None, 0, 0.5, 0.5, 3.0)]
+    rows += [("T", "S", "W1", "pos", "surrogate", None, None, 1, np.nan, np.nan, 3.0)]
+    table = surrogate_trust.scatter(pd.DataFrame(rows, columns=surrogate_trust.COLUMNS))
+    beside, alone = table.to_dict("records")
+    assert beside["pga_median_g"] == pytest.approx(0.2)
+    assert beside["pga_p90_g"] == pytest.approx(0.2 * np.exp(0.3 * 1.6))
+    assert beside["scatter"] == pytest.approx(0.3 * np.linspace(-2.0, 2.0, 41).std(ddof=1))
+    assert beside["share_below"] == 32 / 41  # those with z < 0.35/0.3, in steps of 0.1
+    assert (alone["draws"], alone["n_censored"], alone["pga_median_g"]) == (2, 1, 0.5)
+    assert np.isnan([alone["recorded_g"], alone["share_below"]]).all()
+
+
+@pytest.mark.parametrize("name", ["RRS228", "1ST280"])
+def test_shipped_descriptions_give_motions_of_their_peaks(name):
+    table = Path(__file__).parents[2] / "config" / "suites" / "pulse_surrogates.tsv"
+    stated, made = read_table(table)[name].targets, measures(load(name, table, seed=3))
+    for peak, value in stated.items():
+        assert made[peak] == pytest.approx(value, rel=0.01)
 
 
 def test_both_components_of_a_station_are_in_one_half_and_what_never_fell_is_counted():

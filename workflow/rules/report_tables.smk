@@ -56,6 +56,13 @@ REPORT_TABLES = {
         " share of records whose weak side is that of the surrogate, and the median |ln(pos/neg)| of"
         " both. Pulses: how many of the record's own velocity pulses the surrogate keeps.",
     ),
+    "surrogate_scatter": (
+        "Records",
+        "draws of surrogates",
+        "PGA of collapse over draws of a surrogate that differ in their noise: median, percentiles and"
+        " scatter (standard deviation of the logarithm); beside it that of the recorded motion, and the"
+        " share of draws that collapse below it. Pulses: blank where a table gives the parameters.",
+    ),
     "capacity_reduction": (
         "Capacity reduction",
         "W2/W1 of every record",

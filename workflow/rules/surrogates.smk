@@ -1,5 +1,5 @@
-# How far surrogates stand for recorded motions: collapse of both by the same scans. Ask for
-# `surrogates`, with a table of recorded motions.
+# How far surrogates stand for recorded motions: collapse of both by the same scans; and how far
+# draws of one surrogate differ. Ask for `surrogates`.
 
 
 rule surrogates:
@@ -9,7 +9,8 @@ rule surrogates:
 
 rule surrogate_collapse:
     input:
-        record=SURROGATES.recorded,
+        record="results/{run}/records/{record}.csv",
+        parameters=STUDY.surrogate_parameters,
         scenes=SURROGATES.scenes,
         modules=code("surrogate_collapse"),
     output:
@@ -20,6 +21,7 @@ rule surrogate_collapse:
         "results/{run}/benchmarks/surrogates_{record}.tsv"
     params:
         surrogates=lambda w: STUDY.cfg(w)["surrogates"],
+        table=lambda w: STUDY.table_path(w.run),
         smdof=lambda w: STUDY.cfg(w)["smdof"],
         seed=lambda w: STUDY.cfg(w)["seed"],
         directions=lambda w: STUDY.cfg(w)["directions"],
@@ -34,6 +36,7 @@ rule surrogate_trust:
         modules=code("surrogate_trust"),
     output:
         table="results/{run}/tables/surrogates.csv",
+        scatter="results/{run}/tables/surrogate_scatter.csv",
         summary="results/{run}/tables/surrogate_trust.csv",
     log:
         "results/{run}/logs/surrogate_trust.log",
@@ -59,3 +62,22 @@ rule figure_surrogate_trust:
         "results/{run}/logs/figure_surrogate_trust.log",
     script:
         "../scripts/figure_surrogate_trust.py"
+
+
+rule figure_surrogate_scatter:
+    input:
+        table="results/{run}/tables/surrogates.csv",
+        facts=STUDY.record_facts,
+        modules=code("figure_surrogate_scatter"),
+    output:
+        png=report(
+            "results/{run}/figures/surrogate_scatter.png",
+            caption=caption("surrogate_scatter"),
+            category="Records",
+            labels={"run": "{run}", "result": "draws of surrogates"},
+        ),
+        pdf="results/{run}/figures/surrogate_scatter.pdf",
+    log:
+        "results/{run}/logs/figure_surrogate_scatter.log",
+    script:
+        "../scripts/figure_surrogate_scatter.py"

@@ -1,12 +1,16 @@
-"""Collapse of one recorded motion and of surrogates made for it, by the same scan."""
+"""Collapse of one recorded motion and of surrogates made for it, by the same scan.
 
+Of a record without a file there are surrogates alone, by its parameters.
+"""
+
+import itertools
 import json
 import sys
 from pathlib import Path
 
 import pandas as pd
 from rocking.curves.surrogate_trust import COLUMNS, outcome
-from rocking.records import RecordError, measures, read_csv
+from rocking.records import RecordError, load, measures, read_csv
 from rocking.records.floors import floor_columns
 from rocking.records.pulses import pulse_spec
 from rocking.records.surrogate import generate
@@ -27,18 +31,26 @@ def surrogate(record, pulses, seed):
     return None, 0
 
 
+def motions(record, p):
+    """Kind, pulses, pulses kept, draw and motion of all that is compared."""
+    draws = range(p.surrogates["draws"])
+    if record.source == "surrogate":
+        for draw in draws:
+            yield "surrogate", None, None, draw, load(record.name, p.table, seed=p.seed + draw)
+        return
+    yield "recorded", None, None, 0, record
+    for pulses, draw in itertools.product(p.surrogates["pulses"], draws):
+        made, kept = surrogate(record, pulses, p.seed + draw)
+        if made is not None:
+            yield "surrogate", pulses, kept, draw, made
+
+
 def main(job):
     p = job.params
     record = read_csv(job.input.record)
     scenes = [json.loads(Path(path).read_text()) for path in job.input.scenes]
-    motions = [("recorded", None, None, 0, record)]
-    for pulses in p.surrogates["pulses"]:
-        for draw in range(p.surrogates["draws"]):
-            made, kept = surrogate(record, pulses, p.seed + draw)
-            if made is not None:
-                motions.append(("surrogate", pulses, kept, draw, made))
     rows = []
-    for *what, motion in motions:
+    for *what, motion in motions(record, p):
         floors = floor_columns(motion, p.smdof)
         for scene in scenes:
             ratio = p.surrogates["level_ratio"]

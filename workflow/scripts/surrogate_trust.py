@@ -1,7 +1,7 @@
-"""Collapse of all records and surrogates in one table, and the distribution of their ratio."""
+"""Collapse of all records and surrogates in one table, their ratio, and the scatter of draws."""
 
 import pandas as pd
-from rocking.curves.surrogate_trust import summary
+from rocking.curves.surrogate_trust import scatter, summary
 from rocking.runtime.script import run
 
 FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
@@ -12,6 +12,7 @@ def main(job):
     for name in ("pulses", "pulses_kept"):
         table[name] = table[name].astype("Int64")
     table.to_csv(job.output.table, **FORMAT)
+    scatter(table).to_csv(job.output.scatter, **FORMAT)
     summary(table).to_csv(job.output.summary, **FORMAT)
 
 

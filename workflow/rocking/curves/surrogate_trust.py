@@ -19,6 +19,10 @@ SUMMARY = [
     *("half", "model", "pulses", "n", "n_censored", "ratio_median", "ratio_p10", "ratio_p90"),
     *("scatter", "within_20_percent", "side_agrees", "n_sides", "side_recorded", "side_surrogate"),
 ]
+SCATTER = [
+    *("record", "model", "direction", "pulses", "draws", "n_censored"),
+    *("pga_p10_g", "pga_median_g", "pga_p90_g", "scatter", "recorded_g", "share_below"),
+]
 DISTINCT = 1.1  # directions whose collapse differs by less have no weak side
 
 
@@ -132,3 +136,32 @@ def summary(table):
                 }
             )
     return pd.DataFrame(rows).reindex(columns=SUMMARY)
+
+
+def scatter(table):
+    """How far draws of a surrogate differ, curve by curve, and where its record lies among them.
+
+    Parameters
+    ----------
+    table : DataFrame
+        Columns as `COLUMNS`.
+
+    Returns
+    -------
+    DataFrame
+        Columns as `SCATTER`, of pga_half_g [g]: scatter is the standard deviation of its logarithm
+        over the draws that collapsed, share_below the share of draws that collapse at a lower PGA
+        than the record; blank without a record. `pulses` is blank where the parameters are a
+        table's.
+    """
+    found = pairs(table)
+    rows = []
+    key = ["record", "model", "direction", "pulses"]
+    for names, group in found.groupby(key, sort=False, dropna=False):
+        half, recorded = group["pga_half_g"].dropna(), group["recorded_g"].iloc[0]
+        below = np.mean(group["pga_half_g"] < recorded) if np.isfinite(recorded) else np.nan
+        ends = np.percentile(half, [10, 50, 90]) if len(half) else [np.nan] * 3
+        rows.append(
+            (*names, len(group), len(group) - len(half), *ends, np.log(half).std(), recorded, below)
+        )
+    return pd.DataFrame(rows, columns=SCATTER)

@@ -96,6 +96,7 @@ def save(figure, output, facts=()):
     box = figure.bbox_inches.extents
     if text := origins(facts, figure.get_figwidth()):
         line = figure.text(0.5, 0.0, text, fontsize=6.5, ha="center", va="top")
+        figure.set_dpi(plt.rcParams["savefig.dpi"])  # letters are not as wide at every other
         figure.draw_without_rendering()
         figure.set_layout_engine("none")  # all stays where it is now
         for legend in figure.legends:
@@ -123,7 +124,7 @@ def origins(facts, width_in):
     """
     paths = [facts] if isinstance(facts, str) else facts
     lines = sources([json.loads(Path(path).read_text()) for path in paths])
-    return "\n".join(textwrap.fill(line, int(22 * width_in)) for line in lines)
+    return "\n".join(textwrap.fill(line, int(20 * width_in)) for line in lines)
 
 
 def sources(facts):

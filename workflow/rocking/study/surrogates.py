@@ -12,10 +12,13 @@ class Surrogates:
 
     def results(self, run) -> list[str]:
         """Everything the target `surrogates` makes for one run."""
+        rows = (self.study.tables[run][name] for name in self.study.records[run])
+        names = ["surrogate_trust"] if any(row.path for row in rows) else []
+        draws = self.study.runs[run]["surrogates"]["draws"]
+        figures = [*names, *(["surrogate_scatter"] if draws > 1 else [])]
         return [
-            f"results/{run}/tables/surrogates.csv",
-            f"results/{run}/tables/surrogate_trust.csv",
-            f"results/{run}/figures/surrogate_trust.png",
+            *(f"results/{run}/tables/{t}.csv" for t in ("surrogates", "surrogate_scatter", *names)),
+            *(f"results/{run}/figures/{name}.png" for name in figures),
         ]
 
     def scenes(self, wildcards) -> list[str]:
@@ -25,16 +28,6 @@ class Surrogates:
     def station(self, wildcards) -> str:
         """Station of a record; itself where its table names none."""
         return self.study.record_row(wildcards).about.get("station") or wildcards.record
-
-    def recorded(self, wildcards) -> str:
-        """Record that surrogates are made for; one that is a surrogate ends the workflow."""
-        if self.study.record_row(wildcards).path is None:
-            raise SystemExit(
-                f"error: surrogates: record {wildcards.record} has no file in"
-                f" {self.study.table_path(wildcards.run)}; expected recorded motions, such as"
-                " records_table=config/suites/recorded_suite.tsv"
-            )
-        return f"results/{wildcards.run}/records/{wildcards.record}.csv"
 
     def collapses(self, wildcards) -> list[str]:
         """Collapse of every record and its surrogates."""
