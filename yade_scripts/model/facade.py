@@ -42,7 +42,6 @@ BASE = "base"
 FACADE = "façade"
 WALL = "return wall"
 MIDDLE = np.array([0.0]), np.array([1.0])  # the column of nodes of a planar scene
-WALL_COLUMNS = 2  # of nodes on a return wall of a full scene, at its edges
 PIECE_M = 0.25  # depth of wall that moves with the contact, where the masses are elsewhere
 
 
@@ -267,6 +266,12 @@ def _columns(strips, count):
     )
 
 
+def _middles(strips):
+    """Places in x and weights of one column in the middle of each strip (x0, x1)."""
+    width = np.array([b - a for a, b in strips])
+    return np.array([0.5 * (a + b) for a, b in strips]), width / width.sum()
+
+
 def _spread(line_xyz, areas, columns, column_weights, gap_m=0.0):
     """Repeat a line of nodes at x = 0 over the columns; return positions, areas and gaps."""
     gaps = np.broadcast_to(gap_m, areas.shape)
@@ -329,7 +334,7 @@ def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, mot
             hanging.hang(own[-1], 0.0)
         pieces = shape.back_parts(low, tall, strips)
         for number, (foot, length, y, lost, own_strips) in enumerate(pieces, 1):
-            columns, column_weights = MIDDLE if planar else _columns(own_strips, WALL_COLUMNS)
+            columns, column_weights = MIDDLE if planar else _middles(own_strips)
             at, share = points, weights
             if len(pieces) > 1:
                 fewer = 1 + math.ceil((nodes_up - 1) * length / tall)

@@ -26,7 +26,7 @@ from .plane import moving_supports
 from .runs import STATUS, limits
 from .spatial_kernel import COLUMNS, Spatial, march
 
-STEP_FRACTION = 0.1  # of the critical step: d/b within 0.1 % of half of it, 0.6 % near collapse
+STEP_FRACTION = 0.2  # of the critical step
 
 
 def prepare(scene, step_fraction=STEP_FRACTION):
@@ -46,7 +46,10 @@ def prepare(scene, step_fraction=STEP_FRACTION):
     column = {name: i for i, name in enumerate(moving_supports(scene))}
     centre, turned = np.array(block.centre_m), np.array(block.rotation_rad, float)
     arm, half = nodes.position_m - centre, 0.5 * np.linalg.norm(turned)
+    line = np.stack([nodes.joint, nodes.position_m[:, 0], nodes.gap_m], axis=1)
+    bounds = np.flatnonzero(np.any(np.diff(line, axis=0) != 0.0, axis=1)) + 1
     return Spatial(
+        np.concatenate(([0], bounds, [len(nodes)])),
         arm,
         nodes.normal.copy(),
         np.einsum("ni,ni->n", nodes.normal, arm) - nodes.gap_m,

@@ -17,6 +17,8 @@ class Spatial(NamedTuple):
 
     Attributes
     ----------
+    first : ndarray of int, shape (lines + 1,)
+        Line i, straight and against one plane, has the nodes first[i]:first[i + 1].
     arm_m, normal : ndarray, shape (n, 3)
         Of a node from the reference centroid; from the support into the block.
     level_m : ndarray, shape (n,)
@@ -33,6 +35,7 @@ class Spatial(NamedTuple):
     mass_kg, gravity_m_s2, thickness_m, step_s : float
     """
 
+    first: np.ndarray
     arm_m: np.ndarray
     normal: np.ndarray
     level_m: np.ndarray
@@ -117,6 +120,18 @@ def roll(q, momentum, inertia, dt, spin, matrix, other):
 
 
 @compiled
+def _open(p, i, turn, x, us):
+    """Whether node i does not touch its plane."""
+    j, depth = p.support[i], p.level_m[i]
+    for m in range(3):
+        place = x[m] - (us[j, m] if m < 2 else 0.0)
+        for n in range(3):
+            place += turn[m, n] * p.arm_m[i, n]
+        depth -= p.normal[i, m] * place
+    return depth <= 0.0
+
+
+@compiled
 def march(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows):
     """Advance one history until a rule ends it.
 
@@ -144,6 +159,7 @@ def march(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows
     last, moving = across.ground_m_s2.size - 1, across.place_m.shape[1]
     us, vs = np.zeros((moving + 1, 2)), np.zeros((moving + 1, 2))
     slip, closed = np.zeros((count, 3)), np.zeros(count, np.bool_)
+    touching = np.zeros(p.first.size - 1, np.int64)  # nodes of each line at the last step
     x, q, v, momentum = p.place_m.copy(), p.turn.copy(), np.zeros(3), np.zeros(3)
     a, torque, pv, pw, hw = np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3)
     force, r, u = np.zeros(3), np.zeros(3), np.zeros(3)
@@ -175,64 +191,69 @@ def march(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows
         for i in range(3):
             force[i] = torque[i] = 0.0
         elastic = power = 0.0
-        for i in range(count):
-            for m in range(3):
-                r[m] = (turn[m, 0] * p.arm_m[i, 0] + turn[m, 1] * p.arm_m[i, 1]) + turn[
-                    m, 2
-                ] * p.arm_m[i, 2]
-            n0, n1, n2 = p.normal[i, 0], p.normal[i, 1], p.normal[i, 2]
-            j = p.support[i]
-            depth = p.level_m[i] - n0 * (x[0] + r[0] - us[j, 0])
-            depth -= n1 * (x[1] + r[1] - us[j, 1]) + n2 * (x[2] + r[2])
-            kn, ks, beta = p.kn_n_m[i], p.ks_n_m[i], p.beta_s[i]
-            if depth <= 0.0:
-                if closed[i]:
-                    size = slip[i, 0] ** 2 + slip[i, 1] ** 2 + slip[i, 2] ** 2
-                    spent += 0.5 * ks * size
-                    closed[i] = False
-                    slip[i, 0] = slip[i, 1] = slip[i, 2] = 0.0
-                continue
-            rel[0] = pv[0] + pw[1] * r[2] - pw[2] * r[1] - vs[j, 0]
-            rel[1] = pv[1] + pw[2] * r[0] - pw[0] * r[2] - vs[j, 1]
-            rel[2] = pv[2] + pw[0] * r[1] - pw[1] * r[0]
-            step[0] = past * (v[0] + hw[1] * r[2] - hw[2] * r[1]) - du[j, 0]
-            step[1] = past * (v[1] + hw[2] * r[0] - hw[0] * r[2]) - du[j, 1]
-            step[2] = past * (v[2] + hw[0] * r[1] - hw[1] * r[0])
-            rate = -(n0 * rel[0] + n1 * rel[1] + n2 * rel[2])
-            along_n = n0 * step[0] + n1 * step[1] + n2 * step[2]
-            share, part = 1.0, 1.0
-            if not closed[i] and rate > 0.0 and k > 0:
-                # closed since depth/rate: the share of this step's force, and of its slip
-                since = depth / (rate * dt)
-                share, part = min(0.5 + since, 1.5), min(since, 1.0)
-            closed[i] = True
-            normal = max(kn * (depth + beta * rate), 0.0)
-            held = 0.0
-            for m in range(3):
-                slip[i, m] += part * (step[m] - along_n * p.normal[i, m])
-                rel[m] += rate * p.normal[i, m]  # what is left lies in the joint's plane
-                held += slip[i, m] ** 2
-            held = ks * math.sqrt(held)
-            most = p.friction[i] * normal
-            viscous = ks * beta
-            if held > most:
-                back = most / held
-                spent += most * (held - most) / ks
-                viscous = 0.0
+        for g in range(p.first.size - 1):
+            low, high = p.first[g], p.first[g + 1]
+            if touching[g] == 0 and _open(p, low, turn, x, us) and _open(p, high - 1, turn, x, us):
+                continue  # penetration is linear along the line
+            touching[g] = 0
+            for i in range(low, high):
                 for m in range(3):
-                    slip[i, m] *= back
-            square = 0.0
-            for m in range(3):
-                u[m] = share * (normal * p.normal[i, m] - ks * slip[i, m] - viscous * rel[m])
-                square += rel[m] ** 2
-                elastic += 0.5 * ks * slip[i, m] ** 2
-                force[m] += u[m]
-            elastic += 0.5 * kn * depth * depth
-            spent += share * dt * ((normal - kn * depth) * rate + viscous * square)
-            power += u[0] * vs[j, 0] + u[1] * vs[j, 1]
-            torque[0] += r[1] * u[2] - r[2] * u[1]
-            torque[1] += r[2] * u[0] - r[0] * u[2]
-            torque[2] += r[0] * u[1] - r[1] * u[0]
+                    r[m] = turn[m, 0] * p.arm_m[i, 0] + turn[m, 1] * p.arm_m[i, 1]
+                    r[m] += turn[m, 2] * p.arm_m[i, 2]
+                n0, n1, n2 = p.normal[i, 0], p.normal[i, 1], p.normal[i, 2]
+                j = p.support[i]
+                depth = p.level_m[i] - n0 * (x[0] + r[0] - us[j, 0])
+                depth -= n1 * (x[1] + r[1] - us[j, 1]) + n2 * (x[2] + r[2])
+                kn, ks, beta = p.kn_n_m[i], p.ks_n_m[i], p.beta_s[i]
+                if depth <= 0.0:
+                    if closed[i]:
+                        size = slip[i, 0] ** 2 + slip[i, 1] ** 2 + slip[i, 2] ** 2
+                        spent += 0.5 * ks * size
+                        closed[i] = False
+                        slip[i, 0] = slip[i, 1] = slip[i, 2] = 0.0
+                    continue
+                rel[0] = pv[0] + pw[1] * r[2] - pw[2] * r[1] - vs[j, 0]
+                rel[1] = pv[1] + pw[2] * r[0] - pw[0] * r[2] - vs[j, 1]
+                rel[2] = pv[2] + pw[0] * r[1] - pw[1] * r[0]
+                step[0] = past * (v[0] + hw[1] * r[2] - hw[2] * r[1]) - du[j, 0]
+                step[1] = past * (v[1] + hw[2] * r[0] - hw[0] * r[2]) - du[j, 1]
+                step[2] = past * (v[2] + hw[0] * r[1] - hw[1] * r[0])
+                rate = -(n0 * rel[0] + n1 * rel[1] + n2 * rel[2])
+                along_n = n0 * step[0] + n1 * step[1] + n2 * step[2]
+                share, part = 1.0, 1.0
+                if not closed[i] and rate > 0.0 and k > 0:
+                    # closed since depth/rate: the share of this step's force, and of its slip
+                    since = depth / (rate * dt)
+                    share, part = min(0.5 + since, 1.5), min(since, 1.0)
+                closed[i] = True
+                touching[g] += 1
+                normal = max(kn * (depth + beta * rate), 0.0)
+                held = 0.0
+                for m in range(3):
+                    slip[i, m] += part * (step[m] - along_n * p.normal[i, m])
+                    rel[m] += rate * p.normal[i, m]  # what is left lies in the joint's plane
+                    held += slip[i, m] ** 2
+                held = ks * math.sqrt(held)
+                most = p.friction[i] * normal
+                viscous = ks * beta
+                if held > most:
+                    back = most / held
+                    spent += most * (held - most) / ks
+                    viscous = 0.0
+                    for m in range(3):
+                        slip[i, m] *= back
+                square = 0.0
+                for m in range(3):
+                    u[m] = share * (normal * p.normal[i, m] - ks * slip[i, m] - viscous * rel[m])
+                    square += rel[m] ** 2
+                    elastic += 0.5 * ks * slip[i, m] ** 2
+                    force[m] += u[m]
+                elastic += 0.5 * kn * depth * depth
+                spent += share * dt * ((normal - kn * depth) * rate + viscous * square)
+                power += u[0] * vs[j, 0] + u[1] * vs[j, 1]
+                torque[0] += r[1] * u[2] - r[2] * u[1]
+                torque[1] += r[2] * u[0] - r[0] * u[2]
+                torque[2] += r[0] * u[1] - r[1] * u[0]
         d = x[1] - p.monitor_m[1]
         arm0 = arm2 = 0.0
         for m in range(3):

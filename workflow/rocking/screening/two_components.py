@@ -1,4 +1,7 @@
-"""Collapse under both horizontal components beside that of the planar scene under one."""
+"""Collapse under both horizontal components beside that of the planar scene under one.
+
+Both scenes have the same nodes out of plane, so what is between them is the second component.
+"""
 
 import math
 
@@ -10,22 +13,28 @@ from yade_scripts.model.motion import amplitude
 from yade_scripts.studies.perturb import NODE_KEYS
 
 from . import spatial
+from .plane import prepare
 from .runs import STEP_FRACTION, Motions, peaks, stable_step
-from .scan import NODES, Screen
 
 COLUMNS = (
     *("model", "record", "second", "direction", "second_ratio"),
     *("one_g", "again_g", "two_g", "half_g", "d_one", "d_two", "twist_rad", "slid_m"),
     *("last_g", "last_d_two", "last_twist_rad", "last_slid_m"),
 )
+NODES = 9  # across the thickness and up each block of the walls, in both scenes
 AGAIN_STEP = 0.9  # of the planar solver's step, with one more node: what a repetition moves
 HALF = 0.5  # of the planar collapse: where histories repeat
 
 
 def full(job, settings):
-    """Scene file of the full scene: `width_nodes`, and nodes as in dense scans."""
-    numerics = {**job["numerics"], **dict.fromkeys(NODE_KEYS, NODES)}
-    return {**job, "numerics": numerics, "width_nodes": settings["nodes_width"]}
+    """Scene file of the full scene, with `width_nodes`."""
+    return {**with_nodes(job), "width_nodes": settings["nodes_width"]}
+
+
+def with_nodes(job, more=0):
+    """Scene file with the nodes of this comparison, and so many more, along every edge."""
+    numerics = {**job["numerics"], **dict.fromkeys(NODE_KEYS, NODES + more)}
+    return {**job, "numerics": numerics}
 
 
 class Curve:
@@ -45,25 +54,27 @@ class Curve:
 
     def __init__(self, job, time_s, columns, direction, settings):
         """Prepare both scenes."""
-        self.screen = Screen(job, time_s, columns, direction)
+        self.ground, self.direction = columns["ground"], direction
         self.settings, self.numerics = settings, job["numerics"]
         scene = models.build_scene(full(job, settings))
         self.block = spatial.prepare(scene)
         columns = models.motion_columns(scene, columns)
         self.motions = spatial.two_motions(Motions, scene, time_s, columns)
+        plans = [models.build_scene(with_nodes(job, more)) for more in (0, 1)]
+        self.planes = [(plane, stable_step(plane)) for plane in map(prepare, plans)]
         self.start_g, self.max_g = 0.5 * models.static_multiplier(job), job["ida"]["max_pga_g"]
 
     def one(self, pga_g, again=False):
         """Peak d/b of the planar scene, 1 if it overturns; `again`: a node more, a shorter step."""
-        plane = self.screen.planes[int(again)]
-        step = STEP_FRACTION * stable_step(plane) * (AGAIN_STEP if again else 1.0)
-        factor = amplitude(self.screen.ground, self.screen.direction, pga_g)
-        found = peaks(plane, self.screen.motions, self.numerics, [factor], step_s=step)
+        plane, stable = self.planes[int(again)]
+        step = STEP_FRACTION * stable * (AGAIN_STEP if again else 1.0)
+        factor = amplitude(self.ground, self.direction, pga_g)
+        found = peaks(plane, self.motions[0], self.numerics, [factor], step_s=step)
         return float(np.minimum(found.d_over_b[0], 1.0))
 
     def two(self, pga_g):
         """`spatial.Outcome` under both components, scaled alike."""
-        factor = amplitude(self.screen.ground, self.screen.direction, pga_g)
+        factor = amplitude(self.ground, self.direction, pga_g)
         return spatial.history(self.block, self.motions, self.numerics, factor)
 
     def level(self, k):
