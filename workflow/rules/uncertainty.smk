@@ -20,7 +20,7 @@ rule uncertainty_collapse:
     benchmark:
         "results/{run}/benchmarks/uncertainty_{record}.tsv"
     params:
-        settings=UNCERTAINTY.params,
+        settings=UNCERTAINTY.params(),
         direction=UNCERTAINTY.direction,
     script:
         "../scripts/uncertainty_collapse.py"
@@ -37,7 +37,7 @@ rule uncertainty_cells:
     log:
         "results/{run}/logs/uncertainty_cells.log",
     params:
-        settings=UNCERTAINTY.params,
+        settings=UNCERTAINTY.params("confirm"),
     script:
         "../scripts/uncertainty_cells.py"
 
@@ -83,7 +83,7 @@ rule uncertainty_tables:
     log:
         "results/{run}/logs/uncertainty_tables.log",
     params:
-        settings=UNCERTAINTY.params,
+        settings=UNCERTAINTY.params("confidence"),
     script:
         "../scripts/uncertainty_tables.py"
 

@@ -87,7 +87,13 @@ class Uncertainty:
         run = wildcards.run
         return [f"results/{run}/uncertainty/yade/{cell}.csv" for cell in self.cells(run)]
 
-    def params(self, wildcards) -> str:
-        """Section and limit that the sample depends on, as JSON."""
-        limit = self.study.cfg(wildcards)["ida"]["max_pga_g"]
-        return json.dumps({**self.settings(wildcards.run), "max_pga_g": limit}, sort_keys=True)
+    def params(self, *more):
+        """Params function: what the sample depends on and the keys of `more`, as JSON."""
+        keys = ("samples", "sampling", "seed", "replicates", "parameters", *more)
+
+        def text(wildcards):
+            own = self.settings(wildcards.run)
+            limit = self.study.cfg(wildcards)["ida"]["max_pga_g"]
+            return json.dumps({**{k: own[k] for k in keys}, "max_pga_g": limit}, sort_keys=True)
+
+        return text
