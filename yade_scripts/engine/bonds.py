@@ -192,7 +192,7 @@ class Bonds:
     Attributes
     ----------
     spheres : dict of int to tuple of int
-        Node index to YADE ids (press, hook, plain).
+        Node index to YADE ids (press, hook, plain); of a broken bond (plain,).
     broken : list of (time_s, node)
         In the order of breaking.
     """
@@ -266,6 +266,9 @@ class Bonds:
         press, hook, plain = self.spheres[node]
         face, mask = self.partners[node]
         separate(self.omega, {press, hook})
+        self.spheres[node] = (plain,)
+        for sphere in (press, hook):
+            self.omega.bodies.erase(sphere)  # of its clump too, which would move it at every step
         self.omega.bodies[plain].mask = mask
         utils.createInteraction(plain, face, True)
         self.broken.append((float(self.omega.time), node))

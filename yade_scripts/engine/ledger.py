@@ -83,10 +83,11 @@ class EnergyLedger:
         for index, block in enumerate(scene.blocks):
             if block.free:
                 body = built.body[index]
+                turns = 3 if {"Y", "Z"} & set(block.free) else 1  # in its plane about x alone
                 own = (
                     omega.bodies[body].state,
                     block.mass_kg,
-                    block.inertia_kg_m2,
+                    block.inertia_kg_m2[:turns],
                     0.0 if block.weightless else block.mass_kg * scene.gravity_m_s2,
                     block.centre_m[2],
                 )
@@ -162,7 +163,9 @@ def _energy(state, mass, inertia, weight, height, beside=0.0):
     """Energy of a block but for its motion along y [J]; `beside`: velocity of the base along x."""
     velocity, spin = state.vel, state.angVel
     x, z = velocity[0] - beside, velocity[2]
-    turning = sum(inertia[axis] * spin[axis] ** 2 for axis in (0, 1, 2))
+    turning = 0.0
+    for axis, about in enumerate(inertia):
+        turning += about * spin[axis] ** 2
     return 0.5 * (mass * (x * x + z * z) + turning) + weight * (state.pos[2] - height)
 
 
