@@ -96,7 +96,7 @@ def runs():
 
 def known(cases="abc"):
     return pd.DataFrame({"case": list(cases)}).assign(
-        d_over_b=0.5, repeats=1, amplification=1.0, half="reporting"
+        d_over_b=0.5, d_over_b_compiled=0.4, repeats=1, amplification=1.0, half="reporting"
     )
 
 
@@ -111,6 +111,8 @@ def test_errors_and_their_spread():
     assert spread.loc["x", "worst"] == "c"
     assert spread.loc["y", "within_1_percent"] == 0.5  # the failed run is wrong
     assert spread.loc["x", "cost"] == pytest.approx(0.1)
+    judge = study.errors(runs().assign(method=study.JUDGE), known(), {"W1": (9, 0.1)})
+    assert judge["error"].iloc[1] == pytest.approx(0.25)  # the reference does not judge itself
 
 
 def test_methods_stand_on_the_same_cases():

@@ -12,6 +12,7 @@ GRID = "nodes and step"
 METHODS = {  # marker, colour
     GRID: ("o", "#0072B2"),
     COMPILED: ("^", "#009E73"),
+    JUDGE: ("d", "0.3"),
     "lag not compensated": ("X", "#CC79A7"),
     "python drive": ("P", "#999933"),
     "full 3D": ("D", "#E69F00"),
@@ -34,7 +35,7 @@ def points(axis, group, marker, colour, label, **line):
     axis.plot(group["cost"], worst, "_", ls="", color=colour, ms=5)
 
 
-def panel(axis, table, cases, judge, counts):
+def panel(axis, table, cases, counts):
     """One model; `counts` are the node counts of the figure, by which markers are filled."""
     for method, (marker, colour) in METHODS.items():
         mine = table[table["method"] == method]
@@ -48,8 +49,6 @@ def panel(axis, table, cases, judge, counts):
     default = table[table["default"] == 1]
     if len(default):
         points(axis, default, "*", "black", "default")
-    if len(judge):
-        axis.axvline(judge["cost"].median(), color="0.3", lw=0.8, ls="--", label=JUDGE)
     front = table[pareto_front(table["cost"], table["error_90"])].sort_values("cost")
     axis.step(front["cost"], 100 * front["error_90"], where="post", color=style.GREY, zorder=1)
     axis.axhline(1.0, color="0.4", lw=0.8, ls=":")
@@ -64,7 +63,6 @@ def panel(axis, table, cases, judge, counts):
 def main(job):
     table = pd.read_csv(job.input.table)
     table["model"] = table["scene"].str.split().str[0]
-    judge = summary(table[table["method"] == JUDGE], keys=("model",))
     common = same_cases(table)
     cases = common.groupby("model")["scene"].nunique()
     spread = summary(common, keys=("model",)).replace(np.inf, 1.0)
@@ -76,8 +74,7 @@ def main(job):
     grid = spread["method"].isin([GRID, COMPILED])
     counts, handles = sorted(spread.loc[grid, "nodes"].unique()), {}
     for axis, model in zip(axes[0], models, strict=True):
-        mine = judge[judge["model"] == model] if len(judge) else judge
-        panel(axis, spread[spread["model"] == model], cases[model], mine, counts)
+        panel(axis, spread[spread["model"] == model], cases[model], counts)
         lines, labels = axis.get_legend_handles_labels()
         handles.update(dict(zip(labels, lines, strict=True)))
     axes[0, 0].set_ylabel("error in peak d/b (%): median, 90 %, worst")

@@ -23,6 +23,7 @@ def main(job):
     scenes = {m: json.loads(Path(path).read_text()) for m, path in plan["scenes"].items()}
     histories = pd.read_csv(job.input.histories)
     judge = pd.read_csv(job.input.judge)
+    histories["d_over_b_compiled"] = histories["d_over_b"]
     if settings["reference"] == "judge":
         exact = judge.set_index("case")["d_over_b"]
         histories["d_over_b"] = histories["case"].map(exact).fillna(histories["d_over_b"])

@@ -86,7 +86,8 @@ def errors(runs, histories, defaults):
     runs : DataFrame
         Of `yade_scripts/studies/accuracy.py`, or of another engine or solver in its columns.
     histories : DataFrame
-        case, half, d_over_b (the reference), repeats, amplification.
+        case, half, d_over_b (the reference), d_over_b_compiled (the converged compiled solver's, by
+        which the judge is measured), repeats, amplification.
     defaults : dict
         Model to (nodes, step fraction) of the main job.
 
@@ -98,6 +99,8 @@ def errors(runs, histories, defaults):
     known = histories.set_index("case")
     rows = runs.reset_index(drop=True)
     reference = rows["case"].map(known["d_over_b"])
+    judged = rows["case"].map(known["d_over_b_compiled"])
+    reference = reference.mask(rows["method"] == JUDGE, judged)
     value = rows["d_over_b"].where(rows["status"] != "failed").clip(upper=1.0)
     default = [
         method == "nodes and step"
@@ -167,8 +170,8 @@ def summary(table, keys=("model", "half")):
 
 
 def same_cases(table):
-    """Rows of the repeating cases that every method of a model ran, but for the slow judge."""
-    part = table[(table["repeats"] == 1) & (table["method"] != JUDGE)]
+    """Rows of the repeating cases that every method of a model ran."""
+    part = table[table["repeats"] == 1]
     keep = []
     for _, mine in part.groupby("model"):
         settings = mine.groupby(["method", "nodes", "dt_over_dt_crit"], dropna=False)["scene"]
