@@ -1,11 +1,17 @@
 """Parts of the scatter, sensitivities and samples against closed forms."""
 
+import csv
+import json
+from pathlib import Path
+
 import numpy as np
 import pandas as pd
 import pytest
 from rocking.curves import fragility
+from rocking.screening.scan import Screen
+from rocking.study import Study, Uncertainty
 from rocking.uncertainty import parts, sampling
-from yade_process import resolved
+from yade_process import resolved, run_study
 
 from yade_scripts.model.facade import joint_stiffness
 
@@ -148,3 +154,45 @@ def test_motions_are_drawn_by_the_seed():
     assert set(drawn.values()) <= {"pos", "neg"}
     assert drawn == sampling.motions(names, ["pos", "neg"], SETTINGS)
     assert sampling.motions(names[:3], ["neg"], SETTINGS) == dict.fromkeys(names[:3], "neg")
+
+
+def test_the_study_draws_short_records_and_refuses_what_cannot_be():
+    """Through the configuration: durations from the table, and one line before any work."""
+    root = Path(__file__).parents[1]
+    suite = {"records_table": "config/suites/recorded_suite.tsv"}
+
+    def drawn(**section):
+        study = Study({**suite, "uncertainty": section}, root)
+        return Uncertainty(study).motions("main")
+
+    short = drawn(max_duration_s=24.0, motions=4)
+    assert len(short) == 4
+    assert {name.split("_")[0] for name in short} <= {"GMN", "IS106", "IS113"}
+    assert set(short.values()) <= {"pos", "neg"}
+    with pytest.raises(SystemExit, match="uncertainty: 2 records of at most 10 s"):
+        drawn(max_duration_s=10.0)
+    with pytest.raises(SystemExit, match=r"uncertainty\.samples = 20: expected a power of two"):
+        drawn(samples=20)
+
+
+@pytest.mark.yade
+def test_a_cell_in_yade_is_the_planar_cell(tmp_path):
+    """A façade with drawn properties under a burst: outcome, and d/b within 1 %."""
+    few = dict.fromkeys(("nodes_thickness", "nodes_height"), 17)
+    job = {**resolved(numerics={**few, "step_fraction": 0.1}), "model": "W1", "beta_s": 0.00276}
+    job = sampling.varied(job, {"e_mpa": 1.3, "friction": 0.9, "thickness_m": 1.05})
+    t = np.linspace(0.0, 1.2, 121)
+    ground = np.sin(np.pi * t / 1.2) ** 2 * np.sin(2.0 * np.pi * t / 0.6)
+    cell = {"record": "R", "direction": "neg", "model": "W1", "pga_g": [0.15], "scene": job}
+    cell |= {"time_s": t.tolist(), "columns": {"ground": ground.tolist()}}
+    (tmp_path / "cells.json").write_text(json.dumps({"cell1": cell}))
+    words = ["cells", "--cells", "cells.json", "--output", "out.csv", "--cell"]
+    done = run_study(*words, "cell1", folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    with open(tmp_path / "out.csv", newline="") as handle:
+        (row,) = csv.DictReader(handle)
+    planar = Screen(job, t, {"ground": ground}, "neg").run([0.15], scatter=False).iloc[0]
+    assert row["status"] == planar["status"] == "ok"
+    assert planar["d_over_b"] > 0.02
+    assert float(row["d_over_b"]) == pytest.approx(planar["d_over_b"], rel=0.01)
+    assert "no cell9" in run_study(*words, "cell9", folder=tmp_path).stderr
