@@ -18,17 +18,17 @@ ROOF = {"height_m": 6.48, "load_kn": 60.0, "arm_m": 0.12, "friction": 0.3}
 PERIODS = {"stiff": 0.008, "soft": 100.0}  # of a roof on its spring [s]
 
 
-def floored(*rows, model="W1", **sections):
+def floored(*rows, model="W1", build=True, **sections):
     """Configuration and scene of a façade with floors."""
     facade = {**sections.pop("facade", {}), "floors": list(rows)}
     config = resolved(facade=facade, **sections)
-    return config, facade_scene(config, model, BETA_S)
+    return config, facade_scene(config, model, BETA_S) if build else None
 
 
 def slow(peak_m_s2):
-    """A push that grows in 10 s and stays for 30 s."""
-    t = np.linspace(0.0, 40.0, 4001)
-    return t, peak_m_s2 * 0.5 * (1.0 - np.cos(np.pi * np.minimum(t / 10.0, 1.0)))
+    """A push that grows in 3 s and stays for 11 s."""
+    t = np.linspace(0.0, 14.0, 1401)
+    return t, peak_m_s2 * 0.5 * (1.0 - np.cos(np.pi * np.minimum(t / 3.0, 1.0)))
 
 
 CAPACITIES = {

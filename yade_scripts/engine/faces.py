@@ -150,7 +150,10 @@ class Releases:
 
 
 class Faces:
-    """Faces (block, normal, level, rim) of a scene, the nodes on them, and their bits.
+    """Faces (block, normal, level, rim, who meets it) of a scene, the nodes on them, their bits.
+
+    Pieces of a façade have faces of their own on one wall: on the bit of one face their nodes at a
+    hinge would meet each other, where ties and floors make spheres meet. Else anyone meets it.
 
     Attributes
     ----------
@@ -167,7 +170,7 @@ class Faces:
     def __init__(self, scene):
         """Group the nodes of a scene by face."""
         nodes, rims = scene.nodes, scene.notes.get("rims", {})
-        self.scene = scene
+        self.scene, self.apart = scene, len(scene.watched) > 1
         self.nodes_of: dict[tuple, list] = {}
         self.body: dict[tuple, int] = {}
         self.plain: list[Any] = []
@@ -195,7 +198,8 @@ class Faces:
         )
 
     def _add(self, i, normal, level, rim):
-        key = (int(self.scene.nodes.b[i]), tuple(np.round(normal, 12)), round(level, 9), rim)
+        own = int(self.scene.nodes.a[i]) if self.apart else None
+        key = (int(self.scene.nodes.b[i]), tuple(np.round(normal, 12)), round(level, 9), rim, own)
         self.nodes_of.setdefault(key, []).append(i)
         return key
 
@@ -213,7 +217,7 @@ class Faces:
         axes : ndarray, shape (3, 3)
             Columns: two directions in the plane, then the normal.
         """
-        _, normal, level, rim = key
+        _, normal, level, rim, _ = key
         normal = np.array(normal)
         points = self.scene.nodes.position_m[self.nodes_of[key]]
         middle = np.mean(points, axis=0)

@@ -38,7 +38,7 @@ def functors(w, scene):
     if not scene.floors:
         return [], [], []
     return (
-        [w.Ig2_Sphere_Sphere_ScGeom6D(updateRotations=False, avoidGranularRatcheting=False)],
+        [w.Ig2_Sphere_Sphere_ScGeom6D(updateRotations=False)],
         [w.Ip2_CohFrictMat_CohFrictMat_CohFrictPhys(setCohesionOnNewContacts=True)],
         [w.Law2_ScGeom6D_CohFrictPhys_CohesionMoment()],
     )

@@ -126,17 +126,19 @@ def cubic_peak(time_s, value, rate):
 
 
 class _Monitor:
-    """Samples the monitored point relative to the reference support; decides when to stop."""
+    """Samples the watched points relative to the reference support; decides when to stop."""
 
     def __init__(self, scene, built, rules):
         bodies = built.omega.bodies
-        self.unturned = built.unturned[scene.index(scene.monitor)]
         self.omega, self.rules = built.omega, rules
-        self.block = bodies[built.body[scene.index(scene.monitor)]].state
         self.support = bodies[built.body[scene.index(scene.reference)]].state
-        centre = scene.blocks[scene.index(scene.monitor)].centre_m
-        self.centre_y = float(centre[1])
-        self.arm = tuple(float(p - c) for p, c in zip(scene.monitor_point_m, centre, strict=True))
+        self.points = []
+        for name, point in scene.watched:
+            index = scene.index(name)
+            centre = scene.blocks[index].centre_m
+            arm = tuple(float(p - c) for p, c in zip(point, centre, strict=True))
+            state = bodies[built.body[index]].state
+            self.points.append((state, built.unturned[index], float(centre[1]), arm))
         self.spatial = scene.two_components
         self.start = self.support.pos[1]
         self.b = scene.thickness_m
@@ -145,18 +147,23 @@ class _Monitor:
 
     def __call__(self):
         """Take a sample; end the run when a stop rule applies. Plain floats, for speed."""
-        t, state, support = self.omega.time, self.block, self.support
-        angle = adapter.planar_turn(state, self.unturned)  # rotation about x alone carries d
-        c, s = math.cos(angle), math.sin(angle)
-        _, y, z = self.arm
-        d = (state.pos[1] - self.centre_y) + (c * y - s * z - y) - (support.pos[1] - self.start)
-        v = state.vel[1] - state.angVel[0] * (s * y + c * z) - support.vel[1]
-        if self.spatial:
-            turn = np.array(rotation(state.ori * self.unturned), float).reshape(3, 3)
-            arm = turn @ self.arm
-            d += arm[1] - (c * y - s * z)
-            v = state.vel[1] + state.angVel[2] * arm[0] - state.angVel[0] * arm[2] - support.vel[1]
-        self.rows.append((t, d, v, -angle))
+        t, support = self.omega.time, self.support
+        moved, speed = support.pos[1] - self.start, support.vel[1]
+        d, v, turn, farthest = 0.0, 0.0, 0.0, -1.0
+        for state, unturned, centre, point in self.points:
+            _, y, z = point
+            angle = adapter.planar_turn(state, unturned)  # rotation about x alone carries d
+            c, s = math.cos(angle), math.sin(angle)
+            at = (state.pos[1] - centre) + (c * y - s * z - y) - moved
+            if abs(at) <= farthest:
+                continue
+            d, turn, farthest = at, angle, abs(at)
+            v = state.vel[1] - state.angVel[0] * (s * y + c * z) - speed
+            if self.spatial:
+                arm = np.array(rotation(state.ori * unturned), float).reshape(3, 3) @ point
+                d += arm[1] - (c * y - s * z)
+                v = state.vel[1] + state.angVel[2] * arm[0] - state.angVel[0] * arm[2] - speed
+        self.rows.append((t, d, v, -turn))
         rules = self.rules
         if not (math.isfinite(d) and math.isfinite(v)) or abs(v) > rules.max_speed_m_s:
             self._stop(FAILED, f"speed {v:.3g} m/s at t = {t:.4f} s: numerical failure")

@@ -29,6 +29,7 @@ from yade_scripts.model import registry
 from yade_scripts.model.chain import chain_links, chain_matrices
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.floors import facade_floors, loaded
+from yade_scripts.model.hinges import hinge_stiffness, pieces
 from yade_scripts.model.motion import along
 from yade_scripts.model.panels import Hanging, building_mass
 from yade_scripts.model.quadrature import gauss_lobatto
@@ -108,8 +109,8 @@ def facade_scene(
             f"facade.base_height_m = {raised:g}: expected 0 (m) with model {model}, whose masses "
             "are not driven"
         )
-    if two_components and (planar or kind.massive):
-        raise ValueError(f"{model}: two components need a full scene and driven supports")
+    if two_components and (planar or kind.massive or shape.hinges_m):
+        raise ValueError(f"{model}: two components need a full scene, one block, driven supports")
     tilt = math.radians(facade["tilt_deg"])
     jkn_base, jkn_back = joint_stiffness(config)
     motions: dict = {}
@@ -142,24 +143,28 @@ def facade_scene(
     walls_stand = kind.walls != "none" and facade.get("sides") != "two"
     kn = weights * b * (width - shape.base_lost_m) * jkn_base
     weight, lever = loaded(facade.get("floors", ()), shape)
-    if not release_ratio:
+    if not (release_ratio or shape.hinges_m):
         angle = lean(weight, lever, kn, points, b, walls_stand)
     lift = (1.0 - points) * b * math.sin(angle)
     sunk = settlement(weight, kn, lift)
     displacement, rotation = initial_pose(shape.lever_m, tilt + angle, sunk)
-    blocks.append(
-        Block(
-            FACADE,
-            shape.centre_m,
-            shape.size_m,
-            shape.mass_kg,
-            tuple(np.diag(shape.tensor_kg_m2).tolist()),
-            free="yzX" if planar else "xyzXYZ",
-            displacement_m=displacement,
-            rotation_rad=rotation,
-            lever_m=shape.lever_m,
-        )
+    upright = Block(
+        FACADE,
+        shape.centre_m,
+        shape.size_m,
+        shape.mass_kg,
+        tuple(np.diag(shape.tensor_kg_m2).tolist()),
+        free="yzX" if planar else "xyzXYZ",
+        displacement_m=displacement,
+        rotation_rad=rotation,
+        lever_m=shape.lever_m,
     )
+    blocks += pieces(facade, shape, upright) if shape.hinges_m else [upright]
+    stiffness = hinge_stiffness(facade, shape)
+    for k, z in enumerate(shape.hinges_m, 1):
+        joint = (f"hinge {k}", float(stiffness[k - 1]))
+        add_base(config, beta_s, nodes, k + 1, k, planar=planar, height_m=z, joint=joint)
+    tops = [(blocks[k].name, (0.0, 0.5 * b, z)) for k, z in enumerate(shape.hinges_m, 1)]
     links: list = []
     if walls_stand:
         links = _add_return_walls(
@@ -173,21 +178,24 @@ def facade_scene(
         }
     walls = [i for i, block in enumerate(blocks) if block.name.startswith(WALL)]
     floors, springs = facade_floors(
-        facade.get("floors", ()), 1, walls, blocks, shape, config["smdof"]["damping_ratio"]
+        facade.get("floors", ()), walls, blocks, shape, config["smdof"]["damping_ratio"]
     )
     return Scene(
         blocks,
         nodes.joints,
         nodes.done(),
-        monitor=FACADE,
+        monitor=blocks[1 + len(tops)].name,
         monitor_point_m=(0.0, 0.5 * sum(shape.storeys[-1][2:]), shape.top_m),
         reference=BASE,
         thickness_m=shape.overturning_m if not is_plain(facade) else b,
         links=[*links, *springs],
-        ties=facade_ties(facade.get("ties", ()), 1, walls, blocks),
+        ties=facade_ties(facade.get("ties", ()), walls, blocks, shape),
         floors=floors,
         shaking=GROUND if kind.massive else None,
-        notes={"motions": motions} if motions else {},
+        notes={
+            **({"motions": motions} if motions else {}),
+            **({"watched": tops} if tops else {}),
+        },
     )
 
 
@@ -202,8 +210,10 @@ def add_base(
     origin=(0.0, 0.0),
     protrusion_m=0.0,
     columns=None,
+    height_m=0.0,
+    joint=None,
 ):
-    """Add the joint between a façade's base and the ground.
+    """Add the joint between a façade's base and the ground, or between two of its pieces.
 
     Parameters
     ----------
@@ -219,21 +229,25 @@ def add_base(
         Of each node across the thickness below the base.
     columns : tuple of 2 ndarrays or None
         Places in x and weights; None: the middle of a planar scene, else two Gauss points.
+    height_m : float
+        Of the joint above the base.
+    joint : (str, float) or None
+        Its name and jkn [Pa/m]; None for the base's own.
     """
     section = config["facade"]
     b, width = section["thickness_m"], section["width_m"]
-    jkn, _ = joint_stiffness(config)
+    name, jkn = joint or (BASE, joint_stiffness(config)[0])
     points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
     protrusion = np.broadcast_to(protrusion_m, points.shape)
-    line = np.stack([origin[0] + 0 * points, origin[1] + points * b, -protrusion], axis=1)
+    line = np.stack([origin[0] + 0 * points, origin[1] + points * b, height_m - protrusion], axis=1)
     gauss = np.array([-0.5, 0.5]) * (width / math.sqrt(3.0)), np.array([0.5, 0.5])
     columns, column_weights = MIDDLE if planar else columns or gauss
-    standing = width - shape_of(section).base_lost_m
+    standing = width - (0.0 if joint else shape_of(section).base_lost_m)
     positions, areas, gaps = _spread(
         line, weights * b * standing, columns, column_weights, gap_m=-protrusion
     )
     nodes.add_joint(
-        BASE,
+        name,
         facade,
         ground,
         positions,
@@ -344,7 +358,7 @@ def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, mot
             positions, areas, _ = _spread(line, areas, columns, column_weights)
             nodes.add_joint(
                 name if len(pieces) == 1 else f"{name} part {number}",
-                1,
+                1 + shape.piece_at(foot + 0.5 * length),
                 own[-1],
                 positions,
                 (0, 1, 0),

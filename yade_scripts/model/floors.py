@@ -68,7 +68,7 @@ def wall_behind(what, height_m, walls, blocks):
     )
 
 
-def facade_floors(rows, facade, walls, blocks, shape, damping_ratio):
+def facade_floors(rows, walls, blocks, shape, damping_ratio):
     """Floors of a façade; the blocks of those with a mass are appended to `blocks`.
 
     Parameters
@@ -76,11 +76,10 @@ def facade_floors(rows, facade, walls, blocks, shape, damping_ratio):
     rows : list of dict
         Section facade.floors: height_m, load_kn, arm_m, friction, anchor_kn, stiffness_kn_m,
         mass_t, period_s.
-    facade : int
-        Index of the façade's block.
     walls : sequence of int
         Indices of the return walls' blocks.
     blocks : list of Block
+        Block 1 and those after it are the façade's, as `shape` numbers its pieces.
     shape : Shape
     damping_ratio : float
         ζ of a floor on its spring.
@@ -111,7 +110,7 @@ def facade_floors(rows, facade, walls, blocks, shape, damping_ratio):
         floors.append(
             Floor(
                 f"floor {number}",
-                facade,
+                1 + shape.piece_at(z),
                 carrier,
                 place_of(row, shape),
                 1e3 * row["load_kn"],

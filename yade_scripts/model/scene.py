@@ -206,6 +206,14 @@ class Scene:
         raise KeyError(f"no block '{name}'; the scene has {[b.name for b in self.blocks][:20]}")
 
     @property
+    def watched(self):
+        """Blocks and points of which the farthest moves by d: (name, point) of each.
+
+        They are the monitored one and the tops of pieces below it, in the note "watched".
+        """
+        return [(self.monitor, self.monitor_point_m), *self.notes.get("watched", ())]
+
+    @property
     def overturning_energy_j(self):
         """Energy that overturns the monitored block, m g (R − z), R from centroid to toe [J]."""
         block = self.blocks[self.index(self.monitor)]

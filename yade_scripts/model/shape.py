@@ -12,6 +12,7 @@ static multiplier λ = b_g/z_g on, and its weight line passes the toe when its t
 has moved by H b_g/z_g: that is the b of d/b, and b itself for a plain façade.
 """
 
+import bisect
 import itertools
 from dataclasses import dataclass
 
@@ -41,6 +42,9 @@ class Shape:
     openings : tuple of (x0, x1, z0, z1)
     parts : tuple of (mass_kg, centre, tensor, size)
         The signed parts that were added up.
+    hinges_m : tuple of float
+        Heights at which it is cut into rigid pieces; of a plain façade alone, whose storeys and
+        parts these are then.
     """
 
     mass_kg: float
@@ -53,6 +57,11 @@ class Shape:
     storeys: tuple
     openings: tuple
     parts: tuple
+    hinges_m: tuple = ()
+
+    def piece_at(self, height_m):
+        """Which of the rigid pieces between hinges a height belongs to, the lower at a hinge."""
+        return bisect.bisect_left(self.hinges_m, height_m - 1e-9)
 
     @property
     def lever_m(self):
@@ -144,9 +153,9 @@ def is_plain(facade):
 
 
 def refuse(facade, what):
-    """Raise a ValueError of one line if the façade is no plain box on the ground."""
-    if not is_plain(facade):
-        given = [key for key in (*OWN_KEYS, "base_height_m") if facade.get(key)]
+    """Raise a ValueError of one line if the façade is no plain box on the ground, in one piece."""
+    given = [key for key in (*OWN_KEYS, "base_height_m", "hinges_m") if facade.get(key)]
+    if given:
         raise ValueError(
             f"facade.{given[0]}: {what} knows a plain façade on the ground alone; expected none"
         )
@@ -187,7 +196,17 @@ def shape_of(facade):
     tensor = sum(own + m * _offset(r - centre) for m, r, own, _ in parts)
     top = h + gable + parapet
     found = Shape(
-        mass, tuple(map(float, centre)), tensor, b, h, width, top, storeys, openings, tuple(parts)
+        mass,
+        tuple(map(float, centre)),
+        tensor,
+        b,
+        h,
+        width,
+        top,
+        storeys,
+        openings,
+        tuple(parts),
+        tuple(facade.get("hinges_m", ())),
     )
     if not 0.0 < found.centre_m[1] < b:
         raise ValueError(
@@ -222,8 +241,9 @@ def _storeys(facade):
                 f"heights above 0 and below facade.height_m = {h:g} (m)"
             )
         last = row["z_m"]
-    edges = [0.0, *(row["z_m"] for row in steps), h]
-    thick = [b, *(row["thickness_m"] for row in steps)]
+    hinges = facade.get("hinges_m", ())
+    edges = [0.0, *hinges, *(row["z_m"] for row in steps), h]
+    thick = [b] * (1 + len(hinges)) + [row["thickness_m"] for row in steps]
     if parapet := facade.get("parapet_height_m", 0.0):
         edges.append(h + parapet)
         thick.append(facade.get("parapet_thickness_m") or thick[-1])

@@ -217,40 +217,43 @@ def lag_factors(scene, dt_s):
     The scheme takes a dashpot's velocity half a step late, v₍ₙ₋½₎ = vₙ − (Δt/2)aₙ, so
     M aₙ = F − K xₙ − C v₍ₙ₋½₎ is the system with the mass M − (Δt/2)C: an error of
     first order in the step. For one mode, K and C divided by 1 + (Δt/2)φᵀCφ/φᵀMφ
-    restore the second order. A façade hits its return walls rotating about its
-    front toe, wall by wall, so each joint is corrected for that mode alone; where the
-    wall moves too, with the inertia of both in series. The correction vanishes with the
-    step; the critical step is that of the scene as given.
+    restore the second order. A façade, or a piece of it between hinges, hits its return walls
+    rotating about its front toe, wall by wall, so each joint is corrected for that mode alone;
+    where the wall moves too, with the inertia of both in series. The correction vanishes with
+    the step; the critical step is that of the scene as given.
 
     Returns
     -------
     ndarray, shape (n_nodes,)
-        1 for the base, for scenes with several free blocks (masses of links apart) and
+        1 for base and hinges, for scenes with other free blocks (masses of links apart) and
         without damping.
     """
     nodes = scene.nodes
     factors = np.ones(len(nodes))
     linked = {i for link in scene.links for i in (link.a, link.b)}
     free = [i for i, block in enumerate(scene.blocks) if block.free and i not in linked]
-    if len(free) != 1 or dt_s <= 0.0:
+    pieces = [scene.index(name) for name, _ in scene.watched]
+    if sorted(pieces) != free or dt_s <= 0.0:
         return factors
-    block = scene.blocks[free[0]]
-    out, down = block.arms_m
-    phi = np.array([0.0, down, out, -1.0, 0.0, 0.0])  # about the toe, outward
-    inertia = block.mass_kg * (phi[1] ** 2 + phi[2] ** 2) + block.inertia_kg_m2[0]
     b_matrix, d = _relative_velocity(scene)
-    velocity = np.where(
-        (nodes.a == free[0])[:, None], b_matrix[:, :, :6] @ phi, b_matrix[:, :, 6:] @ phi
-    )
-    damping = nodes.beta_s * np.einsum("ni,nij,nj->n", velocity, d, velocity)
     upright = np.abs(nodes.normal[:, 1]) > 0.5
-    for touched in np.unique(nodes.b[upright]):
-        mine = upright & (nodes.b == touched)
-        rate = damping[mine].sum() / inertia
-        wall = scene.blocks[nodes.b[mine][0]]
-        if wall.free:
-            rate += (nodes.beta_s * nodes.kn_n_m)[mine].sum() / wall.mass_kg
-        factors[mine] = 1.0 / (1.0 + 0.5 * dt_s * rate)
+    for piece in pieces:
+        block = scene.blocks[piece]
+        out, down = block.arms_m
+        phi = np.array([0.0, down, out, -1.0, 0.0, 0.0])  # about the toe, outward
+        inertia = block.mass_kg * (phi[1] ** 2 + phi[2] ** 2) + block.inertia_kg_m2[0]
+        velocity = np.where(
+            (nodes.a == piece)[:, None], b_matrix[:, :, :6] @ phi, b_matrix[:, :, 6:] @ phi
+        )
+        damping = nodes.beta_s * np.einsum("ni,nij,nj->n", velocity, d, velocity)
+        own = upright & ((nodes.a == piece) | (nodes.b == piece))
+        for touched in np.unique(nodes.b[own]):
+            mine = own & (nodes.b == touched)
+            rate = damping[mine].sum() / inertia
+            wall = scene.blocks[touched]
+            if wall.free:
+                rate += (nodes.beta_s * nodes.kn_n_m)[mine].sum() / wall.mass_kg
+            factors[mine] = 1.0 / (1.0 + 0.5 * dt_s * rate)
     return factors
 
 

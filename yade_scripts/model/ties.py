@@ -39,18 +39,18 @@ def rod(row):
     return stiffness, steel, max(row["elongation"] * row["length_m"], steel / stiffness)
 
 
-def facade_ties(rows, facade, walls, blocks):
+def facade_ties(rows, walls, blocks, shape):
     """Ties between the façade and its return walls.
 
     Parameters
     ----------
     rows : list of dict
         Section ties: height_m, slack_mm and what `rod` takes.
-    facade : int
-        Index of the façade's block.
     walls : sequence of int
         Indices of the return walls' blocks.
     blocks : list of Block
+        Block 1 and those after it are the façade's, as `shape` numbers its pieces.
+    shape : Shape
 
     Returns
     -------
@@ -69,7 +69,7 @@ def facade_ties(rows, facade, walls, blocks):
         ties.append(
             Tie(
                 f"tie {number}",
-                facade,
+                1 + shape.piece_at(z),
                 behind,
                 (0.0, 0.0, z),
                 (0.0, -row["length_m"], z),

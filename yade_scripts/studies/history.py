@@ -49,7 +49,7 @@ class Probe:
         """Start the samples, at the instants of the run's own."""
         self.books.hold(built)
         slots, scene = self.books.slot, self.scene
-        self.facade = slots[built.body[scene.index(scene.monitor)]]
+        self.facade = [slots[built.body[scene.index(name)]] for name, _ in scene.watched]
         self.base = slots[built.body[scene.index(scene.reference)]]
         self.chain = {body for parts in (built.linked or {}).values() for body in parts}
         loop.between(self, round(SAMPLE_S / built.omega.dt), first=1)
@@ -58,7 +58,7 @@ class Probe:
         """Take a sample; the ledger's comes after it, so bring that up to the same instant."""
         self.check()
         c = self.books.contacts()
-        sign = (c.b == self.facade).astype(float) - (c.a == self.facade)
+        sign = np.isin(c.b, self.facade).astype(float) - np.isin(c.a, self.facade)
         push = sign[:, None] * c.force[:, 1:]
         below = (c.a == self.base) | (c.b == self.base)
         own_keys = [getattr(self.books, bar) for bar in BARS]

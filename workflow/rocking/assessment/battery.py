@@ -1,10 +1,11 @@
 """All checks of one façade under one demand, and which mechanism of it they are applied to."""
 
 import numpy as np
+from scipy.optimize import minimize_scalar
 
 from rocking.assessment import checks
 from rocking.assessment.demand import RecordDemand, floor_demand
-from rocking.assessment.mechanism import Facade, overturning
+from rocking.assessment.mechanism import Facade, overturning, two_blocks
 from rocking.mechanics.closed_forms import G_M_S2
 from rocking.mechanics.rocking_block import overturning_pga
 from yade_scripts.model.motion import SIGNS
@@ -64,6 +65,27 @@ def ties_of(section, added_n=0.0):
         height = max((row["height_m"] for row in rows), default=section["height_m"])
         pulls.append((added_n, height, ADDED_REACH_M, False))
     return pulls
+
+
+def weakest_hinge(section):
+    """Height of the hinge with the least α0 of `two_blocks`, the top held [m].
+
+    Parameters
+    ----------
+    section : dict
+        Section facade, whose floors stand at its top.
+    """
+    loads = [1e3 * row["load_kn"] for row in section["floors"]]
+    h, b = section["height_m"], section["thickness_m"]
+    arms = [0.5 * b if row["arm_m"] is None else row["arm_m"] for row in section["floors"]]
+    total = sum(loads)
+    arm = sum(p * s for p, s in zip(loads, arms, strict=True)) / total if total else 0.0
+    settings = {"roof_load_kn": 1e-3 * total, "roof_arm_m": arm, "hinge_inset_m": 0.0}
+    facade = facade_of({**section, "hinges_m": ()}, settings)
+    found = minimize_scalar(
+        lambda z: two_blocks(facade, z).multiplier(), bounds=(0.02 * h, 0.98 * h), method="bounded"
+    )
+    return float(found.x)
 
 
 def mechanism_of(section, settings):

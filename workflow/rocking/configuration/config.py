@@ -12,11 +12,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from rocking.configuration import schema as config_schema
+from rocking.configuration.facade import check_facade
 from rocking.configuration.files import check_files, write_resolved
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show
 from rocking.configuration.words import Settings
-from yade_scripts.model import registry
-from yade_scripts.model.shape import Shape, is_plain, shape_of
 
 __all__ = [
     "ConfigError",
@@ -29,7 +28,6 @@ __all__ = [
 ]
 
 MAX_RUNS = 1000
-MIN_SLENDERNESS = 2.0  # h/b; a stockier block slides or crushes before it rocks
 
 
 def resolve(config: Mapping) -> dict[str, Any]:
@@ -87,114 +85,12 @@ def check(resolved: Mapping) -> None:
                 raise ConfigError(f"{path} = {show(value)}: expected a value {text}")
         if schema.get("ascending") and value and any(a >= b for a, b in itertools.pairwise(value)):
             raise ConfigError(f"{path} = {show(value)}: expected ascending values")
-    _check_geometry(resolved["facade"], resolved["return_wall"])
-    if resolved["facade"]["sides"] == "two" and resolved["models"] != ["W1"]:
-        raise ConfigError(
-            f"models = {show(resolved['models'])}: expected [W1] with facade.sides = two, "
-            "since a free-standing façade has no return walls"
-        )
-    bonded = [name for name in resolved["models"] if registry.model(name).bonded]
-    if bonded and resolved["facade"]["gap_m"] > 0.0:
-        raise ConfigError(
-            f"facade.gap_m = {show(resolved['facade']['gap_m'])}: expected 0 (m) with the bonded "
-            f"models {show(bonded)}"
-        )
-    _check_shape(resolved)
-    _check_bars(resolved)
+    check_facade(resolved)
     low, high = resolved["ensemble"]["percentiles"]
     if not low < 50.0 < high:
         raise ConfigError(
             f"ensemble.percentiles = {show([low, high])}: expected one below and one above 50 (%)"
         )
-
-
-def _check_geometry(facade: Mapping, wall: Mapping) -> None:
-    h, b = facade["height_m"], facade["thickness_m"]
-    if h < MIN_SLENDERNESS * b:
-        raise ConfigError(
-            f"facade.height_m = {show(h)}: expected at least {show(MIN_SLENDERNESS)} × "
-            f"facade.thickness_m = {show(MIN_SLENDERNESS * b)} (m), for a wall that rocks"
-        )
-    slenderness_deg = math.degrees(math.atan2(b, h))
-    tilt = facade["tilt_deg"]
-    if tilt >= slenderness_deg:
-        raise ConfigError(
-            f"facade.tilt_deg = {show(tilt)}: expected less than "
-            f"atan(thickness/height) = {slenderness_deg:.4g} (°), or the façade has fallen already"
-        )
-    if facade["sides"] == "two":
-        return
-    total = wall["count"] * wall["thickness_m"]
-    if total > facade["width_m"] * (1.0 + 1e-9):
-        raise ConfigError(
-            f"return_wall.count = {wall['count']}: expected count × thickness_m = {show(total)} "
-            f"within facade.width_m = {show(facade['width_m'])} (m)"
-        )
-
-
-def _check_bars(resolved: Mapping) -> None:
-    """Refuse ties and floors that nothing carries, that snap early or that hold nothing."""
-    facade = resolved["facade"]
-    several = [name for name in resolved["models"] if not registry.model(name).single_block]
-    rows = [(key, *row) for key in ("ties", "floors") for row in enumerate(facade[key], 1)]
-    for key, number, row in rows:
-        where = f"facade.{key}[{number}]"
-        if row["height_m"] > facade["height_m"]:
-            raise ConfigError(
-                f"{where}.height_m = {show(row['height_m'])}: expected at most facade.height_m = "
-                f"{show(facade['height_m'])} (m)"
-            )
-        if facade["sides"] == "two" or several:
-            what = f"models = {show(several)}" if several else "facade.sides = two"
-            raise ConfigError(
-                f"{what}: expected no facade.{key}, or a façade of one block on walls"
-            )
-        if key == "ties" and row["elongation"] * row["e_mpa"] < row["yield_mpa"]:
-            raise ConfigError(
-                f"{where}.elongation = {show(row['elongation'])}: expected at least the strain at "
-                f"yield, yield_mpa/e_mpa = {show(row['yield_mpa'] / row['e_mpa'])}"
-            )
-        if key == "floors":
-            _check_floor(where, row, shape_of(facade))
-
-
-def _check_floor(where: str, row: Mapping, shape: Shape) -> None:
-    back, front = shape.faces_at(row["height_m"])
-    if (row["arm_m"] or 0.0) > front - back + 1e-9:
-        raise ConfigError(
-            f"{where}.arm_m = {show(row['arm_m'])}: expected at most the thickness at that height, "
-            f"{show(front - back)} (m)"
-        )
-    if row["load_kn"] == row["anchor_kn"] == 0.0:
-        raise ConfigError(f"{where}.load_kn = 0: expected a load, or an anchor_kn (kN) above 0")
-    if row["mass_t"] > 0.0 and row["friction"] * row["load_kn"] + row["anchor_kn"] == 0.0:
-        raise ConfigError(
-            f"{where}.mass_t = {show(row['mass_t'])}: expected friction or anchor_kn (kN) that "
-            "joins it to the façade"
-        )
-
-
-def _check_shape(resolved: Mapping) -> None:
-    facade = resolved["facade"]
-    if is_plain(facade):
-        return
-    for name in resolved["models"]:
-        kind = registry.model(name)
-        if not kind.single_block:
-            raise ConfigError(f"models = {name}: expected a façade of one block with a shape")
-        if kind.massive and facade["base_height_m"]:
-            raise ConfigError(
-                f"facade.base_height_m = {show(facade['base_height_m'])}: expected 0 (m) with "
-                f"{name}, whose masses are not driven"
-            )
-    if facade["tilt_deg"]:
-        raise ConfigError(
-            f"facade.tilt_deg = {show(facade['tilt_deg'])}: expected 0 (°) with a shape"
-        )
-    try:
-        shape_of(facade)
-    except ValueError as error:
-        raise ConfigError(str(error)) from None
 
 
 def _at(resolved: Mapping, path: str) -> Any:

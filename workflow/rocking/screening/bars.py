@@ -13,6 +13,8 @@ class Bars(NamedTuple):
 
     Attributes
     ----------
+    tie_body, floor_body : ndarray of int, shape (ties,), (floors,)
+        Which of the free blocks.
     tie_arm_m, tie_end_m : ndarray, shape (ties, 2)
         Ends on the block and on the support (y, z).
     tie_support : ndarray of int, shape (ties,)
@@ -27,6 +29,7 @@ class Bars(NamedTuple):
         Of a floor between façade and support; without mass it moves with the support.
     """
 
+    tie_body: np.ndarray
     tie_arm_m: np.ndarray
     tie_end_m: np.ndarray
     tie_support: np.ndarray
@@ -34,6 +37,7 @@ class Bars(NamedTuple):
     tie_k_n_m: np.ndarray
     tie_capacity_n: np.ndarray
     tie_snap_m: np.ndarray
+    floor_body: np.ndarray
     floor_arm_m: np.ndarray
     floor_support: np.ndarray
     floor_load_n: np.ndarray
@@ -86,23 +90,22 @@ def act(bars, memory, pose, half_s, supports, ground_m_s2, weight_ratio, push):
     bars : Bars
     memory : Memory
         Brought up to date.
-    pose : tuple of y [m], z [m], cosine and sine of the rotation about x
-        Of the block.
+    pose : ndarray, shape (blocks, 4)
+        y [m], z [m], cosine and sine of the rotation about x of each block.
     half_s : float
         Half a step, by which speeds lag.
     supports : tuple of three ndarrays
         Displacement and velocity of each, and the force on it [N], to which theirs are added.
     ground_m_s2, weight_ratio : float
         Acceleration of the ground, and gravity with it over gravity at rest.
-    push : ndarray, shape (3,)
-        Gets force along y and z [N] and moment about x [N·m] on the block.
+    push : ndarray, shape (blocks, 3)
+        Gets force along y and z [N] and moment about x [N·m] on each block.
 
     Returns
     -------
     elastic_j, spent_j, lost : float, float, int
         Energy stored, loads' included; taken in this step; ties that were lost in it.
     """
-    y, z, cos, sin = pose
     su, sv, sf = supports
     push[:] = 0.0
     elastic = spent = 0.0
@@ -110,7 +113,8 @@ def act(bars, memory, pose, half_s, supports, ground_m_s2, weight_ratio, push):
     for i in range(bars.tie_k_n_m.size):
         if memory.snapped[i]:
             continue
-        j = bars.tie_support[i]
+        j, own = bars.tie_support[i], bars.tie_body[i]
+        y, z, cos, sin = pose[own]
         ry = cos * bars.tie_arm_m[i, 0] - sin * bars.tie_arm_m[i, 1]
         rz = sin * bars.tie_arm_m[i, 0] + cos * bars.tie_arm_m[i, 1]
         ey, ez = y + ry - bars.tie_end_m[i, 0] - su[j], z + rz - bars.tie_end_m[i, 1]
@@ -130,12 +134,14 @@ def act(bars, memory, pose, half_s, supports, ground_m_s2, weight_ratio, push):
             memory.yielded_m[i] = longer - pull / bars.tie_k_n_m[i]
         elastic += 0.5 * pull * pull / bars.tie_k_n_m[i]
         gy, gz = -pull * ey / length, -pull * ez / length
-        push[0] += gy
-        push[1] += gz
-        push[2] += ry * gz - rz * gy
+        push[own, 0] += gy
+        push[own, 1] += gz
+        push[own, 2] += ry * gz - rz * gy
         sf[j] -= gy
     for i in range(bars.floor_k_n_m.size):
         j, mass = bars.floor_support[i], bars.mass_kg[i]
+        own = bars.floor_body[i]
+        y, z, cos, sin = pose[own]
         ay, az = bars.floor_arm_m[i]
         ry, rz = cos * ay - sin * az, sin * ay + cos * az
         past = y + ry - ay - (memory.place_m[i] if mass > 0.0 else su[j])
@@ -147,9 +153,9 @@ def act(bars, memory, pose, half_s, supports, ground_m_s2, weight_ratio, push):
             memory.slid_m[i] = past - held / k
         load = weight_ratio * bars.floor_load_n[i]
         elastic += 0.5 * held * held / k + bars.floor_load_n[i] * (z + rz - az)
-        push[0] -= held
-        push[1] -= load
-        push[2] += rz * held - ry * load
+        push[own, 0] -= held
+        push[own, 1] -= load
+        push[own, 2] += rz * held - ry * load
         if mass > 0.0:
             speed = memory.speed_m_s[i] + half_s * memory.rate_m_s2[i]
             stretch, rate = memory.place_m[i] - su[j], speed - sv[j]
@@ -171,15 +177,14 @@ def advance(bars, memory, ahead_s, step_s):
             memory.place_m[i] += step_s * memory.speed_m_s[i]
 
 
-def of_scene(scene, own, centre, column):
-    """Ties and floors of a scene on its block `own`.
+def of_scene(scene, own, column):
+    """Ties and floors of a scene on its free blocks.
 
     Parameters
     ----------
     scene : Scene
-    own : int
-    centre : ndarray, shape (2,)
-        Reference centroid of the block.
+    own : list of int
+        The free blocks.
     column : dict of str to int
         Of each support's motion.
 
@@ -190,9 +195,9 @@ def of_scene(scene, own, centre, column):
     Raises
     ------
     ValueError
-        One line if one does not hold the block to a support.
+        One line if one does not hold a free block to a support.
     """
-    if any(bar.a != own for bar in (*scene.ties, *scene.floors)):
+    if any(bar.a not in own for bar in (*scene.ties, *scene.floors)):
         raise ValueError("screening: ties and floors must hold the free block to a support")
     spring = {link.a: link for link in scene.links}
 
@@ -203,11 +208,13 @@ def of_scene(scene, own, centre, column):
         return np.array([pick(bar) for bar in bars], kind)
 
     def places(bars, name):
+        centre = np.array([scene.blocks[bar.a].centre_m[1:] for bar in bars]).reshape(-1, 2)
         return values(bars, lambda x: getattr(x, name)[1:]).reshape(-1, 2) - centre
 
     ties, floors = scene.ties, scene.floors
     sprung = [spring.get(floor.b) for floor in floors]
     return Bars(
+        tie_body=values(ties, lambda x: own.index(x.a), np.int64),
         tie_arm_m=places(ties, "end_a_m"),
         tie_end_m=places(ties, "end_b_m"),
         tie_support=values(ties, lambda x: support(x.b), np.int64),
@@ -215,6 +222,7 @@ def of_scene(scene, own, centre, column):
         tie_k_n_m=values(ties, lambda x: x.stiffness_n_m),
         tie_capacity_n=values(ties, lambda x: x.capacity_n),
         tie_snap_m=values(ties, lambda x: x.elongation_m),
+        floor_body=values(floors, lambda x: own.index(x.a), np.int64),
         floor_arm_m=places(floors, "position_m"),
         floor_support=np.array(
             [support(s.b if s else f.b) for f, s in zip(floors, sprung, strict=True)], np.int64
@@ -228,24 +236,25 @@ def of_scene(scene, own, centre, column):
     )
 
 
-def elements(bars, supports):
+def elements(bars, supports, blocks=1):
     """Stiffness and dashpot of each bar with its row of coefficients, ties taut, floors stuck.
 
-    Freedoms: the block's y, z and rotation, the supports along y, the floors with a mass.
+    Freedoms: y, z and rotation of each block, the supports along y, the floors with a mass.
 
     Returns
     -------
-    list of (stiffness_n_m, dashpot_ns_m, ndarray of shape (3 + supports + masses,))
+    list of (stiffness_n_m, dashpot_ns_m, ndarray of shape (3·blocks + supports + masses,))
     """
     masses = np.flatnonzero(bars.mass_kg > 0.0)
-    size = 3 + supports + masses.size
+    first = 3 * blocks
+    size = first + supports + masses.size
 
-    def row(arm, along, other):
+    def row(body, arm, along, other):
         (ry, rz), (y, z) = arm, along
         found = np.zeros(size)
-        found[:3] = y, z, z * ry - y * rz
+        found[3 * body : 3 * body + 3] = y, z, z * ry - y * rz
         if other >= 0:
-            found[3 + other] -= y
+            found[first + other] -= y
         return found
 
     def moving(j):
@@ -255,17 +264,19 @@ def elements(bars, supports):
     for i, arm in enumerate(bars.tie_arm_m):
         along = arm - bars.tie_end_m[i]
         along = along / np.linalg.norm(along)
-        found.append((bars.tie_k_n_m[i], 0.0, row(arm, along, moving(bars.tie_support[i]))))
+        other = moving(bars.tie_support[i])
+        found.append((bars.tie_k_n_m[i], 0.0, row(bars.tie_body[i], arm, along, other)))
     for i, arm in enumerate(bars.floor_arm_m):
         behind = moving(bars.floor_support[i])
         other = behind
         if bars.mass_kg[i] > 0.0:
             other = supports + int(np.flatnonzero(masses == i)[0])
             spring = np.zeros(size)
-            spring[3 + other] = 1.0
+            spring[first + other] = 1.0
             if behind >= 0:
-                spring[3 + behind] = -1.0
+                spring[first + behind] = -1.0
             found.append((bars.spring_n_m[i], bars.dashpot_ns_m[i], spring))
         if bars.floor_capacity_n[i] > 0.0:
-            found.append((bars.floor_k_n_m[i], 0.0, row(arm, (1.0, 0.0), other)))
+            own = bars.floor_body[i]
+            found.append((bars.floor_k_n_m[i], 0.0, row(own, arm, (1.0, 0.0), other)))
     return found

@@ -4,6 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+OK, OVERTURNED, FAILED = 0, 1, 2
+REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
+COLUMNS = 14  # of a history before the supports' own
+
 
 class Table(NamedTuple):
     """Motions at the whole steps, for a factor of one.

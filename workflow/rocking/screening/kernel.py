@@ -7,10 +7,7 @@ import numpy as np
 from rocking.runtime.compiled import compiled
 
 from .bars import act, advance, at_rest
-
-OK, OVERTURNED, FAILED = 0, 1, 2
-REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
-COLUMNS = 14  # of a history before the supports' own
+from .inputs import COLUMNS, FAILED, OK, OVERTURNED, REST_RATIO
 
 
 @compiled
@@ -73,7 +70,7 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
             inertia[g, 2] += p.kn_n_m[i] * s * s
             inertia[g, 3] = max(inertia[g, 3], abs(s))
     barred = p.bars.tie_k_n_m.size + p.bars.floor_k_n_m.size > 0
-    memory, push = at_rest(p.bars), np.zeros(3)
+    memory, pose, push = at_rest(p.bars), np.zeros((1, 4)), np.zeros((1, 3))
     y, z, turn, vy, vz, spin = p.start  # rates half a step back, from the second step on
     ay = az = at = 0.0
     peak = moving_until = spent = 0.0
@@ -317,10 +314,9 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
         gravity = p.gravity_m_s2 + abs(factor) * table.vertical_m_s2[row]
         if barred:
             heavier = gravity / p.gravity_m_s2
-            stored, taken, lost = act(
-                p.bars, memory, (y, z, cos, sin), half, (su, sv, sf), ag, heavier, push
-            )
-            fy, fz, moment = fy + push[0], fz + push[1], moment + push[2]
+            pose[0, 0], pose[0, 1], pose[0, 2], pose[0, 3] = y, z, cos, sin
+            stored, taken, lost = act(p.bars, memory, pose, half, (su, sv, sf), ag, heavier, push)
+            fy, fz, moment = fy + push[0, 0], fz + push[0, 1], moment + push[0, 2]
             elastic, spent, broken = elastic + stored, spent + taken, broken + lost
 
         d = y + cos * p.monitor_m[0] - sin * p.monitor_m[1] - p.monitor_m[0]

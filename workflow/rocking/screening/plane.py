@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .bars import Bars, elements, of_scene
+from .stack import stacked
 
 LEVEL_M = 1e-9  # nodes of one group lie this close to one line, their planes to one plane
 
@@ -66,6 +67,11 @@ class Planar(NamedTuple):
     monitor_m: np.ndarray
     bars: Bars
 
+    @property
+    def height_m(self):
+        """Of the monitored point above the lowest node [m]."""
+        return self.monitor_m[1] - self.origin_m[:, 1].min()
+
 
 def moving_supports(scene):
     """Names of the motions, other than the reference's, that drive supports, in block order."""
@@ -80,12 +86,13 @@ def prepare(scene):
     Parameters
     ----------
     scene : yade_scripts.model.scene.Scene
-        One free block with the freedoms y, z and rotation about x; supports at rest or driven
+        Free blocks with the freedoms y, z and rotation about x; supports at rest or driven
         along y.
 
     Returns
     -------
-    Planar
+    Planar or Stack
+        The latter for several free blocks.
 
     Raises
     ------
@@ -94,17 +101,23 @@ def prepare(scene):
     """
     sprung = {link.a for link in scene.links}  # floors with a mass of their own
     free = [i for i, block in enumerate(scene.blocks) if block.free and i not in sprung]
-    if len(free) != 1 or scene.blocks[free[0]].free != "yzX":
-        raise ValueError("screening: expected one free block with the freedoms y, z, rotation x")
-    (own,) = free
-    block, nodes = scene.blocks[own], scene.nodes
-    if np.any((nodes.a == own) == (nodes.b == own)) or np.any(np.abs(nodes.normal[:, 0]) > 1e-12):
-        raise ValueError("screening: every node must join the block to a support, in the plane")
+    if not free or any(scene.blocks[i].free != "yzX" for i in free):
+        raise ValueError("screening: expected free blocks with the freedoms y, z, rotation x")
+    nodes = scene.nodes
+    if np.any(np.abs(nodes.normal[:, 0]) > 1e-12):
+        raise ValueError("screening: every node must push in the plane")
     reference = scene.blocks[scene.index(scene.reference)]
     names = moving_supports(scene)
     if names and any(b.motion is None for b in scene.blocks if not b.free) and reference.motion:
         raise ValueError("screening: a support at rest beside a driven reference")
     column = {name: i for i, name in enumerate(names)}
+    bars = of_scene(scene, free, column)
+    if len(free) > 1:
+        return stacked(scene, free, column, bars)
+    (own,) = free
+    block = scene.blocks[own]
+    if np.any((nodes.a == own) == (nodes.b == own)):
+        raise ValueError("screening: every node must join the block to a support")
     centre = np.array(block.centre_m)[1:]
     groups = [_group(scene, own, centre, column, mine) for mine in _groups(nodes, centre)]
     order = np.concatenate([group["nodes"] for group in groups])
@@ -144,7 +157,7 @@ def prepare(scene):
         gravity_m_s2=float(scene.gravity_m_s2),
         thickness_m=float(scene.thickness_m),
         monitor_m=np.array(scene.monitor_point_m, float)[1:] - centre,
-        bars=of_scene(scene, own, centre, column),
+        bars=bars,
     )
 
 

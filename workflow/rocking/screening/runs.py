@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 from scipy.linalg import block_diag
 
-from .inputs import Bodies, Rules, Table
-from .kernel import COLUMNS, FAILED, march
+from .inputs import COLUMNS, FAILED, Bodies, Rules, Table
+from .kernel import march
 from .plane import matrices
+from .stack import Stack, march_stack, stack_matrices
 
 STATUS = ("ok", "overturned", "failed")
 STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
@@ -201,6 +202,9 @@ def stable_step(planar, carried=NO_BODIES):
     The scheme is (M + ½hC₁)a = F − Kx − Cv − ½h(C − C₁)a⁻, v⁺ = v + ha, x⁺ = x + hv⁺, with C₁ the
     block's own part of C; its amplification matrix acts on (x, v, a⁻).
     """
+    if isinstance(planar, Stack):
+        mass, k, c = stack_matrices(planar)
+        return _largest_step(np.diag(mass), k, c, 3 * len(planar.mass_kg))
     n = carried.mass_kg.size
     mass, k, c = matrices(planar, len(carried.hang))
     floors = mass.size - 3
@@ -214,8 +218,13 @@ def stable_step(planar, carried=NO_BODIES):
     mass = np.diag(np.concatenate((mass[:3], carried.mass_kg, mass[3:])))
     k[3 : 3 + n, 3 : 3 + n] += carried.k_n_m
     c[3 : 3 + n, 3 : 3 + n] += carried.c_n_s_m
+    return _largest_step(mass, k, c, 3)
+
+
+def _largest_step(mass, k, c, freedoms):
+    """Stable step of `stable_step` by matrices; C₁ is that of the first so many freedoms."""
     own, one = np.zeros_like(c), np.eye(len(c))
-    own[:3, :3] = c[:3, :3]
+    own[:freedoms, :freedoms] = c[:freedoms, :freedoms]
 
     def stable(h):
         a = np.hstack((-k, -c, -0.5 * h * (c - own)))
@@ -250,8 +259,15 @@ def limits(uplift_m_s2, thickness_m, motions, numerics, factors):
     return rules, motion, quiet, speed
 
 
+def _loop(planar):
+    """The step loop of a plane."""
+    return march_stack if isinstance(planar, Stack) else march
+
+
 def _set_up(planar, motions, numerics, factors, carried, step_s):
     carried = carried or NO_BODIES
+    if isinstance(planar, Stack) and carried.mass_kg.size:
+        raise ValueError("screening: a façade with hinges stands before driven walls only")
     wanted = int(planar.support.max(initial=-1)) + 1
     given = len(carried.hang) or len(motions.supports_m_s2)
     if wanted > given:
@@ -259,8 +275,7 @@ def _set_up(planar, motions, numerics, factors, carried, step_s):
     factors = np.atleast_1d(np.asarray(factors, float))
     step = step_s or STEP_FRACTION * stable_step(planar, carried)
     table = motions.table(step, supports=not carried.mass_kg.size)
-    height = planar.monitor_m[1] - planar.origin_m[:, 1].min()
-    uplift = planar.gravity_m_s2 * planar.thickness_m / height
+    uplift = planar.gravity_m_s2 * planar.thickness_m / planar.height_m
     rules = limits(uplift, planar.thickness_m, motions, numerics, factors)
     return carried, table, factors, rules
 
@@ -295,7 +310,7 @@ def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None,
     supports = carried.mass_kg.size or table.place_m.shape[1]
     count = math.ceil(rules.limit_s / table.step_s) // every + 1
     rows = np.zeros((count, COLUMNS + 2 * supports))
-    peak, status, end, written, broken = march(
+    peak, status, end, written, broken = _loop(planar)(
         planar, carried, table, factors[0], rules, *(float(v[0]) for v in own), every, rows
     )
     rows = rows[:written]
@@ -354,7 +369,7 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
     )
     rows = np.zeros((0, COLUMNS))
     found = [
-        march(planar, carried, table, f, rules, *limits, 1, rows)[:3]
+        _loop(planar)(planar, carried, table, f, rules, *limits, 1, rows)[:3]
         for f, *limits in zip(factors, *own, strict=True)
     ]
     peak, status, end = (np.array(column) for column in zip(*found, strict=True))

@@ -21,7 +21,7 @@ from yade_scripts.model.floor_motions import VERTICAL
 from yade_scripts.model.motion import along
 from yade_scripts.model.stiffness import critical_step
 
-from .kernel import FAILED
+from .inputs import FAILED
 from .plane import moving_supports
 from .runs import STATUS, limits
 from .spatial_kernel import COLUMNS, Spatial, march

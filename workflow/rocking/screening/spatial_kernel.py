@@ -7,7 +7,7 @@ import numpy as np
 
 from rocking.runtime.compiled import compiled
 
-from .kernel import FAILED, OK, OVERTURNED, REST_RATIO
+from .inputs import FAILED, OK, OVERTURNED, REST_RATIO
 
 COLUMNS = 13
 

@@ -1,0 +1,161 @@
+"""Intermediate hinges: mechanisms in closed form, YADE against the compiled solver, matrices."""
+
+import numpy as np
+import pytest
+from rocking.assessment.battery import weakest_hinge
+from rocking.configuration import config as configuration
+from rocking.configuration.config import ConfigError
+from rocking.screening.bars import of_scene
+from rocking.screening.plane import moving_supports, prepare
+from rocking.screening.runs import Motions, history
+from rocking.screening.stack import stack_matrices, stacked
+from test_floors import ROOF, floored, slow
+from test_ties import BETA_S, FEW, G, pulses
+from yade_process import in_yade
+
+from yade_scripts.model.facade import facade_scene
+from yade_scripts.model.stiffness import assemble
+
+HELD = {**ROOF, "friction": 0.0, "anchor_kn": 1000.0, "stiffness_kn_m": 1e6}
+
+
+def multipliers(facade, hinge_m, load_n, arm_m, held_n):
+    """λ of the mechanisms with a hinge at h₁, top load N at s, held by F; and the reaction R.
+
+    Held at the top, by the virtual work of a rotation 1 of the lower and r = h₁/h₂ of the upper
+    piece, λ = [W₁ b/2 + (W₂ + N) b + r (W₂ b/2 + N s)]/[(W₁ + W₂) h₁/2], and by moments of the
+    upper one about the joint's inner edge R h₂ = λ W₂ h₂/2 − W₂ b/2 − N s. Slid, the whole turns
+    about its toe, or the upper piece about the joint's outer edge:
+    λ W h/2 = W b/2 + N (b − s) + F h, of the piece or of the whole.
+    """
+    h, b = facade["height_m"], facade["thickness_m"]
+    weight = facade["density_kg_m3"] * h * b * facade["width_m"] * G
+    h1, h2 = hinge_m, h - hinge_m
+    w1, w2, r = weight * h1 / h, weight * h2 / h, h1 / h2
+    bent = 0.5 * w1 * b + (w2 + load_n) * b + r * (0.5 * w2 * b + load_n * arm_m)
+    bent /= 0.5 * (w1 + w2) * h1
+    reaction = bent * 0.5 * w2 - (0.5 * w2 * b + load_n * arm_m) / h2
+    whole, upper = (
+        (0.5 * w * b + load_n * (b - arm_m) + held_n * tall) / (0.5 * w * tall)
+        for w, tall in ((weight, h), (w2, h2))
+    )
+    return bent, whole, upper, reaction
+
+
+CAPACITIES = {  # hinge, the floor that holds, which mechanism
+    "bending": (3.24, {"load_kn": 0.0}, "bent"),
+    "bending, high hinge, overburden": (4.2, {}, "bent"),
+    "bending, low hinge": (2.2, {"load_kn": 30.0, "arm_m": 0.3}, "bent"),
+    "the whole slides out": (3.24, {"load_kn": 30.0, "anchor_kn": 5.0}, "whole"),
+    "the upper piece over a floor": (4.5, {"load_kn": 0.0, "height_m": 4.4}, "upper"),
+}
+
+
+@pytest.mark.parametrize("name", CAPACITIES)
+def test_static_capacity(name):
+    """The multiplier of the mechanism that governs: a push at 0.99 of it is borne, 1.01 fells."""
+    hinge, floor, which = CAPACITIES[name]
+    roof = {**HELD, **floor}
+    config, scene = floored(roof, facade={"e_mpa": 1e5, "hinges_m": [hinge]}, numerics=FEW)
+    holds = 1e3 * roof["anchor_kn"] if roof["height_m"] > hinge else 0.0
+    given = hinge, 1e3 * roof["load_kn"], roof["arm_m"], holds
+    bent, whole, upper, reaction = multipliers(config["facade"], *given)
+    if which == "bent":
+        assert reaction < holds
+        assert bent < min(whole, upper)
+    found = {"bent": bent, "whole": whole, "upper": upper}[which]
+    for share, status in ((0.99, "ok"), (1.01, "overturned")):
+        t, pull = slow(share * G * found)
+        got = history(prepare(scene), Motions(t, -pull), config["numerics"], sample_s=0.01)
+        assert got.status == status
+
+
+def test_the_weakest_hinge():
+    """It minimises the closed form, and no height is worse under a push."""
+    roof = {**HELD, "load_kn": 40.0, "arm_m": 0.1}
+    config, _ = floored(roof, facade={"e_mpa": 1e5, "hinges_m": "weakest"}, build=False)
+    f = config["facade"]
+    heights = np.linspace(0.05, 0.95, 1801) * f["height_m"]
+    found = [multipliers(f, z, 40e3, 0.1, 1e6)[0] for z in heights]
+    weakest = weakest_hinge(f)
+    assert weakest == pytest.approx(heights[np.argmin(found)], rel=0.01)
+    t, pull = slow(1.02 * min(found) * G)
+    for z, status in ((weakest, "overturned"), (0.7 * weakest, "ok"), (1.2 * weakest, "ok")):
+        config, scene = floored(roof, facade={"e_mpa": 1e5, "hinges_m": [z]}, numerics=FEW)
+        got = history(prepare(scene), Motions(t, -pull), config["numerics"], sample_s=0.01)
+        assert got.status == status
+
+
+@pytest.mark.parametrize("model", ["W1", "W2"])
+def test_one_piece_is_the_single_block(model):
+    """Both step loops, through impacts, sliding and a roof with a mass, to rounding."""
+    config, scene = floored({**ROOF, "load_kn": 30.0, "mass_t": 2.0}, model=model, numerics=FEW)
+    t, ground = pulses(2.0)
+    floors = [ground * (1.0 + 0.1 * j) for j in range(1, 5)] if model == "W2" else []
+    column = {name: i for i, name in enumerate(moving_supports(scene))}
+    planes = prepare(scene), stacked(scene, [1], column, of_scene(scene, [1], column))
+    motions = Motions(t, ground, floors)
+    one, other = (history(p, motions, config["numerics"], sample_s=0.01) for p in planes)
+    assert one.peak_d_over_b > 0.1
+    assert other.peak_d_over_b == pytest.approx(one.peak_d_over_b, rel=1e-9)
+    assert other.spent_j[-1] == pytest.approx(one.spent_j[-1], rel=1e-9)
+    assert other.step_s == pytest.approx(one.step_s, rel=1e-9)
+
+
+THREE = {"hinges_m": [2.0, 4.0]}
+FLOORS = [
+    {**ROOF, "load_kn": 30.0, "arm_m": None, "anchor_kn": 10.0},
+    {"height_m": 3.24, "anchor_kn": 5.0},
+]
+
+
+def test_three_pieces_at_rest_and_their_matrices():
+    """They stand still from the start; K and C of the scene file are those of the plane."""
+    config, scene = floored(*FLOORS, model="W2", facade=THREE, numerics=FEW)
+    plane = prepare(scene)
+    t = np.linspace(0.0, 1.0, 101)
+    still = Motions(t, np.zeros(101), np.zeros((4, 101)))
+    got = history(plane, still, config["numerics"], sample_s=0.01)
+    assert np.abs(got.d_m).max() < 1e-8
+    mass, k, c = stack_matrices(plane)
+    matrices = assemble(scene)
+    for one, other in zip((k, c), matrices.dense(), strict=True):
+        assert one == pytest.approx(other, rel=1e-9, abs=1e-9 * np.abs(other).max())
+    assert mass == pytest.approx(matrices.mass)
+    whole = facade_scene({**config, "facade": {**config["facade"], "hinges_m": []}}, "W2", BETA_S)
+    assert sum(mass[::3]) == pytest.approx(whole.blocks[1].mass_kg)
+
+
+@pytest.mark.yade
+def test_yade_and_the_compiled_solver():
+    """Two pieces, two floors that slide: peak d/b within 1 %, and YADE's books close."""
+    config, scene = floored(*FLOORS, facade={"hinges_m": [4.0]}, numerics=FEW)
+    t, ground = pulses(3.0)
+    planar = history(prepare(scene), Motions(t, ground), config["numerics"], sample_s=0.01)
+    got = in_yade(
+        "accuracy_cases", "balanced", config=config, model="W1", beta_s=BETA_S, fraction=0.1,
+        time_s=t.tolist(), columns={"ground": ground.tolist()},
+    )  # fmt: skip
+    assert got["status"] == planar.status == "ok"
+    assert got["peak"] > 0.05
+    assert got["peak"] == pytest.approx(planar.peak_d_over_b, rel=0.01)
+    assert got["residual"] < 2e-3 * got["overturning"]
+
+
+@pytest.mark.parametrize(
+    ("facade", "models", "message"),
+    [
+        ({"hinges_m": [7.0]}, ["W1"], r"hinges_m = \[7\]: expected heights below"),
+        ({"hinges_m": [4.0, 2.0]}, ["W1"], "hinges_m.*ascending"),
+        ({"hinges_m": [-1.0]}, ["W1"], r"hinges_m"),
+        ({"hinges_m": "midheight"}, ["W1"], "hinges_m = 'midheight': expected 'weakest' or"),
+        ({"hinges_m": [3.0]}, ["W2m"], "models = W2m: expected W1 or W2"),
+        ({"hinges_m": [3.0]}, ["W1c"], "models = W1c: expected W1 or W2"),
+        ({"hinges_m": [3.0], "gable_height_m": 1.0}, ["W1"], "hinges_m: expected a plain"),
+        ({"hinges_m": "weakest"}, ["W1"], "hinges_m = weakest: expected facade.floors at the top"),
+    ],
+)
+def test_impossible_hinges(facade, models, message):
+    """One line with key, value and what was expected."""
+    with pytest.raises(ConfigError, match=message):
+        configuration.resolve({"facade": facade, "models": models})

@@ -1,0 +1,159 @@
+"""What the configuration's façade must satisfy as a whole, beyond the limits of its keys."""
+
+import itertools
+import math
+from collections.abc import Mapping
+
+from rocking.configuration.schema import ConfigError, show
+from yade_scripts.model import registry
+from yade_scripts.model.shape import Shape, is_plain, shape_of
+
+MIN_SLENDERNESS = 2.0  # h/b; a stockier block slides or crushes before it rocks
+WEAKEST = "weakest"
+
+
+def check_facade(resolved: Mapping) -> None:
+    """Check section facade with the models and return walls it stands before.
+
+    Raises
+    ------
+    ConfigError
+        In one line with the key, its value and what was expected.
+    """
+    facade = resolved["facade"]
+    _check_geometry(facade, resolved["return_wall"])
+    if facade["sides"] == "two" and resolved["models"] != ["W1"]:
+        raise ConfigError(
+            f"models = {show(resolved['models'])}: expected [W1] with facade.sides = two, "
+            "since a free-standing façade has no return walls"
+        )
+    bonded = [name for name in resolved["models"] if registry.model(name).bonded]
+    if bonded and facade["gap_m"] > 0.0:
+        raise ConfigError(
+            f"facade.gap_m = {show(facade['gap_m'])}: expected 0 (m) with the bonded "
+            f"models {show(bonded)}"
+        )
+    _check_shape(resolved)
+    _check_bars(resolved)
+    _check_hinges(resolved)
+
+
+def _check_geometry(facade: Mapping, wall: Mapping) -> None:
+    h, b = facade["height_m"], facade["thickness_m"]
+    if h < MIN_SLENDERNESS * b:
+        raise ConfigError(
+            f"facade.height_m = {show(h)}: expected at least {show(MIN_SLENDERNESS)} × "
+            f"facade.thickness_m = {show(MIN_SLENDERNESS * b)} (m), for a wall that rocks"
+        )
+    slenderness_deg = math.degrees(math.atan2(b, h))
+    tilt = facade["tilt_deg"]
+    if tilt >= slenderness_deg:
+        raise ConfigError(
+            f"facade.tilt_deg = {show(tilt)}: expected less than "
+            f"atan(thickness/height) = {slenderness_deg:.4g} (°), or the façade has fallen already"
+        )
+    if facade["sides"] == "two":
+        return
+    total = wall["count"] * wall["thickness_m"]
+    if total > facade["width_m"] * (1.0 + 1e-9):
+        raise ConfigError(
+            f"return_wall.count = {wall['count']}: expected count × thickness_m = {show(total)} "
+            f"within facade.width_m = {show(facade['width_m'])} (m)"
+        )
+
+
+def _check_bars(resolved: Mapping) -> None:
+    """Refuse ties and floors that nothing carries, that snap early or that hold nothing."""
+    facade = resolved["facade"]
+    several = [name for name in resolved["models"] if not registry.model(name).single_block]
+    rows = [(key, *row) for key in ("ties", "floors") for row in enumerate(facade[key], 1)]
+    for key, number, row in rows:
+        where = f"facade.{key}[{number}]"
+        if row["height_m"] > facade["height_m"]:
+            raise ConfigError(
+                f"{where}.height_m = {show(row['height_m'])}: expected at most facade.height_m = "
+                f"{show(facade['height_m'])} (m)"
+            )
+        if facade["sides"] == "two" or several:
+            what = f"models = {show(several)}" if several else "facade.sides = two"
+            raise ConfigError(
+                f"{what}: expected no facade.{key}, or a façade of one block on walls"
+            )
+        if key == "ties" and row["elongation"] * row["e_mpa"] < row["yield_mpa"]:
+            raise ConfigError(
+                f"{where}.elongation = {show(row['elongation'])}: expected at least the strain at "
+                f"yield, yield_mpa/e_mpa = {show(row['yield_mpa'] / row['e_mpa'])}"
+            )
+        if key == "floors":
+            _check_floor(where, row, shape_of({**facade, "hinges_m": ()}))
+
+
+def _check_floor(where: str, row: Mapping, shape: Shape) -> None:
+    back, front = shape.faces_at(row["height_m"])
+    if (row["arm_m"] or 0.0) > front - back + 1e-9:
+        raise ConfigError(
+            f"{where}.arm_m = {show(row['arm_m'])}: expected at most the thickness at that height, "
+            f"{show(front - back)} (m)"
+        )
+    if row["load_kn"] == row["anchor_kn"] == 0.0:
+        raise ConfigError(f"{where}.load_kn = 0: expected a load, or an anchor_kn (kN) above 0")
+    if row["mass_t"] > 0.0 and row["friction"] * row["load_kn"] + row["anchor_kn"] == 0.0:
+        raise ConfigError(
+            f"{where}.mass_t = {show(row['mass_t'])}: expected friction or anchor_kn (kN) that "
+            "joins it to the façade"
+        )
+
+
+def _check_shape(resolved: Mapping) -> None:
+    facade = resolved["facade"]
+    if is_plain(facade):
+        return
+    for name in resolved["models"]:
+        kind = registry.model(name)
+        if not kind.single_block:
+            raise ConfigError(f"models = {name}: expected a façade of one block with a shape")
+        if kind.massive and facade["base_height_m"]:
+            raise ConfigError(
+                f"facade.base_height_m = {show(facade['base_height_m'])}: expected 0 (m) with "
+                f"{name}, whose masses are not driven"
+            )
+    if facade["tilt_deg"]:
+        raise ConfigError(
+            f"facade.tilt_deg = {show(facade['tilt_deg'])}: expected 0 (°) with a shape"
+        )
+    try:
+        shape_of(facade)
+    except ValueError as error:
+        raise ConfigError(str(error)) from None
+
+
+def _check_hinges(resolved: Mapping) -> None:
+    facade = resolved["facade"]
+    heights = facade["hinges_m"]
+    if not heights:
+        return
+    for name in resolved["models"]:
+        kind = registry.model(name)
+        if not kind.twin or kind.massive or kind.bonded:
+            raise ConfigError(
+                f"models = {name}: expected W1 or W2, dry and driven, with facade.hinges_m"
+            )
+    if facade["sides"] == "two" or facade["tilt_deg"] or not is_plain(facade):
+        raise ConfigError(
+            "facade.hinges_m: expected a plain upright façade on the ground, before walls"
+        )
+    if heights != WEAKEST:
+        if any(a >= b for a, b in itertools.pairwise(heights)):
+            raise ConfigError(f"facade.hinges_m = {show(heights)}: expected ascending values")
+        if heights[-1] >= facade["height_m"]:
+            raise ConfigError(
+                f"facade.hinges_m = {show(heights)}: expected heights below facade.height_m = "
+                f"{show(facade['height_m'])} (m)"
+            )
+        return
+    levels = {row["height_m"] for row in facade["floors"]}
+    if levels != {facade["height_m"]}:
+        raise ConfigError(
+            f"facade.hinges_m = {WEAKEST}: expected facade.floors at the top alone, that hold it, "
+            f"at facade.height_m = {show(facade['height_m'])} (m)"
+        )

@@ -1,0 +1,58 @@
+"""Intermediate hinges: a façade of rigid pieces that stand on each other on compliant joints.
+
+A joint between two pieces is the base's over again: Gauss–Lobatto nodes across the thickness that
+take no tension, the base's friction, and jkn = E/L with L half the height of the two pieces
+together, unless the base's jkn is stated. A piece meets the return walls behind it alone.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from yade_scripts.model.floors import loaded
+
+
+def hinge_stiffness(section, shape):
+    """Joint stiffness jkn of each hinge from the lowest up [Pa/m]."""
+    edges = np.array([0.0, *shape.hinges_m, shape.height_m])
+    stated = section["base_stiffness_pa_m"]
+    own = section["e_mpa"] * 1e6 / (0.5 * (edges[2:] - edges[:-2]))
+    return np.full(own.shape, stated) if stated else own
+
+
+def pieces(section, shape, whole):
+    """Blocks of the pieces, from the lowest up, at rest on each other.
+
+    Parameters
+    ----------
+    section : dict
+        Section facade.
+    shape : Shape
+    whole : Block
+        The façade as one block, settled on its base.
+
+    Returns
+    -------
+    list of Block
+    """
+    sunk, found = -whole.displacement_m[2], []
+    area = shape.thickness_m * shape.width_m
+    settling = [0.0, *(1.0 / (area * hinge_stiffness(section, shape)))]
+    for k, (mass, centre, tensor, size) in enumerate(shape.parts):
+        rows = [row for row in section.get("floors", ()) if shape.piece_at(row["height_m"]) >= k]
+        above = sum(part[0] for part in shape.parts[k:])
+        sunk += settling[k] * loaded(rows, replace(shape, mass_kg=above))[0]
+        found.append(
+            replace(
+                whole,
+                name=f"{whole.name} {k + 1}",
+                centre_m=tuple(centre.tolist()),
+                size_m=size,
+                mass_kg=mass,
+                inertia_kg_m2=tuple(np.diag(tensor).tolist()),
+                displacement_m=(0.0, 0.0, -sunk),
+                rotation_rad=(0.0, 0.0, 0.0),
+                lever_m=None,
+            )
+        )
+    return found
