@@ -117,6 +117,10 @@ def test_three_pieces_at_rest_and_their_matrices():
     still = Motions(t, np.zeros(101), np.zeros((4, 101)))
     got = history(plane, still, config["numerics"], sample_s=0.01)
     assert np.abs(got.d_m).max() < 1e-8
+    at = np.isin(scene.nodes.joint, [scene.joints.index("hinge 1")])
+    f = config["facade"]  # half the height of the two pieces together is 2 m
+    hinge = f["e_mpa"] * 1e6 / 2.0 * f["thickness_m"] * f["width_m"]
+    assert scene.nodes.kn_n_m[at].sum() == pytest.approx(hinge)
     mass, k, c = stack_matrices(plane)
     matrices = assemble(scene)
     for one, other in zip((k, c), matrices.dense(), strict=True):

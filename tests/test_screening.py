@@ -292,7 +292,7 @@ def test_a_node_may_be_carried_by_either_side():
 
 def test_refuses_what_it_cannot_represent():
     config = resolved()
-    with pytest.raises(ValueError, match="one free block"):
+    with pytest.raises(ValueError, match="free blocks with the freedoms"):
         prepare(build_scene({**config, "model": "W3", "beta_s": BETA_S}))
     _, planar = case()
     with pytest.raises(ValueError, match="4 moving supports, got 0"):
