@@ -159,6 +159,7 @@ rule speed_accuracy:
 rule figure_speed_accuracy:
     input:
         table="results/{run}/tables/speed_accuracy.csv",
+        facts=STUDY.record_facts,
         modules=code("figure_speed_accuracy"),
     output:
         png=report(

@@ -42,6 +42,7 @@ rule two_components_table:
 rule figure_two_components:
     input:
         table="results/{run}/tables/two_components.csv",
+        facts=STUDY.record_facts,
         modules=code("figure_two_components"),
     output:
         png=report(

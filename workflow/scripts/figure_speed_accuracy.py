@@ -79,7 +79,7 @@ def main(job):
         handles.update(dict(zip(labels, lines, strict=True)))
     axes[0, 0].set_ylabel("error in peak d/b (%): median, 90 %, worst")
     figure.legend(handles.values(), handles.keys(), loc="outside right upper", fontsize=7)
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

@@ -41,7 +41,7 @@ def main(job):
     for axis, line in ((left, left.axvline), (right, right.axhline)):
         line(1.0, color=style.GREY, lw=0.8, zorder=0)
         axis.legend(loc="best", fontsize=7)
-    style.save(figure, job.output)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

@@ -1,5 +1,7 @@
 """Fragility curves with bands, a panel an intensity measure; steps are the records themselves."""
 
+from itertools import cycle
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -10,6 +12,8 @@ from rocking.runtime.script import run
 from scipy import stats
 
 from yade_scripts.model.registry import MODELS
+
+LINES = ("-", "--", "-.")
 
 
 def steps(part):
@@ -33,7 +37,7 @@ def main(job):
         rows, columns, figsize=(3.5 * columns, 0.5 + 2.3 * rows), squeeze=False, sharey=True
     )
     for axis, name in zip(axes.flat, names, strict=False):
-        for _, fit in fits[fits["im"] == name].iterrows():
+        for (_, fit), line in zip(fits[fits["im"] == name].iterrows(), cycle(LINES), strict=False):
             colour = MODELS[fit["model"]].colour
             of_fit = (curves["model"] == fit["model"]) & (curves["im"] == name)
             curve = curves[of_fit]
@@ -53,7 +57,7 @@ def main(job):
                 lw=0,
             )
             label = f"{fit['model']}: {fit['median']:.3g}, β {fit['dispersion']:.2f}"
-            axis.plot(curve["intensity"], curve["probability"], color=colour, label=label)
+            axis.plot(curve["intensity"], curve["probability"], line, color=colour, label=label)
         axis.set_xscale("log")
         spread = curves.loc[
             (curves["im"] == name) & curves["probability"].between(0.005, 0.995), "intensity"
