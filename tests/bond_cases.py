@@ -189,7 +189,7 @@ def facade_loads():
             "cohesion_mpa": 0.1,
             "tension_mpa": 0.07,
         },
-        "smdof": {"n_dof": 4},
+        "smdof": {"n_dof": 4, "damping_ratio": 0.05},
     }
     for model, nodes in (("W1c", 3), ("W1c", 9), ("W2c", 3), ("W2c", 9)):
         config["numerics"] = {"nodes_thickness": 5, "nodes_height": nodes, "nodes_per_block": nodes}

@@ -69,6 +69,8 @@ def test_perturbed_numerics_change_step_and_nodes_only():
     changed = {k for k in NUMERICS if out[k] != NUMERICS[k]}
     assert changed == {"nodes_thickness", "nodes_height", "nodes_per_block", "step_fraction"}
     assert out["step_fraction"] == pytest.approx(0.95 * NUMERICS["step_fraction"])
+    bricks = {**NUMERICS, "nodes_height": None}  # W3 has no nodes up a wall
+    assert perturb.perturbed_numerics(bricks, member) == {**out, "nodes_height": None}
 
 
 def test_sensitivity_is_measured_from_half_the_collapse_intensity():
@@ -99,7 +101,7 @@ def test_search_closes_in_on_a_threshold(threshold):
     above = np.array(sorted(g for g in found if g >= high))
     assert above[-1] > 1.2 * threshold
     assert np.diff(np.log(above)).max() < 1.3 * resolved()["ida"]["search_ratio"]
-    assert runs < 20
+    assert runs < 25
 
 
 def test_search_finds_the_gap_above_an_island_and_leaves_failures():

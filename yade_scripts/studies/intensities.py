@@ -2,12 +2,13 @@
 
 Where a dense scan by the planar solver has shown where outcomes change, YADE runs its plan.
 Without one the adaptive strategy climbs from below uplift by a constant factor until the façade
-collapses, then descends from the lowest collapse in small steps to a share of it, and again from
-any lower collapse that this finds: below a collapse a façade may stand, fall and stand again. It
+collapses, then closes every wide gap from the lowest collapse down to a share of it, also of any
+lower collapse that this finds: below a collapse a façade may stand, fall and stand again. It
 probes a few intensities beyond, then bisects the lowest collapse to a tolerance. After
 Vamvatsikos and Cornell (2004), "Applied incremental dynamic analysis": hunt, then fill.
 """
 
+import itertools
 import math
 
 DIGITS = 4  # intensities are rounded to 1e-4 g so that tables and caches agree
@@ -52,9 +53,11 @@ def next_intensity(done, settings, plan=None):
     for g in beyond[: settings["beyond_collapse"]]:
         if g not in done:
             return g
-    level = first
-    while (level := level * (1.0 - settings["search_ratio"])) >= SEARCHED * first:
-        if (g := round(level, DIGITS)) not in done:
+    low, ratio = SEARCHED * first, -math.log1p(-settings["search_ratio"])
+    rungs = sorted({low, *(g for g in done if low < g <= first)}, reverse=True)
+    for b, a in itertools.pairwise(rungs):
+        parts = math.ceil(math.log(b / a) / ratio - 0.02)  # amplitudes are rounded
+        if parts > 1 and (g := round(b * (a / b) ** (1.0 / parts), DIGITS)) not in done:
             return g
     safe = max((g for g, status in done.items() if status == "ok" and g < first), default=0.0)
     tolerance = min(settings["tolerance_g"], settings["tolerance_ratio"] * first)

@@ -61,13 +61,12 @@ def draw_members(settings):
 
 
 def perturbed_numerics(numerics, member):
-    """Section numerics of a member: its step and its nodes."""
+    """Section numerics of a member: its step and its nodes; what a model has none of stays null."""
     out = dict(numerics)
-    for key in NODE_KEYS:
+    for key in (key for key in NODE_KEYS if numerics[key] is not None):
         out[key] = numerics[key] + member.extra_nodes
-    for key in ("step_fraction", "step_s"):
-        if numerics[key] is not None:
-            out[key] = numerics[key] * member.step_factor
+    for key in (key for key in ("step_fraction", "step_s") if numerics[key] is not None):
+        out[key] = numerics[key] * member.step_factor
     return out
 
 
