@@ -12,14 +12,16 @@ from yade_scripts.model.registry import MODELS
 def main(job):
     table = pd.read_csv(job.input.table)
     figure, (left, right) = plt.subplots(1, 2, figsize=(7.4, 3.4))
-    for model, part in table.groupby("model", sort=True):
+    lines = (("-", ":"), ("--", "-."))
+    for i, (model, part) in enumerate(table.groupby("model", sort=True)):
         look = {"color": MODELS[model].colour, "drawstyle": "steps-mid"}
-        for column, label, line in (("two_g", "both", "-"), ("again_g", "repeated", ":")):
+        both, again = lines[i % len(lines)]
+        for column, label, line in (("two_g", "both", both), ("again_g", "repeated", again)):
             ratio = np.sort((part[column] / part["one_g"]).dropna())
             shares = (np.arange(len(ratio)) + 0.5) / max(len(ratio), 1)
             left.plot(ratio, shares, ls=line, label=f"{model}, {label}", **look)
         right.plot(
-            part["second_ratio"],
+            part["half_g"] * part["second_ratio"],
             part["d_two"] / part["d_one"],
             ls="",
             marker=MODELS[model].marker,
@@ -34,7 +36,7 @@ def main(job):
         ylim=(0, 1),
     )
     right.set(
-        xlabel="PGA along the façade over out of plane [-]",
+        xlabel="PGA along the façade [g]",
         ylabel="d/b, both over one component [-]",
         title="at half the planar collapse",
     )
