@@ -1,6 +1,7 @@
 """Runs share their motions: one file under many names, whatever else the study has."""
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -115,3 +116,15 @@ def test_a_run_s_names_are_made_again_where_they_stand_already(tmp_path):
     found = sorted(path for path in own.rglob("*.*") if path.parent.name != "tables")
     assert [path.name for path in found] == ["C.png", "A.csv", "B.csv"]
     assert all(a.samefile(b) for a, b in zip(found, [files[2], *files[:2]], strict=True))
+
+
+def test_the_profile_of_a_portfolio_names_rules_and_limits_each_group_to_one_job_at_a_time():
+    profile = yaml.safe_load((ROOT / "workflow/profiles/portfolio/config.yaml").read_text())
+    text = "".join(path.read_text() for path in (ROOT / "workflow/rules").glob("*.smk"))
+    assert set(profile["groups"]) == set(profile["set-resources"])
+    assert set(profile["groups"]) <= set(re.findall(r"(?m)^rule (\w+):", text))
+    assert set(profile["groups"].values()) == set(profile["group-components"])
+    local = re.search(r"localrules:\n((?:    \w+,\n)+)", text)[1]
+    assert not set(profile["groups"]) & set(re.findall(r"\w+", local))
+    assert {r["slot"] for r in profile["set-resources"].values()} == {profile["resources"]["slot"]}
+    assert profile["set-resource-scopes"] == {"slot": "local"}

@@ -129,6 +129,11 @@ localrules:
     ida_collapse,
     records_check,
     report_summary,
+    report_table,
+    report_provenance,
+    table_run_times,
+    pushover_scene,
+    pushover_curve,
     figure_record,
     figure_floor_motions,
     own_record,
@@ -151,9 +156,9 @@ onstart:
     except (run_lock.Busy, ValueError, OSError) as error:
         stop(error)
     tasks = progress.tasks_of(workflow, STUDY.known_runs)
-    print(
-        progress.opening(tasks, list(STUDY.runs), workflow.cores), file=sys.stderr
-    )
+    # none on a cluster, which has no such number
+    cores = workflow.resource_settings.cores
+    print(progress.opening(tasks, list(STUDY.runs), cores), file=sys.stderr)
     progress.Progress(tasks).watch()
     try:
         warm.serve(workflow)

@@ -12,7 +12,6 @@ import math
 
 import numpy as np
 import pandas as pd
-from scipy.stats import fisher_exact
 
 LEVELS = (0.10, 0.50, 0.90)
 KEY = ["model", "record", "direction"]
@@ -250,6 +249,8 @@ def beside(scan, ensemble, spread, error=0.01):
         pga_g, probability, members, probability_yade, members_yade, agrees; blank where a method
         says nothing.
     """
+    from scipy.stats import fisher_exact  # slow to load, and a plan needs none
+
     dense = pd.DataFrame(columns=["pga_g", "probability", "members"])
     if scan is not None:
         dense = from_scan(scan, spread)

@@ -6,7 +6,6 @@ import math
 import numpy as np
 import pandas as pd
 from scipy.special import ndtri
-from scipy.stats import qmc
 
 MEDIAN = 0  # number of the sample in which every factor is 1
 PLACES = {  # dotted key of a scene file, for parameters that are one value of it
@@ -36,6 +35,8 @@ def scores(settings):
         One line for fewer points than two for every slope, or Sobol' points that are no power of
         two.
     """
+    from scipy.stats import qmc  # slow to load, and a plan needs none
+
     count, rows = settings["samples"], settings["parameters"]
     if count < 2 * len(rows):
         raise ValueError(
