@@ -41,13 +41,16 @@ def chain_alone(config, ground, dt_s, beta_s=0.002):
 
 
 def shaken(config, runs, time_s, columns):
-    """Peak d/b, status and history of runs (model, mass of the building [kg])."""
+    """Peak d/b and status of runs (model, mass of the building [kg], factor on the motion)."""
     found = []
     columns = {name: np.array(values) for name, values in columns.items()}
-    for model, mass_kg in runs:
+    for model, mass_kg, *factor in runs:
         wall = {**config["return_wall"], "building_mass_kg": mass_kg}
         job = {**config, "return_wall": wall, "model": model, "beta_s": 0.002}
         scene = models.build_scene(job)
-        h = shaking.prepare(scene, models.numerics(job), np.array(time_s), columns, 1.0).retried()
+        case = shaking.prepare(
+            scene, models.numerics(job), np.array(time_s), columns, *factor or (1.0,)
+        )
+        h = case.retried()
         found.append({"peak": h.peak_d_over_b, "status": h.status, "reason": h.reason})
     return found
