@@ -23,8 +23,8 @@ def script(name, folder, **parts):
     assert done.returncode == 0, done.stderr
 
 
-def test_a_curve_begins_at_the_lowest_collapse_of_the_scan(tmp_path):
-    """One gap between two islands: its middle is looked at too; without a collapse, the end."""
+def test_a_curve_begins_inside_the_first_island_of_the_scan(tmp_path):
+    """The gap between two islands and the second are looked at too; without a collapse, the end."""
     pga = 0.1 * 1.01 ** np.arange(120)
     fell = ((pga > 0.15) & (pga < 0.18)) | (pga > 0.2)
     for name, values in (("falls", fell), ("stands", 0 * fell)):
@@ -36,11 +36,11 @@ def test_a_curve_begins_at_the_lowest_collapse_of_the_scan(tmp_path):
             tmp_path,
             input={"scan": f"{name}.csv"},
             output={"plan": f"{name}.json"},
-            params={"spread": 0.01, "most": 4},
+            params={"spread": 0.01, "step": 0.05, "most": 4},
         )
     plan = json.loads((tmp_path / "falls.json").read_text())
-    assert plan["start_g"] == pytest.approx(pga[pga > 0.15][0], abs=1e-4)
-    assert plan["islands"] == [pytest.approx(0.19, abs=0.004)]
+    assert plan["start_g"] == pytest.approx(1.05 * pga[pga > 0.15][0], abs=1e-3)
+    assert plan["islands"] == pytest.approx([0.19, 0.5 * (0.2 + pga[-1])], abs=0.004)
     plan = json.loads((tmp_path / "stands.json").read_text())
     assert plan == {"start_g": pytest.approx(pga[-1], abs=1e-4), "islands": []}
 

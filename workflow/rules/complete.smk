@@ -72,6 +72,7 @@ rule complete_plan:
         "results/{run}/logs/complete_plan_{complete}_{record}_{direction}.log",
     params:
         spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
+        step=lambda w: COMPLETE.settings(w.run)["level_ratio"],
         most=lambda w: STUDY.cfg(w)["ida"]["max_islands"],
     script:
         "../scripts/complete_plan.py"

@@ -95,8 +95,8 @@ def probe_intensities(curve):
 def next_amplitude(outcomes, settings, ida):
     """Next amplitude of a search for the collapse band [g], or None when the band is known.
 
-    From the lowest collapse on, gaps wider than `search_ratio` are closed up to a factor `beyond`
-    over the highest amplitude that stood; then neighbours of different outcome are halved, the
+    From the lowest collapse on, gaps wider than `search_ratio` are closed up to a factor
+    `search_beyond` over the highest amplitude that stood; then neighbours of different outcome are halved, the
     lowest first, down to FINE of the window ± amplitude_spread, and what is left of that window
     about each change is filled as densely. Gaps in which a run failed are left.
 
@@ -105,7 +105,7 @@ def next_amplitude(outcomes, settings, ida):
     outcomes : dict of float to str
         Status by PGA, of everything that was run.
     settings, ida : dict
-        Sections ensemble (amplitude_spread) and ida (search_ratio, beyond, max_pga_g).
+        Sections ensemble (amplitude_spread) and ida (search_ratio, search_beyond, max_pga_g).
     """
     valid = sorted(g for g, status in outcomes.items() if status != "failed")
     fell = [g for g in valid if outcomes[g] == "overturned"]
@@ -114,7 +114,7 @@ def next_amplitude(outcomes, settings, ida):
     spread = settings["amplitude_spread"]
     fine, step = 2.0 * spread * FINE, ida["search_ratio"]
     highest = max([fell[0], *(g for g in valid if outcomes[g] == "ok")])
-    top = min(highest * ida["beyond"], ida["max_pga_g"])
+    top = min(highest * ida["search_beyond"], ida["max_pga_g"])
     pairs = list(itertools.pairwise(valid))
     changes = [(a, b) for a, b in pairs if outcomes[a] != outcomes[b]]
     low, high = 1.0 - spread, 1.0 + spread
