@@ -96,9 +96,9 @@ def next_amplitude(outcomes, settings, ida):
     """Next amplitude of a search for the collapse band [g], or None when the band is known.
 
     From the lowest collapse on, gaps wider than `search_ratio` are closed up to a factor
-    `search_beyond` over the highest amplitude that stood; then neighbours of different outcome are halved, the
-    lowest first, down to FINE of the window ± amplitude_spread, and what is left of that window
-    about each change is filled as densely. Gaps in which a run failed are left.
+    `search_beyond` over the highest amplitude that stood; then neighbours of different outcome are
+    halved, the lowest first, down to FINE of the window ± amplitude_spread, and what is left of that
+    window about each change is filled as densely. Gaps in which a run failed are left.
 
     Parameters
     ----------
