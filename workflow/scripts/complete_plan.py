@@ -1,7 +1,8 @@
 """Where YADE begins a curve of the complete building, and its islands: from the reduction's scan.
 
-It begins inside the scan's first island of collapse and not at its edge, which the reduction places to
-a per cent or two only; of further islands it runs the middle, and that of the gap below each.
+It begins inside the scan's first island of collapse and not at its edge, which the reduction
+places to a per cent or two only; of further islands it runs the middle, and that of the gap
+below each.
 """
 
 import itertools

@@ -97,8 +97,8 @@ def next_amplitude(outcomes, settings, ida):
 
     From the lowest collapse on, gaps wider than `search_ratio` are closed up to a factor
     `search_beyond` over the highest amplitude that stood; then neighbours of different outcome are
-    halved, the lowest first, down to FINE of the window ± amplitude_spread, and what is left of that
-    window about each change is filled as densely. Gaps in which a run failed are left.
+    halved, the lowest first, down to FINE of the window ± amplitude_spread, and what is left of
+    that window about each change is filled as densely. Gaps in which a run failed are left.
 
     Parameters
     ----------
