@@ -60,27 +60,37 @@ def _covers(legend, axis):
 
 
 def settle_legends(figure):
-    """Leave out entries of lines outside the axes; put legends that lie on curves beside them."""
-    figure.canvas.draw()
-    for axis in figure.axes:
-        legend = axis.get_legend()
-        if legend is None:
-            continue
-        handles, labels = axis.get_legend_handles_labels()
-        own = [text.get_text() for text in legend.get_texts()] == labels
-        gone = [own and _outside(axis, handle) for handle in handles]
-        covers = _covers(legend, axis)
-        if not covers and not any(gone):
-            continue
-        if own:
-            kept = [(h, t) for h, t, out in zip(handles, labels, gone, strict=True) if not out]
-        else:
-            texts = [text.get_text() for text in legend.get_texts()]
-            kept = list(zip(legend.legend_handles, texts, strict=True))
-        place = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if covers else {}
-        size = legend.get_texts()[0].get_fontsize()
-        title = legend.get_title().get_text() or None
-        axis.legend(*zip(*kept, strict=True), title=title, fontsize=size, **place)
+    """Leave out entries of lines outside the axes; put legends that lie on curves beside them.
+
+    A legend beside its axes makes the others narrower, so they are looked at again.
+    """
+    for _ in range(len(figure.axes) + 1):
+        figure.canvas.draw()
+        if not any([_settle(axis) for axis in figure.axes]):
+            return
+
+
+def _settle(axis):
+    """Settle the legend of one axes as drawn; return whether it moved."""
+    legend = axis.get_legend()
+    if legend is None:
+        return False
+    handles, labels = axis.get_legend_handles_labels()
+    own = [text.get_text() for text in legend.get_texts()] == labels
+    gone = [own and _outside(axis, handle) for handle in handles]
+    covers = _covers(legend, axis)
+    if not covers and not any(gone):
+        return False
+    if own:
+        kept = [(h, t) for h, t, out in zip(handles, labels, gone, strict=True) if not out]
+    else:
+        texts = [text.get_text() for text in legend.get_texts()]
+        kept = list(zip(legend.legend_handles, texts, strict=True))
+    place = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if covers else {}
+    size = legend.get_texts()[0].get_fontsize()
+    title = legend.get_title().get_text() or None
+    axis.legend(*zip(*kept, strict=True), title=title, fontsize=size, **place)
+    return covers
 
 
 def save(figure, output, facts=()):
