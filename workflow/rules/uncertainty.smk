@@ -54,7 +54,7 @@ rule uncertainty_yade:
     params:
         yade=YADE,
     shell:
-        "{params.yade} cells --cells {input.cells:q} --cell {wildcards.cell}"
+        "{params.yade} cells --cells {input.cells:q} --cell {wildcards.cell:q}"
         " --output {output:q} 2> {log:q}"
 
 
