@@ -9,9 +9,9 @@ import hashlib
 
 import numpy as np
 
-from rocking.screening import Motions, moving_supports, peaks, prepare, stable_step
+from rocking.screening import peaks, prepare, stable_step
+from rocking.screening.scan import driving
 from yade_scripts.model import models
-from yade_scripts.model.floor_motions import VERTICAL
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.nodes import with_nodes
 
@@ -62,10 +62,7 @@ class Solver:
         self.job, self.direction, self.ground = job, direction, columns["ground"]
         self.planes = {}
         scene = models.build_scene(with_nodes(job, SCAN_NODES))
-        columns = models.motion_columns(scene, columns)
-        supports = [columns[name] for name in moving_supports(scene)]
-        base = columns[scene.blocks[scene.index(scene.reference)].motion]
-        self.motions = Motions(time_s, base, supports, columns.get(VERTICAL))
+        self.motions = driving(scene, time_s, columns)
 
     def plane(self, nodes):
         """Scene with n nodes a return wall, and the stable step [s] of the scheme."""

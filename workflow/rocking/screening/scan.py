@@ -166,16 +166,21 @@ class Screen(Scan):
             scene = models.build_scene({**job, "model": kind.driven, "numerics": numerics})
             self.planes.append(prepare(scene))
         self.steps_s = [STEP_FRACTION * stable_step(plane) for plane in self.planes]
-        self.carried, supports = None, []
-        base = self.ground
+        self.carried = None
         if kind.massive:
             self.carried = carried_masses(job, scene)
+            self.motions = Motions(time_s, self.ground, (), columns.get(VERTICAL))
         else:
-            columns = models.motion_columns(scene, columns)
-            base = columns[scene.blocks[scene.index(scene.reference)].motion]
-            supports = [columns[name] for name in moving_supports(scene)]
-        self.motions = Motions(time_s, base, supports, columns.get(VERTICAL))
+            self.motions = driving(scene, time_s, columns)
         self.static_g = models.static_multiplier(job)
+
+
+def driving(scene, time_s, columns):
+    """`Motions` of a scene whose supports are driven, by floor motions as `floor_motions.read`."""
+    columns = models.motion_columns(scene, columns)
+    base = columns[scene.blocks[scene.index(scene.reference)].motion]
+    supports = [columns[name] for name in moving_supports(scene)]
+    return Motions(time_s, base, supports, columns.get(VERTICAL))
 
 
 def layouts(numerics):
