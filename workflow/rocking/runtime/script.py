@@ -9,7 +9,9 @@ they come from the command line:
 
 import argparse
 import json
+import os
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 from yade_scripts.engine import lifeline
@@ -50,8 +52,22 @@ def _from_command_line(doc):
     )
 
 
+def _date_alike(outputs):
+    """Give a job's files one date, the newest of theirs.
+
+    Snakemake refuses a link to the first of them that stands for all, as older than the last.
+    """
+    made = [path for path in map(Path, outputs) if path.is_file()]
+    newest_ns = max((path.stat().st_mtime_ns for path in made), default=0)
+    for path in made:
+        os.utime(path, ns=(newest_ns, newest_ns))
+
+
 def run(main, namespace):
-    """Call `main` with the job's description; foreseen errors end in one line and status 1."""
+    """Call `main` with the job's description; foreseen errors end in one line and status 1.
+
+    The files it names as output are then dated alike.
+    """
     lifeline.follow()
     job = namespace.get("snakemake") or _from_command_line(namespace.get("__doc__"))
     log = getattr(job, "log", None)
@@ -64,6 +80,8 @@ def run(main, namespace):
             with open(str(log), "w") as handle:
                 handle.write(line + "\n")
         sys.exit(1)
+    outputs = job.output if namespace.get("snakemake") else vars(job.output).values()
+    _date_alike(map(str, outputs))
     if log:
         with open(str(log), "a"):
             pass
