@@ -34,6 +34,7 @@ rule yade_check:
         "results/{run}/yade.txt",
     log:
         "results/{run}/logs/yade_check.log",
+    priority: 100  # a YADE that does not run is said at once
     params:
         yade=YADE,
     shell:
