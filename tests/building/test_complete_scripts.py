@@ -57,10 +57,11 @@ def test_curves_are_tabled_in_the_form_of_the_other_models(tmp_path):
     fell = pga > 0.2075
     scan["collapsed"], scan["status"] = fell.astype(int), np.where(fell, "overturned", "ok")
     scan.to_csv(tmp_path / "scan.csv", index=False)
+    scan.assign(direction="pos").to_csv(tmp_path / "lone.csv", index=False)
     script(
         "table_complete_collapse.py",
         tmp_path,
-        input={"ida": ["curve.csv"], "scans": ["scan.csv"]},
+        input={"ida": ["curve.csv"], "scans": ["scan.csv", "lone.csv"]},
         output={"collapse": "collapse.csv", "probability": "probability.csv"},
         params={"spread": 0.01},
     )
@@ -70,7 +71,11 @@ def test_curves_are_tabled_in_the_form_of_the_other_models(tmp_path):
     assert row[["pga_safe_g", "pga_collapse_g", "pga_all_g"]].tolist() == [0.205, 0.21, 0.225]
     assert row[["runs_planar", "runs_yade", "disagreements"]].tolist() == [9, 5, 1]
     assert row["reversals"] == 0
+    lone = table.iloc[1]  # the record's other direction has a scan alone
+    assert lone[["pga_safe_g", "pga_collapse_g", "runs_yade"]].tolist() == [0.205, 0.21, 0]
     share = pd.read_csv(tmp_path / "probability.csv")
+    assert share.loc[share["direction"] == "pos", "members_yade"].fillna(0).eq(0).all()
+    share = share[share["direction"] == "neg"]
     assert list(share.columns) == collapse.PROBABILITY_COLUMNS
     own = share[share["members_yade"] == 1]
     assert own["pga_g"].tolist() == [0.20, 0.21, 0.22, 0.24]

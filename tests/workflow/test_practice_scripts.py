@@ -11,7 +11,7 @@ import pandas as pd
 import pytest
 from rocking.curves.ida import curve_key
 from rocking.records import Record, load, read_table, write_csv
-from rocking.study import Study
+from rocking.study import Complete, Study
 
 from smdof.chain import floor_motions
 from yade_scripts.model.motion import Motion
@@ -157,6 +157,12 @@ def test_yade_confirms_the_records_that_the_configuration_says():
     ]
     assert study.ida_tables("main") == [  # bricks have no scan to rest on
         f"results/main/ida/{name}" for name in names if name != "W1/RRS228_neg.csv"
+    ]
+    config["complete"] = {"models": ["CB"]}
+    complete = Complete(Study(config, ROOT))
+    assert [len(complete.scans("main")), len(complete.twins("main"))] == [3, 2]
+    assert complete.curves("main") == [
+        f"results/main/ida/CB/{r}_neg.csv" for r in ("BUCAR0", "HVSC1")
     ]
 
 

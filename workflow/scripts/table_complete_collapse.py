@@ -11,13 +11,14 @@ from rocking.runtime.script import run
 
 
 def main(job):
-    scans = {curve_key(table): table for table in map(pd.read_csv, job.input.scans)}
+    curves = {curve_key(curve): curve for curve in map(read_curve, job.input.ida)}
     spread, rows, parts = job.params.spread, [], []
-    for curve in map(read_curve, job.input.ida):
-        key = curve_key(curve)
-        named = dict(zip(("model", "record", "direction"), key, strict=True))
-        row = named | collapse.summary(scans[key], curve, pd.DataFrame(), spread)
-        table = collapse.beside(scans[key], curve, spread)
+    for scan in map(pd.read_csv, job.input.scans):
+        key = curve_key(scan)
+        curve = curves.get(key, pd.DataFrame())
+        named = dict(zip(collapse.KEY, key, strict=True))
+        row = named | collapse.summary(scan, curve, pd.DataFrame(), spread)
+        table = collapse.beside(scan, curve, spread)
         lone = (table["probability_yade"] - table["probability"]).abs() == 1.0
         rows.append(row | {"disagreements": int(lone.sum())})
         parts.append(table.assign(**named)[collapse.PROBABILITY_COLUMNS])

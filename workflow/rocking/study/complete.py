@@ -34,24 +34,27 @@ class Complete:
 
     def scans(self, run) -> list[str]:
         """Dense scans by the reduction, which show where the curves begin."""
-        return [
-            f"results/{run}/screening/{m}/{record}_{d}.csv" for m, record, d in self._cases(run)
-        ]
+        return [f"results/{run}/screening/{m}/{r}_{d}.csv" for m, r, d in self.cases(run)]
 
     def twins(self, run) -> list[str]:
         """Dense scans of the two-way models beside the curves."""
         return [
             f"results/{run}/screening/{_twin(model)}/{record}_{direction}.csv"
-            for model, record, direction in self._cases(run)
+            for model, record, direction in self.cases(run)
+            if record in self.study.confirmed(run)
         ]
 
-    def _cases(self, run):
-        directions = self.study.runs[run]["directions"]
-        return itertools.product(COMPLETE, self.study.records[run], directions)
+    def cases(self, run) -> list[tuple[str, str, str]]:
+        """Model, record and direction of every curve of a run."""
+        models, directions = self.settings(run)["models"], self.study.runs[run]["directions"]
+        return list(itertools.product(models, self.study.records[run], directions))
 
     def curves(self, run) -> list[str]:
-        """IDA tables of a run's complete buildings."""
-        return [f"results/{run}/ida/{m}/{record}_{d}.csv" for m, record, d in self._cases(run)]
+        """IDA tables of a run's complete buildings: curves that YADE runs."""
+        confirmed = self.study.confirmed(run)
+        return [
+            f"results/{run}/ida/{m}/{r}_{d}.csv" for m, r, d in self.cases(run) if r in confirmed
+        ]
 
     # checks
 
@@ -112,7 +115,10 @@ class Complete:
         tables = ("checks", "convergence", "collapse", "probability")
         own = self.settings(run)
         case = f"{own['check_record']}_{own['check_direction']}"
-        figures = ["complete_ida", *(f"complete_collapse_{model}_{case}" for model in COMPLETE)]
+        figures = [
+            "complete_ida",
+            *(f"complete_collapse_{model}_{case}" for model in own["models"]),
+        ]
         return [
             *(f"results/{run}/tables/complete_{name}.csv" for name in tables),
             *(f"results/{run}/figures/{name}.png" for name in figures),
