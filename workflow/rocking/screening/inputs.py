@@ -1,8 +1,11 @@
-"""What the compiled loop is given beside the plane: motions, carried masses, stop rules."""
+"""What the compiled loops are given beside the plane: motions, carried masses, stop rules."""
 
+import math
 from typing import NamedTuple
 
 import numpy as np
+
+from rocking.runtime.compiled import compiled
 
 OK, OVERTURNED, FAILED = 0, 1, 2
 REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
@@ -57,10 +60,72 @@ class Rules(NamedTuple):
 
     Attributes
     ----------
-    limit_s, overturn_m, rest_velocity_m_s, rest_time_s : float
+    limit_s, overturn_m, rest_m, rest_velocity_m_s, rest_time_s : float
     """
 
     limit_s: float
     overturn_m: float
+    rest_m: float
     rest_velocity_m_s: float
     rest_time_s: float
+
+
+@compiled
+def drive(table, factor, k, past_s, place_m, speed_m_s, gone_m):
+    """Move the driven supports to step k: their place, velocity, and way since the step before.
+
+    They coast after the table; `past_s` is the step, and zero at the first.
+    """
+    last = table.ground_m_s2.size - 1
+    row = min(k, last)
+    for j in range(table.place_m.shape[1]):
+        speed_m_s[j] = factor * table.speed_m_s[row, j]
+        place = factor * table.place_m[row, j]
+        if k > last:
+            place = place_m[j] + past_s * speed_m_s[j]
+        gone_m[j] = place - place_m[j] if k > 0 else 0.0
+        place_m[j] = place
+
+
+@compiled
+def since_closed(depth_m, rate_m_s, dt_s):
+    """Of a node that closed within this step: the share of its force, and of its slip.
+
+    The force stands for half a step on either side of now, of which the node, closed since
+    depth/rate, has been in contact for that share.
+    """
+    since = depth_m / (rate_m_s * dt_s)
+    return min(0.5 + since, 1.5), min(since, 1.0)
+
+
+@compiled
+def verdict(rules, motion_s, max_speed_m_s, k, dt_s, d_m, speed_m_s, shaken, moving_until_s):
+    """Whether a history ends at step k: it failed, overturned, is at rest, or the record ends.
+
+    Parameters
+    ----------
+    rules : Rules
+    motion_s, max_speed_m_s : float
+        End of the motion that matters, and speed from which the run has failed.
+    k, dt_s : int, float
+    d_m, speed_m_s : float
+        Of the monitored point.
+    shaken : bool
+        Whether a mass that carries the supports still moves.
+    moving_until_s : float
+        When the façade was last not at rest.
+
+    Returns
+    -------
+    over, status, moving_until_s : bool, int, float
+    """
+    time = k * dt_s
+    if not (abs(speed_m_s) <= max_speed_m_s and math.isfinite(d_m)):
+        return True, FAILED, moving_until_s
+    if abs(d_m) >= rules.overturn_m:
+        return True, OVERTURNED, moving_until_s
+    if shaken or abs(speed_m_s) > rules.rest_velocity_m_s or abs(d_m) > rules.rest_m:
+        moving_until_s = time
+    elif time > motion_s and time - moving_until_s > rules.rest_time_s:
+        return True, OK, moving_until_s
+    return k >= math.ceil(rules.limit_s / dt_s), OK, moving_until_s

@@ -7,7 +7,7 @@ import numpy as np
 from rocking.runtime.compiled import compiled
 
 from .bars import act, advance, at_rest
-from .inputs import COLUMNS, FAILED, OK, OVERTURNED, REST_RATIO
+from .inputs import COLUMNS, drive, since_closed, verdict
 
 
 @compiled
@@ -74,10 +74,9 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
     y, z, turn, vy, vz, spin = p.start  # rates half a step back, from the second step on
     ay = az = at = 0.0
     peak = moving_until = spent = 0.0
-    status, written, broken, k = OK, 0, 0, 0
+    written, broken, k = 0, 0, 0
     ledger = rows.shape[0] > 0
     last = table.ground_m_s2.size - 1
-    steps = int(math.ceil(rules.limit_s / dt))
     time = 0.0
     while True:
         half, past = (0.5 * dt, dt) if k > 0 else (0.0, 0.0)
@@ -112,13 +111,7 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
                         svz[j] += lift[i, j] * w
                         sdz[j] += lift[i, j] * du
         else:
-            for j in range(supports):
-                now = factor * table.place_m[row, j]
-                sv[j] = factor * table.speed_m_s[row, j]
-                if k > last:  # coasts after the table
-                    now = su[j] + past * sv[j]
-                sdu[j] = now - su[j] if k > 0 else 0.0
-                su[j] = now
+            drive(table, factor, k, past, su, sv, sdu)
         cos, sin = math.cos(turn), math.sin(turn)
         fy = fz = moment = elastic = 0.0
         c00 = c01 = c02 = c11 = c12 = c22 = 0.0  # dashpots that act now, ∂(force)/∂(rates)
@@ -248,11 +241,8 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
                 rate, step = q0 + q1 * s, g0 + g1 * s
                 share = 1.0
                 if (i < was or i >= been) and rate > 0.0 and k > 0:
-                    # this force stands for half a step on either side of now, of which the
-                    # node, closed since depth/rate, has been in contact for this share
-                    since = depth / (rate * dt)
-                    share = min(0.5 + since, 1.5)
-                    step *= min(since, 1.0)
+                    share, part = since_closed(depth, rate, dt)
+                    step *= part
                 normal = max(depth + beta * rate, 0.0)
                 if normal > 0.0:
                     u0 += kn
@@ -372,17 +362,10 @@ def march(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, 
                     rows[written, COLUMNS + j] = su[j]
                     rows[written, COLUMNS + supports + j] = sv[j]
             written += 1
-        if not (abs(v) <= max_speed_m_s and math.isfinite(d)):
-            status = FAILED
-            break
-        if abs(d) >= rules.overturn_m:
-            status = OVERTURNED
-            break
-        if shaken or abs(v) > rules.rest_velocity_m_s or abs(d) > REST_RATIO * p.thickness_m:
-            moving_until = time
-        elif time > motion_s and time - moving_until > rules.rest_time_s:
-            break
-        if k >= steps:
+        over, status, moving_until = verdict(
+            rules, motion_s, max_speed_m_s, k, dt, d, v, shaken, moving_until
+        )
+        if over:
             break
         ahead = dt if k > 0 else 0.5 * dt
         vy, vz, spin = vy + ahead * ay, vz + ahead * az, spin + ahead * at

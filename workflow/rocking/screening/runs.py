@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from scipy.linalg import block_diag
 
-from .inputs import COLUMNS, FAILED, Bodies, Rules, Table
+from .inputs import COLUMNS, FAILED, REST_RATIO, Bodies, Rules, Table
 from .kernel import march
 from .plane import matrices
 from .stack import Stack, march_stack, stack_matrices
@@ -253,6 +253,7 @@ def limits(uplift_m_s2, thickness_m, motions, numerics, factors):
     rules = Rules(
         float(motions.time_s[-2] + numerics["after_motion_s"]),
         float(numerics["overturn_ratio"] * thickness_m),
+        REST_RATIO * thickness_m,
         float(numerics["rest_velocity_m_s"]),
         float(numerics["rest_time_s"]),
     )

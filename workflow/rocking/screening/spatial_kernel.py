@@ -7,7 +7,7 @@ import numpy as np
 
 from rocking.runtime.compiled import compiled
 
-from .inputs import FAILED, OK, OVERTURNED, REST_RATIO
+from .inputs import drive, since_closed, verdict
 
 COLUMNS = 13
 
@@ -124,7 +124,7 @@ def _open(p, i, turn, x, us):
     """Whether node i does not touch its plane."""
     j, depth = p.support[i], p.level_m[i]
     for m in range(3):
-        place = x[m] - (us[j, m] if m < 2 else 0.0)
+        place = x[m] - (us[m, j] if m < 2 else 0.0)
         for n in range(3):
             place += turn[m, n] * p.arm_m[i, n]
         depth -= p.normal[i, m] * place
@@ -157,31 +157,23 @@ def march(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows
     """
     dt, count = across.step_s, p.level_m.size
     last, moving = across.ground_m_s2.size - 1, across.place_m.shape[1]
-    us, vs = np.zeros((moving + 1, 2)), np.zeros((moving + 1, 2))
+    us, vs = np.zeros((2, moving + 1)), np.zeros((2, moving + 1))
     slip, closed = np.zeros((count, 3)), np.zeros(count, np.bool_)
     touching = np.zeros(p.first.size - 1, np.int64)  # nodes of each line at the last step
     x, q, v, momentum = p.place_m.copy(), p.turn.copy(), np.zeros(3), np.zeros(3)
     a, torque, pv, pw, hw = np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3)
     force, r, u = np.zeros(3), np.zeros(3), np.zeros(3)
     turn, middle, other = np.zeros((3, 3)), np.zeros((3, 3)), np.zeros(4)
-    du, rel, step, ahead_l = np.zeros((moving + 1, 2)), np.zeros(3), np.zeros(3), np.zeros(3)
+    du, rel, step, ahead_l = np.zeros((2, moving + 1)), np.zeros(3), np.zeros(3), np.zeros(3)
     peak = twist = slid = spent = work = moving_until = 0.0
-    status, written, k, time = OK, 0, 0, 0.0
-    steps = int(math.ceil(rules.limit_s / dt))
+    written, k, time = 0, 0, 0.0
     while True:
         half, past = (0.5 * dt, dt) if k > 0 else (0.0, 0.0)
         row = min(k, last)
         ax, ay = factor * beside.ground_m_s2[row], factor * across.ground_m_s2[row]
         az = factor * across.vertical_m_s2[row]
-        for j in range(moving):
-            for axis in range(2):
-                table = across if axis else beside
-                vs[j, axis] = factor * table.speed_m_s[row, j]
-                now = factor * table.place_m[row, j]
-                if k > last:
-                    now = us[j, axis] + past * vs[j, axis]
-                du[j, axis] = now - us[j, axis] if k > 0 else 0.0
-                us[j, axis] = now
+        drive(beside, factor, k, past, us[0], vs[0], du[0])
+        drive(across, factor, k, past, us[1], vs[1], du[1])
         _rotation(q, turn)
         _spin(turn, p.inertia_kg_m2, momentum, hw)  # half a step back
         for i in range(3):
@@ -202,8 +194,8 @@ def march(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows
                     r[m] += turn[m, 2] * p.arm_m[i, 2]
                 n0, n1, n2 = p.normal[i, 0], p.normal[i, 1], p.normal[i, 2]
                 j = p.support[i]
-                depth = p.level_m[i] - n0 * (x[0] + r[0] - us[j, 0])
-                depth -= n1 * (x[1] + r[1] - us[j, 1]) + n2 * (x[2] + r[2])
+                depth = p.level_m[i] - n0 * (x[0] + r[0] - us[0, j])
+                depth -= n1 * (x[1] + r[1] - us[1, j]) + n2 * (x[2] + r[2])
                 kn, ks, beta = p.kn_n_m[i], p.ks_n_m[i], p.beta_s[i]
                 if depth <= 0.0:
                     if closed[i]:
@@ -212,19 +204,17 @@ def march(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows
                         closed[i] = False
                         slip[i, 0] = slip[i, 1] = slip[i, 2] = 0.0
                     continue
-                rel[0] = pv[0] + pw[1] * r[2] - pw[2] * r[1] - vs[j, 0]
-                rel[1] = pv[1] + pw[2] * r[0] - pw[0] * r[2] - vs[j, 1]
+                rel[0] = pv[0] + pw[1] * r[2] - pw[2] * r[1] - vs[0, j]
+                rel[1] = pv[1] + pw[2] * r[0] - pw[0] * r[2] - vs[1, j]
                 rel[2] = pv[2] + pw[0] * r[1] - pw[1] * r[0]
-                step[0] = past * (v[0] + hw[1] * r[2] - hw[2] * r[1]) - du[j, 0]
-                step[1] = past * (v[1] + hw[2] * r[0] - hw[0] * r[2]) - du[j, 1]
+                step[0] = past * (v[0] + hw[1] * r[2] - hw[2] * r[1]) - du[0, j]
+                step[1] = past * (v[1] + hw[2] * r[0] - hw[0] * r[2]) - du[1, j]
                 step[2] = past * (v[2] + hw[0] * r[1] - hw[1] * r[0])
                 rate = -(n0 * rel[0] + n1 * rel[1] + n2 * rel[2])
                 along_n = n0 * step[0] + n1 * step[1] + n2 * step[2]
                 share, part = 1.0, 1.0
                 if not closed[i] and rate > 0.0 and k > 0:
-                    # closed since depth/rate: the share of this step's force, and of its slip
-                    since = depth / (rate * dt)
-                    share, part = min(0.5 + since, 1.5), min(since, 1.0)
+                    share, part = since_closed(depth, rate, dt)
                 closed[i] = True
                 touching[g] += 1
                 normal = max(kn * (depth + beta * rate), 0.0)
@@ -250,7 +240,7 @@ def march(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows
                     force[m] += u[m]
                 elastic += 0.5 * kn * depth * depth
                 spent += share * dt * ((normal - kn * depth) * rate + viscous * square)
-                power += u[0] * vs[j, 0] + u[1] * vs[j, 1]
+                power += u[0] * vs[0, j] + u[1] * vs[1, j]
                 torque[0] += r[1] * u[2] - r[2] * u[1]
                 torque[1] += r[2] * u[0] - r[0] * u[2]
                 torque[2] += r[0] * u[1] - r[1] * u[0]
@@ -284,17 +274,10 @@ def march(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows
             rows[written, 9] = p.mass_kg * p.gravity_m_s2 * x[2]
             rows[written, 10], rows[written, 11], rows[written, 12] = elastic, spent, work
             written += 1
-        if not (abs(speed) <= max_speed_m_s and math.isfinite(d)):
-            status = FAILED
-            break
-        if abs(d) >= rules.overturn_m:
-            status = OVERTURNED
-            break
-        if abs(speed) > rules.rest_velocity_m_s or abs(d) > REST_RATIO * p.thickness_m:
-            moving_until = time
-        elif time > motion_s and time - moving_until > rules.rest_time_s:
-            break
-        if k >= steps:
+        over, status, moving_until = verdict(
+            rules, motion_s, max_speed_m_s, k, dt, d, speed, False, moving_until
+        )
+        if over:
             break
         ahead = dt if k > 0 else 0.5 * dt
         for m in range(3):

@@ -13,7 +13,7 @@ import numpy as np
 from rocking.runtime.compiled import compiled
 
 from .bars import Bars, act, advance, at_rest, elements
-from .inputs import FAILED, OK, OVERTURNED, REST_RATIO
+from .inputs import drive, since_closed, verdict
 
 
 class Stack(NamedTuple):
@@ -192,21 +192,14 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
     past_a = np.zeros(3 * blocks)
     row_n, row_t = np.zeros(6), np.zeros(6)
     peak = moving_until = spent = 0.0
-    status, written, broken, k = OK, 0, 0, 0
+    written, broken, k = 0, 0, 0
     last = table.ground_m_s2.size - 1
-    steps = int(math.ceil(rules.limit_s / dt))
     time = 0.0
     while True:
         half, past = (0.5 * dt, dt) if k > 0 else (0.0, 0.0)
         now = min(k, last)
         ag = factor * table.ground_m_s2[now]
-        for j in range(supports):
-            sv[j] = factor * table.speed_m_s[now, j]
-            place = factor * table.place_m[now, j]
-            if k > last:  # coasts after the table
-                place = su[j] + past * sv[j]
-            sdu[j] = place - su[j] if k > 0 else 0.0
-            su[j] = place
+        drive(table, factor, k, past, su, sv, sdu)
         for i in range(blocks):
             pose[i, 0], pose[i, 1] = q[i, 0], q[i, 1]
             pose[i, 2], pose[i, 3] = math.cos(q[i, 2]), math.sin(q[i, 2])
@@ -252,10 +245,9 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
             ty, tz = -nz, ny
             rate, speed, step = -(ny * ry + nz * rz), ty * ry + tz * rz, ty * gy + tz * gz
             share = 1.0
-            if not closed[i] and rate > 0.0 and k > 0:  # see `kernel.march`
-                since = depth / (rate * dt)
-                share = min(0.5 + since, 1.5)
-                step *= min(since, 1.0)
+            if not closed[i] and rate > 0.0 and k > 0:
+                share, part = since_closed(depth, rate, dt)
+                step *= part
             closed[i] = True
             normal = max(depth + beta * rate, 0.0)
             limit, held = p.friction[i] * normal, ratio * (slip[i] + step)
@@ -331,17 +323,10 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
                 rows[written, rows.shape[1] - 2 * supports + j] = su[j]
                 rows[written, rows.shape[1] - supports + j] = sv[j]
             written += 1
-        if not (abs(speed) <= max_speed_m_s and math.isfinite(d)):
-            status = FAILED
-            break
-        if abs(d) >= rules.overturn_m:
-            status = OVERTURNED
-            break
-        if abs(speed) > rules.rest_velocity_m_s or abs(d) > REST_RATIO * p.thickness_m:
-            moving_until = time
-        elif time > motion_s and time - moving_until > rules.rest_time_s:
-            break
-        if k >= steps:
+        over, status, moving_until = verdict(
+            rules, motion_s, max_speed_m_s, k, dt, d, speed, False, moving_until
+        )
+        if over:
             break
         ahead = dt if k > 0 else 0.5 * dt
         for i in range(blocks):
