@@ -1,12 +1,16 @@
 """Legends lie on no curve and name nothing that is not to be seen; figures say their records."""
 
 import json
+import re
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.lines import Line2D
 from rocking.figures import style
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture
@@ -85,6 +89,32 @@ def test_what_records_are_is_said_by_kind_and_counted_where_they_are_many(tmp_pa
         "recorded, shipped: 6 (R0 to R5), 3 stations, 1 event. A. Author (2001), CC BY 4.0"
     )
     assert style.origins([], 20.0) == ""
+
+
+def test_a_record_of_several_runs_is_one_and_another_of_its_name_is_not(tmp_path):
+    paths = []
+    for folder, digest in (("a", "1"), ("b", "1"), ("c", "2")):
+        (tmp_path / folder).mkdir()
+        details = {"file": f"{digest}.at2", "sha256": digest}
+        paths.append(facts(tmp_path / folder, "A", "file", details))
+    assert style.origins(paths, 20.0) == "recorded: A (1.at2); A (2.at2)"
+
+
+NO_RECORD = {  # the building, restitution, shaking tables of others, pushover, critical steps
+    *("fig01_building", "fig02_modes", "figure_building_search", "fig08_w3", "figure_stability"),
+    *("fig04_calibration", "fig05_sorrentino", "fig06_shawa", "calibrate_wall"),
+    "figure_w3_sensitivity",
+}
+
+
+def test_every_figure_of_a_record_says_what_it_is():
+    silent = {
+        path.stem
+        for path in (ROOT / "workflow/scripts").glob("*.py")
+        for line in path.read_text("utf-8").splitlines()
+        if "style.save(" in line and not re.search(r"\bfacts\)|input\.records\)", line)
+    }
+    assert silent == NO_RECORD
 
 
 @pytest.mark.parametrize("side", ["lower", "upper"])

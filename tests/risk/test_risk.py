@@ -1,8 +1,14 @@
 """Risk: closed forms of the rate, two forms of one hazard, fragilities that read back the same."""
 
+import json
+import os
+import subprocess
+import sys
 import xml.etree.ElementTree as ET
+from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 from rocking.curves.fragility import Fragility
 from rocking.risk import nrml, rates
@@ -10,6 +16,7 @@ from rocking.risk.hazard import Hazard, HazardError, imt_of, read_hazard
 from scipy import stats
 from scipy.integrate import quad
 
+ROOT = Path(__file__).resolve().parents[2]
 K0, K, THETA, BETA = 2e-4, 2.3, 0.31, 0.47
 
 
@@ -51,6 +58,60 @@ def test_rate_and_its_parts_agree_with_quadrature():
     total, outside = rates.collapse_rate(hazard, THETA, BETA)
     assert rate.sum() == pytest.approx(total[0], rel=1e-12)
     assert outside[0] == pytest.approx((rate[0, 0] + rate[0, -1]) / total[0])
+
+
+def test_a_hazard_table_in_a_rate_with_its_interval_out(tmp_path):
+    """Both by hand: moments of ln PGA, and F summed over the drops of the table's hazard.
+
+    Twenty records, both directions; the interval by drawing them again with other numbers.
+    """
+    x, rate = np.array([0.05, 0.1, 0.3, 1.0]), np.array([2e-2, 6e-3, 5e-4, 1.5e-5])
+    rng = np.random.default_rng(11)
+    record = rng.normal(np.log(THETA), 0.4, 20)
+    ln_pga = record[:, None] + rng.normal(0.0, 0.2, (20, 2))
+
+    grid = np.linspace(np.log(1e-3), np.log(30.0), 1500)
+    inside = np.interp(grid, np.log(x), np.log(rate))
+    first, last = (np.diff(np.log(rate)) / np.diff(np.log(x)))[[0, -1]]
+    ends = first * np.minimum(grid - np.log(x[0]), 0) + last * np.maximum(grid - np.log(x[-1]), 0)
+    drops, middle = -np.diff(np.exp(inside + ends)), 0.5 * (grid[1:] + grid[:-1])
+
+    def by_hand(samples):
+        mean, deviation = samples.mean(axis=(1, 2)), samples.std(axis=(1, 2))
+        return stats.norm.cdf((middle - mean[:, None]) / deviation[:, None]) @ drops
+
+    drawn = by_hand(ln_pga[rng.integers(0, 20, (2000, 20))])
+    (tmp_path / "hazard.csv").write_text(
+        "pga_g,annual_rate\n" + "".join(f"{a},{b}\n" for a, b in zip(x, rate, strict=True))
+    )
+    rows = [
+        ("W1", f"R{i}", d, "pga_g", 0.999 * np.exp(v), 1.001 * np.exp(v), 1.0)
+        for (i, d), v in np.ndenumerate(ln_pga)
+    ]
+    names = ["model", "record", "direction", "im", "low", "high", "weight"]
+    pd.DataFrame(rows, columns=names).to_csv(tmp_path / "brackets.csv", index=False)
+    settings = {"confidence": 0.9, "resamples": 2000, "seed": 1, "min_records": 12}
+    params = {"risk": {"site": None, "years": 50, "bins": 6}, "fragility": settings}
+    words = [f"{k}={json.dumps(v)}" for k, v in (params | {"period_s": 0.27}).items()]
+    subprocess.run(
+        [sys.executable, ROOT / "workflow/scripts/risk_rate.py", "--params", *words]
+        + ["--input", "brackets=brackets.csv", "hazard=hazard.csv"]
+        + ["--output", "table=risk.csv", "deaggregation=parts.csv"],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'workflow'}"},
+        check=True,
+        timeout=60,
+    )
+    (row,) = pd.read_csv(tmp_path / "risk.csv").to_dict("records")
+    assert row["annual_rate"] == pytest.approx(by_hand(ln_pga[None])[0], rel=2e-3)
+    low, high = np.percentile(drawn, [5, 95])
+    assert (row["rate_low"], row["rate_high"]) == pytest.approx((low, high), rel=0.06)
+    assert high / low > 1.5  # an interval worth the name
+    hours = 8766.0  # of a year; none of those in 50 years fells it
+    in_50_years = 1.0 - (1.0 - row["annual_rate"] / hours) ** (50.0 * hours)
+    assert row["probability"] == pytest.approx(in_50_years, rel=1e-4)
+    parts = pd.read_csv(tmp_path / "parts.csv")
+    assert parts["annual_rate"].sum() == pytest.approx(row["annual_rate"], rel=1e-4)
 
 
 def test_many_fragilities_at_once_and_the_two_without_a_fit():

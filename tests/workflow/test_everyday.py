@@ -15,6 +15,7 @@ import pytest
 from rocking.records import read_table
 from rocking.records.check import check_records
 from rocking.runtime import results_folder
+from rocking.study import Compare, Study
 
 ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
@@ -232,7 +233,23 @@ def finished(tmp_path):
         (folder / "tables/ida_collapse.csv").write_text(TABLE.format(median))
         text = f"run: {name}\nseed: 1\nmodels: [W1]\nfacade:\n  height_m: {height}\n"
         (folder / "config.yaml").write_text(text)
+    (tmp_path / "results/tall/records").mkdir()
+    facts = '{"name": "A", "source": "file", "details": {}}'
+    (tmp_path / "results/tall/records/A.json").write_text(facts)
     return tmp_path
+
+
+def test_records_of_a_finished_run_are_those_of_its_curves_that_it_still_has(finished):
+    (finished / "results/tall/records/B.json").touch()  # of no curve
+    results = str(finished / "results")
+    study = Study({"compare": ["low", "tall"], "records": ["BUCAR0"]}, ROOT)
+    assert Compare(study, results).facts() == [f"{results}/tall/records/A.json"]
+    several = Study({"records": ["BUCAR0"], "grid": {"facade.height_m": [5, 6]}}, ROOT)
+    assert (
+        Compare(several, results).facts()
+        == several.all_facts()
+        == several.facts_of(next(iter(several.runs)))
+    )
 
 
 def test_finished_runs_side_by_side_with_what_differs(finished):

@@ -69,10 +69,13 @@ def test_the_answer_says_what_to_trust_and_how_far_records_were_scaled(tmp_path)
         "model,record,direction,pga_g,status\nW1,A,pos,0.6,ok\nW1,A,pos,0.7,overturned\n"
         "W1,B,pos,0.2,failed\n"
     )
-    (tmp_path / "records.csv").write_text("record,source,pga_g\nA,surrogate,0.1\nB,file,0.2\n")
+    (tmp_path / "records.csv").write_text(
+        "record,source,pga_g\nA,surrogate,0.1\nB,file,0.2\nC,file,0.1\n"
+    )
     (tmp_path / "collapse.csv").write_text(
-        "model,record,direction,pga_safe_g,pga_collapse_g,pga_p10_g,pga_p90_g,disagreements,"
-        "runs_yade,runs_planar\nW1,A,pos,0.6,0.7,0.6,0.9,2,37,641\nW1,B,pos,0.2,,,,0,5,0\n"
+        "model,record,direction,pga_safe_g,pga_collapse_g,pga_p10_g,pga_p90_g,pga_all_g,pga_max_g,"
+        "disagreements,runs_yade,runs_planar\nW1,A,pos,0.6,0.7,0.6,0.9,0.8,1.4,2,37,641\n"
+        "W1,B,pos,0.2,,,,,0.4,0,5,0\nW1,C,pos,0.2,0.2,0.2,0.2,0.3,0.5,0,0,99\n"
     )
     (tmp_path / "figure.png").write_bytes(b"not looked at" * 999)
     code = (
@@ -80,7 +83,8 @@ def test_the_answer_says_what_to_trust_and_how_far_records_were_scaled(tmp_path)
         "import Settings; sys.path.insert(0, sys.argv[1]); snakemake = N(wildcards=N(run='r'), "
         "params=N(facade=Settings('{\"facade\":{\"height_m\":5.0}}'), models=['W1, a block']), "
         "input=N(ida=['ida.csv'], records='records.csv', collapse='collapse.csv', "
-        "figure='figure.png', style=sys.argv[2]), output=N(page='p.html', first='p.rst', "
+        "figure='figure.png', style=sys.argv[2]), output=type('Files', (N,), "
+        "{'__iter__': lambda f: iter(vars(f).values())})(page='p.html', first='p.rst', "
         "factors='f.csv')); "
         "exec(open(sys.argv[1] + '/report_summary.py').read())"
     )
@@ -95,16 +99,18 @@ def test_the_answer_says_what_to_trust_and_how_far_records_were_scaled(tmp_path)
     )
     assert done.returncode == 0, done.stderr
     assert "warning: record A is scaled to 7.0 times its own peak, above 5" in done.stderr
-    assert (tmp_path / "f.csv").read_text().splitlines()[1] == "A,0.1,0.7,7"
+    # of C, which YADE did not run, the amplitude from which all of the scan fell
+    rows = (tmp_path / "f.csv").read_text().splitlines()[1:]
+    assert rows == ["A,0.1,0.7,7", "B,0.2,0.2,1", "C,0.1,0.3,3"]
     text = (tmp_path / "p.html").read_text()
     for piece in (
         "height 5 m",
-        "1 of 2 records are surrogates",
+        "1 of 3 records are surrogates",
         "more than 5 times their own peak: A (7.0)",
         "1 of 3 runs failed",
-        "1 of 2 curves never collapsed",
+        "1 of 3 curves never collapsed",
         "At 2 intensities YADE and the planar solver disagree",
-        "1 of 2 curves have no single collapse intensity",
+        "1 of 3 curves have no single collapse intensity",
         '<td class="number">37</td><td class="number">641</td>',
     ):
         assert piece in text, piece

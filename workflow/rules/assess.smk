@@ -63,6 +63,7 @@ rule assess_floor_spectra:
     input:
         table=lambda w: STUDY.table_path(w.run),
         records=lambda w: STUDY.record_files(w),
+        facts=STUDY.record_facts,
         modules=code("assess_floor_spectra"),
     output:
         table="results/{run}/assessment/floor_spectra.csv",
@@ -86,6 +87,7 @@ rule assess_floor_spectra:
 rule compare_code_and_dynamics:
     input:
         tables=ASSESSMENT.compared,
+        facts=STUDY.all_facts,
         modules=code("code_against_dynamics"),
     output:
         table=f"{COMPARED}/code_against_dynamics.csv",

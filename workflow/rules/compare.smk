@@ -9,6 +9,7 @@ rule compare:
 rule compare_runs:
     input:
         tables=COMPARE.tables,
+        facts=COMPARE.facts,
         modules=code("figure_compare"),
     output:
         table=f"results/{STUDY.name}/compare/collapse.csv",

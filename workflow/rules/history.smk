@@ -62,6 +62,7 @@ use rule frames as history_frames with:
 use rule animation_collapse as animation_history with:
     input:
         frames="results/{run}/histories/{model}/{record}_{direction}_{pga}g.json",
+        facts="results/{run}/records/{record}.json",
         modules=code("animation_collapse"),
     output:
         "results/{run}/histories/{model}/{record}_{direction}_{pga}g.gif",

@@ -53,7 +53,7 @@ def main(job):
         axis.minorticks_off()
     axes[0].set_ylabel("formula / exact [-]")
     axes[0].legend(loc="lower left", fontsize=7)
-    style.save(figure, [job.output.png, job.output.pdf])
+    style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
 
 
 run(main, globals())

@@ -41,7 +41,7 @@ def gather(job):
     return pd.concat(parts, ignore_index=True)
 
 
-def draw_ratios(table, output):
+def draw_ratios(table, output, facts):
     """A panel a model: median ratio with one logarithmic deviation, unsafe share beside."""
     table = table[(table["group"] == "all") & (table["level"] == "median")]
     models = list(dict.fromkeys(table["model"]))
@@ -73,10 +73,10 @@ def draw_ratios(table, output):
         axis.set_title(f"{model}; right: share unsafe", size=8)
         axis.set_xlabel("PGA check / PGA collapse [-]")
         axis.set_yticks(y, [CHECKS[k] for k in keys])
-    style.save(figure, output)
+    style.save(figure, output, facts)
 
 
-def draw_groups(table, output):
+def draw_groups(table, output, facts):
     """Share on the unsafe side by what façades and records have in common."""
     table = table[table["level"] == "median"]
     models = list(dict.fromkeys(table["model"]))
@@ -114,7 +114,7 @@ def draw_groups(table, output):
                 axis.set_xlabel(HEADINGS[group])
     handles, labels = axes[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=4, fontsize=7)
-    style.save(figure, output)
+    style.save(figure, output, facts)
 
 
 def main(job):
@@ -122,8 +122,8 @@ def main(job):
     table.to_csv(job.output.ratios, **FORMAT)
     found = compare(table, job.params.resamples, job.params.seed)
     found.to_csv(job.output.table, **FORMAT)
-    draw_ratios(found, [job.output.png, job.output.pdf])
-    draw_groups(found, [job.output.groups_png, job.output.groups_pdf])
+    draw_ratios(found, [job.output.png, job.output.pdf], job.input.facts)
+    draw_groups(found, [job.output.groups_png, job.output.groups_pdf], job.input.facts)
 
 
 run(main, globals())

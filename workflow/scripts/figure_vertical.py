@@ -11,13 +11,15 @@ from yade_scripts.model.registry import MODELS
 
 LINES = ("-", "--", "-.", ":")
 SMALL = {"color": style.GREY, "lw": 0.9}
-LOW, HIGH = 0.7, 1.4  # of the ratios that are drawn; further ones stand at the edge
+LEAST = 1.4  # the axes of ratios reach so far to both sides of one, or to the last ratio
+TICKS = (0.1, 0.2, 0.3, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.4, 1.7, 2.0, 3.0, 5.0, 10.0)
 
 
 def main(job):
     table = pd.read_csv(job.input.table)
     found = ratios(table)
     found = found[found["measure"] == "median"]
+    reach = max(LEAST, 1.03 * float(np.exp(np.log(found["ratio"]).abs().max())))
     figure, (left, right) = plt.subplots(1, 2, figsize=(7.0, 3.4), layout="constrained")
     for i, model in enumerate(dict.fromkeys(found["model"])):
         kind, ls = MODELS[model], LINES[i % len(LINES)]
@@ -27,12 +29,12 @@ def main(job):
             ("whole", {"color": kind.colour}, model),
         ):
             part = of_model[of_model["vertical"] == share].dropna(subset="ratio")
-            ratio = np.clip(np.sort(part["ratio"]), LOW, HIGH)
+            ratio = np.sort(part["ratio"])
             shares = (np.arange(len(ratio)) + 0.5) / len(ratio)
             left.plot(ratio, shares, ls=ls, drawstyle="steps-mid", label=label, **look)
         right.plot(
             part["vertical_over_horizontal"],
-            np.clip(part["ratio"], LOW, HIGH),
+            part["ratio"],
             ls="",
             marker=kind.marker,
             ms=4,
@@ -43,12 +45,11 @@ def main(job):
     left.axvline(1.0, color=style.GREY, lw=0.8, zorder=0)
     right.axhline(1.0, color=style.GREY, lw=0.8, zorder=0)
     label = "collapse PGA, with over without vertical motion [-]"
-    left.set(xscale="log", xlim=(LOW, HIGH), ylim=(0, 1), ylabel="share of curves [-]")
-    right.set(
-        yscale="log", ylim=(LOW / 1.03, HIGH * 1.03), xlabel="PGA, vertical over horizontal [-]"
-    )
-    ticks = (0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.4)
+    left.set(ylim=(0, 1), ylabel="share of curves [-]")
+    right.set(xlabel="PGA, vertical over horizontal [-]")
+    ticks = [t for t in TICKS if 1.0 / reach < t < reach]
     for axis, name in ((left, "x"), (right, "y")):
+        axis.set(**{f"{name}scale": "log", f"{name}lim": (1.0 / reach, reach)})
         axis.minorticks_off()
         axis.set(**{f"{name}ticks": ticks, f"{name}ticklabels": [f"{t:g}" for t in ticks]})
         axis.set(**{f"{name}label": label})

@@ -20,11 +20,17 @@ BANDS = ("pga_median_g", "pga_p10_g", "pga_p90_g")
 BEHIND = ("runs_yade", "runs_planar")  # runs that stand behind a row
 
 
-def scale_factors(records, runs):
-    """Largest intensity of every record's runs over its own peak."""
-    largest = runs.groupby("record", sort=False)["pga_g"].max().rename("pga_largest_g")
-    table = records.set_index("record")[["pga_g"]].join(largest, how="inner").reset_index()
-    return table.assign(scale_factor=table["pga_largest_g"] / table["pga_g"])
+def scale_factors(records, runs, collapse):
+    """Largest intensity of every record's runs over its own peak.
+
+    Of a record that YADE does not confirm: from where its scans collapse throughout, or to where
+    they went.
+    """
+    table = records[["record", "pga_g"]]
+    largest = runs.groupby("record")["pga_g"].max()
+    scanned = collapse["pga_all_g"].fillna(collapse["pga_max_g"]).groupby(collapse["record"]).max()
+    found = table["record"].map(largest).fillna(table["record"].map(scanned))
+    return table.assign(pga_largest_g=found, scale_factor=found / table["pga_g"])
 
 
 def cautions(records, runs, collapse, factors):
@@ -87,7 +93,7 @@ def main(job):
     p = job.params
     records, collapse = pd.read_csv(job.input.records), pd.read_csv(job.input.collapse)
     runs = pd.concat(pd.read_csv(path) for path in job.input.ida)
-    factors = scale_factors(records, runs)
+    factors = scale_factors(records, runs, collapse)
     factors.to_csv(job.output.factors, index=False, float_format="%.4g", lineterminator="\n")
     for row in factors[factors["scale_factor"] > LARGE_FACTOR].itertuples():
         print(

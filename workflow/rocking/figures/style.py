@@ -148,9 +148,11 @@ def sources(facts):
     Returns
     -------
     list of str
-        Station, event, component and file of up to `NAMED` records, of more their numbers.
+        Station, event, component and file of up to `NAMED` records, of more their numbers; a
+        record that several runs have is one.
     """
     lines = []
+    facts = {(f["name"], f["source"], f["details"].get("sha256")): f for f in facts}.values()
     for source, words in SOURCES.items():
         mine = [f["details"] | {"name": f["name"]} for f in facts if f["source"] == source]
         if not mine:

@@ -1,5 +1,6 @@
 """Runs side by side: those of the configuration, and finished ones that it names."""
 
+import csv
 import itertools
 from pathlib import Path
 
@@ -74,6 +75,19 @@ class Compare:
                 "--config compare=main,tall -- compare"
             )
         return [f"{self.results}/{run}/{TABLE}" for run in self.runs]
+
+    def facts(self, wildcards=None) -> list[str]:
+        """Provenance files of the runs' records; of a finished run those that it still has."""
+        found = []
+        for run in self.runs:
+            if run in self.study.runs:
+                found += self.study.facts_of(run)
+                continue
+            with open(f"{self.results}/{run}/{TABLE}", encoding="utf-8", newline="") as handle:
+                names = dict.fromkeys(row["record"] for row in csv.DictReader(handle))
+            paths = (Path(self.results, run, "records", f"{name}.json") for name in names)
+            found += [str(path) for path in paths if path.is_file()]
+        return list(dict.fromkeys(found))
 
     def _file(self, run):
         return Path(self.results, run, "config.yaml")

@@ -149,10 +149,17 @@ class Study:
             return []
         return surrogates_for(self.table_path(wildcards.run)) or []
 
-    def record_facts(self, wildcards):
+    def facts_of(self, run) -> list[str]:
         """Provenance files of all records of a run."""
-        run = wildcards.run
         return [self.shared.path(run, f"records/{name}.json") for name in self.records[run]]
+
+    def record_facts(self, wildcards):
+        """Those of a job's run."""
+        return self.facts_of(wildcards.run)
+
+    def all_facts(self, wildcards=None) -> list[str]:
+        """Those of all runs, each file once."""
+        return list(dict.fromkeys(self.per_run(self.facts_of)))
 
     def floor_motions(self, run, record) -> str:
         """Floor motions of a record."""
