@@ -7,6 +7,7 @@ import pytest
 from rocking.configuration.config import ConfigError
 from rocking.screening.plane import moving_supports, prepare
 from rocking.screening.runs import Motions, history
+from scipy.integrate import solve_ivp
 from yade_process import in_yade, resolved
 
 from yade_scripts.model import models
@@ -174,6 +175,84 @@ def test_yade_and_the_compiled_solver():
     assert planar.peak_d_over_b > 0.1
     assert got["peak"] == pytest.approx(planar.peak_d_over_b, rel=0.01)
     assert got["residual"] < 2e-3 * got["overturning"]
+
+
+# Elevations as polygons (x, z), holes clockwise, each with its faces y0, y1.
+OUTLINES = {
+    "plain": ({}, [([(-2.2, 0), (2.2, 0), (2.2, 6.48), (-2.2, 6.48)], 0.0, 0.375)]),
+    "gable, setback, openings": (
+        {**ALL, "flush_face": "inner"},
+        [
+            (
+                [(-2.2, 0), (-0.2, 0), (-0.2, 2.2), (1, 2.2), (1, 0), (2.2, 0)]
+                + [(2.2, 3.24), (-2.2, 3.24)],
+                *(0.0, 0.375),
+            ),
+            ([(1.5, 1), (1.5, 2.2), (2.1, 2.2), (2.1, 1)], 0.0, 0.375),
+            ([(-2.2, 3.24), (2.2, 3.24), (2.2, 6.48), (0, 7.98), (-2.2, 6.48)], 0.0, 0.25),
+            ([(-1.7, 4), (-1.7, 5.5), (-0.7, 5.5), (-0.7, 4)], 0.0, 0.25),
+        ],
+    ),
+}
+
+
+def half_cycle(outlines, top_m, time_s, ground):
+    """Displacement of the top's middle by Housner's equation about the toe (b, 0), rigid and sharp:
+
+    I θ'' = −m g (b_g cos θ − z_g sin θ) − m a_g (z_g cos θ + b_g sin θ), θ ≥ 0, with m, b_g, z_g
+    and I of unit density from the areas and moments of polygons (Green), until it comes back.
+    """
+    b, sums = 0.375, np.zeros(4)  # m, m b_g, m z_g, I
+    for points, y0, y1 in outlines:
+        (x, z), (x1, z1) = np.transpose(points), np.transpose(np.roll(points, -1, axis=0))
+        cross = x * z1 - x1 * z
+        area, first = 0.5 * cross.sum(), ((z + z1) * cross).sum() / 6.0
+        second = ((z * z + z * z1 + z1 * z1) * cross).sum() / 12.0
+        far, near = b - y0, b - y1
+        arm, square = 0.5 * (far**2 - near**2), (far**3 - near**3) / 3.0
+        sums += (y1 - y0) * area, arm * area, (y1 - y0) * first, (y1 - y0) * second + square * area
+    mass, inward, upward, inertia = sums
+
+    def rates(t, state):
+        sin, cos = np.sin(state[0]), np.cos(state[0])
+        turning = -G * (inward * cos - upward * sin)
+        turning -= np.interp(t, time_s, ground) * (upward * cos + inward * sin)
+        return state[1], turning / inertia if state[0] > 0.0 else max(turning / inertia, 0.0)
+
+    end = (0.0, time_s[-1])
+    theta = solve_ivp(rates, end, (0.0, 0.0), t_eval=time_s, max_step=2e-3, rtol=1e-8, atol=1e-10).y
+    y, top = b - 0.5 * (outlines[-1][1] + outlines[-1][2]), top_m  # of the top's middle
+    return top * np.sin(theta[0]) + y * (1.0 - np.cos(theta[0])), top * inward / upward
+
+
+def first_swing(time_s, d):
+    """Largest d, and when it has come back to half of that."""
+    k = int(np.argmax(d))
+    back = k + int(np.argmax(d[k:] < 0.5 * d[k]))
+    return d[k], np.interp(-0.5 * d[k], -d[k : back + 1], time_s[k : back + 1])
+
+
+@pytest.mark.yade
+@pytest.mark.parametrize("name", OUTLINES)
+def test_half_a_cycle_is_that_of_its_outline(name):
+    """Peak and time of return of both solvers on a hard base, within 1 % of Housner's equation."""
+    facade, outlines = OUTLINES[name]
+    facade = {**facade, "base_stiffness_pa_m": 1e12, "friction_deg": 80.0}
+    config = resolved(facade=facade, numerics={**FEW, "after_motion_s": 0.0})
+    time_s = np.linspace(0.0, 1.8, 361)
+    ground = -1.3 * np.where(time_s < 0.8, np.sin(np.pi * time_s / 0.8) ** 2, 0.0)
+    scene = facade_scene(config, "W1", 1e-5)
+    d, b = half_cycle(outlines, scene.monitor_point_m[2], time_s, ground)
+    expected = first_swing(time_s, d)
+    assert 0.2 < expected[0] / b < 0.8
+    found = history(prepare(scene), Motions(time_s, ground), config["numerics"], sample_s=0.002)
+    got = in_yade(
+        "accuracy_cases", "shaken", config=config, model="W1", beta_s=1e-5, fraction=0.2,
+        time_s=time_s.tolist(), columns={"ground": ground.tolist()},
+    )  # fmt: skip
+    for times, swing in ((found.time_s, found.d_m), (np.array(got["time"]), np.array(got["d"]))):
+        assert first_swing(times, swing) == pytest.approx(expected, rel=0.01)
+    assert found.peak_d_over_b == pytest.approx(expected[0] / b, rel=0.01)
 
 
 @pytest.mark.parametrize(

@@ -150,6 +150,23 @@ def test_yade_and_the_compiled_solver(model, beside):
     assert abs(found.d_over_b / alone.d_over_b - 1.0) > 0.02  # else nothing was compared
 
 
+@pytest.mark.yade
+def test_books_of_yade_close_under_both():
+    """Input of both supports' motions = stored + dashpots + friction, most of it along x."""
+    few = {**SHORT, "nodes_thickness": 3, "nodes_height": 3}
+    t, columns = shaken(1.4, 6.0)
+    got = in_yade(
+        "accuracy_cases", "balanced", config={**resolved(numerics=few), "width_nodes": 3},
+        model="W1", beta_s=BETA_S, fraction=0.2, time_s=t.tolist(),
+        columns={name: values.tolist() for name, values in columns.items()},
+    )  # fmt: skip
+    assert got["status"] == "ok"
+    assert got["peak"] > 0.1
+    _, put_in, _, _, _, dashpots, friction, _, _ = got["last"]
+    assert friction > 10.0 * dashpots > 0.0
+    assert got["residual"] < min(2e-3 * got["overturning"], 2e-4 * put_in)
+
+
 def test_lowest_collapse_from_any_start():
     """The lowest of levels that fall in one go above or below the start; None up to the end."""
     curve = object.__new__(Curve)
