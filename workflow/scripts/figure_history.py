@@ -11,7 +11,6 @@ from rocking.runtime.script import run
 
 from yade_scripts.model.registry import MODELS
 
-SIGNS = {"pos": "+", "neg": "−"}
 FORCES = {
     "base_z_n": ("base, upward", "#0072B2"),
     "base_y_n": ("base, outward", "#56B4E9"),
@@ -58,8 +57,9 @@ def main(job):
     for axis in axes[1:]:  # beside the axes: it can lie on no curve
         axis.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     ending = "" if first["status"] == "ok" else f", {first['status']} at {t.iloc[-1]:.2f} s"
+    sign = style.SIGNS[first["direction"]]
     figure.suptitle(
-        f"{first['model']}, {provenance} {SIGNS[first['direction']]}, PGA {first['pga_g']:g} g: "
+        f"{first['model']}, {provenance} {sign}, PGA {first['pga_g']:g} g: "
         f"largest |d|/b {history['d_over_b'].abs().max():.3f}{ending}",
         fontsize=9,
     )

@@ -9,13 +9,6 @@ import pandas as pd
 from rocking.figures import style
 from rocking.runtime.script import run
 
-SIGNS = {"pos": "+", "neg": "−"}
-LOOKS = (
-    ("#0072B2", "-", "o"),
-    ("#D55E00", "--", "s"),
-    ("#009E73", "-.", "^"),
-    ("#CC79A7", ":", "D"),
-)
 TICKS_KN = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
 
 
@@ -32,7 +25,7 @@ def main(job):
     first = settings["forces_kn"][0]
     figure, (left, right) = plt.subplots(1, 2, figsize=(7.6, 3.3))
     for k, (height, part) in enumerate(table.groupby("height_m")):
-        colour, line, marker = LOOKS[k % len(LOOKS)]
+        colour, line, marker = style.LOOKS[k % len(style.LOOKS)]
         x = place(part["force_kn"], first)
         left.fill_between(x, part["low"], part["high"], color=colour, alpha=0.15, lw=0)
         share = height / job.params.height_m
@@ -68,7 +61,7 @@ def main(job):
     found = f"least tie {held['force_kn'].min():.3g} kN" if len(held) else "no tie tried holds"
     left.set_title(
         f"{table['model'].iloc[0]}, {style.provenance(facts)} "
-        f"{SIGNS[table['direction'].iloc[0]]}: {found}",
+        f"{style.SIGNS[table['direction'].iloc[0]]}: {found}",
         loc="left",
     )
     style.save(figure, [job.output.png, job.output.pdf], job.input.facts)

@@ -9,8 +9,6 @@ from rocking.runtime.script import run
 
 from yade_scripts.model.registry import MODELS
 
-SIGNS = {"pos": "+", "neg": "−"}
-
 
 def main(job):
     found = pairs(pd.read_csv(job.input.table))
@@ -53,7 +51,7 @@ def main(job):
         axis.set(xscale="log", xlabel="collapse PGA [g]")
         axis.xaxis.set_major_formatter(lambda v, _: f"{v:g}")
         axis.xaxis.set_minor_formatter(lambda v, _: f"{v:g}" if f"{v:.0e}"[0] in "235" else "")
-    names = [f"{record} {SIGNS[direction]}" for record, direction in rows]
+    names = [f"{record} {style.SIGNS[direction]}" for record, direction in rows]
     axes[0, 0].set_yticks(range(len(rows)), names)
     axes[0, 0].invert_yaxis()
     handles = dict(zip(*reversed(axes[0, 0].get_legend_handles_labels()), strict=True))

@@ -13,6 +13,13 @@ from matplotlib.lines import Line2D
 from matplotlib.transforms import Bbox
 
 GREY = "0.65"
+SIGNS = {"pos": "+", "neg": "−"}  # of a direction
+LOOKS = (  # colour, line and marker of curves that belong to no model
+    ("#0072B2", "-", "o"),
+    ("#D55E00", "--", "s"),
+    ("#009E73", "-.", "^"),
+    ("#CC79A7", ":", "D"),
+)
 MARGIN_IN = 0.05
 NAMED = 4  # records that are named one by one below a figure
 SOURCES = {
