@@ -18,23 +18,24 @@ from rocking.figures import style
 from rocking.runtime.script import run
 
 from yade_scripts.model.registry import MODELS
+from yade_scripts.model.shape import shape_of
 
 LOG_RATIO = 8.0  # between the strongest and the weakest model of a record
 BESIDE = (1.06, 0.0, 0.2, 1.0)  # place of the probability, over the panel's width and height
 
 
-def rigid_pushover(h, b):
-    """Rigid block about its toe: λ(θ) = tan(α − θ) against d/b = h sin θ / b."""
+def rigid_pushover(b, h):
+    """Rigid block about its toe: λ(θ) = tan(α − θ) against d/b = h sin θ / b, tan α = b/h."""
     alpha = np.arctan2(b, h)
     theta = np.linspace(0.0, alpha, 50)
     return h * np.sin(theta) / b, np.tan(alpha - theta)
 
 
-def draw_pushover(axis, path, h, b):
+def draw_pushover(axis, path, facade):
     """Static curve of a model in grey; without a table, the rigid block's."""
     grey = {"color": style.GREY, "lw": 1.6, "zorder": 1}
     if path is None:
-        axis.plot(*rigid_pushover(h, b), label="pushover, rigid block", **grey)
+        axis.plot(*rigid_pushover(*shape_of(facade).lever_m), label="pushover, rigid block", **grey)
         return
     curve, kind = pd.read_csv(path), MODELS[Path(path).stem]
     value = smoothed(curve, "lambda_dem") if kind.walls == "bricks" else curve["lambda_dem"]
@@ -112,7 +113,7 @@ def main(job):
     size = (max(5.0, 4.0 * shape[1]), 0.9 + 2.0 * shape[0])
     figure, axes = plt.subplots(*shape, figsize=size, squeeze=False, sharex=True)
     blank = pd.DataFrame(columns=collapse.PROBABILITY_COLUMNS)
-    pushovers = list(job.input.pushover) or [None]
+    pushovers = list(job.input.pushover) or ([] if facade["hinges_m"] else [None])
     shown = {r: [highest(row) for key, row in rows.items() if key[1] == r] for r in p.records}
     # bonded façades may stand so much that the others vanish
     logarithmic = any(max(values) > LOG_RATIO * min(values) for values in shown.values())
@@ -122,14 +123,14 @@ def main(job):
             axis = axes[i, j]
             beside = axis.inset_axes(BESIDE, sharey=axis)
             for path in pushovers:
-                draw_pushover(axis, path, facade["height_m"], facade["thickness_m"])
+                draw_pushover(axis, path, facade)
             for key in (key for key in rows if key[1:] == (record, direction)):
                 if key in scans:
                     draw_scan(axis, scans[key])
                 if key in curves:
                     draw_curve(axis, curves[key], top, joined=key not in scans)
                 draw_probability(beside, tables.get(key, blank), rows[key])
-            sign = {"pos": "+", "neg": "−"}[direction]
+            sign = style.SIGNS[direction]
             axis.set_title(f"{style.provenance(facts[record])}, direction {sign}", loc="left")
             axis.set(xlim=(0, 1.0), ylim=(0, top), ylabel="PGA [g]" if j == 0 else None)
             if logarithmic:

@@ -152,9 +152,13 @@ def is_plain(facade):
     return not (any(facade.get(key) for key in OWN_KEYS) or facade.get("base_height_m"))
 
 
-def refuse(facade, what):
-    """Raise a ValueError of one line if the façade is no plain box on the ground, in one piece."""
-    given = [key for key in (*OWN_KEYS, "base_height_m", "hinges_m") if facade.get(key)]
+def refuse(facade, what, held=False):
+    """Raise a ValueError of one line if the façade is no plain box on the ground, in one piece.
+
+    With `held` also if ties or floors hold it.
+    """
+    keys = (*OWN_KEYS, "base_height_m", "hinges_m", *(("ties", "floors") if held else ()))
+    given = [key for key in keys if facade.get(key)]
     if given:
         raise ValueError(
             f"facade.{given[0]}: {what} knows a plain façade on the ground alone; expected none"

@@ -13,7 +13,7 @@ from yade_scripts.model.shape import refuse
 def wall_of(job, nodes):
     """Planar wall of a scene file (model free, W1 or W2) with so many nodes along every edge."""
     facade, wall = job["facade"], job["return_wall"]
-    refuse(facade, "the judge")
+    refuse(facade, "the judge", held=True)
     e_pa = facade["e_mpa"] * 1e6
     free = registry.model(job["model"]).walls == "none"
     return Wall(

@@ -18,9 +18,11 @@ class Accuracy:
         return self.study.needed(wildcards.run, "accuracy.records", wanted)
 
     def scenes(self, wildcards) -> list[str]:
-        """Scene files of its models."""
-        models = self.study.cfg(wildcards)["accuracy"]["models"]
-        return [f"results/{wildcards.run}/scenes/{model}.json" for model in models]
+        """Scene files of its models, which the judge must know if it is the reference."""
+        settings = self.study.cfg(wildcards)["accuracy"]
+        if settings["reference"] == "judge":
+            self.study.needs_plain(wildcards.run, "the judge", held=True)
+        return [f"results/{wildcards.run}/scenes/{model}.json" for model in settings["models"]]
 
     def curves(self, wildcards, ending="") -> list[str]:
         """IDA tables, or with ending "_ensemble" their ensembles."""
@@ -79,6 +81,7 @@ class Accuracy:
     def judged(self, wildcards) -> list[str]:
         """Dense scans by the independent planar solver, of the models that it can describe."""
         run = wildcards.run
+        self.study.needs_plain(run, "the judge", held=True)
         return [
             f"results/{run}/judge/{model}/{record}_{direction}.csv"
             for model, record, direction in self.study.curves(run)

@@ -77,6 +77,7 @@ class Assessment:
 
     def site(self, wildcards) -> list[str]:
         """Files that say how the site shakes; what is missing ends the workflow in one line."""
+        self.study.needs_plain(wildcards.run, "the assessment")
         for section, keys in STATED.items():
             part = self.given.get(section)
             for key in keys:

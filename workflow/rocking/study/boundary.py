@@ -31,6 +31,7 @@ class Boundary:
 
     def pushover_curves(self, wildcards) -> list[str]:
         """Capacity curves of a run."""
+        self.study.needs_plain(wildcards.run, "the kinematic curve")
         models = self.study.cfg(wildcards)["pushover"]["models"]
         return [f"results/{wildcards.run}/pushover/{model}.csv" for model in models]
 

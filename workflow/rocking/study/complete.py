@@ -29,6 +29,7 @@ class Complete:
                 "checked under horizontal motion alone"
             )
         own, run = self.settings(wildcards.run), wildcards.run
+        self.study.needs_plain(run, "the complete building", held=True)
         name = f"{wildcards.complete}_{own['coarsening']:g}_{own['back_joint']}"
         return f"results/{run}/complete/scenes/{name}.json"
 

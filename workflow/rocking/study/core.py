@@ -8,6 +8,7 @@ from rocking.configuration import config as configuration
 from rocking.records import read_table, surrogates_for
 from rocking.study.shared import Shared
 from yade_scripts.model.registry import MODELS, PUSHED
+from yade_scripts.model.shape import is_plain, refuse
 
 
 class Study:
@@ -114,6 +115,13 @@ class Study:
             return self.known(run, key, names)
         except configuration.ConfigError as error:
             raise SystemExit(f"error: {error.detail}") from None
+
+    def needs_plain(self, run, what, held=False):
+        """End the workflow in one line where `shape.refuse` would end a job of it."""
+        try:
+            refuse(self.runs[run]["facade"], what, held)
+        except ValueError as error:
+            raise SystemExit(f"error: {error}") from None
 
     # one record
 
@@ -230,7 +238,13 @@ class Study:
         return [path.replace(".csv", "_ensemble.csv") for path in self.ida_tables(run)]
 
     def static_curves(self, run) -> list[str]:
-        """Pushover curves behind Figure 9: of the models that have one of their own."""
+        """Pushover curves behind Figure 9: of the models that have one of their own.
+
+        None of a façade with a shape or hinges, whose pushover is not known.
+        """
+        facade = self.runs[run]["facade"]
+        if facade["hinges_m"] or not is_plain(facade):
+            return []
         models = [name for name in PUSHED if name in self.runs[run]["models"]]
         return [f"results/{run}/pushover/{name}.csv" for name in models]
 

@@ -21,8 +21,9 @@ class TwoComponents:
     def scenes(self, wildcards) -> list[str]:
         """Scenes of the run's models that have dry, driven walls and one block."""
         models = self.study.runs[wildcards.run]["models"]
-        if hinges := self.study.runs[wildcards.run]["facade"]["hinges_m"]:
-            raise SystemExit(f"error: two_components: facade.hinges_m = {hinges}: expected none")
+        for key in ("hinges_m", "ties", "floors"):
+            if given := self.study.runs[wildcards.run]["facade"][key]:
+                raise SystemExit(f"error: two_components: facade.{key} = {given}: expected none")
         wanted = [m for m in models if MODELS[m].twin and MODELS[m].plain == m]
         if not wanted:
             raise SystemExit(f"error: two_components: models = {models}: expected W1 or W2")

@@ -129,7 +129,7 @@ def complete_scene(
             f"complete.back_joint = '{back_joint}': expected {' or '.join(BACK_JOINTS)}"
         )
     section = config["facade"]
-    refuse(section, "the complete building")
+    refuse(section, "the complete building", held=True)
     h, b, width = section["height_m"], section["thickness_m"], section["width_m"]
     bricks, base = building.bricks, with_rigid_floors(building)
     ends = np.flatnonzero(np.abs(bricks.high_m[:, 1] - crack_m) < TOLERANCE_M)
