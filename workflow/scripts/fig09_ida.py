@@ -118,7 +118,9 @@ def main(job):
     # bonded façades may stand so much that the others vanish
     logarithmic = any(max(values) > LOG_RATIO * min(values) for values in shown.values())
     for i, record in enumerate(p.records):
-        top, weakest = 1.08 * max(shown[record]), min(shown[record])
+        top = 1.08 * max(shown[record])
+        own = [table["pga_g"].min() for key, table in curves.items() if key[1] == record]
+        least = min(own, default=0.2 * min(shown[record]))
         for j, direction in enumerate(p.directions):
             axis = axes[i, j]
             beside = axis.inset_axes(BESIDE, sharey=axis)
@@ -135,7 +137,7 @@ def main(job):
             axis.set(xlim=(0, 1.0), ylim=(0, top), ylabel="PGA [g]" if j == 0 else None)
             if logarithmic:
                 axis.set_yscale("log")
-                axis.set_ylim(0.2 * weakest, 1.1 * top)
+                axis.set_ylim(0.85 * least, 1.1 * top)
                 axis.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
                 axis.yaxis.set_major_formatter(FormatStrFormatter("%g"))
                 axis.yaxis.set_minor_formatter(NullFormatter())
