@@ -29,13 +29,7 @@ rule figure_stability:
         limits="results/{run}/tables/stability_limits.csv",
         modules=code("figure_stability"),
     output:
-        png=report(
-            "results/{run}/figures/stability.png",
-            caption=caption("stability"),
-            category="Accuracy and stability",
-            labels={"run": "{run}", "result": "critical step"},
-        ),
-        pdf="results/{run}/figures/stability.pdf",
+        **figure("stability", "Accuracy and stability", "critical step"),
     log:
         "results/{run}/logs/figure_stability.log",
     script:
@@ -135,17 +129,17 @@ rule speed_accuracy:
         histories="results/{run}/accuracy/histories.csv",
         modules=code("table_speed_accuracy"),
     output:
-        table=report(
+        table=shown(
             "results/{run}/tables/speed_accuracy.csv",
-            caption=caption("speed_accuracy"),
-            category="Accuracy and stability",
-            labels={"run": "{run}", "result": "speed against accuracy (CSV)"},
+            "speed_accuracy",
+            "Accuracy and stability",
+            "speed against accuracy (CSV)",
         ),
-        summary=report(
+        summary=shown(
             "results/{run}/tables/accuracy_summary.csv",
-            caption=caption("speed_accuracy"),
-            category="Accuracy and stability",
-            labels={"run": "{run}", "result": "spread of errors by method (CSV)"},
+            "speed_accuracy",
+            "Accuracy and stability",
+            "spread of errors by method (CSV)",
         ),
         fidelity="results/{run}/accuracy/fidelity.yaml",
     log:
@@ -162,13 +156,7 @@ rule figure_speed_accuracy:
         facts=STUDY.record_facts,
         modules=code("figure_speed_accuracy"),
     output:
-        png=report(
-            "results/{run}/figures/speed_accuracy.png",
-            caption=caption("speed_accuracy"),
-            category="Accuracy and stability",
-            labels={"run": "{run}", "result": "speed against accuracy"},
-        ),
-        pdf="results/{run}/figures/speed_accuracy.pdf",
+        **figure("speed_accuracy", "Accuracy and stability", "speed against accuracy"),
     log:
         "results/{run}/logs/figure_speed_accuracy.log",
     script:
@@ -198,13 +186,7 @@ rule figure_chaos:
         facts=ACCURACY.facts,
         modules=code("figure_chaos"),
     output:
-        png=report(
-            "results/{run}/figures/chaos.png",
-            caption=caption("chaos"),
-            category="Accuracy and stability",
-            labels={"run": "{run}", "result": "perturbed ensembles"},
-        ),
-        pdf="results/{run}/figures/chaos.pdf",
+        **figure("chaos", "Accuracy and stability", "perturbed ensembles"),
     log:
         "results/{run}/logs/figure_chaos.log",
     params:

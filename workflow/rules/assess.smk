@@ -66,14 +66,10 @@ rule assess_floor_spectra:
         facts=STUDY.record_facts,
         modules=code("assess_floor_spectra"),
     output:
-        table="results/{run}/assessment/floor_spectra.csv",
-        png=report(
-            "results/{run}/figures/floor_spectra.png",
-            caption=caption("floor_spectra"),
-            category="Code of practice",
-            labels={"run": "{run}", "result": "floor spectra, formula over chain"},
+        **figure(
+            "floor_spectra", "Code of practice", "floor spectra, formula over chain"
         ),
-        pdf="results/{run}/figures/floor_spectra.pdf",
+        table="results/{run}/assessment/floor_spectra.csv",
     log:
         "results/{run}/logs/assess_floor_spectra.log",
     params:

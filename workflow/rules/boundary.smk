@@ -49,13 +49,9 @@ rule fig07_models:
         facts=BOUNDARY.picture_facts,
         modules=code("fig07_models"),
     output:
-        png=report(
-            "results/{run}/figures/fig07_models.png",
-            caption=caption("fig07"),
-            category="Boundary conditions",
-            labels={"run": "{run}", "result": "7: the five models"},
+        **figure(
+            "fig07_models", "Boundary conditions", "7: the five models", about="fig07"
         ),
-        pdf="results/{run}/figures/fig07_models.pdf",
     log:
         "results/{run}/logs/fig07_models.log",
     params:
@@ -70,11 +66,11 @@ rule animation_collapse:
         facts=BOUNDARY.picture_facts,
         modules=code("animation_collapse"),
     output:
-        report(
+        shown(
             "results/{run}/figures/collapse_{model}.gif",
-            caption=caption("animation"),
-            category="Boundary conditions",
-            labels={"run": "{run}", "result": "collapse of {model}"},
+            "animation",
+            "Boundary conditions",
+            "collapse of {model}",
         ),
     log:
         "results/{run}/logs/animation_{model}.log",
@@ -93,11 +89,11 @@ rule table_claims:
         ),
         modules=code("table_claims"),
     output:
-        report(
+        shown(
             "results/{run}/tables/claims.csv",
-            caption=caption("table_claims"),
-            category="Boundary conditions",
-            labels={"run": "{run}", "result": "claims of the study (CSV)"},
+            "table_claims",
+            "Boundary conditions",
+            "claims of the study (CSV)",
         ),
     log:
         "results/{run}/logs/table_claims.log",

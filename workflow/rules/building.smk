@@ -55,11 +55,11 @@ rule table_building_modes:
         sbdem="results/{run}/building/SBDEM_modes.npz",
         modules=code("table_building_modes"),
     output:
-        report(
+        shown(
             "results/{run}/tables/building_modes.csv",
-            caption=caption("fig02_table"),
-            category="Building",
-            labels={"run": "{run}", "result": "periods and effective masses (CSV)"},
+            "fig02_table",
+            "Building",
+            "periods and effective masses (CSV)",
         ),
     log:
         "results/{run}/logs/table_building_modes.log",
@@ -74,11 +74,11 @@ rule table_building_alternatives:
         plans=BUILDING.all_plans,
         modules=code("table_building_alternatives"),
     output:
-        report(
+        shown(
             "results/{run}/tables/building_alternatives.csv",
-            caption=caption("fig02_alternatives"),
-            category="Building",
-            labels={"run": "{run}", "result": "periods of alternative plans (CSV)"},
+            "fig02_alternatives",
+            "Building",
+            "periods of alternative plans (CSV)",
         ),
     log:
         "results/{run}/logs/table_building_alternatives.log",
@@ -112,14 +112,11 @@ rule table_building_convergence:
         cost=BUILDING.costs,
         modules=code("table_building_convergence"),
     output:
-        report(
+        shown(
             "results/{run}/tables/building_convergence.csv",
-            caption=caption("fig02_convergence"),
-            category="Building",
-            labels={
-                "run": "{run}",
-                "result": "convergence and cost of the modes (CSV)",
-            },
+            "fig02_convergence",
+            "Building",
+            "convergence and cost of the modes (CSV)",
         ),
     log:
         "results/{run}/logs/table_building_convergence.log",
@@ -153,14 +150,11 @@ rule table_wme:
         records=BUILDING.of_wme_records("results/{run}/records/{record}.csv"),
         modules=code("table_wme"),
     output:
-        wme=report(
+        wme=shown(
             "results/{run}/tables/wme.csv",
-            caption=caption("fig03_table"),
-            category="Building",
-            labels={
-                "run": "{run}",
-                "result": "2: weighted mean error of chains (CSV)",
-            },
+            "fig03_table",
+            "Building",
+            "2: weighted mean error of chains (CSV)",
         ),
         chain="results/{run}/tables/building_chain.csv",
         config="results/{run}/building/chain.yaml",
@@ -179,13 +173,7 @@ rule fig01_building:
         plan=BUILDING.plan,
         modules=code("fig01_building"),
     output:
-        png=report(
-            "results/{run}/figures/fig01_building.png",
-            caption=caption("fig01"),
-            category="Building",
-            labels={"run": "{run}", "result": "1: brick models"},
-        ),
-        pdf="results/{run}/figures/fig01_building.pdf",
+        **figure("fig01_building", "Building", "1: brick models", about="fig01"),
     log:
         "results/{run}/logs/fig01_building.log",
     params:
@@ -202,13 +190,7 @@ rule fig02_modes:
         sbdem="results/{run}/building/SBDEM_modes.npz",
         modules=code("fig02_modes"),
     output:
-        png=report(
-            "results/{run}/figures/fig02_modes.png",
-            caption=caption("fig02"),
-            category="Building",
-            labels={"run": "{run}", "result": "2: modes"},
-        ),
-        pdf="results/{run}/figures/fig02_modes.pdf",
+        **figure("fig02_modes", "Building", "2: modes", about="fig02"),
     log:
         "results/{run}/logs/fig02_modes.log",
     params:
@@ -226,17 +208,13 @@ rule fig03_wme:
         facts="results/{run}/records/{record}.json",
         modules=code("fig03_wme"),
     output:
-        png=report(
-            "results/{run}/figures/fig03_{record}.png",
-            caption=caption("fig03"),
-            category="Building",
-            labels={
-                "run": "{run}",
-                "record": "{record}",
-                "result": "3: SBDEM and equal chains",
-            },
+        **figure(
+            "fig03_{record}",
+            "Building",
+            "3: SBDEM and equal chains",
+            about="fig03",
+            record="{record}",
         ),
-        pdf="results/{run}/figures/fig03_{record}.pdf",
     log:
         "results/{run}/logs/fig03_{record}.log",
     params:
@@ -298,18 +276,14 @@ rule table_building_explicit:
         facts="results/{run}/records/{record}.json",
         modules=code("table_building_explicit"),
     output:
-        table="results/{run}/tables/building_explicit_{record}.csv",
-        png=report(
-            "results/{run}/figures/fig03_rattling_{record}.png",
-            caption=caption("fig03_rattling"),
-            category="Building",
-            labels={
-                "run": "{run}",
-                "record": "{record}",
-                "result": "explicit and modal, rattling",
-            },
+        **figure(
+            "fig03_rattling_{record}",
+            "Building",
+            "explicit and modal, rattling",
+            about="fig03_rattling",
+            record="{record}",
         ),
-        pdf="results/{run}/figures/fig03_rattling_{record}.pdf",
+        table="results/{run}/tables/building_explicit_{record}.csv",
     log:
         "results/{run}/logs/table_building_explicit_{record}.log",
     params:
@@ -343,11 +317,11 @@ rule table_building_explicit_cost:
         cost=BUILDING.explicit_costs,
         modules=code("table_building_explicit_cost"),
     output:
-        report(
+        shown(
             "results/{run}/tables/building_explicit_cost.csv",
-            caption=caption("fig03_cost"),
-            category="Building",
-            labels={"run": "{run}", "result": "cost of the explicit run (CSV)"},
+            "fig03_cost",
+            "Building",
+            "cost of the explicit run (CSV)",
         ),
     log:
         "results/{run}/logs/table_building_explicit_cost.log",
@@ -364,11 +338,11 @@ rule table_claims_building:
         explicit=BUILDING.explicit_tables,
         modules=code("table_claims_building"),
     output:
-        report(
+        shown(
             "results/{run}/tables/claims_building.csv",
-            caption=caption("table_claims_building"),
-            category="Building",
-            labels={"run": "{run}", "result": "claims of the study's section 2 (CSV)"},
+            "table_claims_building",
+            "Building",
+            "claims of the study's section 2 (CSV)",
         ),
     log:
         "results/{run}/logs/table_claims_building.log",

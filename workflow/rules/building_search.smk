@@ -34,11 +34,11 @@ rule table_building_search_best:
         plans=BUILDING.compared_plans,
         modules=code("building_search_verify"),
     output:
-        report(
+        shown(
             "results/{run}/tables/building_search_best.csv",
-            caption=caption("building_search"),
-            category="Building",
-            labels={"run": "{run}", "result": "search for the study's building (CSV)"},
+            "building_search",
+            "Building",
+            "search for the study's building (CSV)",
         ),
     log:
         "results/{run}/logs/table_building_search_best.log",
@@ -56,13 +56,7 @@ rule figure_building_search:
         search="results/{run}/tables/building_search.csv",
         modules=code("figure_building_search"),
     output:
-        png=report(
-            "results/{run}/figures/building_search.png",
-            caption=caption("building_search"),
-            category="Building",
-            labels={"run": "{run}", "result": "search for the study's building"},
-        ),
-        pdf="results/{run}/figures/building_search.pdf",
+        **figure("building_search", "Building", "search for the study's building"),
     log:
         "results/{run}/logs/figure_building_search.log",
     script:
@@ -78,11 +72,11 @@ rule table_wme_readings:
         modules=code("table_wme_readings"),
     output:
         readings="results/{run}/tables/wme_readings.csv",
-        lowest=report(
+        lowest=shown(
             "results/{run}/tables/wme_lowest.csv",
-            caption=caption("wme_readings"),
-            category="Building",
-            labels={"run": "{run}", "result": "2: every reading of its text (CSV)"},
+            "wme_readings",
+            "Building",
+            "2: every reading of its text (CSV)",
         ),
     log:
         "results/{run}/logs/table_wme_readings.log",

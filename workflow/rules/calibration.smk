@@ -41,11 +41,11 @@ rule free_rocking_table:
         histories=CALIBRATION.of_groups(HISTORIES),
         modules=code("table_free_rocking"),
     output:
-        report(
+        shown(
             "results/{run}/tables/free_rocking.csv",
-            caption=caption("table_free_rocking"),
-            category="Calibration of the damping",
-            labels={"run": "{run}", "result": "rebounds and e_exp (CSV)"},
+            "table_free_rocking",
+            "Calibration of the damping",
+            "rebounds and e_exp (CSV)",
         ),
     log:
         "results/{run}/logs/free_rocking_table.log",
@@ -60,11 +60,11 @@ rule beta_fit:
         modules=code("calibrate_fit"),
     output:
         walls="results/{run}/tables/beta_walls.csv",
-        fit=report(
+        fit=shown(
             "results/{run}/tables/beta_fit.csv",
-            caption=caption("table_beta_fit"),
-            category="Calibration of the damping",
-            labels={"run": "{run}", "result": "best-fitting β (CSV)"},
+            "table_beta_fit",
+            "Calibration of the damping",
+            "best-fitting β (CSV)",
         ),
     log:
         "results/{run}/logs/beta_fit.log",
@@ -78,11 +78,11 @@ rule beta_law:
         modules=code("calibrate_law"),
     output:
         law="results/{run}/calibration/beta_law.json",
-        table=report(
+        table=shown(
             "results/{run}/tables/beta_regression.csv",
-            caption=caption("table_beta_regression"),
-            category="Calibration of the damping",
-            labels={"run": "{run}", "result": "laws of β (CSV)"},
+            "table_beta_regression",
+            "Calibration of the damping",
+            "laws of β (CSV)",
         ),
     log:
         "results/{run}/logs/beta_law.log",
@@ -97,11 +97,11 @@ rule table_claims_calibration:
         walls="results/{run}/tables/beta_walls.csv",
         modules=code("table_claims_calibration"),
     output:
-        report(
+        shown(
             "results/{run}/tables/claims_calibration.csv",
-            caption=caption("table_claims_calibration"),
-            category="Calibration of the damping",
-            labels={"run": "{run}", "result": "claims of the study's section 3 (CSV)"},
+            "table_claims_calibration",
+            "Calibration of the damping",
+            "claims of the study's section 3 (CSV)",
         ),
     log:
         "results/{run}/logs/table_claims_calibration.log",
@@ -119,13 +119,12 @@ rule fig04_calibration:
         law="results/{run}/calibration/beta_law.json",
         modules=code("fig04_calibration"),
     output:
-        png=report(
-            "results/{run}/figures/fig04_calibration.png",
-            caption=caption("fig04"),
-            category="Calibration of the damping",
-            labels={"run": "{run}", "result": "4: parametric study"},
+        **figure(
+            "fig04_calibration",
+            "Calibration of the damping",
+            "4: parametric study",
+            about="fig04",
         ),
-        pdf="results/{run}/figures/fig04_calibration.pdf",
     log:
         "results/{run}/logs/fig04_calibration.log",
     params:
@@ -141,14 +140,8 @@ rule wall_beta:
         law=LAW_FILE,
         modules=code("calibrate_wall"),
     output:
+        **figure("wall_beta", "Calibration of the damping", "β of this façade"),
         table="results/{run}/tables/wall_beta.csv",
-        png=report(
-            "results/{run}/figures/wall_beta.png",
-            caption=caption("wall_beta"),
-            category="Calibration of the damping",
-            labels={"run": "{run}", "result": "β of this façade"},
-        ),
-        pdf="results/{run}/figures/wall_beta.pdf",
     log:
         "results/{run}/logs/wall_beta.log",
     params:

@@ -108,6 +108,19 @@ def caption(name):
     return str(BASE / "workflow" / "report" / f"{name}.rst")
 
 
+def shown(path, about, category, result, **labels):
+    """An output that the report shows, with the caption `about`."""
+    own = {"run": "{run}", **labels, "result": result}
+    return report(path, caption=caption(about), category=category, labels=own)
+
+
+def figure(name, category, result, about=None, **labels):
+    """Output of a figure: a PNG that the report shows, and a PDF."""
+    path = f"results/{{run}}/figures/{name}"
+    png = shown(f"{path}.png", about or name, category, result, **labels)
+    return {"png": png, "pdf": f"{path}.pdf"}
+
+
 wildcard_constraints:
     run="|".join(re.escape(name) for name in STUDY.runs),
     record="|".join(

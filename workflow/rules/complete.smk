@@ -143,11 +143,11 @@ rule table_complete_checks:
         pulse="results/{run}/complete/pulse.csv",
         modules=code("table_complete_checks"),
     output:
-        report(
+        shown(
             "results/{run}/tables/complete_checks.csv",
-            caption=caption("complete_checks"),
-            category="Complete building",
-            labels={"run": "{run}", "result": "periods and linear answer (CSV)"},
+            "complete_checks",
+            "Complete building",
+            "periods and linear answer (CSV)",
         ),
     log:
         "results/{run}/logs/table_complete_checks.log",
@@ -165,11 +165,11 @@ rule table_complete_convergence:
         histories=COMPLETE.levels("histories", "_level.csv"),
         modules=code("table_complete_convergence"),
     output:
-        report(
+        shown(
             "results/{run}/tables/complete_convergence.csv",
-            caption=caption("complete_convergence"),
-            category="Complete building",
-            labels={"run": "{run}", "result": "brick size and back joint (CSV)"},
+            "complete_convergence",
+            "Complete building",
+            "brick size and back joint (CSV)",
         ),
     log:
         "results/{run}/logs/table_complete_convergence.log",
@@ -200,13 +200,7 @@ rule figure_complete:
         facts=STUDY.record_facts,
         modules=code("figure_complete"),
     output:
-        png=report(
-            "results/{run}/figures/complete_ida.png",
-            caption=caption("complete_ida"),
-            category="Complete building",
-            labels={"run": "{run}", "result": "IDA of the complete building"},
-        ),
-        pdf="results/{run}/figures/complete_ida.pdf",
+        **figure("complete_ida", "Complete building", "IDA of the complete building"),
     log:
         "results/{run}/logs/figure_complete.log",
     script:
@@ -241,17 +235,13 @@ rule figure_complete_collapse:
         facts="results/{run}/records/{record}.json",
         modules=code("figure_complete_collapse"),
     output:
-        png=report(
-            "results/{run}/figures/complete_collapse_{complete}_{record}_{direction}.png",
-            caption=caption("complete_collapse"),
-            category="Complete building",
-            labels={
-                "run": "{run}",
-                "record": "{record}",
-                "result": "{complete}: side views of the lowest collapse",
-            },
+        **figure(
+            "complete_collapse_{complete}_{record}_{direction}",
+            "Complete building",
+            "{complete}: side views of the lowest collapse",
+            about="complete_collapse",
+            record="{record}",
         ),
-        pdf="results/{run}/figures/complete_collapse_{complete}_{record}_{direction}.pdf",
     log:
         "results/{run}/logs/figure_complete_collapse_{complete}_{record}_{direction}.log",
     script:

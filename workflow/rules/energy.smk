@@ -28,11 +28,11 @@ rule table_energy_balance:
         ACCURACY.energy_histories,
         modules=code("table_energy_balance"),
     output:
-        report(
+        shown(
             "results/{run}/tables/energy_balance.csv",
-            caption=caption("energy_balance"),
-            category="Accuracy and stability",
-            labels={"run": "{run}", "result": "energy balance (CSV)"},
+            "energy_balance",
+            "Accuracy and stability",
+            "energy balance (CSV)",
         ),
     log:
         "results/{run}/logs/table_energy_balance.log",
@@ -48,13 +48,7 @@ rule figure_energy_balance:
         facts=ACCURACY.facts,
         modules=code("figure_energy_balance"),
     output:
-        png=report(
-            "results/{run}/figures/energy_balance.png",
-            caption=caption("energy_balance"),
-            category="Accuracy and stability",
-            labels={"run": "{run}", "result": "energy balance"},
-        ),
-        pdf="results/{run}/figures/energy_balance.pdf",
+        **figure("energy_balance", "Accuracy and stability", "energy balance"),
     log:
         "results/{run}/logs/figure_energy_balance.log",
     params:

@@ -59,13 +59,9 @@ rule fig09_ida:
         facts=STUDY.record_facts,
         modules=code("fig09_ida"),
     output:
-        png=report(
-            "results/{run}/figures/fig09_ida.png",
-            caption=caption("fig09"),
-            category="Incremental dynamic analyses",
-            labels={"run": "{run}", "result": "9: IDA curves"},
+        **figure(
+            "fig09_ida", "Incremental dynamic analyses", "9: IDA curves", about="fig09"
         ),
-        pdf="results/{run}/figures/fig09_ida.pdf",
     log:
         "results/{run}/logs/fig09_ida.log",
     params:

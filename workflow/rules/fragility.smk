@@ -51,13 +51,7 @@ rule fragility_figure:
         facts=STUDY.record_facts,
         modules=code("fragility_figure"),
     output:
-        png=report(
-            "results/{run}/figures/fragility.png",
-            caption=caption("fragility"),
-            category="Fragility",
-            labels={"run": "{run}", "result": "fragility curves"},
-        ),
-        pdf="results/{run}/figures/fragility.pdf",
+        **figure("fragility", "Fragility", "fragility curves"),
     log:
         "results/{run}/logs/fragility_figure.log",
     params:
@@ -76,13 +70,7 @@ rule figure_intensity_measures:
         facts=STUDY.record_facts,
         modules=code("figure_intensity_measures"),
     output:
-        png=report(
-            "results/{run}/figures/intensity_measures.png",
-            caption=caption("intensity_measures"),
-            category="Fragility",
-            labels={"run": "{run}", "result": "efficiency of intensity measures"},
-        ),
-        pdf="results/{run}/figures/intensity_measures.pdf",
+        **figure("intensity_measures", "Fragility", "efficiency of intensity measures"),
     log:
         "results/{run}/logs/figure_intensity_measures.log",
     params:
@@ -155,14 +143,10 @@ rule figure_capacity_reduction:
         records=STUDY.record_facts,
         modules=code("figure_capacity_reduction"),
     output:
-        table="results/{run}/tables/capacity_reduction.csv",
-        png=report(
-            "results/{run}/figures/capacity_reduction.png",
-            caption=caption("capacity_reduction"),
-            category="Capacity reduction",
-            labels={"run": "{run}", "result": "W2/W1 against T1 and position"},
+        **figure(
+            "capacity_reduction", "Capacity reduction", "W2/W1 against T1 and position"
         ),
-        pdf="results/{run}/figures/capacity_reduction.pdf",
+        table="results/{run}/tables/capacity_reduction.csv",
     log:
         "results/{run}/logs/figure_capacity_reduction.log",
     params:

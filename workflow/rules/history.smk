@@ -27,14 +27,11 @@ rule figure_history:
         facts="results/{run}/records/{record}.json",
         modules=code("figure_history"),
     output:
-        report(
+        shown(
             "results/{run}/histories/{model}/{record}_{direction}_{pga}g.png",
-            caption=caption("history"),
-            category="Histories",
-            labels={
-                "run": "{run}",
-                "result": "{model}, {record} {direction}, {pga} g",
-            },
+            "history",
+            "Histories",
+            "{model}, {record} {direction}, {pga} g",
         ),
     log:
         "results/{run}/logs/figure_history_{model}_{record}_{direction}_{pga}g.log",

@@ -35,11 +35,11 @@ rule judge_bands:
         modules=code("table_judge"),
     output:
         scan="results/{run}/tables/judge_scan.csv",
-        bands=report(
+        bands=shown(
             "results/{run}/tables/judge_bands.csv",
-            caption=caption("judge"),
-            category="Accuracy and stability",
-            labels={"run": "{run}", "result": "reported bands and the judge's (CSV)"},
+            "judge",
+            "Accuracy and stability",
+            "reported bands and the judge's (CSV)",
         ),
     log:
         "results/{run}/logs/judge_bands.log",
@@ -57,16 +57,11 @@ rule figure_judge:
         facts=STUDY.record_facts,
         modules=code("figure_judge"),
     output:
-        png=report(
-            "results/{run}/figures/judge.png",
-            caption=caption("judge"),
-            category="Accuracy and stability",
-            labels={
-                "run": "{run}",
-                "result": "collapse probability by both planar solvers",
-            },
+        **figure(
+            "judge",
+            "Accuracy and stability",
+            "collapse probability by both planar solvers",
         ),
-        pdf="results/{run}/figures/judge.pdf",
     log:
         "results/{run}/logs/figure_judge.log",
     params:

@@ -42,16 +42,7 @@ rule figure_premises:
         facts=STUDY.record_facts,
         modules=code("figure_premises"),
     output:
-        png=report(
-            "results/{run}/figures/premises.png",
-            caption=caption("premises"),
-            category="Premises",
-            labels={
-                "run": "{run}",
-                "result": "collapse probability, models side by side",
-            },
-        ),
-        pdf="results/{run}/figures/premises.pdf",
+        **figure("premises", "Premises", "collapse probability, models side by side"),
     log:
         "results/{run}/logs/figure_premises.log",
     params:
@@ -66,13 +57,7 @@ rule figure_premises_ratios:
         facts=STUDY.record_facts,
         modules=code("figure_premises_ratios"),
     output:
-        png=report(
-            "results/{run}/figures/premises_ratios.png",
-            caption=caption("premises_ratios"),
-            category="Premises",
-            labels={"run": "{run}", "result": "each model over the reference"},
-        ),
-        pdf="results/{run}/figures/premises_ratios.pdf",
+        **figure("premises_ratios", "Premises", "each model over the reference"),
     log:
         "results/{run}/logs/figure_premises_ratios.log",
     params:
@@ -120,13 +105,7 @@ rule figure_premises_map:
         facts=STUDY.record_facts,
         modules=code("figure_premises_map"),
     output:
-        png=report(
-            "results/{run}/figures/premises_map.png",
-            caption=caption("premises_map"),
-            category="Premises",
-            labels={"run": "{run}", "result": "error of driven walls, by building"},
-        ),
-        pdf="results/{run}/figures/premises_map.pdf",
+        **figure("premises_map", "Premises", "error of driven walls, by building"),
     log:
         "results/{run}/logs/figure_premises_map.log",
     params:
@@ -230,13 +209,12 @@ rule figure_premises_tornado:
         facts=STUDY.record_facts,
         modules=code("figure_premises_tornado"),
     output:
-        png=report(
-            "results/{run}/figures/premises_tornado_{model}.png",
-            caption=caption("premises_tornado"),
-            category="Premises",
-            labels={"run": "{run}", "result": "what each premise of {model} is worth"},
+        **figure(
+            "premises_tornado_{model}",
+            "Premises",
+            "what each premise of {model} is worth",
+            about="premises_tornado",
         ),
-        pdf="results/{run}/figures/premises_tornado_{model}.pdf",
     log:
         "results/{run}/logs/figure_premises_tornado_{model}.log",
     params:

@@ -102,11 +102,11 @@ rule table_pushover:
         forces=BOUNDARY.variants("{}_forces.csv"),
         modules=code("table_pushover"),
     output:
-        report(
+        shown(
             "results/{run}/tables/pushover.csv",
-            caption=caption("table_pushover"),
-            category="Boundary conditions",
-            labels={"run": "{run}", "result": "static capacities (CSV)"},
+            "table_pushover",
+            "Boundary conditions",
+            "static capacities (CSV)",
         ),
     log:
         "results/{run}/logs/table_pushover.log",
@@ -121,13 +121,12 @@ rule fig08_w3:
         forces=BOUNDARY.drawn_variants("{}_forces.csv"),
         modules=code("fig08_w3"),
     output:
-        png=report(
-            "results/{run}/figures/fig08_w3.png",
-            caption=caption("fig08"),
-            category="Boundary conditions",
-            labels={"run": "{run}", "result": "8: W3 and its capacity curve"},
+        **figure(
+            "fig08_w3",
+            "Boundary conditions",
+            "8: W3 and its capacity curve",
+            about="fig08",
         ),
-        pdf="results/{run}/figures/fig08_w3.pdf",
     log:
         "results/{run}/logs/fig08_w3.log",
     script:
@@ -139,13 +138,9 @@ rule figure_w3_sensitivity:
         table="results/{run}/tables/pushover.csv",
         modules=code("figure_w3_sensitivity"),
     output:
-        png=report(
-            "results/{run}/figures/w3_sensitivity.png",
-            caption=caption("w3_sensitivity"),
-            category="Boundary conditions",
-            labels={"run": "{run}", "result": "sensitivity of W3's capacity"},
+        **figure(
+            "w3_sensitivity", "Boundary conditions", "sensitivity of W3's capacity"
         ),
-        pdf="results/{run}/figures/w3_sensitivity.pdf",
     log:
         "results/{run}/logs/w3_sensitivity.log",
     script:

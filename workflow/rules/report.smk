@@ -11,11 +11,11 @@ rule report_summary:
         style=REPORT_STYLE,
         modules=code("report_summary"),
     output:
-        page=report(
+        page=shown(
             "results/{run}/report/summary.html",
-            caption=caption("summary"),
-            category="Answer",
-            labels={"run": "{run}", "result": "at what shaking it falls"},
+            "summary",
+            "Answer",
+            "at what shaking it falls",
         ),
         first="results/{run}/report/summary.rst",
         factors="results/{run}/tables/scale_factors.csv",
@@ -55,11 +55,11 @@ rule report_provenance:
         style=REPORT_STYLE,
         modules=code("report_provenance"),
     output:
-        report(
+        shown(
             "results/{run}/report/provenance.html",
-            caption=caption("provenance"),
-            category="Records",
-            labels={"run": "{run}", "result": "provenance of every record"},
+            "provenance",
+            "Records",
+            "provenance of every record",
         ),
     log:
         "results/{run}/logs/report_provenance.log",

@@ -37,16 +37,7 @@ rule figure_risk:
         hazard=RISK.hazard,
         modules=code("figure_risk"),
     output:
-        png=report(
-            "results/{run}/figures/risk.png",
-            caption=caption("risk"),
-            category="Risk",
-            labels={
-                "run": "{run}",
-                "result": "hazard, fragility and rate of collapse",
-            },
-        ),
-        pdf="results/{run}/figures/risk.pdf",
+        **figure("risk", "Risk", "hazard, fragility and rate of collapse"),
     log:
         "results/{run}/logs/figure_risk.log",
     params:

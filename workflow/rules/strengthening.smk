@@ -52,11 +52,11 @@ rule figure_strengthening:
         facts="results/{run}/records/{record}.json",
         modules=code("figure_strengthening"),
     output:
-        png=report(
+        png=shown(
             "results/{run}/strengthening/{model}/{record}_{direction}.png",
-            caption=caption("strengthening"),
-            category="Strengthening",
-            labels={"run": "{run}", "result": "{model}, {record} {direction}"},
+            "strengthening",
+            "Strengthening",
+            "{model}, {record} {direction}",
         ),
         pdf="results/{run}/strengthening/{model}/{record}_{direction}.pdf",
     log:

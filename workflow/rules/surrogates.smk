@@ -51,13 +51,7 @@ rule figure_surrogate_trust:
         facts=STUDY.record_facts,
         modules=code("figure_surrogate_trust"),
     output:
-        png=report(
-            "results/{run}/figures/surrogate_trust.png",
-            caption=caption("surrogate_trust"),
-            category="Records",
-            labels={"run": "{run}", "result": "surrogates beside their records"},
-        ),
-        pdf="results/{run}/figures/surrogate_trust.pdf",
+        **figure("surrogate_trust", "Records", "surrogates beside their records"),
     log:
         "results/{run}/logs/figure_surrogate_trust.log",
     script:
@@ -70,13 +64,7 @@ rule figure_surrogate_scatter:
         facts=STUDY.record_facts,
         modules=code("figure_surrogate_scatter"),
     output:
-        png=report(
-            "results/{run}/figures/surrogate_scatter.png",
-            caption=caption("surrogate_scatter"),
-            category="Records",
-            labels={"run": "{run}", "result": "draws of surrogates"},
-        ),
-        pdf="results/{run}/figures/surrogate_scatter.pdf",
+        **figure("surrogate_scatter", "Records", "draws of surrogates"),
     log:
         "results/{run}/logs/figure_surrogate_scatter.log",
     script:

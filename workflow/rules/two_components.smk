@@ -45,13 +45,7 @@ rule figure_two_components:
         facts=STUDY.record_facts,
         modules=code("figure_two_components"),
     output:
-        png=report(
-            "results/{run}/figures/two_components.png",
-            caption=caption("two_components"),
-            category="Two components",
-            labels={"run": "{run}", "result": "both components beside one"},
-        ),
-        pdf="results/{run}/figures/two_components.pdf",
+        **figure("two_components", "Two components", "both components beside one"),
     log:
         "results/{run}/logs/figure_two_components.log",
     script:

@@ -96,13 +96,7 @@ rule figure_uncertainty:
         facts=UNCERTAINTY.facts,
         modules=code("figure_uncertainty"),
     output:
-        png=report(
-            "results/{run}/figures/uncertainty.png",
-            caption=caption("uncertainty"),
-            category="Fragility",
-            labels={"run": "{run}", "result": "motion, material and model form"},
-        ),
-        pdf="results/{run}/figures/uncertainty.pdf",
+        **figure("uncertainty", "Fragility", "motion, material and model form"),
     log:
         "results/{run}/logs/figure_uncertainty.log",
     script:

@@ -8,16 +8,12 @@ rule fig05_sorrentino:
         law="results/{run}/calibration/beta_law.json",
         modules=code("fig05_sorrentino"),
     output:
-        png=report(
-            "results/{run}/figures/fig05_sorrentino.png",
-            caption=caption("fig05"),
-            category="Calibration of the damping",
-            labels={
-                "run": "{run}",
-                "result": "5: free rocking of the Sorrentino wall",
-            },
+        **figure(
+            "fig05_sorrentino",
+            "Calibration of the damping",
+            "5: free rocking of the Sorrentino wall",
+            about="fig05",
         ),
-        pdf="results/{run}/figures/fig05_sorrentino.pdf",
     log:
         "results/{run}/logs/fig05_sorrentino.log",
     params:
@@ -71,11 +67,11 @@ rule shake_table_table:
         histories="results/{run}/calibration/shake_table_histories.npz",
         modules=code("table_shake_table"),
     output:
-        report(
+        shown(
             "results/{run}/tables/shake_table.csv",
-            caption=caption("table_shake_table"),
-            category="Calibration of the damping",
-            labels={"run": "{run}", "result": "shake-table runs (CSV)"},
+            "table_shake_table",
+            "Calibration of the damping",
+            "shake-table runs (CSV)",
         ),
     log:
         "results/{run}/logs/shake_table_table.log",
@@ -89,16 +85,12 @@ rule fig06_shawa:
         histories="results/{run}/calibration/shake_table_histories.npz",
         modules=code("fig06_shawa"),
     output:
-        png=report(
-            "results/{run}/figures/fig06_shawa.png",
-            caption=caption("fig06"),
-            category="Calibration of the damping",
-            labels={
-                "run": "{run}",
-                "result": "6: shake-table tests of the Shawa wall",
-            },
+        **figure(
+            "fig06_shawa",
+            "Calibration of the damping",
+            "6: shake-table tests of the Shawa wall",
+            about="fig06",
         ),
-        pdf="results/{run}/figures/fig06_shawa.pdf",
     log:
         "results/{run}/logs/fig06_shawa.log",
     script:
@@ -172,14 +164,10 @@ rule damping_choice:
         facts=CALIBRATION.choice_facts,
         modules=code("calibrate_choice"),
     output:
-        table="results/{run}/tables/damping_choice.csv",
-        png=report(
-            "results/{run}/figures/damping_choice.png",
-            caption=caption("damping_choice"),
-            category="Calibration of the damping",
-            labels={"run": "{run}", "result": "IDA under two laws of β"},
+        **figure(
+            "damping_choice", "Calibration of the damping", "IDA under two laws of β"
         ),
-        pdf="results/{run}/figures/damping_choice.pdf",
+        table="results/{run}/tables/damping_choice.csv",
     log:
         "results/{run}/logs/damping_choice.log",
     script:

@@ -44,13 +44,7 @@ rule figure_vertical:
         facts=STUDY.record_facts,
         modules=code("figure_vertical"),
     output:
-        png=report(
-            "results/{run}/figures/vertical.png",
-            caption=caption("vertical"),
-            category="Records",
-            labels={"run": "{run}", "result": "what vertical motion changes"},
-        ),
-        pdf="results/{run}/figures/vertical.pdf",
+        **figure("vertical", "Records", "what vertical motion changes"),
     log:
         "results/{run}/logs/figure_vertical.log",
     script:
