@@ -9,7 +9,7 @@ Nodes that never break are pairs of spheres (`welds`).
 import math
 from dataclasses import dataclass
 
-from yade_scripts.engine import floors, links, loop, ties, welds
+from yade_scripts.engine import floors, links, loop, members, ties, welds
 from yade_scripts.engine.bonds import Bonds
 from yade_scripts.engine.faces import NODE_BITS, FaceError, Faces, Releases
 from yade_scripts.engine.guide import GUIDE_INTERVAL_S, Guide
@@ -127,10 +127,10 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
                 drives.setdefault((name, axis), []).extend(ids)
             body.append(ids[0])
             continue
-        members = parts.members(index, keys)
+        own = parts.members(index, keys)
         for added in (linked, tied, held, welded.members):
-            members += added.get(index, [])
-        clump, unturned[index] = parts.clump(block, members, full_rotation)
+            own += added.get(index, [])
+        clump, unturned[index] = parts.clump(block, own, full_rotation)
         body.append(clump)
 
     shape, physics, law = (
@@ -151,21 +151,9 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     ]
     for (name, axis), ids in sorted(drives.items()):
         motion = motions[name]
-        direction = [float(i == axis) for i in range(3)]
-        mass = omega.bodies[ids[0]].state.mass
-        engines.append(
-            w.InterpolatingDirectedForceEngine(
-                times=motion.time_s.tolist(),
-                magnitudes=(mass * motion.acceleration_m_s2).tolist(),
-                direction=direction,
-                ids=ids,
-                wrap=False,
-            )
-        )
-        before = -0.5 * dt_s * float(motion.acceleration_m_s2[0])
-        for i in ids:  # velocities live at half steps: start half a step back
-            state = omega.bodies[i].state
-            state.vel = [state.vel[k] + before * direction[k] for k in range(3)]
+        engines.append(members.force(w, motion, omega.bodies[ids[0]].state.mass, axis, ids))
+        for i in ids:
+            members.set_back(omega.bodies[i].state, axis, motion.acceleration_m_s2[0], dt_s)
     omega.dt = dt_s
     if scene.shaking:
         engines += links.shake(w, scene, motions[scene.shaking], body, omega)

@@ -9,25 +9,10 @@ nothing. Their radii put the contact at the façade's sphere, and REACH_M is so 
 stays vertical. The spheres have mask 0, so no collider finds them.
 """
 
-from yade_scripts.model.scene import DOFS
+from yade_scripts.engine import members as parts
 
 REACH_M, RADIUS_M = 1e3, 1e-3
 NO_STIFFNESS = 1e-6  # N/m along the vertical
-
-
-def _material(w):
-    """A material whose contacts YADE keeps whatever their normal force."""
-    return w.CohFrictMat(
-        density=1e-30,
-        young=1.0,
-        poisson=0.3,
-        frictionAngle=0.0,
-        isCohesive=True,
-        momentRotationLaw=False,
-        normalCohesion=1e30,
-        shearCohesion=1e30,
-        fragile=False,
-    )
 
 
 def functors(w, scene):
@@ -35,13 +20,7 @@ def functors(w, scene):
 
     The geometry serves the wires of ties too: YADE has one for two spheres.
     """
-    if not scene.floors:
-        return [], [], []
-    return (
-        [w.Ig2_Sphere_Sphere_ScGeom6D(updateRotations=False)],
-        [w.Ip2_CohFrictMat_CohFrictMat_CohFrictPhys(setCohesionOnNewContacts=True)],
-        [w.Law2_ScGeom6D_CohFrictPhys_CohesionMoment()],
-    )
+    return parts.cohesive_functors(w) if scene.floors else ([], [], [])
 
 
 def place(w, utils, omega, scene):
@@ -57,7 +36,7 @@ def place(w, utils, omega, scene):
     pairs: list[tuple] = []
     members: dict[int, list] = {}
     if scene.floors:
-        material = _material(w)
+        material = parts.cohesive(w, frictionAngle=0.0, fragile=False)
         omega.materials.append(material)
     for floor in scene.floors:
         x, y, z = floor.position_m
@@ -65,11 +44,7 @@ def place(w, utils, omega, scene):
         ids = []
         for block, centre, radius in ends[: 1 + (floor.capacity_n > 0.0)]:
             sphere = utils.sphere(centre, radius, fixed=False, material=material, mask=0)
-            ids.append(omega.bodies.append(sphere))
-            sphere.state.mass, sphere.state.inertia = 0.0, (0.0, 0.0, 0.0)
-            if not scene.blocks[block].free:
-                sphere.state.blockedDOFs = DOFS
-            members.setdefault(block, []).append(ids[-1])
+            ids.append(parts.append(omega, scene, block, sphere, members))
         pairs.append((ids[0], ids[1] if len(ids) > 1 else None))
     return pairs, members
 
@@ -82,15 +57,7 @@ def loads(w, scene, pairs, lift=None):
             found.append(w.ForceEngine(force=(0.0, 0.0, -floor.load_n), ids=[own]))
         if floor.load_n > 0.0 and lift is not None:
             mass = floor.load_n / scene.gravity_m_s2
-            found.append(
-                w.InterpolatingDirectedForceEngine(
-                    times=lift.time_s.tolist(),
-                    magnitudes=(-mass * lift.acceleration_m_s2).tolist(),
-                    direction=(0, 0, 1),
-                    ids=[own],
-                    wrap=False,
-                )
-            )
+            found.append(parts.force(w, lift, -mass, 2, [own]))
     return found
 
 

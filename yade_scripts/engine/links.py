@@ -9,6 +9,7 @@ FASTEST_M_S: 2e-2 1/s times c, below 1e-4 of a chain's stiffness. All links shar
 and stand side by side in x, out of each other's reach.
 """
 
+from yade_scripts.engine import members as parts
 from yade_scripts.engine.bonds import NO_STIFFNESS
 from yade_scripts.model.scene import DOFS
 
@@ -66,12 +67,9 @@ def place(w, utils, omega, scene):
                 for side in (-1.0, 1.0)
             ],
         }
-        for end, parts in ids.items():
-            for part in parts:
-                members.setdefault(end, []).append(omega.bodies.append(part))
-                part.state.mass, part.state.inertia = 0.0, (0.0, 0.0, 0.0)
-                if not scene.blocks[end].free:
-                    part.state.blockedDOFs = DOFS
+        for end, bodies in ids.items():
+            for body in bodies:
+                parts.append(omega, scene, end, body, members)
     return members
 
 
@@ -87,16 +85,5 @@ def shake(w, scene, motion, body, omega, axis=1):
             mass = same.setdefault(f"{block.mass_kg:.10g}", block.mass_kg)
             groups.setdefault(mass, []).append(body[index])
             state = omega.bodies[body[index]].state
-            velocity = list(state.vel)  # velocities live at half steps: start half a step back
-            velocity[axis] += 0.5 * omega.dt * float(motion.acceleration_m_s2[0])
-            state.vel = tuple(velocity)
-    return [
-        w.InterpolatingDirectedForceEngine(
-            times=motion.time_s.tolist(),
-            magnitudes=(-mass * motion.acceleration_m_s2).tolist(),
-            direction=tuple(int(i == axis) for i in range(3)),
-            ids=ids,
-            wrap=False,
-        )
-        for mass, ids in groups.items()
-    ]
+            parts.set_back(state, axis, -motion.acceleration_m_s2[0], omega.dt)
+    return [parts.force(w, motion, -mass, axis, ids) for mass, ids in groups.items()]

@@ -9,7 +9,7 @@ geometry only between what has met.
 
 import math
 
-from yade_scripts.model.scene import DOFS
+from yade_scripts.engine import members as parts
 
 UNIT_DIAMETER_M = 2.0 / math.pi**0.5  # of a section of 1 m²: stresses are then forces
 RISE = 1e-9  # of the capacity along the plateau, whose ends YADE wants to differ
@@ -56,11 +56,7 @@ def place(w, utils, omega, scene):
         ids = []
         for block, end in ((tie.a, tie.end_a_m), (tie.b, tie.end_b_m)):
             sphere = utils.sphere(end, _reach(tie), fixed=False, material=material, mask=0)
-            ids.append(omega.bodies.append(sphere))
-            sphere.state.mass, sphere.state.inertia = 0.0, (0.0, 0.0, 0.0)
-            if not scene.blocks[block].free:
-                sphere.state.blockedDOFs = DOFS
-            members.setdefault(block, []).append(ids[-1])
+            ids.append(parts.append(omega, scene, block, sphere, members))
         pairs.append(tuple(ids))
     return pairs, members
 

@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from yade_scripts.model.scene import DOFS
+from yade_scripts.engine import members as parts
 
 # The normal of a pair turns by (shear displacement)/(2r). A radius far above any joint
 # displacement keeps the springs linear; without a collider it may exceed the brick.
@@ -37,7 +37,7 @@ class Welds:
     Attributes
     ----------
     members : dict of int to list of int
-        YADE ids by block, for the clumps of the free ones.
+        YADE ids by block.
     geometry, physics, law : list
         Functors for the interaction loop; empty without welded nodes.
     drag : list
@@ -61,26 +61,13 @@ class Welds:
             raise WeldError(
                 "welded nodes share a mask bit with links, a shape with ties and floors"
             )
-        self.material = w.CohFrictMat(
-            density=1e-30,
-            young=1.0,
-            poisson=0.3,
-            frictionAngle=0.5,
-            isCohesive=True,
-            momentRotationLaw=False,
-            normalCohesion=1e30,
-            shearCohesion=1e30,
-        )
+        self.material = parts.cohesive(w, frictionAngle=0.5)
         omega.materials.append(self.material)
         self.omega, self.scene = omega, scene
         for i in self.welded:
             self.pairs.append(tuple(self._half(i, *side) for side in (("a", 1.0), ("b", -1.0))))
         if self.welded:
-            self.geometry = [w.Ig2_Sphere_Sphere_ScGeom6D(updateRotations=False)]
-            self.physics = [
-                w.Ip2_CohFrictMat_CohFrictMat_CohFrictPhys(setCohesionOnNewContacts=True)
-            ]
-            self.law = [w.Law2_ScGeom6D_CohFrictPhys_CohesionMoment()]
+            self.geometry, self.physics, self.law = parts.cohesive_functors(w)
         if dragged:
             ids = [self._dragged(i) for i in dragged]
             self.drag = [w.LinearDragEngine(nu=DRAG_VISCOSITY_PA_S, ids=ids)]
@@ -105,13 +92,7 @@ class Welds:
             tuple(float(v) for v in centre), radius, material=self.material, fixed=not free, mask=0
         )
         sphere.bounded = False
-        number = self.omega.bodies.append(sphere)
-        sphere.state.mass, sphere.state.inertia = 0.0, (0.0, 0.0, 0.0)
-        if free:
-            self.members.setdefault(index, []).append(number)
-        else:
-            sphere.state.blockedDOFs = DOFS
-        return number
+        return parts.append(self.omega, self.scene, index, sphere, self.members)
 
     def join(self):
         """Make the contacts, with the stiffness of each node."""

@@ -13,20 +13,17 @@ full 3D                   six freedoms and two columns of nodes
 Polyhedra                 YADE's volumetric law instead of nodes (W1; see `polyhedra`)
 """
 
-import argparse
-import json
 import os
 import sys
-from pathlib import Path
 
 import numpy as np
 
 from yade_scripts.engine import adapter, loop, polyhedra, simulate
-from yade_scripts.files import write_atomic
+from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import facade, floor_motions, registry
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.nodes import with_nodes
-from yade_scripts.studies import shaking
+from yade_scripts.studies import command, shaking
 from yade_scripts.studies.tables import to_csv
 
 COLUMNS = {
@@ -156,12 +153,10 @@ def as_row(spec, nodes, history, ratio):
 
 def main(arguments=None):
     """Parse the command line, carry out the plan, write the table; return the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--plan", required=True, help="what to run (JSON)")
-    parser.add_argument("--output", required=True, help="table to write (CSV)")
-    args = parser.parse_args(arguments)
-    plan = json.loads(Path(args.plan).read_text())
-    jobs = {m: json.loads(Path(p).read_text()) for m, p in plan["scenes"].items()}
+    texts = {"plan": "what to run (JSON)", "output": "table to write (CSV)"}
+    args = command.parser(__doc__, **texts).parse_args(arguments)
+    plan = read_json(args.plan)
+    jobs = {m: read_json(p) for m, p in plan["scenes"].items()}
     motions = {r: floor_motions.read(p) for r, p in plan["motions"].items()}
     adapter.load_yade()
     rows = []

@@ -10,7 +10,6 @@ Displacements are relative to the ground. With --apart façade and building stan
 the nodes between them are left out.
 """
 
-import argparse
 import json
 import resource
 import time
@@ -19,15 +18,15 @@ from dataclasses import replace
 import numpy as np
 
 from yade_scripts.engine import adapter, loop
-from yade_scripts.files import read_json, write_atomic
-from yade_scripts.model import floor_motions
+from yade_scripts.files import write_atomic
 from yade_scripts.model.building.complete import apart
-from yade_scripts.model.motion import SIGNS, amplitude
+from yade_scripts.model.motion import amplitude
 from yade_scripts.model.scene import from_dict
-from yade_scripts.studies import shaking
+from yade_scripts.studies import command, shaking
 from yade_scripts.studies.ensemble import read_curve
 from yade_scripts.studies.frames import Camera
 from yade_scripts.studies.intensities import fallen_or_highest
+from yade_scripts.studies.tables import history_csv
 
 COLUMNS = ("time_s", "d_over_b", "top_m", "ends_m", "facade_m", "broken")
 
@@ -63,10 +62,9 @@ class Recorder:
 
 def main(arguments=None):
     """Parse the command line, run, write history and cost; return the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--scene", required=True, help="scene file (JSON)")
-    parser.add_argument("--motion", required=True, help="floor motions (CSV); the ground's counts")
-    parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
+    words = [word for word in command.CURVE if word != "record"]
+    texts = {"output": "history to write (CSV)", "cost": "outcome and cost (JSON)"}
+    parser = command.parser(__doc__, *words, **texts)
     parser.add_argument("--pga", type=float, help="intensity [g]")
     parser.add_argument("--collapse", help="IDA table: its first collapse, or else its highest run")
     parser.add_argument("--until", type=float, help="end of motion and run [s]")
@@ -75,17 +73,14 @@ def main(arguments=None):
     parser.add_argument("--frames", help="poses of all blocks (JSON)")
     parser.add_argument("--interval", type=float, default=0.05, help="between frames [s]")
     parser.add_argument("--fall", type=float, default=1.0, help="d/b at which to stop")
-    parser.add_argument("--output", required=True, help="history to write (CSV)")
-    parser.add_argument("--cost", required=True, help="outcome and cost (JSON)")
     args = parser.parse_args(arguments)
     if (args.pga is None) == (args.collapse is None):
         raise ValueError("expected either --pga or --collapse")
     pga_g = fallen_or_highest(read_curve(args.collapse)[0]) if args.collapse else args.pga
-    job = read_json(args.scene)
+    job, time_s, columns = command.opened(args)
     scene = from_dict(job["scene"])
     if args.apart:
         scene = apart(scene)
-    time_s, columns = floor_motions.read(args.motion)
     factor = amplitude(columns["ground"], args.direction, pga_g)
     numerics = job["numerics"]
     if args.until is not None:
@@ -108,10 +103,8 @@ def main(arguments=None):
     cpu = time.process_time() - cpu
     rows = np.array(recorder.rows)
     d_over_b = np.interp(rows[:, 0], history.time_s, history.d_m) / scene.thickness_m
-    lines = [",".join(COLUMNS)]
-    for row, ratio in zip(rows, d_over_b, strict=True):
-        lines.append(",".join(f"{v:.9g}" for v in (row[0], ratio, *row[1:])))
-    write_atomic(args.output, "\n".join(lines) + "\n")
+    lines = np.column_stack([rows[:, 0], d_over_b, rows[:, 1:]])
+    write_atomic(args.output, history_csv({}, COLUMNS, lines, dict.fromkeys(COLUMNS, ".9g")))
     cost = {
         "blocks": len(scene.blocks),
         "nodes": len(scene.nodes),
@@ -126,19 +119,5 @@ def main(arguments=None):
     }
     write_atomic(args.cost, json.dumps(cost, indent=1, sort_keys=True) + "\n")
     if camera:
-        blocks = [
-            {"name": b.name, "centre_m": list(b.centre_m), "size_m": list(b.size_m), "free": b.free}
-            for b in scene.blocks
-        ]
-        d = np.interp(camera.times, history.time_s, history.d_m) / scene.thickness_m
-        frames = {
-            "time_s": camera.times,
-            "moved": camera.rows,
-            "blocks": blocks,
-            "d_over_b": np.round(d, 6).tolist(),
-            "status": history.status,
-            "pga_g": pga_g,
-            "model": job["model"],
-        }
-        write_atomic(args.frames, json.dumps(frames, separators=(",", ":")) + "\n")
+        camera.write(args.frames, history, pga_g=pga_g, model=job["model"])
     return 0

@@ -7,21 +7,19 @@ Runs under YADE's own Python, after the study `ida`, whose curve it reads:
         --journal cache/ensemble.jsonl --output ensemble.csv --sensitivity sensitivity.csv
 """
 
-import argparse
 import csv
 import math
-import sys
 from dataclasses import replace
 
 import numpy as np
 
 from yade_scripts.engine import adapter, memory, simulate
 from yade_scripts.files import read_json, write_atomic
-from yade_scripts.model import floor_motions, models
-from yade_scripts.model.motion import SIGNS, amplitude
+from yade_scripts.model import models
+from yade_scripts.model.motion import amplitude
 from yade_scripts.model.scene import to_json
 from yade_scripts.sources import digest
-from yade_scripts.studies import perturb, shaking
+from yade_scripts.studies import command, perturb, shaking
 from yade_scripts.studies.journal import Journal, run_key
 from yade_scripts.studies.tables import RUN_COLUMNS, run_row, to_csv
 
@@ -192,28 +190,18 @@ def search_band(runner, status, settings, ida):
 
 def main(arguments=None):
     """Parse the command line, run the ensemble, write the tables; return the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    for name, text in (
-        ("scene", "scene file (JSON)"),
-        ("motion", "floor motions (CSV)"),
-        ("record", "name"),
-        ("curve", "finished IDA table (CSV)"),
-        ("journal", "finished runs (JSON lines)"),
-        ("output", "ensemble table to write (CSV)"),
-        ("sensitivity", "sensitivity table to write (CSV)"),
-    ):
-        parser.add_argument(f"--{name}", required=True, help=text)
-    parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
+    parser = command.parser(
+        __doc__,
+        *command.CURVE,
+        "curve",
+        "journal",
+        output="ensemble table to write (CSV)",
+        sensitivity="sensitivity table to write (CSV)",
+    )
     parser.add_argument("--plan", help="levels from the dense scan (JSON)")
     args = parser.parse_args(arguments)
-    job = read_json(args.scene)
-
-    def say(text):
-        print(
-            f"[{job['model']} {args.record} {args.direction}] {text}", file=sys.stderr, flush=True
-        )
-
-    time_s, columns = floor_motions.read(args.motion)
+    job, time_s, columns = command.opened(args)
+    say = command.speaker(job, args)
     status, d_over_b = read_curve(args.curve)
     adapter.load_yade()
     runner = Runner(job, time_s, columns, args.record, args.direction, Journal(args.journal), say)

@@ -10,7 +10,6 @@ and, where it is asked for, its weight from the first step on; `LinearDragEngine
 mass-proportional damping.
 """
 
-import argparse
 import csv
 import json
 import resource
@@ -20,11 +19,14 @@ from dataclasses import replace
 import numpy as np
 
 from yade_scripts.engine import adapter, loop
-from yade_scripts.files import read_json
+from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model.motion import Motion
 from yade_scripts.model.scene import from_dict
+from yade_scripts.studies import command
+from yade_scripts.studies.tables import history_csv
 
 SHAKING = "ground"
+COLUMNS = ("time_s", "top_m_s2", "corner_m_s2", "top_m", "corner_m")
 
 
 class ExplicitBuilding:
@@ -112,15 +114,13 @@ def corner(scene):
 
 def main(arguments=None):
     """Read a scene and a motion, run, write the history (CSV) and the cost (JSON)."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--scene", required=True, help="scene file (JSON)")
-    parser.add_argument("--motion", required=True, help="CSV: time_s, ground acceleration in m/s²")
+    texts = {"motion": "time_s, ground acceleration in m/s² (CSV)", "output": "history (CSV)"}
+    parser = command.parser(__doc__, "scene", **texts)
     parser.add_argument("--rate", type=float, help="damping rate a [1/s]; default the scene's note")
     parser.add_argument("--step", type=float, help="time step [s]; default the scene's note")
     parser.add_argument("--duration", type=float, help="[s]; default the scene's note")
     parser.add_argument("--steps", type=int, help="number of steps instead of a duration")
     parser.add_argument("--gravity", type=float, default=0.0, help="downward, sudden [m/s²]")
-    parser.add_argument("--output", required=True, help="CSV: time_s, top and corner")
     parser.add_argument("--cost", help="JSON with steps, wall time and memory")
     options = parser.parse_args(arguments)
     scene = from_dict(read_json(options.scene))
@@ -147,10 +147,9 @@ def main(arguments=None):
     clocks.append((time.perf_counter(), time.process_time()))
     t, acceleration, displacement = building.run(duration, points)
     clocks.append((time.perf_counter(), time.process_time()))
-    with open(options.output, "w", encoding="utf-8") as handle:
-        handle.write("time_s,top_m_s2,corner_m_s2,top_m,corner_m\n")
-        for row in np.vstack([t, acceleration, displacement]).T:
-            handle.write(",".join(f"{value:.9g}" for value in row) + "\n")
+    found = np.vstack([t, acceleration, displacement]).T
+    formats = dict.fromkeys(COLUMNS, ".9g")
+    write_atomic(options.output, history_csv({}, COLUMNS, found, formats))
     if options.cost:
         cost = {
             "blocks": len(scene.blocks),
@@ -162,5 +161,4 @@ def main(arguments=None):
             "run_cpu_s": clocks[2][1] - clocks[1][1],
             "memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0,
         }
-        with open(options.cost, "w", encoding="utf-8") as handle:
-            json.dump(cost, handle, indent=1)
+        write_atomic(options.cost, json.dumps(cost, indent=1))

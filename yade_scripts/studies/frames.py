@@ -8,17 +8,17 @@ With --collapse the intensity is the lowest one of that table that overturned. T
 are YADE's state at each frame: nothing is drawn that was not computed.
 """
 
-import argparse
 import json
+import math
 from dataclasses import replace
 
 import numpy as np
 
 from yade_scripts.engine import adapter, loop
-from yade_scripts.files import read_json, write_atomic
-from yade_scripts.model import floor_motions, models
-from yade_scripts.model.motion import SIGNS, amplitude
-from yade_scripts.studies import shaking
+from yade_scripts.files import write_atomic
+from yade_scripts.model import models
+from yade_scripts.model.motion import amplitude
+from yade_scripts.studies import command, shaking
 from yade_scripts.studies.ensemble import read_curve
 from yade_scripts.studies.intensities import collapse_bounds
 
@@ -71,77 +71,58 @@ class Camera:
         self.rows.append(row)
         self.times.append(round(float(self.omega.time), 6))
 
+    def write(self, path, history, **facts):
+        """Write the frames of a run.
 
-def film(job, time_s, columns, direction, pga_g, interval_s, fall, until_s):
-    """Run one intensity and keep its frames.
-
-    Parameters
-    ----------
-    job : dict
-        A scene file.
-    fall : float
-        d/b at which the film stops; beyond 1 the façade is seen falling.
-    until_s : float or None
-        End of the film.
-
-    Returns
-    -------
-    dict
-        time_s; moved, shape (frames, blocks, 3): displacement along y and z of each
-        centroid [m] and rotation about x [rad]; blocks; d_over_b and status.
-    """
-    scene, numerics = models.build_scene(job), models.numerics(job)
-    factor = amplitude(columns["ground"], direction, pga_g)
-    case = shaking.prepare(scene, numerics, time_s, columns, factor)
-    limit = min(case.rules.limit_s, until_s) if until_s else case.rules.limit_s
-    case = replace(
-        case,
-        rules=replace(case.rules, overturn_ratio=fall, limit_s=limit),
-        sample_s=min(interval_s, case.sample_s),
-    )
-    camera = Camera(scene)
-    history = case.run(setup=camera.attach(interval_s))
-    blocks = [
-        {
-            "name": b.name,
-            "centre_m": list(map(float, b.centre_m)),
-            "size_m": list(map(float, b.size_m)),
-            "free": b.free,
+        The file has time_s; moved, shape (frames, blocks, 3): displacement along y and z of each
+        centroid [m] and rotation about x [rad]; blocks; d_over_b, status and the facts.
+        """
+        blocks = [
+            {
+                "name": b.name,
+                "centre_m": list(map(float, b.centre_m)),
+                "size_m": list(map(float, b.size_m)),
+                "free": b.free,
+            }
+            for b in self.scene.blocks
+        ]
+        d = np.interp(self.times, history.time_s, history.d_m) / self.scene.thickness_m
+        frames = {
+            "time_s": self.times,
+            "moved": self.rows,
+            "blocks": blocks,
+            "d_over_b": np.round(d, 6).tolist(),
+            "status": history.status,
+            **facts,
         }
-        for b in scene.blocks
-    ]
-    d = np.interp(camera.times, history.time_s, history.d_m) / scene.thickness_m
-    return {
-        "time_s": camera.times,
-        "moved": camera.rows,
-        "blocks": blocks,
-        "d_over_b": np.round(d, 6).tolist(),
-        "status": history.status,
-        "pga_g": pga_g,
-    }
+        write_atomic(path, json.dumps(frames, separators=(",", ":")) + "\n")
 
 
 def main(arguments=None):
     """Parse the command line, run, write the frames; return the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--scene", required=True, help="scene file (JSON)")
-    parser.add_argument("--motion", required=True, help="floor motions (CSV)")
-    parser.add_argument("--record", required=True)
-    parser.add_argument("--direction", required=True, choices=sorted(SIGNS))
+    parser = command.parser(__doc__, *command.CURVE, output="frames to write (JSON)")
     parser.add_argument("--pga", type=float, help="intensity [g]")
     parser.add_argument("--collapse", help="IDA table whose first collapse is filmed")
     parser.add_argument("--interval", type=float, default=0.02, help="between frames [s]")
     parser.add_argument("--fall", type=float, default=1.0, help="d/b at which to stop")
-    parser.add_argument("--until", type=float, help="end of the film [s]")
-    parser.add_argument("--output", required=True, help="frames to write (JSON)")
+    parser.add_argument("--until", type=float, default=math.inf, help="end of the film [s]")
     args = parser.parse_args(arguments)
     if (args.pga is None) == (args.collapse is None):
         raise ValueError("expected either --pga or --collapse")
     pga_g = args.pga if args.collapse is None else collapse_intensity(args.collapse)
-    job = read_json(args.scene)
-    time_s, columns = floor_motions.read(args.motion)
+    job, time_s, columns = command.opened(args)
     adapter.load_yade()
-    frames = film(job, time_s, columns, args.direction, pga_g, args.interval, args.fall, args.until)
-    frames |= {"model": job["model"], "record": args.record, "direction": args.direction}
-    write_atomic(args.output, json.dumps(frames, separators=(",", ":")) + "\n")
+    scene, numerics = models.build_scene(job), models.numerics(job)
+    factor = amplitude(columns["ground"], args.direction, pga_g)
+    case = shaking.prepare(scene, numerics, time_s, columns, factor)
+    limit_s = min(case.rules.limit_s, args.until)
+    case = replace(
+        case,
+        rules=replace(case.rules, overturn_ratio=args.fall, limit_s=limit_s),
+        sample_s=min(args.interval, case.sample_s),
+    )
+    camera = Camera(scene)
+    history = case.run(setup=camera.attach(args.interval))
+    facts = {"model": job["model"], "record": args.record, "direction": args.direction}
+    camera.write(args.output, history, pga_g=pga_g, **facts)
     return 0

@@ -14,9 +14,6 @@ The cases file holds a list; each case is one wall:
     limit_s        end of each history [s]
 """
 
-import argparse
-import io
-import json
 import math
 import sys
 import time
@@ -27,6 +24,8 @@ from yade_scripts.engine import adapter, simulate
 from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import facade
 from yade_scripts.model.gravity import GRAVITY_M_S2
+from yade_scripts.studies import command
+from yade_scripts.studies.tables import archive
 
 CASE_KEYS = ("id", "config", "model", "release_ratio", "beta_s", "limit_s")
 SAMPLES = 2500  # a history is kept in about so many samples: 0.1 % of a bounce or finer
@@ -136,25 +135,10 @@ def run_cases(cases, say):
     return runs, histories
 
 
-def pack(runs, histories):
-    """Bytes of the NumPy archive: `runs` (JSON), `length`, `time_s`, `theta_over_alpha`."""
-    text = io.BytesIO()
-    np.savez_compressed(
-        text,
-        runs=np.array(json.dumps(runs)),
-        length=np.array([len(t) for t, _ in histories]),
-        time_s=np.concatenate([t for t, _ in histories]),
-        theta_over_alpha=np.concatenate([theta for _, theta in histories]),
-    )
-    return text.getvalue()
-
-
 def main(arguments=None):
     """Parse the command line, run, write the archive; return the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--cases", required=True, help="cases (JSON)")
-    parser.add_argument("--output", required=True, help="histories to write (.npz)")
-    args = parser.parse_args(arguments)
+    texts = {"cases": "cases (JSON)", "output": "histories to write (.npz)"}
+    args = command.parser(__doc__, **texts).parse_args(arguments)
 
     def say(text):
         print(f"[free rocking] {text}", file=sys.stderr, flush=True)
@@ -162,5 +146,6 @@ def main(arguments=None):
     cases = read_cases(args.cases)
     adapter.load_yade()
     runs, histories = run_cases(cases, say)
-    write_atomic(args.output, pack(runs, histories))
+    times, angles = zip(*histories, strict=True)
+    write_atomic(args.output, archive(runs, time_s=times, theta_over_alpha=angles))
     return 0

@@ -17,20 +17,18 @@ The run is that of the analyses (step, ledger, stop rules), sampled every SAMPLE
     lost_j                  input − stored: dashpots, friction, broken bonds, the samples' error
 """
 
-import argparse
 from dataclasses import replace
 
 import numpy as np
 
 from yade_scripts.engine import adapter, balance, ledger, loop
-from yade_scripts.files import read_json, write_atomic
+from yade_scripts.files import write_atomic
 from yade_scripts.model import floor_motions, models
-from yade_scripts.model.motion import SIGNS, amplitude
-from yade_scripts.studies import shaking
-from yade_scripts.studies.tables import to_csv
+from yade_scripts.model.motion import amplitude
+from yade_scripts.studies import command, shaking
+from yade_scripts.studies.tables import HEAD, history_csv
 
 SAMPLE_S = 0.01
-HEAD = {"model": "", "record": "", "direction": "", "pga_g": ".4f", "status": "", "dt_s": ".6e"}
 FORCES = ("base_y_n", "base_z_n", "walls_y_n", "walls_z_n")
 BARS = ("ties", "floors")
 ENERGIES = ("input_j", "kinetic_j", "potential_j", "elastic_j", "lost_j")
@@ -123,27 +121,17 @@ def trace(job, time_s, columns, factor):
 
 def main(arguments=None):
     """Parse the command line, run, write the history; return the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--scene", required=True, help="scene file (JSON)")
-    parser.add_argument("--motion", required=True, help="floor motions (CSV)")
-    parser.add_argument("--record", required=True)
-    parser.add_argument("--direction", required=True, choices=sorted(SIGNS))
+    parser = command.parser(__doc__, *command.CURVE, output="history to write (CSV)")
     parser.add_argument("--pga", required=True, type=float, help="intensity [g]")
-    parser.add_argument("--output", required=True, help="history to write (CSV)")
     args = parser.parse_args(arguments)
     if not 0.0 < args.pga <= 10.0:
         raise ValueError(f"PGA of {args.pga:g} g: expected a number above 0, at most 10 (g)")
-    job = read_json(args.scene)
-    time_s, columns = floor_motions.read(args.motion)
+    job, time_s, columns = command.opened(args)
     adapter.load_yade()
     factor = amplitude(columns["ground"], args.direction, args.pga)
     history, values = trace(job, time_s, columns, factor)
     given = (job["model"], args.record, args.direction, args.pga, history.status, history.dt_s)
     facts = dict(zip(HEAD, given, strict=True))
-    formats = {**HEAD, "time_s": ".4f", **dict.fromkeys(list(values)[1:], ".6g")}
-    rows = (
-        {**facts, **dict(zip(values, row, strict=True))}
-        for row in zip(*(v.tolist() for v in values.values()), strict=True)
-    )
-    write_atomic(args.output, to_csv(rows, formats))
+    rows = zip(*(v.tolist() for v in values.values()), strict=True)
+    write_atomic(args.output, history_csv(facts, values, rows, {**HEAD, "time_s": ".4f"}))
     return 0

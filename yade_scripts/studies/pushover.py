@@ -11,9 +11,6 @@ like the rising one. The push is slow enough for inertia and dashpots to vanish 
 façade without headers (an eighth of a percent to three percent of it).
 """
 
-import argparse
-import csv
-import io
 import sys
 from dataclasses import replace
 from typing import Any
@@ -23,10 +20,15 @@ import numpy as np
 from yade_scripts.engine import adapter, loop, simulate
 from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import models
+from yade_scripts.studies import command
+from yade_scripts.studies.tables import history_csv, to_csv
 
 PUSH = "push"
 COLUMNS = ("d_over_b", "lambda_dem")
-FORCE_COLUMNS = ("d_over_b", "joint", "node", "z_m", "slip_m", "normal_n", "shear_n")
+FORCE_COLUMNS = {
+    **{"d_over_b": ".6f", "joint": "", "node": "d"},
+    **dict.fromkeys(("z_m", "slip_m", "normal_n", "shear_n"), ".6g"),
+}
 
 
 def guided(scene):
@@ -152,32 +154,18 @@ def push(scene, numerics, *, speed_m_s=0.02, reach=1.0, samples=400, force_sampl
 
 def forces_csv(scene, forces):
     """Contact forces along the push as CSV text, one line a node and sample."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(FORCE_COLUMNS)
     nodes = scene.nodes
-    for d, turn, normal, shear in forces:
-        for i in range(len(nodes)):
-            z = nodes.position_m[i, 2]
-            writer.writerow(
-                [
-                    f"{d:.6f}",
-                    scene.joints[nodes.joint[i]],
-                    i,
-                    f"{z:.6g}",
-                    f"{-z * np.sin(turn):.6g}",
-                    f"{normal[i]:.6g}",
-                    f"{shear[i]:.6g}",
-                ]
-            )
-    return text.getvalue()
+    rows = (
+        (d, scene.joints[nodes.joint[i]], i, z, -z * np.sin(turn), normal[i], shear[i])
+        for d, turn, normal, shear in forces
+        for i, z in enumerate(nodes.position_m[:, 2])
+    )
+    return to_csv((dict(zip(FORCE_COLUMNS, row, strict=True)) for row in rows), FORCE_COLUMNS)
 
 
 def main(arguments=None):
     """Parse the command line, push, write the curve; return the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--scene", required=True, help="scene file (JSON)")
-    parser.add_argument("--output", required=True, help="curve to write (CSV)")
+    parser = command.parser(__doc__, "scene", output="curve to write (CSV)")
     parser.add_argument("--forces", help="contact forces along the push to write (CSV)")
     args = parser.parse_args(arguments)
     job = read_json(args.scene)
@@ -191,8 +179,7 @@ def main(arguments=None):
         samples=settings["samples"],
         force_samples=settings["force_samples"] if args.forces else 0,
     )
-    rows = "".join(f"{d:.9g},{force:.9g}\n" for d, force in curve)
-    write_atomic(args.output, ",".join(COLUMNS) + "\n" + rows)
+    write_atomic(args.output, history_csv({}, COLUMNS, curve, dict.fromkeys(COLUMNS, ".9g")))
     if args.forces:
         write_atomic(args.forces, forces_csv(scene, forces))
     print(

@@ -15,17 +15,13 @@ The tests file holds a list; each test is one run::
     factor   on the motion; its sign is the direction
 """
 
-import argparse
-import io
-import json
 import sys
-
-import numpy as np
 
 from yade_scripts.engine import adapter
 from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import facade, floor_motions
-from yade_scripts.studies import shaking
+from yade_scripts.studies import command, shaking
+from yade_scripts.studies.tables import archive
 
 TEST_KEYS = ("id", "config", "model", "beta_s", "motion", "factor")
 
@@ -64,7 +60,7 @@ def run_test(test):
 
 
 def pack(tests, histories):
-    """Bytes of the NumPy archive: `runs` (JSON), `length`, `time_s`, `d_m`."""
+    """Archive of the tests: `runs` and, of each, time_s and d_m; see `tables.archive`."""
     runs = [
         {
             "id": test["id"],
@@ -76,23 +72,13 @@ def pack(tests, histories):
         }
         for test, h in zip(tests, histories, strict=True)
     ]
-    text = io.BytesIO()
-    np.savez_compressed(
-        text,
-        runs=np.array(json.dumps(runs)),
-        length=np.array([len(h.time_s) for h in histories]),
-        time_s=np.concatenate([h.time_s for h in histories]),
-        d_m=np.concatenate([h.d_m for h in histories]),
-    )
-    return text.getvalue()
+    return archive(runs, time_s=[h.time_s for h in histories], d_m=[h.d_m for h in histories])
 
 
 def main(arguments=None):
     """Parse the command line, run, write the archive; return the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--tests", required=True, help="tests (JSON)")
-    parser.add_argument("--output", required=True, help="histories to write (.npz)")
-    args = parser.parse_args(arguments)
+    texts = {"tests": "tests (JSON)", "output": "histories to write (.npz)"}
+    args = command.parser(__doc__, **texts).parse_args(arguments)
     histories = []
     tests = read_tests(args.tests)
     adapter.load_yade()

@@ -9,7 +9,6 @@ Below the critical step the disturbance stays; above, it grows by orders of
 magnitude. Bisection finds where.
 """
 
-import argparse
 import math
 import sys
 from dataclasses import replace
@@ -22,6 +21,7 @@ from yade_scripts.model import facade
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 from yade_scripts.model.stiffness import assemble, critical_step
+from yade_scripts.studies import command
 from yade_scripts.studies.tables import to_csv
 
 COLUMNS = {
@@ -287,11 +287,8 @@ def study(
 
 def main(arguments=None):
     """Parse the command line, run the study, write both tables; return the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--scene", required=True, help="scene file (JSON) of any façade model")
-    parser.add_argument("--output", required=True, help="every trial (CSV)")
-    parser.add_argument("--limits", required=True, help="observed limits (CSV)")
-    args = parser.parse_args(arguments)
+    texts = {"output": "every trial (CSV)", "limits": "observed limits (CSV)"}
+    args = command.parser(__doc__, "scene", **texts).parse_args(arguments)
     job = read_json(args.scene)
     rows, limits = study(job, say=lambda text: print(text, file=sys.stderr, flush=True))
     write_atomic(args.limits, to_csv(limits, LIMIT_COLUMNS))

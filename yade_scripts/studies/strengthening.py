@@ -7,14 +7,9 @@
 The plan has pga_g and cases, each with height_m, force_kn and the section facade it belongs to.
 """
 
-import argparse
-import sys
-
 from yade_scripts.engine import adapter
 from yade_scripts.files import read_json, write_atomic
-from yade_scripts.model import floor_motions
-from yade_scripts.model.motion import SIGNS
-from yade_scripts.studies import ensemble, perturb
+from yade_scripts.studies import command, ensemble, perturb
 from yade_scripts.studies.journal import Journal
 from yade_scripts.studies.tables import to_csv
 
@@ -23,27 +18,16 @@ COLUMNS = {"height_m": ".6g", "force_kn": ".6g", **ensemble.COLUMNS}
 
 def main(arguments=None):
     """Parse the command line, run the members of every case, write the table."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    for name, text in (
-        ("scene", "scene file (JSON)"),
-        ("motion", "floor motions (CSV)"),
-        ("record", "name"),
-        ("plan", "intensity and cases (JSON)"),
-        ("journal", "finished runs (JSON lines)"),
-        ("output", "table to write (CSV)"),
-    ):
-        parser.add_argument(f"--{name}", required=True, help=text)
-    parser.add_argument("--direction", required=True, choices=tuple(SIGNS))
-    args = parser.parse_args(arguments)
-    job, plan = read_json(args.scene), read_json(args.plan)
-    time_s, columns = floor_motions.read(args.motion)
+    args = command.parser(
+        __doc__,
+        *command.CURVE,
+        "journal",
+        plan="intensity and cases (JSON)",
+        output="table to write (CSV)",
+    ).parse_args(arguments)
+    plan, (job, time_s, columns) = read_json(args.plan), command.opened(args)
     adapter.load_yade()
-    journal = Journal(args.journal)
-
-    def say(text):
-        print(f"[{job['model']} {args.record} {args.direction}] {text}", file=sys.stderr)
-
-    rows = []
+    journal, say, rows = Journal(args.journal), command.speaker(job, args), []
     for case in plan["cases"]:
         given = {**job, "facade": case["facade"]}
         runner = ensemble.Runner(given, time_s, columns, args.record, args.direction, journal, say)

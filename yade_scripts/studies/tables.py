@@ -2,9 +2,15 @@
 
 import csv
 import io
+import json
+from typing import Any
+
+import numpy as np
 
 from yade_scripts.engine import simulate
 
+# what does not change along one history
+HEAD = {"model": "", "record": "", "direction": "", "pga_g": ".4f", "status": "", "dt_s": ".6e"}
 # of the columns that every table of earthquake runs ends with
 RUN_COLUMNS = {
     "d_over_b": ".6f",
@@ -52,4 +58,37 @@ def to_csv(rows, columns):
     for row in rows:
         values = ((row[name], how) for name, how in columns.items())
         writer.writerow("" if value is None else format(value, how) for value, how in values)
+    return text.getvalue()
+
+
+def history_csv(facts, names, rows, formats):
+    """One history as CSV text; what does not change stands in the first columns.
+
+    Parameters
+    ----------
+    facts : dict
+    names : sequence of str
+        Columns of the rows.
+    rows : iterable of sequence of float
+    formats : dict of str to str
+        Of the facts and of some columns; the others get six digits.
+    """
+    lines = (dict(zip(names, row, strict=True)) | facts for row in rows)
+    return to_csv(lines, {name: formats.get(name, ".6g") for name in (*facts, *names)})
+
+
+def archive(runs, **series):
+    """Bytes of a NumPy archive of histories: `runs` (JSON), `length` of each, and its series.
+
+    Parameters
+    ----------
+    runs : list of dict
+    series : sequences of ndarray
+        By name, an array a run; kept end to end.
+    """
+    text = io.BytesIO()
+    lengths = np.array([len(values) for values in next(iter(series.values()))])
+    arrays: dict[str, Any] = {"runs": np.array(json.dumps(runs)), "length": lengths}
+    arrays |= {name: np.concatenate(values) for name, values in series.items()}
+    np.savez_compressed(text, **arrays)
     return text.getvalue()

@@ -1,0 +1,48 @@
+"""The command line that studies share: the words of a job, what they name, its progress lines."""
+
+import argparse
+import sys
+
+from yade_scripts.files import read_json
+from yade_scripts.model import floor_motions
+from yade_scripts.model.motion import SIGNS
+
+CURVE = ("scene", "motion", "record", "direction")  # what one model, record and direction needs
+WORDS = {
+    "scene": "scene file (JSON)",
+    "motion": "floor motions (CSV)",
+    "record": "name",
+    "direction": "of the record along the outward normal",
+    "curve": "finished IDA table (CSV)",
+    "journal": "finished runs (JSON lines)",
+}
+
+
+def parser(doc, *words, **own):
+    """Parser of a study.
+
+    Parameters
+    ----------
+    doc : str
+        The study's documentation, whose first line describes it.
+    words
+        Required options of WORDS.
+    own
+        Required options of this study alone, with what each of them is.
+    """
+    made = argparse.ArgumentParser(description=doc.splitlines()[0])
+    for word, text in ({word: WORDS[word] for word in words} | own).items():
+        choices = tuple(SIGNS) if word == "direction" else None
+        made.add_argument(f"--{word}", required=True, choices=choices, help=text)
+    return made
+
+
+def opened(args):
+    """Scene file, and time and accelerations of the motion, that `--scene` and `--motion` name."""
+    return read_json(args.scene), *floor_motions.read(args.motion)
+
+
+def speaker(job, args):
+    """Return what prints a job's progress, a line a call."""
+    name = f"[{job['model']} {args.record} {args.direction}]"
+    return lambda text: print(name, text, file=sys.stderr, flush=True)
