@@ -19,8 +19,8 @@ from rocking.curves.intensity_measures import MEASURES
 from rocking.curves.pushover import VARIANTS
 from rocking.records import RecordError
 from rocking.records.check import check_study
-from rocking.runtime import file_times, first_page, progress, results_folder
-from rocking.runtime import run_lock, stamps, terminal, warm
+from rocking.runtime import file_times, first_page, interrupts, progress
+from rocking.runtime import results_folder, run_lock, stamps, terminal, warm
 from rocking.study.calibration import CASES, HISTORIES
 from rocking.study import shared
 from rocking.study.chosen import chosen
@@ -157,23 +157,24 @@ localrules:
 
 
 onstart:
+    interrupts.heed(workflow.scheduler)
     try:
-        run_lock.hold()
-        file_times.settle(shared.FOLDER)
-        for name, resolved in STUDY.runs.items():
-            file_times.settle(f"results/{name}")
-            choices = chosen(resolved, FIDELITY_FILE, LAW_FILE)
-            configuration.write_resolved(
-                resolved, f"results/{name}/config.yaml", choices
-            )
-    except (run_lock.Busy, ValueError, OSError) as error:
-        stop(error)
-    tasks = progress.tasks_of(workflow, STUDY.known_runs)
-    # none on a cluster, which has no such number
-    cores = workflow.resource_settings.cores
-    print(progress.opening(tasks, list(STUDY.runs), cores), file=sys.stderr)
-    progress.Progress(tasks).watch()
-    try:
+        try:
+            run_lock.hold()
+            file_times.settle(shared.FOLDER)
+            for name, resolved in STUDY.runs.items():
+                file_times.settle(f"results/{name}")
+                choices = chosen(resolved, FIDELITY_FILE, LAW_FILE)
+                configuration.write_resolved(
+                    resolved, f"results/{name}/config.yaml", choices
+                )
+        except (run_lock.Busy, ValueError, OSError) as error:
+            stop(error)
+        tasks = progress.tasks_of(workflow, STUDY.known_runs)
+        # none on a cluster, which has no such number
+        cores = workflow.resource_settings.cores
+        print(progress.opening(tasks, list(STUDY.runs), cores), file=sys.stderr)
+        progress.Progress(tasks).watch()
         warm.serve(workflow)
     except KeyboardInterrupt:
         sys.exit(STOPPED)

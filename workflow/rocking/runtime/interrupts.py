@@ -1,0 +1,42 @@
+"""Ctrl-C and SIGTERM reach a run whatever it does at that moment.
+
+Python drops a KeyboardInterrupt that is raised where nothing can catch it, in a destructor or a
+callback of a weak reference: the run would go on to its end. Snakemake's handler of SIGTERM takes
+the lock of its scheduler: where the signal meets the thread that holds it, the run would stand
+still for ever. Here a thread of its own, which meets no signals, does what is to be done.
+"""
+
+import queue
+import signal
+import sys
+import threading
+
+
+def heed(scheduler):
+    """Let both signals reach a run from now on; called in the main thread.
+
+    Parameters
+    ----------
+    scheduler : snakemake.scheduling.job_scheduler.JobScheduler
+        Upon SIGTERM its running jobs end, and no other begins.
+    """
+    came: queue.SimpleQueue = queue.SimpleQueue()  # may be put to whatever a signal interrupted
+    main = threading.get_ident()
+    dropped = sys.unraisablehook
+
+    def watch():
+        for number in iter(came.get, None):
+            if number == signal.SIGTERM:
+                scheduler.exit_gracefully()
+            else:
+                signal.pthread_kill(main, number)
+
+    def drop(what):
+        if issubclass(what.exc_type, KeyboardInterrupt):
+            came.put(signal.SIGINT)
+        else:
+            dropped(what)
+
+    threading.Thread(target=watch, name="interrupts", daemon=True).start()
+    signal.signal(signal.SIGTERM, lambda number, frame: came.put(number))
+    sys.unraisablehook = drop
