@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
+import sliding_block as sliding
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rocking.mechanics import closed_forms as cf
-from rocking.mechanics import sliding
 from scipy.integrate import solve_ivp
 
 FACADE = {"h_m": 6.48, "b_m": 0.375}

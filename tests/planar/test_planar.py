@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from planar_cases import facade, rate, sorrentino
 from rocking.mechanics import closed_forms as cf
-from rocking.mechanics.sliding import sliding_response
 from rocking.planar import Motion, Wall, simulate, simulate_batch
 from rocking.planar.adaptive import run
 from rocking.planar.contact import (
@@ -21,6 +20,7 @@ from rocking.planar.contact import (
 from rocking.planar.integrate import COLUMNS, Control
 from rocking.planar.motion import integrate_linear
 from rocking.planar.wall import rule
+from sliding_block import sliding_response
 
 from smdof import floor_motions
 from yade_scripts.model.quadrature import gauss_lobatto

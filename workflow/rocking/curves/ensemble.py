@@ -53,26 +53,6 @@ def bands(ensemble_rows, percentiles=(10.0, 90.0)):
     return pd.DataFrame(out, columns=columns)
 
 
-def median_spread(values, counts, seed, resamples=2000):
-    """Standard deviation of the median of `n` members drawn from a large ensemble (bootstrap).
-
-    Parameters
-    ----------
-    values : array_like
-        d/b of a large ensemble.
-    counts : sequence of int
-        Ensemble sizes n.
-    seed : int
-
-    Returns
-    -------
-    ndarray, shape (len(counts),)
-    """
-    rng = np.random.default_rng(seed)
-    values = np.asarray(values, float)
-    return np.array([np.median(rng.choice(values, (resamples, n)), axis=1).std() for n in counts])
-
-
 def members_needed(values, tolerance, seed, limit=201):
     """Smallest odd number of members whose median stays within ± tolerance in 90 % of draws.
 

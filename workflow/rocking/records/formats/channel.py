@@ -47,3 +47,30 @@ class Channel:
     peak_tolerance: tuple = (0.01, 0.0)
     about: dict = field(default_factory=dict)
     provenance: str = "file"
+
+
+MAX_CHANNELS = 200
+
+
+def channels(text, read_one):
+    """All channels of a file that holds one after another.
+
+    Parameters
+    ----------
+    text : Text
+    read_one : callable
+        Takes the text and the line of a heading; returns the channel, or None for one that is
+        left aside, and the line after.
+    """
+    found: list[Channel] = []
+    line = 1
+    while line <= len(text.lines):
+        if not text.lines[line - 1].strip():
+            line += 1
+            continue
+        if len(found) == MAX_CHANNELS:
+            raise text.error(line, f"more than {MAX_CHANNELS} channels")
+        channel, line = read_one(text, line)
+        if channel:
+            found.append(channel)
+    return found

@@ -12,10 +12,9 @@ import re
 
 from ..record import unit_name
 from ..text import fixed_block, parse_count, parse_number
-from .channel import Channel
+from .channel import Channel, channels
 
 DESCRIPTION = "COSMOS V1.20"
-MAX_CHANNELS = 200
 MAX_HEADING = 200
 _FIRST = re.compile(r"\(Format v[\d.]+ with\s+(\d{1,3}) text lines\)", re.I)
 _HEADING = re.compile(
@@ -40,20 +39,10 @@ def sniff(text):
 
 def read(text):
     """Read the acceleration of all channels."""
-    channels: list[Channel] = []
-    line = 1
-    while line <= len(text.lines):
-        if not text.lines[line - 1].strip():
-            line += 1
-            continue
-        if len(channels) == MAX_CHANNELS:
-            raise text.error(line, f"more than {MAX_CHANNELS} channels")
-        channel, line = _channel(text, line)
-        if channel:
-            channels.append(channel)
-    if not channels:
+    found = channels(text, _channel)
+    if not found:
         raise text.error(len(text.lines), "no channel of acceleration in the file")
-    return channels
+    return found
 
 
 def _heading(text, line, kind):

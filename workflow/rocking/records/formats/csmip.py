@@ -15,10 +15,9 @@ import numpy as np
 
 from ..record import unit_name
 from ..text import fixed_block, parse_count, parse_number
-from .channel import Channel
+from .channel import Channel, channels
 
 DESCRIPTION = "CSMIP Volumes 1 and 2"
-MAX_CHANNELS = 200
 _DATA = re.compile(
     r"\s*(\d+) POINTS OF (ACCEL|VELOC|DISPL) DATA EQUALLY SPACED AT\s+([\d.]+)\s+SEC[.,]"
     r"\s*(?:\(UNITS:|IN)\s*(\S+?)[.)]?(?:\s.*)?",
@@ -42,17 +41,7 @@ def sniff(text):
 
 def read(text):
     """Read all channels."""
-    channels: list[Channel] = []
-    line = 1
-    while line <= len(text.lines):
-        if not text.lines[line - 1].strip():
-            line += 1
-            continue
-        if len(channels) == MAX_CHANNELS:
-            raise text.error(line, f"more than {MAX_CHANNELS} channels")
-        channel, line = _channel(text, line)
-        channels.append(channel)
-    return channels
+    return channels(text, _channel)
 
 
 def _channel(text, first):

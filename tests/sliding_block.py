@@ -7,7 +7,6 @@ relative displacement is block minus base, positive along +y.
 import math
 
 import numpy as np
-
 from rocking.mechanics.closed_forms import G_M_S2, _positive
 
 
