@@ -128,3 +128,26 @@ def test_the_profile_of_a_portfolio_names_rules_and_limits_each_group_to_one_job
     assert not set(profile["groups"]) & set(re.findall(r"\w+", local))
     assert {r["slot"] for r in profile["set-resources"].values()} == {profile["resources"]["slot"]}
     assert profile["set-resource-scopes"] == {"slot": "local"}
+
+
+def test_what_was_submitted_runs_its_jobs_itself(tmp_path):
+    """As SLURM's plugin starts a group; it would start each job anew by srun, which fails here."""
+    (tmp_path / "srun").write_text("#!/bin/sh\nexit 1\n")
+    (tmp_path / "srun").chmod(0o755)
+    wanted = [f"results/main/capacity_reduction/T{t}_below0/BUCAR0.csv" for t in (0.2, 0.3, 0.4)]
+    command = [sys.executable, "-m", "snakemake", "--snakefile", str(ROOT / "workflow/Snakefile")]
+    how = ("--executor", "slurm-jobstep", "--mode", "remote", "--jobs", "1", "--nolock")
+    done = subprocess.run(
+        [*command, *how, "--", *wanted],
+        cwd=tmp_path,
+        env={
+            **os.environ,
+            "PYTHONPATH": f"{ROOT}:{ROOT / 'workflow'}",
+            "PATH": f"{tmp_path}:{os.environ['PATH']}",
+        },
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+    assert done.returncode == 0, done.stderr[-3000:]
+    assert all((tmp_path / path).is_file() for path in wanted)

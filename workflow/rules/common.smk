@@ -20,7 +20,7 @@ from rocking.curves.pushover import VARIANTS
 from rocking.records import RecordError
 from rocking.records.check import check_study
 from rocking.runtime import file_times, first_page, interrupts, progress
-from rocking.runtime import results_folder, run_lock, stamps, terminal, warm
+from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
 from rocking.study.calibration import CASES, HISTORIES
 from rocking.study import shared
 from rocking.study.chosen import chosen
@@ -170,6 +170,7 @@ onstart:
                 )
         except (run_lock.Busy, ValueError, OSError) as error:
             stop(error)
+        scheduling.choose_at_ends_only(workflow)
         tasks = progress.tasks_of(workflow, STUDY.known_runs)
         # none on a cluster, which has no such number
         cores = workflow.resource_settings.cores

@@ -178,3 +178,22 @@ def serve(workflow):
             return cold(self, fname, edit)
 
     PythonScript.execute_script = execute_script
+
+
+def serve_when_due(workflow):
+    """Like `serve`, from the first script on: in what was submitted to a cluster no `onstart` runs.
+
+    Parameters
+    ----------
+    workflow : snakemake.workflow.Workflow
+    """
+    from snakemake.script import PythonScript
+
+    cold = PythonScript.execute_script
+
+    def execute_first(self, fname, edit=False):
+        PythonScript.execute_script = cold
+        serve(workflow)
+        return self.execute_script(fname, edit)
+
+    PythonScript.execute_script = execute_first
