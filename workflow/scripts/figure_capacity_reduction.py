@@ -1,5 +1,6 @@
 """Collapse PGA with floor motions (W2) over that without (W1), by T1 and the façade's place."""
 
+import itertools
 import json
 from pathlib import Path
 
@@ -23,6 +24,7 @@ COLUMNS = [
     "censored",
 ]
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
+MARKERS = "os^Dv<>"  # one more: both together repeat late
 
 
 def capacity(curve, scan, spread):
@@ -74,22 +76,27 @@ def main(job):
 
     used = table[table["censored"] == 0]
     figure, axis = plt.subplots(figsize=(5.4, 3.4))
-    for (place, part), colour in zip(used.groupby("base_height_ratio"), COLOURS, strict=False):
-        axis.plot(part["t1_s"], part["ratio"], ".", color=colour, alpha=0.35, mew=0)
+    places = used.groupby("base_height_ratio")
+    looks = zip(itertools.cycle(COLOURS), itertools.cycle(MARKERS), strict=True)
+    for (place, part), (colour, mark) in zip(places, looks, strict=False):
+        look = {"color": colour, "marker": mark}
+        axis.plot(part["t1_s"], part["ratio"], **look, ls="", ms=3, alpha=0.35, mew=0)
         groups = part.groupby("t1_s")["ratio"]
         middle, low = groups.median(), groups.quantile(0.1)
-        label = "façade from the ground up" if place == 0 else f"base at {place:.0%} of the height"
-        axis.plot(middle.index, middle, "o-", color=colour, label=f"{label}: median")
-        axis.plot(low.index, low, ":", color=colour, label="10th percentile")
+        label = (
+            "façade from the ground up"
+            if place == 0
+            else f"base at {100 * place:.0f} % of the height"
+        )
+        axis.plot(middle.index, middle, **look, ls="-", ms=5, label=f"{label}: median")
+        axis.plot(low.index, low, **look, ls=":", mfc="none", ms=5, label="10th percentile")
     axis.axhline(1.0, color="k", lw=0.7)
     axis.set(xlabel="first period of the building T1 [s]", ylabel="collapse PGA, W2 over W1 [-]")
     axis.set_ylim(bottom=0)
     axis.set_xlim(left=0)
     axis.legend(loc="best", ncols=max(1, used["base_height_ratio"].nunique()), fontsize=7)
-    axis.set_title(
-        f"{table['record'].nunique()} records, {table['direction'].nunique()} direction(s)",
-        loc="left",
-    )
+    sides = "both directions" if table["direction"].nunique() > 1 else "one direction"
+    axis.set_title(f"{table['record'].nunique()} records, {sides}", loc="left")
     style.save(figure, [job.output.png, job.output.pdf], job.input.records)
 
 
