@@ -80,6 +80,7 @@ COMPLETE = study.Complete(STUDY)
 FRAGILITY = study.Fragility(STUDY)
 RISK = study.Risk(STUDY)
 SHARED = STUDY.shared
+STRENGTHENING = study.Strengthening(STUDY)
 SURROGATES = study.Surrogates(STUDY)
 TWO_COMPONENTS = study.TwoComponents(STUDY)
 UNCERTAINTY = study.Uncertainty(STUDY)

@@ -70,8 +70,8 @@ rule figure_strengthening:
 
 rule table_strengthening:
     input:
-        least=lambda w: STUDY.tied_curves(w.run, "_least.csv"),
-        yade=lambda w: STUDY.tied_curves(w.run, "_yade.csv"),
+        least=lambda w: STRENGTHENING.curves(w.run, "strengthening", "_least.csv"),
+        yade=lambda w: STRENGTHENING.curves(w.run, "strengthening", "_yade.csv"),
         modules=code("table_strengthening"),
     output:
         "results/{run}/tables/strengthening.csv",
@@ -85,11 +85,4 @@ rule table_strengthening:
 
 rule strengthening:
     input:
-        with_pages(
-            STUDY.per_run(
-                lambda run: [
-                    f"results/{run}/tables/strengthening.csv",
-                    *STUDY.tied_curves(run, ".png"),
-                ]
-            )
-        ),
+        lambda w: with_pages(STUDY.per_run(STRENGTHENING.results)),

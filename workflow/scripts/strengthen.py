@@ -33,12 +33,13 @@ def main(job):
         {
             "height_m": round(z, 6),
             "force_kn": round(force, 6),
+            "pga_g": settings["pga_g"],
             "facade": strengthening.tied(scene, settings, z, force)["facade"],
         }
         for z, force in strengthening.to_confirm(table, choice)
     ]
-    plan = {"pga_g": settings["pga_g"], "cases": cases}
-    Path(job.output.plan).write_text(json.dumps(plan, indent=1, sort_keys=True) + "\n")
+    plan = json.dumps({"cases": cases}, indent=1, sort_keys=True)
+    Path(job.output.plan).write_text(plan + "\n")
 
 
 run(main, globals())

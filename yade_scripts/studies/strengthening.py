@@ -1,10 +1,10 @@
-"""Entry point: members of an ensemble with the ties that a search has found, at one intensity.
+"""Entry point: members of an ensemble with the ties or the roof of a search, at its intensities.
 
     python3 yade_scripts strengthening --scene scenes/W2.json --motion smdof/1ST280_4dof.csv
         --record 1ST280 --direction neg --plan strengthening/W2/1ST280_neg.json
         --journal cache/strengthening.jsonl --output strengthening/W2/1ST280_neg_yade.csv
 
-The plan has pga_g and cases, each with height_m, force_kn and the section facade it belongs to.
+The plan has cases, each with height_m, force_kn, pga_g and the section facade it belongs to.
 """
 
 from yade_scripts.engine import adapter
@@ -22,7 +22,7 @@ def main(arguments=None):
         __doc__,
         *command.CURVE,
         "journal",
-        plan="intensity and cases (JSON)",
+        plan="cases (JSON)",
         output="table to write (CSV)",
     ).parse_args(arguments)
     plan, (job, time_s, columns) = read_json(args.plan), command.opened(args)
@@ -32,7 +32,7 @@ def main(arguments=None):
         given = {**job, "facade": case["facade"]}
         runner = ensemble.Runner(given, time_s, columns, args.record, args.direction, journal, say)
         members = perturb.draw_members(job["ensemble"])
-        found, _ = ensemble.run_members(runner, plan["pga_g"], members)
+        found, _ = ensemble.run_members(runner, case["pga_g"], members)
         about = {key: case[key] for key in ("height_m", "force_kn")}
         rows += [{**about, **row} for row in found]
     write_atomic(args.output, to_csv(rows, COLUMNS))

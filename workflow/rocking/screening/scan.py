@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pandas as pd
 
+from rocking.curves.collapse import summary
 from smdof.chain import shear_chain
 from yade_scripts.model import models, registry
 from yade_scripts.model.floor_motions import VERTICAL
@@ -143,6 +144,11 @@ class Scan:
         count = math.ceil(math.log(high / low) / math.log(fine))
         members = self.run(low * fine ** np.arange(count + 1), scatter=True)
         return pd.concat([coarse, members]).sort_values("pga_g", ignore_index=True)
+
+    def intensities(self, settings):
+        """Collapse intensities of a `scan`: `collapse.summary`, without a run in YADE."""
+        none = pd.DataFrame()
+        return summary(self.scan(settings), none, none, settings["amplitude_spread"])
 
 
 class Screen(Scan):

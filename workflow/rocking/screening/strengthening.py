@@ -12,8 +12,6 @@ import numpy as np
 import pandas as pd
 from scipy.stats import binomtest
 
-from rocking.curves.collapse import summary
-
 from .scan import Screen
 
 CONFIDENCE = 0.95
@@ -165,10 +163,9 @@ def curve(job, time_s, columns, direction, settings, scan_settings, height_m):
         pga_all_g, pga_max_g.
     """
     rows = []
-    spread = scan_settings["amplitude_spread"]
     for force in trial_forces(settings, settings["curve_levels"]):
         screen = Screen(tied(job, settings, height_m, force), time_s, columns, direction)
-        found = summary(screen.scan(scan_settings), pd.DataFrame(), pd.DataFrame(), spread)
+        found = screen.intensities(scan_settings)
         rows.append({"height_m": height_m, "force_kn": force, **found})
     names = ("safe", "collapse", "p10", "median", "p90", "all", "max")
     return pd.DataFrame(rows)[["height_m", "force_kn", *(f"pga_{name}_g" for name in names)]]

@@ -15,6 +15,7 @@ from rocking.study.core import Study
 from rocking.study.fragility import Fragility
 from rocking.study.premises import Premises
 from rocking.study.risk import Risk
+from rocking.study.strengthening import Strengthening
 from rocking.study.surrogates import Surrogates
 from rocking.study.two_components import TwoComponents
 from rocking.study.uncertainty import Uncertainty
@@ -31,6 +32,7 @@ __all__ = [
     "Fragility",
     "Premises",
     "Risk",
+    "Strengthening",
     "Study",
     "Surrogates",
     "TwoComponents",

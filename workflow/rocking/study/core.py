@@ -223,14 +223,6 @@ class Study:
             if self.scanned(run, model)
         ]
 
-    def tied_curves(self, run, ending) -> list[str]:
-        """Files of the search for the least tie, of the models that a tie can be added to."""
-        return [
-            f"results/{run}/strengthening/{model}/{record}_{direction}{ending}"
-            for model, record, direction in self.curves(run)
-            if MODELS[model].twin
-        ]
-
     def ensemble_tables(self, run) -> list[str]:
         """Ensemble tables of a run; none where config switches them off."""
         if self.runs[run]["ensemble"]["enabled"] == "off":

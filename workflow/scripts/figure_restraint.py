@@ -1,0 +1,52 @@
+"""Collapse PGA against the friction of a loaded roof, one panel a model, YADE's members on it."""
+
+import json
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import pandas as pd
+from rocking.figures import style
+from rocking.runtime.script import run
+
+
+def panel(axis, found, yade):
+    """Draw the curves of one model."""
+    bare, loaded = found[found["load_kn"] == 0.0].iloc[0], found[found["load_kn"] > 0.0]
+    axis.axhline(bare["pga_median_g"], color="0.4", lw=1.0, ls=(0, (1, 1)), label="no roof")
+    for (load, part), look in zip(loaded.groupby("load_kn"), style.LOOKS, strict=False):
+        colour, line, marker = look
+        low, high = part["pga_p10_g"], part["pga_p90_g"].fillna(part["pga_max_g"])
+        axis.fill_between(part["friction"], low, high, color=colour, alpha=0.15, lw=0)
+        axis.plot(
+            part["friction"], part["pga_median_g"], line, color=colour, marker=marker, ms=3.5,
+            label=f"load of {load:g} kN",
+        )  # fmt: skip
+    valid = yade[yade["status"] != "failed"]
+    for (force, pga), part in valid.groupby(["force_kn", "pga_g"]):
+        at, share = (force / loaded["load_kn"].max(), pga), part["collapsed"].mean()
+        axis.plot(*at, "k*", ms=6, mfc="k" if share == 1.0 else "none", zorder=3)
+        if 0.0 < share < 1.0:
+            axis.annotate(f"{share:.0%}", at, (6, -3), textcoords="offset points", fontsize=7)
+    axis.set_title(found["model"].iloc[0], loc="left")
+    axis.set_xlabel("friction of the roof μ [-]")
+
+
+def main(job):
+    tables = [pd.read_csv(path) for path in job.input.tables]
+    runs = [pd.read_csv(path) for path in job.input.yade]
+    facts = json.loads(Path(job.input.facts).read_text())
+    size = (1.6 + 3.1 * len(tables), 3.4)
+    figure, axes = plt.subplots(1, len(tables), figsize=size, sharey=True, squeeze=False)
+    for axis, found, yade in zip(axes[0], tables, runs, strict=True):
+        panel(axis, found, yade)
+    axes[0, 0].set(ylabel="collapse PGA [g]", ylim=(0.0, None))
+    for fill, label in (("k", "all"), ("none", "none, or a share,")):
+        axes[0, -1].plot([], [], "k*", ms=6, mfc=fill, label=f"YADE: {label} fell")
+    axes[0, -1].legend(loc="center left", bbox_to_anchor=(1.02, 0.5), fontsize=7)
+    figure.suptitle(
+        f"{style.provenance(facts)} {style.SIGNS[tables[0]['direction'].iloc[0]]}", fontsize=9
+    )
+    style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
+
+
+run(main, globals())
