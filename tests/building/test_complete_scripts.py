@@ -82,3 +82,10 @@ def test_curves_are_tabled_in_the_form_of_the_other_models(tmp_path):
     assert own["probability_yade"].tolist() == [0.0, 1.0, 0.0, 1.0]
     assert own["probability"].tolist() == [0.0, 1.0, 1.0, 1.0]
     assert len(share) == 9 + 4
+    script(
+        "figure_complete.py",
+        tmp_path,
+        input={"ida": ["curve.csv"], "scans": ["scan.csv"], "facts": []},
+        output={"png": "figure.png", "pdf": "figure.pdf"},
+    )
+    assert (tmp_path / "figure.png").stat().st_size > 10_000

@@ -10,6 +10,7 @@ from rocking.runtime.script import run
 from yade_scripts.model.registry import COMPLETE, MODELS
 
 SPREAD = 0.01  # of the scans' members
+KINDS = {**MODELS, **COMPLETE}
 LINES = {False: "-", True: ":"}
 
 
@@ -28,7 +29,7 @@ def main(job):
         for (model, *case), scan in scans.items():
             if case != [record, direction]:
                 continue
-            share, kind = from_scan(scan, SPREAD), MODELS[model]
+            share, kind = from_scan(scan, SPREAD), KINDS[model]
             line = LINES[kind.bonded]
             axis.plot(share["pga_g"], share["probability"], line, color=kind.colour, lw=0.9)
         high = 0.0
@@ -69,8 +70,8 @@ def main(job):
         plt.Line2D(
             [],
             [],
-            color=MODELS[m].colour,
-            ls=LINES[MODELS[m].bonded],
+            color=KINDS[m].colour,
+            ls=LINES[KINDS[m].bonded],
             label=f"{m}: collapse probability",
         )
         for m in dict.fromkeys(key[0] for key in scans)
