@@ -25,7 +25,7 @@ rule energy_balance:
 
 rule table_energy_balance:
     input:
-        ACCURACY.energy_histories,
+        histories=ACCURACY.energy_histories,
         modules=code("table_energy_balance"),
     output:
         shown(

@@ -16,7 +16,7 @@ TERMS = (
 
 def main(job):
     rows = []
-    for path in job.input:
+    for path in job.input.histories:
         history = pd.read_csv(path)
         facts = history.iloc[0][["model", "record", "direction", "pga_g", "status", "dt_s"]]
         worst = history["residual_j"].abs().max()
