@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -292,8 +293,10 @@ def test_a_node_may_be_carried_by_either_side():
 
 def test_refuses_what_it_cannot_represent():
     config = resolved()
+    scene = build_scene({**config, "model": "W1", "beta_s": BETA_S})
+    scene.blocks[1] = replace(scene.blocks[1], free="xyzXYZ")
     with pytest.raises(ValueError, match="free blocks with the freedoms"):
-        prepare(build_scene({**config, "model": "W3", "beta_s": BETA_S}))
+        prepare(scene)
     _, planar = case()
     with pytest.raises(ValueError, match="4 moving supports, got 0"):
         peaks(planar, Motions([0.0, 1.0], [0.0, 1.0]), config["numerics"], 1.0)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from rocking.runtime.script import run
 from rocking.screening.plan import plan
-from rocking.screening.scan import Screen
+from rocking.screening.scan import Screen, scan_settings
 
 from yade_scripts.model import floor_motions, models
 from yade_scripts.studies.intensities import DIGITS
@@ -17,8 +17,7 @@ def main(job):
     if ida["start_g"] is None:
         ida["start_g"] = round(0.5 * models.static_multiplier(scene), DIGITS)
     motion = floor_motions.read(job.input.motion)
-    settings = {**ida, **{key: ensemble[key] for key in ("members", "amplitude_spread")}}
-    table = Screen(scene, *motion, w.direction).scan(settings)
+    table = Screen(scene, *motion, w.direction).scan(scan_settings(scene))
     table.insert(0, "model", scene["model"])
     table.insert(1, "record", job.params.record)
     table.insert(2, "direction", w.direction)

@@ -52,8 +52,13 @@ class Model:
 
     @property
     def twin(self):
-        """Whether the compiled planar solver can stand in for YADE."""
-        return self.single_block and self.walls != "none"
+        """Whether the compiled planar solver can stand in for YADE, whatever the façade has."""
+        return self.single_block and self.scanned
+
+    @property
+    def scanned(self):
+        """Whether the compiled planar solver can scan its curves."""
+        return self.walls != "none"
 
     @property
     def driven(self):

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .bars import Bars, elements, of_scene
-from .stack import stacked
+from .stack import FREEDOMS, stacked
 
 LEVEL_M = 1e-9  # nodes of one group lie this close to one line, their planes to one plane
 
@@ -74,9 +74,9 @@ class Planar(NamedTuple):
 
 
 def moving_supports(scene):
-    """Names of the motions, other than the reference's, that drive supports, in block order."""
+    """Names of the motions, other than the reference's, that drive blocks, in block order."""
     ground = scene.blocks[scene.index(scene.reference)].motion
-    names = [block.motion for block in scene.blocks if not block.free]
+    names = [block.motion for block in scene.blocks]
     return [name for name in dict.fromkeys(names) if name not in (None, ground)]
 
 
@@ -99,9 +99,9 @@ def prepare(scene):
     ValueError
         One line if the scene is not of that kind.
     """
-    sprung = {link.a for link in scene.links}  # floors with a mass of their own
+    sprung = {floor.b for floor in scene.floors}  # floors with a mass of their own
     free = [i for i, block in enumerate(scene.blocks) if block.free and i not in sprung]
-    if not free or any(scene.blocks[i].free != "yzX" for i in free):
+    if not free or any(not set(scene.blocks[i].free) <= set(FREEDOMS) for i in free):
         raise ValueError("screening: expected free blocks with the freedoms y, z, rotation x")
     nodes = scene.nodes
     if np.any(np.abs(nodes.normal[:, 0]) > 1e-12):
@@ -116,6 +116,8 @@ def prepare(scene):
         return stacked(scene, free, column, bars)
     (own,) = free
     block = scene.blocks[own]
+    if block.free != FREEDOMS:
+        raise ValueError("screening: expected a block that is free along y, z and about x")
     if np.any((nodes.a == own) == (nodes.b == own)):
         raise ValueError("screening: every node must join the block to a support")
     centre = np.array(block.centre_m)[1:]

@@ -10,7 +10,8 @@ from scipy.linalg import block_diag
 from .inputs import COLUMNS, FAILED, REST_RATIO, Bodies, Rules, Table
 from .kernel import march
 from .plane import matrices
-from .stack import Stack, march_stack, stack_matrices
+from .stack import Stack, stack_matrices
+from .stack_kernel import march_stack
 
 STATUS = ("ok", "overturned", "failed")
 STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
@@ -200,11 +201,12 @@ def stable_step(planar, carried=NO_BODIES):
     """Largest step [s] at which the scheme is stable with every node closed, by bisection.
 
     The scheme is (M + ½hC₁)a = F − Kx − Cv − ½h(C − C₁)a⁻, v⁺ = v + ha, x⁺ = x + hv⁺, with C₁ the
-    block's own part of C; its amplification matrix acts on (x, v, a⁻).
+    part of C that belongs to each block alone; its amplification matrix acts on (x, v, a⁻).
     """
     if isinstance(planar, Stack):
-        mass, k, c = stack_matrices(planar)
-        return _largest_step(np.diag(mass), k, c, 3 * len(planar.mass_kg))
+        mass, k, c, block = stack_matrices(planar)
+        own = (block[:, None] == block) & (block < len(planar.mass_kg))
+        return _largest_step(np.diag(mass), k, c, own)
     n = carried.mass_kg.size
     mass, k, c = matrices(planar, len(carried.hang))
     floors = mass.size - 3
@@ -218,13 +220,13 @@ def stable_step(planar, carried=NO_BODIES):
     mass = np.diag(np.concatenate((mass[:3], carried.mass_kg, mass[3:])))
     k[3 : 3 + n, 3 : 3 + n] += carried.k_n_m
     c[3 : 3 + n, 3 : 3 + n] += carried.c_n_s_m
-    return _largest_step(mass, k, c, 3)
+    block = np.arange(len(c)) < 3
+    return _largest_step(mass, k, c, block[:, None] & block)
 
 
-def _largest_step(mass, k, c, freedoms):
-    """Stable step of `stable_step` by matrices; C₁ is that of the first so many freedoms."""
-    own, one = np.zeros_like(c), np.eye(len(c))
-    own[:freedoms, :freedoms] = c[:freedoms, :freedoms]
+def _largest_step(mass, k, c, alone):
+    """Stable step of `stable_step` by matrices; `alone` masks C₁ in C."""
+    own, one = np.where(alone, c, 0.0), np.eye(len(c))
 
     def stable(h):
         a = np.hstack((-k, -c, -0.5 * h * (c - own)))
@@ -270,6 +272,8 @@ def _set_up(planar, motions, numerics, factors, carried, step_s):
     if isinstance(planar, Stack) and carried.mass_kg.size:
         raise ValueError("screening: a façade with hinges stands before driven walls only")
     wanted = int(planar.support.max(initial=-1)) + 1
+    if isinstance(planar, Stack):
+        wanted = max(wanted, int(planar.guide.max()) + 1)
     given = len(carried.hang) or len(motions.supports_m_s2)
     if wanted > given:
         raise ValueError(f"screening: the scene has {wanted} moving supports, got {given}")

@@ -26,6 +26,7 @@ from .runs import STEP_FRACTION, Motions, bodies, peaks, stable_step
 BLOCK = 32  # amplitudes between two looks at whether the façade has fallen for good
 NODES = 17  # along every edge: within 1 % of its converged answer where YADE needs more
 STEPS = 4  # different steps of the members
+BRICKS_STEP = 0.5  # of W3's stable step, which its bricks decide: 0.24 ms
 MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change
 
 
@@ -167,18 +168,34 @@ class Screen(Scan):
         """Prepare the scene in every layout of nodes that members use."""
         self.numerics, self.direction, self.ground = job["numerics"], direction, columns["ground"]
         kind = registry.model(job["model"])
+        bricks = not kind.single_block  # their scene holds the masses that carry them
         self.planes = []
         for numerics in layouts(job["numerics"]):
-            scene = models.build_scene({**job, "model": kind.driven, "numerics": numerics})
+            name = job["model"] if bricks else kind.driven
+            scene = models.build_scene({**job, "model": name, "numerics": numerics})
             self.planes.append(prepare(scene))
-        self.steps_s = [STEP_FRACTION * stable_step(plane) for plane in self.planes]
+        share = BRICKS_STEP if bricks else STEP_FRACTION
+        self.steps_s = [share * stable_step(plane) for plane in self.planes]
         self.carried = None
         if kind.massive:
-            self.carried = carried_masses(job, scene)
+            self.carried = None if bricks else carried_masses(job, scene)
             self.motions = Motions(time_s, self.ground, (), columns.get(VERTICAL))
         else:
             self.motions = driving(scene, time_s, columns)
         self.static_g = models.static_multiplier(job)
+
+
+def scan_settings(job):
+    """What `Screen.scan` takes of a scene file; W3, of more than twenty blocks, has its own steps.
+
+    Returns
+    -------
+    dict
+        Section ida, and members and amplitude_spread of section ensemble.
+    """
+    ensemble = {key: job["ensemble"][key] for key in ("members", "amplitude_spread")}
+    own = {} if registry.model(job["model"]).single_block else job["w3"]["scan"]
+    return {**job["ida"], **ensemble, **own}
 
 
 def driving(scene, time_s, columns):

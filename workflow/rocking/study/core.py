@@ -206,7 +206,7 @@ class Study:
 
     def scanned(self, run, model) -> bool:
         """Whether the curves of a model follow a dense scan by the planar solver."""
-        return MODELS[model].twin and self.runs[run]["ida"]["mode"] != "grid"
+        return MODELS[model].scanned and self.runs[run]["ida"]["mode"] != "grid"
 
     def plan(self, wildcards):
         """What YADE is to run, from the dense scan; nothing where there is none."""
