@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from rocking.screening import Motions, history, peaks, prepare
+from rocking.screening import Motions, peaks, prepare
 from rocking.screening.runs import stable_step
 from rocking.screening.scan import BRICKS_STEP, driving
 from rocking.screening.stack import stack_matrices

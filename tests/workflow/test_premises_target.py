@@ -38,7 +38,7 @@ def snakemake(folder, *words):
 
 
 def test_the_scenario_plans_every_chart(tmp_path):
-    """Both runs: the map over the recorded suite, the chart of W2 and of W3 variant by variant."""
+    """Both runs: the map over the recorded suite, the charts of W2 and of W3."""
     scenario = str(ROOT / "config/scenarios/premises.yaml")
     done = snakemake(tmp_path, "-n", "--configfile", scenario, "--", "premises")
     assert done.returncode == 0, done.stderr[-2000:]
@@ -46,8 +46,7 @@ def test_the_scenario_plans_every_chart(tmp_path):
         line.split() for line in (done.stdout + done.stderr).splitlines() if len(line.split()) == 2
     )
     assert jobs["premises_map"] == "44"
-    assert jobs["premises_varied"] == "4"
-    assert int(jobs["premises_scene"]) > 15
+    assert jobs["premises_varied"] == "8"
     assert jobs["figure_premises_tornado"] == "2"
 
 

@@ -1,12 +1,6 @@
 # What the driven return walls are worth, beside every other premise: models side by side, a map over
 # buildings, a tornado chart. Ask for `premises`; config/scenarios/premises.yaml has the runs.
-from rocking.curves.premises import VARIANTS
-
 PREMISES = study.Premises(STUDY)
-
-
-wildcard_constraints:
-    variant="|".join(["base", *(re.escape(v.name) for v in VARIANTS)]),
 
 
 rule premises:
@@ -132,17 +126,17 @@ rule premises_stage:
 
 rule premises_varied:
     input:
-        scene="results/{run}/scenes/W2.json",
+        scene="results/{run}/scenes/{model}.json",
         stage="results/{run}/premises/stage.json",
         record="results/{run}/records/{record}.csv",
         law=LAW_FILE,
         modules=code("premises_varied"),
     output:
-        "results/{run}/premises/W2/{record}.csv",
+        "results/{run}/premises/{model}/{record}.csv",
     log:
-        "results/{run}/logs/premises_varied_{record}.log",
+        "results/{run}/logs/premises_varied_{model}_{record}.log",
     benchmark:
-        "results/{run}/benchmarks/premises_varied_{record}.tsv"
+        "results/{run}/benchmarks/premises_varied_{model}_{record}.tsv"
     params:
         directions=lambda w: STUDY.cfg(w)["directions"],
         surrogates_table=lambda w: STUDY.beside(
@@ -153,41 +147,6 @@ rule premises_varied:
         "../scripts/premises_varied.py"
 
 
-rule premises_scene:
-    input:
-        scene="results/{run}/scenes/W3.json",
-        stage="results/{run}/premises/stage.json",
-        law=LAW_FILE,
-        modules=code("premises_scene"),
-    output:
-        "results/{run}/premises/W3/{variant}.json",
-    log:
-        "results/{run}/logs/premises_scene_{variant}.log",
-    params:
-        growth=lambda w: PREMISES.settings(w.run)["bricks_growth"],
-    script:
-        "../scripts/premises_scene.py"
-
-
-use rule ida as premises_ida with:
-    input:
-        scene="results/{run}/premises/W3/{variant}.json",
-        motion=STUDY.ida_motion,
-        plan=[],
-        yade="results/{run}/yade.txt",
-        modules=study_code("ida"),
-    output:
-        "results/{run}/premises/W3/{variant}/{record}_{direction}.csv",
-    log:
-        "results/{run}/logs/premises_ida_{variant}_{record}_{direction}.log",
-    benchmark:
-        "results/{run}/benchmarks/premises_ida_{variant}_{record}_{direction}.tsv"
-    params:
-        yade=YADE,
-        plan=plan_option,
-        journal="results/{run}/cache/premises/{variant}_{record}_{direction}.jsonl",
-
-
 rule table_premises_tornado:
     input:
         curves=lambda w: PREMISES.tornado(w),
@@ -196,9 +155,6 @@ rule table_premises_tornado:
         "results/{run}/tables/premises_tornado_{model}.csv",
     log:
         "results/{run}/logs/table_premises_tornado_{model}.log",
-    params:
-        planar=lambda w: MODELS[w.model].twin,
-        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
     script:
         "../scripts/table_premises_tornado.py"
 

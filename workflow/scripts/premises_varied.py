@@ -1,4 +1,4 @@
-"""Collapse of W2 under one record, with one premise after the other at another level."""
+"""Collapse of a driven model under one record, with one premise after the other at another level."""
 
 import json
 from pathlib import Path
@@ -11,7 +11,7 @@ from rocking.records import load, read_csv
 from rocking.records.floors import floor_columns
 from rocking.records.table import read_table
 from rocking.runtime.script import run
-from rocking.screening.scan import Screen
+from rocking.screening.scan import Screen, scan_settings
 
 COLUMNS = ["model", "record", "direction", "premise", "level", *CAPACITY, "runs_planar"]
 
@@ -34,7 +34,7 @@ def main(job):
         if variant.surrogate:
             source = load(record.name, p.surrogates_table, seed=p.seed)
         motion = floor_columns(source, case["smdof"])
-        settings = {**case["ida"], **case["ensemble"]}
+        settings = scan_settings(case)
         for direction in p.directions:
             scan = Screen(case, *motion, direction).scan(settings)
             found = collapse.summary(scan, scan, (), settings["amplitude_spread"])

@@ -1,10 +1,7 @@
 """What every premise of a driven model is worth: collapse with it over collapse as configured."""
 
-from pathlib import Path
-
 import pandas as pd
-from rocking.curves import collapse, premises
-from rocking.curves.ida import curve_key, read_curve
+from rocking.curves import premises
 from rocking.runtime.script import run
 
 KEY = ["record", "direction"]
@@ -13,26 +10,9 @@ MEASURES = ("collapse", "median")
 RUNS = "runs"
 
 
-def of_curves(paths, model, spread):
-    """Rows of analyses in YADE; the variant is the folder."""
-    known = premises.variants(model)
-    for path in paths:
-        curve = read_curve(path)
-        variant = known.get(Path(path).parent.name)
-        what = (premises.BASE, "") if variant is None else (variant.premise, variant.level)
-        _, record, direction = curve_key(curve)
-        found = collapse.summary(None, curve, (), spread)
-        named = dict(zip(WHAT, (model, record, direction, *what), strict=True))
-        yield {**named, **{k: found[k] for k in premises.CAPACITY}, RUNS: len(curve)}
-
-
 def main(job):
-    if job.params.planar:
-        table = pd.concat([pd.read_csv(path) for path in job.input.curves])
-        table = table.rename(columns={"runs_planar": RUNS})
-    else:
-        rows = of_curves(job.input.curves, job.wildcards.model, job.params.spread)
-        table = pd.DataFrame(list(rows))
+    table = pd.concat([pd.read_csv(path) for path in job.input.curves])
+    table = table.rename(columns={"runs_planar": RUNS})
     base = table[table["premise"] == premises.BASE].set_index(KEY)
     table = table.set_index(KEY)
     for name in MEASURES:

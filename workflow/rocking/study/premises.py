@@ -1,8 +1,5 @@
 """What `premises` makes and reads."""
 
-from rocking.curves.premises import variants
-from yade_scripts.model.registry import MODELS
-
 
 class Premises:
     """Files of the models side by side, of the map over buildings and of the tornado chart."""
@@ -23,7 +20,7 @@ class Premises:
         return self.study.needed(run, "premises.tornado_records", named)
 
     def bricks(self, wildcards) -> list[str]:
-        """Curves of the models that only YADE runs."""
+        """Curves that no scan stands for."""
         scans = {path.replace("/screening/", "/ida/") for path in self.study.scans(wildcards.run)}
         return [path for path in self.study.ida_tables(wildcards.run) if path not in scans]
 
@@ -37,18 +34,9 @@ class Premises:
         return [f"results/{run}/premises/map/{r}.csv" for r in self.study.records[run]]
 
     def tornado(self, wildcards) -> list[str]:
-        """Analyses behind the tornado chart of a model."""
+        """Scans behind the tornado chart of a model."""
         run, model = wildcards.run, wildcards.model
-        records = self.tornado_records(run)
-        folder = f"results/{run}/premises/{model}"
-        if MODELS[model].twin:
-            return [f"{folder}/{record}.csv" for record in records]
-        return [
-            f"{folder}/{name}/{record}_{direction}.csv"
-            for name in ("base", *variants(model))
-            for record in records
-            for direction in self.study.cfg(wildcards)["directions"]
-        ]
+        return [f"results/{run}/premises/{model}/{r}.csv" for r in self.tornado_records(run)]
 
     def results(self, run) -> list[str]:
         """Everything the target `premises` makes for one run."""
