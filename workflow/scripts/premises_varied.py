@@ -1,4 +1,4 @@
-"""Collapse of a driven model under one record, with one premise after the other at another level."""
+"""Collapse of a driven model under one record, one premise after the other at another level."""
 
 import json
 from pathlib import Path
