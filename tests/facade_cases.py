@@ -1,6 +1,7 @@
 """Façade runs for tests; imported inside YADE's Python."""
 
 import os
+import sys
 
 import numpy as np
 
@@ -111,8 +112,8 @@ def drive_speed(config, model, beta_s, time_s, columns):
     return {"inside": inside.steps / inside.wall_s, "outside": outside.steps / outside.wall_s}
 
 
-def listening_ports():
-    """Number of TCP sockets this process listens on after YADE is loaded and has run."""
+def prompt_and_ports():
+    """Whether YADE's prompt is loaded, and on how many TCP sockets it listens, after a step."""
     loop.run(adapter.load_yade().Omega(), 1)
     inodes = set()
     for fd in os.listdir("/proc/self/fd"):
@@ -128,4 +129,4 @@ def listening_ports():
             for line in list(table)[1:]:
                 fields = line.split()
                 count += fields[3] == "0A" and fields[9] in inodes
-    return count
+    return "IPython" in sys.modules, count

@@ -200,8 +200,8 @@ def test_floor_motions_carry_no_drift_between_supports():
 
 
 def test_nothing_listens_while_yade_runs():
-    """YADE as a library opens neither its prompt nor its XML-RPC port."""
-    assert in_yade("facade_cases", "listening_ports") == 0
+    """YADE as a library loads no prompt and opens neither its own port nor XML-RPC's."""
+    assert in_yade("facade_cases", "prompt_and_ports") == [False, 0]
 
 
 @pytest.mark.parametrize("width_m", [1.0, 2.0, 4.0])

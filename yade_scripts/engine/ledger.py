@@ -22,10 +22,12 @@ dissipate meanwhile, which is why the step is compared with the critical one bef
 """
 
 import math
+from bisect import bisect_left
 from typing import Any
 
 from yade_scripts.engine import floors, loop
 from yade_scripts.engine.links import built_stiffness
+from yade_scripts.model.motion import numbers
 
 DRIVE = "InterpolatingDirectedForceEngine"  # moves the supports
 TOLERANCE = 0.1  # of the energy that overturns the façade
@@ -108,12 +110,15 @@ class EnergyLedger:
         energy = self.raised()
         power = -lift * self.raised.momentum()
         for state, mass, inertia, weight, height in self.free:
-            x, y = state.vel[0] - beside, state.vel[1] - ground
-            energy += 0.5 * mass * y * y + _energy(state, mass, inertia, weight, height, beside)
-            power -= mass * (pull * y + pull_x * x + lift * state.vel[2])
+            velocity = state.vel
+            x, y, z = velocity[0] - beside, velocity[1] - ground, velocity[2]
+            energy += 0.5 * mass * y * y + _energy(state, mass, inertia, weight, height, x, z)
+            power -= mass * (pull * y + pull_x * x + lift * z)
         for body, state, mass, inertia, weight, height in self.guided:
-            energy += _energy(state, mass, inertia, weight, height)
-            power -= self.forces.f(body)[1] * (state.vel[1] - ground) + mass * lift * state.vel[2]
+            velocity = state.vel
+            z = velocity[2]
+            energy += _energy(state, mass, inertia, weight, height, velocity[0], z)
+            power -= self.forces.f(body)[1] * (velocity[1] - ground) + mass * lift * z
         for i, axis, wall, mass, curve in self.walls:
             # what acts on a wall less what drives it is the façade's push on it
             pushed = self.forces.f(i)[axis] - mass * curve(t)
@@ -159,28 +164,25 @@ class EnergyLedger:
         return [(force[index], state.vel[1]) for index, _, state, *_ in self.masses]
 
 
-def _energy(state, mass, inertia, weight, height, beside=0.0):
-    """Energy of a block but for its motion along y [J]; `beside`: velocity of the base along x."""
-    velocity, spin = state.vel, state.angVel
-    x, z = velocity[0] - beside, velocity[2]
-    turning = 0.0
+def _energy(state, mass, inertia, weight, height, x, z):
+    """Energy of a block but for its motion along y [J]; x, z: its velocity past the base."""
+    spin, turning = state.angVel, 0.0
     for axis, about in enumerate(inertia):
         turning += about * spin[axis] ** 2
     return 0.5 * (mass * (x * x + z * z) + turning) + weight * (state.pos[2] - height)
 
 
 class _Curve:
-    """Acceleration of a motion at ascending times [m/s²], linear between samples."""
+    """Acceleration of a motion at any time [m/s²], linear between samples, then the last."""
 
     def __init__(self, motion):
-        self.time, self.value, self.at = motion.time_s, motion.acceleration_m_s2, 0
+        # plain numbers, with which Python reckons several times faster than with numpy's
+        self.time, self.value = numbers(motion.time_s), memoryview(motion.acceleration_m_s2)
 
     def __call__(self, t):
-        time, value, i = self.time, self.value, self.at
-        while i < len(time) - 2 and time[i + 1] < t:
-            i += 1
-        self.at = i
+        time, value = self.time, self.value
         if t >= time[-1]:
-            return float(value[-1])
+            return value[-1]
+        i = max(bisect_left(time, t) - 1, 0)
         share = (t - time[i]) / (time[i + 1] - time[i])
-        return float(value[i] + share * (value[i + 1] - value[i]))
+        return value[i] + share * (value[i + 1] - value[i])

@@ -1,9 +1,11 @@
 """YADE as a library: found, loaded without its prompt, and checked for what scenes need."""
 
+import contextlib
 import glob
 import io
 import os
 import sys
+import types
 
 NEEDED_CLASSES = (
     "Box",
@@ -17,10 +19,28 @@ NEEDED_CLASSES = (
     "InsertionSortCollider",
     "PyRunner",
 )
+PROMPT = "IPython"
 
 
 class EngineError(RuntimeError):
     """YADE is absent, lacks a class, or a scene cannot be turned into it."""
+
+
+@contextlib.contextmanager
+def _without_prompt():
+    """Spare YADE the import of IPython, two fifths of its own.
+
+    YADE asks it for its version alone, for the prompt that nobody opens here.
+    """
+    if PROMPT in sys.modules:
+        yield
+        return
+    sys.modules[PROMPT] = nothing = types.ModuleType(PROMPT)
+    vars(nothing)["__version__"] = "0.10"  # what YADE takes where it finds none
+    try:
+        yield
+    finally:
+        del sys.modules[PROMPT]
 
 
 def load_yade():
@@ -45,14 +65,11 @@ def load_yade():
         sys.path.insert(1, os.path.dirname(os.path.dirname(plain[0])))
         os.environ["OMP_NUM_THREADS"] = "1"
         # The library greets on standard output, which belongs to our own results.
-        stdout, sys.stdout = sys.stdout, io.StringIO()
         try:
-            import yade  # noqa: F401
+            with contextlib.redirect_stdout(io.StringIO()), _without_prompt():
+                import yade  # noqa: F401
         except ImportError as error:
             raise EngineError(f"YADE's library does not load in this Python: {error}") from error
-        finally:
-            sys.stdout.close()
-            sys.stdout = stdout
     import yade.wrapper as wrapper
 
     missing = [name for name in NEEDED_CLASSES if not hasattr(wrapper, name)]

@@ -1,5 +1,6 @@
 """What ties, floors, links and welded nodes have in common in YADE, and the engine of a motion."""
 
+from yade_scripts.model.motion import numbers
 from yade_scripts.model.scene import DOFS
 
 
@@ -50,7 +51,7 @@ def cohesive_functors(w):
 def force(w, motion, mass_kg, axis, ids):
     """Engine of the force mass·a along an axis (0, 1, 2) on each body; a is the motion's."""
     return w.InterpolatingDirectedForceEngine(
-        times=motion.time_s.tolist(),
+        times=numbers(motion.time_s),
         magnitudes=(mass_kg * motion.acceleration_m_s2).tolist(),
         direction=tuple(int(i == axis) for i in range(3)),
         ids=ids,

@@ -1,6 +1,7 @@
 """Prescribed motions along y: their amplitude, their integral, their end."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -26,6 +27,19 @@ def amplitude(ground_m_s2, direction, pga_g):
         In standard gravity.
     """
     return SIGNS[direction] * pga_g * STANDARD_GRAVITY_M_S2 / float(np.max(np.abs(ground_m_s2)))
+
+
+@lru_cache(maxsize=4)
+def _numbers(data):
+    return np.frombuffer(data).tolist()
+
+
+def numbers(time_s):
+    """Times of a motion as a list, the same one for all motions of one time axis.
+
+    YADE keeps every number that it converts for ever, see `engine.memory`: so it keeps these once.
+    """
+    return _numbers(np.asarray(time_s, float).tobytes())
 
 
 @dataclass
