@@ -2,7 +2,9 @@
 
 A continuous function carries mean m and standard deviation s of the intensity itself, not of
 its logarithm: m = θ exp(β²/2), s = m √(exp β² − 1). A discrete one carries probabilities at a
-list of intensities. One file holds one measure; its taxonomies are the models.
+list of intensities. One file holds one measure; its taxonomies are the models. Below minIML
+OpenQuake keeps a continuous function at its value there, but at nothing up to noDamageLimit, so
+both are given.
 """
 
 import xml.etree.ElementTree as ET
@@ -58,7 +60,8 @@ def document(name, description, imt, fits, discrete=False):
         function = ET.SubElement(
             model, "fragilityFunction", id=taxonomy, format="continuous", shape="logncdf"
         )
-        ET.SubElement(function, "imls", imt=imt, minIML=f"{least:.6g}", maxIML=f"{most:.6g}")
+        least, most = f"{least:.6g}", f"{most:.6g}"
+        ET.SubElement(function, "imls", imt=imt, noDamageLimit=least, minIML=least, maxIML=most)
         mean, deviation = moments(fit.median, fit.dispersion)
         ET.SubElement(
             function, "params", ls=LIMIT_STATE, mean=f"{mean:.8g}", stddev=f"{deviation:.8g}"
