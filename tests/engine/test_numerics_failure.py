@@ -10,7 +10,7 @@ from rocking.curves.ida import branches, read_curve
 from yade_process import in_yade, resolved
 
 from smdof.chain import floor_motions
-from yade_scripts.studies.intensities import collapse_bounds, next_intensity
+from yade_scripts.studies.intensities import collapse_bounds
 
 CASES = "numerics_cases"
 yade = pytest.mark.yade
@@ -139,17 +139,6 @@ def test_failed_rows_are_neither_drawn_nor_counted_as_collapse(tmp_path):
     assert (row["pga_safe_g"], row["pga_collapse_g"]) == (0.1, 0.3)
 
 
-def test_failed_runs_neither_stop_the_climb_nor_bound_the_collapse():
+def test_failed_runs_do_not_bound_the_collapse():
     done = {0.1: "ok", 0.2: "failed", 0.4: "overturned", 0.5: "failed"}
     assert collapse_bounds(done) == (0.1, 0.4)
-    settings = {
-        "mode": "adaptive",
-        "start_g": 0.1,
-        "growth": 2.0,
-        "max_pga_g": 1.6,
-        "tolerance_g": 0.01,
-        "tolerance_ratio": 0.05,
-        "search_ratio": 0.05,
-        "beyond_collapse": 0,
-    }
-    assert next_intensity({0.1: "ok", 0.2: "failed"}, settings) == 0.4

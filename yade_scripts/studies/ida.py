@@ -14,7 +14,7 @@ from yade_scripts.model import models
 from yade_scripts.model.scene import to_json
 from yade_scripts.sources import digest
 from yade_scripts.studies import command
-from yade_scripts.studies.intensities import DIGITS, next_intensity
+from yade_scripts.studies.intensities import next_intensity
 from yade_scripts.studies.journal import Journal, run_key
 from yade_scripts.studies.shaking import run_at
 from yade_scripts.studies.tables import RUN_COLUMNS, to_csv
@@ -69,17 +69,14 @@ def curve(scene, numerics, time_s, columns, names, next_pga, study, journal, say
 
 
 def analyse(job, time_s, columns, record, direction, journal, say, renew=None, plan=None):
-    """Curve of a façade's scene file: by `plan`, else by its section ida; see `next_intensity`."""
-    settings = dict(job["ida"])
-    if settings["start_g"] is None:
-        settings["start_g"] = round(0.5 * models.static_multiplier(job), DIGITS)
+    """Curve of a façade's scene file, by `plan` or its list of intensities; see `next_intensity`."""
     return curve(
         models.build_scene(job),
         models.numerics(job),
         time_s,
         columns,
         (job["model"], record, direction),
-        lambda done: next_intensity(done, settings, plan),
+        lambda done: next_intensity(done, job["ida"], plan),
         __file__,
         journal,
         say,
