@@ -69,7 +69,7 @@ def curve(scene, numerics, time_s, columns, names, next_pga, study, journal, say
 
 
 def analyse(job, time_s, columns, record, direction, journal, say, renew=None, plan=None):
-    """Curve of a façade's scene file, by `plan` or its list of intensities; see `next_intensity`."""
+    """Curve of a scene file, by `plan` or its list of intensities; see `next_intensity`."""
     return curve(
         models.build_scene(job),
         models.numerics(job),
