@@ -44,6 +44,14 @@ def names(files):
     return sorted(found)
 
 
+def _statements(node):
+    """Statements below one, at any depth; no expressions, which are most of a file."""
+    for field in ("body", "orelse", "finalbody", "handlers", "cases"):
+        for inner in getattr(node, field, ()):
+            yield inner
+            yield from _statements(inner)
+
+
 @cache
 def imports(path):
     """Project files that one file imports by itself, with the `__init__` of their packages.
@@ -58,7 +66,7 @@ def imports(path):
     frozenset of Path
     """
     names: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+    for node in _statements(ast.parse(path.read_text("utf-8"))):
         if isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
