@@ -52,15 +52,26 @@ def test_the_scenario_plans_every_chart(tmp_path):
 
 @pytest.mark.slow
 def test_a_light_facade_cannot_push_its_building(tmp_path):
-    """Through the rules: at a thousandth of the building's mass the driven model has no error."""
+    """Through the rules: at a thousandth of the building's mass the driven model has no error.
+
+    A complete building's curves join those of the run's records, and no others do.
+    """
+    rows = ("0.20,0,1", "0.22,0.5,2", "0.25,1,3")
+    given = [f"CB,{record},neg,{row}" for record in ("RRS228", "elsewhere") for row in rows]
+    (tmp_path / "cb.csv").write_text(
+        "\n".join(["model,record,direction,pga_g,probability,members", *given, ""])
+    )
+    options = [*REDUCED[:-1], REDUCED[-1].replace("{", "{other_curves: [cb.csv], ")]
     done = snakemake(
-        tmp_path, *REDUCED, "--", "results/small/tables/premises_map.csv",
-        "results/small/figures/premises_ratios.png",
+        tmp_path, *options, "--", "results/small/tables/premises_map.csv",
+        "results/small/figures/premises_ratios.png", "results/small/figures/premises.png",
     )  # fmt: skip
     assert done.returncode == 0, done.stderr[-3000:]
     results = tmp_path / "results/small"
     table = pd.read_csv(results / "tables/premises_map.csv").set_index(["mass_ratio", "measure"])
     assert table.loc[(0.001, "median"), "median"] == pytest.approx(1.0, abs=0.02)
     beside = pd.read_csv(results / "tables/premises.csv")
-    assert beside["model"].tolist() == ["W2", "W2m"]
+    assert beside["model"].tolist() == ["W2", "W2m", "CB"]
+    # half a straight line to each side of 0.22 g
+    assert beside["pga_mean_g"].iloc[2] == pytest.approx(0.2 + 0.75 * 0.02 + 0.25 * 0.03, abs=1e-4)
     assert (results / "figures/premises_ratios.png").stat().st_size > 10_000

@@ -1,5 +1,6 @@
 """Collapse probability against PGA of every model: a panel a record and direction."""
 
+import itertools
 import json
 from pathlib import Path
 
@@ -9,11 +10,11 @@ import pandas as pd
 from rocking.figures import style
 from rocking.runtime.script import run
 
-from yade_scripts.model.registry import MODELS, Model
+from yade_scripts.model.registry import COMPLETE, MODELS, Model
 
 PANELS = 8  # of the first records; the table has them all
 LINES = ["-", "--", "-.", ":", (0, (5, 1)), (0, (3, 1, 1, 1)), (0, (1, 1)), (0, (8, 2))]
-OTHERS = ["#000000", "#8B4513", "#4B4B4B", "#006400"]
+OTHERS = ["#8B4513", "#006400", "#4B4B4B", "#000080"]
 
 
 def main(job):
@@ -21,11 +22,10 @@ def main(job):
     facts = [json.loads(Path(path).read_text()) for path in job.input.facts]
     title = {fact["name"]: style.provenance(fact) for fact in facts}
     models = list(table["model"].unique())
-    unknown = [name for name in models if name not in MODELS]
-    kinds = {
-        name: MODELS.get(name) or Model(name, "", colour=OTHERS[unknown.index(name) % len(OTHERS)])
-        for name in models
-    }
+    known = {**MODELS, **COMPLETE}
+    unknown = [name for name in models if name not in known]
+    colours = itertools.cycle(OTHERS)
+    kinds = known | {name: Model(name, "", colour=next(colours)) for name in unknown}
     keys = list(table.groupby(["record", "direction"], sort=False).groups)[:PANELS]
     columns = 2 if len(keys) > 1 else 1
     rows = -(-len(keys) // columns)

@@ -10,14 +10,17 @@ MEASURES = {"median": "half collapse", "collapse": "lowest collapse"}
 
 
 def panel(axis, table, words):
-    """One map: colour and first number the median ratio, below it the share on the unsafe side."""
-    wide = table.pivot(index="period_s", columns="mass_ratio", values="median")
-    share = table.pivot(index="period_s", columns="mass_ratio", values="share_unsafe")
+    """One map: colour and first number the median ratio, 10 to 90 %, share on the unsafe side."""
+    names = ("median", "low", "high", "share_unsafe")
+    wide, *others = (
+        table.pivot(index="period_s", columns="mass_ratio", values=name) for name in names
+    )
     image = axis.imshow(wide, cmap="PuOr", vmin=0.5, vmax=1.5, origin="lower", aspect="auto")
     for (i, j), value in np.ndenumerate(wide.to_numpy()):
-        text = f"{value:.2f}\n{100 * share.to_numpy()[i, j]:.0f} %"
+        low, high, share = (other.to_numpy()[i, j] for other in others)
+        text = f"{value:.2f}\n{low:.2f}–{high:.2f}\n{100 * share:.0f} %"
         colour = "white" if abs(value - 1.0) > 0.33 else "black"
-        axis.text(j, i, text, ha="center", va="center", fontsize=7, color=colour)
+        axis.text(j, i, text, ha="center", va="center", fontsize=6.5, color=colour)
     axis.set_xticks(range(wide.shape[1]), [f"{value:g}" for value in wide.columns])
     axis.set_yticks(range(wide.shape[0]), [f"{value:g}" for value in wide.index])
     axis.grid(False)
@@ -30,7 +33,7 @@ def main(job):
     table = pd.read_csv(job.input.table)
     p = job.params
     figure, axes = plt.subplots(
-        1, 3, figsize=(8.6, 3.0), width_ratios=(1.2, 1.2, 1.0), layout="constrained"
+        1, 3, figsize=(9.4, 3.4), width_ratios=(1.3, 1.3, 1.0), layout="constrained"
     )
     own = table[np.isclose(table["damping_ratio"], p.smdof["damping_ratio"])]
     for axis, (measure, words) in zip(axes, MEASURES.items(), strict=False):
@@ -47,9 +50,8 @@ def main(job):
     for (damping, group), (line, colour) in zip(part.groupby("damping_ratio"), looks, strict=False):
         group = group.sort_values("mass_ratio")
         axis.plot(group["mass_ratio"], group["median"], line, color=colour, ms=3.5)
-        axis.fill_between(
-            group["mass_ratio"], group["low"], group["high"], color=colour, alpha=0.1, lw=0
-        )
+        for edge in ("low", "high"):  # thin: 10 and 90 % of the curves
+            axis.plot(group["mass_ratio"], group[edge], line[1:], color=colour, lw=0.6)
         axis.plot([], [], line, color=colour, ms=3.5, label=f"{100 * damping:g} %")
     axis.axhline(1.0, color="k", lw=0.7)
     axis.set(xlabel="façade's mass / building's [-]", xlim=(0, None), ylim=(0, None))

@@ -26,8 +26,8 @@ def cpu_s(folder, rule, key):
     return pd.to_numeric(pd.read_csv(measured, sep="\t")["cpu_time"], errors="coerce").iloc[0]
 
 
-def curves(job):
-    """Key, method, runs, cost, intensities and probability of every curve."""
+def curves(job, records):
+    """Key, method, runs, cost, intensities and probability of every curve of these records."""
     spread, folder = job.params.spread, job.params.benchmarks
     for path in job.input.scans:
         scan = pd.read_csv(path)
@@ -48,22 +48,21 @@ def curves(job):
         missing = {*collapse.KEY, "pga_g", "probability", "members"} - set(whole.columns)
         if missing:
             raise ValueError(f"{path}: missing column(s) {', '.join(sorted(missing))}")
-        for key, table in whole.groupby(collapse.KEY):
-            found = premises.given(table)
-            yield key, "given", found["runs"], np.nan, found, table
+        measured = Path(path).parent.parent / "benchmarks"
+        for key, table in whole[whole["record"].isin(records)].groupby(collapse.KEY):
+            found, cost = premises.given(table), cpu_s(measured, "complete_scan", key)
+            yield key, "given", found["runs"], cost, found, table
 
 
 def main(job):
     facts = [json.loads(Path(path).read_text()) for path in job.input.facts]
     source = {fact["name"]: fact["source"] for fact in facts}
     rows, parts = [], []
-    for key, method, runs, cost, found, dense in curves(job):
+    for key, method, runs, cost, found, dense in curves(job, source):
         named = dict(zip(collapse.KEY, key, strict=True))
         own = {name: found[name] for name in SIDE}
-        where = source.get(named["record"], "")
-        rows.append(
-            {**named, "source": where, "method": method, "runs": runs, "cpu_s": cost, **own}
-        )
+        how = {"method": method, "runs": runs, "cpu_s": cost}
+        rows.append({**named, "source": source[named["record"]], **how, **own})
         columns = [c for c in collapse.PROBABILITY_COLUMNS if c in dense or c in named]
         parts.append(dense.assign(**named)[columns])
     table = pd.DataFrame(rows)
