@@ -13,7 +13,7 @@ from rocking.runtime.script import run
 from yade_scripts.model.registry import COMPLETE, MODELS, Model
 
 PANELS = 8  # of the first records; the table has them all
-LINES = ["-", "--", "-.", ":", (0, (5, 1)), (0, (3, 1, 1, 1)), (0, (1, 1)), (0, (8, 2))]
+LANE = 0.8  # height of a probability of one, in lanes
 OTHERS = ["#8B4513", "#006400", "#4B4B4B", "#000080"]
 
 
@@ -29,36 +29,33 @@ def main(job):
     keys = list(table.groupby(["record", "direction"], sort=False).groups)[:PANELS]
     columns = 2 if len(keys) > 1 else 1
     rows = -(-len(keys) // columns)
-    figure, axes = plt.subplots(
-        rows, columns, figsize=(3.4 * columns, 0.7 + 1.9 * rows), squeeze=False, sharey=True
-    )
+    size = (3.4 * columns, 0.5 + rows * (0.7 + 0.3 * len(models)))
+    figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, sharey=True)
+    lanes = range(len(models))[::-1]  # the first model at the top
     for axis, (record, direction) in zip(axes.flat, keys, strict=False):
         mine = table[(table["record"] == record) & (table["direction"] == direction)]
-        for i, name in enumerate(models):
+        for base, name in zip(lanes, models, strict=True):
             part = mine[mine["model"] == name].sort_values("pga_g")
-            share = part["probability"].fillna(part["probability_yade"])
-            single = part["members"].fillna(part["members_yade"]).fillna(1.0).max() < 3
-            look = {"color": kinds[name].colour, "label": name}
-            if single:  # single runs: one outcome an amplitude, lifted apart to be told apart
-                look |= {"ls": "", "marker": kinds[name].marker, "mfc": "none", "ms": 4}
-                share = 0.03 * (i + 1) + share * (1.0 - 0.06 * (i + 1))
-            else:
-                look |= {"ls": LINES[i % len(LINES)], "lw": 1.3}
-            axis.plot(part["pga_g"], share, **look)
-        axis.set_title(f"{title[record]}, {'+' if direction == 'pos' else '−'}", loc="left")
+            share = base + LANE * part["probability"].fillna(part["probability_yade"])
+            colour = kinds[name].colour
+            axis.plot(part["pga_g"], share, color=colour, lw=0.8)
+            axis.fill_between(part["pga_g"], base, share, color=colour, alpha=0.35, lw=0)
+            if part["members"].fillna(part["members_yade"]).fillna(1.0).max() < 3:  # single runs
+                axis.plot(part["pga_g"], share, ls="", marker=kinds[name].marker, ms=3, c=colour)
+        axis.set_title(f"{title[record]}, {style.SIGNS[direction]}", loc="left")
         first = mine[mine["probability"] > 0].groupby("model")["pga_g"].min()
         last = mine[mine["probability"] < 1].groupby("model")["pga_g"].max()
         if len(first):
-            axis.set_xlim(0.7 * first.min(), 1.15 * np.median(last) + 0.3 * last.max())
-        axis.set(ylim=(-0.03, 1.03))
+            end = max(1.15 * np.median(last) + 0.3 * last.max(), 1.15 * first.max())
+            axis.set_xlim(0.7 * first.min(), end)
+        axis.set_yticks(lanes, models)
+        axis.set_ylim(-0.1, len(models))
     for axis in axes[-1]:
         axis.set_xlabel("PGA [g]")
     for axis in axes[:, 0]:
-        axis.set_ylabel("P(collapse)")
+        axis.set_ylabel("P(collapse), 0 to 1 in a lane")
     for axis in axes.flat[len(keys) :]:
         axis.set_visible(False)
-    handles, labels = axes[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=min(len(labels), 5))
     style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
 
 
