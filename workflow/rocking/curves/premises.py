@@ -179,20 +179,21 @@ def given(table):
     Parameters
     ----------
     table : DataFrame
-        Columns of tables/collapse_probability.csv; YADE's share where the planar one is blank.
+        Columns of tables/collapse_probability.csv; YADE's share where the planar one is blank, its
+        columns may be missing.
 
     Returns
     -------
     dict
         pga_collapse_g … pga_all_g, pga_mean_g, runs.
     """
-    table = table.sort_values("pga_g")
-    share = table["probability"].fillna(table.get("probability_yade"))
+    table = table.reindex(columns=collapse.PROBABILITY_COLUMNS).sort_values("pga_g")
+    share = table["probability"].fillna(table["probability_yade"])
     pga_g, share = table["pga_g"].to_numpy()[share.notna()], share.dropna().to_numpy()
     fell, stood = pga_g[share > 0.0], pga_g[share < 1.0]
     above = pga_g[pga_g > (stood.max() if stood.size else 0.0)]
     crossings = [collapse.first_crossing(pga_g, share, level) for level in collapse.LEVELS]
-    runs = table["members"].fillna(table.get("members_yade", 1.0)).fillna(1.0).sum()
+    runs = table["members"].fillna(table["members_yade"]).fillna(1.0).sum()
     return {
         "pga_collapse_g": fell.min() if fell.size else np.nan,
         **dict(zip(("pga_p10_g", "pga_median_g", "pga_p90_g"), crossings, strict=True)),
