@@ -36,5 +36,7 @@ if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
   $python -m venv --clear .venv
   .venv/bin/pip install -q --disable-pip-version-check --require-hashes -r requirements.lock
   .venv/bin/pip install -q --disable-pip-version-check --no-deps --no-build-isolation --editable .
+  say "compiling the planar solver"
+  .venv/bin/python -m rocking.screening
   printf '%s' "$wanted" > $stamp
 fi

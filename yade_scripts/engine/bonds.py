@@ -8,7 +8,7 @@ plain  the dry unilateral node, which touches nothing until the bond breaks
 
 Press and hook carry kn/2, ks/2, β·kn/2 and β·ks/2 each. Their preloads cancel, and
 while neither opens the pair is a linear spring and dashpot in both normal directions
-and in shear: exactly the node that `stiffness` assembles, counted once. The centres
+and in shear: the node that `stiffness` assembles, counted once. The centres
 coincide, so the preloads exert no couple when the block turns. (YADE's CohFrict law
 would need a parallel dashpot, doubling the stiffness in compression.)
 
@@ -28,7 +28,9 @@ from typing import Any
 
 import numpy as np
 
-PRELOAD_M = 0.05  # largest compression within which a bond stays linear
+# Largest compression within which a bond stays linear. Press and hook act half of it off the node on
+# either side, so their shear springs resist a turn of the joint about it by ks·(preload/2)².
+PRELOAD_M = 0.005
 NO_STIFFNESS = 1e-12  # N/m; of two materials YADE takes the larger when one of them is 0
 FACE_OFFSET_M = 1e-3  # the centre stays inside both boxes, off their surfaces
 CHECK_S = 5e-5  # shortest interval between checks
