@@ -28,8 +28,8 @@ from typing import Any
 
 import numpy as np
 
-# Largest compression within which a bond stays linear. Press and hook act half of it off the node on
-# either side, so their shear springs resist a turn of the joint about it by ks·(preload/2)².
+# Largest compression within which a bond stays linear. Press and hook act half of it off the node
+# on either side, so their shear springs resist a turn of the joint about it by ks·(preload/2)².
 PRELOAD_M = 0.005
 NO_STIFFNESS = 1e-12  # N/m; of two materials YADE takes the larger when one of them is 0
 FACE_OFFSET_M = 1e-3  # the centre stays inside both boxes, off their surfaces
