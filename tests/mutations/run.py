@@ -74,7 +74,9 @@ def _run(folder, words):
     """In the child: the copy before the checkout, then pytest."""
     os.chdir(folder)
     own = [str(folder), str(folder / "workflow"), str(folder / "tests")]
-    sys.path[:] = [*own, *(p for p in sys.path if not p.startswith(str(ROOT)))]
+    installed = sys.prefix  # the virtual environment may lie in the checkout
+    rest = [p for p in sys.path if p.startswith(installed) or not p.startswith(str(ROOT))]
+    sys.path[:] = [*own, *rest]
     os.environ["PYTHONPATH"] = ":".join(own[:2])
     sys.dont_write_bytecode = (
         True  # a change within the same second would be taken for the old file
