@@ -5,6 +5,7 @@
 # make gallery the pictures of docs/gallery.md again, by its commands
 # make study   docs/study.md again: the study row by row beside a run of all its stages
 # make mutations  one sign, factor or unit changed at a time: do the tests notice?
+# make freeze  the tables of a small run of every target, against those of REVISION (main)
 # make faults  56 runs killed, starved or doubled at random moments; writes tables/faults.csv
 # make slurm   two records through a real SLURM of one node (root; installs slurm-wlm and munge)
 # make load    a study of 44 records in reduced form, with memory and progress over time
@@ -12,7 +13,7 @@
 CORES ?= $(shell nproc)
 SNAKEMAKE = .venv/bin/snakemake --cores $(CORES)
 RUN ?= main
-.PHONY: setup run test lint docs gallery study mutations faults slurm load audit
+.PHONY: setup run test lint docs gallery study freeze mutations faults slurm load audit
 
 setup:
 	@bash tools/setup.sh
@@ -39,6 +40,12 @@ gallery: setup
 study: setup
 	$(SNAKEMAKE) --configfile config/scenarios/five_models.yaml --config run=study -- study
 	cp results/study/study.md docs/study.md
+
+REVISION ?= main
+freeze: setup
+	.venv/bin/python tests/trials/freeze.py run --revision $(REVISION) --output build/freeze/old
+	.venv/bin/python tests/trials/freeze.py run --output build/freeze/new
+	.venv/bin/python tests/trials/freeze.py compare build/freeze/old build/freeze/new
 
 mutations: setup
 	.venv/bin/python tests/mutations/run.py $(ARGS)

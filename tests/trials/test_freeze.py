@@ -1,0 +1,54 @@
+"""The regression trial: a changed cell is found and named, a measured or renamed one is not."""
+
+import pytest
+import yaml
+
+from tests.trials import freeze
+
+TABLE = "premise,median,wall_s,walls_y_n\nbase,0.31,2.5,10\nmass,{},{},12\n"
+
+
+def frozen(folder, name, text, trial="study"):
+    """A state with one table, as `run` leaves it."""
+    path = folder / "results" / trial / name
+    path.parent.mkdir(parents=True)
+    path.write_text(text)
+    (folder / "results" / f"{trial}2").mkdir()  # of another trial
+    (folder / "results" / f"{trial}2" / "other.csv").write_text("a\n1\n")
+    freeze.keep(folder / "results", trial, folder)
+    return folder
+
+
+def test_wall_times_do_not_count_and_values_do(tmp_path):
+    old = frozen(tmp_path / "old", "tables/premises.csv", TABLE.format("0.4", "1.0"))
+    same = frozen(tmp_path / "same", "tables/premises.csv", TABLE.format("0.4", "9.0"))
+    new = frozen(tmp_path / "new", "tables/premises.csv", TABLE.format("0.41", "1.0"))
+    assert freeze.compare(old, same) == []
+    (line,) = freeze.compare(old, new)
+    assert line.startswith("study/study/tables/premises.csv: 1 of 3 lines differ, first line 3")
+    assert "- mass,0.4,12" in line
+    assert "+ mass,0.41,12" in line
+
+
+def test_files_that_come_and_go_are_named(tmp_path):
+    old = frozen(tmp_path / "old", "tables/premises.csv", TABLE)
+    new = frozen(tmp_path / "new", "tables/assumptions.csv", TABLE.replace("premise", "assumption"))
+    assert freeze.compare(old, new) == [
+        "study/study/tables/assumptions.csv: new",
+        "study/study/tables/premises.csv: no longer made",
+    ]
+    words = tmp_path / "words.tsv"
+    words.write_text("premises\tassumptions\npremise\tassumption\n")
+    assert freeze.compare(old, new, words) == []
+
+
+@pytest.mark.parametrize("name", ["wall_s", "run_cpu_s", "max_rss_mb", "cpu_s_per_simulated_s"])
+def test_what_is_measured_on_the_machine_is_left_out(tmp_path, name):
+    path = tmp_path / "a.json"
+    path.write_text(f'{{"{name}": 1.5, "walls": [{{"{name}": 2, "period_s": 0.27}}]}}')
+    assert yaml.safe_load(freeze.comparable(path)) == {"walls": [{"period_s": 0.27}]}
+
+
+def test_a_trial_s_own_values_lie_over_the_common_ones():
+    found = freeze.merged({"a": {"b": 1, "c": 2}, "d": [1]}, {"a": {"b": None}, "d": [2]})
+    assert found == {"a": {"b": None, "c": 2}, "d": [2]}
