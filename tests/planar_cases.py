@@ -1,8 +1,8 @@
 """Walls of the planar solver for tests, and the rates of its compiled law."""
 
 import numpy as np
-from rocking.planar import Wall
-from rocking.planar.contact import law_of, rates
+from rocking.reference import Wall
+from rocking.reference.contact import law_of, rates
 
 
 def sorrentino(**changes):

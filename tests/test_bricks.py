@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from rocking.screening import Motions, peaks, prepare
-from rocking.screening.runs import stable_step
-from rocking.screening.scan import BRICKS_STEP, driving
-from rocking.screening.stack import stack_matrices
+from rocking.collapse.scan import BRICKS_STEP, driving
+from rocking.solver import Motions, peaks, prepare
+from rocking.solver.runs import stable_step
+from rocking.solver.stack import stack_matrices
 from yade_process import in_yade, resolved
 
 from yade_scripts.model.models import build_scene, motion_columns

@@ -8,9 +8,9 @@ import pytest
 from rocking import study
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
-from rocking.screening import restraint
-from rocking.screening.plane import prepare
-from rocking.screening.runs import Motions, history
+from rocking.solver.plane import prepare
+from rocking.solver.runs import Motions, history
+from rocking.studies import restraint
 from test_ties import BETA_S, FEW, G, pulses
 from yade_process import ROOT, in_yade, resolved
 

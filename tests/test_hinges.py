@@ -5,10 +5,10 @@ import pytest
 from rocking.assessment.battery import weakest_hinge
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
-from rocking.screening.bars import of_scene
-from rocking.screening.plane import moving_supports, prepare
-from rocking.screening.runs import Motions, history
-from rocking.screening.stack import stack_matrices, stacked
+from rocking.solver.bars import of_scene
+from rocking.solver.plane import moving_supports, prepare
+from rocking.solver.runs import Motions, history
+from rocking.solver.stack import stack_matrices, stacked
 from test_floors import ROOF, floored, slow
 from test_ties import BETA_S, FEW, G, pulses
 from yade_process import in_yade

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from rocking import planar as judge
-from rocking import screening
+from rocking import reference as judge
+from rocking import solver
 from rocking.mechanics import closed_forms as cf
-from rocking.screening import Motions, bodies, history, moving_supports, peaks, prepare
+from rocking.solver import Motions, bodies, history, moving_supports, peaks, prepare
 from yade_process import in_yade, resolved
 
 from smdof import floor_motions
@@ -326,4 +326,4 @@ def test_runs_where_nothing_can_be_written(tmp_path):
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60, text=True)
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout) == 2
-    assert screening.stable_step(case("W1")[1]) > 1e-4
+    assert solver.stable_step(case("W1")[1]) > 1e-4

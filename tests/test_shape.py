@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 from rocking.configuration.config import ConfigError
-from rocking.screening.plane import moving_supports, prepare
-from rocking.screening.runs import Motions, history
+from rocking.solver.plane import moving_supports, prepare
+from rocking.solver.runs import Motions, history
 from scipy.integrate import solve_ivp
 from yade_process import in_yade, resolved
 

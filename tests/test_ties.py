@@ -6,9 +6,9 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.configuration.config import ConfigError
-from rocking.screening import strengthening
-from rocking.screening.plane import prepare
-from rocking.screening.runs import Motions, history
+from rocking.solver.plane import prepare
+from rocking.solver.runs import Motions, history
+from rocking.studies import strengthening
 from scipy.stats import binomtest
 from yade_process import in_yade, resolved
 

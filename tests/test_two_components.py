@@ -5,13 +5,13 @@ import math
 import numpy as np
 import pytest
 from rocking import study
-from rocking.screening import spatial
-from rocking.screening.plane import moving_supports
-from rocking.screening.plane import prepare as prepare_plane
-from rocking.screening.runs import Motions
-from rocking.screening.runs import history as planar_history
-from rocking.screening.spatial_kernel import roll
-from rocking.screening.two_components import Curve
+from rocking.solver import spatial
+from rocking.solver.plane import moving_supports
+from rocking.solver.plane import prepare as prepare_plane
+from rocking.solver.runs import Motions
+from rocking.solver.runs import history as planar_history
+from rocking.solver.spatial_kernel import roll
+from rocking.studies.two_components import Curve
 from yade_process import ROOT, in_yade, resolved
 
 from yade_scripts.model import models

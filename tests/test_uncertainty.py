@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.curves import fragility
-from rocking.screening.scan import Screen
+from rocking.collapse.scan import Screen
+from rocking.studies import fragility
 from rocking.study import Study, Uncertainty
 from rocking.uncertainty import parts, sampling
 from yade_process import resolved, run_study

@@ -5,13 +5,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from rocking import planar as judge
+from rocking import reference as judge
+from rocking.collapse.scan import carried_masses
 from rocking.configuration.config import ConfigError
 from rocking.mechanics import closed_forms as cf
 from rocking.records import RecordError, load, read_csv, write_csv
 from rocking.records.floors import floor_columns
-from rocking.screening import Motions, history, peaks
-from rocking.screening.scan import carried_masses
+from rocking.solver import Motions, history, peaks
 from rocking.study import Study
 from test_screening import BETA_S, case, shaking, slender, wall_of
 from yade_process import in_yade

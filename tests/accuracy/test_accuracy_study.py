@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.accuracy import histories, study
-from rocking.curves.reference import judge
+from rocking.reference.facade import judge
 from yade_process import resolved
 
 from yade_scripts.model import floor_motions

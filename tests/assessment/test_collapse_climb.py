@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 from rocking.assessment.collapse import _levels, collapse_pga, floor_columns
+from rocking.collapse.probability import first_crossing, from_scan
+from rocking.collapse.scan import Screen
 from rocking.configuration import config
-from rocking.curves.collapse import first_crossing, from_scan
 from rocking.records import Record
-from rocking.screening.scan import Screen
 
 SETTINGS = {"level_ratio": 0.02, "beyond": 1.35, "max_pga_g": 3.0, "members": 7}
 

@@ -17,11 +17,11 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT), str(ROOT / "workflow")]
 
 from rocking.accuracy.fidelity import choose, read_fidelity  # noqa: E402
+from rocking.collapse.scan import Screen  # noqa: E402
 from rocking.configuration import config  # noqa: E402
-from rocking.curves.reference import wall_of  # noqa: E402
-from rocking.planar import Motion, simulate_batch  # noqa: E402
 from rocking.records import load, read_table  # noqa: E402
-from rocking.screening.scan import Screen  # noqa: E402
+from rocking.reference import Motion, simulate_batch  # noqa: E402
+from rocking.reference.facade import wall_of  # noqa: E402
 
 from smdof import floor_motions  # noqa: E402
 from yade_scripts.model.motion import amplitude  # noqa: E402

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.curves import collapse
+from rocking.collapse import probability
 
 ROOT = Path(__file__).parents[2]
 
@@ -66,7 +66,7 @@ def test_curves_are_tabled_in_the_form_of_the_other_models(tmp_path):
         params={"spread": 0.01},
     )
     table = pd.read_csv(tmp_path / "collapse.csv")
-    assert list(table.columns) == collapse.COLUMNS
+    assert list(table.columns) == probability.COLUMNS
     row = table.iloc[0]
     assert row[["pga_safe_g", "pga_collapse_g", "pga_all_g"]].tolist() == [0.205, 0.21, 0.225]
     assert row[["runs_planar", "runs_yade", "disagreements"]].tolist() == [9, 5, 1]
@@ -76,7 +76,7 @@ def test_curves_are_tabled_in_the_form_of_the_other_models(tmp_path):
     share = pd.read_csv(tmp_path / "probability.csv")
     assert share.loc[share["direction"] == "pos", "members_yade"].fillna(0).eq(0).all()
     share = share[share["direction"] == "neg"]
-    assert list(share.columns) == collapse.PROBABILITY_COLUMNS
+    assert list(share.columns) == probability.PROBABILITY_COLUMNS
     own = share[share["members_yade"] == 1]
     assert own["pga_g"].tolist() == [0.20, 0.21, 0.22, 0.24]
     assert own["probability_yade"].tolist() == [0.0, 1.0, 0.0, 1.0]

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from rocking.building.modes import matrices
 from rocking.building.reduced import ReducedScan, in_plane, reduction
-from rocking.screening.plane import prepare
-from rocking.screening.runs import history
+from rocking.solver.plane import prepare
+from rocking.solver.runs import history
 from scipy.sparse.linalg import spsolve
 from test_complete import THICKNESS_M, T, job, pulses, scene_of
 from yade_process import in_yade

@@ -3,7 +3,7 @@
 import pandas as pd
 import pytest
 from rocking import statements
-from rocking.curves import claims
+from rocking.studies import claims
 
 W1 = {
     "BUCAR0+": 0.1,

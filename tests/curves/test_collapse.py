@@ -3,8 +3,8 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.curves import collapse
-from rocking.screening.plan import plan
+from rocking.collapse import probability
+from rocking.collapse.plan import plan
 
 GRID = np.geomspace(0.1, 1.0, 1200)
 
@@ -24,17 +24,17 @@ def runs(*pairs):
 
 def test_share_is_that_of_the_members_within_the_spread():
     table = scan(lambda g: g > 0.5)
-    share, members = collapse.probability(GRID, table["collapsed"], [0.3, 0.5, 0.7], 0.02)
+    share, members = probability.probability(GRID, table["collapsed"], [0.3, 0.5, 0.7], 0.02)
     assert share[[0, 2]].tolist() == [0.0, 1.0]
     assert share[1] == pytest.approx(0.5, abs=0.05)
     inside = np.abs(GRID / 0.5 - 1.0) <= 0.02
     assert members[1] == inside.sum()
-    assert np.isnan(collapse.probability(GRID, table["collapsed"], [2.0], 0.01)[0][0])
+    assert np.isnan(probability.probability(GRID, table["collapsed"], [2.0], 0.01)[0][0])
 
 
 def test_an_island_below_the_main_collapse_is_the_lowest_collapse():
     """Falls at 0.30 to 0.33 g, stands to 0.6 g: nothing above 0.30 g is safe."""
-    found = collapse.summary(
+    found = probability.summary(
         scan(lambda g: 0.30 < g < 0.33 or g > 0.6), runs((0.2, 0), (0.4, 0), (0.7, 1)), (), 0.01
     )
     assert found["pga_collapse_g"] == pytest.approx(0.30, rel=0.003)
@@ -48,7 +48,7 @@ def test_an_island_below_the_main_collapse_is_the_lowest_collapse():
 
 def test_a_collapse_in_yade_alone_is_not_safe():
     """The engine that confirms has the last word on what is safe."""
-    found = collapse.summary(scan(lambda g: g > 0.6), runs((0.45, 1)), (), 0.01)
+    found = probability.summary(scan(lambda g: g > 0.6), runs((0.45, 1)), (), 0.01)
     assert found["pga_collapse_g"] == 0.45
     assert found["pga_safe_g"] < 0.45
     assert found["pga_median_g"] == pytest.approx(0.6, rel=0.01)
@@ -57,37 +57,37 @@ def test_a_collapse_in_yade_alone_is_not_safe():
 def test_a_facade_that_never_fell_is_a_bound_and_failed_runs_say_nothing():
     table = runs((0.2, 0), (3.0, 0))
     table.loc[2] = [2.0, 1, "failed"]
-    found = collapse.summary(None, table, (), 0.01)
+    found = probability.summary(None, table, (), 0.01)
     assert np.isnan([found[f"pga_{n}_g"] for n in ("collapse", "median", "all")]).all()
     assert (found["pga_safe_g"], found["pga_max_g"], found["runs_planar"]) == (3.0, 3.0, 0)
-    blank = pd.DataFrame(columns=collapse.PROBABILITY_COLUMNS)
-    assert collapse.brackets(blank, found) == [(3.0, np.inf, 1.0)]
+    blank = pd.DataFrame(columns=probability.PROBABILITY_COLUMNS)
+    assert probability.brackets(blank, found) == [(3.0, np.inf, 1.0)]
 
 
 def test_members_of_a_curve_follow_its_probability():
     """A linear rise of probability gives members spread evenly, of total weight one."""
     table = pd.DataFrame({"pga_g": GRID, "probability": np.clip((GRID - 0.4) / 0.2, 0, 1)})
-    members = collapse.brackets(table.assign(members=9), {}, count=10)
+    members = probability.brackets(table.assign(members=9), {}, count=10)
     low, high, weight = np.array(members).T
     assert weight.sum() == pytest.approx(1.0)
     assert 0.5 * (low + high) == pytest.approx(0.4 + 0.2 * (np.arange(10) + 0.5) / 10, abs=1e-3)
     half = table.assign(members=9, probability=0.5 * table["probability"])
-    assert sum(w for _, high, w in collapse.brackets(half, {}) if np.isinf(high)) == 0.5
+    assert sum(w for _, high, w in probability.brackets(half, {}) if np.isinf(high)) == 0.5
 
 
 def test_single_runs_stand_for_the_amplitudes_nearest_to_them():
     """One threshold between two runs: the share rises linearly in ± spread about their middle."""
     sparse = runs((0.2, 0), (0.399, 0), (0.401, 1), (0.41, 1), (0.6, 1))
     middle = np.sqrt(0.399 * 0.401)
-    found = collapse.summary(None, sparse[:3], sparse[3:], 0.01)
+    found = probability.summary(None, sparse[:3], sparse[3:], 0.01)
     for name, share in (("p10", 0.1), ("median", 0.5), ("p90", 0.9)):
         expected = middle * (1.0 + 0.01 * (2.0 * share - 1.0))
         assert found[f"pga_{name}_g"] == pytest.approx(expected, rel=1e-4)
-    table = collapse.single_runs(collapse.outcomes(sparse), 0.01)
+    table = probability.single_runs(probability.outcomes(sparse), 0.01)
     assert table["probability_yade"].iloc[[0, -1]].tolist() == [0.0, 1.0]
     at = table.set_index("pga_g")["members_yade"]
     assert (at[0.2], at[0.399], at[0.401]) == (1, 2, 2)  # 0.41 lies 2 % off
-    weights = np.array(collapse.brackets(table.assign(members=np.nan, probability=np.nan), {}))
+    weights = np.array(probability.brackets(table.assign(members=np.nan, probability=np.nan), {}))
     assert weights[:, 2].sum() == pytest.approx(1.0)
     assert np.all(weights[:, 0] < 0.41)
     assert np.all(weights[:, 1] > 0.39)
@@ -97,7 +97,7 @@ def test_disagreement_is_beyond_the_scatter_of_both():
     """Eleven members that all stand where all planar ones fall disagree; one of 11 does not."""
     dense = scan(lambda g: g > 0.5)
     members = [runs(*[(g, int(i < fell)) for i in range(11)]) for g, fell in ((0.7, 0), (0.8, 10))]
-    table = collapse.beside(dense, pd.concat(members), 0.01)
+    table = probability.beside(dense, pd.concat(members), 0.01)
     levels = table[table["members_yade"].notna()].set_index("pga_g")
     assert levels["agrees"].to_dict() == {0.7: 0.0, 0.8: 1.0}
     assert levels.loc[0.8, "probability_yade"] == pytest.approx(10 / 11)

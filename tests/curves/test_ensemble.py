@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.curves import ensemble
+from rocking.collapse import ensemble
 from yade_process import resolved
 
 from yade_scripts.studies import perturb

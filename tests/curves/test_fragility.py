@@ -4,17 +4,17 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from rocking.curves import fragility
-from rocking.curves.intensity_measures import (
+from rocking.mechanics.closed_forms import block
+from rocking.records import Record
+from rocking.records.intensity_measures import (
     HOUSNER_S,
     MEASURES,
     incremental_velocity,
     per_pga,
     record_measures,
 )
-from rocking.curves.sufficiency import properties, slope
-from rocking.mechanics.closed_forms import block
-from rocking.records import Record
+from rocking.studies import fragility
+from rocking.studies.sufficiency import properties, slope
 from scipy import stats
 from scipy.optimize import minimize
 from scipy.special import ndtr

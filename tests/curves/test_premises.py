@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.curves import premises
+from rocking.studies import premises
 from yade_process import resolved
 
 from yade_scripts.model.models import build_scene

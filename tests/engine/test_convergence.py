@@ -6,9 +6,9 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.accuracy import fidelity, study
-from rocking.curves import reference
-from rocking.curves.reference import ensemble_peaks, peak_d_over_b
 from rocking.mechanics.closed_forms import block, overturning_half_sine, overturning_rectangular
+from rocking.reference import facade as reference
+from rocking.reference.facade import ensemble_peaks, peak_d_over_b
 from yade_process import in_yade, resolved
 
 from yade_scripts.model import facade

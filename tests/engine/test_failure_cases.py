@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.curves.reference import peak_d_over_b
+from rocking.reference.facade import peak_d_over_b
 from sliding_block import slip_rectangular_pulse
 from yade_process import in_yade, resolved
 

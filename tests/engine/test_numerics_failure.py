@@ -5,8 +5,8 @@ import json
 import numpy as np
 import pytest
 from numerics_cases import SAMPLE_STEPS
-from rocking.curves import collapse
-from rocking.curves.ida import branches, read_curve
+from rocking.collapse import probability
+from rocking.collapse.ida import branches, read_curve
 from yade_process import in_yade, resolved
 
 from smdof.chain import floor_motions
@@ -135,7 +135,7 @@ def test_failed_rows_are_neither_drawn_nor_counted_as_collapse(tmp_path):
     stood, fell = branches(curve)
     assert list(stood["pga_g"]) == [0.1]
     assert list(fell["pga_g"]) == [0.3]
-    row = collapse.summary(None, curve, (), 0.01)
+    row = probability.summary(None, curve, (), 0.01)
     assert (row["pga_safe_g"], row["pga_collapse_g"]) == (0.1, 0.3)
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from rocking.screening.scan import Screen
+from rocking.collapse.scan import Screen
 from yade_process import in_yade, resolved
 
 from smdof.chain import floor_motions, shear_chain

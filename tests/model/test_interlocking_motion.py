@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from rocking.curves.pushover import closed_form
-from rocking.screening import peaks, prepare
-from rocking.screening.scan import driving
+from rocking.collapse.scan import driving
+from rocking.solver import peaks, prepare
+from rocking.studies.pushover import closed_form
 from scipy.integrate import solve_ivp
 from yade_process import in_yade, resolved
 

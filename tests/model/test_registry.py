@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 from rocking.configuration import config, schema
-from rocking.screening import Motions, peaks, prepare
+from rocking.solver import Motions, peaks, prepare
 from yade_process import resolved
 
 from yade_scripts.model import models, registry

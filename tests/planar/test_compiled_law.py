@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from planar_cases import facade, rate, sorrentino
-from rocking.planar import simulate
-from rocking.planar.contact import (
+from rocking.reference import simulate
+from rocking.reference.contact import (
     OMEGA,
     SLIP,
     THETA,

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from planar_cases import facade, rate, sorrentino
 from rocking.mechanics import closed_forms as cf
-from rocking.planar import Motion, Wall, simulate, simulate_batch
-from rocking.planar.adaptive import run
-from rocking.planar.contact import (
+from rocking.reference import Motion, Wall, simulate, simulate_batch
+from rocking.reference.adaptive import run
+from rocking.reference.contact import (
     SLIP,
     THETA,
     Y,
@@ -17,9 +17,9 @@ from rocking.planar.contact import (
     law_of,
     penetration,
 )
-from rocking.planar.integrate import COLUMNS, Control
-from rocking.planar.motion import integrate_linear
-from rocking.planar.wall import rule
+from rocking.reference.integrate import COLUMNS, Control
+from rocking.reference.motion import integrate_linear
+from rocking.reference.wall import rule
 from sliding_block import sliding_response
 
 from smdof import floor_motions

@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.curves import surrogate_trust
 from rocking.records import Record, integrate, load, measures, read_table
 from rocking.records.pulses import PERIODS_S, find_pulses, pulse_spec
 from rocking.records.surrogate import generate
 from rocking.records.surrogate_model import Pulse
+from rocking.studies import surrogate_trust
 
 DT = 0.01
 # far apart, on periods of the search, of opposite signs

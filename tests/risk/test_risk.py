@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.curves.fragility import Fragility
 from rocking.risk import nrml, rates
 from rocking.risk.hazard import Hazard, HazardError, imt_of, read_hazard
+from rocking.studies.fragility import Fragility
 from scipy import stats
 from scipy.integrate import quad
 
@@ -94,7 +94,7 @@ def test_a_hazard_table_in_a_rate_with_its_interval_out(tmp_path):
     params = {"risk": {"site": None, "years": 50, "bins": 6}, "fragility": settings}
     words = [f"{k}={json.dumps(v)}" for k, v in (params | {"period_s": 0.27}).items()]
     subprocess.run(
-        [sys.executable, ROOT / "workflow/scripts/risk_rate.py", "--params", *words]
+        [sys.executable, ROOT / "workflow/scripts/risk/risk_rate.py", "--params", *words]
         + ["--input", "brackets=brackets.csv", "hazard=hazard.csv"]
         + ["--output", "table=risk.csv", "deaggregation=parts.csv"],
         cwd=tmp_path,

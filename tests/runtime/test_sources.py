@@ -79,7 +79,9 @@ def test_a_reader_does_not_touch_the_runs_in_yade():
     ida = {p.name for p in sources.sources(ROOT / "yade_scripts/studies/ida.py")}
     assert "reader.py" not in ida
     assert {"adapter.py", "bonds.py", "stiffness.py", "registry.py"} <= ida
-    assert "adapter.py" not in {p.name for p in sources.sources(SCRIPTS / "table_records.py")}
+    assert "adapter.py" not in {
+        p.name for p in sources.sources(SCRIPTS / "records/table_records.py")
+    }
 
 
 def package_of_four(tmp_path, monkeypatch):

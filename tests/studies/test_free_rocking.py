@@ -9,7 +9,7 @@ import pytest
 from rocking.calibration import beta, study
 from rocking.calibration.restitution import e_exp, read_archive, rebounds
 from rocking.mechanics import closed_forms
-from rocking.planar import Wall, simulate
+from rocking.reference import Wall, simulate
 from yade_process import in_yade, resolved, run_study
 
 pytestmark = pytest.mark.yade

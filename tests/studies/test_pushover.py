@@ -3,7 +3,8 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.curves.pushover import (
+from rocking.mechanics import closed_forms
+from rocking.studies.pushover import (
     closed_form,
     complete_curve,
     smoothed,
@@ -11,7 +12,6 @@ from rocking.curves.pushover import (
     theta_of,
     variant,
 )
-from rocking.mechanics import closed_forms
 from yade_process import in_yade, resolved
 
 from yade_scripts.model import models

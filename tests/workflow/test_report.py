@@ -31,7 +31,7 @@ def page_of(tmp_path, text, name="ida_collapse"):
     done = subprocess.run(
         [
             sys.executable,
-            str(SCRIPTS / "report_table.py"),
+            str(SCRIPTS / "report" / "report_table.py"),
             "--input",
             f"table={table}",
             f"style={style}",
@@ -90,7 +90,7 @@ def test_the_answer_says_what_to_trust_and_how_far_records_were_scaled(tmp_path)
     )
     style = ROOT / "workflow/report/table.css"
     done = subprocess.run(
-        [sys.executable, "-c", code, str(SCRIPTS), str(style)],
+        [sys.executable, "-c", code, str(SCRIPTS / "report"), str(style)],
         capture_output=True,
         text=True,
         cwd=tmp_path,

@@ -99,7 +99,7 @@ def test_a_run_s_names_are_made_again_where_they_stand_already(tmp_path):
         path.write_text(path.name)
     (own / "records/A.csv").write_text("older")
     os.link(files[1], own / "records/B.csv")
-    script = ROOT / "workflow/scripts/link_shared.py"
+    script = ROOT / "workflow/scripts/records/link_shared.py"
     (own / "tables").mkdir()
     named = ",".join(str(path.relative_to(tmp_path)) for path in files)
     subprocess.run(

@@ -27,13 +27,13 @@ rule stability:
 rule figure_stability:
     input:
         limits="results/{run}/tables/stability_limits.csv",
-        modules=code("figure_stability"),
+        modules=code("accuracy/figure_stability"),
     output:
         **figure("stability", "Accuracy and stability", "critical step"),
     log:
         "results/{run}/logs/figure_stability.log",
     script:
-        "../scripts/figure_stability.py"
+        "../scripts/accuracy/figure_stability.py"
 
 
 # The compiled planar solver finds intensities, tells what repeats, and gives the reference.
@@ -41,7 +41,7 @@ rule accuracy_plan:
     input:
         scenes=ACCURACY.scenes,
         motions=ACCURACY.all_motions,
-        modules=code("accuracy_plan"),
+        modules=code("accuracy/accuracy_plan"),
     output:
         plan="results/{run}/accuracy/plan.json",
         histories="results/{run}/accuracy/histories.csv",
@@ -55,13 +55,13 @@ rule accuracy_plan:
         max_pga_g=lambda w: STUDY.cfg(w)["ida"]["max_pga_g"],
         records=lambda w: STUDY.records[w.run],
     script:
-        "../scripts/accuracy_plan.py"
+        "../scripts/accuracy/accuracy_plan.py"
 
 
 rule accuracy_screening:
     input:
         plan="results/{run}/accuracy/plan.json",
-        modules=code("accuracy_screening"),
+        modules=code("accuracy/accuracy_screening"),
     output:
         "results/{run}/accuracy/screening.csv",
     log:
@@ -69,7 +69,7 @@ rule accuracy_screening:
     params:
         accuracy=lambda w: STUDY.cfg(w)["accuracy"],
     script:
-        "../scripts/accuracy_screening.py"
+        "../scripts/accuracy/accuracy_screening.py"
 
 
 rule accuracy_runs:
@@ -92,7 +92,7 @@ rule accuracy_runs:
 rule accuracy_reference:
     input:
         plan="results/{run}/accuracy/plan.json",
-        modules=code("accuracy_reference"),
+        modules=code("accuracy/accuracy_reference"),
     output:
         "results/{run}/accuracy/judge.csv",
     log:
@@ -103,14 +103,14 @@ rule accuracy_reference:
     params:
         accuracy=lambda w: STUDY.cfg(w)["accuracy"],
     script:
-        "../scripts/accuracy_reference.py"
+        "../scripts/accuracy/accuracy_reference.py"
 
 
 # Optional: needs requirements-engines.in.
 rule accuracy_engine:
     input:
         plan="results/{run}/accuracy/plan.json",
-        modules=code("engine_{engine}"),
+        modules=code("accuracy/engine_{engine}"),
     output:
         "results/{run}/accuracy/engine_{engine}.csv",
     log:
@@ -118,7 +118,7 @@ rule accuracy_engine:
     wildcard_constraints:
         engine="drake|mujoco",
     script:
-        "../scripts/engine_{wildcards.engine}.py"
+        "../scripts/accuracy/engine_{wildcards.engine}.py"
 
 
 rule speed_accuracy:
@@ -127,7 +127,7 @@ rule speed_accuracy:
         judge="results/{run}/accuracy/judge.csv",
         plan="results/{run}/accuracy/plan.json",
         histories="results/{run}/accuracy/histories.csv",
-        modules=code("table_speed_accuracy"),
+        modules=code("accuracy/table_speed_accuracy"),
     output:
         table=shown(
             "results/{run}/tables/speed_accuracy.csv",
@@ -147,20 +147,20 @@ rule speed_accuracy:
     params:
         accuracy=lambda w: STUDY.cfg(w)["accuracy"],
     script:
-        "../scripts/table_speed_accuracy.py"
+        "../scripts/accuracy/table_speed_accuracy.py"
 
 
 rule figure_speed_accuracy:
     input:
         table="results/{run}/tables/speed_accuracy.csv",
         facts=STUDY.record_facts,
-        modules=code("figure_speed_accuracy"),
+        modules=code("accuracy/figure_speed_accuracy"),
     output:
         **figure("speed_accuracy", "Accuracy and stability", "speed against accuracy"),
     log:
         "results/{run}/logs/figure_speed_accuracy.log",
     script:
-        "../scripts/figure_speed_accuracy.py"
+        "../scripts/accuracy/figure_speed_accuracy.py"
 
 
 rule ensemble_members:
@@ -168,7 +168,7 @@ rule ensemble_members:
         ensembles=ACCURACY.ensembles,
         scenes=ACCURACY.scenes,
         motions=ACCURACY.motions,
-        modules=code("table_ensemble_members"),
+        modules=code("accuracy/table_ensemble_members"),
     output:
         "results/{run}/tables/ensemble_members.csv",
     log:
@@ -176,7 +176,7 @@ rule ensemble_members:
     params:
         records=ACCURACY.records,
     script:
-        "../scripts/table_ensemble_members.py"
+        "../scripts/accuracy/table_ensemble_members.py"
 
 
 rule figure_chaos:
@@ -184,7 +184,7 @@ rule figure_chaos:
         ensembles=ACCURACY.ensembles,
         scans=ACCURACY.scans,
         facts=ACCURACY.facts,
-        modules=code("figure_chaos"),
+        modules=code("accuracy/figure_chaos"),
     output:
         **figure("chaos", "Accuracy and stability", "perturbed ensembles"),
     log:
@@ -193,4 +193,4 @@ rule figure_chaos:
         percentiles=lambda w: STUDY.cfg(w)["ensemble"]["percentiles"],
         spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
     script:
-        "../scripts/figure_chaos.py"
+        "../scripts/accuracy/figure_chaos.py"

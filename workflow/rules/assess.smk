@@ -17,7 +17,7 @@ rule assess_collapse:
         scene="results/{run}/scenes/{model}.json",
         table=lambda w: STUDY.table_path(w.run),
         records=lambda w: STUDY.record_files(w),
-        modules=code("assess_collapse"),
+        modules=code("assess/assess_collapse"),
     output:
         "results/{run}/assessment/collapse_{model}.csv",
     log:
@@ -31,14 +31,14 @@ rule assess_collapse:
             "directions", "baseline", "seed", "vertical_motion", "ida.max_pga_g"
         ),
     script:
-        "../scripts/assess_collapse.py"
+        "../scripts/assess/assess_collapse.py"
 
 
 rule assess_checks:
     input:
         table=lambda w: STUDY.table_path(w.run),
         records=lambda w: STUDY.record_files(w),
-        modules=code("assess_checks"),
+        modules=code("assess/assess_checks"),
     output:
         "results/{run}/assessment/checks_by_record.csv",
     log:
@@ -56,7 +56,7 @@ rule assess_checks:
             "ida.max_pga_g",
         ),
     script:
-        "../scripts/assess_checks.py"
+        "../scripts/assess/assess_checks.py"
 
 
 rule assess_floor_spectra:
@@ -64,7 +64,7 @@ rule assess_floor_spectra:
         table=lambda w: STUDY.table_path(w.run),
         records=lambda w: STUDY.record_files(w),
         facts=STUDY.record_facts,
-        modules=code("assess_floor_spectra"),
+        modules=code("assess/assess_floor_spectra"),
     output:
         **figure(
             "floor_spectra", "Code of practice", "floor spectra, formula over chain"
@@ -77,14 +77,14 @@ rule assess_floor_spectra:
         records=lambda w: STUDY.records[w.run],
         settings=STUDY.params_of("smdof", "baseline", "seed"),
     script:
-        "../scripts/assess_floor_spectra.py"
+        "../scripts/assess/assess_floor_spectra.py"
 
 
 rule compare_code_and_dynamics:
     input:
         tables=ASSESSMENT.compared,
         facts=STUDY.all_facts,
-        modules=code("code_against_dynamics"),
+        modules=code("assess/code_against_dynamics"),
     output:
         table=f"{COMPARED}/code_against_dynamics.csv",
         ratios=f"{COMPARED}/code_ratios.csv",
@@ -109,7 +109,7 @@ rule compare_code_and_dynamics:
         resamples=lambda w: next(iter(STUDY.runs.values()))["assessment"]["resamples"],
         seed=lambda w: next(iter(STUDY.runs.values()))["seed"],
     script:
-        "../scripts/code_against_dynamics.py"
+        "../scripts/assess/code_against_dynamics.py"
 
 
 rule assess_code:
@@ -119,7 +119,7 @@ rule assess_code:
         hazard=ASSESSMENT.hazard,
         table=lambda w: STUDY.table_path(w.run),
         records=lambda w: STUDY.record_files(w),
-        modules=code("assess_code"),
+        modules=code("assess/assess_code"),
     output:
         checks="results/{run}/assessment/code_checks.csv",
         steps="results/{run}/assessment/code_steps.csv",
@@ -136,7 +136,7 @@ rule assess_code:
             "facade", "smdof", "assessment", "baseline", "seed", "risk.site"
         ),
     script:
-        "../scripts/assess_code.py"
+        "../scripts/assess/assess_code.py"
 
 
 rule assess_dynamic:
@@ -144,7 +144,7 @@ rule assess_dynamic:
         collapse=lambda w: ASSESSMENT.collapse(w.run),
         checks="results/{run}/assessment/code_checks.csv",
         hazard=ASSESSMENT.hazard,
-        modules=code("assess_dynamic"),
+        modules=code("assess/assess_dynamic"),
     output:
         table="results/{run}/assessment/dynamic.csv",
         curves="results/{run}/assessment/dynamic_curves.csv",
@@ -157,7 +157,7 @@ rule assess_dynamic:
         resamples=lambda w: STUDY.cfg(w)["assessment"]["resamples"],
         seed=lambda w: STUDY.cfg(w)["seed"],
     script:
-        "../scripts/assess_dynamic.py"
+        "../scripts/assess/assess_dynamic.py"
 
 
 rule assess_sensitivity:
@@ -165,7 +165,7 @@ rule assess_sensitivity:
         scene=ASSESSMENT.scene,
         table=lambda w: STUDY.table_path(w.run),
         records=lambda w: STUDY.record_files(w),
-        modules=code("assess_sensitivity"),
+        modules=code("assess/assess_sensitivity"),
     output:
         "results/{run}/assessment/dynamic_sensitivity.csv",
     log:
@@ -177,7 +177,7 @@ rule assess_sensitivity:
             "directions", "baseline", "seed", "vertical_motion", "ida.max_pga_g"
         ),
     script:
-        "../scripts/assess_sensitivity.py"
+        "../scripts/assess/assess_sensitivity.py"
 
 
 rule assess_report:
@@ -186,7 +186,7 @@ rule assess_report:
         site=ASSESSMENT.site,
         scene=ASSESSMENT.scene,
         table=lambda w: STUDY.table_path(w.run),
-        modules=code("assess_report"),
+        modules=code("assess/assess_report"),
     output:
         html="results/{run}/assessment/report.html",
         pdf="results/{run}/assessment/report.pdf",
@@ -206,4 +206,4 @@ rule assess_report:
             "seed",
         ),
     script:
-        "../scripts/assess_report.py"
+        "../scripts/assess/assess_report.py"

@@ -47,7 +47,7 @@ rule fig07_models:
     input:
         frames=lambda w: [f"results/{w.run}/frames/{m}.json" for m in WITH_WALLS],
         facts=BOUNDARY.picture_facts,
-        modules=code("fig07_models"),
+        modules=code("boundary/fig07_models"),
     output:
         **figure(
             "fig07_models", "Boundary conditions", "7: the five models", about="fig07"
@@ -57,14 +57,14 @@ rule fig07_models:
     params:
         config=STUDY.params_of("facade", "return_wall", "w3", "pictures"),
     script:
-        "../scripts/fig07_models.py"
+        "../scripts/boundary/fig07_models.py"
 
 
 rule animation_collapse:
     input:
         frames="results/{run}/frames/{model}_collapse.json",
         facts=BOUNDARY.picture_facts,
-        modules=code("animation_collapse"),
+        modules=code("history/animation_collapse"),
     output:
         shown(
             "results/{run}/figures/collapse_{model}.gif",
@@ -77,7 +77,7 @@ rule animation_collapse:
     params:
         config=STUDY.params_of("facade", "return_wall", "w3", "pictures"),
     script:
-        "../scripts/animation_collapse.py"
+        "../scripts/history/animation_collapse.py"
 
 
 rule table_claims:
@@ -87,7 +87,7 @@ rule table_claims:
         pushover=lambda w: (
             ["results/{run}/pushover/W3.csv"] if "W3" in STUDY.cfg(w)["models"] else []
         ),
-        modules=code("table_claims"),
+        modules=code("boundary/table_claims"),
     output:
         shown(
             "results/{run}/tables/claims.csv",
@@ -100,7 +100,7 @@ rule table_claims:
     params:
         w3=STUDY.params_of("w3"),
     script:
-        "../scripts/table_claims.py"
+        "../scripts/boundary/table_claims.py"
 
 
 # `snakemake --configfile config/scenarios/five_models.yaml -- boundary`: Figures 7, 8 and 9 whole.

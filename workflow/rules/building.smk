@@ -19,7 +19,7 @@ rule building_t1:
 rule building_fit:
     input:
         plan=BUILDING.plan,
-        modules=code("building_fit"),
+        modules=code("building/building_fit"),
     output:
         "results/{run}/building/fit.json",
     log:
@@ -29,14 +29,14 @@ rule building_fit:
     params:
         building=BUILDING.keys(),
     script:
-        "../scripts/building_fit.py"
+        "../scripts/building/building_fit.py"
 
 
 rule building_modal:
     input:
         plan=BUILDING.plan,
         fit="results/{run}/building/fit.json",
-        modules=code("building_modal"),
+        modules=code("building/building_modal"),
     output:
         "results/{run}/building/{building}_modes.npz",
     log:
@@ -46,14 +46,14 @@ rule building_modal:
     params:
         building=BUILDING.keys("modes"),
     script:
-        "../scripts/building_modal.py"
+        "../scripts/building/building_modal.py"
 
 
 rule table_building_modes:
     input:
         cbdem="results/{run}/building/CBDEM_modes.npz",
         sbdem="results/{run}/building/SBDEM_modes.npz",
-        modules=code("table_building_modes"),
+        modules=code("building/table_building_modes"),
     output:
         shown(
             "results/{run}/tables/building_modes.csv",
@@ -66,13 +66,13 @@ rule table_building_modes:
     params:
         paper=BUILDING.is_case_study,
     script:
-        "../scripts/table_building_modes.py"
+        "../scripts/building/table_building_modes.py"
 
 
 rule table_building_alternatives:
     input:
         plans=BUILDING.all_plans,
-        modules=code("table_building_alternatives"),
+        modules=code("building/table_building_alternatives"),
     output:
         shown(
             "results/{run}/tables/building_alternatives.csv",
@@ -85,14 +85,14 @@ rule table_building_alternatives:
     params:
         building=BUILDING.keys(),
     script:
-        "../scripts/table_building_alternatives.py"
+        "../scripts/building/table_building_alternatives.py"
 
 
 rule building_cost:
     input:
         plan=BUILDING.plan,
         fit="results/{run}/building/fit.json",
-        modules=code("building_cost"),
+        modules=code("building/building_cost"),
     output:
         "results/{run}/building/cost_{building}_{coarsening}.json",
     log:
@@ -104,13 +104,13 @@ rule building_cost:
     params:
         building=BUILDING.keys(),
     script:
-        "../scripts/building_cost.py"
+        "../scripts/building/building_cost.py"
 
 
 rule table_building_convergence:
     input:
         cost=BUILDING.costs,
-        modules=code("table_building_convergence"),
+        modules=code("building/table_building_convergence"),
     output:
         shown(
             "results/{run}/tables/building_convergence.csv",
@@ -121,7 +121,7 @@ rule table_building_convergence:
     log:
         "results/{run}/logs/table_building_convergence.log",
     script:
-        "../scripts/table_building_convergence.py"
+        "../scripts/building/table_building_convergence.py"
 
 
 rule building_history:
@@ -130,7 +130,7 @@ rule building_history:
         fit="results/{run}/building/fit.json",
         modes="results/{run}/building/{building}_modes.npz",
         record="results/{run}/records/{record}.csv",
-        modules=code("building_history"),
+        modules=code("building/building_history"),
     output:
         "results/{run}/building/history_{building}_{record}.csv",
     log:
@@ -138,7 +138,7 @@ rule building_history:
     params:
         building=BUILDING.keys("damping_ratio"),
     script:
-        "../scripts/building_history.py"
+        "../scripts/building/building_history.py"
 
 
 rule table_wme:
@@ -148,7 +148,7 @@ rule table_wme:
             "results/{run}/building/history_SBDEM_{record}.csv"
         ),
         records=BUILDING.of_wme_records("results/{run}/records/{record}.csv"),
-        modules=code("table_wme"),
+        modules=code("building/table_wme"),
     output:
         wme=shown(
             "results/{run}/tables/wme.csv",
@@ -165,13 +165,13 @@ rule table_wme:
         records=lambda w: BUILDING.records(w.run, "wme_records"),
         paper=BUILDING.is_case_study,
     script:
-        "../scripts/table_wme.py"
+        "../scripts/building/table_wme.py"
 
 
 rule fig01_building:
     input:
         plan=BUILDING.plan,
-        modules=code("fig01_building"),
+        modules=code("building/fig01_building"),
     output:
         **figure("fig01_building", "Building", "1: brick models", about="fig01"),
     log:
@@ -179,7 +179,7 @@ rule fig01_building:
     params:
         building=BUILDING.keys(),
     script:
-        "../scripts/fig01_building.py"
+        "../scripts/building/fig01_building.py"
 
 
 rule fig02_modes:
@@ -188,7 +188,7 @@ rule fig02_modes:
         fit="results/{run}/building/fit.json",
         cbdem="results/{run}/building/CBDEM_modes.npz",
         sbdem="results/{run}/building/SBDEM_modes.npz",
-        modules=code("fig02_modes"),
+        modules=code("building/fig02_modes"),
     output:
         **figure("fig02_modes", "Building", "2: modes", about="fig02"),
     log:
@@ -197,7 +197,7 @@ rule fig02_modes:
         building=BUILDING.keys(),
         paper=BUILDING.is_case_study,
     script:
-        "../scripts/fig02_modes.py"
+        "../scripts/building/fig02_modes.py"
 
 
 rule fig03_wme:
@@ -206,7 +206,7 @@ rule fig03_wme:
         history="results/{run}/building/history_SBDEM_{record}.csv",
         record="results/{run}/records/{record}.csv",
         facts="results/{run}/records/{record}.json",
-        modules=code("fig03_wme"),
+        modules=code("building/fig03_wme"),
     output:
         **figure(
             "fig03_{record}",
@@ -220,14 +220,14 @@ rule fig03_wme:
     params:
         building=BUILDING.wme_keys,
     script:
-        "../scripts/fig03_wme.py"
+        "../scripts/building/fig03_wme.py"
 
 
 rule building_explicit_scene:
     input:
         plan=BUILDING.plan,
         fit="results/{run}/building/fit.json",
-        modules=code("building_explicit_scene"),
+        modules=code("building/building_explicit_scene"),
     output:
         "results/{run}/building/explicit_scene_{coarsening}.json",
     log:
@@ -237,7 +237,7 @@ rule building_explicit_scene:
             "damping_ratio", "explicit_step_fraction", "explicit_duration_s"
         ),
     script:
-        "../scripts/building_explicit_scene.py"
+        "../scripts/building/building_explicit_scene.py"
 
 
 # The drawing's building under the record, with its dead load applied at once or left out.
@@ -274,7 +274,7 @@ rule table_building_explicit:
         loaded="results/{run}/building/explicit_loaded_{record}.csv",
         record="results/{run}/records/{record}.csv",
         facts="results/{run}/records/{record}.json",
-        modules=code("table_building_explicit"),
+        modules=code("building/table_building_explicit"),
     output:
         **figure(
             "fig03_rattling_{record}",
@@ -289,7 +289,7 @@ rule table_building_explicit:
     params:
         building=BUILDING.keys(),
     script:
-        "../scripts/table_building_explicit.py"
+        "../scripts/building/table_building_explicit.py"
 
 
 rule building_explicit_cost:
@@ -315,7 +315,7 @@ rule building_explicit_cost:
 rule table_building_explicit_cost:
     input:
         cost=BUILDING.explicit_costs,
-        modules=code("table_building_explicit_cost"),
+        modules=code("building/table_building_explicit_cost"),
     output:
         shown(
             "results/{run}/tables/building_explicit_cost.csv",
@@ -328,7 +328,7 @@ rule table_building_explicit_cost:
     params:
         coarsenings=lambda w: STUDY.cfg(w)["building"]["explicit_convergence"],
     script:
-        "../scripts/table_building_explicit_cost.py"
+        "../scripts/building/table_building_explicit_cost.py"
 
 
 rule table_claims_building:
@@ -336,7 +336,7 @@ rule table_claims_building:
         modes="results/{run}/tables/building_modes.csv",
         wme="results/{run}/tables/wme.csv",
         explicit=BUILDING.explicit_tables,
-        modules=code("table_claims_building"),
+        modules=code("building/table_claims_building"),
     output:
         shown(
             "results/{run}/tables/claims_building.csv",
@@ -347,4 +347,4 @@ rule table_claims_building:
     log:
         "results/{run}/logs/table_claims_building.log",
     script:
-        "../scripts/table_claims_building.py"
+        "../scripts/building/table_claims_building.py"

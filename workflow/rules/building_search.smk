@@ -13,7 +13,7 @@ rule wme_readings:
 rule table_building_search:
     input:
         plan=BUILDING.search_plan,
-        modules=code("building_search"),
+        modules=code("building/building_search"),
     output:
         "results/{run}/tables/building_search.csv",
     log:
@@ -24,7 +24,7 @@ rule table_building_search:
         building=BUILDING.keys(),
         search=BUILDING.search_keys,
     script:
-        "../scripts/building_search.py"
+        "../scripts/building/building_search.py"
 
 
 rule table_building_search_best:
@@ -32,7 +32,7 @@ rule table_building_search_best:
         plan=BUILDING.search_plan,
         search="results/{run}/tables/building_search.csv",
         plans=BUILDING.compared_plans,
-        modules=code("building_search_verify"),
+        modules=code("building/building_search_verify"),
     output:
         shown(
             "results/{run}/tables/building_search_best.csv",
@@ -48,19 +48,19 @@ rule table_building_search_best:
         building=BUILDING.keys(),
         search=BUILDING.search_keys,
     script:
-        "../scripts/building_search_verify.py"
+        "../scripts/building/building_search_verify.py"
 
 
 rule figure_building_search:
     input:
         search="results/{run}/tables/building_search.csv",
-        modules=code("figure_building_search"),
+        modules=code("building/figure_building_search"),
     output:
         **figure("building_search", "Building", "search for the study's building"),
     log:
         "results/{run}/logs/figure_building_search.log",
     script:
-        "../scripts/figure_building_search.py"
+        "../scripts/building/figure_building_search.py"
 
 
 rule table_wme_readings:
@@ -69,7 +69,7 @@ rule table_wme_readings:
         fit="results/{run}/building/fit.json",
         modes="results/{run}/building/SBDEM_modes.npz",
         records=BUILDING.of_wme_records("results/{run}/records/{record}.csv"),
-        modules=code("table_wme_readings"),
+        modules=code("building/table_wme_readings"),
     output:
         readings="results/{run}/tables/wme_readings.csv",
         lowest=shown(
@@ -89,4 +89,4 @@ rule table_wme_readings:
         records=lambda w: BUILDING.records(w.run, "wme_records"),
         paper=BUILDING.is_case_study,
     script:
-        "../scripts/table_wme_readings.py"
+        "../scripts/building/table_wme_readings.py"

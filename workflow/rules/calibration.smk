@@ -4,7 +4,7 @@
 rule calibration_cases:
     input:
         wall=CALIBRATION.wall,
-        modules=code("calibrate_cases"),
+        modules=code("calibration/calibrate_cases"),
     output:
         CASES,
     log:
@@ -14,7 +14,7 @@ rule calibration_cases:
     params:
         config=CALIBRATION.config,
     script:
-        "../scripts/calibrate_cases.py"
+        "../scripts/calibration/calibrate_cases.py"
 
 
 rule free_rocking:
@@ -39,7 +39,7 @@ rule free_rocking_table:
     input:
         cases=CALIBRATION.of_groups(CASES),
         histories=CALIBRATION.of_groups(HISTORIES),
-        modules=code("table_free_rocking"),
+        modules=code("calibration/table_free_rocking"),
     output:
         shown(
             "results/{run}/tables/free_rocking.csv",
@@ -50,14 +50,14 @@ rule free_rocking_table:
     log:
         "results/{run}/logs/free_rocking_table.log",
     script:
-        "../scripts/table_free_rocking.py"
+        "../scripts/calibration/table_free_rocking.py"
 
 
 rule beta_fit:
     input:
         cases=CALIBRATION.of_groups(CASES),
         histories=CALIBRATION.of_groups(HISTORIES),
-        modules=code("calibrate_fit"),
+        modules=code("calibration/calibrate_fit"),
     output:
         walls="results/{run}/tables/beta_walls.csv",
         fit=shown(
@@ -69,13 +69,13 @@ rule beta_fit:
     log:
         "results/{run}/logs/beta_fit.log",
     script:
-        "../scripts/calibrate_fit.py"
+        "../scripts/calibration/calibrate_fit.py"
 
 
 rule beta_law:
     input:
         "results/{run}/tables/beta_walls.csv",
-        modules=code("calibrate_law"),
+        modules=code("calibration/calibrate_law"),
     output:
         law="results/{run}/calibration/beta_law.json",
         table=shown(
@@ -87,7 +87,7 @@ rule beta_law:
     log:
         "results/{run}/logs/beta_law.log",
     script:
-        "../scripts/calibrate_law.py"
+        "../scripts/calibration/calibrate_law.py"
 
 
 rule table_claims_calibration:
@@ -95,7 +95,7 @@ rule table_claims_calibration:
         free="results/{run}/tables/free_rocking.csv",
         fits="results/{run}/tables/beta_fit.csv",
         walls="results/{run}/tables/beta_walls.csv",
-        modules=code("table_claims_calibration"),
+        modules=code("calibration/table_claims_calibration"),
     output:
         shown(
             "results/{run}/tables/claims_calibration.csv",
@@ -108,7 +108,7 @@ rule table_claims_calibration:
     params:
         settings=STUDY.params_of("calibration"),
     script:
-        "../scripts/table_claims_calibration.py"
+        "../scripts/calibration/table_claims_calibration.py"
 
 
 rule fig04_calibration:
@@ -117,7 +117,7 @@ rule fig04_calibration:
         histories="results/{run}/calibration/histories_batch1.npz",
         walls="results/{run}/tables/beta_walls.csv",
         law="results/{run}/calibration/beta_law.json",
-        modules=code("fig04_calibration"),
+        modules=code("calibration/fig04_calibration"),
     output:
         **figure(
             "fig04_calibration",
@@ -130,7 +130,7 @@ rule fig04_calibration:
     params:
         settings=STUDY.params_of("calibration"),
     script:
-        "../scripts/fig04_calibration.py"
+        "../scripts/calibration/fig04_calibration.py"
 
 
 rule wall_beta:
@@ -138,7 +138,7 @@ rule wall_beta:
         cases="results/{run}/calibration/cases_own_wall.json",
         histories="results/{run}/calibration/histories_own_wall.npz",
         law=LAW_FILE,
-        modules=code("calibrate_wall"),
+        modules=code("calibration/calibrate_wall"),
     output:
         **figure("wall_beta", "Calibration of the damping", "β of this façade"),
         table="results/{run}/tables/wall_beta.csv",
@@ -147,7 +147,7 @@ rule wall_beta:
     params:
         config=STUDY.params_of("calibration", "facade", "return_wall"),
     script:
-        "../scripts/calibrate_wall.py"
+        "../scripts/calibration/calibrate_wall.py"
 
 
 # `snakemake calibration`: the whole study.
@@ -162,4 +162,4 @@ rule calibrate_wall:
         STUDY.per_run(CALIBRATION.wall_results),
 
 
-include: "validation.smk"
+include: "shake_tables.smk"

@@ -15,8 +15,8 @@ except ModuleNotFoundError as error:
         " which `make setup` makes"
     )
 from rocking.configuration import config as configuration
-from rocking.curves.intensity_measures import MEASURES
-from rocking.curves.pushover import VARIANTS
+from rocking.records.intensity_measures import MEASURES
+from rocking.studies.pushover import VARIANTS
 from rocking.records import RecordError
 from rocking.records.check import check_study
 from rocking.runtime import file_times, first_page, interrupts, progress

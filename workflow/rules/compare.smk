@@ -10,7 +10,7 @@ rule compare_runs:
     input:
         tables=COMPARE.tables,
         facts=COMPARE.facts,
-        modules=code("figure_compare"),
+        modules=code("compare/figure_compare"),
     output:
         table=f"results/{STUDY.name}/compare/collapse.csv",
         png=report(
@@ -25,4 +25,4 @@ rule compare_runs:
     params:
         differing=COMPARE.differing,
     script:
-        "../scripts/figure_compare.py"
+        "../scripts/compare/figure_compare.py"

@@ -27,7 +27,7 @@ rule complete_scene:
         fit="results/{run}/building/fit.json",
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,
-        modules=code("complete_scene"),
+        modules=code("complete/complete_scene"),
     output:
         "results/{run}/complete/scenes/{complete}_{coarsening}_{back}.json",
     log:
@@ -35,7 +35,7 @@ rule complete_scene:
     params:
         config=COMPLETE_SECTIONS,
     script:
-        "../scripts/complete_scene.py"
+        "../scripts/complete/complete_scene.py"
 
 
 rule complete_scan:
@@ -45,7 +45,7 @@ rule complete_scan:
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,
         motion=STUDY.ida_motion,
-        modules=code("complete_scan"),
+        modules=code("complete/complete_scan"),
     output:
         "results/{run}/screening/{complete}/{record}_{direction}.csv",
     log:
@@ -59,13 +59,13 @@ rule complete_scan:
             "amplitude_spread": STUDY.cfg(w)["ensemble"]["amplitude_spread"],
         },
     script:
-        "../scripts/complete_scan.py"
+        "../scripts/complete/complete_scan.py"
 
 
 rule complete_plan:
     input:
         scan="results/{run}/screening/{complete}/{record}_{direction}.csv",
-        modules=code("complete_plan"),
+        modules=code("complete/complete_plan"),
     output:
         "results/{run}/complete/plans/{complete}_{record}_{direction}.json",
     log:
@@ -75,7 +75,7 @@ rule complete_plan:
         step=lambda w: COMPLETE.settings(w.run)["level_ratio"],
         most=lambda w: STUDY.cfg(w)["ida"]["max_islands"],
     script:
-        "../scripts/complete_plan.py"
+        "../scripts/complete/complete_plan.py"
 
 
 rule complete_ida:
@@ -103,13 +103,13 @@ rule complete_ida:
 # A short push of the ground, and then nothing: the building rings.
 rule complete_pulse:
     input:
-        modules=code("complete_pulse"),
+        modules=code("complete/complete_pulse"),
     output:
         "results/{run}/complete/pulse.csv",
     log:
         "results/{run}/logs/complete_pulse.log",
     script:
-        "../scripts/complete_pulse.py"
+        "../scripts/complete/complete_pulse.py"
 
 
 rule complete_history:
@@ -141,7 +141,7 @@ rule table_complete_checks:
         apart=COMPLETE.histories_of("CBc", "apart"),
         motion=COMPLETE.check_motion,
         pulse="results/{run}/complete/pulse.csv",
-        modules=code("table_complete_checks"),
+        modules=code("complete/table_complete_checks"),
     output:
         shown(
             "results/{run}/tables/complete_checks.csv",
@@ -155,7 +155,7 @@ rule table_complete_checks:
         direction=lambda w: COMPLETE.settings(w.run)["check_direction"],
         pga_g=lambda w: COMPLETE.settings(w.run)["linear_pga_g"],
     script:
-        "../scripts/table_complete_checks.py"
+        "../scripts/complete/table_complete_checks.py"
 
 
 rule table_complete_convergence:
@@ -163,7 +163,7 @@ rule table_complete_convergence:
         scenes=COMPLETE.levels("scenes", ".json"),
         costs=COMPLETE.levels("histories", "_level.json"),
         histories=COMPLETE.levels("histories", "_level.csv"),
-        modules=code("table_complete_convergence"),
+        modules=code("complete/table_complete_convergence"),
     output:
         shown(
             "results/{run}/tables/complete_convergence.csv",
@@ -174,14 +174,14 @@ rule table_complete_convergence:
     log:
         "results/{run}/logs/table_complete_convergence.log",
     script:
-        "../scripts/table_complete_convergence.py"
+        "../scripts/complete/table_complete_convergence.py"
 
 
 rule complete_collapse:
     input:
         ida=lambda w: COMPLETE.curves(w.run),
         scans=lambda w: COMPLETE.scans(w.run),
-        modules=code("table_complete_collapse"),
+        modules=code("complete/table_complete_collapse"),
     output:
         collapse="results/{run}/tables/complete_collapse.csv",
         probability="results/{run}/tables/complete_probability.csv",
@@ -190,7 +190,7 @@ rule complete_collapse:
     params:
         spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
     script:
-        "../scripts/table_complete_collapse.py"
+        "../scripts/complete/table_complete_collapse.py"
 
 
 rule figure_complete:
@@ -198,13 +198,13 @@ rule figure_complete:
         ida=lambda w: COMPLETE.curves(w.run),
         scans=lambda w: COMPLETE.scans(w.run) + COMPLETE.twins(w.run),
         facts=STUDY.record_facts,
-        modules=code("figure_complete"),
+        modules=code("complete/figure_complete"),
     output:
         **figure("complete_ida", "Complete building", "IDA of the complete building"),
     log:
         "results/{run}/logs/figure_complete.log",
     script:
-        "../scripts/figure_complete.py"
+        "../scripts/complete/figure_complete.py"
 
 
 rule complete_frames:
@@ -233,7 +233,7 @@ rule figure_complete_collapse:
     input:
         frames="results/{run}/complete/collapse/{complete}_{record}_{direction}_frames.json",
         facts="results/{run}/records/{record}.json",
-        modules=code("figure_complete_collapse"),
+        modules=code("complete/figure_complete_collapse"),
     output:
         **figure(
             "complete_collapse_{complete}_{record}_{direction}",
@@ -245,4 +245,4 @@ rule figure_complete_collapse:
     log:
         "results/{run}/logs/figure_complete_collapse_{complete}_{record}_{direction}.log",
     script:
-        "../scripts/figure_complete_collapse.py"
+        "../scripts/complete/figure_complete_collapse.py"

@@ -26,7 +26,7 @@ rule energy_balance:
 rule table_energy_balance:
     input:
         histories=ACCURACY.energy_histories,
-        modules=code("table_energy_balance"),
+        modules=code("energy/table_energy_balance"),
     output:
         shown(
             "results/{run}/tables/energy_balance.csv",
@@ -39,14 +39,14 @@ rule table_energy_balance:
     params:
         share=lambda w: STUDY.cfg(w)["accuracy"]["energy_share"],
     script:
-        "../scripts/table_energy_balance.py"
+        "../scripts/energy/table_energy_balance.py"
 
 
 rule figure_energy_balance:
     input:
         histories=ACCURACY.energy_histories,
         facts=ACCURACY.facts,
-        modules=code("figure_energy_balance"),
+        modules=code("energy/figure_energy_balance"),
     output:
         **figure("energy_balance", "Accuracy and stability", "energy balance"),
     log:
@@ -54,4 +54,4 @@ rule figure_energy_balance:
     params:
         share=lambda w: STUDY.cfg(w)["accuracy"]["energy_share"],
     script:
-        "../scripts/figure_energy_balance.py"
+        "../scripts/energy/figure_energy_balance.py"

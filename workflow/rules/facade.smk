@@ -6,7 +6,7 @@ rule scene:
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,
         building=lambda w: BUILDING.mass_of_walls(w),
-        modules=code("scene"),
+        modules=code("ida/scene"),
     output:
         "results/{run}/scenes/{model}.json",
     log:
@@ -23,7 +23,7 @@ rule scene:
             *(["w3"] if MODELS[w.model].walls == "bricks" else []),
         )(w),
     script:
-        "../scripts/scene.py"
+        "../scripts/ida/scene.py"
 
 
 # One early job that says in one line whether this machine can run YADE scenes.

@@ -5,7 +5,7 @@ rule figure_record:
     input:
         record="results/.shared/{motions}/records/{record}.csv",
         facts="results/.shared/{motions}/records/{record}.json",
-        modules=code("figure_record"),
+        modules=code("records/figure_record"),
     output:
         png=report(
             "results/.shared/{motions}/figures/record_{record}.png",
@@ -21,14 +21,14 @@ rule figure_record:
     log:
         "results/.shared/{motions}/logs/figure_record_{record}.log",
     script:
-        "../scripts/figure_record.py"
+        "../scripts/records/figure_record.py"
 
 
 rule figure_floor_motions:
     input:
         motion=SHARED.of(STUDY.ida_motion),
         facts="results/.shared/{motions}/records/{record}.json",
-        modules=code("figure_floor_motions"),
+        modules=code("smdof/figure_floor_motions"),
     output:
         png=report(
             "results/.shared/{motions}/{chain}/figures/floor_motions_{record}.png",
@@ -46,7 +46,7 @@ rule figure_floor_motions:
     params:
         smdof=SHARED.of(STUDY.params_of("smdof")),
     script:
-        "../scripts/figure_floor_motions.py"
+        "../scripts/smdof/figure_floor_motions.py"
 
 
 rule fig09_ida:
@@ -57,7 +57,7 @@ rule fig09_ida:
         probability="results/{run}/tables/collapse_probability.csv",
         pushover=lambda w: STUDY.static_curves(w.run),
         facts=STUDY.record_facts,
-        modules=code("fig09_ida"),
+        modules=code("ida/fig09_ida"),
     output:
         **figure(
             "fig09_ida", "Incremental dynamic analyses", "9: IDA curves", about="fig09"
@@ -70,4 +70,4 @@ rule fig09_ida:
         directions=lambda w: STUDY.cfg(w)["directions"],
         facade=STUDY.params_of("facade"),
     script:
-        "../scripts/fig09_ida.py"
+        "../scripts/ida/fig09_ida.py"

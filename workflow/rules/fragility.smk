@@ -22,7 +22,7 @@ rule fragility_table:
         collapse="results/{run}/tables/ida_collapse.csv",
         probability="results/{run}/tables/collapse_probability.csv",
         records=FRAGILITY.record_files,
-        modules=code("fragility_table"),
+        modules=code("fragility/fragility_table"),
     output:
         fragility="results/{run}/tables/fragility.csv",
         measures="results/{run}/tables/intensity_measures.csv",
@@ -40,7 +40,7 @@ rule fragility_table:
             k: STUDY.cfg(w)["smdof"][k] for k in ("period_s", "damping_ratio")
         },
     script:
-        "../scripts/fragility_table.py"
+        "../scripts/fragility/fragility_table.py"
 
 
 rule fragility_figure:
@@ -49,7 +49,7 @@ rule fragility_figure:
         curves="results/{run}/fragility/curves.csv",
         brackets="results/{run}/fragility/brackets.csv",
         facts=STUDY.record_facts,
-        modules=code("fragility_figure"),
+        modules=code("fragility/fragility_figure"),
     output:
         **figure("fragility", "Fragility", "fragility curves"),
     log:
@@ -60,7 +60,7 @@ rule fragility_figure:
         facade=lambda w: STUDY.cfg(w)["facade"],
         smdof=lambda w: STUDY.cfg(w)["smdof"],
     script:
-        "../scripts/fragility_figure.py"
+        "../scripts/fragility/fragility_figure.py"
 
 
 rule figure_intensity_measures:
@@ -68,7 +68,7 @@ rule figure_intensity_measures:
         measures="results/{run}/tables/intensity_measures.csv",
         sufficiency="results/{run}/tables/im_sufficiency.csv",
         facts=STUDY.record_facts,
-        modules=code("figure_intensity_measures"),
+        modules=code("fragility/figure_intensity_measures"),
     output:
         **figure("intensity_measures", "Fragility", "efficiency of intensity measures"),
     log:
@@ -77,7 +77,7 @@ rule figure_intensity_measures:
         confidence=lambda w: STUDY.cfg(w)["fragility"]["confidence"],
         min_records=lambda w: STUDY.cfg(w)["fragility"]["min_records"],
     script:
-        "../scripts/figure_intensity_measures.py"
+        "../scripts/fragility/figure_intensity_measures.py"
 
 
 # The building's period and the façade's place in it, with the façade itself unchanged. A case is
@@ -86,7 +86,7 @@ rule figure_intensity_measures:
 rule reduction_motion:
     input:
         record="results/{run}/records/{record}.csv",
-        modules=code("capacity_reduction_motion"),
+        modules=code("capacity_reduction/capacity_reduction_motion"),
     output:
         motion="results/{run}/capacity_reduction/T{t1}_below{below}/{record}.csv",
         facts="results/{run}/capacity_reduction/T{t1}_below{below}/{record}.json",
@@ -97,14 +97,14 @@ rule reduction_motion:
             k: v for k, v in STUDY.cfg(w)["smdof"].items() if k != "period_s"
         },
     script:
-        "../scripts/capacity_reduction_motion.py"
+        "../scripts/capacity_reduction/capacity_reduction_motion.py"
 
 
 use rule screen as reduction_screen with:
     input:
         scene="results/{run}/scenes/W2.json",
         motion="results/{run}/capacity_reduction/T{t1}_below{below}/{record}.csv",
-        modules=code("screen"),
+        modules=code("ida/screen"),
     output:
         scan="results/{run}/capacity_reduction/T{t1}_below{below}/scan_{record}_{direction}.csv",
         plan="results/{run}/capacity_reduction/T{t1}_below{below}/plan_{record}_{direction}.json",
@@ -141,7 +141,7 @@ rule figure_capacity_reduction:
         w2_scans=FRAGILITY.reduction_scans,
         facts=FRAGILITY.reduction_facts,
         records=STUDY.record_facts,
-        modules=code("figure_capacity_reduction"),
+        modules=code("capacity_reduction/figure_capacity_reduction"),
     output:
         **figure(
             "capacity_reduction", "Capacity reduction", "W2/W1 against T1 and position"
@@ -156,4 +156,4 @@ rule figure_capacity_reduction:
         facade=lambda w: STUDY.cfg(w)["facade"],
         smdof=lambda w: STUDY.cfg(w)["smdof"],
     script:
-        "../scripts/figure_capacity_reduction.py"
+        "../scripts/capacity_reduction/figure_capacity_reduction.py"

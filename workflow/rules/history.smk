@@ -25,7 +25,7 @@ rule figure_history:
     input:
         history="results/{run}/histories/{model}/{record}_{direction}_{pga}g.csv",
         facts="results/{run}/records/{record}.json",
-        modules=code("figure_history"),
+        modules=code("history/figure_history"),
     output:
         shown(
             "results/{run}/histories/{model}/{record}_{direction}_{pga}g.png",
@@ -36,7 +36,7 @@ rule figure_history:
     log:
         "results/{run}/logs/figure_history_{model}_{record}_{direction}_{pga}g.log",
     script:
-        "../scripts/figure_history.py"
+        "../scripts/history/figure_history.py"
 
 
 use rule frames as history_frames with:
@@ -60,7 +60,7 @@ use rule animation_collapse as animation_history with:
     input:
         frames="results/{run}/histories/{model}/{record}_{direction}_{pga}g.json",
         facts="results/{run}/records/{record}.json",
-        modules=code("animation_collapse"),
+        modules=code("history/animation_collapse"),
     output:
         "results/{run}/histories/{model}/{record}_{direction}_{pga}g.gif",
     log:

@@ -29,7 +29,7 @@ rule ida_collapse:
         ida=lambda w: STUDY.ida_tables(w.run),
         ensemble=lambda w: STUDY.ensemble_tables(w.run),
         scans=lambda w: STUDY.scans(w.run),
-        modules=code("table_ida_collapse"),
+        modules=code("ida/table_ida_collapse"),
     output:
         collapse="results/{run}/tables/ida_collapse.csv",
         probability="results/{run}/tables/collapse_probability.csv",
@@ -39,4 +39,4 @@ rule ida_collapse:
         curves=lambda w: STUDY.curves(w.run),
         spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
     script:
-        "../scripts/table_ida_collapse.py"
+        "../scripts/ida/table_ida_collapse.py"

@@ -11,7 +11,7 @@ rule judge_scan:
         scene="results/{run}/scenes/{model}.json",
         motion=STUDY.ida_motion,
         scan="results/{run}/screening/{model}/{record}_{direction}.csv",
-        modules=code("judge_scan"),
+        modules=code("judge/judge_scan"),
     output:
         "results/{run}/judge/{model}/{record}_{direction}.csv",
     log:
@@ -25,14 +25,14 @@ rule judge_scan:
             for key in ("reference_nodes", "reference_tolerance", "judge_step")
         },
     script:
-        "../scripts/judge_scan.py"
+        "../scripts/judge/judge_scan.py"
 
 
 rule judge_bands:
     input:
         scans=ACCURACY.judged,
         collapse="results/{run}/tables/ida_collapse.csv",
-        modules=code("table_judge"),
+        modules=code("judge/table_judge"),
     output:
         scan="results/{run}/tables/judge_scan.csv",
         bands=shown(
@@ -46,7 +46,7 @@ rule judge_bands:
     params:
         spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
     script:
-        "../scripts/table_judge.py"
+        "../scripts/judge/table_judge.py"
 
 
 rule figure_judge:
@@ -55,7 +55,7 @@ rule figure_judge:
         bands="results/{run}/tables/judge_bands.csv",
         probability="results/{run}/tables/collapse_probability.csv",
         facts=STUDY.record_facts,
-        modules=code("figure_judge"),
+        modules=code("judge/figure_judge"),
     output:
         **figure(
             "judge",
@@ -67,4 +67,4 @@ rule figure_judge:
     params:
         spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
     script:
-        "../scripts/figure_judge.py"
+        "../scripts/judge/figure_judge.py"

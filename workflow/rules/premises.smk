@@ -14,7 +14,7 @@ rule table_premises:
         bricks=PREMISES.bricks,
         others=PREMISES.others,
         facts=STUDY.record_facts,
-        modules=code("table_premises"),
+        modules=code("premises/table_premises"),
     output:
         table="results/{run}/tables/premises.csv",
         ratios="results/{run}/tables/premises_ratios.csv",
@@ -27,14 +27,14 @@ rule table_premises:
         reference=lambda w: PREMISES.settings(w.run)["reference"],
         benchmarks=lambda w: f"results/{w.run}/benchmarks",
     script:
-        "../scripts/table_premises.py"
+        "../scripts/premises/table_premises.py"
 
 
 rule figure_premises:
     input:
         probability="results/{run}/premises/probability.csv",
         facts=STUDY.record_facts,
-        modules=code("figure_premises"),
+        modules=code("premises/figure_premises"),
     output:
         **figure("premises", "Premises", "collapse probability, models side by side"),
     log:
@@ -42,14 +42,14 @@ rule figure_premises:
     params:
         facade=STUDY.params_of("facade"),
     script:
-        "../scripts/figure_premises.py"
+        "../scripts/premises/figure_premises.py"
 
 
 rule figure_premises_ratios:
     input:
         table="results/{run}/tables/premises.csv",
         facts=STUDY.record_facts,
-        modules=code("figure_premises_ratios"),
+        modules=code("premises/figure_premises_ratios"),
     output:
         **figure("premises_ratios", "Premises", "each model over the reference"),
     log:
@@ -57,14 +57,14 @@ rule figure_premises_ratios:
     params:
         reference=lambda w: PREMISES.settings(w.run)["reference"],
     script:
-        "../scripts/figure_premises_ratios.py"
+        "../scripts/premises/figure_premises_ratios.py"
 
 
 rule premises_map:
     input:
         scene="results/{run}/scenes/W2.json",
         record="results/{run}/records/{record}.csv",
-        modules=code("premises_map"),
+        modules=code("premises/premises_map"),
     output:
         "results/{run}/premises/map/{record}.csv",
     log:
@@ -78,26 +78,26 @@ rule premises_map:
         },
         directions=lambda w: STUDY.cfg(w)["directions"],
     script:
-        "../scripts/premises_map.py"
+        "../scripts/premises/premises_map.py"
 
 
 rule table_premises_map:
     input:
         curves=PREMISES.sweep,
-        modules=code("table_premises_map"),
+        modules=code("premises/table_premises_map"),
     output:
         "results/{run}/tables/premises_map.csv",
     log:
         "results/{run}/logs/table_premises_map.log",
     script:
-        "../scripts/table_premises_map.py"
+        "../scripts/premises/table_premises_map.py"
 
 
 rule figure_premises_map:
     input:
         table="results/{run}/tables/premises_map.csv",
         facts=STUDY.record_facts,
-        modules=code("figure_premises_map"),
+        modules=code("premises/figure_premises_map"),
     output:
         **figure("premises_map", "Premises", "error of driven walls, by building"),
     log:
@@ -107,7 +107,7 @@ rule figure_premises_map:
         records=lambda w: len(STUDY.records[w.run]),
         directions=lambda w: len(STUDY.cfg(w)["directions"]),
     script:
-        "../scripts/figure_premises_map.py"
+        "../scripts/premises/figure_premises_map.py"
 
 
 rule premises_stage:
@@ -115,13 +115,13 @@ rule premises_stage:
         fit="results/{run}/building/fit.json",
         cbdem="results/{run}/building/CBDEM_modes.npz",
         sbdem="results/{run}/building/SBDEM_modes.npz",
-        modules=code("premises_stage"),
+        modules=code("premises/premises_stage"),
     output:
         "results/{run}/premises/stage.json",
     log:
         "results/{run}/logs/premises_stage.log",
     script:
-        "../scripts/premises_stage.py"
+        "../scripts/premises/premises_stage.py"
 
 
 rule premises_varied:
@@ -130,7 +130,7 @@ rule premises_varied:
         stage="results/{run}/premises/stage.json",
         record="results/{run}/records/{record}.csv",
         law=LAW_FILE,
-        modules=code("premises_varied"),
+        modules=code("premises/premises_varied"),
     output:
         "results/{run}/premises/{model}/{record}.csv",
     log:
@@ -144,26 +144,26 @@ rule premises_varied:
         ),
         seed=lambda w: STUDY.cfg(w)["seed"],
     script:
-        "../scripts/premises_varied.py"
+        "../scripts/premises/premises_varied.py"
 
 
 rule table_premises_tornado:
     input:
         curves=lambda w: PREMISES.tornado(w),
-        modules=code("table_premises_tornado"),
+        modules=code("premises/table_premises_tornado"),
     output:
         "results/{run}/tables/premises_tornado_{model}.csv",
     log:
         "results/{run}/logs/table_premises_tornado_{model}.log",
     script:
-        "../scripts/table_premises_tornado.py"
+        "../scripts/premises/table_premises_tornado.py"
 
 
 rule figure_premises_tornado:
     input:
         table="results/{run}/tables/premises_tornado_{model}.csv",
         facts=STUDY.record_facts,
-        modules=code("figure_premises_tornado"),
+        modules=code("premises/figure_premises_tornado"),
     output:
         **figure(
             "premises_tornado_{model}",
@@ -176,4 +176,4 @@ rule figure_premises_tornado:
     params:
         facade=STUDY.params_of("facade"),
     script:
-        "../scripts/figure_premises_tornado.py"
+        "../scripts/premises/figure_premises_tornado.py"

@@ -18,7 +18,7 @@ wildcard_constraints:
 rule pushover_scene:
     input:
         law=LAW_FILE,
-        modules=code("pushover_scene"),
+        modules=code("pushover/pushover_scene"),
     output:
         "results/{run}/pushover/scenes/{pushed}.json",
     log:
@@ -26,13 +26,13 @@ rule pushover_scene:
     params:
         scene=STUDY.params_of(*PUSH_SECTIONS),
     script:
-        "../scripts/pushover_scene.py"
+        "../scripts/pushover/pushover_scene.py"
 
 
 rule pushover_variant_scene:
     input:
         law=LAW_FILE,
-        modules=code("pushover_scene"),
+        modules=code("pushover/pushover_scene"),
     output:
         "results/{run}/w3/scenes/{variant}.json",
     log:
@@ -40,7 +40,7 @@ rule pushover_variant_scene:
     params:
         scene=STUDY.params_of(*PUSH_SECTIONS),
     script:
-        "../scripts/pushover_scene.py"
+        "../scripts/pushover/pushover_scene.py"
 
 
 rule pushover:
@@ -85,13 +85,13 @@ rule pushover_curve:
     input:
         scene="results/{run}/pushover/scenes/{pushed}.json",
         raw="results/{run}/pushover/raw/{pushed}.csv",
-        modules=code("pushover_curve"),
+        modules=code("pushover/pushover_curve"),
     output:
         "results/{run}/pushover/{pushed}.csv",
     log:
         "results/{run}/logs/pushover_curve_{pushed}.log",
     script:
-        "../scripts/pushover_curve.py"
+        "../scripts/pushover/pushover_curve.py"
 
 
 rule table_pushover:
@@ -100,7 +100,7 @@ rule table_pushover:
         scenes=BOUNDARY.variants("scenes/{}.json"),
         raw=BOUNDARY.variants("{}.csv"),
         forces=BOUNDARY.variants("{}_forces.csv"),
-        modules=code("table_pushover"),
+        modules=code("pushover/table_pushover"),
     output:
         shown(
             "results/{run}/tables/pushover.csv",
@@ -111,7 +111,7 @@ rule table_pushover:
     log:
         "results/{run}/logs/table_pushover.log",
     script:
-        "../scripts/table_pushover.py"
+        "../scripts/pushover/table_pushover.py"
 
 
 rule fig08_w3:
@@ -119,7 +119,7 @@ rule fig08_w3:
         scenes=BOUNDARY.drawn_variants("scenes/{}.json"),
         raw=BOUNDARY.drawn_variants("{}.csv"),
         forces=BOUNDARY.drawn_variants("{}_forces.csv"),
-        modules=code("fig08_w3"),
+        modules=code("pushover/fig08_w3"),
     output:
         **figure(
             "fig08_w3",
@@ -130,13 +130,13 @@ rule fig08_w3:
     log:
         "results/{run}/logs/fig08_w3.log",
     script:
-        "../scripts/fig08_w3.py"
+        "../scripts/pushover/fig08_w3.py"
 
 
 rule figure_w3_sensitivity:
     input:
         table="results/{run}/tables/pushover.csv",
-        modules=code("figure_w3_sensitivity"),
+        modules=code("pushover/figure_w3_sensitivity"),
     output:
         **figure(
             "w3_sensitivity", "Boundary conditions", "sensitivity of W3's capacity"
@@ -144,4 +144,4 @@ rule figure_w3_sensitivity:
     log:
         "results/{run}/logs/w3_sensitivity.log",
     script:
-        "../scripts/figure_w3_sensitivity.py"
+        "../scripts/pushover/figure_w3_sensitivity.py"

@@ -4,7 +4,7 @@ rule record:
         file=SHARED.of(STUDY.record_file),
         vertical=SHARED.of(lambda w: STUDY.record_row(w).vertical_path or []),
         surrogates=SHARED.of(STUDY.surrogate_parameters),
-        modules=code("record"),
+        modules=code("records/record"),
     output:
         record="results/.shared/{motions}/records/{record}.csv",
         facts="results/.shared/{motions}/records/{record}.json",
@@ -19,19 +19,19 @@ rule record:
         table=SHARED.of(lambda w: STUDY.table_path(w.run)),
         how=SHARED.of(lambda w: SHARED.treatment(w.run)),
     script:
-        "../scripts/record.py"
+        "../scripts/records/record.py"
 
 
 rule records_table:
     input:
         facts=STUDY.record_facts,
-        modules=code("table_records"),
+        modules=code("records/table_records"),
     output:
         "results/{run}/tables/records.csv",
     log:
         "results/{run}/logs/records_table.log",
     script:
-        "../scripts/table_records.py"
+        "../scripts/records/table_records.py"
 
 
 rule check:
@@ -43,7 +43,7 @@ rule records_check:
     input:
         files=STUDY.record_files,
         table=lambda w: STUDY.table_path(w.run),
-        modules=code("check_records"),
+        modules=code("records/check_records"),
     output:
         "results/{run}/tables/records_check.csv",
     log:
@@ -54,4 +54,4 @@ rule records_check:
         baseline=lambda w: STUDY.cfg(w)["baseline"],
         seed=lambda w: STUDY.cfg(w)["seed"],
     script:
-        "../scripts/check_records.py"
+        "../scripts/records/check_records.py"

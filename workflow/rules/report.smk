@@ -9,7 +9,7 @@ rule report_summary:
         collapse="results/{run}/tables/ida_collapse.csv",
         figure="results/{run}/figures/fig09_ida.png",
         style=REPORT_STYLE,
-        modules=code("report_summary"),
+        modules=code("report/report_summary"),
     output:
         page=shown(
             "results/{run}/report/summary.html",
@@ -25,14 +25,14 @@ rule report_summary:
         facade=STUDY.params_of("facade"),
         models=lambda w: [f"{m}, {MODELS[m].meaning}" for m in STUDY.cfg(w)["models"]],
     script:
-        "../scripts/report_summary.py"
+        "../scripts/report/report_summary.py"
 
 
 rule report_table:
     input:
         table="results/{run}/tables/{table}.csv",
         style=REPORT_STYLE,
-        modules=code("report_table"),
+        modules=code("report/report_table"),
     output:
         report(
             "results/{run}/report/{table}.html",
@@ -46,14 +46,14 @@ rule report_table:
         title=lambda w: REPORT_TABLES[w.table][1],
         text=lambda w: REPORT_TABLES[w.table][2],
     script:
-        "../scripts/report_table.py"
+        "../scripts/report/report_table.py"
 
 
 rule report_provenance:
     input:
         facts=STUDY.record_facts,
         style=REPORT_STYLE,
-        modules=code("report_provenance"),
+        modules=code("report/report_provenance"),
     output:
         shown(
             "results/{run}/report/provenance.html",
@@ -66,14 +66,14 @@ rule report_provenance:
     params:
         table=lambda w: STUDY.cfg(w)["records_table"],
     script:
-        "../scripts/report_provenance.py"
+        "../scripts/report/report_provenance.py"
 
 
 # The table names its own columns of time, which differ from one execution to the next.
 rule table_run_times:
     input:
         ida=lambda w: STUDY.ida_tables(w.run),
-        modules=code("table_run_times"),
+        modules=code("report/table_run_times"),
     output:
         "results/{run}/tables/run_times.csv",
     log:
@@ -81,4 +81,4 @@ rule table_run_times:
     params:
         benchmarks=lambda w: f"results/{w.run}/benchmarks",
     script:
-        "../scripts/table_run_times.py"
+        "../scripts/report/table_run_times.py"

@@ -5,7 +5,7 @@ rule restrain:
     input:
         scene="results/{run}/scenes/{model}.json",
         motion=STUDY.ida_motion,
-        modules=code("restraint"),
+        modules=code("restraint/restraint"),
     output:
         table="results/{run}/restraint/{model}/{record}_{direction}.csv",
         plan="results/{run}/restraint/{model}/{record}_{direction}.json",
@@ -14,7 +14,7 @@ rule restrain:
     params:
         settings=STUDY.params_of("restraint"),
     script:
-        "../scripts/restraint.py"
+        "../scripts/restraint/restraint.py"
 
 
 use rule strengthen_yade as restrain_yade with:
@@ -44,7 +44,7 @@ rule figure_restraint:
             w.run, "restraint", "_yade.csv", w.record, w.direction
         ),
         facts="results/{run}/records/{record}.json",
-        modules=code("figure_restraint"),
+        modules=code("restraint/figure_restraint"),
     output:
         png=report(
             "results/{run}/restraint/{record}_{direction}.png",
@@ -56,7 +56,7 @@ rule figure_restraint:
     log:
         "results/{run}/logs/figure_restraint_{record}_{direction}.log",
     script:
-        "../scripts/figure_restraint.py"
+        "../scripts/restraint/figure_restraint.py"
 
 
 rule restraint:

@@ -14,7 +14,7 @@ rule risk_rate:
     input:
         brackets="results/{run}/fragility/brackets.csv",
         hazard=RISK.hazard,
-        modules=code("risk_rate"),
+        modules=code("risk/risk_rate"),
     output:
         table="results/{run}/tables/risk.csv",
         deaggregation="results/{run}/risk/deaggregation.csv",
@@ -25,7 +25,7 @@ rule risk_rate:
         fragility=lambda w: STUDY.cfg(w)["fragility"],
         period_s=lambda w: STUDY.cfg(w)["smdof"]["period_s"],
     script:
-        "../scripts/risk_rate.py"
+        "../scripts/risk/risk_rate.py"
 
 
 rule figure_risk:
@@ -35,7 +35,7 @@ rule figure_risk:
         curves="results/{run}/fragility/curves.csv",
         facts=STUDY.record_facts,
         hazard=RISK.hazard,
-        modules=code("figure_risk"),
+        modules=code("risk/figure_risk"),
     output:
         **figure("risk", "Risk", "hazard, fragility and rate of collapse"),
     log:
@@ -45,13 +45,13 @@ rule figure_risk:
         confidence=lambda w: STUDY.cfg(w)["fragility"]["confidence"],
         period_s=lambda w: STUDY.cfg(w)["smdof"]["period_s"],
     script:
-        "../scripts/figure_risk.py"
+        "../scripts/risk/figure_risk.py"
 
 
 rule fragility_nrml:
     input:
         fragility="results/{run}/tables/fragility.csv",
-        modules=code("fragility_nrml"),
+        modules=code("fragility/fragility_nrml"),
     output:
         "results/{run}/fragility/nrml_{im}_{form}.xml",
     log:
@@ -59,4 +59,4 @@ rule fragility_nrml:
     params:
         period_s=lambda w: STUDY.cfg(w)["smdof"]["period_s"],
     script:
-        "../scripts/fragility_nrml.py"
+        "../scripts/fragility/fragility_nrml.py"

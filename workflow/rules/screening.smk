@@ -5,7 +5,7 @@ rule screen:
     input:
         scene="results/{run}/scenes/{model}.json",
         motion=STUDY.ida_motion,
-        modules=code("screen"),
+        modules=code("ida/screen"),
     output:
         scan="results/{run}/screening/{model}/{record}_{direction}.csv",
         plan="results/{run}/screening/{model}/{record}_{direction}.json",
@@ -16,4 +16,4 @@ rule screen:
     params:
         record=lambda w: w.record,
     script:
-        "../scripts/screen.py"
+        "../scripts/ida/screen.py"

@@ -6,13 +6,13 @@ LINK = "(ln -f {input:q} {params.folder:q}/ || cp -p {input:q} {params.folder:q}
 rule shared_files:
     input:
         files=lambda w: SHARED.all_of(w.run, STUDY.records[w.run]),
-        modules=code("link_shared"),
+        modules=code("records/link_shared"),
     output:
         "results/{run}/tables/shared.csv",
     log:
         "results/{run}/logs/shared_files.log",
     script:
-        "../scripts/link_shared.py"
+        "../scripts/records/link_shared.py"
 
 
 rule own_record:

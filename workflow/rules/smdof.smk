@@ -4,7 +4,7 @@
 rule floor_motions:
     input:
         record="results/.shared/{motions}/records/{record}.csv",
-        modules=code("floor_motions"),
+        modules=code("smdof/floor_motions"),
     output:
         "results/.shared/{motions}/{chain}/smdof/{record}_{n}dof.csv",
     log:
@@ -12,4 +12,4 @@ rule floor_motions:
     params:
         smdof=SHARED.of(STUDY.params_of("smdof")),
     script:
-        "../scripts/floor_motions.py"
+        "../scripts/smdof/floor_motions.py"

@@ -5,7 +5,7 @@ rule strengthen:
     input:
         scene="results/{run}/scenes/{model}.json",
         motion=STUDY.ida_motion,
-        modules=code("strengthen"),
+        modules=code("strengthening/strengthen"),
     output:
         search="results/{run}/strengthening/{model}/{record}_{direction}.csv",
         least="results/{run}/strengthening/{model}/{record}_{direction}_least.csv",
@@ -18,7 +18,7 @@ rule strengthen:
     params:
         settings=STUDY.params_of("strengthening"),
     script:
-        "../scripts/strengthen.py"
+        "../scripts/strengthening/strengthen.py"
 
 
 rule strengthen_yade:
@@ -50,7 +50,7 @@ rule figure_strengthening:
         curve="results/{run}/strengthening/{model}/{record}_{direction}_curve.csv",
         yade="results/{run}/strengthening/{model}/{record}_{direction}_yade.csv",
         facts="results/{run}/records/{record}.json",
-        modules=code("figure_strengthening"),
+        modules=code("strengthening/figure_strengthening"),
     output:
         png=shown(
             "results/{run}/strengthening/{model}/{record}_{direction}.png",
@@ -65,14 +65,14 @@ rule figure_strengthening:
         settings=STUDY.params_of("strengthening"),
         height_m=lambda w: STUDY.cfg(w)["facade"]["height_m"],
     script:
-        "../scripts/figure_strengthening.py"
+        "../scripts/strengthening/figure_strengthening.py"
 
 
 rule table_strengthening:
     input:
         least=lambda w: STRENGTHENING.curves(w.run, "strengthening", "_least.csv"),
         yade=lambda w: STRENGTHENING.curves(w.run, "strengthening", "_yade.csv"),
-        modules=code("table_strengthening"),
+        modules=code("strengthening/table_strengthening"),
     output:
         "results/{run}/tables/strengthening.csv",
     log:
@@ -80,7 +80,7 @@ rule table_strengthening:
     params:
         settings=STUDY.params_of("strengthening"),
     script:
-        "../scripts/table_strengthening.py"
+        "../scripts/strengthening/table_strengthening.py"
 
 
 rule strengthening:

@@ -20,13 +20,13 @@ rule study_page:
         tables=expand(
             "results/{run}/tables/{table}.csv", table=STUDY_TABLES, allow_missing=True
         ),
-        modules=code("study_page"),
+        modules=code("study/study_page"),
     output:
         "results/{run}/study.md",
     log:
         "results/{run}/logs/study_page.log",
     script:
-        "../scripts/study_page.py"
+        "../scripts/study/study_page.py"
 
 
 rule study:

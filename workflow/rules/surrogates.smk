@@ -12,7 +12,7 @@ rule surrogate_collapse:
         record="results/{run}/records/{record}.csv",
         parameters=STUDY.surrogate_parameters,
         scenes=SURROGATES.scenes,
-        modules=code("surrogate_collapse"),
+        modules=code("surrogates/surrogate_collapse"),
     output:
         "results/{run}/surrogates/{record}.csv",
     log:
@@ -27,13 +27,13 @@ rule surrogate_collapse:
         directions=lambda w: STUDY.cfg(w)["directions"],
         station=SURROGATES.station,
     script:
-        "../scripts/surrogate_collapse.py"
+        "../scripts/surrogates/surrogate_collapse.py"
 
 
 rule surrogate_trust:
     input:
         tables=SURROGATES.collapses,
-        modules=code("surrogate_trust"),
+        modules=code("surrogates/surrogate_trust"),
     output:
         table="results/{run}/tables/surrogates.csv",
         scatter="results/{run}/tables/surrogate_scatter.csv",
@@ -41,7 +41,7 @@ rule surrogate_trust:
     log:
         "results/{run}/logs/surrogate_trust.log",
     script:
-        "../scripts/surrogate_trust.py"
+        "../scripts/surrogates/surrogate_trust.py"
 
 
 rule figure_surrogate_trust:
@@ -49,23 +49,23 @@ rule figure_surrogate_trust:
         table="results/{run}/tables/surrogates.csv",
         summary="results/{run}/tables/surrogate_trust.csv",
         facts=STUDY.record_facts,
-        modules=code("figure_surrogate_trust"),
+        modules=code("surrogates/figure_surrogate_trust"),
     output:
         **figure("surrogate_trust", "Records", "surrogates beside their records"),
     log:
         "results/{run}/logs/figure_surrogate_trust.log",
     script:
-        "../scripts/figure_surrogate_trust.py"
+        "../scripts/surrogates/figure_surrogate_trust.py"
 
 
 rule figure_surrogate_scatter:
     input:
         table="results/{run}/tables/surrogates.csv",
         facts=STUDY.record_facts,
-        modules=code("figure_surrogate_scatter"),
+        modules=code("surrogates/figure_surrogate_scatter"),
     output:
         **figure("surrogate_scatter", "Records", "draws of surrogates"),
     log:
         "results/{run}/logs/figure_surrogate_scatter.log",
     script:
-        "../scripts/figure_surrogate_scatter.py"
+        "../scripts/surrogates/figure_surrogate_scatter.py"

@@ -11,7 +11,7 @@ rule two_components_curves:
         scenes=TWO_COMPONENTS.scenes,
         motion=STUDY.ida_motion,
         second=TWO_COMPONENTS.motion_along,
-        modules=code("two_components"),
+        modules=code("two_components/two_components"),
     output:
         "results/{run}/two_components/{record}.csv",
     log:
@@ -23,39 +23,39 @@ rule two_components_curves:
         directions=lambda w: STUDY.cfg(w)["directions"],
         second=TWO_COMPONENTS.second,
     script:
-        "../scripts/two_components.py"
+        "../scripts/two_components/two_components.py"
 
 
 rule two_components_table:
     input:
         tables=TWO_COMPONENTS.tables,
-        modules=code("table_two_components"),
+        modules=code("two_components/table_two_components"),
     output:
         table="results/{run}/tables/two_components.csv",
         summary="results/{run}/tables/two_components_summary.csv",
     log:
         "results/{run}/logs/two_components.log",
     script:
-        "../scripts/table_two_components.py"
+        "../scripts/two_components/table_two_components.py"
 
 
 rule figure_two_components:
     input:
         table="results/{run}/tables/two_components.csv",
         facts=STUDY.record_facts,
-        modules=code("figure_two_components"),
+        modules=code("two_components/figure_two_components"),
     output:
         **figure("two_components", "Two components", "both components beside one"),
     log:
         "results/{run}/logs/figure_two_components.log",
     script:
-        "../scripts/figure_two_components.py"
+        "../scripts/two_components/figure_two_components.py"
 
 
 rule two_components_scene:
     input:
         scene="results/{run}/scenes/{model}.json",
-        modules=code("two_components_scene"),
+        modules=code("two_components/two_components_scene"),
     output:
         "results/{run}/scenes/{model}_two_components.json",
     log:
@@ -63,7 +63,7 @@ rule two_components_scene:
     params:
         settings=lambda w: STUDY.cfg(w)["two_components"],
     script:
-        "../scripts/two_components_scene.py"
+        "../scripts/two_components/two_components_scene.py"
 
 
 # One curve at the intensities of the compiled solver, in YADE: ask for the file.

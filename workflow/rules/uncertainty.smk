@@ -12,7 +12,7 @@ rule uncertainty_collapse:
     input:
         record="results/{run}/records/{record}.csv",
         scenes=UNCERTAINTY.scenes,
-        modules=code("uncertainty_collapse"),
+        modules=code("uncertainty/uncertainty_collapse"),
     output:
         "results/{run}/uncertainty/{record}.csv",
     log:
@@ -23,7 +23,7 @@ rule uncertainty_collapse:
         settings=UNCERTAINTY.params(),
         direction=UNCERTAINTY.direction,
     script:
-        "../scripts/uncertainty_collapse.py"
+        "../scripts/uncertainty/uncertainty_collapse.py"
 
 
 rule uncertainty_cells:
@@ -31,7 +31,7 @@ rule uncertainty_cells:
         tables=UNCERTAINTY.collapses,
         records=UNCERTAINTY.records,
         scenes=UNCERTAINTY.scenes,
-        modules=code("uncertainty_cells"),
+        modules=code("uncertainty/uncertainty_cells"),
     output:
         "results/{run}/uncertainty/cells.json",
     log:
@@ -39,7 +39,7 @@ rule uncertainty_cells:
     params:
         settings=UNCERTAINTY.params("confirm"),
     script:
-        "../scripts/uncertainty_cells.py"
+        "../scripts/uncertainty/uncertainty_cells.py"
 
 
 rule uncertainty_yade:
@@ -62,19 +62,19 @@ rule uncertainty_confirm:
     input:
         cells="results/{run}/uncertainty/cells.json",
         yade=UNCERTAINTY.confirmed,
-        modules=code("uncertainty_confirm"),
+        modules=code("uncertainty/uncertainty_confirm"),
     output:
         "results/{run}/tables/uncertainty_confirm.csv",
     log:
         "results/{run}/logs/uncertainty_confirm.log",
     script:
-        "../scripts/uncertainty_confirm.py"
+        "../scripts/uncertainty/uncertainty_confirm.py"
 
 
 rule uncertainty_tables:
     input:
         tables=UNCERTAINTY.collapses,
-        modules=code("uncertainty_tables"),
+        modules=code("uncertainty/uncertainty_tables"),
     output:
         samples="results/{run}/uncertainty/samples.csv",
         parts="results/{run}/tables/uncertainty_parts.csv",
@@ -85,7 +85,7 @@ rule uncertainty_tables:
     params:
         settings=UNCERTAINTY.params("confidence"),
     script:
-        "../scripts/uncertainty_tables.py"
+        "../scripts/uncertainty/uncertainty_tables.py"
 
 
 rule figure_uncertainty:
@@ -94,10 +94,10 @@ rule figure_uncertainty:
         sensitivity="results/{run}/tables/uncertainty_sensitivity.csv",
         fragility="results/{run}/tables/uncertainty_fragility.csv",
         facts=UNCERTAINTY.facts,
-        modules=code("figure_uncertainty"),
+        modules=code("uncertainty/figure_uncertainty"),
     output:
         **figure("uncertainty", "Fragility", "motion, material and model form"),
     log:
         "results/{run}/logs/figure_uncertainty.log",
     script:
-        "../scripts/figure_uncertainty.py"
+        "../scripts/uncertainty/figure_uncertainty.py"

@@ -10,7 +10,7 @@ rule vertical_collapse:
     input:
         files=VERTICAL.files,
         scenes=VERTICAL.scenes,
-        modules=code("vertical_collapse"),
+        modules=code("vertical/vertical_collapse"),
     output:
         "results/{run}/vertical/{record}.csv",
     log:
@@ -22,30 +22,30 @@ rule vertical_collapse:
         station=SURROGATES.station,
         settings=STUDY.params_of("directions", "baseline", "seed", "ida.max_pga_g"),
     script:
-        "../scripts/vertical_collapse.py"
+        "../scripts/vertical/vertical_collapse.py"
 
 
 rule vertical_ratios:
     input:
         tables=VERTICAL.collapses,
-        modules=code("vertical_ratios"),
+        modules=code("vertical/vertical_ratios"),
     output:
         table="results/{run}/tables/vertical.csv",
         summary="results/{run}/tables/vertical_ratios.csv",
     log:
         "results/{run}/logs/vertical_ratios.log",
     script:
-        "../scripts/vertical_ratios.py"
+        "../scripts/vertical/vertical_ratios.py"
 
 
 rule figure_vertical:
     input:
         table="results/{run}/tables/vertical.csv",
         facts=STUDY.record_facts,
-        modules=code("figure_vertical"),
+        modules=code("vertical/figure_vertical"),
     output:
         **figure("vertical", "Records", "what vertical motion changes"),
     log:
         "results/{run}/logs/figure_vertical.log",
     script:
-        "../scripts/figure_vertical.py"
+        "../scripts/vertical/figure_vertical.py"

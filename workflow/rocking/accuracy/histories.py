@@ -2,15 +2,15 @@
 
 Motions come in two halves: nodes and step are chosen on one and judged on the other. Intensities
 are shares of the lowest collapse that a coarse scan finds. All of it is done by the compiled
-planar solver (`rocking.screening`), whose converged answer is the reference.
+planar solver (`rocking.solver`), whose converged answer is the reference.
 """
 
 import hashlib
 
 import numpy as np
 
-from rocking.screening import peaks, prepare, stable_step
-from rocking.screening.scan import driving
+from rocking.collapse.scan import driving
+from rocking.solver import peaks, prepare, stable_step
 from yade_scripts.model import models
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.nodes import with_nodes

@@ -1,7 +1,7 @@
 """Dense scans by the independent planar solver, and what of them a reported curve holds.
 
-The judge (`rocking.planar`) shares no code with the solver that screens. It runs every amplitude at
-steps of `ida.level_ratio` from half the lowest collapse that the workflow found until all over a
+The judge (`rocking.reference`) shares no code with the solver that screens. It runs every amplitude
+at steps of `ida.level_ratio` from half the lowest collapse that the workflow found until all over a
 factor `ida.beyond` fall, and steps of `accuracy.judge_step` from below its own lowest collapse to
 where everything within ± `ensemble.amplitude_spread` falls. The dense probability at an amplitude
 is the share of its histories within that spread that fall; nodes and tolerance are the same.
@@ -13,11 +13,11 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import isotonic_regression
 
-from rocking.curves import collapse
-from rocking.curves.reference import outcomes
+from rocking.collapse import probability
+from rocking.reference.facade import outcomes
 
 BLOCK = 16  # amplitudes between two looks at whether the façade has fallen for good
-KEY = collapse.KEY
+KEY = probability.KEY
 SCAN_COLUMNS = (*KEY, "pga_g", "level", "d_over_b", "status", "collapsed")
 BAND_COLUMNS = (
     *KEY,
@@ -79,7 +79,9 @@ def scan(job, motion_path, direction, settings, start_g):
         at *= step**BLOCK
         table = pd.concat(fine).sort_values("pga_g", ignore_index=True)
         within = table[table["pga_g"] < at * (1.0 - spread)]  # counted in full
-        share, _ = collapse.probability(table["pga_g"], table["collapsed"], within["pga_g"], spread)
+        share, _ = probability.probability(
+            table["pga_g"], table["collapsed"], within["pga_g"], spread
+        )
         if share.max() == 1.0:
             break
     return pd.concat(fine).sort_values("pga_g", ignore_index=True)
@@ -132,8 +134,8 @@ def compare(table, row, spread):
     """
     valid = table[table["status"] != "failed"]
     pga_g, fell = valid["pga_g"].to_numpy(), valid["collapsed"].to_numpy()
-    share, _ = collapse.probability(pga_g, fell, pga_g, spread)
-    levels = (collapse.first_crossing(pga_g, share, level) for level in collapse.LEVELS)
+    share, _ = probability.probability(pga_g, fell, pga_g, spread)
+    levels = (probability.first_crossing(pga_g, share, level) for level in probability.LEVELS)
     low, middle, high = levels
     coarse = valid[valid["level"] == 1]
     lowest = coarse.loc[coarse["collapsed"] == 1, "pga_g"].min()
@@ -149,6 +151,6 @@ def compare(table, row, spread):
         "judge_p90_g": high,
         "held": running,
         "held_pooled": pooled,
-        "judge_reversals": collapse.reversals(coarse["collapsed"]),
+        "judge_reversals": probability.reversals(coarse["collapsed"]),
         "judge_runs": len(table),
     }

@@ -1,6 +1,6 @@
 """Lowest amplitudes at which 10 and 50 % of the members collapse, for many façades and motions.
 
-The dense scan (`rocking.screening.scan`) finds every island of a curve. Where only the first
+The dense scan (`rocking.collapse.scan`) finds every island of a curve. Where only the first
 crossings are wanted, of thousands of curves, this climbs at `CLIMB` to a first collapse, looks for
 a lower one at `RATIO` over two of its steps below, and runs members from there up to the crossing
 of one half. Members differ in amplitude, node layout and step, as those of the dense scan do. An
@@ -13,10 +13,10 @@ import math
 import numpy as np
 import pandas as pd
 
-from rocking.curves.collapse import first_crossing, from_scan
+from rocking.collapse.probability import first_crossing, from_scan
+from rocking.collapse.scan import Screen
 from rocking.records.floors import floor_columns
-from rocking.screening import peaks, stable_step
-from rocking.screening.scan import Screen
+from rocking.solver import peaks, stable_step
 from yade_scripts.model import models, registry
 from yade_scripts.model.motion import amplitude
 

@@ -10,7 +10,7 @@ import math
 import numpy as np
 import pandas as pd
 
-from rocking.curves.fragility import fit
+from rocking.studies.fragility import fit
 from yade_scripts.model import registry
 
 EXACT = 1e-6  # relative half width of the interval that stands for an exact ratio

@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.linalg import eigh
 
-from rocking.screening.plane import prepare
-from rocking.screening.runs import STEP_FRACTION, Motions, bodies, stable_step
-from rocking.screening.scan import Scan
+from rocking.collapse.scan import Scan
+from rocking.solver.plane import prepare
+from rocking.solver.runs import STEP_FRACTION, Motions, bodies, stable_step
 from yade_scripts.model.building.complete import GROUND_MOTION, apart
 from yade_scripts.model.scene import Nodes
 

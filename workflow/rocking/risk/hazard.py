@@ -18,7 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rocking.curves.intensity_measures import MEASURES
+from rocking.records.intensity_measures import MEASURES
 from rocking.records.text import read_text
 
 RATE = "annual_rate"

@@ -4,7 +4,7 @@ A script defines `main(job)` and ends with `run(main, globals())`. Under
 Snakemake `job` carries the rule's input, output, params and wildcards; alone
 they come from the command line:
 
-    python workflow/scripts/table_records.py --input facts=a.json,b.json --output records.csv
+    python workflow/scripts/records/table_records.py --input facts=a.json --output a.csv
 """
 
 import argparse

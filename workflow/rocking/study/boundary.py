@@ -1,6 +1,6 @@
 """Files of pushover, pictures and claims."""
 
-from rocking.curves.pushover import DRAWN, VARIANTS
+from rocking.studies.pushover import DRAWN, VARIANTS
 
 
 class Boundary:

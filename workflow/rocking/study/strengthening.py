@@ -28,7 +28,7 @@ class Strengthening:
 
         Ends the workflow in one line where the façade cannot have what the target adds.
         """
-        from rocking.screening import restraint, strengthening  # slow to load
+        from rocking.studies import restraint, strengthening  # slow to load
 
         resolved = self.study.runs[run]
         models = [model for model in resolved["models"] if MODELS[model].twin]

@@ -1,0 +1,64 @@
+"""What YADE is to run, once a dense scan has shown where the outcomes change."""
+
+import itertools
+
+import numpy as np
+
+from rocking.collapse.probability import first_crossing, from_scan, islands
+from yade_scripts.studies.intensities import DIGITS, climb_sequence
+
+BELOW = 0.97  # of the lowest collapse: the side where nothing falls
+NARROW = 1.03  # p90 over p10 up to which one level of members says all
+
+
+def plan(scan, settings, ensemble):
+    """Intensities of single runs and of ensembles in YADE [g].
+
+    Single runs: the climb up to the first crossing of 50 %, both sides of the lowest collapse, the
+    middle of each island and of the gap above it, and the amplitude from which all collapse.
+    Ensembles: where the probability first crosses the lower percentile, one half and the upper one;
+    one half alone where these lie together.
+
+    Parameters
+    ----------
+    scan : DataFrame
+        Of `Screen.scan`.
+    settings : dict
+        Section ida with a number for start_g: growth, max_pga_g, max_islands, confirm.
+    ensemble : dict
+        Section ensemble: enabled, percentiles, amplitude_spread.
+
+    Returns
+    -------
+    dict
+        runs, levels: ascending lists of float.
+    """
+    table = from_scan(scan, ensemble["amplitude_spread"])
+    pga_g, share = table["pga_g"].to_numpy(), table["probability"].to_numpy()
+    full = settings["confirm"] == "full"
+    climb = climb_sequence(settings)
+    fallen = scan.loc[scan["status"] == "overturned", "pga_g"]
+    if fallen.empty:
+        return {"runs": climb if full else climb[-1:], "levels": []}
+    lowest = float(fallen.min())
+    low, high = (p / 100.0 for p in ensemble["percentiles"])
+    middle = first_crossing(pga_g, share, 0.5)
+    runs = [BELOW * lowest, lowest]
+    if full:
+        runs += [g for g in climb if not g >= middle]
+        gaps = itertools.pairwise(islands(pga_g, share))
+        for (a, b), (c, _) in itertools.islice(gaps, settings["max_islands"]):
+            runs += [0.5 * (a + b), 0.5 * (b + c)]
+        standing = scan.loc[scan["status"] == "ok", "pga_g"].max()
+        runs += [g for g in climb if g > standing][:1]
+    levels = [first_crossing(pga_g, share, level) for level in (low, 0.5, high)]
+    levels = [g for g in levels if np.isfinite(g)]
+    if len(levels) == 3 and levels[2] <= NARROW * levels[0]:
+        levels = levels[1:2]
+    if ensemble["enabled"] == "off":
+        levels = []
+    limit = settings["max_pga_g"]
+    return {
+        name: sorted({round(float(g), DIGITS) for g in values if g <= limit})
+        for name, values in (("runs", runs), ("levels", levels))
+    }

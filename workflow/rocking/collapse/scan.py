@@ -1,0 +1,232 @@
+"""The dense scan of an incremental dynamic analysis: every island of collapse, with its scatter."""
+
+import math
+
+import numpy as np
+import pandas as pd
+
+from rocking.collapse.probability import summary
+from rocking.solver.inputs import Bodies
+from rocking.solver.plane import moving_supports, prepare
+from rocking.solver.runs import STEP_FRACTION, Motions, bodies, peaks, stable_step
+from smdof.chain import shear_chain
+from yade_scripts.model import models, registry
+from yade_scripts.model.floor_motions import VERTICAL
+from yade_scripts.model.motion import amplitude
+from yade_scripts.model.wall_motion import floor_motion
+from yade_scripts.studies.perturb import (
+    NODE_CHOICES,
+    NODE_KEYS,
+    STEP_SPREAD,
+    Member,
+    perturbed_numerics,
+)
+
+BLOCK = 32  # amplitudes between two looks at whether the façade has fallen for good
+NODES = 17  # along every edge: within 1 % of its converged answer where YADE needs more
+STEPS = 4  # different steps of the members
+BRICKS_STEP = 0.5  # of W3's stable step, which its bricks decide: 0.24 ms
+MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change
+
+
+class Scan:
+    """Outcomes of one curve at any amplitudes, by the planar solver.
+
+    Attributes
+    ----------
+    numerics : dict
+    direction : str
+    ground : ndarray, shape (nt,)
+        Acceleration of the ground for a factor of one [m/s²].
+    planes : list of Planar
+        The scene in every layout of nodes that members use.
+    steps_s : list of float
+        Their time steps.
+    carried : Bodies or None
+    motions : Motions
+    static_g : float
+        Static multiplier, from half of which a curve climbs.
+    """
+
+    numerics: dict
+    direction: str
+    ground: np.ndarray
+    planes: list
+    steps_s: list
+    carried: Bodies | None
+    motions: Motions
+    static_g: float
+
+    def run(self, pga_g, scatter):
+        """Outcomes at ascending amplitudes; `scatter` turns node layout and step with them.
+
+        Returns
+        -------
+        DataFrame
+            pga_g, extra_nodes, step_factor, d_over_b, status, collapsed.
+        """
+        pga_g = np.asarray(pga_g, float)
+        turn = np.arange(pga_g.size) * bool(scatter)
+        extra, step = turn % NODE_CHOICES, 1.0 - STEP_SPREAD * (turn % STEPS) / STEPS
+        table = pd.DataFrame({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
+        table["d_over_b"], table["status"] = np.nan, "failed"
+        factor = np.array([amplitude(self.ground, self.direction, g) for g in pga_g])
+        for layout, (plane, whole) in enumerate(zip(self.planes, self.steps_s, strict=True)):
+            for share in np.unique(step):  # the motions are tabulated once a step
+                mine = np.flatnonzero((extra == layout) & (step == share))
+                if mine.size:
+                    found = peaks(
+                        plane,
+                        self.motions,
+                        self.numerics,
+                        factor[mine],
+                        carried=self.carried,
+                        step_s=share * whole,
+                    )
+                    table.loc[mine, "d_over_b"] = np.minimum(found.d_over_b, 1.0)
+                    status = np.where(found.failed, "failed", "ok")
+                    table.loc[mine, "status"] = np.where(found.overturned, "overturned", status)
+        table["collapsed"] = (table["status"] == "overturned").astype(int)
+        return table
+
+    def climb(self, settings):
+        """Outcomes from half the static capacity up, at steps of `level_ratio`.
+
+        It ends when the façade has fallen at every amplitude over a factor `beyond`, or at
+        `max_pga_g`.
+
+        Parameters
+        ----------
+        settings : dict
+            level_ratio, beyond, max_pga_g.
+
+        Returns
+        -------
+        DataFrame
+        """
+        ratio, last = 1.0 + settings["level_ratio"], settings["max_pga_g"]
+        start = min(0.5 * self.static_g, last)
+        levels = start * ratio ** np.arange(1 + math.ceil(math.log(last / start) / math.log(ratio)))
+        levels[-1] = last
+        parts: list[pd.DataFrame] = []
+        run = math.ceil(math.log(settings["beyond"]) / math.log(ratio))
+        for first in range(0, levels.size, BLOCK):
+            parts.append(self.run(levels[first : first + BLOCK], scatter=False))
+            outcome = pd.concat(parts)["collapsed"].to_numpy()
+            if outcome.size >= run and outcome[-run:].all():
+                break
+        return pd.concat(parts, ignore_index=True)
+
+    def scan(self, settings):
+        """Scan all amplitudes: at `level_ratio`, then finer wherever outcomes may change.
+
+        The first pass is that of `climb`. The second has `members` amplitudes within
+        ± `amplitude_spread` of any, and turns node layout and step with them.
+
+        Parameters
+        ----------
+        settings : dict
+            level_ratio, beyond, max_pga_g, members, amplitude_spread.
+
+        Returns
+        -------
+        DataFrame
+            By ascending amplitude.
+        """
+        coarse = self.climb(settings)
+        fallen = coarse.loc[coarse["collapsed"] == 1, "pga_g"]
+        if fallen.empty:
+            return coarse
+        standing = coarse.loc[coarse["collapsed"] == 0, "pga_g"]
+        low = (1.0 - MARGIN) * fallen.min()
+        high = (1.0 + MARGIN) * max(standing.max(), fallen.min())
+        fine = 1.0 + 2.0 * settings["amplitude_spread"] / settings["members"]
+        count = math.ceil(math.log(high / low) / math.log(fine))
+        members = self.run(low * fine ** np.arange(count + 1), scatter=True)
+        return pd.concat([coarse, members]).sort_values("pga_g", ignore_index=True)
+
+    def intensities(self, settings):
+        """Collapse intensities of a `scan`: `collapse.summary`, without a run in YADE."""
+        none = pd.DataFrame()
+        return summary(self.scan(settings), none, none, settings["amplitude_spread"])
+
+
+class Screen(Scan):
+    """Outcomes of one model, record and direction.
+
+    Parameters
+    ----------
+    job : dict
+        A scene file.
+    time_s, columns
+        Floor motions, see `yade_scripts.model.floor_motions.read`.
+    direction : str
+    """
+
+    def __init__(self, job, time_s, columns, direction):
+        """Prepare the scene in every layout of nodes that members use."""
+        self.numerics, self.direction, self.ground = job["numerics"], direction, columns["ground"]
+        kind = registry.model(job["model"])
+        bricks = not kind.single_block  # their scene holds the masses that carry them
+        self.planes = []
+        for numerics in layouts(job["numerics"]):
+            name = job["model"] if bricks else kind.driven
+            scene = models.build_scene({**job, "model": name, "numerics": numerics})
+            self.planes.append(prepare(scene))
+        share = BRICKS_STEP if bricks else STEP_FRACTION
+        self.steps_s = [share * stable_step(plane) for plane in self.planes]
+        self.carried = None
+        if kind.massive:
+            self.carried = None if bricks else carried_masses(job, scene)
+            self.motions = Motions(time_s, self.ground, (), columns.get(VERTICAL))
+        else:
+            self.motions = driving(scene, time_s, columns)
+        self.static_g = models.static_multiplier(job)
+
+
+def scan_settings(job):
+    """What `Screen.scan` takes of a scene file; W3, of more than twenty blocks, has its own steps.
+
+    Returns
+    -------
+    dict
+        Section ida, and members and amplitude_spread of section ensemble.
+    """
+    ensemble = {key: job["ensemble"][key] for key in ("members", "amplitude_spread")}
+    own = {} if registry.model(job["model"]).single_block else job["w3"]["scan"]
+    return {**job["ida"], **ensemble, **own}
+
+
+def driving(scene, time_s, columns):
+    """`Motions` of a scene whose supports are driven, by floor motions as `floor_motions.read`."""
+    columns = models.motion_columns(scene, columns)
+    base = columns[scene.blocks[scene.index(scene.reference)].motion]
+    supports = [columns[name] for name in moving_supports(scene)]
+    return Motions(time_s, base, supports, columns.get(VERTICAL))
+
+
+def layouts(numerics):
+    """Section numerics in every layout of nodes that members use."""
+    nodes = {**numerics, **dict.fromkeys(NODE_KEYS, NODES)}
+    return [perturbed_numerics(nodes, Member(0, 1.0, extra_nodes=n)) for n in range(NODE_CHOICES)]
+
+
+def carried_masses(job, scene):
+    """Masses, springs and dashpots of the chain that carries the return walls of a scene file.
+
+    Parameters
+    ----------
+    job : dict
+        Sections smdof, return_wall.
+    scene : Scene
+        The driven twin, whose motions say where each wall hangs.
+    """
+    chain, mass = job["smdof"], job["return_wall"]["building_mass_kg"]
+    shear = shear_chain(chain["n_dof"], chain["period_s"], mass)
+    own, stiffness = shear.matrices()
+    damping = shear.damping_matrix(chain["damping_ratio"], chain["damping_model"])
+    mixed = scene.notes.get("motions", {})
+    floors = [floor_motion(j) for j in range(1, chain["n_dof"] + 1)]
+    shares = [mixed.get(name, {name: 1.0}) for name in moving_supports(scene)]
+    hang = [[share.get(floor, 0.0) for floor in floors] for share in shares]
+    return bodies(np.diag(own), stiffness, damping, hang)

@@ -1,0 +1,100 @@
+"""Reference answers for façade scenes from the independent planar solver."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from rocking.reference import Motion, Wall, simulate_batch
+from yade_scripts.model import floor_motions, registry
+from yade_scripts.model.motion import amplitude
+from yade_scripts.model.shape import refuse
+
+
+def wall_of(job, nodes):
+    """Planar wall of a scene file (model free, W1 or W2) with so many nodes along every edge."""
+    facade, wall = job["facade"], job["return_wall"]
+    refuse(facade, "the judge", held=True)
+    e_pa = facade["e_mpa"] * 1e6
+    free = registry.model(job["model"]).walls == "none"
+    return Wall(
+        facade["height_m"],
+        facade["thickness_m"],
+        facade["width_m"],
+        facade["density_kg_m3"],
+        e_pa,
+        job["beta_s"],
+        0.0 if free else wall["count"] * wall["thickness_m"],
+        base_jkn_pa_m=facade["base_stiffness_pa_m"],
+        back_jkn_pa_m=e_pa / wall["length_m"] if wall["length_m"] else None,
+        shear_ratio=facade["shear_stiffness_ratio"],
+        base_friction_deg=facade["friction_deg"],
+        back_friction_deg=wall["friction_deg"],
+        nodes_base=nodes,
+        nodes_up=nodes,
+        segments=job["smdof"]["n_dof"] if registry.model(job["model"]).chain else 1,
+        gap_m=facade["gap_m"],
+    )
+
+
+def read_motion(path, model):
+    """Motion of the base and of the return walls."""
+    time_s, columns = floor_motions.read(path)
+    vertical = columns.pop(floor_motions.VERTICAL, None)
+    ground, *floors = columns.values()
+    floors = np.array(floors) if registry.model(model).chain else None
+    return Motion(float(time_s[1] - time_s[0]), ground, floors, vertical)
+
+
+def peak_d_over_b(job, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-5):
+    """Largest |d|/b of one history, 1 if it overturns, NaN if it failed."""
+    return judge(job, motion_path, direction, pga_g, nodes=nodes, tolerance=tolerance)[0]
+
+
+def judge(job, motion_path, direction, pga_g, *, nodes, tolerance):
+    """Largest |d|/b of one history as `peak_d_over_b`, and the time simulated [s]."""
+    found = outcomes(job, motion_path, direction, [pga_g], nodes=nodes, tolerance=tolerance)
+    return float(found.d_over_b[0]), float(found.end_s[0])
+
+
+class Outcomes(NamedTuple):
+    """Of histories at some amplitudes, each of shape (n,).
+
+    Attributes
+    ----------
+    d_over_b : ndarray
+        Largest |d|/b, 1 where the façade overturns, NaN where the history failed.
+    status : list of str
+        "ok", "overturned" or "failed".
+    end_s : ndarray
+        Time simulated.
+    """
+
+    d_over_b: np.ndarray
+    status: list
+    end_s: np.ndarray
+
+
+def outcomes(job, motion_path, direction, pga_g, *, nodes, tolerance):
+    """`Outcomes` of one scene and motion at some amplitudes."""
+    motion = read_motion(motion_path, job["model"])
+    scales = [amplitude(motion.base_m_s2, direction, g) for g in pga_g]
+    found = simulate_batch(
+        wall_of(job, nodes), motion, scales, tolerance=tolerance, stop_d_over_b=1.0
+    )
+    peaks = np.minimum(found.peak_d_over_b, 1.0)
+    peaks[[status == "failed" for status in found.status]] = np.nan
+    status = [{"finished": "ok"}.get(word, word) for word in found.status]
+    return Outcomes(peaks, status, found.end_time_s)
+
+
+def ensemble_peaks(job, motion_path, direction, pga_g, factors, *, nodes=17, dt_s=4e-4):
+    """Largest d/b of every member of an ensemble of amplitude factors, 1 where it overturns.
+
+    Returns
+    -------
+    ndarray, shape (len(factors),)
+    """
+    motion = read_motion(motion_path, job["model"])
+    scales = amplitude(motion.base_m_s2, direction, pga_g) * np.asarray(factors, float)
+    result = simulate_batch(wall_of(job, nodes), motion, scales, dt_s=dt_s, stop_d_over_b=1.0)
+    return np.minimum(result.peak_d_over_b, 1.0)

@@ -1,0 +1,1 @@
+"""One module a study: what is varied, what the collapse intensities are reduced to."""

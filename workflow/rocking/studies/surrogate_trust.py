@@ -1,0 +1,167 @@
+"""How far a surrogate stands for its record: distributions of the ratio of their collapse PGA.
+
+For each recorded motion of a run, surrogates are made from its peaks alone, or from its peaks and
+its own pulses, and the collapse of both is found by the same scan. Every other station belongs to
+the half that may choose a kind of surrogate; the other half reports (`HALVES`).
+"""
+
+import numpy as np
+import pandas as pd
+
+from rocking.collapse.probability import first_crossing, from_scan
+
+HALVES = ("choosing", "reporting")
+COLUMNS = [
+    *("record", "station", "model", "direction", "kind", "pulses", "pulses_kept", "draw"),
+    *("pga_collapse_g", "pga_half_g", "pga_max_g"),
+]
+SUMMARY = [
+    *("half", "model", "pulses", "n", "n_censored", "ratio_median", "ratio_p10", "ratio_p90"),
+    *("scatter", "within_20_percent", "side_agrees", "n_sides", "side_recorded", "side_surrogate"),
+]
+SCATTER = [
+    *("record", "model", "direction", "pulses", "draws", "n_censored"),
+    *("pga_p10_g", "pga_median_g", "pga_p90_g", "scatter", "recorded_g", "share_below"),
+]
+DISTINCT = 1.1  # directions whose collapse differs by less have no weak side
+
+
+def outcome(table, level_ratio):
+    """Lowest collapse, half-probability collapse and largest amplitude of a scan [g].
+
+    The probability at an amplitude is the share that falls within two levels of it.
+
+    Parameters
+    ----------
+    table : DataFrame
+        Of `rocking.collapse.scan.Screen.climb`.
+    level_ratio : float
+
+    Returns
+    -------
+    dict
+        NaN where nothing fell.
+    """
+    spread = from_scan(table, (1.0 + level_ratio) ** 2 - 1.0)
+    return {
+        "pga_collapse_g": table.loc[table["collapsed"] == 1, "pga_g"].min(),
+        "pga_half_g": first_crossing(spread["pga_g"], spread["probability"], 0.5),
+        "pga_max_g": table["pga_g"].max(),
+    }
+
+
+def half_of(stations):
+    """Half of the stations that each belongs to, by their order of appearance."""
+    order = {name: i for i, name in enumerate(dict.fromkeys(stations))}
+    return np.array([HALVES[order[name] % 2] for name in stations])
+
+
+def pairs(table):
+    """Every surrogate beside its record.
+
+    Parameters
+    ----------
+    table : DataFrame
+        Columns as `COLUMNS`; kind "recorded" or "surrogate".
+
+    Returns
+    -------
+    DataFrame
+        Rows of surrogates with half, recorded_g and ratio = surrogate / recorded of pga_half_g;
+        NaN where one of the two never collapsed.
+    """
+    key = ["record", "model", "direction"]
+    table = table.assign(half=half_of(table["station"]))
+    real = table[table["kind"] == "recorded"].set_index(key)["pga_half_g"].rename("recorded_g")
+    found = table[table["kind"] == "surrogate"].join(real, on=key)
+    return found.assign(ratio=found["pga_half_g"] / found["recorded_g"])
+
+
+def summary(table):
+    """Distribution of the ratio, and whether the weak side stays the weak side.
+
+    Parameters
+    ----------
+    table : DataFrame
+        Columns as `COLUMNS`.
+
+    Returns
+    -------
+    DataFrame
+        Columns as `SUMMARY`: scatter is the standard deviation of ln ratio; side_agrees the share
+        of records, among those whose directions differ by more than a tenth, whose surrogate falls
+        at the lower PGA in the same direction (one half by chance); side_recorded and
+        side_surrogate the medians of |ln(pos/neg)| over all.
+    """
+    found = pairs(table)
+    rows = []
+    parts = [("all", found), *((half, found[found["half"] == half]) for half in HALVES)]
+    for half, of_half in parts:
+        for (model, pulses), group in of_half.groupby(["model", "pulses"], sort=False):
+            log = np.log(group["ratio"].dropna().to_numpy())
+            wide = group.pivot_table(
+                index=["record", "draw"], columns="direction", values=["recorded_g", "pga_half_g"]
+            )
+            sides = {}
+            if {("recorded_g", "pos"), ("recorded_g", "neg")} <= set(wide.columns):
+                wide = wide.dropna()
+                real, made = (
+                    np.log(wide[name, "pos"] / wide[name, "neg"])
+                    for name in ("recorded_g", "pga_half_g")
+                )
+                clear = np.abs(real) > np.log(DISTINCT)
+                sides = {
+                    "side_agrees": np.mean(np.sign(real[clear]) == np.sign(made[clear])),
+                    "n_sides": int(clear.sum()),
+                    "side_recorded": np.median(np.abs(real)),
+                    "side_surrogate": np.median(np.abs(made)),
+                }
+            ends = np.percentile(log, [10, 50, 90]) if log.size else np.full(3, np.nan)
+            low, middle, high = np.exp(ends)
+            rows.append(
+                {
+                    "half": half,
+                    "model": model,
+                    "pulses": pulses,
+                    "n": len(group),
+                    "n_censored": len(group) - log.size,
+                    "ratio_median": middle,
+                    "ratio_p10": low,
+                    "ratio_p90": high,
+                    "scatter": log.std(ddof=1) if log.size > 1 else np.nan,
+                    "within_20_percent": np.mean(np.abs(log) <= np.log(1.2))
+                    if log.size
+                    else np.nan,
+                    **sides,
+                }
+            )
+    return pd.DataFrame(rows).reindex(columns=SUMMARY)
+
+
+def scatter(table):
+    """How far draws of a surrogate differ, curve by curve, and where its record lies among them.
+
+    Parameters
+    ----------
+    table : DataFrame
+        Columns as `COLUMNS`.
+
+    Returns
+    -------
+    DataFrame
+        Columns as `SCATTER`, of pga_half_g [g]: scatter is the standard deviation of its logarithm
+        over the draws that collapsed, share_below the share of draws that collapse at a lower PGA
+        than the record; blank without a record. `pulses` is blank where the parameters are a
+        table's.
+    """
+    found = pairs(table)
+    rows = []
+    key = ["record", "model", "direction", "pulses"]
+    for names, group in found.groupby(key, sort=False, dropna=False):
+        half, recorded = group["pga_half_g"].dropna(), group["recorded_g"].iloc[0]
+        below = np.mean(group["pga_half_g"] < recorded) if np.isfinite(recorded) else np.nan
+        ends = np.percentile(half, [10, 50, 90]) if len(half) else [np.nan] * 3
+        rows.append(
+            (*names, len(group), len(group) - len(half), *ends, np.log(half).std(), recorded, below)
+        )
+    return pd.DataFrame(rows, columns=SCATTER)

@@ -1,0 +1,142 @@
+"""Collapse under both horizontal components beside that of the planar scene under one.
+
+Both scenes have the same nodes out of plane, so what is between them is the second component.
+"""
+
+import math
+
+import numpy as np
+import pandas as pd
+
+from rocking.solver import spatial
+from rocking.solver.plane import prepare
+from rocking.solver.runs import STEP_FRACTION, Motions, peaks, stable_step
+from yade_scripts.model import models
+from yade_scripts.model.motion import amplitude
+from yade_scripts.studies.perturb import NODE_KEYS
+
+COLUMNS = (
+    *("model", "record", "second", "direction", "second_ratio"),
+    *("one_g", "again_g", "two_g", "half_g", "d_one", "d_two", "twist_rad", "slid_m"),
+    *("last_g", "last_d_two", "last_twist_rad", "last_slid_m"),
+)
+NODES = 9  # across the thickness and up each block of the walls, in both scenes
+AGAIN_STEP = 0.9  # of the planar solver's step, with one more node: what a repetition moves
+HALF = 0.5  # of the planar collapse: where histories repeat
+
+
+def full(job, settings):
+    """Scene file of the full scene, with `width_nodes`."""
+    return {**with_nodes(job), "width_nodes": settings["nodes_width"]}
+
+
+def with_nodes(job, more=0):
+    """Scene file with the nodes of this comparison, and so many more, along every edge."""
+    numerics = {**job["numerics"], **dict.fromkeys(NODE_KEYS, NODES + more)}
+    return {**job, "numerics": numerics}
+
+
+class Curve:
+    """One model, record and direction under one component and under both.
+
+    Parameters
+    ----------
+    job : dict
+        A scene file of W1 or W2.
+    time_s, columns
+        Floor motions with the second component, see `models.with_second`.
+    direction : str
+        "neg" turns the building by half a turn: both components change sign.
+    settings : dict
+        Section two_components.
+    """
+
+    def __init__(self, job, time_s, columns, direction, settings):
+        """Prepare both scenes."""
+        self.ground, self.direction = columns["ground"], direction
+        self.settings, self.numerics = settings, job["numerics"]
+        scene = models.build_scene(full(job, settings))
+        self.block = spatial.prepare(scene)
+        columns = models.motion_columns(scene, columns)
+        self.motions = spatial.two_motions(Motions, scene, time_s, columns)
+        plans = [models.build_scene(with_nodes(job, more)) for more in (0, 1)]
+        self.planes = [(plane, stable_step(plane)) for plane in map(prepare, plans)]
+        self.start_g, self.max_g = 0.5 * models.static_multiplier(job), job["ida"]["max_pga_g"]
+
+    def one(self, pga_g, again=False):
+        """Peak d/b of the planar scene, 1 if it overturns; `again`: a node more, a shorter step."""
+        plane, stable = self.planes[int(again)]
+        step = STEP_FRACTION * stable * (AGAIN_STEP if again else 1.0)
+        factor = amplitude(self.ground, self.direction, pga_g)
+        found = peaks(plane, self.motions[0], self.numerics, [factor], step_s=step)
+        return float(np.minimum(found.d_over_b[0], 1.0))
+
+    def two(self, pga_g):
+        """`spatial.Outcome` under both components, scaled alike."""
+        factor = amplitude(self.ground, self.direction, pga_g)
+        return spatial.history(self.block, self.motions, self.numerics, factor)
+
+    def level(self, k):
+        """PGA of level k [g]."""
+        return self.start_g * (1.0 + self.settings["level_ratio"]) ** k
+
+    def lowest(self, falls, first=0):
+        """Lowest level that falls, from `first` up, or down if that falls; None if none does."""
+        k = first
+        if falls(self.level(k)):
+            while k > 0 and falls(self.level(k - 1)):
+                k -= 1
+            return k
+        while self.level(k) < self.max_g:
+            k += 1
+            if falls(self.level(k)):
+                return k
+        return None
+
+    def compare(self):
+        """Values of `COLUMNS` from one_g on; NaN where nothing falls up to ida.max_pga_g."""
+        one = self.lowest(lambda g: self.one(g) >= 1.0)
+        each = math.log(1.0 + self.settings["level_ratio"])
+        top = math.ceil(math.log(self.max_g / self.start_g) / each)
+        back = math.ceil(math.log(self.settings["start_ratio"]) / each)
+        first = max(0, (top if one is None else one) + back)
+        again = self.lowest(lambda g: self.one(g, again=True) >= 1.0, first)
+        two = self.lowest(lambda g: self.two(g).status == "overturned", first)
+        half = HALF * self.level(top if one is None else one)
+        found, last = self.two(half), self.level(top if two is None else max(two - 1, 0))
+        stood = self.two(last)
+        return (
+            *(math.nan if k is None else self.level(k) for k in (one, again, two)),
+            *(half, self.one(half), found.d_over_b, found.twist_rad, found.slid_m),
+            *(last, stood.d_over_b, stood.twist_rad, stood.slid_m),
+        )
+
+
+def summary(table):
+    """Ratios of collapse and of d/b by model, under both components and in the repetition.
+
+    Parameters
+    ----------
+    table : DataFrame
+        COLUMNS.
+
+    Returns
+    -------
+    DataFrame
+        model, compared, curves, median, p10, p90, lowest, below_095 (share of curves): of
+        two_g/one_g, of again_g/one_g and, at half the planar collapse, of d_one/d_two.
+    """
+    rows = []
+    for model, part in table.groupby("model", sort=True):
+        ratios = {
+            "both components": part["two_g"] / part["one_g"],
+            "repetition": part["again_g"] / part["one_g"],
+            "d/b at half": part["d_one"] / part["d_two"],
+        }
+        for name, ratio in ratios.items():
+            ratio = ratio.dropna()
+            low, middle, high = np.percentile(ratio, [10, 50, 90]) if len(ratio) else 3 * [np.nan]
+            least = ratio.min() if len(ratio) else np.nan
+            rows.append((model, name, len(ratio), middle, low, high, least, (ratio < 0.95).mean()))
+    names = ["model", "compared", "curves", "median", "p10", "p90", "lowest", "below_095"]
+    return pd.DataFrame(rows, columns=names)

@@ -1,0 +1,53 @@
+"""Cases of the accuracy study by the independent adaptive solver, the judge of all others."""
+
+import json
+import os
+import time
+from concurrent.futures import ProcessPoolExecutor
+
+import pandas as pd
+from rocking.accuracy.study import JUDGE
+from rocking.reference.facade import judge
+from rocking.runtime.script import run
+
+
+def one(arguments):
+    """Row of one case, with its time."""
+    scene, motion, case, settings = arguments
+    began = time.perf_counter()
+    nodes, tolerance = settings["reference_nodes"], settings["reference_tolerance"]
+    peak, end = judge(
+        scene, motion, case["direction"], case["pga_g"], nodes=nodes, tolerance=tolerance
+    )
+    return {
+        **case,
+        "method": JUDGE,
+        "nodes": nodes,
+        "factor": 1.0,
+        "dt_s": None,
+        "dt_over_dt_crit": None,
+        "d_over_b": peak,
+        "status": "overturned" if peak >= 1.0 else "ok" if peak < 1.0 else "failed",
+        "steps": None,
+        "simulated_s": end,
+        "wall_s": time.perf_counter() - began,
+    }
+
+
+def main(job):
+    settings = job.params.accuracy
+    with open(job.input.plan) as handle:
+        plan = json.load(handle)
+    scenes = {}
+    for model, path in plan["scenes"].items():
+        with open(path) as handle:
+            scenes[model] = json.load(handle)
+    work = [(scenes[c["model"]], plan["motions"][c["record"]], c, settings) for c in plan["cases"]]
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"
+    with ProcessPoolExecutor(int(getattr(job, "threads", 1))) as pool:
+        rows = list(pool.map(one, work))
+    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.9g", lineterminator="\n")
+
+
+if __name__ == "__main__":
+    run(main, globals())

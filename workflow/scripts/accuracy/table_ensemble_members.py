@@ -1,0 +1,80 @@
+"""Members that a stable median needs, and the planar solver's median where they spread."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from rocking.collapse.ensemble import members_needed
+from rocking.reference.facade import ensemble_peaks
+from rocking.runtime.script import run
+
+TOLERANCE = 0.05  # half width of the interval about the median of d/b
+LEVELS = 2
+
+
+def compare(scenes, motions, table):
+    """Planar median by PGA: where the spread is widest and most members stand, at most LEVELS."""
+    stood = table.groupby("pga_g")["collapsed"].mean()
+    usable = table[table["pga_g"].isin(stood.index[stood < 0.3])]
+    spread = usable.groupby("pga_g")["d_over_b"].std().nlargest(LEVELS)
+    found = {}
+    for pga_g in spread.index:
+        mine = usable[usable["pga_g"] == pga_g]
+        row = mine.iloc[0]
+        values = ensemble_peaks(
+            scenes[row["model"]],
+            motions[row["record"]],
+            row["direction"],
+            float(pga_g),
+            mine["amplitude_factor"],
+        )
+        found[pga_g] = float(np.median(values))
+    return found
+
+
+def main(job):
+    motions = dict(zip(job.params.records, job.input.motions, strict=True))
+    scenes = {}
+    for path in job.input.scenes:
+        scene = json.loads(Path(path).read_text())
+        scenes[scene["model"]] = scene
+    rows = []
+    for path in job.input.ensembles:
+        table = pd.read_csv(path)
+        if table.empty:
+            continue
+        reference = compare(scenes, motions, table)
+        for pga_g, part in table.groupby("pga_g"):
+            values = part["d_over_b"].dropna().clip(upper=1.0)
+            first = part.iloc[0]
+            rows.append(
+                {
+                    "model": first["model"],
+                    "record": first["record"],
+                    "direction": first["direction"],
+                    "pga_g": pga_g,
+                    "members": len(values),
+                    "d_over_b_median": values.median(),
+                    "d_over_b_std": values.std(),
+                    "members_needed": members_needed(values, TOLERANCE, 1) if len(values) else None,
+                    "d_over_b_median_reference": reference.get(pga_g),
+                }
+            )
+    columns = [
+        "model",
+        "record",
+        "direction",
+        "pga_g",
+        "members",
+        "d_over_b_median",
+        "d_over_b_std",
+        "members_needed",
+        "d_over_b_median_reference",
+    ]
+    pd.DataFrame(rows, columns=columns).to_csv(
+        job.output[0], index=False, float_format="%.6g", lineterminator="\n"
+    )
+
+
+run(main, globals())

@@ -1,0 +1,28 @@
+"""The study's statements on boundary conditions beside what a run measured (tables/claims.csv)."""
+
+import json
+from pathlib import Path
+
+import pandas as pd
+from rocking.runtime.script import run
+from rocking.studies.claims import table
+from rocking.studies.pushover import summary
+
+
+def main(job):
+    facts = [json.loads(Path(path).read_text()) for path in job.input.facts]
+    pushed = {
+        Path(path).stem: summary(pd.read_csv(path)) for path in getattr(job.input, "pushover", [])
+    }
+    peaks = {model: found["lambda_peak"] for model, found in pushed.items()}
+    rule = json.loads(job.params.w3)["w3"]["header_joint"]
+    claims = table(
+        pd.read_csv(job.input.collapse),
+        peaks,
+        {f["name"]: f["source"] for f in facts},
+        {model: (found["ratio"], rule) for model, found in pushed.items()},
+    )
+    claims.to_csv(job.output[0], index=False, lineterminator="\n")
+
+
+run(main, globals())

@@ -1,0 +1,36 @@
+"""Where YADE begins a curve of the complete building, and its islands: from the reduction's scan.
+
+It begins inside the scan's first island of collapse and not at its edge, which the reduction
+places to a per cent or two only; of further islands it runs the middle, and that of the gap
+below each.
+"""
+
+import itertools
+import json
+from pathlib import Path
+
+import pandas as pd
+from rocking.collapse.probability import from_scan, islands
+from rocking.runtime.script import run
+
+from yade_scripts.studies.intensities import DIGITS
+
+
+def main(job):
+    scan, most = pd.read_csv(job.input.scan), job.params.most
+    table = from_scan(scan, job.params.spread)
+    found = islands(table["pga_g"].to_numpy(), table["probability"].to_numpy())
+    start = scan["pga_g"].max()
+    if found:
+        low, high = found[0]
+        start = min(0.5 * (low + high), low * (1.0 + job.params.step))
+    between = [
+        0.5 * (one + two)
+        for (_, b), (c, d) in itertools.islice(itertools.pairwise(found), most)
+        for one, two in ((b, c), (c, d))
+    ]
+    plan = {"start_g": round(float(start), DIGITS), "islands": [round(g, DIGITS) for g in between]}
+    Path(job.output[0]).write_text(json.dumps(plan, sort_keys=True) + "\n")
+
+
+run(main, globals())

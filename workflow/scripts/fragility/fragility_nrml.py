@@ -1,0 +1,25 @@
+"""Fragility of every model by one measure, as OpenQuake reads it (NRML 0.5)."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from rocking.risk.hazard import imt_of
+from rocking.risk.nrml import document
+from rocking.runtime.script import run
+from rocking.studies.fragility import Fragility
+
+
+def main(job):
+    w = job.wildcards
+    table = pd.read_csv(job.input.fragility)
+    table = table[(table["im"] == w.im) & np.isfinite(table["median"])]
+    fits = {row.model: Fragility(row.median, row.dispersion) for row in table.itertuples()}
+    name = f"rocking_facade_{w.run}_{w.im}"[:100]
+    words = f"Out-of-plane collapse of a rocking masonry facade, run {w.run}; taxonomy: its model"
+    imt = imt_of(w.im, job.params.period_s)
+    text = document(name.replace(".", "_"), words, imt, fits, discrete=w.form == "discrete")
+    Path(job.output[0]).write_text(text)
+
+
+run(main, globals())

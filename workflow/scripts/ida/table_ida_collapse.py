@@ -1,0 +1,38 @@
+"""Collapse intensities of every curve, and its collapse probability against PGA."""
+
+import pandas as pd
+from rocking.collapse import probability
+from rocking.collapse.ida import curve_key, read_curve
+from rocking.runtime.script import run
+
+
+def tables(paths):
+    """Tables by model, record and direction; empty ones are left out."""
+    found = [pd.read_csv(path) for path in paths]
+    return {curve_key(table): table for table in found if len(table)}
+
+
+def main(job):
+    scans, ensembles = tables(job.input.scans), tables(job.input.ensemble)
+    curves = {curve_key(curve): curve for curve in map(read_curve, job.input.ida)}
+    spread, none = job.params.spread, pd.DataFrame()
+    rows, parts = [], []
+    for key in map(tuple, job.params.curves):
+        scan, curve, members = scans.get(key), curves.get(key, none), ensembles.get(key, none)
+        named = dict(zip(probability.KEY, key, strict=True))
+        row = named | probability.summary(scan, curve, members, spread)
+        if scan is None and len(members):
+            table = probability.single_runs(probability.outcomes(curve, members), spread)
+        else:
+            table = probability.beside(scan, members, spread)
+        table = table.assign(**named).reindex(columns=probability.PROBABILITY_COLUMNS)
+        row["disagreements"] = int((table["agrees"] == 0).sum())
+        rows.append(row)
+        parts.append(table)
+    options = {"index": False, "float_format": "%.4f", "lineterminator": "\n"}
+    table = pd.DataFrame(rows, columns=probability.COLUMNS)
+    table.to_csv(job.output.collapse, **options)
+    pd.concat(parts).to_csv(job.output.probability, **options)
+
+
+run(main, globals())

@@ -1,0 +1,87 @@
+"""Models side by side: collapse intensities, cost, ratios to the reference, and the losses."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from rocking.collapse import probability
+from rocking.collapse.ida import curve_key, read_curve
+from rocking.runtime.script import run
+from rocking.studies import premises
+
+from yade_scripts.model.registry import MODELS
+
+SIDE = [f"pga_{name}_g" for name in premises.SIDE]
+RATIOS = [f"ratio_{name}" for name in premises.SIDE]
+COLUMNS = ["model", "record", "source", "direction", "method", "runs", "cpu_s", *SIDE]
+COLUMNS += ["reference", *RATIOS, "side"]
+OPTIONS = {"index": False, "float_format": "%.4f", "lineterminator": "\n"}
+
+
+def cpu_s(folder, rule, key):
+    """Processor time of a curve's job; blank where results came from another place."""
+    measured = Path(folder, f"{rule}_{'_'.join(key)}.tsv")
+    if not measured.is_file():
+        return np.nan
+    return pd.to_numeric(pd.read_csv(measured, sep="\t")["cpu_time"], errors="coerce").iloc[0]
+
+
+def curves(job, records):
+    """Key, method, runs, cost, intensities and probability of every curve of these records."""
+    spread, folder = job.params.spread, job.params.benchmarks
+    for path in job.input.scans:
+        scan = pd.read_csv(path)
+        key = curve_key(scan)
+        found = probability.summary(scan, scan, (), spread)
+        dense = probability.from_scan(scan, spread)
+        found["pga_mean_g"] = premises.standing(dense["pga_g"], dense["probability"])
+        yield key, "planar", len(scan), cpu_s(folder, "screen", key), found, dense
+    for path in job.input.bricks:
+        curve = read_curve(path)
+        key = curve_key(curve)
+        found = probability.summary(None, curve, (), spread)
+        dense = probability.from_scan(curve, spread)
+        found["pga_mean_g"] = premises.standing(dense["pga_g"], dense["probability"])
+        yield key, "YADE", len(curve), cpu_s(folder, "ida", key), found, dense
+    for path in job.input.others:
+        whole = pd.read_csv(path)
+        missing = {*probability.KEY, "pga_g", "probability", "members"} - set(whole.columns)
+        if missing:
+            raise ValueError(f"{path}: missing column(s) {', '.join(sorted(missing))}")
+        measured = Path(path).parent.parent / "benchmarks"
+        for key, table in whole[whole["record"].isin(records)].groupby(probability.KEY):
+            found, cost = premises.given(table), cpu_s(measured, "complete_scan", key)
+            yield key, "given", found["runs"], cost, found, table
+
+
+def main(job):
+    facts = [json.loads(Path(path).read_text()) for path in job.input.facts]
+    source = {fact["name"]: fact["source"] for fact in facts}
+    rows, parts = [], []
+    for key, method, runs, cost, found, dense in curves(job, source):
+        named = dict(zip(probability.KEY, key, strict=True))
+        own = {name: found[name] for name in SIDE}
+        how = {"method": method, "runs": runs, "cpu_s": cost}
+        rows.append({**named, "source": source[named["record"]], **how, **own})
+        columns = [c for c in probability.PROBABILITY_COLUMNS if c in dense or c in named]
+        parts.append(dense.assign(**named)[columns])
+    table = pd.DataFrame(rows)
+    beside = premises.beside(table, job.params.reference)
+    beside[COLUMNS].to_csv(job.output.table, **OPTIONS)
+    dense = pd.concat(parts).reindex(columns=probability.PROBABILITY_COLUMNS)
+    dense.to_csv(job.output.probability, **OPTIONS)
+    premises.losses(table).to_csv(job.output.losses, **OPTIONS)
+    # every driven model over its own massive twin, then every model over the reference
+    pairs = []
+    for model in table["model"].unique():
+        kind = MODELS.get(model)
+        if kind is not None and kind.massive and kind.driven in set(table["model"]):
+            pairs.append(premises.beside(table, model).query("model == @kind.driven"))
+    pairs.append(beside[beside["model"] != job.params.reference])
+    whole = pd.concat(pairs).drop_duplicates(["model", "reference", *premises.KEY])
+    ratios = premises.spread_of(whole, RATIOS, ["model", "reference"])
+    ratios.to_csv(job.output.ratios, **OPTIONS)
+
+
+run(main, globals())

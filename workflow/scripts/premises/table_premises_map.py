@@ -1,0 +1,24 @@
+"""Error of the driven model before many buildings: ratios driven over two-way, all records."""
+
+import pandas as pd
+from rocking.runtime.script import run
+from rocking.studies.premises import spread_of
+
+KEY = ["record", "direction", "period_s", "damping_ratio"]
+MEASURES = ("collapse", "median", "all")
+
+
+def main(job):
+    table = pd.concat([pd.read_csv(path) for path in job.input.curves])
+    driven = table[table["mass_ratio"] == 0.0].set_index(KEY)
+    pushed = table[table["mass_ratio"] > 0.0].set_index(KEY)
+    for name in MEASURES:
+        column = f"pga_{name}_g"
+        pushed[f"ratio_{name}"] = driven[column].reindex(pushed.index) / pushed[column]
+    by = ["damping_ratio", "period_s", "mass_ratio"]
+    columns = [f"ratio_{name}" for name in MEASURES]
+    found = spread_of(pushed.reset_index().sort_values(by), columns, by)
+    found.to_csv(job.output[0], index=False, float_format="%.4f", lineterminator="\n")
+
+
+run(main, globals())

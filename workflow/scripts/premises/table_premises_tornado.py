@@ -1,0 +1,30 @@
+"""What every premise of a driven model is worth: collapse with it over collapse as configured."""
+
+import pandas as pd
+from rocking.runtime.script import run
+from rocking.studies import premises
+
+KEY = ["record", "direction"]
+WHAT = ["model", *KEY, "premise", "level"]
+MEASURES = ("collapse", "median")
+RUNS = "runs"
+
+
+def main(job):
+    table = pd.concat([pd.read_csv(path) for path in job.input.curves])
+    table = table.rename(columns={"runs_planar": RUNS})
+    base = table[table["premise"] == premises.BASE].set_index(KEY)
+    table = table.set_index(KEY)
+    for name in MEASURES:
+        column = f"pga_{name}_g"
+        table[f"ratio_{name}"] = table[column] / base[column].reindex(table.index)
+    middle = base["pga_median_g"].reindex(table.index)
+    table["ratio_p10"] = table["pga_p10_g"] / middle
+    table["ratio_p90"] = table["pga_p90_g"] / middle
+    columns = [*WHAT, *premises.CAPACITY, *(f"ratio_{m}" for m in (*MEASURES, "p10", "p90")), RUNS]
+    table.reset_index()[columns].to_csv(
+        job.output[0], index=False, float_format="%.4f", lineterminator="\n"
+    )
+
+
+run(main, globals())

@@ -1,0 +1,29 @@
+"""Static capacities by model, and of W3 by variant, beside the closed forms."""
+
+import json
+from pathlib import Path
+
+import pandas as pd
+from rocking.runtime.script import run
+from rocking.studies.pushover import complete_curve, friction_moment_ratio, joint_forces, summary
+
+from yade_scripts.model import registry
+
+
+def main(job):
+    rows = []
+    for path in job.input.curves:
+        model = Path(path).stem
+        rows.append(
+            {"case": model, **summary(pd.read_csv(path), bonded=registry.model(model).bonded)}
+        )
+    for scene, raw, forces in zip(job.input.scenes, job.input.raw, job.input.forces, strict=True):
+        config = json.loads(Path(scene).read_text())
+        row = summary(complete_curve(pd.read_csv(raw), config, "W3"))
+        ratio = friction_moment_ratio(joint_forces(pd.read_csv(forces), config))
+        part = ratio[(ratio.index > 0.02) & (ratio.index < 0.1)]
+        rows.append({"case": f"W3 {Path(scene).stem}", **row, "friction_moment_ratio": part.mean()})
+    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+
+
+run(main, globals())

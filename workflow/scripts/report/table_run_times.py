@@ -1,0 +1,45 @@
+"""Run times of every analysis: Snakemake's benchmark of the job beside YADE's own time in it."""
+
+from pathlib import Path
+
+import pandas as pd
+from rocking.collapse.ida import read_curve
+from rocking.runtime.script import run
+
+COLUMNS = [
+    "model",
+    "record",
+    "direction",
+    "runs",
+    "steps",
+    "wall_runs_s",
+    "wall_s",
+    "cpu_s",
+    "max_rss_mb",
+]
+
+
+def main(job):
+    folder = Path(job.params.benchmarks)
+    rows = []
+    for path in job.input.ida:
+        curve = read_curve(path)
+        model, record, direction = (curve[k][0] for k in ("model", "record", "direction"))
+        row = [
+            model,
+            record,
+            direction,
+            len(curve),
+            int(curve["steps"].sum()),
+            curve["wall_s"].sum(),
+        ]
+        measured = folder / f"ida_{model}_{record}_{direction}.tsv"
+        if measured.is_file():  # absent where results were copied from another place
+            times = pd.read_csv(measured, sep="\t").iloc[0]
+            row += [times["s"], times["cpu_time"], times["max_rss"]]
+        rows.append(row + [None] * (len(COLUMNS) - len(row)))
+    table = pd.DataFrame(rows, columns=COLUMNS)
+    table.to_csv(job.output[0], index=False, float_format="%.4g", lineterminator="\n")
+
+
+run(main, globals())

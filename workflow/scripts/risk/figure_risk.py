@@ -1,0 +1,73 @@
+"""Hazard curve above the fragility curves, and at which intensities the façade falls."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from rocking.figures import style
+from rocking.records.intensity_measures import MEASURES
+from rocking.risk.hazard import read_hazard
+from rocking.runtime.script import run
+
+from yade_scripts.model.registry import MODELS
+
+LINES = ("-", "--", ":", "-.")
+
+
+def main(job):
+    risk = job.params.risk
+    hazard = read_hazard(str(job.input.hazard), job.params.period_s, risk["site"])
+    table = pd.read_csv(job.input.table)
+    parts = pd.read_csv(job.input.deaggregation)
+    curves = pd.read_csv(job.input.curves)
+    curves = curves[curves["im"] == hazard.measure]
+    measure = MEASURES[hazard.measure]
+    figure, axes = plt.subplots(
+        3, 1, figsize=(5.2, 6.0), sharex=True, height_ratios=(1.0, 1.0, 1.2)
+    )
+    axes[0].loglog(hazard.intensity, hazard.annual_rate, color="k", marker=".", ms=3)
+    axes[0].set_ylabel("rate of exceedance\n[1/year]")
+    low, high = hazard.intensity[[0, -1]]
+    models = list(dict.fromkeys(parts["model"]))
+    for i, model in enumerate(models):
+        colour = MODELS[model].colour
+        row = table[table["model"] == model].iloc[0]
+        curve = curves[curves["model"] == model]
+        x = curve["intensity"]
+        axes[1].fill_between(
+            x, curve["band_low"], curve["band_high"], alpha=0.18, lw=0, color=colour
+        )
+        axes[1].plot(x, curve["probability"], ls=LINES[i % len(LINES)], color=colour)
+        part = parts[parts["model"] == model].iloc[1:-1]  # the table's own intensities
+        beside = (i - 0.5 * (len(models) - 1)) * 0.5 / len(models)
+        ratio = (part["intensity_high"] / part["intensity_low"]) ** (0.5 + beside)
+        error = np.abs(part[["share_low", "share_high"]].to_numpy().T - part["share"].to_numpy())
+        axes[2].errorbar(
+            part["intensity_low"] * ratio,
+            part["share"],
+            error,
+            ls="",
+            marker=MODELS[model].marker,
+            ms=4,
+            capsize=2,
+            color=colour,
+            label=f"{model}: {row['annual_rate']:.2g} a year"
+            f" ({row['rate_low']:.2g} to {row['rate_high']:.2g}),"
+            f" {100 * row['probability']:.2g} % in {risk['years']:g} years",
+        )
+    axes[1].set(ylabel="probability\nof collapse [-]", ylim=(0, 1))
+    axes[2].set(ylabel="share of the rate\nof collapse [-]", xlabel=measure.label, xlim=(low, high))
+    axes[2].set_ylim(bottom=0)
+    axes[2].xaxis.set_major_formatter(lambda v, _: f"{v:g}")
+    if models:
+        figure.legend(loc="outside lower center", fontsize=8)
+    records = int(table["n_records"].max())
+    figure.suptitle(
+        f"{records} records, {100 * job.params.confidence:g} % intervals;"
+        f" hazard: {Path(str(job.input.hazard)).name}"
+    )
+    style.save(figure, job.output, job.input.facts)
+
+
+run(main, globals())

@@ -1,0 +1,78 @@
+"""What the law of β changes in an IDA: curves and collapse intensities."""
+
+import csv
+import json
+
+import matplotlib.pyplot as plt
+import numpy as np
+from rocking.collapse.ida import branches, read_curve
+from rocking.figures import style
+from rocking.runtime.script import run
+
+COLOURS = {"eq5": "#0072B2", "fitted": "#D55E00"}
+NAMES = {"eq5": "eq. 5", "fitted": "fitted law"}
+COLUMNS = ("model", "record", "direction", "law", "beta_s", "pga_safe_g", "pga_collapse_g")
+
+
+def main(job):
+    rows, curves = [], {}
+    with open(job.input.facts) as handle:
+        record = style.provenance(json.load(handle))
+    for scene_path, path in zip(job.input.scenes, job.input.ida, strict=True):
+        with open(scene_path) as handle:
+            scene = json.load(handle)
+        curve = read_curve(path)
+        stood, fell = branches(curve)
+        collapse = fell["pga_g"].min() if len(fell) else np.nan
+        below = stood[~(stood["pga_g"] >= collapse)]
+        key = scene["model"], curve["direction"].iloc[0]
+        law = scene["damping"]["law"]
+        rows.append(
+            {
+                "model": key[0],
+                "record": curve["record"].iloc[0],
+                "direction": key[1],
+                "law": law,
+                "beta_s": f"{scene['beta_s']:.6g}",
+                "pga_safe_g": f"{below['pga_g'].max():.4f}" if len(below) else "",
+                "pga_collapse_g": f"{collapse:.4f}" if np.isfinite(collapse) else "",
+            }
+        )
+        curves.setdefault(key, []).append((law, scene["beta_s"], stood, fell, collapse))
+    with open(job.output.table, "w", newline="") as handle:
+        writer = csv.DictWriter(handle, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    models = list(dict.fromkeys(m for m, _ in curves))
+    directions = list(dict.fromkeys(d for _, d in curves))
+    figure, axes = plt.subplots(
+        len(models), len(directions), figsize=(7.0, 2.5 * len(models)), squeeze=False
+    )
+    for i, model in enumerate(models):
+        for j, direction in enumerate(directions):
+            axis = axes[i, j]
+            for law, beta, stood, fell, collapse in curves[model, direction]:
+                below = stood[~(stood["pga_g"] >= collapse)].sort_values("pga_g")
+                colour = COLOURS[law]
+                wide = {"lw": 3.0, "ms": 6.0, "alpha": 0.5} if law == "eq5" else {}
+                axis.plot(
+                    [0, *below["d_over_b"]],
+                    [0, *below["pga_g"]],
+                    "o-",
+                    c=colour,
+                    **wide,
+                    label=f"{NAMES[law]}, β = {1e3 * beta:.2f} ms",
+                )
+                above = stood[stood["pga_g"] >= collapse]
+                axis.plot(above["d_over_b"], above["pga_g"], "o", c=colour)
+                axis.plot(
+                    fell["d_over_b"], fell["pga_g"], "o", c=colour, mfc="white", clip_on=False
+                )
+            sign = {"pos": "+", "neg": "−"}[direction]
+            axis.set_title(f"{model}, {record} {sign}", loc="left")
+            axis.set(xlabel="d/b [–]", ylabel="PGA [g]", xlim=(0, 1.02), ylim=(0, None))
+    axes[0, 0].legend()
+    style.save(figure, (job.output.png, job.output.pdf), job.input.facts)
+
+
+run(main, globals())

@@ -1,0 +1,68 @@
+"""Collapse of one recorded motion and of surrogates made for it, by the same scan.
+
+Of a record without a file there are surrogates alone, by its parameters.
+"""
+
+import itertools
+import json
+import sys
+from pathlib import Path
+
+import pandas as pd
+from rocking.collapse.scan import Screen
+from rocking.records import RecordError, load, measures, read_csv
+from rocking.records.floors import floor_columns
+from rocking.records.pulses import pulse_spec
+from rocking.records.surrogate import generate
+from rocking.runtime.script import run
+from rocking.studies.surrogate_trust import COLUMNS, outcome
+
+
+def surrogate(record, pulses, seed):
+    """Surrogate of a record with its peaks and so many of its pulses, or the most below that."""
+    peaks = measures(record)
+    target = [peaks[name] for name in ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")]
+    for count in range(pulses, -1, -1):
+        spec = pulse_spec(record, count) if count else None
+        try:
+            return generate(record.name, *target, spec=spec, seed=seed), count
+        except RecordError as error:
+            print(f"{count} pulses: {error}", file=sys.stderr)
+    return None, 0
+
+
+def motions(record, p):
+    """Kind, pulses, pulses kept, draw and motion of all that is compared."""
+    draws = range(p.surrogates["draws"])
+    if record.source == "surrogate":
+        for draw in draws:
+            yield "surrogate", None, None, draw, load(record.name, p.table, seed=p.seed + draw)
+        return
+    yield "recorded", None, None, 0, record
+    for pulses, draw in itertools.product(p.surrogates["pulses"], draws):
+        made, kept = surrogate(record, pulses, p.seed + draw)
+        if made is not None:
+            yield "surrogate", pulses, kept, draw, made
+
+
+def main(job):
+    p = job.params
+    record = read_csv(job.input.record)
+    scenes = [json.loads(Path(path).read_text()) for path in job.input.scenes]
+    rows = []
+    for *what, motion in motions(record, p):
+        floors = floor_columns(motion, p.smdof)
+        for scene in scenes:
+            ratio = p.surrogates["level_ratio"]
+            for direction in p.directions:
+                screen = Screen(scene, *floors, direction)
+                found = outcome(screen.climb({**scene["ida"], "level_ratio": ratio}), ratio)
+                own = (record.name, p.station, scene["model"], direction, *what)
+                rows.append(dict(zip(COLUMNS, own, strict=False)) | found)
+    table = pd.DataFrame(rows, columns=COLUMNS)
+    for name in ("pulses", "pulses_kept"):
+        table[name] = table[name].astype("Int64")
+    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+
+
+run(main, globals())

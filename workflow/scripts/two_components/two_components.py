@@ -1,0 +1,29 @@
+"""Collapse of one record's curves under one and under both horizontal components."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from rocking.runtime.script import run
+from rocking.studies.two_components import COLUMNS, Curve
+
+from yade_scripts.model import floor_motions, models
+
+
+def main(job):
+    p, rows = job.params, []
+    first, second = (floor_motions.read(path) for path in (job.input.motion, job.input.second))
+    ratio = np.abs(second[1]["ground"]).max() / np.abs(first[1]["ground"]).max()
+    time_s, columns = models.with_second(*first, *second)
+    for path in job.input.scenes:
+        scene = json.loads(Path(path).read_text())
+        for direction in p.directions:
+            found = Curve(scene, time_s, columns, direction, p.settings).compare()
+            own = (scene["model"], job.wildcards.record, p.second, direction, ratio)
+            rows.append((*own, *found))
+    table = pd.DataFrame(rows, columns=COLUMNS)
+    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+
+
+run(main, globals())

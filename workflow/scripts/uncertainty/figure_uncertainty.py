@@ -1,0 +1,76 @@
+"""Parts of the scatter of collapse, what each parameter moves, and fragility with its parts."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from rocking.figures import style
+from rocking.runtime.script import run
+from rocking.studies.fragility import Fragility
+
+from yade_scripts.model.registry import MODELS
+
+WORDS = {
+    "e_mpa": "E",
+    "friction": "friction",
+    "beta_s": "β",
+    "density_kg_m3": "density",
+    "thickness_m": "thickness",
+    "period_s": "T1",
+    "damping_ratio": "damping",
+    "length_m": "length L",
+}
+LINES = ("-", "--", "-.", ":")
+
+
+def spans(axis, place, best, low, high, scale=100.0, **look):
+    """Symbols with intervals along x."""
+    ends = scale * np.abs([best - low, high - best])
+    axis.errorbar(scale * best, place, xerr=ends, ls="", capsize=2, lw=0.9, ms=4, **look)
+
+
+def main(job):
+    found, slopes, curves = (
+        pd.read_csv(path) for path in (job.input.parts, job.input.sensitivity, job.input.fragility)
+    )
+    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(10.5, 3.8), layout="constrained")
+    parts = found[found["part"] != "total"][::-1]
+    place = np.arange(len(parts))
+    spans(left, place, *(parts[f"share{e}"] for e in ("", "_low", "_high")), marker="o", color="k")
+    labels = [f"{p} ({b:.2f})" for p, b in zip(parts["part"], parts["beta"], strict=True)]
+    left.set_yticks(place, [label.replace(" x ", " × ") for label in labels], fontsize=7)
+    left.set(xlabel="share of the variance of ln PGA [%]", xlim=(0, None))
+    left.set_title("parts (their dispersion)", loc="left", fontsize=8)
+
+    own = slopes[slopes["model"] != "all"]
+    names = list(dict.fromkeys(own["parameter"]))
+    everything = slopes[slopes["model"] == "all"].set_index("parameter")["slope"].abs()
+    names.sort(key=lambda name: everything[name])
+    models = list(dict.fromkeys(own["model"]))
+    for k, model in enumerate(models):
+        part = own[own["model"] == model].set_index("parameter").loc[names]
+        y = np.arange(len(names)) + 0.22 * ((len(models) - 1) / 2.0 - k)
+        kind = MODELS[model]
+        look = {"marker": kind.marker, "color": kind.colour, "label": model}
+        spans(middle, y, *(np.expm1(part[f"slope{e}"]) for e in ("", "_low", "_high")), **look)
+    middle.axvline(0.0, color=style.GREY, lw=0.8, zorder=0)
+    middle.set_yticks(np.arange(len(names)), [WORDS[name] for name in names])
+    middle.set(xlabel="change of collapse PGA for one\nstandard deviation [%]")
+    middle.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(models), fontsize=7)
+
+    median, widest = curves["median_g"].iloc[0], curves["dispersion"].max()
+    x = median * np.exp(np.linspace(-2.5, 2.5, 121) * widest)
+    for k, row in enumerate(curves.itertuples()):
+        label = f"{row.curve} ({row.dispersion:.2f})"
+        curve = Fragility(row.median_g, row.dispersion).probability(x)
+        right.plot(x, curve, ls=LINES[k], color=("0.6", "#0072B2", "k", "#D55E00")[k], label=label)
+    right.set(xlabel="PGA [g]", ylabel="probability of collapse [-]", ylim=(0, 1), xlim=(0, x[-1]))
+    right.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, fontsize=7)
+    first = found.iloc[0]
+    figure.suptitle(
+        f"{first['n_motions']:.0f} motions, {first['n_samples']:.0f} points of the sample, "
+        f"{first['n_models']:.0f} forms of the model"
+    )
+    style.save(figure, job.output, job.input.facts)
+
+
+run(main, globals())

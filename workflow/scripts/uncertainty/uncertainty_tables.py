@@ -1,0 +1,62 @@
+"""Parts of the scatter of collapse, sensitivities, and fragility with and without them."""
+
+import json
+
+import numpy as np
+import pandas as pd
+from rocking.runtime.script import run
+from rocking.studies import fragility
+from rocking.uncertainty import parts, sampling
+
+FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
+NARROW = 1e-3  # half width of the bracket of a collapse that is known, over it
+
+
+def curves(table, found):
+    """Median and dispersion: of all cells by likelihood, of the parts one after the other."""
+    mine = table[(table["replicate"] == 0) & (table["sample"] > 0)]
+    c, limit = mine["pga_median_g"].to_numpy(), mine["pga_max_g"].to_numpy()
+    known = np.isfinite(c)
+    low = np.where(known, (1.0 - NARROW) * c, limit)
+    fit = fragility.fit(low, np.where(known, (1.0 + NARROW) * c, np.inf))
+    beta = found.set_index("part")["beta"]
+    with_material = np.hypot(beta["motion"], beta["material"])
+    rows = [
+        ("motion", fit.median, beta["motion"]),
+        ("motion and material", fit.median, with_material),
+        ("all parts", fit.median, beta["total"]),
+        ("all cells, by likelihood", fit.median, fit.dispersion),
+    ]
+    out = pd.DataFrame(rows, columns=["curve", "median_g", "dispersion"])
+    return out.assign(n=len(mine), n_censored=int((~known).sum()))
+
+
+def main(job):
+    settings = json.loads(job.params.settings)
+    table = pd.concat([pd.read_csv(path) for path in job.input.tables], ignore_index=True)
+    sampling.factors(settings).to_csv(job.output.samples, index_label="sample", float_format="%.6g")
+    y, records, names = parts.cube(table)
+    if len(records) < 3:
+        raise ValueError(
+            f"uncertainty: {len(records)} motions under which every cell collapses; expected 3 or "
+            "more: raise ida.max_pga_g or uncertainty.motions"
+        )
+    confidence = settings["confidence"]
+    found = parts.table_of_parts(y, parts.numerical_variance(table), confidence)
+    size = {"n_motions": y.shape[0], "n_samples": y.shape[1], "n_models": y.shape[2]}
+    found.assign(**size).to_csv(job.output.parts, **FORMAT)
+    scores, rows = sampling.scores(settings), settings["parameters"]
+    answers = {"all": y.mean(axis=2)} | {name: y[:, :, k] for k, name in enumerate(names)}
+    tables = []
+    for name, answer in answers.items():
+        one = parts.sensitivities(scores, answer, confidence)
+        one.insert(0, "model", name)
+        one.insert(1, "parameter", [row["parameter"] for row in rows])
+        for key in ("distribution", "spread", "source"):
+            one[key] = [row[key] for row in rows]
+        tables.append(one)
+    pd.concat(tables).to_csv(job.output.sensitivity, **FORMAT)
+    curves(table, found).to_csv(job.output.fragility, **FORMAT)
+
+
+run(main, globals())

@@ -1,0 +1,62 @@
+"""Collapse PGA with vertical motion over that without, as distribution and by its size."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from rocking.figures import style
+from rocking.runtime.script import run
+from rocking.studies.vertical import ratios
+
+from yade_scripts.model.registry import MODELS
+
+LINES = ("-", "--", "-.", ":")
+SMALL = {"color": style.GREY, "lw": 0.9}
+LEAST = 1.4  # the axes of ratios reach so far to both sides of one, or to the last ratio
+TICKS = (0.1, 0.2, 0.3, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.4, 1.7, 2.0, 3.0, 5.0, 10.0)
+
+
+def main(job):
+    table = pd.read_csv(job.input.table)
+    found = ratios(table)
+    found = found[found["measure"] == "median"]
+    reach = max(LEAST, 1.03 * float(np.exp(np.log(found["ratio"]).abs().max())))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(7.0, 3.4), layout="constrained")
+    for i, model in enumerate(dict.fromkeys(found["model"])):
+        kind, ls = MODELS[model], LINES[i % len(LINES)]
+        of_model = found[found["model"] == model]
+        for share, look, label in (
+            ("hundredth", SMALL, f"{model}, a hundredth of it"),
+            ("whole", {"color": kind.colour}, model),
+        ):
+            part = of_model[of_model["vertical"] == share].dropna(subset="ratio")
+            ratio = np.sort(part["ratio"])
+            shares = (np.arange(len(ratio)) + 0.5) / len(ratio)
+            left.plot(ratio, shares, ls=ls, drawstyle="steps-mid", label=label, **look)
+        right.plot(
+            part["vertical_over_horizontal"],
+            part["ratio"],
+            ls="",
+            marker=kind.marker,
+            ms=4,
+            mfc="none" if i % 2 else kind.colour,
+            color=kind.colour,
+            label=model,
+        )
+    left.axvline(1.0, color=style.GREY, lw=0.8, zorder=0)
+    right.axhline(1.0, color=style.GREY, lw=0.8, zorder=0)
+    label = "collapse PGA, with over without vertical motion [-]"
+    left.set(ylim=(0, 1), ylabel="share of curves [-]")
+    right.set(xlabel="PGA, vertical over horizontal [-]")
+    ticks = [t for t in TICKS if 1.0 / reach < t < reach]
+    for axis, name in ((left, "x"), (right, "y")):
+        axis.set(**{f"{name}scale": "log", f"{name}lim": (1.0 / reach, reach)})
+        axis.minorticks_off()
+        axis.set(**{f"{name}ticks": ticks, f"{name}ticklabels": [f"{t:g}" for t in ticks]})
+        axis.set(**{f"{name}label": label})
+    left.legend(loc="upper left", fontsize=7)
+    right.legend(loc="upper right", fontsize=7)
+    figure.suptitle(f"{table['record'].nunique()} components with their vertical motions")
+    style.save(figure, job.output, job.input.facts)
+
+
+run(main, globals())
