@@ -2,11 +2,13 @@
 
 import numpy as np
 import pytest
-from rocking.assessment.collapse import _levels, collapse_pga, floor_columns
+from rocking.assessment.collapse import collapse_pga
+from rocking.collapse import search
 from rocking.collapse.probability import first_crossing, from_scan
 from rocking.collapse.scan import Screen
 from rocking.configuration import config
 from rocking.records import Record
+from rocking.records.floors import floor_columns
 
 SETTINGS = {"level_ratio": 0.02, "beyond": 1.35, "max_pga_g": 3.0, "members": 7}
 
@@ -47,8 +49,8 @@ def test_a_façade_that_stands_has_no_crossing():
 
 
 def test_levels_end_where_they_are_told_to():
-    levels = _levels(0.1, 0.5, 1.3)
+    levels = search.rising(0.1, 0.5, 1.3)
     assert levels[0] == 0.1
     assert levels[-1] == 0.5
     assert np.all(np.diff(levels) > 0.0)
-    assert _levels(0.5, 0.1, 1.3).size == 0
+    assert search.rising(0.5, 0.1, 1.3).size == 0

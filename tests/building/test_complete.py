@@ -16,7 +16,7 @@ from yade_scripts.model.building.complete import apart, behind, with_rigid_floor
 from yade_scripts.model.building.contacts import Joints
 from yade_scripts.model.building.plan import Floor, Opening, Plan, PlanError, Wall
 from yade_scripts.model.scene import from_dict, to_json
-from yade_scripts.studies.climb import next_level
+from yade_scripts.studies.search import next_level
 
 BETA_S = 5e-4
 HEIGHT_M, THICKNESS_M = 1.44, 0.12

@@ -6,7 +6,7 @@ import pytest
 from rocking.collapse import ensemble
 from yade_process import resolved
 
-from yade_scripts.studies import perturb
+from yade_scripts.studies import perturb, search
 
 SETTINGS = resolved()["ensemble"]
 NUMERICS = resolved()["numerics"]
@@ -81,7 +81,7 @@ def test_sensitivity_is_measured_from_half_the_collapse_intensity():
 def searched(falls, done, **more):
     """Outcomes once the search for the band has ended, and how many runs it took."""
     settings, found = {**SETTINGS, **more}, dict(done)
-    while (g := perturb.next_amplitude(found, settings, resolved()["ida"])) is not None:
+    while (g := search.next_amplitude(found, settings, resolved()["ida"])) is not None:
         assert g not in found
         found[g] = "overturned" if falls(g) else "ok"
     return found, len(found) - len(done)
@@ -113,7 +113,7 @@ def test_search_finds_the_gap_above_an_island_and_leaves_failures():
     assert np.flatnonzero(np.diff(outcome)).size == 3
     for edge in (0.30, 0.33, 0.36):
         assert min(g for g in found if g >= edge) / max(g for g in found if g <= edge) < 1.0055
-    assert perturb.next_amplitude({0.3: "ok"}, SETTINGS, resolved()["ida"]) is None
+    assert search.next_amplitude({0.3: "ok"}, SETTINGS, resolved()["ida"]) is None
     done = {0.3: "ok", 0.3119: "overturned", **dict.fromkeys((0.3059,), "failed")}
     assert all(g > 0.3119 for g in set(searched(lambda g: True, done)[0]) - set(done))
 

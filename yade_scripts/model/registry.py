@@ -61,6 +61,16 @@ class Model:
         return self.walls != "none"
 
     @property
+    def climb_from(self):
+        """Share of b/h from which a short climb looks for a first collapse."""
+        return 0.5 if self.chain else 0.7
+
+    @property
+    def climb_ratio(self):
+        """From one amplitude of a short climb to the next: floors make narrower islands."""
+        return 1.03 if self.chain else 1.12
+
+    @property
     def driven(self):
         """Name of the model with the same walls and joint, but driven whatever the façade does."""
         same = (m for m in MODELS.values() if (m.walls, m.bonded) == (self.walls, self.bonded))

@@ -5,7 +5,7 @@
         --journal cache/complete/CB_RRS228_neg.jsonl --output ida/CB/RRS228_neg.csv
 
 A run takes a minute where a planar one takes a millisecond, so the curve begins where the same
-façade before the building's masses first collapses: see `climb`.
+façade before the building's masses first collapses: see `search.next_level`.
 """
 
 import math
@@ -14,9 +14,9 @@ from yade_scripts.engine import adapter, memory
 from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model.scene import from_dict
 from yade_scripts.studies import command
-from yade_scripts.studies.climb import next_level
 from yade_scripts.studies.ida import COLUMNS, curve
 from yade_scripts.studies.journal import Journal
+from yade_scripts.studies.search import next_level, one_by_one
 from yade_scripts.studies.tables import to_csv
 
 
@@ -41,7 +41,7 @@ def main(arguments=None):
         time_s,
         {"ground": columns["ground"]},  # a building takes no other motion
         (job["model"], args.record, args.direction),
-        lambda done: next_level(done, job["complete"], start_g, plan["islands"]),
+        one_by_one(lambda done: next_level(done, job["complete"], start_g, plan["islands"])),
         __file__,
         Journal(args.journal),
         command.speaker(job, args),

@@ -25,7 +25,7 @@ from yade_scripts.model.scene import from_dict
 from yade_scripts.studies import command, shaking
 from yade_scripts.studies.ensemble import read_curve
 from yade_scripts.studies.frames import Camera
-from yade_scripts.studies.intensities import fallen_or_highest
+from yade_scripts.studies.search import fallen_or_highest
 from yade_scripts.studies.tables import history_csv
 
 COLUMNS = ("time_s", "d_over_b", "top_m", "ends_m", "facade_m", "broken")

@@ -13,7 +13,7 @@ from yade_scripts.model import models
 from yade_scripts.model.motion import amplitude
 from yade_scripts.studies import command, shaking
 from yade_scripts.studies.ensemble import read_curve
-from yade_scripts.studies.intensities import DIGITS, fallen_or_highest
+from yade_scripts.studies.search import DIGITS, fallen_or_highest
 from yade_scripts.studies.tables import HEAD, history_csv
 
 

@@ -21,6 +21,7 @@ from yade_scripts.model.scene import to_json
 from yade_scripts.sources import digest
 from yade_scripts.studies import command, perturb, shaking
 from yade_scripts.studies.journal import Journal, run_key
+from yade_scripts.studies.search import drive, next_amplitude, one_by_one
 from yade_scripts.studies.tables import RUN_COLUMNS, run_row, to_csv
 
 COLUMNS = {
@@ -178,12 +179,18 @@ def analyse(runner, status, d_over_b, plan=None):
 
 def search_band(runner, status, settings, ida):
     """Rows of single members, each at an amplitude of its own, until the collapse band is known."""
-    rows, outcomes = [], dict(status)
-    for member in perturb.draw_members({**settings, "members": settings["max_runs"]}):
-        if (g := perturb.next_amplitude(outcomes, settings, ida)) is None:
-            break
-        rows.append(runner.run(g, replace(member, amplitude_factor=1.0)))
-        outcomes[g] = rows[-1]["status"]
+    rows: list[dict] = []
+    members = iter(perturb.draw_members({**settings, "members": settings["max_runs"]}))
+
+    def following(done):
+        return next_amplitude(done, settings, ida) if len(rows) < settings["max_runs"] else None
+
+    def run(ask):
+        (g,) = ask.pga_g
+        rows.append(runner.run(g, replace(next(members), amplitude_factor=1.0)))
+        return [rows[-1]["status"]]
+
+    drive(one_by_one(following, status), run)
     runner.say(f"{len(rows)} members at amplitudes of their own")
     return rows
 

@@ -20,7 +20,7 @@ from yade_scripts.model import models
 from yade_scripts.model.motion import amplitude
 from yade_scripts.studies import command, shaking
 from yade_scripts.studies.ensemble import read_curve
-from yade_scripts.studies.intensities import collapse_bounds
+from yade_scripts.studies.search import collapse_bounds
 
 
 def collapse_intensity(path):

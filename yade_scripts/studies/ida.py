@@ -14,23 +14,23 @@ from yade_scripts.model import models
 from yade_scripts.model.scene import to_json
 from yade_scripts.sources import digest
 from yade_scripts.studies import command
-from yade_scripts.studies.intensities import next_intensity
 from yade_scripts.studies.journal import Journal, run_key
+from yade_scripts.studies.search import drive, next_listed, one_by_one
 from yade_scripts.studies.shaking import run_at
 from yade_scripts.studies.tables import RUN_COLUMNS, to_csv
 
 COLUMNS = {"model": "", "record": "", "direction": "", "pga_g": ".4f", **RUN_COLUMNS}
 
 
-def curve(scene, numerics, time_s, columns, names, next_pga, study, journal, say, renew=None):
+def curve(scene, numerics, time_s, columns, names, strategy, study, journal, say, renew=None):
     """Run the intensities that a strategy asks for; rows already in the journal are reused.
 
     Parameters
     ----------
     scene, numerics, time_s, columns, names
         See `shaking.run_at`.
-    next_pga : callable
-        Takes the status by PGA of what has been run; returns the next PGA [g], or None.
+    strategy : generator
+        See `search`.
     study : str
         File of the study, whose sources belong to the key of its rows.
     journal : Journal
@@ -49,7 +49,9 @@ def curve(scene, numerics, time_s, columns, names, next_pga, study, journal, say
     base = run_key(to_json(scene), motion, numerics, names[-1], digest(study))
     rows: list[dict] = []
     reused, ceiling = 0, memory.Ceiling()
-    while (pga_g := next_pga({row["pga_g"]: row["status"] for row in rows})) is not None:
+
+    def run(pga_g):
+        nonlocal reused
         key = run_key(base, pga_g)
         row = journal.get(key)
         if row is None:
@@ -63,20 +65,23 @@ def curve(scene, numerics, time_s, columns, names, next_pga, study, journal, say
         else:
             reused += 1
         rows.append(row)
+        return row["status"]
+
+    drive(strategy, lambda ask: [run(pga_g) for pga_g in ask.pga_g])
     if reused:
         say(f"{reused} of {len(rows)} runs taken from earlier work")
     return rows
 
 
 def analyse(job, time_s, columns, record, direction, journal, say, renew=None, plan=None):
-    """Curve of a scene file, by `plan` or its list of intensities; see `next_intensity`."""
+    """Curve of a scene file, by `plan` or its list of intensities; see `next_listed`."""
     return curve(
         models.build_scene(job),
         models.numerics(job),
         time_s,
         columns,
         (job["model"], record, direction),
-        lambda done: next_intensity(done, job["ida"], plan),
+        one_by_one(lambda done: next_listed(done, job["ida"], plan)),
         __file__,
         journal,
         say,

@@ -6,14 +6,17 @@ planar solver (`rocking.solver`), whose converged answer is the reference.
 """
 
 import hashlib
+import math
 
 import numpy as np
 
+from rocking.collapse import search
 from rocking.collapse.scan import driving
 from rocking.solver import peaks, prepare, stable_step
 from yade_scripts.model import models
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.nodes import with_nodes
+from yade_scripts.studies.search import drive
 
 CHOOSING, REPORTING = "choosing", "reporting"
 AMPLITUDE_CHANGES = (1e-6, 1e-4)
@@ -84,10 +87,16 @@ class Solver:
 
     def lowest_collapse(self, highest_g):
         """Lowest collapse of a climb by SCAN_RATIO from half the static capacity [g]."""
-        level = 0.5 * models.static_multiplier(self.job)
-        while level < highest_g and not self.peaks(level, SCAN_NODES, SCAN_STEP).overturned[0]:
-            level *= SCAN_RATIO
-        return min(level, highest_g)
+        start = 0.5 * models.static_multiplier(self.job)
+        count = max(0, 1 + math.ceil(math.log(highest_g / start, SCAN_RATIO)))
+        levels = np.cumprod([start, *[SCAN_RATIO] * count])
+
+        def run(ask):
+            fell = self.peaks(ask.pga_g, SCAN_NODES, SCAN_STEP).overturned
+            return np.where(fell, "overturned", "ok")
+
+        found = drive(search.first(levels[levels < highest_g]), run)
+        return highest_g if math.isnan(found) else found
 
 
 def judged(solver, pga_g, settings):

@@ -1,9 +1,8 @@
 """Dense scans by the independent planar solver, and what of them a reported curve holds.
 
-The judge (`rocking.reference`) shares no code with the solver that screens. It runs every amplitude
-at steps of `ida.level_ratio` from half the lowest collapse that the workflow found until all over a
-factor `ida.beyond` fall, and steps of `accuracy.judge_step` from below its own lowest collapse to
-where everything within ± `ensemble.amplitude_spread` falls. The dense probability at an amplitude
+The judge (`rocking.reference`) shares no code with the solver that screens. Its
+search is `collapse.search.dense`, from half the lowest collapse that the workflow found, with
+`accuracy.judge_step` for the fine steps. The dense probability at an amplitude
 is the share of its histories within that spread that fall; nodes and tolerance are the same.
 """
 
@@ -13,10 +12,10 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import isotonic_regression
 
-from rocking.collapse import probability
+from rocking.collapse import probability, search
 from rocking.reference.facade import outcomes
+from yade_scripts.studies.search import drive
 
-BLOCK = 16  # amplitudes between two looks at whether the façade has fallen for good
 KEY = probability.KEY
 SCAN_COLUMNS = (*KEY, "pga_g", "level", "d_over_b", "status", "collapsed")
 BAND_COLUMNS = (
@@ -50,41 +49,19 @@ def scan(job, motion_path, direction, settings, start_g):
         by ascending amplitude.
     """
 
-    def run(pga_g, level):
-        nodes, tolerance = settings["reference_nodes"], settings["reference_tolerance"]
-        found = outcomes(job, motion_path, direction, pga_g, nodes=nodes, tolerance=tolerance)
-        table = pd.DataFrame({"pga_g": pga_g, "level": level, "d_over_b": found.d_over_b})
-        table["status"] = found.status
-        table["collapsed"] = (table["status"] == "overturned").astype(int)
-        return table
+    nodes, tolerance = settings["reference_nodes"], settings["reference_tolerance"]
+    parts: list[pd.DataFrame] = []
 
-    ratio, last = 1.0 + settings["level_ratio"], settings["max_pga_g"]
-    start = min(start_g, last)
-    levels = start * ratio ** np.arange(1 + math.ceil(math.log(last / start) / math.log(ratio)))
-    levels[-1] = last
-    beyond = math.ceil(math.log(settings["beyond"]) / math.log(ratio))
-    coarse = pd.DataFrame()
-    for first in range(0, levels.size, BLOCK):
-        coarse = pd.concat([coarse, run(levels[first : first + BLOCK], 1)], ignore_index=True)
-        if len(coarse) >= beyond and coarse["collapsed"].iloc[-beyond:].all():
-            break
-    fallen = coarse.loc[coarse["collapsed"] == 1, "pga_g"]
-    if fallen.empty:
-        return coarse
-    spread, step = settings["amplitude_spread"], 1.0 + settings["judge_step"]
-    fine, at = [coarse], fallen.min() * (1.0 - spread) ** 2 / ratio
-    while at < last:
-        more = at * step ** np.arange(BLOCK)
-        fine.append(run(more[more <= last], 0))
-        at *= step**BLOCK
-        table = pd.concat(fine).sort_values("pga_g", ignore_index=True)
-        within = table[table["pga_g"] < at * (1.0 - spread)]  # counted in full
-        share, _ = probability.probability(
-            table["pga_g"], table["collapsed"], within["pga_g"], spread
-        )
-        if share.max() == 1.0:
-            break
-    return pd.concat(fine).sort_values("pga_g", ignore_index=True)
+    def run(ask):
+        found = outcomes(job, motion_path, direction, ask.pga_g, nodes=nodes, tolerance=tolerance)
+        level = int(not ask.members)
+        table = pd.DataFrame({"pga_g": ask.pga_g, "level": level, "d_over_b": found.d_over_b})
+        parts.append(table.assign(status=found.status))
+        return found.status
+
+    drive(search.dense(start_g, {**settings, "fine_step": settings["judge_step"]}), run)
+    table = pd.concat(parts).sort_values("pga_g", ignore_index=True)
+    return table.assign(collapsed=(table["status"] == "overturned").astype(int))
 
 
 def held(pga_g, share, low_g, high_g):

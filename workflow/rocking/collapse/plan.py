@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 
 from rocking.collapse.probability import first_crossing, from_scan, islands
-from yade_scripts.studies.intensities import DIGITS, climb_sequence
+from yade_scripts.studies.search import DIGITS, climb_sequence
 
 BELOW = 0.97  # of the lowest collapse: the side where nothing falls
 NARROW = 1.03  # p90 over p10 up to which one level of members says all

@@ -1,10 +1,9 @@
 """The dense scan of an incremental dynamic analysis: every island of collapse, with its scatter."""
 
-import math
-
 import numpy as np
 import pandas as pd
 
+from rocking.collapse import search
 from rocking.collapse.probability import summary
 from rocking.solver.inputs import Bodies
 from rocking.solver.plane import moving_supports, prepare
@@ -21,12 +20,13 @@ from yade_scripts.studies.perturb import (
     Member,
     perturbed_numerics,
 )
+from yade_scripts.studies.search import drive
 
-BLOCK = 32  # amplitudes between two looks at whether the façade has fallen for good
 NODES = 17  # along every edge: within 1 % of its converged answer where YADE needs more
 STEPS = 4  # different steps of the members
+SHORTER = tuple(1.0 - STEP_SPREAD * k / STEPS for k in range(STEPS))
+LAYOUTS_SHORTER = tuple(1.0 - 0.03 * k for k in range(NODE_CHOICES))  # of long steps
 BRICKS_STEP = 0.5  # of W3's stable step, which its bricks decide: 0.24 ms
-MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change
 
 
 class Scan:
@@ -42,6 +42,8 @@ class Scan:
         The scene in every layout of nodes that members use.
     steps_s : list of float
         Their time steps.
+    shorter : tuple of float
+        Of those steps, one member after the other.
     carried : Bodies or None
     motions : Motions
     static_g : float
@@ -53,6 +55,7 @@ class Scan:
     ground: np.ndarray
     planes: list
     steps_s: list
+    shorter: tuple = SHORTER
     carried: Bodies | None
     motions: Motions
     static_g: float
@@ -67,7 +70,7 @@ class Scan:
         """
         pga_g = np.asarray(pga_g, float)
         turn = np.arange(pga_g.size) * bool(scatter)
-        extra, step = turn % NODE_CHOICES, 1.0 - STEP_SPREAD * (turn % STEPS) / STEPS
+        extra, step = turn % NODE_CHOICES, np.array(self.shorter)[turn % len(self.shorter)]
         table = pd.DataFrame({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
         table["d_over_b"], table["status"] = np.nan, "failed"
         factor = np.array([amplitude(self.ground, self.direction, g) for g in pga_g])
@@ -89,61 +92,37 @@ class Scan:
         table["collapsed"] = (table["status"] == "overturned").astype(int)
         return table
 
-    def climb(self, settings):
-        """Outcomes from half the static capacity up, at steps of `level_ratio`.
-
-        It ends when the façade has fallen at every amplitude over a factor `beyond`, or at
-        `max_pga_g`.
+    def seen(self, strategy):
+        """Outcomes of all that a search asks for, by ascending amplitude, and what it found.
 
         Parameters
         ----------
-        settings : dict
-            level_ratio, beyond, max_pga_g.
+        strategy : generator
+            See `search`.
 
         Returns
         -------
         DataFrame
+            See `run`.
+        found
+            What the search returns.
         """
-        ratio, last = 1.0 + settings["level_ratio"], settings["max_pga_g"]
-        start = min(0.5 * self.static_g, last)
-        levels = start * ratio ** np.arange(1 + math.ceil(math.log(last / start) / math.log(ratio)))
-        levels[-1] = last
         parts: list[pd.DataFrame] = []
-        run = math.ceil(math.log(settings["beyond"]) / math.log(ratio))
-        for first in range(0, levels.size, BLOCK):
-            parts.append(self.run(levels[first : first + BLOCK], scatter=False))
-            outcome = pd.concat(parts)["collapsed"].to_numpy()
-            if outcome.size >= run and outcome[-run:].all():
-                break
-        return pd.concat(parts, ignore_index=True)
+
+        def run(ask):
+            parts.append(self.run(ask.pga_g, ask.members))
+            return parts[-1]["status"].to_numpy()
+
+        found = drive(strategy, run)
+        return pd.concat(parts).sort_values("pga_g", ignore_index=True), found
+
+    def climb(self, settings):
+        """Outcomes of `search.climb` from half the static capacity up."""
+        return self.seen(search.climb(0.5 * self.static_g, settings))[0]
 
     def scan(self, settings):
-        """Scan all amplitudes: at `level_ratio`, then finer wherever outcomes may change.
-
-        The first pass is that of `climb`. The second has `members` amplitudes within
-        ± `amplitude_spread` of any, and turns node layout and step with them.
-
-        Parameters
-        ----------
-        settings : dict
-            level_ratio, beyond, max_pga_g, members, amplitude_spread.
-
-        Returns
-        -------
-        DataFrame
-            By ascending amplitude.
-        """
-        coarse = self.climb(settings)
-        fallen = coarse.loc[coarse["collapsed"] == 1, "pga_g"]
-        if fallen.empty:
-            return coarse
-        standing = coarse.loc[coarse["collapsed"] == 0, "pga_g"]
-        low = (1.0 - MARGIN) * fallen.min()
-        high = (1.0 + MARGIN) * max(standing.max(), fallen.min())
-        fine = 1.0 + 2.0 * settings["amplitude_spread"] / settings["members"]
-        count = math.ceil(math.log(high / low) / math.log(fine))
-        members = self.run(low * fine ** np.arange(count + 1), scatter=True)
-        return pd.concat([coarse, members]).sort_values("pga_g", ignore_index=True)
+        """Outcomes of `search.scan`, the dense scan, from half the static capacity up."""
+        return self.seen(search.scan(0.5 * self.static_g, settings))[0]
 
     def intensities(self, settings):
         """Collapse intensities of a `scan`: `collapse.summary`, without a run in YADE."""
@@ -161,9 +140,12 @@ class Screen(Scan):
     time_s, columns
         Floor motions, see `yade_scripts.model.floor_motions.read`.
     direction : str
+    fraction : float, optional
+        Step over the stable one, where the solver's own choice is too dear; then every layout of
+        nodes has a step of its own.
     """
 
-    def __init__(self, job, time_s, columns, direction):
+    def __init__(self, job, time_s, columns, direction, fraction=None):
         """Prepare the scene in every layout of nodes that members use."""
         self.numerics, self.direction, self.ground = job["numerics"], direction, columns["ground"]
         kind = registry.model(job["model"])
@@ -173,7 +155,9 @@ class Screen(Scan):
             name = job["model"] if bricks else kind.driven
             scene = models.build_scene({**job, "model": name, "numerics": numerics})
             self.planes.append(prepare(scene))
-        share = BRICKS_STEP if bricks else STEP_FRACTION
+        share = fraction or (BRICKS_STEP if bricks else STEP_FRACTION)
+        if fraction:
+            self.shorter = LAYOUTS_SHORTER
         self.steps_s = [share * stable_step(plane) for plane in self.planes]
         self.carried = None
         if kind.massive:

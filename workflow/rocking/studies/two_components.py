@@ -8,12 +8,14 @@ import math
 import numpy as np
 import pandas as pd
 
+from rocking.collapse import search
 from rocking.solver import spatial
 from rocking.solver.plane import prepare
 from rocking.solver.runs import STEP_FRACTION, Motions, peaks, stable_step
 from yade_scripts.model import models
 from yade_scripts.model.motion import amplitude
 from yade_scripts.studies.perturb import NODE_KEYS
+from yade_scripts.studies.search import drive
 
 COLUMNS = (
     *("model", "record", "second", "direction", "second_ratio"),
@@ -82,16 +84,11 @@ class Curve:
 
     def lowest(self, falls, first=0):
         """Lowest level that falls, from `first` up, or down if that falls; None if none does."""
-        k = first
-        if falls(self.level(k)):
-            while k > 0 and falls(self.level(k - 1)):
-                k -= 1
-            return k
-        while self.level(k) < self.max_g:
-            k += 1
-            if falls(self.level(k)):
-                return k
-        return None
+
+        def run(ask):
+            return ["overturned" if falls(g) else "ok" for g in ask.pga_g]
+
+        return drive(search.neighbour(self.level, self.max_g, first), run)
 
     def compare(self):
         """Values of `COLUMNS` from one_g on; NaN where nothing falls up to ida.max_pga_g."""

@@ -13,7 +13,7 @@ import pandas as pd
 from rocking.collapse.probability import from_scan, islands
 from rocking.runtime.script import run
 
-from yade_scripts.studies.intensities import DIGITS
+from yade_scripts.studies.search import DIGITS
 
 
 def main(job):

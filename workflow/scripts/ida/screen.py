@@ -8,7 +8,7 @@ from rocking.collapse.scan import Screen, scan_settings
 from rocking.runtime.script import run
 
 from yade_scripts.model import floor_motions, models
-from yade_scripts.studies.intensities import DIGITS
+from yade_scripts.studies.search import DIGITS
 
 
 def main(job):

@@ -11,7 +11,7 @@ from rocking.records.floors import floor_columns
 from rocking.runtime.script import run
 from rocking.uncertainty import sampling
 
-from yade_scripts.studies.intensities import DIGITS
+from yade_scripts.studies.search import DIGITS
 
 SHARES = (0.85, 1.2)  # of the PGA of 10 % and of 50 % collapse
 

@@ -5,13 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from rocking.assessment.collapse import START, STEP, Climb
+from rocking.assessment.collapse import STEP, Climb, lowest_start
 from rocking.records import read_csv
 from rocking.records.floors import floor_columns
 from rocking.runtime.script import run
 from rocking.uncertainty import sampling
-
-from yade_scripts.model import models, registry
 
 BELOW = 0.5  # of the medians' first collapse: where the climb of another point begins
 OTHER = {"start": 1.007, "step": 0.9}  # of a cell that is run again
@@ -29,7 +27,7 @@ def main(job):
         for number, factor in enumerate(factors.to_dict("records")):
             case = sampling.varied(scene, factor)
             motion = floor_columns(record, case["smdof"])
-            lowest = START[registry.model(case["model"]).walls] * models.static_multiplier(case)
+            lowest = lowest_start(case)
             start = max(lowest, BELOW * first) if first else lowest
             for again in range(1 + (0 < number <= settings["replicates"])):
                 step = STEP * OTHER["step"] if again else STEP

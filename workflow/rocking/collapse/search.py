@@ -1,0 +1,241 @@
+"""Searches for collapse by name: which intensities a curve is asked for, whatever runs them.
+
+A search yields intensities and is sent their outcomes (`yade_scripts.studies.search`, where those
+for runs of minutes stand). Nothing here knows a façade, a motion or a solver.
+
+    list       stated intensities
+    first      the lowest of ascending levels that falls
+    climb      levels up to where all have fallen over a factor
+    scan       a climb, then members about every change of outcome: the dense scan
+    crossings  where 10 and 50 % of the members first collapse: a short climb for many curves
+    dense      a climb, then equal steps from below its lowest fall to where all fall
+    neighbour  the lowest level that falls, from a guess up or down
+    around     levels about the collapse of a cheaper model (`next_level`)
+    band       closing in on the changes among known outcomes (`next_amplitude`)
+"""
+
+import math
+
+import numpy as np
+
+from rocking.collapse.probability import first_crossing, probability
+from yade_scripts.studies.search import Ask, next_amplitude, next_level, one_by_one
+
+BLOCK = 32  # amplitudes between two looks at whether the façade has fallen for good
+MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change
+BELOW_FIRST = 1.03  # ratio of the levels below the first fall of a short climb
+SPREAD = 0.03  # half width of the window over which its members count
+MEMBERS = 6  # in that window
+CHUNK = 6  # its amplitudes between two looks
+LEVELS = (0.10, 0.50)
+
+
+class Seen:
+    """Amplitudes that a search has asked for, and their outcomes."""
+
+    def __init__(self):
+        """Nothing is known."""
+        self.pga_g, self.status = np.zeros(0), np.zeros(0, object)
+
+    def ask(self, pga_g, members=False):
+        """Ask for amplitudes and remember what they did; for `yield from`."""
+        status = yield Ask(pga_g, members)
+        self.pga_g = np.append(self.pga_g, pga_g)
+        self.status = np.append(self.status, np.asarray(status, object))
+
+    @property
+    def fell(self):
+        """Mask of those that overturned."""
+        return self.status == "overturned"
+
+
+def listed(pga_g):
+    """Ask for stated intensities, all at once."""
+    yield Ask(np.sort(np.asarray(pga_g, float)))
+
+
+def rising(low, high, ratio):
+    """Amplitudes from `low` on by a ratio, `high` the last; none if it is below [g]."""
+    if high < low:
+        return np.zeros(0)
+    return np.minimum(low * ratio ** np.arange(1 + math.ceil(math.log(high / low, ratio))), high)
+
+
+def first(levels, block=1):
+    """Find the lowest of ascending levels that falls [g]; NaN if none does."""
+    for at in range(0, len(levels), block):
+        seen = Seen()
+        yield from seen.ask(levels[at : at + block])
+        if seen.fell.any():
+            return float(seen.pga_g[seen.fell].min())
+    return math.nan
+
+
+def climb(start_g, settings, block=BLOCK):
+    """Ask for levels from `start_g` up, at steps of `level_ratio`.
+
+    It ends when the façade has fallen at every level over a factor `beyond`, or at `max_pga_g`.
+
+    Parameters
+    ----------
+    start_g : float
+    settings : dict
+        level_ratio, beyond, max_pga_g.
+    block : int
+        Levels asked for at once.
+
+    Returns
+    -------
+    Seen
+    """
+    ratio, last = 1.0 + settings["level_ratio"], settings["max_pga_g"]
+    start = min(start_g, last)
+    levels = start * ratio ** np.arange(1 + math.ceil(math.log(last / start) / math.log(ratio)))
+    levels[-1] = last
+    run = math.ceil(math.log(settings["beyond"]) / math.log(ratio))
+    seen = Seen()
+    for at in range(0, levels.size, block):
+        yield from seen.ask(levels[at : at + block])
+        if seen.pga_g.size >= run and seen.fell[-run:].all():
+            break
+    return seen
+
+
+def scan(start_g, settings, block=BLOCK):
+    """Ask for a `climb`, then for finer amplitudes wherever outcomes may change.
+
+    The second pass has `members` amplitudes within ± `amplitude_spread` of any.
+
+    Parameters
+    ----------
+    start_g, settings, block
+        As of `climb`; settings has members and amplitude_spread too.
+    """
+    seen = yield from climb(start_g, settings, block)
+    if not seen.fell.any():
+        return
+    fallen, standing = seen.pga_g[seen.fell], seen.pga_g[~seen.fell]
+    low = (1.0 - MARGIN) * fallen.min()
+    high = (1.0 + MARGIN) * max(standing.max(initial=0.0), fallen.min())
+    fine = 1.0 + 2.0 * settings["amplitude_spread"] / settings["members"]
+    count = math.ceil(math.log(high / low) / math.log(fine))
+    yield Ask(low * fine ** np.arange(count + 1), members=True)
+
+
+def dense(start_g, settings, block=16):
+    """Ask for a `climb`, then for steps of `fine_step` up to where everything falls.
+
+    The steps begin below the lowest fall of the climb, and end where all that was run within
+    ± `amplitude_spread` of some amplitude fell.
+
+    Parameters
+    ----------
+    start_g, settings, block
+        As of `climb`; settings has fine_step and amplitude_spread too.
+    """
+    seen = yield from climb(start_g, settings, block)
+    if not seen.fell.any():
+        return
+    last, ratio = settings["max_pga_g"], 1.0 + settings["level_ratio"]
+    spread, step = settings["amplitude_spread"], 1.0 + settings["fine_step"]
+    at = seen.pga_g[seen.fell].min() * (1.0 - spread) ** 2 / ratio
+    while at < last:
+        more = at * step ** np.arange(block)
+        yield from seen.ask(more[more <= last], members=True)
+        at *= step**block
+        order = np.argsort(seen.pga_g, kind="stable")
+        pga_g = seen.pga_g[order]
+        within = pga_g[pga_g < at * (1.0 - spread)]  # counted in full
+        share, _ = probability(pga_g, seen.fell[order], within, spread)
+        if share.max() == 1.0:
+            break
+
+
+def crossings(start_g, max_pga_g, ratio):
+    """Find where 10 and 50 % of the members first collapse, for many curves.
+
+    It climbs at `ratio` to a first collapse, looks for a lower one at `BELOW_FIRST` over two of its
+    steps below, and runs members from there up to the crossing of one half.
+
+    Parameters
+    ----------
+    start_g, max_pga_g, ratio : float
+
+    Returns
+    -------
+    tuple of float
+        In the order of `LEVELS` [g]; NaN up to `max_pga_g`.
+    """
+    lowest = yield from first(rising(start_g, max_pga_g, ratio), CHUNK)
+    if not math.isfinite(lowest):
+        return (math.nan,) * len(LEVELS)
+    if ratio > BELOW_FIRST:
+        below = rising(max(start_g, lowest / ratio**2), lowest / BELOW_FIRST, BELOW_FIRST)
+        lower = yield from first(below, CHUNK)
+        lowest = lower if math.isfinite(lower) else lowest
+    fine = 1.0 + 2.0 * SPREAD / MEMBERS
+    low, k, seen, found = lowest / BELOW_FIRST * (1.0 - SPREAD), 0, Seen(), (math.nan,) * 2
+    while low * fine**k <= max_pga_g * (1.0 + SPREAD):
+        yield from seen.ask(low * fine ** np.arange(k, k + CHUNK), members=True)
+        k += CHUNK
+        valid = seen.status != "failed"
+        pga_g = seen.pga_g[valid]
+        share, _ = probability(pga_g, seen.fell[valid], pga_g, SPREAD)
+        found = tuple(first_crossing(pga_g, share, level) for level in LEVELS)
+        if pga_g.size and pga_g[-1] >= found[-1] * (1.0 + SPREAD):
+            break
+    return found
+
+
+def neighbour(level, max_pga_g, guess=0):
+    """Find the lowest level that falls, from a guess up, or down if that falls.
+
+    Parameters
+    ----------
+    level : callable
+        PGA of level k [g], ascending.
+    max_pga_g : float
+    guess : int
+
+    Returns
+    -------
+    int or None
+    """
+
+    def falls(k):
+        (status,) = yield Ask([level(k)])
+        return status == "overturned"
+
+    k = guess
+    if (yield from falls(k)):
+        while k > 0 and (yield from falls(k - 1)):
+            k -= 1
+        return k
+    while level(k) < max_pga_g:
+        k += 1
+        if (yield from falls(k)):
+            return k
+    return None
+
+
+def around(start_g, settings, islands=()):
+    """Ask for levels about the collapse of a cheaper model, one at a time; see `next_level`."""
+    return one_by_one(lambda done: next_level(done, settings, start_g, islands))
+
+
+def band(known, settings, ida):
+    """Ask for what closes in on the changes among known outcomes; see `next_amplitude`."""
+    return one_by_one(lambda done: next_amplitude(done, settings, ida), known)
+
+
+SEARCHES = {
+    "list": listed,
+    "first": first,
+    "climb": climb,
+    "scan": scan,
+    "crossings": crossings,
+    "dense": dense,
+    "neighbour": neighbour,
+    "around": around,
+    "band": band,
+}
