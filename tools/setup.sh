@@ -37,6 +37,6 @@ if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
   .venv/bin/pip install -q --disable-pip-version-check --require-hashes -r requirements.lock
   .venv/bin/pip install -q --disable-pip-version-check --no-deps --no-build-isolation --editable .
   say "compiling the planar solver"
-  .venv/bin/python -m rocking.screening
+  .venv/bin/python -m rocking.solver
   printf '%s' "$wanted" > $stamp
 fi
