@@ -16,6 +16,7 @@ from yade_process import ROOT, in_yade, resolved
 
 from yade_scripts.model import models
 from yade_scripts.model.facade import facade_scene
+from yade_scripts.model.floor_motions import VERTICAL
 from yade_scripts.model.motion import along
 
 BETA_S = 0.002
@@ -41,11 +42,12 @@ def shaken(amplitude, beside):
     return t, columns | {along(name): share * other for name, share in shares.items()}
 
 
-def both(config, model, t, columns, **how):
+def both(config, model, t, columns, step_fraction=spatial.STEP_FRACTION, **how):
     """Outcome of the compiled solver under both components."""
     scene = facade_scene(config, model, BETA_S, planar=False, two_components=True)
     motions = spatial.two_motions(Motions, scene, t, columns)
-    return spatial.history(spatial.prepare(scene), motions, config["numerics"], **how)
+    block = spatial.prepare(scene, step_fraction)
+    return spatial.history(block, motions, config["numerics"], **how)
 
 
 @pytest.mark.parametrize("model", ["W1", "W2"])
@@ -62,6 +64,36 @@ def test_one_component_is_the_plane(model):
     assert found.d_over_b == pytest.approx(plane.peak_d_over_b, rel=1e-3)
     assert found.twist_rad < 1e-9
     assert found.slid_m < 1e-9
+
+
+@pytest.mark.parametrize("model", ["W1", "W2"])
+@pytest.mark.parametrize("factor", [1.0, -0.5])
+def test_one_component_and_the_vertical_one_are_the_plane(model, factor):
+    """In both directions, which leave the vertical motion as it is; without it d/b is another."""
+    config = resolved(numerics=SHORT)
+    t, columns = shaken(1.4, 0.0)
+    scene, found = facade_scene(config, model, BETA_S), []
+    floors = [columns[n] for n in moving_supports(scene)]
+    for up in (3.0 * np.sin(np.pi * t / t[-1]) ** 2, 0.0 * t):
+        motions = Motions(t, columns["ground"], floors, up)
+        plane = planar_history(prepare_plane(scene), motions, config["numerics"], factor)
+        shaking = {**columns, VERTICAL: up}
+        found.append(both(config, model, t, shaking, step_fraction=0.05, factor=factor))
+        assert found[-1].status == plane.status == "ok"
+        assert found[-1].d_over_b == pytest.approx(plane.peak_d_over_b, rel=1e-3)
+    assert abs(found[0].d_over_b / found[1].d_over_b - 1.0) > 0.015
+
+
+def test_a_mirrored_motion_mirrors_a_free_facade():
+    """Both components reversed, the vertical one as it was: the half turn of the first history."""
+    config = resolved(numerics=SHORT)
+    t, columns = shaken(1.2, 3.0)
+    columns[VERTICAL] = 3.0 * np.interp(t, t / 2.7, pulses(1.0)[1], right=0.0)
+    first, turned = (both(config, "free", t, columns, factor=f, sample_s=0.01) for f in (1.0, -1.0))
+    assert first.status == "ok"
+    assert first.d_over_b > 0.02
+    assert turned.rows[:, 3:5] == pytest.approx(-first.rows[:, 3:5], abs=1e-9)
+    assert turned.rows[:, 5] == pytest.approx(first.rows[:, 5], abs=1e-9)
 
 
 @pytest.mark.parametrize("direction_deg", [60.0, "corner", 40.0])

@@ -141,7 +141,7 @@ def march(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows
     across, beside : Table
         Motions along y and x; the vertical one with the first.
     factor : float
-        On both.
+        On both; its size on the vertical one, which a half turn of the building leaves as it is.
     rules : Rules
     motion_s, max_speed_m_s : float
         End of the motion that matters; speed from which the run has failed.
@@ -171,7 +171,7 @@ def march(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows
         half, past = (0.5 * dt, dt) if k > 0 else (0.0, 0.0)
         row = min(k, last)
         ax, ay = factor * beside.ground_m_s2[row], factor * across.ground_m_s2[row]
-        az = factor * across.vertical_m_s2[row]
+        az = abs(factor) * across.vertical_m_s2[row]
         drive(beside, factor, k, past, us[0], vs[0], du[0])
         drive(across, factor, k, past, us[1], vs[1], du[1])
         _rotation(q, turn)
