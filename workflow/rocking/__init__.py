@@ -1,1 +1,31 @@
-"""Post-processing, records and configuration of the workflow: importable, without rules."""
+"""Rocking masonry façades: records, cases, searches for collapse, and what is made of them.
+
+The way in, without Snakemake::
+
+    from rocking import Case, Motion, collapse_curve
+
+    case = Case.configured("W2", {"facade.height_m": 6.0})
+    print(collapse_curve(case, Motion.named("RRS228"), "neg").summary())
+
+Names are loaded when they are asked for, so that `import rocking` stays quick.
+"""
+
+import importlib
+
+_PUBLIC = {
+    "Case": "case",
+    "Curve": "curve",
+    "History": "curve",
+    "Motion": "motion",
+    "Variant": "case",
+    "collapse_curve": "curve",
+    "history": "curve",
+}
+__all__ = list(_PUBLIC)
+
+
+def __getattr__(name):
+    """Return a public name, loading the module that has it."""
+    if name not in _PUBLIC:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"rocking.collapse.{_PUBLIC[name]}"), name)

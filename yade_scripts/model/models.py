@@ -126,6 +126,48 @@ def with_second(time_s, columns, second_time_s, second):
     }
 
 
+def scaled(columns, factor):
+    """Floor motions times a factor; its sign turns the horizontal ones, not the vertical one."""
+    size = {VERTICAL: abs(factor)}
+    return {name: size.get(name, factor) * values for name, values in columns.items()}
+
+
+def after(before, time_s, columns):
+    """Floor motions of two shocks one after the other, on one time axis.
+
+    Parameters
+    ----------
+    before : (time_s, columns, pause_s)
+        The first shock, as it shakes, and the rest from its last sample to the second's first.
+    time_s, columns
+        The second, as it shakes.
+
+    Returns
+    -------
+    time_s : ndarray
+        The samples of both, and one where each rests: motions are linear between samples.
+    columns : dict of str to ndarray
+        Those of either; what one has not is zero there.
+
+    Raises
+    ------
+    ValueError
+        If the pause is shorter than a step of the first.
+    """
+    first_s, first, pause_s = before
+    step, still = first_s[1] - first_s[0], time_s[1] - time_s[0]
+    if not pause_s > step + still:
+        raise ValueError(f"pause of {pause_s:g} s: expected more than {step + still:g} s")
+    begin = first_s[-1] + pause_s
+    times = np.concatenate((first_s, [first_s[-1] + step, begin - still], begin + time_s))
+    names = dict.fromkeys((*first, *columns))
+    none = [np.zeros(len(first_s)), np.zeros(len(time_s))]
+    return times, {
+        name: np.concatenate((first.get(name, none[0]), [0.0, 0.0], columns.get(name, none[1])))
+        for name in names
+    }
+
+
 def motion_columns(scene, columns):
     """Add the motions between floors that a scene needs.
 

@@ -42,7 +42,11 @@ def opened(args):
     return read_json(args.scene), *floor_motions.read(args.motion)
 
 
+def teller(name):
+    """Return what prints progress under a name, a line a call."""
+    return lambda text: print(f"[{name}]", text, file=sys.stderr, flush=True)
+
+
 def speaker(job, args):
     """Return what prints a job's progress, a line a call."""
-    name = f"[{job['model']} {args.record} {args.direction}]"
-    return lambda text: print(name, text, file=sys.stderr, flush=True)
+    return teller(f"{job['model']} {args.record} {args.direction}")

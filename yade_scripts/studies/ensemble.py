@@ -71,8 +71,13 @@ def read_curve(path):
 class Runner:
     """Runs members of one model, record and direction; finished ones come from the journal."""
 
-    def __init__(self, job, time_s, columns, record, direction, journal, say):
-        """Keep what every run shares; see `ida.analyse` for the parameters."""
+    def __init__(self, job, time_s, columns, record, direction, journal, say, before=None):
+        """Keep what every run shares; see `ida.analyse`, and `models.after` for `before`."""
+        self.before, self.first = before, ()
+        if before is not None:
+            first_s, first, pause_s = before
+            moved = b"".join(values.tobytes() for values in (first_s, *first.values()))
+            self.first = (moved, pause_s)
         self.job, self.time_s, self.columns = job, time_s, columns
         self.record, self.direction, self.journal, self.say = record, direction, journal, say
         self.digest = digest(__file__)
@@ -87,7 +92,7 @@ class Runner:
             motion = b"".join(self.columns[n].tobytes() for n in scene.motions)
             self.scenes[extra_nodes] = (
                 scene,
-                run_key(to_json(scene), motion + self.time_s.tobytes(), self.digest),
+                run_key(to_json(scene), motion + self.time_s.tobytes(), self.digest, *self.first),
             )
         return self.scenes[extra_nodes]
 
@@ -100,7 +105,11 @@ class Runner:
         key = run_key(base, numerics, factor)
         row = self.journal.get(key)
         if row is None:
-            history = shaking.prepare(scene, numerics, self.time_s, self.columns, factor).retried()
+            motion = self.time_s, self.columns
+            if self.before is not None:
+                motion = models.after(self.before, *motion[:1], models.scaled(motion[1], factor))
+                factor = 1.0
+            history = shaking.prepare(scene, numerics, *motion, factor).retried()
             row = run_row(self.job["model"], self.record, self.direction, pga_g, history)
             self.journal.put(key, row, history.reason)
             if self.ceiling.reached():

@@ -7,7 +7,7 @@ from rocking.collapse import search
 from rocking.collapse.probability import summary
 from rocking.solver.inputs import Bodies
 from rocking.solver.plane import moving_supports, prepare
-from rocking.solver.runs import STEP_FRACTION, Motions, bodies, peaks, stable_step
+from rocking.solver.runs import STEP_FRACTION, Motions, Peaks, bodies, peaks, stable_step
 from smdof.chain import shear_chain
 from yade_scripts.model import models, registry
 from yade_scripts.model.floor_motions import VERTICAL
@@ -48,6 +48,8 @@ class Scan:
     motions : Motions
     static_g : float
         Static multiplier, from half of which a curve climbs.
+    block : int
+        Amplitudes that a climb asks for at once.
     """
 
     numerics: dict
@@ -59,6 +61,18 @@ class Scan:
     carried: Bodies | None
     motions: Motions
     static_g: float
+    block: int = search.BLOCK
+
+    def shaking(self, pga_g):
+        """`Motions` and the factor on them at one intensity."""
+        return self.motions, amplitude(self.ground, self.direction, pga_g)
+
+    def peaks(self, plane, pga_g, step_s):
+        """`Peaks` of a plane at some intensities."""
+        factor = [self.shaking(g)[1] for g in pga_g]
+        return peaks(
+            plane, self.motions, self.numerics, factor, carried=self.carried, step_s=step_s
+        )
 
     def run(self, pga_g, scatter):
         """Outcomes at ascending amplitudes; `scatter` turns node layout and step with them.
@@ -73,19 +87,11 @@ class Scan:
         extra, step = turn % NODE_CHOICES, np.array(self.shorter)[turn % len(self.shorter)]
         table = pd.DataFrame({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
         table["d_over_b"], table["status"] = np.nan, "failed"
-        factor = np.array([amplitude(self.ground, self.direction, g) for g in pga_g])
         for layout, (plane, whole) in enumerate(zip(self.planes, self.steps_s, strict=True)):
             for share in np.unique(step):  # the motions are tabulated once a step
                 mine = np.flatnonzero((extra == layout) & (step == share))
                 if mine.size:
-                    found = peaks(
-                        plane,
-                        self.motions,
-                        self.numerics,
-                        factor[mine],
-                        carried=self.carried,
-                        step_s=share * whole,
-                    )
+                    found = self.peaks(plane, pga_g[mine], share * whole)
                     table.loc[mine, "d_over_b"] = np.minimum(found.d_over_b, 1.0)
                     status = np.where(found.failed, "failed", "ok")
                     table.loc[mine, "status"] = np.where(found.overturned, "overturned", status)
@@ -143,9 +149,11 @@ class Screen(Scan):
     fraction : float, optional
         Step over the stable one, where the solver's own choice is too dear; then every layout of
         nodes has a step of its own.
+    before : (time_s, columns, pause_s), optional
+        A shock before this motion, as it shakes, and the pause after it.
     """
 
-    def __init__(self, job, time_s, columns, direction, fraction=None):
+    def __init__(self, job, time_s, columns, direction, fraction=None, before=None):
         """Prepare the scene in every layout of nodes that members use."""
         self.numerics, self.direction, self.ground = job["numerics"], direction, columns["ground"]
         kind = registry.model(job["model"])
@@ -159,13 +167,38 @@ class Screen(Scan):
         if fraction:
             self.shorter = LAYOUTS_SHORTER
         self.steps_s = [share * stable_step(plane) for plane in self.planes]
-        self.carried = None
-        if kind.massive:
-            self.carried = None if bricks else carried_masses(job, scene)
-            self.motions = Motions(time_s, self.ground, (), columns.get(VERTICAL))
-        else:
-            self.motions = driving(scene, time_s, columns)
+        self.carried = carried_masses(job, scene) if kind.massive and not bricks else None
+        self.scene, self.massive = scene, kind.massive
+        self.time_s, self.columns, self.before = time_s, columns, before
+        self.motions = self._motions(time_s, columns)
         self.static_g = models.static_multiplier(job)
+
+    def _motions(self, time_s, columns):
+        if self.massive:
+            return Motions(time_s, columns["ground"], (), columns.get(VERTICAL))
+        return driving(self.scene, time_s, columns)
+
+    def shaking(self, pga_g):
+        """`Motions` and the factor on them at one intensity; a shock before keeps its own."""
+        if self.before is None:
+            return super().shaking(pga_g)
+        factor = amplitude(self.ground, self.direction, pga_g)
+        both = models.after(self.before, self.time_s, models.scaled(self.columns, factor))
+        return self._motions(*both), 1.0
+
+    def peaks(self, plane, pga_g, step_s):
+        """`Peaks` of a plane at some intensities."""
+        if self.before is None:
+            return super().peaks(plane, pga_g, step_s)
+        found = []
+        for g in pga_g:
+            motions, factor = self.shaking(g)
+            found.append(
+                peaks(plane, motions, self.numerics, factor, carried=self.carried, step_s=step_s)
+            )
+        columns = zip(*(vars(one).values() for one in found), strict=True)
+        *arrays, step = columns
+        return Peaks(*map(np.concatenate, arrays), step[0])
 
 
 def scan_settings(job):

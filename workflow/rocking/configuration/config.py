@@ -22,6 +22,7 @@ __all__ = [
     "check",
     "check_files",
     "expand_scenarios",
+    "nested",
     "relevant",
     "resolve",
     "write_resolved",
@@ -61,6 +62,11 @@ def resolve(config: Mapping) -> dict[str, Any]:
     config_schema.refuse_invalid(resolved, known)
     check(resolved)
     return resolved
+
+
+def nested(given: Mapping) -> dict[str, Any]:
+    """Return values by section from values by section or dotted key."""
+    return _nest(config_schema.plain(given), "configuration")
 
 
 def check(resolved: Mapping) -> None:

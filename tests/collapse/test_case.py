@@ -1,0 +1,144 @@
+"""Cases, variants, motions and curves as the public interface has them."""
+
+import doctest
+import importlib
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import rocking
+from rocking import Case, Motion, Variant, collapse_curve
+from rocking.configuration.config import ConfigError
+from rocking.records import Record
+
+from yade_scripts.model import models
+
+
+@pytest.fixture(scope="module")
+def pulse():
+    """One sine of 0.8 s, which pulls a façade outward."""
+    t = 0.01 * np.arange(160)
+    return Motion(Record("pulse", -np.sin(2.5 * np.pi * t) * (t < 0.8), 0.01, source="file"))
+
+
+@pytest.fixture(scope="module")
+def case():
+    """W1, its motion followed for three seconds."""
+    return Case.configured("W1", {"numerics.after_motion_s": 3.0, "smdof": {"tail_s": 1.0}})
+
+
+@pytest.mark.parametrize("name", ["case", "curve", "motion"])
+def test_the_examples_of_the_documentation_run(name):
+    found = doctest.testmod(importlib.import_module(f"rocking.collapse.{name}"))
+    assert found.attempted
+    assert not found.failed
+
+
+def test_importing_the_package_loads_no_solver():
+    code = "import sys, rocking; assert not {'numba', 'pandas', 'scipy'} & set(sys.modules)"
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=120)
+    assert all(hasattr(rocking, name) for name in rocking.__all__)
+
+
+def test_a_variant_changes_what_it_names_and_nothing_else(case):
+    variant = Variant(
+        "changed",
+        changes={"facade.friction_deg": 20.0, "model": "W1c"},
+        factors={"facade.thickness_m": 1.1, "beta_s": 2.0},
+        added={"facade.ties": [{"height_m": 6.0, "count": 2, "diameter_mm": 20.0}]},
+    )
+    changed = case.varied(variant)
+    assert changed["beta_s"] == 2.0 * case["beta_s"]
+    assert changed["facade"]["thickness_m"] == pytest.approx(1.1 * case["facade"]["thickness_m"])
+    (tie,) = changed["facade"]["ties"]
+    assert tie["yield_mpa"] > 0.0  # completed from the schema
+    assert changed.model == "W1c"
+    assert case["facade"]["ties"] == []
+    same = {**changed["facade"], **{k: case["facade"][k] for k in ("friction_deg", "thickness_m")}}
+    assert {**same, "ties": []} == case["facade"]
+    assert case.varied(Variant()).scene == case.scene
+
+
+def test_what_cannot_be_is_refused_in_a_line(case, pulse):
+    for variant in (Variant(changes={"facade.hight_m": 1.0}), Variant(factors={"walls.x": 2.0})):
+        with pytest.raises(ValueError, match="the case has no such key"):
+            case.varied(variant)
+    with pytest.raises(ConfigError, match="hight_m"):
+        Case.configured("W1", {"facade.hight_m": 1.0})
+    with pytest.raises(ValueError, match="unknown change of the motion"):
+        pulse.varied(Variant(motion={"loudness": 2.0}))
+    with pytest.raises(ValueError, match="building_mass_kg"):
+        collapse_curve(Case.configured("W2m"), pulse)
+    with pytest.raises(ValueError, match="expected planar or yade"):
+        collapse_curve(case, pulse, solver="scipy")
+    with pytest.raises(ValueError, match="expected scan, climb"):
+        collapse_curve(case, pulse, search="bisect")
+
+
+def test_a_curve_knows_where_it_collapses(case, pulse):
+    """The dense scan and the short climb cross one half at one place; a list runs its list."""
+    fewer = {"level_ratio": 0.05, "members": 7, "max_pga_g": 1.5}
+    dense = collapse_curve(case, pulse, settings=fewer)
+    found = dense.summary()
+    assert found["pga_safe_g"] < found["pga_collapse_g"] <= found["pga_median_g"]
+    quick = collapse_curve(case, pulse, search="crossings", settings=fewer, fraction=0.3)
+    assert quick.found[1] == pytest.approx(found["pga_median_g"], rel=0.03)
+    assert quick.runs < dense.runs
+    levels = [0.9 * found["pga_collapse_g"], 1.1 * found["pga_all_g"]]
+    listed = collapse_curve(case, pulse, search="list", settings={"pga_g": levels})
+    assert list(listed.status) == ["ok", "overturned"]
+    assert list(listed.pga_g) == levels
+
+
+def test_two_shocks_on_one_time_axis():
+    """Each as it shakes, rest between them, the vertical motion upward in either direction."""
+    t, s = np.arange(0.0, 0.05, 0.01), np.arange(0.0, 0.03, 0.005)
+    first = models.scaled({"ground": np.ones(5), "vertical": np.ones(5)}, -2.0)
+    assert first["vertical"][0] == 2.0
+    times, both = models.after((t, first, 1.0), s, {"ground": 3.0 * np.ones(6)})
+    assert np.all(np.diff(times) > 0.0)
+    assert times[-1] == pytest.approx(0.04 + 1.0 + 0.025)
+    at = np.interp([0.02, 0.5, 1.045, 1.06], times, both["ground"])
+    assert at == pytest.approx([-2.0, 0.0, 3.0, 3.0])
+    assert np.interp(1.06, times, both["vertical"]) == 0.0
+    with pytest.raises(ValueError, match=r"pause of 0\.01 s"):
+        models.after((t, first, 0.01), s, {"ground": np.ones(6)})
+
+
+def test_a_shock_that_leaves_nothing_changes_no_answer(case, pulse):
+    """A dry façade lifted by a first shock and at rest again answers the second as if alone."""
+    after = Motion(pulse.record, first=pulse, first_pga_g=0.1, pause_s=8.0)
+    levels = {"pga_g": [0.15, 0.2]}
+    one, two = (collapse_curve(case, m, search="list", settings=levels) for m in (pulse, after))
+    assert np.all(one.table["d_over_b"] > 0.05)
+    assert two.table["d_over_b"].to_numpy() == pytest.approx(one.table["d_over_b"], rel=1e-3)
+
+
+def test_bonds_that_a_first_shock_breaks_stay_broken(pulse):
+    """A bonded façade shaken beyond its bonds answers as the dry one from then on."""
+    weak = {"return_wall.tension_mpa": 0.008, "return_wall.cohesion_mpa": 0.008}
+    weak |= {"numerics.after_motion_s": 3.0, "smdof.tail_s": 1.0}
+    bonded, dry = Case.configured("W1c", weak), Case.configured("W1", weak)
+    after = Motion(pulse.record, first=pulse, first_pga_g=0.2, pause_s=8.0)
+
+    def peak(case, motion):
+        curve = collapse_curve(case, motion, search="list", settings={"pga_g": [0.15]})
+        return curve.table["d_over_b"].iloc[0]
+
+    assert peak(bonded, pulse) < 0.01  # its bonds hold
+    assert peak(bonded, after) == pytest.approx(peak(dry, pulse), rel=0.01)
+
+
+@pytest.mark.yade
+def test_yade_and_the_planar_solver_answer_alike(case, pulse):
+    """One history and two intensities of a list, by either; YADE in a process of its own."""
+    levels = {"pga_g": [0.15, 0.8]}
+    by = {
+        solver: collapse_curve(case, pulse, solver=solver, search="list", settings=levels).table
+        for solver in ("planar", "yade")
+    }
+    assert list(by["yade"]["status"]) == list(by["planar"]["status"]) == ["ok", "overturned"]
+    assert by["yade"]["d_over_b"][0] == pytest.approx(by["planar"]["d_over_b"][0], rel=0.01)
+    peaks = [rocking.history(case, pulse, "pos", 0.15, solver=s).d_over_b for s in by]
+    assert peaks[1] == pytest.approx(peaks[0], rel=0.01)

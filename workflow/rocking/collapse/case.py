@@ -1,0 +1,221 @@
+"""What is shaken: a case, and variants of it, as plain data.
+
+A case is one façade with its building, before one model of what stands behind it, with β and
+numerics chosen: the content of `results/<run>/scenes/<model>.json`. Solvers build their scene from
+it. A variant is a name and what it changes, in the case and in the motion.
+"""
+
+import copy
+import json
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from rocking.accuracy.fidelity import choose, read_fidelity
+from rocking.calibration.beta import LAW_FILE, beta_for
+from rocking.configuration import config as configuration
+from rocking.configuration import schema
+from rocking.configuration.facade import WEAKEST
+from yade_scripts.model import registry
+
+FIDELITY_FILE = LAW_FILE.with_name("fidelity.yaml")
+SECTIONS = ("facade", "return_wall", "damping", "smdof", "numerics", "ida", "ensemble")
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One change of an experiment, as plain data.
+
+    Attributes
+    ----------
+    name : str
+    changes : mapping of str to value
+        New values of a case by dotted key, as "facade.friction_deg"; "model" changes the model.
+    factors : mapping of str to float
+        Factors on values of a case, by dotted key.
+    added : mapping of str to sequence of dict
+        Rows appended to a list of a case, by dotted key, as "facade.ties".
+    motion : mapping of str to value
+        See `motion.Motion.varied`: the share of the vertical motion, the source, a first shock.
+    about : mapping of str to value
+        What a table says of it, by column.
+    """
+
+    name: str = "as configured"
+    changes: Mapping[str, Any] = field(default_factory=dict)
+    factors: Mapping[str, float] = field(default_factory=dict)
+    added: Mapping[str, Any] = field(default_factory=dict)
+    motion: Mapping[str, Any] = field(default_factory=dict)
+    about: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Case:
+    """One façade, its building and its model.
+
+    Attributes
+    ----------
+    scene : dict
+        model, beta_s, and the sections of a configuration that a run depends on.
+
+    Examples
+    --------
+    >>> from rocking import Case, Variant
+    >>> case = Case.configured("W1", {"facade.height_m": 5.0})
+    >>> case.model, case["facade"]["height_m"], case["numerics"]["nodes_height"] > 0
+    ('W1', 5.0, True)
+    >>> case.varied(Variant("thick", factors={"facade.thickness_m": 2.0}))["facade"]["thickness_m"]
+    0.75
+    """
+
+    scene: dict
+
+    @classmethod
+    def read(cls, path):
+        """Read a case file, as the workflow writes them to `results/<run>/scenes`."""
+        return cls(json.loads(Path(path).read_text("utf-8")))
+
+    @classmethod
+    def configured(cls, model, config=None):
+        """Return the case of a configuration.
+
+        Parameters
+        ----------
+        model : str
+            A name of `yade_scripts.model.registry`.
+        config : path, mapping or None
+            A configuration file, or values by section or dotted key; what it leaves open has its
+            default.
+
+        Raises
+        ------
+        ConfigError
+            In one line, naming the key.
+        """
+        registry.model(model)
+        given = config or {}
+        if not isinstance(given, Mapping):
+            given = yaml.safe_load(Path(given).read_text("utf-8")) or {}
+        resolved = configuration.resolve({**configuration.nested(given), "models": [model]})
+        return cls.chosen({key: resolved[key] for key in (*SECTIONS, "w3")}, model)
+
+    @classmethod
+    def chosen(cls, sections, model, mass_kg=None, law=LAW_FILE, fidelity=FIDELITY_FILE):
+        """Return the case of resolved sections, with what they leave open chosen.
+
+        Parameters
+        ----------
+        sections : dict
+            SECTIONS, and w3 for a model of bricks.
+        model : str
+        mass_kg : float or None
+            Of the building behind the façade, where it was found elsewhere.
+        law, fidelity : path
+            Coefficients of the law of β; measured convergence.
+        """
+        scene, kind = copy.deepcopy(dict(sections)), registry.model(model)
+        scene["model"] = model
+        if kind.walls != "bricks":
+            scene.pop("w3", None)
+        if mass_kg is not None:
+            scene["return_wall"]["building_mass_kg"] = mass_kg
+        if scene["facade"]["hinges_m"] == WEAKEST:
+            from rocking.assessment.battery import weakest_hinge  # slow to load, rarely needed
+
+            scene["facade"]["hinges_m"] = [weakest_hinge(scene["facade"])]
+        scene["beta_s"] = beta_for(scene, law)
+        scene["numerics"], _ = choose(scene, model, read_fidelity(fidelity))
+        return cls(scene)
+
+    def __getitem__(self, key):
+        """Return a section, or model or beta_s."""
+        return self.scene[key]
+
+    @property
+    def model(self):
+        """Name of the model."""
+        return self.scene["model"]
+
+    @property
+    def kind(self):
+        """What the model consists of."""
+        return registry.model(self.model)
+
+    def get(self, key):
+        """Value of a dotted key.
+
+        Raises
+        ------
+        ValueError
+            In one line, for a key that the case has not.
+        """
+        return _place(self.scene, key)[0][key.rpartition(".")[2]]
+
+    def varied(self, variant):
+        """Return the case with a variant's changes; β and numerics stay unless it names them.
+
+        Raises
+        ------
+        ValueError
+            In one line, for a key that the case has not.
+        """
+        scene = copy.deepcopy(self.scene)
+        for key, value in variant.changes.items():
+            part, name = _place(scene, key)
+            part[name] = value
+        for key, factor in variant.factors.items():
+            part, name = _place(scene, key)
+            part[name] *= factor
+        for key, rows in variant.added.items():
+            part, name = _place(scene, key)
+            part[name] = [*part[name], *(_completed(key, row) for row in rows)]
+        return Case(scene)
+
+    def calibrated(self, law=LAW_FILE):
+        """Return the case with β by its law anew, after a change of what the law depends on."""
+        return Case({**self.scene, "beta_s": beta_for(self.scene, law)})
+
+    def checked(self):
+        """Return the case, if the solvers have all that they need of it.
+
+        Raises
+        ------
+        ValueError
+            In one line.
+        """
+        mass = self["return_wall"]["building_mass_kg"]
+        if self.kind.massive and not (mass and mass > 0.0):
+            raise ValueError(
+                f"return_wall.building_mass_kg = {mass}: expected the mass (kg) of the building "
+                f"behind the façade, with model {self.model}"
+            )
+        if not math.isfinite(self["beta_s"]):
+            raise ValueError(f"beta_s = {self['beta_s']}: expected a finite number (s)")
+        return self
+
+    def to_json(self):
+        """Text of the case file."""
+        return json.dumps(self.scene, indent=1, sort_keys=True) + "\n"
+
+
+def _place(scene, key):
+    """Section of a dotted key, and its name in it."""
+    *path, name = key.split(".")
+    part = scene
+    for section in path:
+        part = part.get(section) if isinstance(part, dict) else None
+    if not isinstance(part, dict) or name not in part:
+        raise ValueError(f"{key}: the case has no such key")
+    return part, name
+
+
+def _completed(key, row):
+    """Row of a list with the defaults of its schema."""
+    items = schema.whole()
+    for name in key.split("."):
+        items = items["properties"][name]
+    return schema.complete(row, items["items"])

@@ -1,0 +1,133 @@
+"""Curves and histories of a case by YADE, in the Python that it was built for."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from rocking.collapse.curve import History
+from yade_scripts.model import floor_motions, models
+from yade_scripts.studies.search import drive
+
+SCRIPTS = Path(models.__file__).resolve().parents[1]
+LIMIT_S = 1800.0  # of one call
+BLOCK = 4  # amplitudes that a climb asks for at once: each takes seconds
+COLUMNS = ["pga_g", "d_over_b", "status", "collapsed", "dt_s", "steps", "wall_s"]
+
+
+def run_yade(*words, folder, limit_s=LIMIT_S):
+    """Run a study of `yade_scripts` in a folder.
+
+    Raises
+    ------
+    ValueError
+        With its last line, if it fails or takes longer than `limit_s`.
+    """
+    python = os.environ.get("YADE_PYTHON") or shutil.which("python3", path=os.defpath)
+    command = [str(python or sys.executable), str(SCRIPTS), *words]
+    own = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    try:
+        done = subprocess.run(
+            command, cwd=folder, env=own, capture_output=True, text=True, timeout=limit_s
+        )
+    except subprocess.TimeoutExpired:
+        raise ValueError(f"YADE: {words[0]} took more than {limit_s:g} s") from None
+    if done.returncode:
+        raise ValueError(f"YADE: {(done.stderr.strip().splitlines() or ['no message'])[-1]}")
+
+
+def _write(path, time_s, columns):
+    """Write floor motions at full length."""
+    np.savetxt(
+        path,
+        np.column_stack([time_s, *columns.values()]),
+        fmt="%.17g",
+        delimiter=",",
+        header=",".join(["time_s", *(f"{name}{floor_motions.UNIT}" for name in columns)]),
+        comments="",
+    )
+
+
+class YadeRuns:
+    """Outcomes of a case at any amplitudes, by YADE; finished runs are kept while it lives.
+
+    Parameters
+    ----------
+    case : Case
+    motion : Motion
+    direction : str
+    limit_s : float
+        For each call, of up to `block` amplitudes.
+    """
+
+    block = BLOCK
+
+    def __init__(self, case, motion, direction, limit_s=LIMIT_S):
+        """Write the case and its motions to a folder of their own."""
+        self.limit_s, self.static_g = limit_s, models.static_multiplier(case.scene)
+        self._folder = tempfile.TemporaryDirectory(prefix="rocking-")
+        self.folder = Path(self._folder.name)
+        (self.folder / "case.json").write_text(case.to_json())
+        _write(self.folder / "motion.csv", *motion.columns(case))
+        self.case = {
+            "scene": "case.json",
+            "motion": "motion.csv",
+            "record": motion.name or "motion",
+            "direction": direction,
+        }
+        if motion.first is not None and motion.first_pga_g > 0.0:
+            _write(self.folder / "first.csv", *motion.first.columns(case))
+            self.case["before"] = {
+                "motion": "first.csv",
+                "pga_g": motion.first_pga_g,
+                "pause_s": motion.pause_s,
+            }
+
+    def run(self, pga_g, members=False):
+        """Outcomes at some amplitudes; members are run with the scene's own nodes and step."""
+        listed = {"cases": [{**self.case, "pga_g": [float(g) for g in pga_g]}]}
+        listed["columns"] = {"pga_g": ".17g"}
+        (self.folder / "runs.json").write_text(json.dumps(listed))
+        words = ("--list", "runs.json", "--journal", "journal.jsonl", "--output", "runs.csv")
+        run_yade("runs", *words, folder=self.folder, limit_s=self.limit_s)
+        table = pd.read_csv(self.folder / "runs.csv")
+        return table.assign(collapsed=(table["status"] == "overturned").astype(int))[COLUMNS]
+
+    def seen(self, strategy):
+        """Outcomes of all that a search asks for, and what it found; see `Scan.seen`."""
+        parts = []
+
+        def run(ask):
+            parts.append(self.run(ask.pga_g, ask.members))
+            return parts[-1]["status"].to_numpy()
+
+        found = drive(strategy, run)
+        return pd.concat(parts).sort_values("pga_g", ignore_index=True), found
+
+
+def yade_history(case, motion, direction, pga_g, limit_s=LIMIT_S):
+    """One history by YADE, with contact forces and energies; see the study `history`.
+
+    Raises
+    ------
+    ValueError
+        In one line, for a motion with a first shock.
+    """
+    if motion.before(case, direction) is not None:
+        raise ValueError("history by YADE: expected a motion without a first shock")
+    with tempfile.TemporaryDirectory(prefix="rocking-") as folder:
+        Path(folder, "case.json").write_text(case.to_json())
+        _write(Path(folder, "motion.csv"), *motion.columns(case))
+        words = ["--scene", "case.json", "--motion", "motion.csv", "--direction", direction]
+        words += ["--record", motion.name or "motion", "--pga", f"{pga_g:.17g}"]
+        run_yade("history", *words, "--output", "history.csv", folder=folder, limit_s=limit_s)
+        table = pd.read_csv(Path(folder, "history.csv"))
+    status = str(table["status"].iloc[0])
+    peak = float("nan") if status == "failed" else float(table["d_over_b"].abs().max())
+    return History(table, peak, status)
