@@ -7,8 +7,8 @@ import sys
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 
+from rocking.tables import write_table
 from yade_scripts.model import facade, floor_motions
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.stiffness import critical_step
@@ -96,4 +96,4 @@ def compare(job, method, package, run_case, fractions):
                 }
             )
             print(rows[-1], file=sys.stderr)
-    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(rows, job.output[0])

@@ -7,6 +7,7 @@ import pandas as pd
 from rocking.accuracy.histories import COLUMNS, Solver, drawn, half, histories
 from rocking.accuracy.study import charted, plan_runs
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 from yade_scripts.model import floor_motions
 
@@ -27,7 +28,7 @@ def main(job):
                 solver = Solver(scene, *motion, direction)
                 rows += histories(solver, {**labels, "direction": direction}, limits)
     table = pd.DataFrame(rows)[list(COLUMNS)]
-    table.to_csv(job.output.histories, index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output.histories)
     cases = drawn(table, settings["histories"])
     if not len(cases):
         raise ValueError("accuracy: no history of these records repeats; take more records")

@@ -5,10 +5,10 @@ import os
 import time
 from concurrent.futures import ProcessPoolExecutor
 
-import pandas as pd
 from rocking.accuracy.study import JUDGE
 from rocking.reference.facade import judge
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def one(arguments):
@@ -46,7 +46,7 @@ def main(job):
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
     with ProcessPoolExecutor(int(getattr(job, "threads", 1))) as pool:
         rows = list(pool.map(one, work))
-    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.9g", lineterminator="\n")
+    write_table(rows, job.output[0], digits="%.9g")
 
 
 if __name__ == "__main__":

@@ -5,10 +5,10 @@ import json
 import time
 from pathlib import Path
 
-import pandas as pd
 from rocking.accuracy.histories import Solver
 from rocking.accuracy.study import COMPILED
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 from yade_scripts.model import floor_motions
 
@@ -32,7 +32,7 @@ def main(job):
             rows.append({**row, "steps": round(end / found.step_s), "simulated_s": end})
             rows[-1]["wall_s"] = wall
         del rows[-len(grid) - 1]
-    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.9g", lineterminator="\n")
+    write_table(rows, job.output[0], digits="%.9g")
 
 
 run(main, globals())

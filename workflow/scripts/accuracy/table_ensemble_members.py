@@ -8,6 +8,7 @@ import pandas as pd
 from rocking.collapse.ensemble import members_needed
 from rocking.reference.facade import ensemble_peaks
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 TOLERANCE = 0.05  # half width of the interval about the median of d/b
 LEVELS = 2
@@ -72,9 +73,7 @@ def main(job):
         "members_needed",
         "d_over_b_median_reference",
     ]
-    pd.DataFrame(rows, columns=columns).to_csv(
-        job.output[0], index=False, float_format="%.6g", lineterminator="\n"
-    )
+    write_table(rows, job.output[0], columns)
 
 
 run(main, globals())

@@ -9,6 +9,7 @@ from rocking.accuracy.fidelity import fidelity_table
 from rocking.accuracy.histories import CHOOSING
 from rocking.accuracy.study import TABLE_COLUMNS, chosen_pair, errors, summary
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 HEADER = (
     "# Error in d/b that {share:.3g} % of the repeating histories keep, by nodes and step,\n"
@@ -34,7 +35,7 @@ def main(job):
     choosing = table[(table["half"] == CHOOSING) & (table["repeats"] == 1)]
     fidelity = fidelity_table(choosing, settings["fidelity_share"], settings["fewest_nodes"])
     for name, content in (("table", table[list(TABLE_COLUMNS)]), ("summary", summary(table))):
-        content.to_csv(job.output[name], index=False, float_format="%.6g", lineterminator="\n")
+        write_table(content, job.output[name])
     with open(job.output.fidelity, "w") as handle:
         handle.write(HEADER.format(share=100 * settings["fidelity_share"]))
         yaml.safe_dump(fidelity, handle, sort_keys=True, default_flow_style=None)

@@ -2,10 +2,10 @@
 
 import json
 
-import pandas as pd
 from rocking.assessment.battery import failing_pga, mechanism_of, pulse_share
 from rocking.records import load, measures
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def main(job):
@@ -30,7 +30,7 @@ def main(job):
             {**of_record, "direction": direction, "check": key, "pga_fails_g": pga_g}
             for direction, key, pga_g in found
         ]
-    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(rows, job.output[0])
 
 
 run(main, globals())

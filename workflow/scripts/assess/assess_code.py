@@ -11,11 +11,11 @@ from rocking.assessment.mechanism import lowest_two_blocks, overturning
 from rocking.records import G_M_S2, load
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 from smdof.chain import floor_motions
 from smdof.spectra import response_spectrum
 
-FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
 TIE_SHARES = (0.02, 0.05, 0.10, 0.20)  # of the façade's weight
 VARIED = (
     ("facade", "height_m", 0.05),
@@ -138,14 +138,14 @@ def main(job):
         steps += [(key, *step) for step in check.steps]
     names = ["check", "name", "capacity", "demand", "unit", "ratio", "pga_fails_g"]
     out = job.output
-    pd.DataFrame(checks, columns=[*names, "pga_demand_g", "source"]).to_csv(out.checks, **FORMAT)
+    write_table(checks, out.checks, [*names, "pga_demand_g", "source"])
     columns = ["check", "symbol", "meaning", "value", "unit"]
-    pd.DataFrame(steps, columns=columns).to_csv(out.steps, **FORMAT)
+    write_table(steps, out.steps, columns)
     d, alpha = mechanism.curve()
-    pd.DataFrame({"d_m": d, "multiplier": alpha}).to_csv(out.curve, **FORMAT)
-    sensitivity(settings, demand).to_csv(out.sensitivity, **FORMAT)
-    mechanisms(settings, demand).to_csv(out.mechanisms, **FORMAT)
-    spectra(records, settings, demand).to_csv(out.spectra, **FORMAT)
+    write_table({"d_m": d, "multiplier": alpha}, out.curve)
+    write_table(sensitivity(settings, demand), out.sensitivity)
+    write_table(mechanisms(settings, demand), out.mechanisms)
+    write_table(spectra(records, settings, demand), out.spectra)
 
 
 run(main, globals())

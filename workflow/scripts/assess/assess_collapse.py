@@ -7,6 +7,7 @@ import pandas as pd
 from rocking.assessment.collapse import collapse_pga
 from rocking.records import load, measures
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def main(job):
@@ -24,7 +25,7 @@ def main(job):
             rows.append((scene["model"], name, direction, peak, low, half, limit, runs))
     names = ("model", "record", "direction", "record_pga_g", "pga_p10_g", "pga_median_g")
     table = pd.DataFrame(rows, columns=[*names, "pga_max_g", "runs_planar"])
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

@@ -7,8 +7,8 @@ from rocking.risk.hazard import read_hazard
 from rocking.risk.rates import collapse_rate
 from rocking.runtime.script import run
 from rocking.studies.fragility import bootstrap, fit
+from rocking.tables import write_table
 
-FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
 POINTS = 101
 
 
@@ -64,8 +64,8 @@ def main(job):
                 }
             )
         )
-    pd.DataFrame(rows).to_csv(job.output.table, **FORMAT)
-    pd.concat(curves).to_csv(job.output.curves, **FORMAT)
+    write_table(rows, job.output.table)
+    write_table(pd.concat(curves), job.output.curves)
 
 
 run(main, globals())

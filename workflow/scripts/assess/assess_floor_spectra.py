@@ -8,6 +8,7 @@ from rocking.assessment.floor_spectra import VARIANTS, beside, spread
 from rocking.figures import style
 from rocking.records import load
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def main(job):
@@ -21,7 +22,7 @@ def main(job):
         for name in job.params.records
     ]
     table = spread(pd.concat(parts, ignore_index=True))
-    table.to_csv(job.output.table, index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output.table)
     figure, axes = plt.subplots(1, len(VARIANTS), figsize=(8.6, 2.9), sharey=True)
     floors = sorted({1, (chain["n_dof"] + 1) // 2, chain["n_dof"]})
     for axis, variant in zip(axes, VARIANTS, strict=True):

@@ -9,6 +9,7 @@ import pandas as pd
 from rocking.assessment.collapse import collapse_pga
 from rocking.records import load
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 VARIED = (  # section, key, factors
     ("facade", "thickness_m", (0.95, 1.05)),
@@ -47,7 +48,7 @@ def main(job):
     table = pd.DataFrame(rows, columns=names)
     table["ratio"] = table["pga_changed_g"] / table["pga_stated_g"]
     table["ratio"] = table["ratio"].where(np.isfinite(table["ratio"]))
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

@@ -9,11 +9,11 @@ from rocking.assessment.battery import CHECKS
 from rocking.assessment.comparison import compare
 from rocking.figures import style
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 from yade_scripts.model.registry import MODELS
 
 KEYS = ["record", "direction"]
-FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
 GROUPS = ("height", "slenderness", "T1", "pulse share", "PGV/PGA")
 SHOWN = ("linear_ground", "slv_ground", "slv_both", "slc_both")
 MARKS = ("o", "s", "^", "D")
@@ -119,9 +119,9 @@ def draw_groups(table, output, facts):
 
 def main(job):
     table = gather(job)
-    table.to_csv(job.output.ratios, **FORMAT)
+    write_table(table, job.output.ratios)
     found = compare(table, job.params.resamples, job.params.seed)
-    found.to_csv(job.output.table, **FORMAT)
+    write_table(found, job.output.table)
     draw_ratios(found, [job.output.png, job.output.pdf], job.input.facts)
     draw_groups(found, [job.output.groups_png, job.output.groups_pdf], job.input.facts)
 

@@ -7,6 +7,7 @@ import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies.claims import table
 from rocking.studies.pushover import summary
+from rocking.tables import write_table
 
 
 def main(job):
@@ -22,7 +23,7 @@ def main(job):
         {f["name"]: f["source"] for f in facts},
         {model: (found["ratio"], rule) for model, found in pushed.items()},
     )
-    claims.to_csv(job.output[0], index=False, lineterminator="\n")
+    write_table(claims, job.output[0], digits=None)
 
 
 run(main, globals())

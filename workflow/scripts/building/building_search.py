@@ -10,6 +10,7 @@ import pandas as pd
 from rocking.building.case import read_plan
 from rocking.building.search import READINGS, evaluate, refine, sample, variant
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def main(job):
@@ -44,7 +45,7 @@ def main(job):
         best = mine.loc[mine["rms_error_s"].idxmin(), "variant"]
         refine(score, places[best], search["refinements"])
     table = pd.DataFrame(rows)
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

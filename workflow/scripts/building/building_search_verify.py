@@ -8,6 +8,7 @@ import pandas as pd
 from rocking.building.case import read_plan
 from rocking.building.search import READINGS, Variant, evaluate
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def main(job):
@@ -28,7 +29,7 @@ def main(job):
         named = read_plan(path)
         for reading, fine in evaluate(settings, named, size).items():
             rows.append({"stage": named.name, "reading": reading, **fine, "coarsening": size})
-    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(rows, job.output[0])
 
 
 run(main, globals())

@@ -12,6 +12,7 @@ from rocking.building.case import (
 )
 from rocking.building.modes import DIRECTIONS, Solver
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def main(job):
@@ -55,7 +56,7 @@ def main(job):
         "relative_difference",
     ]
     table = pd.DataFrame(rows, columns=columns)
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

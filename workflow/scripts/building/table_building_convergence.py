@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pandas as pd
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def main(job):
@@ -20,7 +21,7 @@ def main(job):
             lambda column: np.log(column).diff() / np.log(table.loc[column.index, "bricks"]).diff()
         )
     table["period_y_change"] = table.groupby("model")["period_y_s"].pct_change()
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

@@ -10,7 +10,6 @@ import json
 
 import matplotlib.pyplot as plt
 import numpy as np
-import pandas as pd
 from rocking.building.case import build_model, read_plan, translation_mode
 from rocking.building.comparison import top_motion
 from rocking.building.history import LOADS, modal_history
@@ -18,6 +17,7 @@ from rocking.building.modes import Solver
 from rocking.figures import style
 from rocking.records import G_M_S2, read_csv
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 import smdof
 from yade_scripts.studies.explicit_building import corner
@@ -81,9 +81,7 @@ def main(job):
         "quantity",
         "wme",
     ]
-    pd.DataFrame(rows, columns=columns).to_csv(
-        job.output.table, index=False, float_format="%.6g", lineterminator="\n"
-    )
+    write_table(rows, job.output.table, columns)
     first = translation_mode(modes)
     second = first + 1 + int(modes.effective_ratio[first + 1 :, 1].argmax())
     if modes.period_s[second] > 0.6 * modes.period_s[first]:  # a twin of the first, not bending

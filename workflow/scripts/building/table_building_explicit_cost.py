@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pandas as pd
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def main(job):
@@ -19,7 +20,7 @@ def main(job):
     for value in ("cpu_s_per_simulated_s", "memory_mb"):  # exponent over the number of blocks
         growth = np.log(table[value]).diff() / np.log(table["blocks"]).diff()
         table[f"{value.partition('_')[0]}_growth"] = growth
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

@@ -4,6 +4,7 @@ import pandas as pd
 from rocking.building.case import PAPER_PERIODS_S, translation_mode, twist_mode
 from rocking.building.modes import DIRECTIONS, Modes
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 ROWS = 12  # modes listed for each model
 
@@ -27,7 +28,7 @@ def main(job):
     table = pd.DataFrame(rows, columns=list(columns))
     table["effective_mass_ratio"] = table["effective_mass_ratio"].round(6)
     table["period_s"] = table["period_s"].round(6)
-    table.to_csv(job.output[0], index=False, float_format="%.9g", lineterminator="\n")
+    write_table(table, job.output[0], digits="%.9g")
 
 
 run(main, globals())

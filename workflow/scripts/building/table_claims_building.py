@@ -6,6 +6,7 @@ import pandas as pd
 from rocking.building.claims import evaluate
 from rocking.runtime.script import run
 from rocking.statements import COLUMNS
+from rocking.tables import write_table
 
 
 def main(job):
@@ -14,7 +15,7 @@ def main(job):
         for path in job.input.explicit
     }
     rows = evaluate(pd.read_csv(job.input.modes), pd.read_csv(job.input.wme), explicit)
-    pd.DataFrame(rows, columns=COLUMNS).to_csv(job.output[0], index=False, lineterminator="\n")
+    write_table(rows, job.output[0], COLUMNS, digits=None)
 
 
 run(main, globals())

@@ -18,6 +18,7 @@ from rocking.building.comparison import (
 from rocking.building.modes import Modes
 from rocking.records import read_csv
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def main(job):
@@ -43,13 +44,13 @@ def main(job):
                 known = paper[n - 1] if paper and job.params.paper else None
                 rows.append((name, n, quantity, errors[quantity], known))
     table = pd.DataFrame(rows, columns=["record", "n_dof", "quantity", "wme", "wme_paper"])
-    table.to_csv(job.output.wme, index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output.wme)
     chosen = choose_n(zip(table["n_dof"], table["wme"], strict=True), settings["wme_gain"])
     chain = pd.DataFrame(
         [(period, mode + 1, modes.effective_ratio[mode, 1], chosen, settings["wme_gain"])],
         columns=["t1_s", "mode", "effective_mass_ratio", "n_dof", "wme_gain"],
     )
-    chain.to_csv(job.output.chain, index=False, float_format="%.6g", lineterminator="\n")
+    write_table(chain, job.output.chain)
     with open(job.output.config, "w") as handle:
         handle.write(
             "# Chain equivalent to this building; give it to the façade stage with --configfile.\n"

@@ -12,6 +12,7 @@ from rocking.building.readings import errors, readings
 from rocking.building.search import first_mode
 from rocking.records import read_csv
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def highest_brick(building, name):
@@ -67,7 +68,7 @@ def main(job):
     table = pd.DataFrame(
         rows, columns=["reading", "record", "n_dof", "quantity", "wme", "wme_paper"]
     )
-    table.to_csv(job.output.readings, index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output.readings)
     lowest = []
     for key, part in table.groupby(["reading", "record", "quantity"], sort=False):
         known = part["wme_paper"].notna().all()
@@ -81,9 +82,7 @@ def main(job):
             )
         )
     columns = ["reading", "record", "quantity", "n_lowest", "n_lowest_paper", "wme_lowest"]
-    pd.DataFrame(lowest, columns=[*columns, "mean_difference"]).to_csv(
-        job.output.lowest, index=False, float_format="%.6g", lineterminator="\n"
-    )
+    write_table(lowest, job.output.lowest, [*columns, "mean_difference"])
 
 
 run(main, globals())

@@ -11,6 +11,7 @@ from rocking.collapse import probability
 from rocking.collapse.ida import curve_key, read_curve
 from rocking.figures import style
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 COLUMNS = [
     "record",
@@ -72,7 +73,7 @@ def main(job):
             )
         )
     table = pd.DataFrame(rows, columns=COLUMNS)
-    table.to_csv(job.output.table, index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output.table)
 
     used = table[table["censored"] == 0]
     figure, axis = plt.subplots(figsize=(5.4, 3.4))

@@ -8,6 +8,7 @@ import pandas as pd
 from rocking.configuration.words import said
 from rocking.figures import style
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 from yade_scripts.model.registry import MODELS
 
@@ -46,7 +47,7 @@ def label(name, values):
 def main(job):
     differing = job.params.differing
     table = joined(job.input.tables, differing)
-    table.to_csv(job.output.table, index=False, lineterminator="\n")
+    write_table(table, job.output.table, digits=None)
     names = list(differing)
     wide = table.assign(pga_g=intensity(table)).pivot(index=CURVE, columns="run", values="pga_g")
     wide = wide.reindex(columns=names)

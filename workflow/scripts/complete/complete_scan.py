@@ -6,6 +6,7 @@ from rocking.accuracy.fidelity import choose, read_fidelity
 from rocking.building.complete import run_numerics, scene_of
 from rocking.building.reduced import ReducedScan
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 from yade_scripts.model import floor_motions
 from yade_scripts.studies.perturb import NODE_CHOICES
@@ -25,7 +26,7 @@ def main(job):
         {"model": w.complete, "record": w.record, "direction": w.direction}.items()
     ):
         table.insert(place, name, value)
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

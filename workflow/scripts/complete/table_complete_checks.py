@@ -12,6 +12,7 @@ import pandas as pd
 from rocking.building.complete import linear_history
 from rocking.building.modes import Solver
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 from yade_scripts.model import floor_motions
 from yade_scripts.model.building.complete import apart
@@ -79,9 +80,7 @@ def main(job):
         )
     rows.append(("bonds broken", size, float(table["broken"].iloc[-1]), 0.0, "-", np.nan))
     columns = ["check", "coarsening", "explicit", "modal", "unit", "error"]
-    pd.DataFrame(rows, columns=columns).to_csv(
-        job.output[0], index=False, float_format="%.6g", lineterminator="\n"
-    )
+    write_table(rows, job.output[0], columns)
 
 
 run(main, globals())

@@ -8,6 +8,7 @@ import pandas as pd
 from rocking.collapse import probability
 from rocking.collapse.ida import curve_key, read_curve
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def main(job):
@@ -22,9 +23,8 @@ def main(job):
         lone = (table["probability_yade"] - table["probability"]).abs() == 1.0
         rows.append(row | {"disagreements": int(lone.sum())})
         parts.append(table.assign(**named)[probability.PROBABILITY_COLUMNS])
-    options = {"index": False, "float_format": "%.4f", "lineterminator": "\n"}
-    pd.DataFrame(rows, columns=probability.COLUMNS).to_csv(job.output.collapse, **options)
-    pd.concat(parts).to_csv(job.output.probability, **options)
+    write_table(rows, job.output.collapse, probability.COLUMNS, digits="%.4f")
+    write_table(pd.concat(parts), job.output.probability, digits="%.4f")
 
 
 run(main, globals())

@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 from rocking.building.modes import Solver
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 from yade_scripts.model.building.complete import apart
 from yade_scripts.model.scene import from_dict
@@ -36,7 +37,7 @@ def main(job):
                 "cpu_s": cost["cpu_s"],
             }
         )
-    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(rows, job.output[0])
 
 
 run(main, globals())

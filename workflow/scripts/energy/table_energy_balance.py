@@ -2,6 +2,7 @@
 
 import pandas as pd
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 TERMS = (
     "input_j",
@@ -29,7 +30,7 @@ def main(job):
                 "residual_over_overturning": worst / history["overturning_j"].iloc[0],
             }
         )
-    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(rows, job.output[0])
 
 
 run(main, globals())

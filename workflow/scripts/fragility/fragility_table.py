@@ -14,10 +14,10 @@ from rocking.records import read_csv
 from rocking.records.intensity_measures import per_pga, record_measures
 from rocking.runtime.script import run
 from rocking.studies import fragility, sufficiency
+from rocking.tables import write_table
 
 POINTS = 121
 REACH = 3.5  # dispersions either side of the median
-FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
 
 
 def brackets(curves, dense, factors, measures):
@@ -79,7 +79,7 @@ def main(job):
         )
     found = [pd.read_csv(path) for path in (job.input.collapse, job.input.probability)]
     table = brackets(*found, factors, settings["measures"])
-    slopes(found[0], factors, properties, settings).to_csv(job.output.sufficiency, **FORMAT)
+    write_table(slopes(found[0], factors, properties, settings), job.output.sufficiency)
     fits, efficiency, curves = [], [], []
     for model, of_model in table.groupby("model", sort=False):
         reference = None  # dispersions by PGA of the same draws, if PGA is among the measures
@@ -139,9 +139,10 @@ def main(job):
                         strict=True,
                     )
                 )
-    pd.DataFrame(
+    write_table(
         fits,
-        columns=[
+        job.output.fragility,
+        [
             "model",
             "im",
             "median",
@@ -153,10 +154,11 @@ def main(job):
             "n_records",
             "remark",
         ],
-    ).to_csv(job.output.fragility, **FORMAT)
-    pd.DataFrame(
+    )
+    write_table(
         efficiency,
-        columns=[
+        job.output.measures,
+        [
             "model",
             "im",
             "dispersion",
@@ -166,11 +168,13 @@ def main(job):
             "n",
             "n_records",
         ],
-    ).to_csv(job.output.measures, **FORMAT)
-    pd.DataFrame(
-        curves, columns=["model", "im", "intensity", "probability", "band_low", "band_high"]
-    ).to_csv(job.output.curves, **FORMAT)
-    table.to_csv(job.output.brackets, **FORMAT)
+    )
+    write_table(
+        curves,
+        job.output.curves,
+        ["model", "im", "intensity", "probability", "band_low", "band_high"],
+    )
+    write_table(table, job.output.brackets)
 
 
 run(main, globals())

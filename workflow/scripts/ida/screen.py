@@ -6,6 +6,7 @@ from pathlib import Path
 from rocking.collapse.plan import plan
 from rocking.collapse.scan import Screen, scan_settings
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 from yade_scripts.model import floor_motions, models
 from yade_scripts.studies.search import DIGITS
@@ -21,7 +22,7 @@ def main(job):
     table.insert(0, "model", scene["model"])
     table.insert(1, "record", job.params.record)
     table.insert(2, "direction", w.direction)
-    table.to_csv(job.output.scan, index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output.scan)
     Path(job.output.plan).write_text(json.dumps(plan(table, ida, ensemble)) + "\n")
 
 

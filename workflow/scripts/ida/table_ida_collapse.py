@@ -4,6 +4,7 @@ import pandas as pd
 from rocking.collapse import probability
 from rocking.collapse.ida import curve_key, read_curve
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def tables(paths):
@@ -29,10 +30,9 @@ def main(job):
         row["disagreements"] = int((table["agrees"] == 0).sum())
         rows.append(row)
         parts.append(table)
-    options = {"index": False, "float_format": "%.4f", "lineterminator": "\n"}
     table = pd.DataFrame(rows, columns=probability.COLUMNS)
-    table.to_csv(job.output.collapse, **options)
-    pd.concat(parts).to_csv(job.output.probability, **options)
+    write_table(table, job.output.collapse, digits="%.4f")
+    write_table(pd.concat(parts), job.output.probability, digits="%.4f")
 
 
 run(main, globals())

@@ -7,6 +7,7 @@ from pathlib import Path
 import pandas as pd
 from rocking.accuracy.judge import SCAN_COLUMNS, scan
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 from yade_scripts.model import models
 
@@ -21,7 +22,7 @@ def main(job):
     table = scan(scene, job.input.motion, w.direction, settings, start_g)
     table = table.assign(model=scene["model"], record=job.params.record, direction=w.direction)
     table = table[list(SCAN_COLUMNS)]
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

@@ -3,6 +3,7 @@
 import pandas as pd
 from rocking.accuracy.judge import BAND_COLUMNS, KEY, compare
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def main(job):
@@ -13,8 +14,8 @@ def main(job):
         for key, table in scans.groupby(KEY, sort=False)
     ]
     bands = pd.DataFrame(rows, columns=list(BAND_COLUMNS))
-    bands.to_csv(job.output.bands, index=False, float_format="%.4f", lineterminator="\n")
-    scans.to_csv(job.output.scan, index=False, float_format="%.6g", lineterminator="\n")
+    write_table(bands, job.output.bands, digits="%.4f")
+    write_table(scans, job.output.scan)
 
 
 run(main, globals())

@@ -9,6 +9,7 @@ from rocking.collapse.scan import Screen
 from rocking.records import read_csv
 from rocking.records.floors import floor_columns
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 COLUMNS = ["record", "direction", "mass_ratio", "period_s", "damping_ratio"]
 COLUMNS += [*(f"pga_{name}_g" for name in ("collapse", "median", "all", "max")), "runs_planar"]
@@ -43,7 +44,7 @@ def main(job):
                 named = (record.name, direction, ratio, period, damping)
                 rows.append([*named, *(found[name] for name in COLUMNS[5:])])
     table = pd.DataFrame(rows, columns=COLUMNS)
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

@@ -12,6 +12,7 @@ from rocking.records.floors import floor_columns
 from rocking.records.table import read_table
 from rocking.runtime.script import run
 from rocking.studies.premises import BASE, CAPACITY, Variant, variants, varied
+from rocking.tables import write_table
 
 COLUMNS = ["model", "record", "direction", "premise", "level", *CAPACITY, "runs_planar"]
 
@@ -41,7 +42,7 @@ def main(job):
             named = (model, record.name, direction, variant.premise, variant.level)
             rows.append([*named, *(found[name] for name in COLUMNS[5:])])
     found = pd.DataFrame(rows, columns=COLUMNS)
-    found.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(found, job.output[0])
 
 
 run(main, globals())

@@ -9,6 +9,7 @@ from rocking.collapse import probability
 from rocking.collapse.ida import curve_key, read_curve
 from rocking.runtime.script import run
 from rocking.studies import premises
+from rocking.tables import write_table
 
 from yade_scripts.model.registry import MODELS
 
@@ -16,7 +17,6 @@ SIDE = [f"pga_{name}_g" for name in premises.SIDE]
 RATIOS = [f"ratio_{name}" for name in premises.SIDE]
 COLUMNS = ["model", "record", "source", "direction", "method", "runs", "cpu_s", *SIDE]
 COLUMNS += ["reference", *RATIOS, "side"]
-OPTIONS = {"index": False, "float_format": "%.4f", "lineterminator": "\n"}
 
 
 def cpu_s(folder, rule, key):
@@ -68,10 +68,10 @@ def main(job):
         parts.append(dense.assign(**named)[columns])
     table = pd.DataFrame(rows)
     beside = premises.beside(table, job.params.reference)
-    beside[COLUMNS].to_csv(job.output.table, **OPTIONS)
+    write_table(beside[COLUMNS], job.output.table, digits="%.4f")
     dense = pd.concat(parts).reindex(columns=probability.PROBABILITY_COLUMNS)
-    dense.to_csv(job.output.probability, **OPTIONS)
-    premises.losses(table).to_csv(job.output.losses, **OPTIONS)
+    write_table(dense, job.output.probability, digits="%.4f")
+    write_table(premises.losses(table), job.output.losses, digits="%.4f")
     # every driven model over its own massive twin, then every model over the reference
     pairs = []
     for model in table["model"].unique():
@@ -81,7 +81,7 @@ def main(job):
     pairs.append(beside[beside["model"] != job.params.reference])
     whole = pd.concat(pairs).drop_duplicates(["model", "reference", *premises.KEY])
     ratios = premises.spread_of(whole, RATIOS, ["model", "reference"])
-    ratios.to_csv(job.output.ratios, **OPTIONS)
+    write_table(ratios, job.output.ratios, digits="%.4f")
 
 
 run(main, globals())

@@ -3,6 +3,7 @@
 import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies.premises import spread_of
+from rocking.tables import write_table
 
 KEY = ["record", "direction", "period_s", "damping_ratio"]
 MEASURES = ("collapse", "median", "all")
@@ -18,7 +19,7 @@ def main(job):
     by = ["damping_ratio", "period_s", "mass_ratio"]
     columns = [f"ratio_{name}" for name in MEASURES]
     found = spread_of(pushed.reset_index().sort_values(by), columns, by)
-    found.to_csv(job.output[0], index=False, float_format="%.4f", lineterminator="\n")
+    write_table(found, job.output[0], digits="%.4f")
 
 
 run(main, globals())

@@ -3,6 +3,7 @@
 import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies import premises
+from rocking.tables import write_table
 
 KEY = ["record", "direction"]
 WHAT = ["model", *KEY, "premise", "level"]
@@ -22,9 +23,7 @@ def main(job):
     table["ratio_p10"] = table["pga_p10_g"] / middle
     table["ratio_p90"] = table["pga_p90_g"] / middle
     columns = [*WHAT, *premises.CAPACITY, *(f"ratio_{m}" for m in (*MEASURES, "p10", "p90")), RUNS]
-    table.reset_index()[columns].to_csv(
-        job.output[0], index=False, float_format="%.4f", lineterminator="\n"
-    )
+    write_table(table.reset_index()[columns], job.output[0], digits="%.4f")
 
 
 run(main, globals())

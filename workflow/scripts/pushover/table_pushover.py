@@ -6,6 +6,7 @@ from pathlib import Path
 import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies.pushover import complete_curve, friction_moment_ratio, joint_forces, summary
+from rocking.tables import write_table
 
 from yade_scripts.model import registry
 
@@ -23,7 +24,7 @@ def main(job):
         ratio = friction_moment_ratio(joint_forces(pd.read_csv(forces), config))
         part = ratio[(ratio.index > 0.02) & (ratio.index < 0.1)]
         rows.append({"case": f"W3 {Path(scene).stem}", **row, "friction_moment_ratio": part.mean()})
-    pd.DataFrame(rows).to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(rows, job.output[0])
 
 
 run(main, globals())

@@ -9,6 +9,7 @@ import pandas as pd
 from rocking.records import DEFAULT_SEED, read_specs, read_table, surrogates_for
 from rocking.records.check import check_records
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def main(job):
@@ -25,7 +26,7 @@ def main(job):
         cache=getattr(p, "cache", None),
     )
     table = pd.DataFrame(findings, columns=["record", "file", "status", "message"])
-    table.to_csv(job.output[0], index=False, lineterminator="\n")
+    write_table(table, job.output[0], digits=None)
     for finding in findings:
         if finding.status != "ok":
             print(f"{finding.status}: {finding}", file=sys.stderr)

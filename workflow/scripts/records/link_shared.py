@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pandas as pd
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def link(source, target):
@@ -27,7 +28,7 @@ def main(job):
         link(source, folder / name)
         rows.append((name, source.as_posix()))
     table = pd.DataFrame(rows, columns=["file", "kept_in"])
-    table.to_csv(job.output[0], index=False, lineterminator="\n")
+    write_table(table, job.output[0], digits=None)
 
 
 run(main, globals())

@@ -13,6 +13,7 @@ from pathlib import Path
 import pandas as pd
 from report_table import page, rows
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 LARGE_FACTOR = 5.0  # beyond it a scaled record is hardly a stronger earthquake's motion
 SHOWN = ("model", "record", "direction", "pga_safe_g", "pga_collapse_g")
@@ -94,7 +95,7 @@ def main(job):
     records, collapse = pd.read_csv(job.input.records), pd.read_csv(job.input.collapse)
     runs = pd.concat(pd.read_csv(path) for path in job.input.ida)
     factors = scale_factors(records, runs, collapse)
-    factors.to_csv(job.output.factors, index=False, float_format="%.4g", lineterminator="\n")
+    write_table(factors, job.output.factors, digits="%.4g")
     for row in factors[factors["scale_factor"] > LARGE_FACTOR].itertuples():
         print(
             f"warning: record {row.record} is scaled to {row.scale_factor:.1f} times its own peak,"

@@ -5,6 +5,7 @@ from pathlib import Path
 import pandas as pd
 from rocking.collapse.ida import read_curve
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 COLUMNS = [
     "model",
@@ -39,7 +40,7 @@ def main(job):
             row += [times["s"], times["cpu_time"], times["max_rss"]]
         rows.append(row + [None] * (len(COLUMNS) - len(row)))
     table = pd.DataFrame(rows, columns=COLUMNS)
-    table.to_csv(job.output[0], index=False, float_format="%.4g", lineterminator="\n")
+    write_table(table, job.output[0], digits="%.4g")
 
 
 run(main, globals())

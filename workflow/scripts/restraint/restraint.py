@@ -5,6 +5,7 @@ from pathlib import Path
 
 from rocking.runtime.script import run
 from rocking.studies import restraint
+from rocking.tables import write_table
 
 from yade_scripts.model import floor_motions
 
@@ -18,7 +19,7 @@ def main(job):
     plan = {"cases": restraint.to_confirm(scene, found)}
     for place, name in enumerate(("model", "record", "direction")):
         found.insert(place, name, getattr(w, name))
-    found.to_csv(job.output.table, index=False, float_format="%.6g", lineterminator="\n")
+    write_table(found, job.output.table)
     Path(job.output.plan).write_text(json.dumps(plan, indent=1, sort_keys=True) + "\n")
 
 

@@ -10,8 +10,8 @@ from rocking.risk import rates
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
 from rocking.studies import fragility
+from rocking.tables import write_table
 
-FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
 MUCH = 0.1  # share of the rate from beyond the hazard table that is worth a word
 COLUMNS = [
     *("model", "im", "median", "dispersion", "annual_rate", "rate_low", "rate_high"),
@@ -70,10 +70,10 @@ def main(job):
         for i, value in enumerate(by_bin[0]):
             ends = (edges[i], edges[i + 1], value, value / rate, lower[i], upper[i])
             parts.append((model, hazard.measure, *ends))
-    pd.DataFrame(rows, columns=COLUMNS).to_csv(job.output.table, **FORMAT)
+    write_table(rows, job.output.table, COLUMNS)
     names = ["model", "im", "intensity_low", "intensity_high", "annual_rate"]
     names += ["share", "share_low", "share_high"]
-    pd.DataFrame(parts, columns=names).to_csv(job.output.deaggregation, **FORMAT)
+    write_table(parts, job.output.deaggregation, names)
 
 
 def _bins(hazard, median, dispersion, inner):

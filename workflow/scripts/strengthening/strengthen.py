@@ -5,6 +5,7 @@ from pathlib import Path
 
 from rocking.runtime.script import run
 from rocking.studies import strengthening
+from rocking.tables import write_table
 
 from yade_scripts.model import floor_motions
 
@@ -28,7 +29,7 @@ def main(job):
     ):
         for place, name in enumerate(("model", "record", "direction")):
             frame.insert(place, name, about[place])
-        frame.to_csv(path, index=False, float_format="%.6g", lineterminator="\n")
+        write_table(frame, path)
     cases = [
         {
             "height_m": round(z, 6),

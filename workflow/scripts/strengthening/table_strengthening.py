@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pandas as pd
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 
 def confirmed(table, force_kn):
@@ -26,7 +27,7 @@ def main(job):
     table = pd.DataFrame(rows)
     table.insert(3, "pga_g", settings["pga_g"])
     table.insert(4, "accepted", settings["probability"])
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

@@ -16,6 +16,7 @@ from rocking.records.pulses import pulse_spec
 from rocking.records.surrogate import generate
 from rocking.runtime.script import run
 from rocking.studies.surrogate_trust import COLUMNS, outcome
+from rocking.tables import write_table
 
 
 def surrogate(record, pulses, seed):
@@ -62,7 +63,7 @@ def main(job):
     table = pd.DataFrame(rows, columns=COLUMNS)
     for name in ("pulses", "pulses_kept"):
         table[name] = table[name].astype("Int64")
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

@@ -3,17 +3,16 @@
 import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies.surrogate_trust import scatter, summary
-
-FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
+from rocking.tables import write_table
 
 
 def main(job):
     table = pd.concat([pd.read_csv(path) for path in job.input.tables], ignore_index=True)
     for name in ("pulses", "pulses_kept"):
         table[name] = table[name].astype("Int64")
-    table.to_csv(job.output.table, **FORMAT)
-    scatter(table).to_csv(job.output.scatter, **FORMAT)
-    summary(table).to_csv(job.output.summary, **FORMAT)
+    write_table(table, job.output.table)
+    write_table(scatter(table), job.output.scatter)
+    write_table(summary(table), job.output.summary)
 
 
 run(main, globals())

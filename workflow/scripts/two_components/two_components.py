@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies.two_components import COLUMNS, Curve
+from rocking.tables import write_table
 
 from yade_scripts.model import floor_motions, models
 
@@ -23,7 +24,7 @@ def main(job):
             own = (scene["model"], job.wildcards.record, p.second, direction, ratio)
             rows.append((*own, *found))
     table = pd.DataFrame(rows, columns=COLUMNS)
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

@@ -9,6 +9,7 @@ from rocking.assessment.collapse import STEP, Climb, lowest_start
 from rocking.records import read_csv
 from rocking.records.floors import floor_columns
 from rocking.runtime.script import run
+from rocking.tables import write_table
 from rocking.uncertainty import sampling
 
 BELOW = 0.5  # of the medians' first collapse: where the climb of another point begins
@@ -38,7 +39,7 @@ def main(job):
                 key = (record.name, p.direction, case["model"], number, again)
                 rows.append((*key, *found, limit, climb.runs))
     table = pd.DataFrame(rows, columns=COLUMNS)
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

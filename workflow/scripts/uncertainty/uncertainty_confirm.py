@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pandas as pd
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 COLUMNS = ["cell", "record", "direction", "model", "sample", "pga_g"]
 COLUMNS += ["d_over_b_planar", "status_planar", "d_over_b_yade", "status_yade", "agrees"]
@@ -22,7 +23,7 @@ def main(job):
             both = (value, status, yade["d_over_b"], yade["status"], same)
             rows.append((Path(path).stem, *known, yade["pga_g"], *both))
     table = pd.DataFrame(rows, columns=COLUMNS)
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

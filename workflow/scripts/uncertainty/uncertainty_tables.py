@@ -6,9 +6,9 @@ import numpy as np
 import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies import fragility
+from rocking.tables import write_table
 from rocking.uncertainty import parts, sampling
 
-FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
 NARROW = 1e-3  # half width of the bracket of a collapse that is known, over it
 
 
@@ -34,7 +34,7 @@ def curves(table, found):
 def main(job):
     settings = json.loads(job.params.settings)
     table = pd.concat([pd.read_csv(path) for path in job.input.tables], ignore_index=True)
-    sampling.factors(settings).to_csv(job.output.samples, index_label="sample", float_format="%.6g")
+    write_table(sampling.factors(settings).rename_axis("sample").reset_index(), job.output.samples)
     y, records, names = parts.cube(table)
     if len(records) < 3:
         raise ValueError(
@@ -44,7 +44,7 @@ def main(job):
     confidence = settings["confidence"]
     found = parts.table_of_parts(y, parts.numerical_variance(table), confidence)
     size = {"n_motions": y.shape[0], "n_samples": y.shape[1], "n_models": y.shape[2]}
-    found.assign(**size).to_csv(job.output.parts, **FORMAT)
+    write_table(found.assign(**size), job.output.parts)
     scores, rows = sampling.scores(settings), settings["parameters"]
     answers = {"all": y.mean(axis=2)} | {name: y[:, :, k] for k, name in enumerate(names)}
     tables = []
@@ -55,8 +55,8 @@ def main(job):
         for key in ("distribution", "spread", "source"):
             one[key] = [row[key] for row in rows]
         tables.append(one)
-    pd.concat(tables).to_csv(job.output.sensitivity, **FORMAT)
-    curves(table, found).to_csv(job.output.fragility, **FORMAT)
+    write_table(pd.concat(tables), job.output.sensitivity)
+    write_table(curves(table, found), job.output.fragility)
 
 
 run(main, globals())

@@ -10,6 +10,7 @@ from rocking.assessment.collapse import collapse_pga
 from rocking.records import load
 from rocking.runtime.script import run
 from rocking.studies.vertical import COLUMNS, SHARES
+from rocking.tables import write_table
 
 
 def main(job):
@@ -29,7 +30,7 @@ def main(job):
                 key = (record.name, p.station, scene["model"], direction, name, size)
                 rows.append((*key, *found))
     table = pd.DataFrame(rows, columns=COLUMNS)
-    table.to_csv(job.output[0], index=False, float_format="%.6g", lineterminator="\n")
+    write_table(table, job.output[0])
 
 
 run(main, globals())

@@ -3,14 +3,13 @@
 import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies.vertical import summary
-
-FORMAT = {"index": False, "float_format": "%.6g", "lineterminator": "\n"}
+from rocking.tables import write_table
 
 
 def main(job):
     table = pd.concat([pd.read_csv(path) for path in job.input.tables], ignore_index=True)
-    table.to_csv(job.output.table, **FORMAT)
-    summary(table).to_csv(job.output.summary, **FORMAT)
+    write_table(table, job.output.table)
+    write_table(summary(table), job.output.summary)
 
 
 run(main, globals())
