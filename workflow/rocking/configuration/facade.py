@@ -5,11 +5,11 @@ import math
 from collections.abc import Mapping
 
 from rocking.configuration.schema import ConfigError, show
+from rocking.configuration.standing import WEAKEST, check_standing
 from yade_scripts.model import registry
 from yade_scripts.model.shape import Shape, is_plain, shape_of
 
 MIN_SLENDERNESS = 2.0  # h/b; a stockier block slides or crushes before it rocks
-WEAKEST = "weakest"
 
 
 def check_facade(resolved: Mapping) -> None:
@@ -36,6 +36,7 @@ def check_facade(resolved: Mapping) -> None:
     _check_shape(resolved)
     _check_bars(resolved)
     _check_hinges(resolved)
+    check_standing(resolved)
 
 
 def _check_geometry(facade: Mapping, wall: Mapping) -> None:
