@@ -1,22 +1,39 @@
 # Accuracy and stability: `snakemake accuracy`.
-include: "energy.smk"
+ACCURACY_CURVES = {
+    "model": RUNS.key("accuracy.models"),
+    "record": RUNS.named("accuracy.records"),
+    "direction": RUNS.key("accuracy.directions"),
+}
+ENERGY_RUNS = {
+    "model": RUNS.key("accuracy.energy_models"),
+    "record": RUNS.named("accuracy.records"),
+    "direction": lambda run: RUNS.settings[run]["accuracy"]["directions"][0],
+    "share": lambda run: f"{RUNS.settings[run]['accuracy']['energy_share']:g}",
+}
 
 
-rule accuracy:
-    input:
-        with_pages(STUDY.per_run(ACCURACY.results)),
+def accuracy_scenes(wildcards):
+    """Scenes of its models, which the judge must know if it is the reference."""
+    if RUNS.cfg(wildcards)["accuracy"]["reference"] == "judge":
+        RUNS.needs_plain(wildcards.run, "the judge", held=True)
+    return of_run(rules.scene.output[0], model=RUNS.key("accuracy.models"))(wildcards)
+
+
+def accuracy_scanned(run):
+    """Models of the accuracy study that have dense scans."""
+    return [m for m in RUNS.settings[run]["accuracy"]["models"] if RUNS.scanned(run, m)]
 
 
 rule stability:
     input:
-        scene="results/{run}/scenes/W2.json",
-        yade="results/{run}/yade.txt",
+        scene=of_run(rules.scene.output[0], model="W2"),
+        yade=rules.yade_check.output[0],
         modules=study_code("stability"),
     output:
-        trials="results/{run}/tables/stability.csv",
-        limits="results/{run}/tables/stability_limits.csv",
+        trials=results("tables/stability.csv"),
+        limits=results("tables/stability_limits.csv"),
     log:
-        "results/{run}/logs/stability.log",
+        logs("stability"),
     params:
         yade=YADE,
     shell:
@@ -26,12 +43,12 @@ rule stability:
 
 rule figure_stability:
     input:
-        limits="results/{run}/tables/stability_limits.csv",
+        limits=rules.stability.output.limits,
         modules=code("accuracy/figure_stability"),
     output:
         **figure("stability", "Accuracy and stability", "critical step"),
     log:
-        "results/{run}/logs/figure_stability.log",
+        logs("figure_stability"),
     script:
         "../scripts/accuracy/figure_stability.py"
 
@@ -39,50 +56,50 @@ rule figure_stability:
 # The compiled planar solver finds intensities, tells what repeats, and gives the reference.
 rule accuracy_plan:
     input:
-        scenes=ACCURACY.scenes,
-        motions=ACCURACY.all_motions,
+        scenes=accuracy_scenes,
+        motions=of_run(rules.floor_motions.output[0]),
         modules=code("accuracy/accuracy_plan"),
     output:
-        plan="results/{run}/accuracy/plan.json",
-        histories="results/{run}/accuracy/histories.csv",
+        plan=results("accuracy/plan.json"),
+        histories=results("accuracy/histories.csv"),
     log:
-        "results/{run}/logs/accuracy_plan.log",
+        logs("accuracy_plan"),
     benchmark:
-        "results/{run}/benchmarks/accuracy_plan.tsv"
+        benchmarks("accuracy_plan")
     params:
-        accuracy=lambda w: STUDY.cfg(w)["accuracy"],
-        ensemble=lambda w: STUDY.cfg(w)["ensemble"],
-        max_pga_g=lambda w: STUDY.cfg(w)["ida"]["max_pga_g"],
-        records=lambda w: STUDY.records[w.run],
+        accuracy=lambda w: RUNS.cfg(w)["accuracy"],
+        ensemble=lambda w: RUNS.cfg(w)["ensemble"],
+        max_pga_g=lambda w: RUNS.cfg(w)["ida"]["max_pga_g"],
+        records=lambda w: RUNS.records[w.run],
     script:
         "../scripts/accuracy/accuracy_plan.py"
 
 
 rule accuracy_screening:
     input:
-        plan="results/{run}/accuracy/plan.json",
+        plan=rules.accuracy_plan.output.plan,
         modules=code("accuracy/accuracy_screening"),
     output:
-        "results/{run}/accuracy/screening.csv",
+        results("accuracy/screening.csv"),
     log:
-        "results/{run}/logs/accuracy_screening.log",
+        logs("accuracy_screening"),
     params:
-        accuracy=lambda w: STUDY.cfg(w)["accuracy"],
+        accuracy=lambda w: RUNS.cfg(w)["accuracy"],
     script:
         "../scripts/accuracy/accuracy_screening.py"
 
 
 rule accuracy_runs:
     input:
-        plan="results/{run}/accuracy/plan.json",
-        yade="results/{run}/yade.txt",
+        plan=rules.accuracy_plan.output.plan,
+        yade=rules.yade_check.output[0],
         modules=study_code("accuracy"),
     output:
-        "results/{run}/accuracy/runs.csv",
+        results("accuracy/runs.csv"),
     log:
-        "results/{run}/logs/accuracy_runs.log",
+        logs("accuracy_runs"),
     benchmark:
-        "results/{run}/benchmarks/accuracy_runs.tsv"
+        benchmarks("accuracy_runs")
     params:
         yade=YADE,
     shell:
@@ -91,17 +108,17 @@ rule accuracy_runs:
 
 rule accuracy_reference:
     input:
-        plan="results/{run}/accuracy/plan.json",
+        plan=rules.accuracy_plan.output.plan,
         modules=code("accuracy/accuracy_reference"),
     output:
-        "results/{run}/accuracy/judge.csv",
+        results("accuracy/judge.csv"),
     log:
-        "results/{run}/logs/accuracy_reference.log",
+        logs("accuracy_reference"),
     benchmark:
-        "results/{run}/benchmarks/accuracy_reference.tsv"
+        benchmarks("accuracy_reference")
     threads: 2
     params:
-        accuracy=lambda w: STUDY.cfg(w)["accuracy"],
+        accuracy=lambda w: RUNS.cfg(w)["accuracy"],
     script:
         "../scripts/accuracy/accuracy_reference.py"
 
@@ -109,12 +126,12 @@ rule accuracy_reference:
 # Optional: needs requirements-engines.in.
 rule accuracy_engine:
     input:
-        plan="results/{run}/accuracy/plan.json",
+        plan=rules.accuracy_plan.output.plan,
         modules=code("accuracy/engine_{engine}"),
     output:
-        "results/{run}/accuracy/engine_{engine}.csv",
+        results("accuracy/engine_{engine}.csv"),
     log:
-        "results/{run}/logs/accuracy_engine_{engine}.log",
+        logs("accuracy_engine_{engine}"),
     wildcard_constraints:
         engine="drake|mujoco",
     script:
@@ -123,74 +140,154 @@ rule accuracy_engine:
 
 rule speed_accuracy:
     input:
-        runs=ACCURACY.runs,
-        judge="results/{run}/accuracy/judge.csv",
-        plan="results/{run}/accuracy/plan.json",
-        histories="results/{run}/accuracy/histories.csv",
+        runs=all_of(
+            rules.accuracy_runs.output,
+            rules.accuracy_screening.output,
+            of_run(rules.accuracy_engine.output, engine=RUNS.key("accuracy.engines")),
+        ),
+        judge=rules.accuracy_reference.output[0],
+        plan=rules.accuracy_plan.output.plan,
+        histories=rules.accuracy_plan.output.histories,
         modules=code("accuracy/table_speed_accuracy"),
     output:
         table=shown(
-            "results/{run}/tables/speed_accuracy.csv",
+            results("tables/speed_accuracy.csv"),
             "speed_accuracy",
             "Accuracy and stability",
             "speed against accuracy (CSV)",
         ),
         summary=shown(
-            "results/{run}/tables/accuracy_summary.csv",
+            results("tables/accuracy_summary.csv"),
             "speed_accuracy",
             "Accuracy and stability",
             "spread of errors by method (CSV)",
         ),
-        fidelity="results/{run}/accuracy/fidelity.yaml",
+        fidelity=results("accuracy/fidelity.yaml"),
     log:
-        "results/{run}/logs/speed_accuracy.log",
+        logs("speed_accuracy"),
     params:
-        accuracy=lambda w: STUDY.cfg(w)["accuracy"],
+        accuracy=lambda w: RUNS.cfg(w)["accuracy"],
     script:
         "../scripts/accuracy/table_speed_accuracy.py"
 
 
 rule figure_speed_accuracy:
     input:
-        table="results/{run}/tables/speed_accuracy.csv",
-        facts=STUDY.record_facts,
+        table=rules.speed_accuracy.output.table,
+        facts=of_run(rules.record.output.facts),
         modules=code("accuracy/figure_speed_accuracy"),
     output:
         **figure("speed_accuracy", "Accuracy and stability", "speed against accuracy"),
     log:
-        "results/{run}/logs/figure_speed_accuracy.log",
+        logs("figure_speed_accuracy"),
     script:
         "../scripts/accuracy/figure_speed_accuracy.py"
 
 
 rule ensemble_members:
     input:
-        ensembles=ACCURACY.ensembles,
-        scenes=ACCURACY.scenes,
-        motions=ACCURACY.motions,
+        ensembles=of_run(rules.ida_ensemble.output.ensemble, **ACCURACY_CURVES),
+        scenes=accuracy_scenes,
+        motions=of_run(
+            rules.floor_motions.output[0], record=RUNS.named("accuracy.records")
+        ),
         modules=code("accuracy/table_ensemble_members"),
     output:
-        "results/{run}/tables/ensemble_members.csv",
+        results("tables/ensemble_members.csv"),
     log:
-        "results/{run}/logs/ensemble_members.log",
+        logs("ensemble_members"),
     params:
-        records=ACCURACY.records,
+        records=lambda w: RUNS.named("accuracy.records")(w.run),
     script:
         "../scripts/accuracy/table_ensemble_members.py"
 
 
 rule figure_chaos:
     input:
-        ensembles=ACCURACY.ensembles,
-        scans=ACCURACY.scans,
-        facts=ACCURACY.facts,
+        ensembles=of_run(rules.ida_ensemble.output.ensemble, **ACCURACY_CURVES),
+        scans=of_run(
+            rules.screen.output.scan, **{**ACCURACY_CURVES, "model": accuracy_scanned}
+        ),
+        facts=of_run(rules.own_record.output.facts, record=RUNS.named("accuracy.records")),
         modules=code("accuracy/figure_chaos"),
     output:
         **figure("chaos", "Accuracy and stability", "perturbed ensembles"),
     log:
-        "results/{run}/logs/figure_chaos.log",
+        logs("figure_chaos"),
     params:
-        percentiles=lambda w: STUDY.cfg(w)["ensemble"]["percentiles"],
-        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
+        percentiles=lambda w: RUNS.cfg(w)["ensemble"]["percentiles"],
+        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
     script:
         "../scripts/accuracy/figure_chaos.py"
+
+
+# Energy balance of single runs.
+rule energy_balance:
+    input:
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        curve=rules.ida.output[0],
+        yade=rules.yade_check.output[0],
+        modules=study_code("energy"),
+    output:
+        results("energy/{model}/{record}_{direction}_{share}.csv"),
+    log:
+        logs("energy_{model}_{record}_{direction}_{share}"),
+    wildcard_constraints:
+        share=r"\d+(\.\d+)?",
+    params:
+        yade=YADE,
+    shell:
+        "{params.yade} energy --scene {input.scene:q} --motion {input.motion:q}"
+        " --record {wildcards.record:q} --direction {wildcards.direction}"
+        " --curve {input.curve:q} --share {wildcards.share:q} --output {output:q}"
+        " 2> {log:q}"
+
+
+rule table_energy_balance:
+    input:
+        histories=of_run(rules.energy_balance.output[0], **ENERGY_RUNS),
+        modules=code("energy/table_energy_balance"),
+    output:
+        shown(
+            results("tables/energy_balance.csv"),
+            "energy_balance",
+            "Accuracy and stability",
+            "energy balance (CSV)",
+        ),
+    log:
+        logs("table_energy_balance"),
+    params:
+        share=lambda w: RUNS.cfg(w)["accuracy"]["energy_share"],
+    script:
+        "../scripts/energy/table_energy_balance.py"
+
+
+rule figure_energy_balance:
+    input:
+        histories=of_run(rules.energy_balance.output[0], **ENERGY_RUNS),
+        facts=of_run(rules.own_record.output.facts, record=RUNS.named("accuracy.records")),
+        modules=code("energy/figure_energy_balance"),
+    output:
+        **figure("energy_balance", "Accuracy and stability", "energy balance"),
+    log:
+        logs("figure_energy_balance"),
+    params:
+        share=lambda w: RUNS.cfg(w)["accuracy"]["energy_share"],
+    script:
+        "../scripts/energy/figure_energy_balance.py"
+
+
+rule accuracy:
+    input:
+        every_run(
+            rules.speed_accuracy.output.table,
+            rules.speed_accuracy.output.summary,
+            rules.stability.output.trials,
+            rules.table_energy_balance.output,
+            rules.ensemble_members.output,
+            rules.figure_speed_accuracy.output.png,
+            rules.figure_stability.output.png,
+            rules.figure_energy_balance.output.png,
+            rules.figure_chaos.output.png,
+        ),

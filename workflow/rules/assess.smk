@@ -1,52 +1,110 @@
 # The answer of codes of practice beside the dynamic one; a report for one façade.
-COMPARED = f"results/{STUDY.name}/assessment"
+from rocking.assessment import inputs as assessed
+
+COMPARED = results("assessment").format(run=RUNS.name)
 
 
-rule assess:
-    input:
-        STUDY.per_run(ASSESSMENT.reports),
+def checked(function):
+    """Input function: a file of the configuration that `function` finds, in a list; none for None."""
+
+    def files(wildcards):
+        try:
+            found = function(RUNS.cfg(wildcards), RUNS.beside)
+        except ValueError as error:
+            stop(error)
+        return [] if found is None else [found]
+
+    return files
 
 
-rule code_against_dynamics:
-    input:
-        f"{COMPARED}/code_against_dynamics.csv",
+SPECTRUM = checked(assessed.spectrum_file)
+HAZARD = checked(assessed.hazard_file)
+
+
+def site(wildcards):
+    """Files that say how the site shakes; what is missing ends the workflow in one line."""
+    RUNS.needs_plain(wildcards.run, "the assessment")
+    try:
+        assessed.check_stated(config)
+        found = SPECTRUM(wildcards) + HAZARD(wildcards)
+        assessed.check_demand(*found)
+    except ValueError as error:
+        stop(error)
+    return found
+
+
+def dry(run):
+    """Models of a run that the planar solver stands in for and whose joint is dry."""
+    return [model for model in RUNS.planar(run) if not MODELS[model].bonded]
+
+
+def last_dry(run):
+    """Model whose sensitivity is asked for: the last of them."""
+    if not dry(run):
+        stop("models: expected W1, W2 or W2m among them for assess")
+    return dry(run)[-1]
+
+
+def stations(wildcards):
+    """Station of every record; the record's own name where the table states none."""
+    rows, names = RUNS.tables[wildcards.run], RUNS.records[wildcards.run]
+    return {name: str(rows[name].about.get("station") or name) for name in names}
+
+
+def compared_facades(wildcards):
+    """What each run's façade is and which files are its own, as JSON."""
+    found = {}
+    for run, resolved in RUNS.settings.items():
+        job = Of(run=run)
+        h, b = (resolved["facade"][k] for k in ("height_m", "thickness_m"))
+        found[run] = {
+            "height_m": h,
+            "slenderness": round(h / b, 2),
+            "period_s": resolved["smdof"]["period_s"],
+            "checks": of_run(rules.assess_checks.output[0])(job),
+            "collapse": COLLAPSE(job),
+        }
+    return json.dumps(found, sort_keys=True)
 
 
 rule assess_collapse:
     input:
-        scene="results/{run}/scenes/{model}.json",
-        table=lambda w: STUDY.table_path(w.run),
-        records=lambda w: STUDY.record_files(w),
+        scene=rules.scene.output[0],
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.record_files(w),
         modules=code("assess/assess_collapse"),
     output:
-        "results/{run}/assessment/collapse_{model}.csv",
+        results("assessment/collapse_{model}.csv"),
     log:
-        "results/{run}/logs/assess_collapse_{model}.log",
+        logs("assess_collapse_{model}"),
     benchmark:
-        "results/{run}/benchmarks/assess_collapse_{model}.tsv"
+        benchmarks("assess_collapse_{model}")
     params:
-        table=lambda w: STUDY.table_path(w.run),
-        records=lambda w: STUDY.records[w.run],
-        settings=STUDY.params_of(
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.records[w.run],
+        settings=RUNS.params_of(
             "directions", "baseline", "seed", "vertical_motion", "ida.max_pga_g"
         ),
     script:
         "../scripts/assess/assess_collapse.py"
 
 
+COLLAPSE = of_run(rules.assess_collapse.output[0], model=dry)
+
+
 rule assess_checks:
     input:
-        table=lambda w: STUDY.table_path(w.run),
-        records=lambda w: STUDY.record_files(w),
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.record_files(w),
         modules=code("assess/assess_checks"),
     output:
-        "results/{run}/assessment/checks_by_record.csv",
+        results("assessment/checks_by_record.csv"),
     log:
-        "results/{run}/logs/assess_checks.log",
+        logs("assess_checks"),
     params:
-        table=lambda w: STUDY.table_path(w.run),
-        records=ASSESSMENT.stations,
-        settings=STUDY.params_of(
+        table=lambda w: RUNS.table_path(w.run),
+        records=stations,
+        settings=RUNS.params_of(
             "facade",
             "smdof",
             "assessment",
@@ -61,29 +119,29 @@ rule assess_checks:
 
 rule assess_floor_spectra:
     input:
-        table=lambda w: STUDY.table_path(w.run),
-        records=lambda w: STUDY.record_files(w),
-        facts=STUDY.record_facts,
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.record_files(w),
+        facts=of_run(rules.record.output.facts),
         modules=code("assess/assess_floor_spectra"),
     output:
         **figure(
             "floor_spectra", "Code of practice", "floor spectra, formula over chain"
         ),
-        table="results/{run}/assessment/floor_spectra.csv",
+        table=results("assessment/floor_spectra.csv"),
     log:
-        "results/{run}/logs/assess_floor_spectra.log",
+        logs("assess_floor_spectra"),
     params:
-        table=lambda w: STUDY.table_path(w.run),
-        records=lambda w: STUDY.records[w.run],
-        settings=STUDY.params_of("smdof", "baseline", "seed"),
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.records[w.run],
+        settings=RUNS.params_of("smdof", "baseline", "seed"),
     script:
         "../scripts/assess/assess_floor_spectra.py"
 
 
 rule compare_code_and_dynamics:
     input:
-        tables=ASSESSMENT.compared,
-        facts=STUDY.all_facts,
+        tables=every_run(rules.assess_checks.output[0], COLLAPSE),
+        facts=every_run(rules.record.output.facts),
         modules=code("assess/code_against_dynamics"),
     output:
         table=f"{COMPARED}/code_against_dynamics.csv",
@@ -92,47 +150,49 @@ rule compare_code_and_dynamics:
             f"{COMPARED}/code_against_dynamics.png",
             caption=caption("code_against_dynamics"),
             category="Code of practice",
-            labels={"run": STUDY.name, "result": "PGA of checks over PGA of collapse"},
+            labels={"run": RUNS.name, "result": "PGA of checks over PGA of collapse"},
         ),
         pdf=f"{COMPARED}/code_against_dynamics.pdf",
         groups_png=report(
             f"{COMPARED}/code_unsafe_share.png",
             caption=caption("code_against_dynamics"),
             category="Code of practice",
-            labels={"run": STUDY.name, "result": "where the checks are unsafe"},
+            labels={"run": RUNS.name, "result": "where the checks are unsafe"},
         ),
         groups_pdf=f"{COMPARED}/code_unsafe_share.pdf",
     log:
-        f"results/{STUDY.name}/logs/compare_code_and_dynamics.log",
+        logs("compare_code_and_dynamics").format(run=RUNS.name),
     params:
-        runs=ASSESSMENT.facts,
-        resamples=lambda w: next(iter(STUDY.runs.values()))["assessment"]["resamples"],
-        seed=lambda w: next(iter(STUDY.runs.values()))["seed"],
+        runs=compared_facades,
+        resamples=lambda w: next(iter(RUNS.settings.values()))["assessment"][
+            "resamples"
+        ],
+        seed=lambda w: next(iter(RUNS.settings.values()))["seed"],
     script:
         "../scripts/assess/code_against_dynamics.py"
 
 
 rule assess_code:
     input:
-        site=ASSESSMENT.site,
-        spectrum=ASSESSMENT.spectrum,
-        hazard=ASSESSMENT.hazard,
-        table=lambda w: STUDY.table_path(w.run),
-        records=lambda w: STUDY.record_files(w),
+        site=site,
+        spectrum=SPECTRUM,
+        hazard=HAZARD,
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.record_files(w),
         modules=code("assess/assess_code"),
     output:
-        checks="results/{run}/assessment/code_checks.csv",
-        steps="results/{run}/assessment/code_steps.csv",
-        curve="results/{run}/assessment/capacity_curve.csv",
-        sensitivity="results/{run}/assessment/code_sensitivity.csv",
-        mechanisms="results/{run}/assessment/mechanisms.csv",
-        spectra="results/{run}/assessment/spectra.csv",
+        checks=results("assessment/code_checks.csv"),
+        steps=results("assessment/code_steps.csv"),
+        curve=results("assessment/capacity_curve.csv"),
+        sensitivity=results("assessment/code_sensitivity.csv"),
+        mechanisms=results("assessment/mechanisms.csv"),
+        spectra=results("assessment/spectra.csv"),
     log:
-        "results/{run}/logs/assess_code.log",
+        logs("assess_code"),
     params:
-        table=lambda w: STUDY.table_path(w.run),
-        records=lambda w: STUDY.records[w.run],
-        settings=STUDY.params_of(
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.records[w.run],
+        settings=RUNS.params_of(
             "facade", "smdof", "assessment", "baseline", "seed", "risk.site"
         ),
     script:
@@ -141,39 +201,39 @@ rule assess_code:
 
 rule assess_dynamic:
     input:
-        collapse=lambda w: ASSESSMENT.collapse(w.run),
-        checks="results/{run}/assessment/code_checks.csv",
-        hazard=ASSESSMENT.hazard,
+        collapse=COLLAPSE,
+        checks=rules.assess_code.output.checks,
+        hazard=HAZARD,
         modules=code("assess/assess_dynamic"),
     output:
-        table="results/{run}/assessment/dynamic.csv",
-        curves="results/{run}/assessment/dynamic_curves.csv",
+        table=results("assessment/dynamic.csv"),
+        curves=results("assessment/dynamic_curves.csv"),
     log:
-        "results/{run}/logs/assess_dynamic.log",
+        logs("assess_dynamic"),
     params:
-        stations=ASSESSMENT.stations,
-        period_s=lambda w: STUDY.cfg(w)["smdof"]["period_s"],
-        site=lambda w: STUDY.cfg(w)["risk"]["site"],
-        resamples=lambda w: STUDY.cfg(w)["assessment"]["resamples"],
-        seed=lambda w: STUDY.cfg(w)["seed"],
+        stations=stations,
+        period_s=lambda w: RUNS.cfg(w)["smdof"]["period_s"],
+        site=lambda w: RUNS.cfg(w)["risk"]["site"],
+        resamples=lambda w: RUNS.cfg(w)["assessment"]["resamples"],
+        seed=lambda w: RUNS.cfg(w)["seed"],
     script:
         "../scripts/assess/assess_dynamic.py"
 
 
 rule assess_sensitivity:
     input:
-        scene=ASSESSMENT.scene,
-        table=lambda w: STUDY.table_path(w.run),
-        records=lambda w: STUDY.record_files(w),
+        scene=of_run(rules.scene.output[0], model=last_dry),
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.record_files(w),
         modules=code("assess/assess_sensitivity"),
     output:
-        "results/{run}/assessment/dynamic_sensitivity.csv",
+        results("assessment/dynamic_sensitivity.csv"),
     log:
-        "results/{run}/logs/assess_sensitivity.log",
+        logs("assess_sensitivity"),
     params:
-        table=lambda w: STUDY.table_path(w.run),
-        records=lambda w: STUDY.records[w.run],
-        settings=STUDY.params_of(
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.records[w.run],
+        settings=RUNS.params_of(
             "directions", "baseline", "seed", "vertical_motion", "ida.max_pga_g"
         ),
     script:
@@ -182,21 +242,25 @@ rule assess_sensitivity:
 
 rule assess_report:
     input:
-        tables=ASSESSMENT.tables,
-        site=ASSESSMENT.site,
-        scene=ASSESSMENT.scene,
-        table=lambda w: STUDY.table_path(w.run),
+        tables=all_of(
+            rules.assess_code.output,
+            rules.assess_dynamic.output,
+            rules.assess_sensitivity.output,
+        ),
+        site=site,
+        scene=of_run(rules.scene.output[0], model=last_dry),
+        table=lambda w: RUNS.table_path(w.run),
         modules=code("assess/assess_report"),
     output:
-        html="results/{run}/assessment/report.html",
-        pdf="results/{run}/assessment/report.pdf",
+        html=results("assessment/report.html"),
+        pdf=results("assessment/report.pdf"),
     log:
-        "results/{run}/logs/assess_report.log",
+        logs("assess_report"),
     params:
         run=lambda w: w.run,
-        table=lambda w: STUDY.table_path(w.run),
-        stations=ASSESSMENT.stations,
-        settings=STUDY.params_of(
+        table=lambda w: RUNS.table_path(w.run),
+        stations=stations,
+        settings=RUNS.params_of(
             "facade",
             "return_wall",
             "smdof",
@@ -207,3 +271,13 @@ rule assess_report:
         ),
     script:
         "../scripts/assess/assess_report.py"
+
+
+rule assess:
+    input:
+        every_run(rules.assess_report.output),
+
+
+rule code_against_dynamics:
+    input:
+        rules.compare_code_and_dynamics.output.table,

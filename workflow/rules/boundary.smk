@@ -1,21 +1,28 @@
 # Pictures of the models, and what the study says about boundary conditions.
+BRICKS_PUSHED = of_run(rules.pushover_curve.output[0], pushed="W3")
+
+
+def picture_record(run):
+    """Record that the pictures of a run show."""
+    names = RUNS.records[run]
+    return RUNS.settings[run]["pictures"]["record"] or names[min(1, len(names) - 1)]
 
 
 rule frames:
     input:
-        scene="results/{run}/scenes/{model}.json",
-        motion=BOUNDARY.picture_motion,
-        yade="results/{run}/yade.txt",
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0], record=picture_record),
+        yade=rules.yade_check.output[0],
         modules=study_code("frames"),
     output:
-        "results/{run}/frames/{model}.json",
+        results("frames/{model}.json"),
     log:
-        "results/{run}/logs/frames_{model}.log",
+        logs("frames_{model}"),
     params:
         yade=YADE,
-        record=lambda w: BOUNDARY.picture_record(w.run),
-        direction=lambda w: STUDY.cfg(w)["pictures"]["direction"],
-        pga=lambda w: STUDY.cfg(w)["pictures"]["pga_g"],
+        record=lambda w: picture_record(w.run),
+        direction=lambda w: RUNS.cfg(w)["pictures"]["direction"],
+        pga=lambda w: RUNS.cfg(w)["pictures"]["pga_g"],
     shell:
         "{params.yade} frames --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction:q} --pga {params.pga:q}"
@@ -24,19 +31,23 @@ rule frames:
 
 rule collapse_frames:
     input:
-        scene="results/{run}/scenes/{model}.json",
-        motion=BOUNDARY.picture_motion,
-        ida=BOUNDARY.picture_curve,
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0], record=picture_record),
+        ida=of_run(
+            rules.ida.output[0],
+            record=picture_record,
+            direction=RUNS.key("pictures.direction"),
+        ),
         modules=study_code("frames"),
     output:
-        "results/{run}/frames/{model}_collapse.json",
+        results("frames/{model}_collapse.json"),
     log:
-        "results/{run}/logs/collapse_frames_{model}.log",
+        logs("collapse_frames_{model}"),
     params:
         yade=YADE,
-        record=lambda w: BOUNDARY.picture_record(w.run),
-        direction=lambda w: STUDY.cfg(w)["pictures"]["direction"],
-        interval=lambda w: STUDY.cfg(w)["pictures"]["frame_interval_s"],
+        record=lambda w: picture_record(w.run),
+        direction=lambda w: RUNS.cfg(w)["pictures"]["direction"],
+        interval=lambda w: RUNS.cfg(w)["pictures"]["frame_interval_s"],
     shell:
         "{params.yade} frames --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction:q} --collapse {input.ida:q}"
@@ -45,60 +56,58 @@ rule collapse_frames:
 
 rule fig07_models:
     input:
-        frames=lambda w: [f"results/{w.run}/frames/{m}.json" for m in WITH_WALLS],
-        facts=BOUNDARY.picture_facts,
+        frames=of_run(rules.frames.output[0], model=WITH_WALLS),
+        facts=of_run(rules.own_record.output.facts, record=picture_record),
         modules=code("boundary/fig07_models"),
     output:
         **figure(
             "fig07_models", "Boundary conditions", "7: the five models", about="fig07"
         ),
     log:
-        "results/{run}/logs/fig07_models.log",
+        logs("fig07_models"),
     params:
-        config=STUDY.params_of("facade", "return_wall", "w3", "pictures"),
+        config=RUNS.params_of("facade", "return_wall", "w3", "pictures"),
     script:
         "../scripts/boundary/fig07_models.py"
 
 
 rule animation_collapse:
     input:
-        frames="results/{run}/frames/{model}_collapse.json",
-        facts=BOUNDARY.picture_facts,
+        frames=rules.collapse_frames.output[0],
+        facts=of_run(rules.own_record.output.facts, record=picture_record),
         modules=code("history/animation_collapse"),
     output:
         shown(
-            "results/{run}/figures/collapse_{model}.gif",
+            results("figures/collapse_{model}.gif"),
             "animation",
             "Boundary conditions",
             "collapse of {model}",
         ),
     log:
-        "results/{run}/logs/animation_{model}.log",
+        logs("animation_{model}"),
     params:
-        config=STUDY.params_of("facade", "return_wall", "w3", "pictures"),
+        config=RUNS.params_of("facade", "return_wall", "w3", "pictures"),
     script:
         "../scripts/history/animation_collapse.py"
 
 
 rule table_claims:
     input:
-        collapse="results/{run}/tables/ida_collapse.csv",
-        facts=STUDY.record_facts,
-        pushover=lambda w: (
-            ["results/{run}/pushover/W3.csv"] if "W3" in STUDY.cfg(w)["models"] else []
-        ),
+        collapse=rules.ida_collapse.output.collapse,
+        facts=of_run(rules.record.output.facts),
+        pushover=where(lambda run: "W3" in RUNS.settings[run]["models"], BRICKS_PUSHED),
         modules=code("boundary/table_claims"),
     output:
         shown(
-            "results/{run}/tables/claims.csv",
+            results("tables/claims.csv"),
             "table_claims",
             "Boundary conditions",
             "claims of the study (CSV)",
         ),
     log:
-        "results/{run}/logs/table_claims.log",
+        logs("table_claims"),
     params:
-        w3=STUDY.params_of("w3"),
+        w3=RUNS.params_of("w3"),
     script:
         "../scripts/boundary/table_claims.py"
 
@@ -106,4 +115,12 @@ rule table_claims:
 # `snakemake --configfile config/scenarios/five_models.yaml -- boundary`: Figures 7, 8 and 9 whole.
 rule boundary:
     input:
-        with_pages(STUDY.per_run(BOUNDARY.results)),
+        every_run(
+            rules.table_pushover.output,
+            rules.table_claims.output,
+            rules.fig07_models.output.png,
+            rules.fig08_w3.output.png,
+            rules.fig09_ida.output.png,
+            rules.figure_w3_sensitivity.output.png,
+            of_run(rules.animation_collapse.output, model=["W2", "W3"]),
+        ),

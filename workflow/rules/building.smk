@@ -1,211 +1,270 @@
 # The building as an assembly of bricks: modes, time histories, equal chains, explicit check.
 # Not part of the main job; ask for `building`, or for any file below.
+from yade_scripts.model.gravity import GRAVITY_M_S2
+
+BRICK_MODEL = (
+    "brick_length_m",
+    "brick_height_m",
+    "brick_width_m",
+    "coarsening",
+    *(
+        f"{joint}_{k}_pa_m"
+        for joint in ("head", "bed", "collar", "timber")
+        for k in ("jkn", "jks")
+    ),
+    "density_kg_m3",
+    "timber_density_kg_m3",
+    "fit_period_s",
+)
+CHAINS = (
+    "damping_ratio",
+    "wme_longest_period_s",
+    "wme_highest_frequency_hz",
+    "wme_gain",
+)
+
+
 wildcard_constraints:
     building="CBDEM|SBDEM",
     coarsening=r"[0-9.]+",
 
 
-rule building:
-    input:
-        lambda w: with_pages(STUDY.per_run(BUILDING.results)),
+def building_settings(*keys):
+    """Params function: keys of the section that a rule depends on."""
+    return lambda w: {key: RUNS.cfg(w)["building"][key] for key in keys}
 
 
-# Periods and equivalent chain (n, T1) of any plan, without the paper's comparisons.
-rule building_t1:
-    input:
-        lambda w: with_pages(STUDY.per_run(BUILDING.periods)),
+def plan_file(key):
+    """Input function: the plan, or the list of plans, that a key names."""
+
+    def found(path):
+        there = RUNS.beside(path)
+        if not Path(there).exists():
+            raise SystemExit(f"error: {key}: there is no file '{path}'")
+        return there
+
+    def files(wildcards):
+        named = RUNS.key(key)(wildcards.run)
+        return found(named) if isinstance(named, str) else [found(p) for p in named]
+
+    return files
+
+
+def is_case_study(run):
+    """Whether the study's own figures belong beside the results."""
+    return Path(RUNS.settings[run]["building"]["plan"]).stem.startswith("case_study")
+
+
+def sizes(key):
+    """Brick sizes of a key of the section, as they stand in names of files."""
+    return lambda run: [f"{size:g}" for size in RUNS.settings[run]["building"][key]]
+
+
+def explicit_size(run):
+    """Brick size of the explicit run."""
+    return f"{RUNS.settings[run]['building']['explicit_coarsening']:g}"
 
 
 rule building_fit:
     input:
-        plan=BUILDING.plan,
+        plan=plan_file("building.plan"),
         modules=code("building/building_fit"),
     output:
-        "results/{run}/building/fit.json",
+        results("building/fit.json"),
     log:
-        "results/{run}/logs/building_fit.log",
+        logs("building_fit"),
     benchmark:
-        "results/{run}/benchmarks/building_fit.tsv"
+        benchmarks("building_fit")
     params:
-        building=BUILDING.keys(),
+        building=building_settings(*BRICK_MODEL),
     script:
         "../scripts/building/building_fit.py"
 
 
 rule building_modal:
     input:
-        plan=BUILDING.plan,
-        fit="results/{run}/building/fit.json",
+        plan=plan_file("building.plan"),
+        fit=rules.building_fit.output[0],
         modules=code("building/building_modal"),
     output:
-        "results/{run}/building/{building}_modes.npz",
+        results("building/{building}_modes.npz"),
     log:
-        "results/{run}/logs/building_modal_{building}.log",
+        logs("building_modal_{building}"),
     benchmark:
-        "results/{run}/benchmarks/building_modal_{building}.tsv"
+        benchmarks("building_modal_{building}")
     params:
-        building=BUILDING.keys("modes"),
+        building=building_settings(*BRICK_MODEL, "modes"),
     script:
         "../scripts/building/building_modal.py"
 
 
 rule table_building_modes:
     input:
-        cbdem="results/{run}/building/CBDEM_modes.npz",
-        sbdem="results/{run}/building/SBDEM_modes.npz",
+        cbdem=of_run(rules.building_modal.output[0], building="CBDEM"),
+        sbdem=of_run(rules.building_modal.output[0], building="SBDEM"),
         modules=code("building/table_building_modes"),
     output:
         shown(
-            "results/{run}/tables/building_modes.csv",
+            results("tables/building_modes.csv"),
             "fig02_table",
             "Building",
             "periods and effective masses (CSV)",
         ),
     log:
-        "results/{run}/logs/table_building_modes.log",
+        logs("table_building_modes"),
     params:
-        paper=BUILDING.is_case_study,
+        paper=lambda w: is_case_study(w.run),
     script:
         "../scripts/building/table_building_modes.py"
 
 
 rule table_building_alternatives:
     input:
-        plans=BUILDING.all_plans,
+        plans=all_of(
+            plan_file("building.plan"), plan_file("building.alternative_plans")
+        ),
         modules=code("building/table_building_alternatives"),
     output:
         shown(
-            "results/{run}/tables/building_alternatives.csv",
+            results("tables/building_alternatives.csv"),
             "fig02_alternatives",
             "Building",
             "periods of alternative plans (CSV)",
         ),
     log:
-        "results/{run}/logs/table_building_alternatives.log",
+        logs("table_building_alternatives"),
     params:
-        building=BUILDING.keys(),
+        building=building_settings(*BRICK_MODEL),
     script:
         "../scripts/building/table_building_alternatives.py"
 
 
 rule building_cost:
     input:
-        plan=BUILDING.plan,
-        fit="results/{run}/building/fit.json",
+        plan=plan_file("building.plan"),
+        fit=rules.building_fit.output[0],
         modules=code("building/building_cost"),
     output:
-        "results/{run}/building/cost_{building}_{coarsening}.json",
+        results("building/cost_{building}_{coarsening}.json"),
     log:
-        "results/{run}/logs/building_cost_{building}_{coarsening}.log",
+        logs("building_cost_{building}_{coarsening}"),
     benchmark:
-        "results/{run}/benchmarks/building_cost_{building}_{coarsening}.tsv"
+        benchmarks("building_cost_{building}_{coarsening}")
     resources:
         mem_mb=lambda w: 6000 if float(w.coarsening) < 1.2 else 1500,
     params:
-        building=BUILDING.keys(),
+        building=building_settings(*BRICK_MODEL),
     script:
         "../scripts/building/building_cost.py"
 
 
 rule table_building_convergence:
     input:
-        cost=BUILDING.costs,
+        cost=of_run(
+            rules.building_cost.output[0],
+            building=["CBDEM", "SBDEM"],
+            coarsening=sizes("convergence"),
+        ),
         modules=code("building/table_building_convergence"),
     output:
         shown(
-            "results/{run}/tables/building_convergence.csv",
+            results("tables/building_convergence.csv"),
             "fig02_convergence",
             "Building",
             "convergence and cost of the modes (CSV)",
         ),
     log:
-        "results/{run}/logs/table_building_convergence.log",
+        logs("table_building_convergence"),
     script:
         "../scripts/building/table_building_convergence.py"
 
 
 rule building_history:
     input:
-        plan=BUILDING.plan,
-        fit="results/{run}/building/fit.json",
-        modes="results/{run}/building/{building}_modes.npz",
-        record="results/{run}/records/{record}.csv",
+        plan=plan_file("building.plan"),
+        fit=rules.building_fit.output[0],
+        modes=rules.building_modal.output[0],
+        record=rules.own_record.output.record,
         modules=code("building/building_history"),
     output:
-        "results/{run}/building/history_{building}_{record}.csv",
+        results("building/history_{building}_{record}.csv"),
     log:
-        "results/{run}/logs/building_history_{building}_{record}.log",
+        logs("building_history_{building}_{record}"),
     params:
-        building=BUILDING.keys("damping_ratio"),
+        building=building_settings(*BRICK_MODEL, "damping_ratio"),
     script:
         "../scripts/building/building_history.py"
 
 
 rule table_wme:
     input:
-        modes="results/{run}/building/SBDEM_modes.npz",
-        histories=BUILDING.of_wme_records(
-            "results/{run}/building/history_SBDEM_{record}.csv"
+        modes=of_run(rules.building_modal.output[0], building="SBDEM"),
+        histories=of_run(
+            rules.building_history.output[0],
+            building="SBDEM",
+            record=RUNS.named("building.wme_records"),
         ),
-        records=BUILDING.of_wme_records("results/{run}/records/{record}.csv"),
+        records=of_run(
+            rules.own_record.output.record, record=RUNS.named("building.wme_records")
+        ),
         modules=code("building/table_wme"),
     output:
         wme=shown(
-            "results/{run}/tables/wme.csv",
+            results("tables/wme.csv"),
             "fig03_table",
             "Building",
             "2: weighted mean error of chains (CSV)",
         ),
-        chain="results/{run}/tables/building_chain.csv",
-        config="results/{run}/building/chain.yaml",
+        chain=results("tables/building_chain.csv"),
+        config=results("building/chain.yaml"),
     log:
-        "results/{run}/logs/table_wme.log",
+        logs("table_wme"),
     params:
-        building=BUILDING.wme_keys,
-        records=lambda w: BUILDING.records(w.run, "wme_records"),
-        paper=BUILDING.is_case_study,
+        building=building_settings(*CHAINS),
+        records=lambda w: RUNS.named("building.wme_records")(w.run),
+        paper=lambda w: is_case_study(w.run),
     script:
         "../scripts/building/table_wme.py"
 
 
 rule fig01_building:
     input:
-        plan=BUILDING.plan,
+        plan=plan_file("building.plan"),
         modules=code("building/fig01_building"),
     output:
         **figure("fig01_building", "Building", "1: brick models", about="fig01"),
     log:
-        "results/{run}/logs/fig01_building.log",
+        logs("fig01_building"),
     params:
-        building=BUILDING.keys(),
+        building=building_settings(*BRICK_MODEL),
     script:
         "../scripts/building/fig01_building.py"
 
 
 rule fig02_modes:
     input:
-        plan=BUILDING.plan,
-        fit="results/{run}/building/fit.json",
-        cbdem="results/{run}/building/CBDEM_modes.npz",
-        sbdem="results/{run}/building/SBDEM_modes.npz",
+        plan=plan_file("building.plan"),
+        fit=rules.building_fit.output[0],
+        cbdem=of_run(rules.building_modal.output[0], building="CBDEM"),
+        sbdem=of_run(rules.building_modal.output[0], building="SBDEM"),
         modules=code("building/fig02_modes"),
     output:
         **figure("fig02_modes", "Building", "2: modes", about="fig02"),
     log:
-        "results/{run}/logs/fig02_modes.log",
+        logs("fig02_modes"),
     params:
-        building=BUILDING.keys(),
-        paper=BUILDING.is_case_study,
+        building=building_settings(*BRICK_MODEL),
+        paper=lambda w: is_case_study(w.run),
     script:
         "../scripts/building/fig02_modes.py"
 
 
 rule fig03_wme:
     input:
-        modes="results/{run}/building/SBDEM_modes.npz",
-        history="results/{run}/building/history_SBDEM_{record}.csv",
-        record="results/{run}/records/{record}.csv",
-        facts="results/{run}/records/{record}.json",
+        modes=of_run(rules.building_modal.output[0], building="SBDEM"),
+        history=of_run(rules.building_history.output[0], building="SBDEM"),
+        record=rules.own_record.output.record,
+        facts=rules.own_record.output.facts,
         modules=code("building/fig03_wme"),
     output:
         **figure(
@@ -216,25 +275,28 @@ rule fig03_wme:
             record="{record}",
         ),
     log:
-        "results/{run}/logs/fig03_{record}.log",
+        logs("fig03_{record}"),
     params:
-        building=BUILDING.wme_keys,
+        building=building_settings(*CHAINS),
     script:
         "../scripts/building/fig03_wme.py"
 
 
 rule building_explicit_scene:
     input:
-        plan=BUILDING.plan,
-        fit="results/{run}/building/fit.json",
+        plan=plan_file("building.plan"),
+        fit=rules.building_fit.output[0],
         modules=code("building/building_explicit_scene"),
     output:
-        "results/{run}/building/explicit_scene_{coarsening}.json",
+        results("building/explicit_scene_{coarsening}.json"),
     log:
-        "results/{run}/logs/building_explicit_scene_{coarsening}.log",
+        logs("building_explicit_scene_{coarsening}"),
     params:
-        building=BUILDING.keys(
-            "damping_ratio", "explicit_step_fraction", "explicit_duration_s"
+        building=building_settings(
+            *BRICK_MODEL,
+            "damping_ratio",
+            "explicit_step_fraction",
+            "explicit_duration_s",
         ),
     script:
         "../scripts/building/building_explicit_scene.py"
@@ -243,22 +305,22 @@ rule building_explicit_scene:
 # The drawing's building under the record, with its dead load applied at once or left out.
 rule building_explicit:
     input:
-        scene=BUILDING.explicit_scene,
-        record="results/{run}/records/{record}.csv",
-        yade="results/{run}/yade.txt",
+        scene=of_run(rules.building_explicit_scene.output[0], coarsening=explicit_size),
+        record=rules.own_record.output.record,
+        yade=rules.yade_check.output[0],
         modules=study_code("explicit_building"),
     output:
-        history="results/{run}/building/explicit_{load}_{record}.csv",
-        cost="results/{run}/building/explicit_{load}_{record}.json",
+        history=results("building/explicit_{load}_{record}.csv"),
+        cost=results("building/explicit_{load}_{record}.json"),
     log:
-        "results/{run}/logs/building_explicit_{load}_{record}.log",
+        logs("building_explicit_{load}_{record}"),
     benchmark:
-        "results/{run}/benchmarks/building_explicit_{load}_{record}.tsv"
+        benchmarks("building_explicit_{load}_{record}")
     wildcard_constraints:
         load="plain|loaded",
     params:
         yade=YADE,
-        gravity=lambda w: BUILDING.sudden_gravity(w.load),
+        gravity=lambda w: {"plain": 0.0, "loaded": GRAVITY_M_S2}[w.load],
     shell:
         "{params.yade} explicit_building --scene {input.scene:q} --motion {input.record:q}"
         " --gravity {params.gravity} --output {output.history:q} --cost {output.cost:q}"
@@ -267,13 +329,13 @@ rule building_explicit:
 
 rule table_building_explicit:
     input:
-        plan=BUILDING.plan,
-        fit="results/{run}/building/fit.json",
-        scene=BUILDING.explicit_scene,
-        plain="results/{run}/building/explicit_plain_{record}.csv",
-        loaded="results/{run}/building/explicit_loaded_{record}.csv",
-        record="results/{run}/records/{record}.csv",
-        facts="results/{run}/records/{record}.json",
+        plan=plan_file("building.plan"),
+        fit=rules.building_fit.output[0],
+        scene=of_run(rules.building_explicit_scene.output[0], coarsening=explicit_size),
+        plain=of_run(rules.building_explicit.output.history, load="plain"),
+        loaded=of_run(rules.building_explicit.output.history, load="loaded"),
+        record=rules.own_record.output.record,
+        facts=rules.own_record.output.facts,
         modules=code("building/table_building_explicit"),
     output:
         **figure(
@@ -283,29 +345,32 @@ rule table_building_explicit:
             about="fig03_rattling",
             record="{record}",
         ),
-        table="results/{run}/tables/building_explicit_{record}.csv",
+        table=results("tables/building_explicit_{record}.csv"),
     log:
-        "results/{run}/logs/table_building_explicit_{record}.log",
+        logs("table_building_explicit_{record}"),
     params:
-        building=BUILDING.keys(),
+        building=building_settings(*BRICK_MODEL),
     script:
         "../scripts/building/table_building_explicit.py"
 
 
 rule building_explicit_cost:
     input:
-        scene="results/{run}/building/explicit_scene_{coarsening}.json",
-        record=lambda w: f"results/{w.run}/records/{BUILDING.records(w.run, 'wme_records')[0]}.csv",
-        yade="results/{run}/yade.txt",
+        scene=rules.building_explicit_scene.output[0],
+        record=of_run(
+            rules.own_record.output.record,
+            record=lambda run: RUNS.named("building.wme_records")(run)[0],
+        ),
+        yade=rules.yade_check.output[0],
         modules=study_code("explicit_building"),
     output:
-        history=temp("results/{run}/building/explicit_cost_{coarsening}.csv"),
-        cost="results/{run}/building/explicit_cost_{coarsening}.json",
+        history=temp(results("building/explicit_cost_{coarsening}.csv")),
+        cost=results("building/explicit_cost_{coarsening}.json"),
     log:
-        "results/{run}/logs/building_explicit_cost_{coarsening}.log",
+        logs("building_explicit_cost_{coarsening}"),
     params:
         yade=YADE,
-        steps=lambda w: STUDY.cfg(w)["building"]["explicit_cost_steps"],
+        steps=lambda w: RUNS.cfg(w)["building"]["explicit_cost_steps"],
     shell:
         "{params.yade} explicit_building --scene {input.scene:q} --motion {input.record:q}"
         " --steps {params.steps} --output {output.history:q} --cost {output.cost:q}"
@@ -314,37 +379,75 @@ rule building_explicit_cost:
 
 rule table_building_explicit_cost:
     input:
-        cost=BUILDING.explicit_costs,
+        cost=of_run(
+            rules.building_explicit_cost.output.cost,
+            coarsening=sizes("explicit_convergence"),
+        ),
         modules=code("building/table_building_explicit_cost"),
     output:
         shown(
-            "results/{run}/tables/building_explicit_cost.csv",
+            results("tables/building_explicit_cost.csv"),
             "fig03_cost",
             "Building",
             "cost of the explicit run (CSV)",
         ),
     log:
-        "results/{run}/logs/table_building_explicit_cost.log",
+        logs("table_building_explicit_cost"),
     params:
-        coarsenings=lambda w: STUDY.cfg(w)["building"]["explicit_convergence"],
+        coarsenings=lambda w: RUNS.cfg(w)["building"]["explicit_convergence"],
     script:
         "../scripts/building/table_building_explicit_cost.py"
 
 
 rule table_claims_building:
     input:
-        modes="results/{run}/tables/building_modes.csv",
-        wme="results/{run}/tables/wme.csv",
-        explicit=BUILDING.explicit_tables,
+        modes=rules.table_building_modes.output[0],
+        wme=rules.table_wme.output.wme,
+        explicit=of_run(
+            rules.table_building_explicit.output.table,
+            record=RUNS.named("building.explicit_records"),
+        ),
         modules=code("building/table_claims_building"),
     output:
         shown(
-            "results/{run}/tables/claims_building.csv",
+            results("tables/claims_building.csv"),
             "table_claims_building",
             "Building",
             "claims of the study's section 2 (CSV)",
         ),
     log:
-        "results/{run}/logs/table_claims_building.log",
+        logs("table_claims_building"),
     script:
         "../scripts/building/table_claims_building.py"
+
+
+rule building:
+    input:
+        every_run(
+            rules.table_building_modes.output,
+            rules.table_wme.output.wme,
+            rules.table_wme.output.chain,
+            rules.table_building_convergence.output,
+            rules.table_building_explicit_cost.output,
+            rules.fig01_building.output.png,
+            rules.fig02_modes.output.png,
+            of_run(
+                rules.fig03_wme.output.png, record=RUNS.named("building.wme_records")
+            ),
+            of_run(
+                rules.table_building_explicit.output.png,
+                rules.table_building_explicit.output.table,
+                record=RUNS.named("building.explicit_records"),
+            ),
+            where(
+                RUNS.key("building.alternative_plans"),
+                rules.table_building_alternatives.output,
+            ),
+            where(is_case_study, rules.table_claims_building.output),
+        ),
+
+
+# Periods and equivalent chain (n, T1) of any plan, without the paper's comparisons.
+rule building_t1:
+    input:
+        every_run(rules.table_building_modes.output, rules.table_wme.output.chain),

@@ -1,92 +1,107 @@
 # The search for the study's building, and Table 2 under every reading of its text.
 # Not part of the main job nor of `building`; ask for `building_search` or `wme_readings`.
-rule building_search:
-    input:
-        lambda w: with_pages(STUDY.per_run(BUILDING.search_results)),
-
-
-rule wme_readings:
-    input:
-        lambda w: with_pages(STUDY.per_run(BUILDING.reading_results)),
+def search_settings(wildcards):
+    """Params function: the section of the search, plans apart."""
+    section = RUNS.cfg(wildcards)["building_search"]
+    return {k: value for k, value in section.items() if k not in ("plan", "plans")}
 
 
 rule table_building_search:
     input:
-        plan=BUILDING.search_plan,
+        plan=plan_file("building_search.plan"),
         modules=code("building/building_search"),
     output:
-        "results/{run}/tables/building_search.csv",
+        results("tables/building_search.csv"),
     log:
-        "results/{run}/logs/table_building_search.log",
+        logs("table_building_search"),
     benchmark:
-        "results/{run}/benchmarks/table_building_search.tsv"
+        benchmarks("table_building_search")
     params:
-        building=BUILDING.keys(),
-        search=BUILDING.search_keys,
+        building=building_settings(*BRICK_MODEL),
+        search=search_settings,
     script:
         "../scripts/building/building_search.py"
 
 
 rule table_building_search_best:
     input:
-        plan=BUILDING.search_plan,
-        search="results/{run}/tables/building_search.csv",
-        plans=BUILDING.compared_plans,
+        plan=plan_file("building_search.plan"),
+        search=rules.table_building_search.output[0],
+        plans=plan_file("building_search.plans"),
         modules=code("building/building_search_verify"),
     output:
         shown(
-            "results/{run}/tables/building_search_best.csv",
+            results("tables/building_search_best.csv"),
             "building_search",
             "Building",
             "search for the study's building (CSV)",
         ),
     log:
-        "results/{run}/logs/table_building_search_best.log",
+        logs("table_building_search_best"),
     benchmark:
-        "results/{run}/benchmarks/table_building_search_best.tsv"
+        benchmarks("table_building_search_best")
     params:
-        building=BUILDING.keys(),
-        search=BUILDING.search_keys,
+        building=building_settings(*BRICK_MODEL),
+        search=search_settings,
     script:
         "../scripts/building/building_search_verify.py"
 
 
 rule figure_building_search:
     input:
-        search="results/{run}/tables/building_search.csv",
+        search=rules.table_building_search.output[0],
         modules=code("building/figure_building_search"),
     output:
         **figure("building_search", "Building", "search for the study's building"),
     log:
-        "results/{run}/logs/figure_building_search.log",
+        logs("figure_building_search"),
     script:
         "../scripts/building/figure_building_search.py"
 
 
 rule table_wme_readings:
     input:
-        plan=BUILDING.plan,
-        fit="results/{run}/building/fit.json",
-        modes="results/{run}/building/SBDEM_modes.npz",
-        records=BUILDING.of_wme_records("results/{run}/records/{record}.csv"),
+        plan=plan_file("building.plan"),
+        fit=rules.building_fit.output[0],
+        modes=of_run(rules.building_modal.output[0], building="SBDEM"),
+        records=of_run(
+            rules.own_record.output.record, record=RUNS.named("building.wme_records")
+        ),
         modules=code("building/table_wme_readings"),
     output:
-        readings="results/{run}/tables/wme_readings.csv",
+        readings=results("tables/wme_readings.csv"),
         lowest=shown(
-            "results/{run}/tables/wme_lowest.csv",
+            results("tables/wme_lowest.csv"),
             "wme_readings",
             "Building",
             "2: every reading of its text (CSV)",
         ),
     log:
-        "results/{run}/logs/table_wme_readings.log",
+        logs("table_wme_readings"),
     benchmark:
-        "results/{run}/benchmarks/table_wme_readings.tsv"
+        benchmarks("table_wme_readings")
     params:
-        building=BUILDING.keys(
-            "damping_ratio", "wme_longest_period_s", "wme_highest_frequency_hz"
+        building=building_settings(
+            *BRICK_MODEL,
+            "damping_ratio",
+            "wme_longest_period_s",
+            "wme_highest_frequency_hz",
         ),
-        records=lambda w: BUILDING.records(w.run, "wme_records"),
-        paper=BUILDING.is_case_study,
+        records=lambda w: RUNS.named("building.wme_records")(w.run),
+        paper=lambda w: is_case_study(w.run),
     script:
         "../scripts/building/table_wme_readings.py"
+
+
+rule building_search:
+    input:
+        every_run(
+            rules.table_building_search.output,
+            rules.table_building_search_best.output,
+            rules.figure_building_search.output.png,
+        ),
+
+
+rule wme_readings:
+    input:
+        every_run(rules.table_wme_readings.output),

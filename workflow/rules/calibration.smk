@@ -1,33 +1,65 @@
 # Calibration of β: free-rocking study, its law, both validations, an own wall.
+from rocking.calibration import FREE_ROCKING_HIGH_S, FREE_ROCKING_LOW_S
+
+
+def groups(run):
+    """Parts of the free-rocking study, a job each."""
+    own = RUNS.settings[run]["calibration"]
+    count = len(own["thickness_m"]) * len(own["e_mpa"])
+    batches = [f"batch{i}" for i in range(1, count + 1)]
+    return [*batches, "sensitivity", "free_rocking_wall"]
+
+
+def tested_wall(wildcards):
+    """File of the tested wall, for the part that has one."""
+    if wildcards.group != "free_rocking_wall":
+        return []
+    return RUNS.beside(RUNS.cfg(wildcards)["calibration"]["free_rocking_wall"])
+
+
+def cases_settings(wildcards):
+    """What a part depends on: an own wall is the configuration's, the study brings its own."""
+    own = ("facade", "return_wall", "smdof", "numerics")
+    return RUNS.params_of(
+        "calibration", *(own if wildcards.group == "own_wall" else ())
+    )(wildcards)
+
+
+def is_studied(run):
+    """Whether the walls and values of β are those that the study makes claims of."""
+    own = RUNS.settings[run]["calibration"]
+    values = {*FREE_ROCKING_LOW_S, *FREE_ROCKING_HIGH_S}
+    tested = Path(own["free_rocking_wall"]).stem == "sorrentino"
+    return tested and values <= set(own["free_rocking_beta_s"])
 
 
 rule calibration_cases:
     input:
-        wall=CALIBRATION.wall,
+        wall=tested_wall,
         modules=code("calibration/calibrate_cases"),
     output:
-        CASES,
+        results("calibration/cases_{group}.json"),
     log:
-        "results/{run}/logs/calibration_cases_{group}.log",
+        logs("calibration_cases_{group}"),
     wildcard_constraints:
         group=r"batch\d+|sensitivity|free_rocking_wall|own_wall",
     params:
-        config=CALIBRATION.config,
+        config=cases_settings,
     script:
         "../scripts/calibration/calibrate_cases.py"
 
 
 rule free_rocking:
     input:
-        cases=CASES,
-        yade=ancient("results/{run}/yade.txt"),
+        cases=rules.calibration_cases.output[0],
+        yade=ancient(rules.yade_check.output[0]),
         modules=study_code("free_rocking"),
     output:
-        HISTORIES,
+        results("calibration/histories_{group}.npz"),
     log:
-        "results/{run}/logs/free_rocking_{group}.log",
+        logs("free_rocking_{group}"),
     benchmark:
-        "results/{run}/benchmarks/free_rocking_{group}.tsv"
+        benchmarks("free_rocking_{group}")
     params:
         yade=YADE,
     shell:
@@ -37,86 +69,86 @@ rule free_rocking:
 
 rule free_rocking_table:
     input:
-        cases=CALIBRATION.of_groups(CASES),
-        histories=CALIBRATION.of_groups(HISTORIES),
+        cases=of_run(rules.calibration_cases.output[0], group=groups),
+        histories=of_run(rules.free_rocking.output[0], group=groups),
         modules=code("calibration/table_free_rocking"),
     output:
         shown(
-            "results/{run}/tables/free_rocking.csv",
+            results("tables/free_rocking.csv"),
             "table_free_rocking",
             "Calibration of the damping",
             "rebounds and e_exp (CSV)",
         ),
     log:
-        "results/{run}/logs/free_rocking_table.log",
+        logs("free_rocking_table"),
     script:
         "../scripts/calibration/table_free_rocking.py"
 
 
 rule beta_fit:
     input:
-        cases=CALIBRATION.of_groups(CASES),
-        histories=CALIBRATION.of_groups(HISTORIES),
+        cases=of_run(rules.calibration_cases.output[0], group=groups),
+        histories=of_run(rules.free_rocking.output[0], group=groups),
         modules=code("calibration/calibrate_fit"),
     output:
-        walls="results/{run}/tables/beta_walls.csv",
+        walls=results("tables/beta_walls.csv"),
         fit=shown(
-            "results/{run}/tables/beta_fit.csv",
+            results("tables/beta_fit.csv"),
             "table_beta_fit",
             "Calibration of the damping",
             "best-fitting β (CSV)",
         ),
     log:
-        "results/{run}/logs/beta_fit.log",
+        logs("beta_fit"),
     script:
         "../scripts/calibration/calibrate_fit.py"
 
 
 rule beta_law:
     input:
-        "results/{run}/tables/beta_walls.csv",
+        rules.beta_fit.output.walls,
         modules=code("calibration/calibrate_law"),
     output:
-        law="results/{run}/calibration/beta_law.json",
+        law=results("calibration/beta_law.json"),
         table=shown(
-            "results/{run}/tables/beta_regression.csv",
+            results("tables/beta_regression.csv"),
             "table_beta_regression",
             "Calibration of the damping",
             "laws of β (CSV)",
         ),
     log:
-        "results/{run}/logs/beta_law.log",
+        logs("beta_law"),
     script:
         "../scripts/calibration/calibrate_law.py"
 
 
 rule table_claims_calibration:
     input:
-        free="results/{run}/tables/free_rocking.csv",
-        fits="results/{run}/tables/beta_fit.csv",
-        walls="results/{run}/tables/beta_walls.csv",
+        free=rules.free_rocking_table.output[0],
+        fits=rules.beta_fit.output.fit,
+        walls=rules.beta_fit.output.walls,
         modules=code("calibration/table_claims_calibration"),
     output:
         shown(
-            "results/{run}/tables/claims_calibration.csv",
+            results("tables/claims_calibration.csv"),
             "table_claims_calibration",
             "Calibration of the damping",
             "claims of the study's section 3 (CSV)",
         ),
     log:
-        "results/{run}/logs/table_claims_calibration.log",
+        logs("table_claims_calibration"),
     params:
-        settings=STUDY.params_of("calibration"),
+        settings=RUNS.params_of("calibration"),
     script:
         "../scripts/calibration/table_claims_calibration.py"
 
 
 rule fig04_calibration:
     input:
-        cases="results/{run}/calibration/cases_batch1.json",
-        histories="results/{run}/calibration/histories_batch1.npz",
-        walls="results/{run}/tables/beta_walls.csv",
-        law="results/{run}/calibration/beta_law.json",
+        cases=of_run(rules.calibration_cases.output[0], group="batch1"),
+        histories=of_run(rules.free_rocking.output[0], group="batch1"),
+        walls=rules.beta_fit.output.walls,
+        law=rules.beta_law.output.law,
         modules=code("calibration/fig04_calibration"),
     output:
         **figure(
@@ -126,40 +158,50 @@ rule fig04_calibration:
             about="fig04",
         ),
     log:
-        "results/{run}/logs/fig04_calibration.log",
+        logs("fig04_calibration"),
     params:
-        settings=STUDY.params_of("calibration"),
+        settings=RUNS.params_of("calibration"),
     script:
         "../scripts/calibration/fig04_calibration.py"
 
 
 rule wall_beta:
     input:
-        cases="results/{run}/calibration/cases_own_wall.json",
-        histories="results/{run}/calibration/histories_own_wall.npz",
+        cases=of_run(rules.calibration_cases.output[0], group="own_wall"),
+        histories=of_run(rules.free_rocking.output[0], group="own_wall"),
         law=LAW_FILE,
         modules=code("calibration/calibrate_wall"),
     output:
         **figure("wall_beta", "Calibration of the damping", "β of this façade"),
-        table="results/{run}/tables/wall_beta.csv",
+        table=results("tables/wall_beta.csv"),
     log:
-        "results/{run}/logs/wall_beta.log",
+        logs("wall_beta"),
     params:
-        config=STUDY.params_of("calibration", "facade", "return_wall"),
+        config=RUNS.params_of("calibration", "facade", "return_wall"),
     script:
         "../scripts/calibration/calibrate_wall.py"
-
-
-# `snakemake calibration`: the whole study.
-rule calibration:
-    input:
-        with_pages(STUDY.per_run(CALIBRATION.results)),
 
 
 # `snakemake --configfile my_facade.yaml -- calibrate_wall`: β of the configuration's own façade.
 rule calibrate_wall:
     input:
-        STUDY.per_run(CALIBRATION.wall_results),
+        every_run(rules.wall_beta.output.table, rules.wall_beta.output.png),
 
 
 include: "shake_tables.smk"
+
+
+# `snakemake calibration`: the whole study.
+rule calibration:
+    input:
+        every_run(
+            rules.free_rocking_table.output,
+            rules.beta_fit.output,
+            rules.beta_law.output.table,
+            rules.shake_table_table.output,
+            where(is_studied, rules.table_claims_calibration.output),
+            rules.fig04_calibration.output.png,
+            rules.fig05_sorrentino.output.png,
+            rules.fig06_shawa.output.png,
+            rules.damping_choice.output.png,
+        ),

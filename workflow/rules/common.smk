@@ -1,36 +1,38 @@
-# The study, its sources and how YADE is started; shared by every rule file.
+# The runs, their sources and how YADE is started; shared by every rule file.
+import json
 import os
 import re
 import shlex
 import shutil
 import sys
 from dataclasses import asdict
+from functools import cache
+from itertools import product
 from pathlib import Path
 
 try:
-    from rocking import study
+    import rocking
 except ModuleNotFoundError as error:
     sys.exit(
         f"error: {error} in {sys.executable}: use this project's .venv/bin/snakemake,"
         " which `make setup` makes"
     )
 from rocking.configuration import config as configuration
+from rocking.configuration.chosen import chosen
 from rocking.records.intensity_measures import MEASURES
-from rocking.studies.pushover import VARIANTS
-from rocking.records import RecordError
-from rocking.records.check import check_study
+from rocking.studies.pushover import DRAWN, VARIANTS
+from rocking.records import RecordError, read_table
+from rocking.records.check import check_runs
 from rocking.runtime import file_times, first_page, interrupts, progress
 from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
-from rocking.study.calibration import CASES, HISTORIES
-from rocking.study import shared
-from rocking.study.chosen import chosen
+from rocking.runs import Curve, Runs
 from yade_scripts.engine import lifeline
-from yade_scripts.model.registry import MODELS, PUSHED, WITH_WALLS
+from yade_scripts.model.registry import COMPLETE, MODELS, PLANAR, PUSHED, WITH_WALLS
 
 # the project's folder: where this file is, or, if it was fetched alone as a module, the package's
 BASE = Path(workflow.source_path("common.smk")).resolve().parents[2]
 if not (BASE / "yade_scripts").is_dir():
-    BASE = Path(study.__file__).resolve().parents[3]
+    BASE = Path(rocking.__file__).resolve().parents[2]
 if (
     workflow.modifier.is_main_snakefile()
 ):  # as a module it leaves the terminal to others
@@ -60,31 +62,17 @@ try:
     configuration.check_files(
         [path for path in workflow.configfiles if Path(path).exists()]
     )
-    STUDY = study.Study(config, BASE)
+    RUNS = Runs(config, BASE)
     # Read before anything is planned. A faulty record ends what needs it, not the target `check`.
-    FINDINGS = check_study(STUDY, cache=".snakemake/records_check.json")
+    FINDINGS = check_runs(RUNS, cache=".snakemake/records_check.json")
 except (configuration.ConfigError, RecordError) as error:
     stop(error)
 
-STUDY.refuse(FINDINGS)
+RUNS.refuse(FINDINGS)
 if workflow.is_main_process and "check" not in sys.argv:  # that target says so itself
     terminal.warn([str(f) for f in FINDINGS if f.status == "warning"])
 
-ACCURACY = study.Accuracy(STUDY)
-ASSESSMENT = study.Assessment(STUDY, config)
-BOUNDARY = study.Boundary(STUDY)
-BUILDING = study.Building(STUDY)
-CALIBRATION = study.Calibration(STUDY)
-COMPARE = study.Compare(STUDY)
-COMPLETE = study.Complete(STUDY)
-FRAGILITY = study.Fragility(STUDY)
-RISK = study.Risk(STUDY)
-SHARED = STUDY.shared
-STRENGTHENING = study.Strengthening(STUDY)
-SURROGATES = study.Surrogates(STUDY)
-TWO_COMPONENTS = study.TwoComponents(STUDY)
-UNCERTAINTY = study.Uncertainty(STUDY)
-VERTICAL = study.Vertical(STUDY)
+SHARED = RUNS.shared
 
 
 def code(script):
@@ -117,15 +105,15 @@ def shown(path, about, category, result, **labels):
 
 def figure(name, category, result, about=None, **labels):
     """Output of a figure: a PNG that the report shows, and a PDF."""
-    path = f"results/{{run}}/figures/{name}"
+    path = results(f"figures/{name}")
     png = shown(f"{path}.png", about or name, category, result, **labels)
     return {"png": png, "pdf": f"{path}.pdf"}
 
 
 wildcard_constraints:
-    run="|".join(re.escape(name) for name in STUDY.runs),
+    run="|".join(re.escape(name) for name in RUNS.settings),
     record="|".join(
-        sorted({re.escape(r) for rows in STUDY.tables.values() for r in rows})
+        sorted({re.escape(r) for rows in RUNS.tables.values() for r in rows})
     ),
     model="|".join(WITH_WALLS),
     direction="pos|neg",
@@ -162,20 +150,20 @@ onstart:
     try:
         try:
             run_lock.hold()
-            file_times.settle(shared.FOLDER)
-            for name, resolved in STUDY.runs.items():
-                file_times.settle(f"results/{name}")
+            file_times.settle(f"{RESULTS}/.shared")
+            for name, resolved in RUNS.settings.items():
+                file_times.settle(f"{RESULTS}/{name}")
                 choices = chosen(resolved, FIDELITY_FILE, LAW_FILE)
                 configuration.write_resolved(
-                    resolved, f"results/{name}/config.yaml", choices
+                    resolved, f"{RESULTS}/{name}/config.yaml", choices
                 )
         except (run_lock.Busy, ValueError, OSError) as error:
             stop(error)
         scheduling.choose_at_ends_only(workflow)
-        tasks = progress.tasks_of(workflow, STUDY.known_runs)
+        tasks = progress.tasks_of(workflow, RUNS.known_runs)
         # none on a cluster, which has no such number
         cores = workflow.resource_settings.cores
-        print(progress.opening(tasks, list(STUDY.runs), cores), file=sys.stderr)
+        print(progress.opening(tasks, list(RUNS.settings), cores), file=sys.stderr)
         progress.Progress(tasks).watch()
         warm.serve(workflow)
     except KeyboardInterrupt:
@@ -183,7 +171,7 @@ onstart:
 
 
 onsuccess:
-    folders = ", ".join(f"results/{run}" for run in STUDY.runs)
+    folders = ", ".join(f"{RESULTS}/{run}" for run in RUNS.settings)
     print(f"done: results in {folders}", file=sys.stderr)
 
 

@@ -1,28 +1,94 @@
 # Runs side by side: a grid, scenarios, or finished runs by name.
+import csv
+
+import yaml
+from rocking.configuration.differences import differences
 
 
-rule compare:
-    input:
-        f"results/{STUDY.name}/compare/collapse.csv",
+def compared():
+    """Runs side by side: those of a study of several, and the finished ones that are named."""
+    named = next(iter(RUNS.settings.values()))["compare"]
+    several = list(RUNS.settings) if len(RUNS.settings) > 1 or not named else []
+    return list(dict.fromkeys([*several, *named]))
+
+
+def collapse_of(run):
+    """Collapse table of a run."""
+    return expand(rules.ida_collapse.output.collapse, run=run)[0]
+
+
+def settings_of(run):
+    """Configuration of a finished run."""
+    return Path(expand(results("config.yaml"), run=run)[0])
+
+
+def compared_tables(wildcards):
+    """Collapse tables of the runs; a finished run without one ends the workflow in one line."""
+    for run in compared():
+        path = Path(collapse_of(run))
+        if run not in RUNS.settings and not (
+            path.is_file() and settings_of(run).is_file()
+        ):
+            there = sorted(p.parents[1].name for p in Path().glob(collapse_of("*")))
+            stop(
+                f"compare: no finished run '{run}' ({path}); there are {', '.join(there) or 'none'}"
+            )
+    if len(compared()) < 2:
+        stop(
+            "compare: one run only; give a grid, scenarios, or finished runs, as in"
+            " --config compare=main,tall -- compare"
+        )
+    return [collapse_of(run) for run in compared()]
+
+
+def compared_facts(wildcards):
+    """Provenance files of the runs' records; of a finished run those that it still has."""
+    found = []
+    for run in compared():
+        if run in RUNS.settings:
+            job = Of(run=run)
+            found += of_run(rules.record.output.facts)(job)
+            continue
+        with open(collapse_of(run), encoding="utf-8", newline="") as handle:
+            names = list(dict.fromkeys(row["record"] for row in csv.DictReader(handle)))
+        paths = expand(rules.own_record.output.facts, run=run, record=names)
+        found += [path for path in paths if Path(path).is_file()]
+    return list(dict.fromkeys(found))
+
+
+def compared_settings(wildcards):
+    """What differs between the configurations of the runs."""
+    return differences(
+        {
+            run: RUNS.settings.get(run)
+            or yaml.safe_load(settings_of(run).read_text("utf-8"))
+            for run in compared()
+        }
+    )
 
 
 rule compare_runs:
     input:
-        tables=COMPARE.tables,
-        facts=COMPARE.facts,
+        tables=compared_tables,
+        facts=compared_facts,
         modules=code("compare/figure_compare"),
     output:
-        table=f"results/{STUDY.name}/compare/collapse.csv",
+        table=results("compare/collapse.csv").format(run=RUNS.name),
         png=report(
-            f"results/{STUDY.name}/compare/collapse.png",
+            results("compare/collapse.png").format(run=RUNS.name),
             caption=caption("compare"),
             category="Answer",
-            labels={"run": STUDY.name, "result": "runs side by side"},
+            labels={"run": RUNS.name, "result": "runs side by side"},
         ),
-        pdf=f"results/{STUDY.name}/compare/collapse.pdf",
+        pdf=results("compare/collapse.pdf").format(run=RUNS.name),
     log:
-        f"results/{STUDY.name}/logs/compare_runs.log",
+        logs("compare_runs").format(run=RUNS.name),
     params:
-        differing=COMPARE.differing,
+        differing=compared_settings,
     script:
         "../scripts/compare/figure_compare.py"
+
+
+rule compare:
+    input:
+        rules.compare_runs.output.table,

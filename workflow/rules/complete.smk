@@ -1,11 +1,8 @@
 # The complete building: brick model, façade cracked off (CB) or bonded (CBc). Not part of the main
 # job; ask for `complete`.
-wildcard_constraints:
-    complete="|".join(COMPLETE.models),
-    back="bricks|facade",
+from yade_scripts.model.building.complete import BACK_JOINTS
 
-
-COMPLETE_SECTIONS = STUDY.params_of(
+COMPLETE_SECTIONS = RUNS.params_of(
     "facade",
     "return_wall",
     "damping",
@@ -16,22 +13,107 @@ COMPLETE_SECTIONS = STUDY.params_of(
 )
 
 
-rule complete:
-    input:
-        lambda w: with_pages(STUDY.per_run(COMPLETE.results)),
+wildcard_constraints:
+    complete="|".join(COMPLETE),
+    back="bricks|facade",
+
+
+def complete_settings(run):
+    """Section complete of a run."""
+    return RUNS.settings[run]["complete"]
+
+
+def bricks(run, coarsening=None, back=None):
+    """Wildcards of a scene: the configured brick size and back joint, or others."""
+    own = complete_settings(run)
+    size = own["coarsening"] if coarsening is None else coarsening
+    return {"coarsening": f"{size:g}", "back": back or own["back_joint"]}
+
+
+def brick_sizes(run):
+    """Wildcards of the scenes of one back joint, by brick size."""
+    return [bricks(run, size) for size in complete_settings(run)["convergence"]]
+
+
+def brick_models(run):
+    """Those, and of the configured size with the other back joint."""
+    joint = complete_settings(run)["back_joint"]
+    other = next(back for back in BACK_JOINTS if back != joint)
+    return [*brick_sizes(run), bricks(run, back=other)]
+
+
+def curve_scene(wildcards):
+    """Scene of a curve."""
+    if RUNS.cfg(wildcards)["vertical_motion"] == "on":
+        raise SystemExit(
+            "error: complete: expected vertical_motion = off: the complete building has been checked"
+            " under horizontal motion alone"
+        )
+    run = wildcards.run
+    RUNS.needs_plain(run, "the complete building", held=True)
+    return of_run(rules.complete_scene.output[0], **bricks(run))(wildcards)
+
+
+def history_motion(wildcards):
+    """Motion of a history of the checks."""
+    if wildcards.kind in ("linear", "level"):
+        return CHECK_MOTION(wildcards)
+    return of_run(rules.complete_pulse.output[0])(wildcards)
+
+
+def history_options(wildcards):
+    """Options of a history of the checks."""
+    own, kind = complete_settings(wildcards.run), wildcards.kind
+    pga_g = own["check_pga_g" if kind == "level" else "linear_pga_g"]
+    options = [f"--direction {own['check_direction']} --pga {pga_g:g}"]
+    if kind in ("linear", "level"):
+        until_s = own[f"{'check' if kind == 'level' else kind}_duration_s"]
+        options.append(f"--until {until_s:g}")
+    return " ".join(options + ["--apart"] * (kind == "apart"))
+
+
+def linear_history(kind):
+    """Input function: a history of the bonded building, as a list."""
+    return of_run(
+        rules.complete_history.output.history,
+        cases=lambda run: [{"complete": "CBc", "kind": kind, **bricks(run)}],
+    )
+
+
+def two_way(model):
+    """Name of the reduced model with the same joint whose walls answer the façade."""
+    how = ("floors", COMPLETE[model].bonded, True)
+    return next(
+        m.name for m in MODELS.values() if (m.walls, m.bonded, m.massive) == how
+    )
+
+
+def two_way_curves(run):
+    """Curves of the reduced models beside those that YADE runs."""
+    models = [two_way(model) for model in complete_settings(run)["models"]]
+    records, directions = RUNS.confirmed(run), RUNS.settings[run]["directions"]
+    return [Curve(*names) for names in product(models, records, directions)]
+
+
+LEVELS = {"complete": "CB", "kind": "level", "cases": brick_models}
+COMPLETE_MODELS = RUNS.key("complete.models")
+CHECK_MOTION = of_run(
+    rules.floor_motions.output[0],
+    record=lambda run: RUNS.named("complete.check_record")(run)[0],
+)
 
 
 rule complete_scene:
     input:
-        plan=BUILDING.plan,
-        fit="results/{run}/building/fit.json",
+        plan=plan_file("building.plan"),
+        fit=rules.building_fit.output[0],
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,
         modules=code("complete/complete_scene"),
     output:
-        "results/{run}/complete/scenes/{complete}_{coarsening}_{back}.json",
+        results("complete/scenes/{complete}_{coarsening}_{back}.json"),
     log:
-        "results/{run}/logs/complete_scene_{complete}_{coarsening}_{back}.log",
+        logs("complete_scene_{complete}_{coarsening}_{back}"),
     params:
         config=COMPLETE_SECTIONS,
     script:
@@ -40,23 +122,23 @@ rule complete_scene:
 
 rule complete_scan:
     input:
-        plan=BUILDING.plan,
-        fit="results/{run}/building/fit.json",
+        plan=plan_file("building.plan"),
+        fit=rules.building_fit.output[0],
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,
-        motion=STUDY.ida_motion,
+        motion=of_run(rules.floor_motions.output[0]),
         modules=code("complete/complete_scan"),
     output:
-        "results/{run}/screening/{complete}/{record}_{direction}.csv",
+        results("screening/{complete}/{record}_{direction}.csv"),
     log:
-        "results/{run}/logs/complete_scan_{complete}_{record}_{direction}.log",
+        logs("complete_scan_{complete}_{record}_{direction}"),
     benchmark:
-        "results/{run}/benchmarks/complete_scan_{complete}_{record}_{direction}.tsv"
+        benchmarks("complete_scan_{complete}_{record}_{direction}")
     params:
         config=COMPLETE_SECTIONS,
         settings=lambda w: {
-            **{key: STUDY.cfg(w)["ida"][key] for key in ("beyond", "max_pga_g")},
-            "amplitude_spread": STUDY.cfg(w)["ensemble"]["amplitude_spread"],
+            **{key: RUNS.cfg(w)["ida"][key] for key in ("beyond", "max_pga_g")},
+            "amplitude_spread": RUNS.cfg(w)["ensemble"]["amplitude_spread"],
         },
     script:
         "../scripts/complete/complete_scan.py"
@@ -64,36 +146,36 @@ rule complete_scan:
 
 rule complete_plan:
     input:
-        scan="results/{run}/screening/{complete}/{record}_{direction}.csv",
+        scan=rules.complete_scan.output[0],
         modules=code("complete/complete_plan"),
     output:
-        "results/{run}/complete/plans/{complete}_{record}_{direction}.json",
+        results("complete/plans/{complete}_{record}_{direction}.json"),
     log:
-        "results/{run}/logs/complete_plan_{complete}_{record}_{direction}.log",
+        logs("complete_plan_{complete}_{record}_{direction}"),
     params:
-        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
-        step=lambda w: COMPLETE.settings(w.run)["level_ratio"],
-        most=lambda w: STUDY.cfg(w)["ida"]["max_islands"],
+        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
+        step=lambda w: complete_settings(w.run)["level_ratio"],
+        most=lambda w: RUNS.cfg(w)["ida"]["max_islands"],
     script:
         "../scripts/complete/complete_plan.py"
 
 
 rule complete_ida:
     input:
-        scene=COMPLETE.scene,
-        motion=STUDY.ida_motion,
-        plan="results/{run}/complete/plans/{complete}_{record}_{direction}.json",
-        yade="results/{run}/yade.txt",
+        scene=curve_scene,
+        motion=of_run(rules.floor_motions.output[0]),
+        plan=rules.complete_plan.output[0],
+        yade=rules.yade_check.output[0],
         modules=study_code("complete"),
     output:
-        "results/{run}/ida/{complete}/{record}_{direction}.csv",
+        results("ida/{complete}/{record}_{direction}.csv"),
     log:
-        "results/{run}/logs/complete_ida_{complete}_{record}_{direction}.log",
+        logs("complete_ida_{complete}_{record}_{direction}"),
     benchmark:
-        "results/{run}/benchmarks/complete_ida_{complete}_{record}_{direction}.tsv"
+        benchmarks("complete_ida_{complete}_{record}_{direction}")
     params:
         yade=YADE,
-        journal="results/{run}/cache/complete/{complete}_{record}_{direction}.jsonl",
+        journal=results("cache/complete/{complete}_{record}_{direction}.jsonl"),
     shell:
         "{params.yade} complete --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction} --plan {input.plan:q}"
@@ -105,29 +187,29 @@ rule complete_pulse:
     input:
         modules=code("complete/complete_pulse"),
     output:
-        "results/{run}/complete/pulse.csv",
+        results("complete/pulse.csv"),
     log:
-        "results/{run}/logs/complete_pulse.log",
+        logs("complete_pulse"),
     script:
         "../scripts/complete/complete_pulse.py"
 
 
 rule complete_history:
     input:
-        scene="results/{run}/complete/scenes/{complete}_{coarsening}_{back}.json",
-        motion=COMPLETE.motion,
-        yade="results/{run}/yade.txt",
+        scene=rules.complete_scene.output[0],
+        motion=history_motion,
+        yade=rules.yade_check.output[0],
         modules=study_code("complete_history"),
     output:
-        history="results/{run}/complete/histories/{complete}_{coarsening}_{back}_{kind}.csv",
-        cost="results/{run}/complete/histories/{complete}_{coarsening}_{back}_{kind}.json",
+        history=results("complete/histories/{complete}_{coarsening}_{back}_{kind}.csv"),
+        cost=results("complete/histories/{complete}_{coarsening}_{back}_{kind}.json"),
     log:
-        "results/{run}/logs/complete_history_{complete}_{coarsening}_{back}_{kind}.log",
+        logs("complete_history_{complete}_{coarsening}_{back}_{kind}"),
     wildcard_constraints:
         kind="linear|ring|apart|level",
     params:
         yade=YADE,
-        how=COMPLETE.how,
+        how=history_options,
     shell:
         "{params.yade} complete_history --scene {input.scene:q} --motion {input.motion:q}"
         " {params.how} --output {output.history:q} --cost {output.cost:q} 2> {log:q}"
@@ -135,91 +217,102 @@ rule complete_history:
 
 rule table_complete_checks:
     input:
-        scene=COMPLETE.scenes_of("CBc"),
-        linear=COMPLETE.histories_of("CBc", "linear"),
-        ring=COMPLETE.histories_of("CBc", "ring"),
-        apart=COMPLETE.histories_of("CBc", "apart"),
-        motion=COMPLETE.check_motion,
-        pulse="results/{run}/complete/pulse.csv",
+        scene=of_run(rules.complete_scene.output[0], complete="CBc", cases=brick_sizes),
+        linear=linear_history("linear"),
+        ring=linear_history("ring"),
+        apart=linear_history("apart"),
+        motion=CHECK_MOTION,
+        pulse=rules.complete_pulse.output[0],
         modules=code("complete/table_complete_checks"),
     output:
         shown(
-            "results/{run}/tables/complete_checks.csv",
+            results("tables/complete_checks.csv"),
             "complete_checks",
             "Complete building",
             "periods and linear answer (CSV)",
         ),
     log:
-        "results/{run}/logs/table_complete_checks.log",
+        logs("table_complete_checks"),
     params:
-        direction=lambda w: COMPLETE.settings(w.run)["check_direction"],
-        pga_g=lambda w: COMPLETE.settings(w.run)["linear_pga_g"],
+        direction=lambda w: complete_settings(w.run)["check_direction"],
+        pga_g=lambda w: complete_settings(w.run)["linear_pga_g"],
     script:
         "../scripts/complete/table_complete_checks.py"
 
 
 rule table_complete_convergence:
     input:
-        scenes=COMPLETE.levels("scenes", ".json"),
-        costs=COMPLETE.levels("histories", "_level.json"),
-        histories=COMPLETE.levels("histories", "_level.csv"),
+        scenes=of_run(rules.complete_scene.output[0], complete="CB", cases=brick_models),
+        costs=of_run(rules.complete_history.output.cost, **LEVELS),
+        histories=of_run(rules.complete_history.output.history, **LEVELS),
         modules=code("complete/table_complete_convergence"),
     output:
         shown(
-            "results/{run}/tables/complete_convergence.csv",
+            results("tables/complete_convergence.csv"),
             "complete_convergence",
             "Complete building",
             "brick size and back joint (CSV)",
         ),
     log:
-        "results/{run}/logs/table_complete_convergence.log",
+        logs("table_complete_convergence"),
     script:
         "../scripts/complete/table_complete_convergence.py"
 
 
 rule complete_collapse:
     input:
-        ida=lambda w: COMPLETE.curves(w.run),
-        scans=lambda w: COMPLETE.scans(w.run),
+        ida=of_run(
+            rules.complete_ida.output[0],
+            complete=COMPLETE_MODELS,
+            record=RUNS.confirmed,
+        ),
+        scans=of_run(rules.complete_scan.output[0], complete=COMPLETE_MODELS),
         modules=code("complete/table_complete_collapse"),
     output:
-        collapse="results/{run}/tables/complete_collapse.csv",
-        probability="results/{run}/tables/complete_probability.csv",
+        collapse=results("tables/complete_collapse.csv"),
+        probability=results("tables/complete_probability.csv"),
     log:
-        "results/{run}/logs/complete_collapse.log",
+        logs("complete_collapse"),
     params:
-        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
+        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
     script:
         "../scripts/complete/table_complete_collapse.py"
 
 
 rule figure_complete:
     input:
-        ida=lambda w: COMPLETE.curves(w.run),
-        scans=lambda w: COMPLETE.scans(w.run) + COMPLETE.twins(w.run),
-        facts=STUDY.record_facts,
+        ida=of_run(
+            rules.complete_ida.output[0],
+            complete=COMPLETE_MODELS,
+            record=RUNS.confirmed,
+        ),
+        scans=all_of(
+            of_run(rules.complete_scan.output, complete=COMPLETE_MODELS),
+            of_run(rules.screen.output.scan, cases=two_way_curves),
+        ),
+        facts=of_run(rules.record.output.facts),
         modules=code("complete/figure_complete"),
     output:
         **figure("complete_ida", "Complete building", "IDA of the complete building"),
     log:
-        "results/{run}/logs/figure_complete.log",
+        logs("figure_complete"),
     script:
         "../scripts/complete/figure_complete.py"
 
 
 rule complete_frames:
     input:
-        scene=COMPLETE.scene,
-        motion=STUDY.ida_motion,
-        curve="results/{run}/ida/{complete}/{record}_{direction}.csv",
-        yade="results/{run}/yade.txt",
+        scene=curve_scene,
+        motion=of_run(rules.floor_motions.output[0]),
+        curve=rules.complete_ida.output[0],
+        yade=rules.yade_check.output[0],
         modules=study_code("complete_history"),
     output:
-        history="results/{run}/complete/collapse/{complete}_{record}_{direction}.csv",
-        cost="results/{run}/complete/collapse/{complete}_{record}_{direction}.json",
-        frames="results/{run}/complete/collapse/{complete}_{record}_{direction}_frames.json",
+        history=results("complete/collapse/{complete}_{record}_{direction}.csv"),
+        cost=results("complete/collapse/{complete}_{record}_{direction}.json"),
+        frames=results("complete/collapse/{complete}_{record}_{direction}_frames.json"),
     log:
-        "results/{run}/logs/complete_frames_{complete}_{record}_{direction}.log",
+        logs("complete_frames_{complete}_{record}_{direction}"),
     params:
         yade=YADE,
     shell:
@@ -231,8 +324,8 @@ rule complete_frames:
 
 rule figure_complete_collapse:
     input:
-        frames="results/{run}/complete/collapse/{complete}_{record}_{direction}_frames.json",
-        facts="results/{run}/records/{record}.json",
+        frames=rules.complete_frames.output.frames,
+        facts=rules.own_record.output.facts,
         modules=code("complete/figure_complete_collapse"),
     output:
         **figure(
@@ -243,6 +336,22 @@ rule figure_complete_collapse:
             record="{record}",
         ),
     log:
-        "results/{run}/logs/figure_complete_collapse_{complete}_{record}_{direction}.log",
+        logs("figure_complete_collapse_{complete}_{record}_{direction}"),
     script:
         "../scripts/complete/figure_complete_collapse.py"
+
+
+rule complete:
+    input:
+        every_run(
+            rules.table_complete_checks.output,
+            rules.table_complete_convergence.output,
+            rules.complete_collapse.output,
+            rules.figure_complete.output.png,
+            of_run(
+                rules.figure_complete_collapse.output.png,
+                complete=COMPLETE_MODELS,
+                record=RUNS.key("complete.check_record"),
+                direction=RUNS.key("complete.check_direction"),
+            ),
+        ),

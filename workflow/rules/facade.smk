@@ -1,18 +1,25 @@
 # Scene files: what a façade run depends on, as plain data.
 
 
+def mass_of_walls(wildcards):
+    """File with the building's mass, where a model's walls carry it and none is stated."""
+    stated = RUNS.cfg(wildcards)["return_wall"]["building_mass_kg"]
+    needed = MODELS[wildcards.model].massive and stated is None
+    return [of_run(rules.building_fit.output[0])(wildcards)] if needed else []
+
+
 rule scene:
     input:
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,
-        building=lambda w: BUILDING.mass_of_walls(w),
+        building=mass_of_walls,
         modules=code("ida/scene"),
     output:
-        "results/{run}/scenes/{model}.json",
+        results("scenes/{model}.json"),
     log:
-        "results/{run}/logs/scene_{model}.log",
+        logs("scene_{model}"),
     params:
-        scene=lambda w: STUDY.params_of(
+        scene=lambda w: RUNS.params_of(
             "facade",
             "return_wall",
             "damping",
@@ -31,9 +38,9 @@ rule yade_check:
     input:
         modules=study_code("check_yade"),
     output:
-        "results/{run}/yade.txt",
+        results("yade.txt"),
     log:
-        "results/{run}/logs/yade_check.log",
+        logs("yade_check"),
     priority: 100  # a YADE that does not run is said at once
     params:
         yade=YADE,

@@ -5,14 +5,14 @@ wildcard_constraints:
 
 rule history:
     input:
-        scene="results/{run}/scenes/{model}.json",
-        motion=STUDY.ida_motion,
-        yade="results/{run}/yade.txt",
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        yade=rules.yade_check.output[0],
         modules=study_code("history"),
     output:
-        "results/{run}/histories/{model}/{record}_{direction}_{pga}g.csv",
+        results("histories/{model}/{record}_{direction}_{pga}g.csv"),
     log:
-        "results/{run}/logs/history_{model}_{record}_{direction}_{pga}g.log",
+        logs("history_{model}_{record}_{direction}_{pga}g"),
     params:
         yade=YADE,
     shell:
@@ -23,32 +23,32 @@ rule history:
 
 rule figure_history:
     input:
-        history="results/{run}/histories/{model}/{record}_{direction}_{pga}g.csv",
-        facts="results/{run}/records/{record}.json",
+        history=rules.history.output[0],
+        facts=rules.own_record.output.facts,
         modules=code("history/figure_history"),
     output:
         shown(
-            "results/{run}/histories/{model}/{record}_{direction}_{pga}g.png",
+            results("histories/{model}/{record}_{direction}_{pga}g.png"),
             "history",
             "Histories",
             "{model}, {record} {direction}, {pga} g",
         ),
     log:
-        "results/{run}/logs/figure_history_{model}_{record}_{direction}_{pga}g.log",
+        logs("figure_history_{model}_{record}_{direction}_{pga}g"),
     script:
         "../scripts/history/figure_history.py"
 
 
 use rule frames as history_frames with:
     input:
-        scene="results/{run}/scenes/{model}.json",
-        motion=STUDY.ida_motion,
-        yade="results/{run}/yade.txt",
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        yade=rules.yade_check.output[0],
         modules=study_code("frames"),
     output:
-        "results/{run}/histories/{model}/{record}_{direction}_{pga}g.json",
+        results("histories/{model}/{record}_{direction}_{pga}g.json"),
     log:
-        "results/{run}/logs/history_frames_{model}_{record}_{direction}_{pga}g.log",
+        logs("history_frames_{model}_{record}_{direction}_{pga}g"),
     params:
         yade=YADE,
         record=lambda w: w.record,
@@ -58,10 +58,10 @@ use rule frames as history_frames with:
 
 use rule animation_collapse as animation_history with:
     input:
-        frames="results/{run}/histories/{model}/{record}_{direction}_{pga}g.json",
-        facts="results/{run}/records/{record}.json",
+        frames=rules.history_frames.output[0],
+        facts=rules.own_record.output.facts,
         modules=code("history/animation_collapse"),
     output:
-        "results/{run}/histories/{model}/{record}_{direction}_{pga}g.gif",
+        results("histories/{model}/{record}_{direction}_{pga}g.gif"),
     log:
-        "results/{run}/logs/animation_{model}_{record}_{direction}_{pga}g.log",
+        logs("animation_{model}_{record}_{direction}_{pga}g"),

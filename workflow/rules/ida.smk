@@ -1,42 +1,117 @@
-# Incremental dynamic analyses: one job a model, record and direction.
+# Incremental dynamic analyses, one job a model, record and direction: a dense scan by the compiled planar
+# solver, YADE at the intensities that it names, and perturbed ensembles that tell how far both repeat.
+
+
+def plan(wildcards):
+    """What YADE is to run, from the dense scan; nothing where there is none."""
+    scanned = RUNS.scanned(wildcards.run, wildcards.model)
+    return of_run(rules.screen.output.plan)(wildcards) if scanned else []
+
+
+rule screen:
+    input:
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        modules=code("ida/screen"),
+    output:
+        scan=results("screening/{model}/{record}_{direction}.csv"),
+        plan=results("screening/{model}/{record}_{direction}.json"),
+    log:
+        logs("screen_{model}_{record}_{direction}"),
+    benchmark:
+        benchmarks("screen_{model}_{record}_{direction}")
+    params:
+        record=lambda w: w.record,
+    script:
+        "../scripts/ida/screen.py"
 
 
 rule ida:
     input:
-        scene="results/{run}/scenes/{model}.json",
-        motion=STUDY.ida_motion,
-        plan=STUDY.plan,
-        yade="results/{run}/yade.txt",
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        plan=plan,
+        yade=rules.yade_check.output[0],
         modules=study_code("ida"),
     output:
-        "results/{run}/ida/{model}/{record}_{direction}.csv",
+        results("ida/{model}/{record}_{direction}.csv"),
     log:
-        "results/{run}/logs/ida_{model}_{record}_{direction}.log",
+        logs("ida_{model}_{record}_{direction}"),
     benchmark:
-        "results/{run}/benchmarks/ida_{model}_{record}_{direction}.tsv"
+        benchmarks("ida_{model}_{record}_{direction}")
     params:
         yade=YADE,
         plan=plan_option,
-        journal="results/{run}/cache/ida/{model}_{record}_{direction}.jsonl",
+        journal=results("cache/ida/{model}_{record}_{direction}.jsonl"),
     shell:
         "{params.yade} ida --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction} {params.plan}"
         " --journal {params.journal:q} --output {output:q} 2> {log:q}"
 
 
+rule ida_ensemble:
+    input:
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        plan=plan,
+        curve=rules.ida.output[0],
+        modules=study_code("ensemble"),
+    output:
+        ensemble=results("ida/{model}/{record}_{direction}_ensemble.csv"),
+        sensitivity=results("ida/{model}/{record}_{direction}_sensitivity.csv"),
+    log:
+        logs("ensemble_{model}_{record}_{direction}"),
+    benchmark:
+        benchmarks("ensemble_{model}_{record}_{direction}")
+    params:
+        yade=YADE,
+        plan=plan_option,
+        journal=results("cache/ensemble/{model}_{record}_{direction}.jsonl"),
+    shell:
+        "{params.yade} ensemble --scene {input.scene:q} --motion {input.motion:q}"
+        " --record {wildcards.record:q} --direction {wildcards.direction} {params.plan}"
+        " --curve {input.curve:q} --journal {params.journal:q}"
+        " --output {output.ensemble:q} --sensitivity {output.sensitivity:q}"
+        " 2> {log:q}"
+
+
 rule ida_collapse:
     input:
-        ida=lambda w: STUDY.ida_tables(w.run),
-        ensemble=lambda w: STUDY.ensemble_tables(w.run),
-        scans=lambda w: STUDY.scans(w.run),
+        ida=of_run(rules.ida.output[0], cases=RUNS.by_yade),
+        ensemble=of_run(rules.ida_ensemble.output.ensemble, cases=RUNS.ensembles),
+        scans=of_run(rules.screen.output.scan, cases=RUNS.scans),
         modules=code("ida/table_ida_collapse"),
     output:
-        collapse="results/{run}/tables/ida_collapse.csv",
-        probability="results/{run}/tables/collapse_probability.csv",
+        collapse=results("tables/ida_collapse.csv"),
+        probability=results("tables/collapse_probability.csv"),
     log:
-        "results/{run}/logs/ida_collapse.log",
+        logs("ida_collapse"),
     params:
-        curves=lambda w: STUDY.curves(w.run),
-        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
+        curves=lambda w: list(map(tuple, RUNS.curves(w.run))),
+        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
     script:
         "../scripts/ida/table_ida_collapse.py"
+
+
+rule fig09_ida:
+    input:
+        ida=of_run(rules.ida.output[0], cases=RUNS.by_yade),
+        scans=of_run(rules.screen.output.scan, cases=RUNS.scans),
+        collapse=rules.ida_collapse.output.collapse,
+        probability=rules.ida_collapse.output.probability,
+        pushover=of_run(rules.pushover_curve.output[0], pushed=RUNS.pushed),
+        facts=of_run(rules.record.output.facts),
+        modules=code("ida/fig09_ida"),
+    output:
+        **figure(
+            "fig09_ida", "Incremental dynamic analyses", "9: IDA curves", about="fig09"
+        ),
+    log:
+        logs("fig09_ida"),
+    params:
+        records=lambda w: RUNS.records[w.run],
+        models=lambda w: RUNS.cfg(w)["models"],
+        directions=lambda w: RUNS.cfg(w)["directions"],
+        facade=RUNS.params_of("facade"),
+    script:
+        "../scripts/ida/fig09_ida.py"

@@ -1,27 +1,30 @@
 # The independent planar solver scans curves by itself; what of its answer the reported ones hold.
 
 
-rule judge:
-    input:
-        with_pages(STUDY.per_run(ACCURACY.judge_results)),
+def judged(wildcards):
+    """Dense scans by the independent planar solver, of the models that it can describe."""
+    run = wildcards.run
+    RUNS.needs_plain(run, "the judge", held=True)
+    models = [model for model in RUNS.settings[run]["models"] if model in PLANAR]
+    return of_run(rules.judge_scan.output[0], model=models)(wildcards)
 
 
 rule judge_scan:
     input:
-        scene="results/{run}/scenes/{model}.json",
-        motion=STUDY.ida_motion,
-        scan="results/{run}/screening/{model}/{record}_{direction}.csv",
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        scan=rules.screen.output.scan,
         modules=code("judge/judge_scan"),
     output:
-        "results/{run}/judge/{model}/{record}_{direction}.csv",
+        results("judge/{model}/{record}_{direction}.csv"),
     log:
-        "results/{run}/logs/judge_{model}_{record}_{direction}.log",
+        logs("judge_{model}_{record}_{direction}"),
     benchmark:
-        "results/{run}/benchmarks/judge_{model}_{record}_{direction}.tsv"
+        benchmarks("judge_{model}_{record}_{direction}")
     params:
         record=lambda w: w.record,
         accuracy=lambda w: {
-            key: STUDY.cfg(w)["accuracy"][key]
+            key: RUNS.cfg(w)["accuracy"][key]
             for key in ("reference_nodes", "reference_tolerance", "judge_step")
         },
     script:
@@ -30,31 +33,31 @@ rule judge_scan:
 
 rule judge_bands:
     input:
-        scans=ACCURACY.judged,
-        collapse="results/{run}/tables/ida_collapse.csv",
+        scans=judged,
+        collapse=rules.ida_collapse.output.collapse,
         modules=code("judge/table_judge"),
     output:
-        scan="results/{run}/tables/judge_scan.csv",
+        scan=results("tables/judge_scan.csv"),
         bands=shown(
-            "results/{run}/tables/judge_bands.csv",
+            results("tables/judge_bands.csv"),
             "judge",
             "Accuracy and stability",
             "reported bands and the judge's (CSV)",
         ),
     log:
-        "results/{run}/logs/judge_bands.log",
+        logs("judge_bands"),
     params:
-        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
+        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
     script:
         "../scripts/judge/table_judge.py"
 
 
 rule figure_judge:
     input:
-        scan="results/{run}/tables/judge_scan.csv",
-        bands="results/{run}/tables/judge_bands.csv",
-        probability="results/{run}/tables/collapse_probability.csv",
-        facts=STUDY.record_facts,
+        scan=rules.judge_bands.output.scan,
+        bands=rules.judge_bands.output.bands,
+        probability=rules.ida_collapse.output.probability,
+        facts=of_run(rules.record.output.facts),
         modules=code("judge/figure_judge"),
     output:
         **figure(
@@ -63,8 +66,13 @@ rule figure_judge:
             "collapse probability by both planar solvers",
         ),
     log:
-        "results/{run}/logs/figure_judge.log",
+        logs("figure_judge"),
     params:
-        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
+        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
     script:
         "../scripts/judge/figure_judge.py"
+
+
+rule judge:
+    input:
+        every_run(rules.judge_bands.output, rules.figure_judge.output.png),

@@ -1,168 +1,181 @@
 # What the driven return walls are worth, beside every other premise: models side by side, a map over
 # buildings, a tornado chart. Ask for `premises`; config/scenarios/premises.yaml has the runs.
-PREMISES = study.Premises(STUDY)
+PREMISES = RUNS.key("premises")
 
 
-rule premises:
-    input:
-        with_pages(STUDY.per_run(PREMISES.results)),
+def tornado_records(run):
+    """Records of the tornado chart; all where none are named."""
+    named = PREMISES(run)["tornado_records"]
+    return (
+        RUNS.records[run]
+        if named is None
+        else RUNS.named("premises.tornado_records")(run)
+    )
+
+
+def without_scan(run):
+    """Curves that no dense scan stands for."""
+    return [c for c in RUNS.by_yade(run) if not RUNS.scanned(run, c.model)]
+
+
+def tornado_models(run):
+    """Models with a tornado chart."""
+    return PREMISES(run)["tornado_models"] if tornado_records(run) else []
 
 
 rule table_premises:
     input:
-        scans=lambda w: STUDY.scans(w.run),
-        bricks=PREMISES.bricks,
-        others=PREMISES.others,
-        facts=STUDY.record_facts,
+        scans=of_run(rules.screen.output.scan, cases=RUNS.scans),
+        bricks=of_run(rules.ida.output[0], cases=without_scan),
+        others=lambda w: list(map(RUNS.beside, PREMISES(w.run)["other_curves"])),
+        facts=of_run(rules.record.output.facts),
         modules=code("premises/table_premises"),
     output:
-        table="results/{run}/tables/premises.csv",
-        ratios="results/{run}/tables/premises_ratios.csv",
-        losses="results/{run}/tables/premises_losses.csv",
-        probability="results/{run}/premises/probability.csv",
+        table=results("tables/premises.csv"),
+        ratios=results("tables/premises_ratios.csv"),
+        losses=results("tables/premises_losses.csv"),
+        probability=results("premises/probability.csv"),
     log:
-        "results/{run}/logs/table_premises.log",
+        logs("table_premises"),
     params:
-        spread=lambda w: STUDY.cfg(w)["ensemble"]["amplitude_spread"],
-        reference=lambda w: PREMISES.settings(w.run)["reference"],
-        benchmarks=lambda w: f"results/{w.run}/benchmarks",
+        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
+        reference=lambda w: PREMISES(w.run)["reference"],
+        benchmarks=results("benchmarks"),
     script:
         "../scripts/premises/table_premises.py"
 
 
 rule figure_premises:
     input:
-        probability="results/{run}/premises/probability.csv",
-        facts=STUDY.record_facts,
+        probability=rules.table_premises.output.probability,
+        facts=of_run(rules.record.output.facts),
         modules=code("premises/figure_premises"),
     output:
         **figure("premises", "Premises", "collapse probability, models side by side"),
     log:
-        "results/{run}/logs/figure_premises.log",
+        logs("figure_premises"),
     params:
-        facade=STUDY.params_of("facade"),
+        facade=RUNS.params_of("facade"),
     script:
         "../scripts/premises/figure_premises.py"
 
 
 rule figure_premises_ratios:
     input:
-        table="results/{run}/tables/premises.csv",
-        facts=STUDY.record_facts,
+        table=rules.table_premises.output.table,
+        facts=of_run(rules.record.output.facts),
         modules=code("premises/figure_premises_ratios"),
     output:
         **figure("premises_ratios", "Premises", "each model over the reference"),
     log:
-        "results/{run}/logs/figure_premises_ratios.log",
+        logs("figure_premises_ratios"),
     params:
-        reference=lambda w: PREMISES.settings(w.run)["reference"],
+        reference=lambda w: PREMISES(w.run)["reference"],
     script:
         "../scripts/premises/figure_premises_ratios.py"
 
 
 rule premises_map:
     input:
-        scene="results/{run}/scenes/W2.json",
-        record="results/{run}/records/{record}.csv",
+        scene=of_run(rules.scene.output[0], model="W2"),
+        record=rules.own_record.output.record,
         modules=code("premises/premises_map"),
     output:
-        "results/{run}/premises/map/{record}.csv",
+        results("premises/map/{record}.csv"),
     log:
-        "results/{run}/logs/premises_map_{record}.log",
+        logs("premises_map_{record}"),
     benchmark:
-        "results/{run}/benchmarks/premises_map_{record}.tsv"
+        benchmarks("premises_map_{record}")
     params:
         premises=lambda w: {
-            key: PREMISES.settings(w.run)[key]
+            key: PREMISES(w.run)[key]
             for key in ("mass_ratios", "periods_s", "damping_ratios", "level_ratio")
         },
-        directions=lambda w: STUDY.cfg(w)["directions"],
+        directions=lambda w: RUNS.cfg(w)["directions"],
     script:
         "../scripts/premises/premises_map.py"
 
 
 rule table_premises_map:
     input:
-        curves=PREMISES.sweep,
+        curves=of_run(rules.premises_map.output[0]),
         modules=code("premises/table_premises_map"),
     output:
-        "results/{run}/tables/premises_map.csv",
+        results("tables/premises_map.csv"),
     log:
-        "results/{run}/logs/table_premises_map.log",
+        logs("table_premises_map"),
     script:
         "../scripts/premises/table_premises_map.py"
 
 
 rule figure_premises_map:
     input:
-        table="results/{run}/tables/premises_map.csv",
-        facts=STUDY.record_facts,
+        table=rules.table_premises_map.output[0],
+        facts=of_run(rules.record.output.facts),
         modules=code("premises/figure_premises_map"),
     output:
         **figure("premises_map", "Premises", "error of driven walls, by building"),
     log:
-        "results/{run}/logs/figure_premises_map.log",
+        logs("figure_premises_map"),
     params:
-        smdof=lambda w: STUDY.cfg(w)["smdof"],
-        records=lambda w: len(STUDY.records[w.run]),
-        directions=lambda w: len(STUDY.cfg(w)["directions"]),
+        smdof=lambda w: RUNS.cfg(w)["smdof"],
+        records=lambda w: len(RUNS.records[w.run]),
+        directions=lambda w: len(RUNS.cfg(w)["directions"]),
     script:
         "../scripts/premises/figure_premises_map.py"
 
 
 rule premises_stage:
     input:
-        fit="results/{run}/building/fit.json",
-        cbdem="results/{run}/building/CBDEM_modes.npz",
-        sbdem="results/{run}/building/SBDEM_modes.npz",
+        fit=rules.building_fit.output[0],
+        cbdem=of_run(rules.building_modal.output[0], building="CBDEM"),
+        sbdem=of_run(rules.building_modal.output[0], building="SBDEM"),
         modules=code("premises/premises_stage"),
     output:
-        "results/{run}/premises/stage.json",
+        results("premises/stage.json"),
     log:
-        "results/{run}/logs/premises_stage.log",
+        logs("premises_stage"),
     script:
         "../scripts/premises/premises_stage.py"
 
 
 rule premises_varied:
     input:
-        scene="results/{run}/scenes/{model}.json",
-        stage="results/{run}/premises/stage.json",
-        record="results/{run}/records/{record}.csv",
+        scene=rules.scene.output[0],
+        stage=rules.premises_stage.output[0],
+        record=rules.own_record.output.record,
         law=LAW_FILE,
         modules=code("premises/premises_varied"),
     output:
-        "results/{run}/premises/{model}/{record}.csv",
+        results("premises/{model}/{record}.csv"),
     log:
-        "results/{run}/logs/premises_varied_{model}_{record}.log",
+        logs("premises_varied_{model}_{record}"),
     benchmark:
-        "results/{run}/benchmarks/premises_varied_{model}_{record}.tsv"
+        benchmarks("premises_varied_{model}_{record}")
     params:
-        directions=lambda w: STUDY.cfg(w)["directions"],
-        surrogates_table=lambda w: STUDY.beside(
-            PREMISES.settings(w.run)["surrogates_table"]
-        ),
-        seed=lambda w: STUDY.cfg(w)["seed"],
+        directions=lambda w: RUNS.cfg(w)["directions"],
+        surrogates_table=lambda w: RUNS.beside(PREMISES(w.run)["surrogates_table"]),
+        seed=lambda w: RUNS.cfg(w)["seed"],
     script:
         "../scripts/premises/premises_varied.py"
 
 
 rule table_premises_tornado:
     input:
-        curves=lambda w: PREMISES.tornado(w),
+        curves=of_run(rules.premises_varied.output[0], record=tornado_records),
         modules=code("premises/table_premises_tornado"),
     output:
-        "results/{run}/tables/premises_tornado_{model}.csv",
+        results("tables/premises_tornado_{model}.csv"),
     log:
-        "results/{run}/logs/table_premises_tornado_{model}.log",
+        logs("table_premises_tornado_{model}"),
     script:
         "../scripts/premises/table_premises_tornado.py"
 
 
 rule figure_premises_tornado:
     input:
-        table="results/{run}/tables/premises_tornado_{model}.csv",
-        facts=STUDY.record_facts,
+        table=rules.table_premises_tornado.output[0],
+        facts=of_run(rules.record.output.facts),
         modules=code("premises/figure_premises_tornado"),
     output:
         **figure(
@@ -172,8 +185,29 @@ rule figure_premises_tornado:
             about="premises_tornado",
         ),
     log:
-        "results/{run}/logs/figure_premises_tornado_{model}.log",
+        logs("figure_premises_tornado_{model}"),
     params:
-        facade=STUDY.params_of("facade"),
+        facade=RUNS.params_of("facade"),
     script:
         "../scripts/premises/figure_premises_tornado.py"
+
+
+rule premises:
+    input:
+        every_run(
+            rules.table_premises.output.table,
+            rules.table_premises.output.ratios,
+            rules.table_premises.output.losses,
+            rules.figure_premises.output.png,
+            rules.figure_premises_ratios.output.png,
+            where(
+                RUNS.key("premises.mass_ratios"),
+                rules.table_premises_map.output,
+                rules.figure_premises_map.output.png,
+            ),
+            of_run(
+                rules.table_premises_tornado.output,
+                rules.figure_premises_tornado.output.png,
+                model=tornado_models,
+            ),
+        ),

@@ -8,6 +8,14 @@ PUSH_SECTIONS = (
     "pushover",
     "w3",
 )
+DRAWN_VARIANTS = [*(f"header_{rule}" for rule in DRAWN), "default"]  # of Figure 8
+
+
+def pushover_curves(wildcards):
+    """Capacity curves beside kinematic ones, which are known of plain façades alone."""
+    RUNS.needs_plain(wildcards.run, "the kinematic curve")
+    models = RUNS.cfg(wildcards)["pushover"]["models"]
+    return of_run(rules.pushover_curve.output[0], pushed=models)(wildcards)
 
 
 wildcard_constraints:
@@ -20,11 +28,11 @@ rule pushover_scene:
         law=LAW_FILE,
         modules=code("pushover/pushover_scene"),
     output:
-        "results/{run}/pushover/scenes/{pushed}.json",
+        results("pushover/scenes/{pushed}.json"),
     log:
-        "results/{run}/logs/pushover_scene_{pushed}.log",
+        logs("pushover_scene_{pushed}"),
     params:
-        scene=STUDY.params_of(*PUSH_SECTIONS),
+        scene=RUNS.params_of(*PUSH_SECTIONS),
     script:
         "../scripts/pushover/pushover_scene.py"
 
@@ -34,27 +42,27 @@ rule pushover_variant_scene:
         law=LAW_FILE,
         modules=code("pushover/pushover_scene"),
     output:
-        "results/{run}/w3/scenes/{variant}.json",
+        results("w3/scenes/{variant}.json"),
     log:
-        "results/{run}/logs/w3_scene_{variant}.log",
+        logs("w3_scene_{variant}"),
     params:
-        scene=STUDY.params_of(*PUSH_SECTIONS),
+        scene=RUNS.params_of(*PUSH_SECTIONS),
     script:
         "../scripts/pushover/pushover_scene.py"
 
 
 rule pushover:
     input:
-        scene="results/{run}/pushover/scenes/{pushed}.json",
-        yade="results/{run}/yade.txt",
+        scene=rules.pushover_scene.output[0],
+        yade=rules.yade_check.output[0],
         modules=study_code("pushover"),
     output:
-        curve="results/{run}/pushover/raw/{pushed}.csv",
-        forces="results/{run}/pushover/raw/{pushed}_forces.csv",
+        curve=results("pushover/raw/{pushed}.csv"),
+        forces=results("pushover/raw/{pushed}_forces.csv"),
     log:
-        "results/{run}/logs/pushover_{pushed}.log",
+        logs("pushover_{pushed}"),
     benchmark:
-        "results/{run}/benchmarks/pushover_{pushed}.tsv"
+        benchmarks("pushover_{pushed}")
     params:
         yade=YADE,
     shell:
@@ -64,16 +72,16 @@ rule pushover:
 
 rule pushover_variant:
     input:
-        scene="results/{run}/w3/scenes/{variant}.json",
-        yade="results/{run}/yade.txt",
+        scene=rules.pushover_variant_scene.output[0],
+        yade=rules.yade_check.output[0],
         modules=study_code("pushover"),
     output:
-        curve="results/{run}/w3/{variant}.csv",
-        forces="results/{run}/w3/{variant}_forces.csv",
+        curve=results("w3/{variant}.csv"),
+        forces=results("w3/{variant}_forces.csv"),
     log:
-        "results/{run}/logs/w3_{variant}.log",
+        logs("w3_{variant}"),
     benchmark:
-        "results/{run}/benchmarks/w3_{variant}.tsv"
+        benchmarks("w3_{variant}")
     params:
         yade=YADE,
     shell:
@@ -83,42 +91,42 @@ rule pushover_variant:
 
 rule pushover_curve:
     input:
-        scene="results/{run}/pushover/scenes/{pushed}.json",
-        raw="results/{run}/pushover/raw/{pushed}.csv",
+        scene=rules.pushover_scene.output[0],
+        raw=rules.pushover.output.curve,
         modules=code("pushover/pushover_curve"),
     output:
-        "results/{run}/pushover/{pushed}.csv",
+        results("pushover/{pushed}.csv"),
     log:
-        "results/{run}/logs/pushover_curve_{pushed}.log",
+        logs("pushover_curve_{pushed}"),
     script:
         "../scripts/pushover/pushover_curve.py"
 
 
 rule table_pushover:
     input:
-        curves=BOUNDARY.pushover_curves,
-        scenes=BOUNDARY.variants("scenes/{}.json"),
-        raw=BOUNDARY.variants("{}.csv"),
-        forces=BOUNDARY.variants("{}_forces.csv"),
+        curves=pushover_curves,
+        scenes=of_run(rules.pushover_variant_scene.output[0], variant=list(VARIANTS)),
+        raw=of_run(rules.pushover_variant.output.curve, variant=list(VARIANTS)),
+        forces=of_run(rules.pushover_variant.output.forces, variant=list(VARIANTS)),
         modules=code("pushover/table_pushover"),
     output:
         shown(
-            "results/{run}/tables/pushover.csv",
+            results("tables/pushover.csv"),
             "table_pushover",
             "Boundary conditions",
             "static capacities (CSV)",
         ),
     log:
-        "results/{run}/logs/table_pushover.log",
+        logs("table_pushover"),
     script:
         "../scripts/pushover/table_pushover.py"
 
 
 rule fig08_w3:
     input:
-        scenes=BOUNDARY.drawn_variants("scenes/{}.json"),
-        raw=BOUNDARY.drawn_variants("{}.csv"),
-        forces=BOUNDARY.drawn_variants("{}_forces.csv"),
+        scenes=of_run(rules.pushover_variant_scene.output[0], variant=DRAWN_VARIANTS),
+        raw=of_run(rules.pushover_variant.output.curve, variant=DRAWN_VARIANTS),
+        forces=of_run(rules.pushover_variant.output.forces, variant=DRAWN_VARIANTS),
         modules=code("pushover/fig08_w3"),
     output:
         **figure(
@@ -128,20 +136,20 @@ rule fig08_w3:
             about="fig08",
         ),
     log:
-        "results/{run}/logs/fig08_w3.log",
+        logs("fig08_w3"),
     script:
         "../scripts/pushover/fig08_w3.py"
 
 
 rule figure_w3_sensitivity:
     input:
-        table="results/{run}/tables/pushover.csv",
+        table=rules.table_pushover.output[0],
         modules=code("pushover/figure_w3_sensitivity"),
     output:
         **figure(
             "w3_sensitivity", "Boundary conditions", "sensitivity of W3's capacity"
         ),
     log:
-        "results/{run}/logs/w3_sensitivity.log",
+        logs("w3_sensitivity"),
     script:
         "../scripts/pushover/figure_w3_sensitivity.py"

@@ -1,57 +1,80 @@
 # Accelerograms: read or generated, baseline treated, measured.
 rule record:
     input:
-        file=SHARED.of(STUDY.record_file),
-        vertical=SHARED.of(lambda w: STUDY.record_row(w).vertical_path or []),
-        surrogates=SHARED.of(STUDY.surrogate_parameters),
+        file=of_alike(RUNS.record_file),
+        vertical=of_alike(lambda w: RUNS.record_row(w).vertical_path or []),
+        surrogates=of_alike(RUNS.surrogate_parameters),
         modules=code("records/record"),
     output:
-        record="results/.shared/{motions}/records/{record}.csv",
-        facts="results/.shared/{motions}/records/{record}.json",
+        record=shared("records/{record}.csv"),
+        facts=shared("records/{record}.json"),
     log:
-        "results/.shared/{motions}/logs/record_{record}.log",
+        shared("logs/record_{record}.log"),
     params:
-        row=SHARED.of(
+        row=of_alike(
             lambda w: {
-                k: v for k, v in asdict(STUDY.record_row(w)).items() if k != "line"
+                k: v for k, v in asdict(RUNS.record_row(w)).items() if k != "line"
             }
         ),
-        table=SHARED.of(lambda w: STUDY.table_path(w.run)),
-        how=SHARED.of(lambda w: SHARED.treatment(w.run)),
+        table=of_alike(lambda w: RUNS.table_path(w.run)),
+        how=of_alike(lambda w: SHARED.treatment(w.run)),
     script:
         "../scripts/records/record.py"
 
 
+rule figure_record:
+    input:
+        record=rules.record.output.record,
+        facts=rules.record.output.facts,
+        modules=code("records/figure_record"),
+    output:
+        png=report(
+            shared("figures/record_{record}.png"),
+            caption=caption("record"),
+            category="Records",
+            labels=lambda w: {
+                "run": SHARED.label(w),
+                "record": w.record,
+                "result": "accelerogram",
+            },
+        ),
+        pdf=shared("figures/record_{record}.pdf"),
+    log:
+        shared("logs/figure_record_{record}.log"),
+    script:
+        "../scripts/records/figure_record.py"
+
+
 rule records_table:
     input:
-        facts=STUDY.record_facts,
+        facts=of_run(rules.record.output.facts),
         modules=code("records/table_records"),
     output:
-        "results/{run}/tables/records.csv",
+        results("tables/records.csv"),
     log:
-        "results/{run}/logs/records_table.log",
+        logs("records_table"),
     script:
         "../scripts/records/table_records.py"
 
 
-rule check:
-    input:
-        STUDY.per_run(lambda run: [f"results/{run}/tables/records_check.csv"]),
-
-
 rule records_check:
     input:
-        files=STUDY.record_files,
-        table=lambda w: STUDY.table_path(w.run),
+        files=RUNS.record_files,
+        table=lambda w: RUNS.table_path(w.run),
         modules=code("records/check_records"),
     output:
-        "results/{run}/tables/records_check.csv",
+        results("tables/records_check.csv"),
     log:
-        "results/{run}/logs/records_check.log",
+        logs("records_check"),
     params:
-        table=lambda w: STUDY.table_path(w.run),
-        records=lambda w: STUDY.records[w.run],
-        baseline=lambda w: STUDY.cfg(w)["baseline"],
-        seed=lambda w: STUDY.cfg(w)["seed"],
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.records[w.run],
+        baseline=lambda w: RUNS.cfg(w)["baseline"],
+        seed=lambda w: RUNS.cfg(w)["seed"],
     script:
         "../scripts/records/check_records.py"
+
+
+rule check:
+    input:
+        every_run(rules.records_check.output),

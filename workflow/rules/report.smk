@@ -4,44 +4,44 @@
 # What the report begins with, see workflow/Snakefile.
 rule report_summary:
     input:
-        ida=lambda w: STUDY.ida_tables(w.run),
-        records="results/{run}/tables/records.csv",
-        collapse="results/{run}/tables/ida_collapse.csv",
-        figure="results/{run}/figures/fig09_ida.png",
+        ida=of_run(rules.ida.output[0], cases=RUNS.by_yade),
+        records=rules.records_table.output[0],
+        collapse=rules.ida_collapse.output.collapse,
+        figure=rules.fig09_ida.output.png,
         style=REPORT_STYLE,
         modules=code("report/report_summary"),
     output:
         page=shown(
-            "results/{run}/report/summary.html",
+            results("report/summary.html"),
             "summary",
             "Answer",
             "at what shaking it falls",
         ),
-        first="results/{run}/report/summary.rst",
-        factors="results/{run}/tables/scale_factors.csv",
+        first=results("report/summary.rst"),
+        factors=results("tables/scale_factors.csv"),
     log:
-        "results/{run}/logs/report_summary.log",
+        logs("report_summary"),
     params:
-        facade=STUDY.params_of("facade"),
-        models=lambda w: [f"{m}, {MODELS[m].meaning}" for m in STUDY.cfg(w)["models"]],
+        facade=RUNS.params_of("facade"),
+        models=lambda w: [f"{m}, {MODELS[m].meaning}" for m in RUNS.cfg(w)["models"]],
     script:
         "../scripts/report/report_summary.py"
 
 
 rule report_table:
     input:
-        table="results/{run}/tables/{table}.csv",
+        table=results("tables/{table}.csv"),
         style=REPORT_STYLE,
         modules=code("report/report_table"),
     output:
         report(
-            "results/{run}/report/{table}.html",
+            results("report/{table}.html"),
             caption=caption("report_table"),
             category=lambda w: REPORT_TABLES[w.table][0],
             labels=lambda w: {"run": w.run, "result": REPORT_TABLES[w.table][1]},
         ),
     log:
-        "results/{run}/logs/report_table_{table}.log",
+        logs("report_table_{table}"),
     params:
         title=lambda w: REPORT_TABLES[w.table][1],
         text=lambda w: REPORT_TABLES[w.table][2],
@@ -51,20 +51,20 @@ rule report_table:
 
 rule report_provenance:
     input:
-        facts=STUDY.record_facts,
+        facts=of_run(rules.record.output.facts),
         style=REPORT_STYLE,
         modules=code("report/report_provenance"),
     output:
         shown(
-            "results/{run}/report/provenance.html",
+            results("report/provenance.html"),
             "provenance",
             "Records",
             "provenance of every record",
         ),
     log:
-        "results/{run}/logs/report_provenance.log",
+        logs("report_provenance"),
     params:
-        table=lambda w: STUDY.cfg(w)["records_table"],
+        table=lambda w: RUNS.cfg(w)["records_table"],
     script:
         "../scripts/report/report_provenance.py"
 
@@ -72,13 +72,13 @@ rule report_provenance:
 # The table names its own columns of time, which differ from one execution to the next.
 rule table_run_times:
     input:
-        ida=lambda w: STUDY.ida_tables(w.run),
+        ida=of_run(rules.ida.output[0], cases=RUNS.by_yade),
         modules=code("report/table_run_times"),
     output:
-        "results/{run}/tables/run_times.csv",
+        results("tables/run_times.csv"),
     log:
-        "results/{run}/logs/table_run_times.log",
+        logs("table_run_times"),
     params:
-        benchmarks=lambda w: f"results/{w.run}/benchmarks",
+        benchmarks=results("benchmarks"),
     script:
         "../scripts/report/table_run_times.py"

@@ -145,20 +145,19 @@ REPORT_TABLES = {
 }
 
 
-def with_pages(targets):
-    """Targets, and a page of the report for every table among them that the report knows."""
+def with_pages(paths):
+    """Paths, and pages of the report for the tables among them that the report knows."""
     pages = []
-    for path in targets:
-        run, folder, name = Path(path).parts[-3:]
-        table = name.removesuffix(".csv")
+    for path in map(Path, paths):
+        run, folder, table = path.parts[-3], path.parts[-2], path.stem
         if folder == "tables" and table in REPORT_TABLES:
-            pages.append(f"results/{run}/report/{table}.html")
+            pages.append((rules.report_table.output[0], run, table))
         if folder == "tables" and table == "records":
-            pages.append(f"results/{run}/report/provenance.html")
+            pages.append((rules.report_provenance.output[0], run, table))
         if folder == "tables" and table == "ida_collapse":
-            pages.append(f"results/{run}/report/run_times.html")
-            pages.append(f"results/{run}/report/summary.html")
-    return [*targets, *pages]
+            pages.append((rules.report_table.output[0], run, "run_times"))
+            pages.append((rules.report_summary.output.page, run, table))
+    return [*paths, *(p.format(run=run, table=table) for p, run, table in pages)]
 
 
 wildcard_constraints:

@@ -3,62 +3,58 @@
 
 rule restrain:
     input:
-        scene="results/{run}/scenes/{model}.json",
-        motion=STUDY.ida_motion,
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
         modules=code("restraint/restraint"),
     output:
-        table="results/{run}/restraint/{model}/{record}_{direction}.csv",
-        plan="results/{run}/restraint/{model}/{record}_{direction}.json",
+        table=results("restraint/{model}/{record}_{direction}.csv"),
+        plan=results("restraint/{model}/{record}_{direction}.json"),
     log:
-        "results/{run}/logs/restraint_{model}_{record}_{direction}.log",
+        logs("restraint_{model}_{record}_{direction}"),
     params:
-        settings=STUDY.params_of("restraint"),
+        settings=RUNS.params_of("restraint"),
     script:
         "../scripts/restraint/restraint.py"
 
 
 use rule strengthen_yade as restrain_yade with:
     input:
-        scene="results/{run}/scenes/{model}.json",
-        motion=STUDY.ida_motion,
-        plan="results/{run}/restraint/{model}/{record}_{direction}.json",
-        yade="results/{run}/yade.txt",
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        plan=rules.restrain.output.plan,
+        yade=rules.yade_check.output[0],
         modules=study_code("strengthening"),
     output:
-        "results/{run}/restraint/{model}/{record}_{direction}_yade.csv",
+        results("restraint/{model}/{record}_{direction}_yade.csv"),
     log:
-        "results/{run}/logs/restraint_yade_{model}_{record}_{direction}.log",
+        logs("restraint_yade_{model}_{record}_{direction}"),
     benchmark:
-        "results/{run}/benchmarks/restraint_yade_{model}_{record}_{direction}.tsv"
+        benchmarks("restraint_yade_{model}_{record}_{direction}")
     params:
         yade=YADE,
-        journal="results/{run}/cache/restraint/{model}_{record}_{direction}.jsonl",
+        journal=results("cache/restraint/{model}_{record}_{direction}.jsonl"),
 
 
 rule figure_restraint:
     input:
-        tables=lambda w: STRENGTHENING.curves(
-            w.run, "restraint", ".csv", w.record, w.direction
-        ),
-        yade=lambda w: STRENGTHENING.curves(
-            w.run, "restraint", "_yade.csv", w.record, w.direction
-        ),
-        facts="results/{run}/records/{record}.json",
+        tables=of_run(rules.restrain.output.table, model=models_for("restraint")),
+        yade=of_run(rules.restrain_yade.output[0], model=models_for("restraint")),
+        facts=rules.own_record.output.facts,
         modules=code("restraint/figure_restraint"),
     output:
         png=report(
-            "results/{run}/restraint/{record}_{direction}.png",
+            results("restraint/{record}_{direction}.png"),
             caption=caption("restraint"),
             category="Strengthening",
             labels={"run": "{run}", "result": "roof, {record} {direction}"},
         ),
-        pdf="results/{run}/restraint/{record}_{direction}.pdf",
+        pdf=results("restraint/{record}_{direction}.pdf"),
     log:
-        "results/{run}/logs/figure_restraint_{record}_{direction}.log",
+        logs("figure_restraint_{record}_{direction}"),
     script:
         "../scripts/restraint/figure_restraint.py"
 
 
 rule restraint:
     input:
-        with_pages(STUDY.per_run(STRENGTHENING.restraint_results)),
+        every_run(rules.figure_restraint.output.png),

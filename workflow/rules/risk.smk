@@ -1,62 +1,54 @@
-# Rate of collapse at a site, from a hazard curve and the fragility of the run; fragilities as OpenQuake
-# reads them. Ask for `risk`, with `risk: {hazard: <file>}`.
-wildcard_constraints:
-    im="|".join(MEASURES),
-    form="continuous|discrete",
+# Rate of collapse at a site, from a hazard curve and the fragility of the run.
+# Ask for `risk`, with `risk: {hazard: <file>}`.
+from rocking.risk.hazard import HazardError, stated_hazard
 
 
-rule risk:
-    input:
-        with_pages(STUDY.per_run(RISK.results)),
+def hazard(wildcards):
+    """File of a run's hazard curve; what is wrong with it ends the workflow in one line."""
+    try:
+        return stated_hazard(RUNS.cfg(wildcards), RUNS.beside)
+    except HazardError as error:
+        stop(error)
 
 
 rule risk_rate:
     input:
-        brackets="results/{run}/fragility/brackets.csv",
-        hazard=RISK.hazard,
+        brackets=rules.fragility_table.output.brackets,
+        hazard=hazard,
         modules=code("risk/risk_rate"),
     output:
-        table="results/{run}/tables/risk.csv",
-        deaggregation="results/{run}/risk/deaggregation.csv",
+        table=results("tables/risk.csv"),
+        deaggregation=results("risk/deaggregation.csv"),
     log:
-        "results/{run}/logs/risk_rate.log",
+        logs("risk_rate"),
     params:
-        risk=lambda w: STUDY.cfg(w)["risk"],
-        fragility=lambda w: STUDY.cfg(w)["fragility"],
-        period_s=lambda w: STUDY.cfg(w)["smdof"]["period_s"],
+        risk=lambda w: RUNS.cfg(w)["risk"],
+        fragility=lambda w: RUNS.cfg(w)["fragility"],
+        period_s=lambda w: RUNS.cfg(w)["smdof"]["period_s"],
     script:
         "../scripts/risk/risk_rate.py"
 
 
 rule figure_risk:
     input:
-        table="results/{run}/tables/risk.csv",
-        deaggregation="results/{run}/risk/deaggregation.csv",
-        curves="results/{run}/fragility/curves.csv",
-        facts=STUDY.record_facts,
-        hazard=RISK.hazard,
+        table=rules.risk_rate.output.table,
+        deaggregation=rules.risk_rate.output.deaggregation,
+        curves=rules.fragility_table.output.curves,
+        facts=of_run(rules.record.output.facts),
+        hazard=hazard,
         modules=code("risk/figure_risk"),
     output:
         **figure("risk", "Risk", "hazard, fragility and rate of collapse"),
     log:
-        "results/{run}/logs/figure_risk.log",
+        logs("figure_risk"),
     params:
-        risk=lambda w: STUDY.cfg(w)["risk"],
-        confidence=lambda w: STUDY.cfg(w)["fragility"]["confidence"],
-        period_s=lambda w: STUDY.cfg(w)["smdof"]["period_s"],
+        risk=lambda w: RUNS.cfg(w)["risk"],
+        confidence=lambda w: RUNS.cfg(w)["fragility"]["confidence"],
+        period_s=lambda w: RUNS.cfg(w)["smdof"]["period_s"],
     script:
         "../scripts/risk/figure_risk.py"
 
 
-rule fragility_nrml:
+rule risk:
     input:
-        fragility="results/{run}/tables/fragility.csv",
-        modules=code("fragility/fragility_nrml"),
-    output:
-        "results/{run}/fragility/nrml_{im}_{form}.xml",
-    log:
-        "results/{run}/logs/fragility_nrml_{im}_{form}.log",
-    params:
-        period_s=lambda w: STUDY.cfg(w)["smdof"]["period_s"],
-    script:
-        "../scripts/fragility/fragility_nrml.py"
+        every_run(rules.risk_rate.output, rules.figure_risk.output.png),

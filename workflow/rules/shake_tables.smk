@@ -1,11 +1,37 @@
 # The fitted law against both tested walls, and what the choice of the law changes in an IDA.
 
+CHOICE_RECORD = RUNS.key("calibration.choice_record")
+
+
+def choices(run):
+    """Wildcards of the curves that compare the laws."""
+    return [
+        {"model": model, "direction": direction, "law": law}
+        for model in ("W1", "W2")
+        for direction in RUNS.settings[run]["directions"]
+        for law in ("eq5", "fitted")
+    ]
+
+
+def shake_table(key):
+    """Input function: a file of the shake-table tests."""
+    return lambda w: RUNS.beside(RUNS.cfg(w)["calibration"][f"shake_table_{key}"])
+
+
+def shake_table_files(wildcards):
+    """Record files of the shake-table motions; none for surrogates."""
+    try:
+        rows = read_table(shake_table("records")(wildcards))
+    except RecordError as error:
+        stop(error)
+    return [row.path for row in rows.values() if row.path]
+
 
 rule fig05_sorrentino:
     input:
-        cases="results/{run}/calibration/cases_free_rocking_wall.json",
-        histories="results/{run}/calibration/histories_free_rocking_wall.npz",
-        law="results/{run}/calibration/beta_law.json",
+        cases=of_run(rules.calibration_cases.output[0], group="free_rocking_wall"),
+        histories=of_run(rules.free_rocking.output[0], group="free_rocking_wall"),
+        law=rules.beta_law.output.law,
         modules=code("shake_tables/fig05_sorrentino"),
     output:
         **figure(
@@ -15,45 +41,45 @@ rule fig05_sorrentino:
             about="fig05",
         ),
     log:
-        "results/{run}/logs/fig05_sorrentino.log",
+        logs("fig05_sorrentino"),
     params:
-        settings=STUDY.params_of("calibration"),
+        settings=RUNS.params_of("calibration"),
     script:
         "../scripts/shake_tables/fig05_sorrentino.py"
 
 
 rule shake_table_tests:
     input:
-        wall=CALIBRATION.shake_table("wall"),
-        table=CALIBRATION.shake_table("records"),
-        records=CALIBRATION.shake_table_files,
-        law="results/{run}/calibration/beta_law.json",
+        wall=shake_table("wall"),
+        table=shake_table("records"),
+        records=shake_table_files,
+        law=rules.beta_law.output.law,
         modules=code("shake_tables/calibrate_shake_table"),
     output:
-        tests="results/{run}/calibration/shake_table_tests.json",
-        motions=directory("results/{run}/calibration/shake_table_motions"),
+        tests=results("calibration/shake_table_tests.json"),
+        motions=directory(results("calibration/shake_table_motions")),
     log:
-        "results/{run}/logs/shake_table_tests.log",
+        logs("shake_table_tests"),
     params:
-        settings=STUDY.params_of("calibration"),
-        baseline=lambda w: STUDY.cfg(w)["baseline"],
-        seed=lambda w: STUDY.cfg(w)["seed"],
+        settings=RUNS.params_of("calibration"),
+        baseline=lambda w: RUNS.cfg(w)["baseline"],
+        seed=lambda w: RUNS.cfg(w)["seed"],
     script:
         "../scripts/shake_tables/calibrate_shake_table.py"
 
 
 rule shake_table:
     input:
-        tests="results/{run}/calibration/shake_table_tests.json",
-        motions="results/{run}/calibration/shake_table_motions",
-        yade=ancient("results/{run}/yade.txt"),
+        tests=rules.shake_table_tests.output.tests,
+        motions=rules.shake_table_tests.output.motions,
+        yade=ancient(rules.yade_check.output[0]),
         modules=study_code("shake_table"),
     output:
-        "results/{run}/calibration/shake_table_histories.npz",
+        results("calibration/shake_table_histories.npz"),
     log:
-        "results/{run}/logs/shake_table.log",
+        logs("shake_table"),
     benchmark:
-        "results/{run}/benchmarks/shake_table.tsv"
+        benchmarks("shake_table")
     params:
         yade=YADE,
     shell:
@@ -63,26 +89,26 @@ rule shake_table:
 
 rule shake_table_table:
     input:
-        tests="results/{run}/calibration/shake_table_tests.json",
-        histories="results/{run}/calibration/shake_table_histories.npz",
+        tests=rules.shake_table_tests.output.tests,
+        histories=rules.shake_table.output[0],
         modules=code("shake_tables/table_shake_table"),
     output:
         shown(
-            "results/{run}/tables/shake_table.csv",
+            results("tables/shake_table.csv"),
             "table_shake_table",
             "Calibration of the damping",
             "shake-table runs (CSV)",
         ),
     log:
-        "results/{run}/logs/shake_table_table.log",
+        logs("shake_table_table"),
     script:
         "../scripts/shake_tables/table_shake_table.py"
 
 
 rule fig06_shawa:
     input:
-        tests="results/{run}/calibration/shake_table_tests.json",
-        histories="results/{run}/calibration/shake_table_histories.npz",
+        tests=rules.shake_table_tests.output.tests,
+        histories=rules.shake_table.output[0],
         modules=code("shake_tables/fig06_shawa"),
     output:
         **figure(
@@ -92,7 +118,7 @@ rule fig06_shawa:
             about="fig06",
         ),
     log:
-        "results/{run}/logs/fig06_shawa.log",
+        logs("fig06_shawa"),
     script:
         "../scripts/shake_tables/fig06_shawa.py"
 
@@ -100,17 +126,17 @@ rule fig06_shawa:
 # What the choice of the law changes in an IDA.
 rule damping_choice_scene:
     input:
-        law="results/{run}/calibration/beta_law.json",
+        law=rules.beta_law.output.law,
         fidelity=FIDELITY_FILE,
         modules=code("ida/scene"),
     output:
-        "results/{run}/calibration/choice/{model}_{law}.json",
+        results("calibration/choice/{model}_{law}.json"),
     log:
-        "results/{run}/logs/damping_choice_{model}_{law}.log",
+        logs("damping_choice_{model}_{law}"),
     wildcard_constraints:
         law="eq5|fitted",
     params:
-        scene=STUDY.params_of(
+        scene=RUNS.params_of(
             "facade", "return_wall", "damping", "smdof", "numerics", "ida"
         ),
     script:
@@ -119,38 +145,38 @@ rule damping_choice_scene:
 
 use rule screen as damping_choice_screen with:
     input:
-        scene="results/{run}/calibration/choice/{model}_{law}.json",
-        motion=CALIBRATION.choice_motion,
+        scene=rules.damping_choice_scene.output[0],
+        motion=of_run(rules.floor_motions.output[0], record=CHOICE_RECORD),
         modules=code("ida/screen"),
     output:
-        scan="results/{run}/calibration/choice/scan_{model}_{direction}_{law}.csv",
-        plan="results/{run}/calibration/choice/plan_{model}_{direction}_{law}.json",
+        scan=results("calibration/choice/scan_{model}_{direction}_{law}.csv"),
+        plan=results("calibration/choice/plan_{model}_{direction}_{law}.json"),
     log:
-        "results/{run}/logs/damping_choice_screen_{model}_{direction}_{law}.log",
+        logs("damping_choice_screen_{model}_{direction}_{law}"),
     benchmark:
-        "results/{run}/benchmarks/damping_choice_screen_{model}_{direction}_{law}.tsv"
+        benchmarks("damping_choice_screen_{model}_{direction}_{law}")
     params:
-        record=CALIBRATION.choice_record,
+        record=lambda w: CHOICE_RECORD(w.run),
 
 
 rule damping_choice_ida:
     input:
-        scene="results/{run}/calibration/choice/{model}_{law}.json",
-        motion=CALIBRATION.choice_motion,
-        plan="results/{run}/calibration/choice/plan_{model}_{direction}_{law}.json",
-        yade=ancient("results/{run}/yade.txt"),
+        scene=rules.damping_choice_scene.output[0],
+        motion=of_run(rules.floor_motions.output[0], record=CHOICE_RECORD),
+        plan=rules.damping_choice_screen.output.plan,
+        yade=ancient(rules.yade_check.output[0]),
         modules=study_code("ida"),
     output:
-        "results/{run}/calibration/choice/{model}_{direction}_{law}.csv",
+        results("calibration/choice/{model}_{direction}_{law}.csv"),
     log:
-        "results/{run}/logs/damping_choice_{model}_{direction}_{law}.log",
+        logs("damping_choice_{model}_{direction}_{law}"),
     wildcard_constraints:
         law="eq5|fitted",
     params:
         yade=YADE,
         plan=plan_option,
-        record=CALIBRATION.choice_record,
-        journal="results/{run}/cache/choice/{model}_{direction}_{law}.jsonl",
+        record=lambda w: CHOICE_RECORD(w.run),
+        journal=results("cache/choice/{model}_{direction}_{law}.jsonl"),
     shell:
         "{params.yade} ida --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {wildcards.direction} {params.plan}"
@@ -159,16 +185,16 @@ rule damping_choice_ida:
 
 rule damping_choice:
     input:
-        scenes=CALIBRATION.choice_scenes,
-        ida=CALIBRATION.choice_tables,
-        facts=CALIBRATION.choice_facts,
+        scenes=of_run(rules.damping_choice_scene.output[0], cases=choices),
+        ida=of_run(rules.damping_choice_ida.output[0], cases=choices),
+        facts=of_run(rules.own_record.output.facts, record=CHOICE_RECORD),
         modules=code("shake_tables/calibrate_choice"),
     output:
         **figure(
             "damping_choice", "Calibration of the damping", "IDA under two laws of β"
         ),
-        table="results/{run}/tables/damping_choice.csv",
+        table=results("tables/damping_choice.csv"),
     log:
-        "results/{run}/logs/damping_choice.log",
+        logs("damping_choice"),
     script:
         "../scripts/shake_tables/calibrate_choice.py"

@@ -1,30 +1,44 @@
-# What runs share (rocking/study/shared.py), in each run's folder too. A link is dated like what it is
+# What runs share (rocking/runs/shared.py), in each run's folder too. A link is dated like what it is
 # a link to: where code or the link is newer, nothing follows.
 LINK = "(ln -f {input:q} {params.folder:q}/ || cp -p {input:q} {params.folder:q}/) 2> {log:q}"
+SHARED_FILES = (
+    rules.record.output,
+    rules.figure_record.output,
+    rules.figure_floor_motions.output,
+)
+PICTURES = {
+    "record": rules.figure_record.output,
+    "floor_motions": rules.figure_floor_motions.output,
+}
+
+
+def each_record(run):
+    """Wildcards of the records of a run, one after the other."""
+    return [{"record": record} for record in RUNS.records[run]]
 
 
 rule shared_files:
     input:
-        files=lambda w: SHARED.all_of(w.run, STUDY.records[w.run]),
+        files=all_of(
+            of_run(*SHARED_FILES, cases=each_record), rules.floor_motions.output
+        ),
         modules=code("records/link_shared"),
     output:
-        "results/{run}/tables/shared.csv",
+        results("tables/shared.csv"),
     log:
-        "results/{run}/logs/shared_files.log",
+        logs("shared_files"),
     script:
         "../scripts/records/link_shared.py"
 
 
 rule own_record:
     input:
-        lambda w: [
-            SHARED.path(w.run, f"records/{w.record}.{end}") for end in ("csv", "json")
-        ],
+        of_run(rules.record.output),
     output:
-        "results/{run}/records/{record}.csv",
-        "results/{run}/records/{record}.json",
+        record=results("records/{record}.csv"),
+        facts=results("records/{record}.json"),
     log:
-        "results/{run}/logs/own_record_{record}.log",
+        logs("own_record_{record}"),
     params:
         folder=lambda w, output: Path(output[0]).parent,
     shell:
@@ -33,23 +47,20 @@ rule own_record:
 
 use rule own_record as own_floor_motions with:
     input:
-        lambda w: SHARED.path(w.run, f"smdof/{w.record}_{w.n}dof.csv"),
+        of_run(rules.floor_motions.output),
     output:
-        "results/{run}/smdof/{record}_{n}dof.csv",
+        results("smdof/{record}_{n}dof.csv"),
     log:
-        "results/{run}/logs/own_floor_motions_{record}_{n}.log",
+        logs("own_floor_motions_{record}_{n}"),
 
 
 use rule own_record as own_figure with:
     input:
-        lambda w: [
-            SHARED.path(w.run, f"figures/{w.picture}_{w.record}.{end}")
-            for end in ("png", "pdf")
-        ],
+        lambda w: of_run(PICTURES[w.picture])(w),
     output:
-        "results/{run}/figures/{picture}_{record}.png",
-        "results/{run}/figures/{picture}_{record}.pdf",
+        results("figures/{picture}_{record}.png"),
+        results("figures/{picture}_{record}.pdf"),
     log:
-        "results/{run}/logs/own_figure_{picture}_{record}.log",
+        logs("own_figure_{picture}_{record}"),
     wildcard_constraints:
         picture="record|floor_motions",

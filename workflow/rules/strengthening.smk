@@ -1,42 +1,57 @@
 # The least tie that keeps the façade standing at a stated intensity: planar search, YADE confirms.
 
 
+def models_for(target):
+    """Function of a run's name: models that a target searches with, if the façade allows it."""
+
+    @cache
+    def models(run):
+        from rocking.studies.additions import planar_models  # slow to load
+
+        try:
+            return planar_models(RUNS.settings[run], target)
+        except configuration.ConfigError as error:
+            stop(f"{target}: {error.detail}")
+
+    return models
+
+
 rule strengthen:
     input:
-        scene="results/{run}/scenes/{model}.json",
-        motion=STUDY.ida_motion,
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
         modules=code("strengthening/strengthen"),
     output:
-        search="results/{run}/strengthening/{model}/{record}_{direction}.csv",
-        least="results/{run}/strengthening/{model}/{record}_{direction}_least.csv",
-        curve="results/{run}/strengthening/{model}/{record}_{direction}_curve.csv",
-        plan="results/{run}/strengthening/{model}/{record}_{direction}.json",
+        search=results("strengthening/{model}/{record}_{direction}.csv"),
+        least=results("strengthening/{model}/{record}_{direction}_least.csv"),
+        curve=results("strengthening/{model}/{record}_{direction}_curve.csv"),
+        plan=results("strengthening/{model}/{record}_{direction}.json"),
     log:
-        "results/{run}/logs/strengthen_{model}_{record}_{direction}.log",
+        logs("strengthen_{model}_{record}_{direction}"),
     benchmark:
-        "results/{run}/benchmarks/strengthen_{model}_{record}_{direction}.tsv"
+        benchmarks("strengthen_{model}_{record}_{direction}")
     params:
-        settings=STUDY.params_of("strengthening"),
+        settings=RUNS.params_of("strengthening"),
     script:
         "../scripts/strengthening/strengthen.py"
 
 
 rule strengthen_yade:
     input:
-        scene="results/{run}/scenes/{model}.json",
-        motion=STUDY.ida_motion,
-        plan="results/{run}/strengthening/{model}/{record}_{direction}.json",
-        yade="results/{run}/yade.txt",
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        plan=rules.strengthen.output.plan,
+        yade=rules.yade_check.output[0],
         modules=study_code("strengthening"),
     output:
-        "results/{run}/strengthening/{model}/{record}_{direction}_yade.csv",
+        results("strengthening/{model}/{record}_{direction}_yade.csv"),
     log:
-        "results/{run}/logs/strengthen_yade_{model}_{record}_{direction}.log",
+        logs("strengthen_yade_{model}_{record}_{direction}"),
     benchmark:
-        "results/{run}/benchmarks/strengthen_yade_{model}_{record}_{direction}.tsv"
+        benchmarks("strengthen_yade_{model}_{record}_{direction}")
     params:
         yade=YADE,
-        journal="results/{run}/cache/strengthening/{model}_{record}_{direction}.jsonl",
+        journal=results("cache/strengthening/{model}_{record}_{direction}.jsonl"),
     shell:
         "{params.yade} strengthening --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
@@ -45,44 +60,50 @@ rule strengthen_yade:
 
 rule figure_strengthening:
     input:
-        search="results/{run}/strengthening/{model}/{record}_{direction}.csv",
-        least="results/{run}/strengthening/{model}/{record}_{direction}_least.csv",
-        curve="results/{run}/strengthening/{model}/{record}_{direction}_curve.csv",
-        yade="results/{run}/strengthening/{model}/{record}_{direction}_yade.csv",
-        facts="results/{run}/records/{record}.json",
+        search=rules.strengthen.output.search,
+        least=rules.strengthen.output.least,
+        curve=rules.strengthen.output.curve,
+        yade=rules.strengthen_yade.output[0],
+        facts=rules.own_record.output.facts,
         modules=code("strengthening/figure_strengthening"),
     output:
         png=shown(
-            "results/{run}/strengthening/{model}/{record}_{direction}.png",
+            results("strengthening/{model}/{record}_{direction}.png"),
             "strengthening",
             "Strengthening",
             "{model}, {record} {direction}",
         ),
-        pdf="results/{run}/strengthening/{model}/{record}_{direction}.pdf",
+        pdf=results("strengthening/{model}/{record}_{direction}.pdf"),
     log:
-        "results/{run}/logs/figure_strengthening_{model}_{record}_{direction}.log",
+        logs("figure_strengthening_{model}_{record}_{direction}"),
     params:
-        settings=STUDY.params_of("strengthening"),
-        height_m=lambda w: STUDY.cfg(w)["facade"]["height_m"],
+        settings=RUNS.params_of("strengthening"),
+        height_m=lambda w: RUNS.cfg(w)["facade"]["height_m"],
     script:
         "../scripts/strengthening/figure_strengthening.py"
 
 
 rule table_strengthening:
     input:
-        least=lambda w: STRENGTHENING.curves(w.run, "strengthening", "_least.csv"),
-        yade=lambda w: STRENGTHENING.curves(w.run, "strengthening", "_yade.csv"),
+        least=of_run(rules.strengthen.output.least, model=models_for("strengthening")),
+        yade=of_run(rules.strengthen_yade.output[0], model=models_for("strengthening")),
         modules=code("strengthening/table_strengthening"),
     output:
-        "results/{run}/tables/strengthening.csv",
+        results("tables/strengthening.csv"),
     log:
-        "results/{run}/logs/table_strengthening.log",
+        logs("table_strengthening"),
     params:
-        settings=STUDY.params_of("strengthening"),
+        settings=RUNS.params_of("strengthening"),
     script:
         "../scripts/strengthening/table_strengthening.py"
 
 
 rule strengthening:
     input:
-        lambda w: with_pages(STUDY.per_run(STRENGTHENING.results)),
+        every_run(
+            rules.table_strengthening.output,
+            of_run(
+                rules.figure_strengthening.output.png,
+                model=models_for("strengthening"),
+            ),
+        ),

@@ -1,34 +1,32 @@
 # The study row by row: `snakemake --configfile config/scenarios/five_models.yaml -- study`.
-STUDY_TABLES = (
-    "records",
-    "building_modes",
-    "wme",
-    "claims_building",
-    "free_rocking",
-    "beta_fit",
-    "shake_table",
-    "claims_calibration",
-    "pushover",
-    "ida_collapse",
-    "claims",
-)
+STUDY_TABLES = [
+    rules.records_table.output[0],
+    rules.table_building_modes.output[0],
+    rules.table_wme.output.wme,
+    rules.table_claims_building.output[0],
+    rules.free_rocking_table.output[0],
+    rules.beta_fit.output.fit,
+    rules.shake_table_table.output[0],
+    rules.table_claims_calibration.output[0],
+    rules.table_pushover.output[0],
+    rules.ida_collapse.output.collapse,
+    rules.table_claims.output[0],
+]
 
 
 rule study_page:
     input:
-        data=STUDY.beside("docs/study.yaml"),
-        tables=expand(
-            "results/{run}/tables/{table}.csv", table=STUDY_TABLES, allow_missing=True
-        ),
+        data=RUNS.beside("docs/study.yaml"),
+        tables=STUDY_TABLES,
         modules=code("study/study_page"),
     output:
-        "results/{run}/study.md",
+        results("study.md"),
     log:
-        "results/{run}/logs/study_page.log",
+        logs("study_page"),
     script:
         "../scripts/study/study_page.py"
 
 
 rule study:
     input:
-        STUDY.per_run(lambda run: [f"results/{run}/study.md"]),
+        every_run(rules.study_page.output),

@@ -2,70 +2,92 @@
 # draws of one surrogate differ. Ask for `surrogates`.
 
 
-rule surrogates:
-    input:
-        with_pages(STUDY.per_run(SURROGATES.results)),
+def station(wildcards):
+    """Station of a record; itself where its table names none."""
+    return RUNS.record_row(wildcards).about.get("station") or wildcards.record
+
+
+def has_recordings(run):
+    """Whether a run has a record with a file of its own."""
+    return any(RUNS.tables[run][name].path for name in RUNS.records[run])
 
 
 rule surrogate_collapse:
     input:
-        record="results/{run}/records/{record}.csv",
-        parameters=STUDY.surrogate_parameters,
-        scenes=SURROGATES.scenes,
+        record=rules.own_record.output.record,
+        parameters=RUNS.surrogate_parameters,
+        scenes=of_run(rules.scene.output[0], model=["W1", "W2"]),
         modules=code("surrogates/surrogate_collapse"),
     output:
-        "results/{run}/surrogates/{record}.csv",
+        results("surrogates/{record}.csv"),
     log:
-        "results/{run}/logs/surrogates_{record}.log",
+        logs("surrogates_{record}"),
     benchmark:
-        "results/{run}/benchmarks/surrogates_{record}.tsv"
+        benchmarks("surrogates_{record}")
     params:
-        surrogates=lambda w: STUDY.cfg(w)["surrogates"],
-        table=lambda w: STUDY.table_path(w.run),
-        smdof=lambda w: STUDY.cfg(w)["smdof"],
-        seed=lambda w: STUDY.cfg(w)["seed"],
-        directions=lambda w: STUDY.cfg(w)["directions"],
-        station=SURROGATES.station,
+        surrogates=lambda w: RUNS.cfg(w)["surrogates"],
+        table=lambda w: RUNS.table_path(w.run),
+        smdof=lambda w: RUNS.cfg(w)["smdof"],
+        seed=lambda w: RUNS.cfg(w)["seed"],
+        directions=lambda w: RUNS.cfg(w)["directions"],
+        station=station,
     script:
         "../scripts/surrogates/surrogate_collapse.py"
 
 
 rule surrogate_trust:
     input:
-        tables=SURROGATES.collapses,
+        tables=of_run(rules.surrogate_collapse.output[0]),
         modules=code("surrogates/surrogate_trust"),
     output:
-        table="results/{run}/tables/surrogates.csv",
-        scatter="results/{run}/tables/surrogate_scatter.csv",
-        summary="results/{run}/tables/surrogate_trust.csv",
+        table=results("tables/surrogates.csv"),
+        scatter=results("tables/surrogate_scatter.csv"),
+        summary=results("tables/surrogate_trust.csv"),
     log:
-        "results/{run}/logs/surrogate_trust.log",
+        logs("surrogate_trust"),
     script:
         "../scripts/surrogates/surrogate_trust.py"
 
 
 rule figure_surrogate_trust:
     input:
-        table="results/{run}/tables/surrogates.csv",
-        summary="results/{run}/tables/surrogate_trust.csv",
-        facts=STUDY.record_facts,
+        table=rules.surrogate_trust.output.table,
+        summary=rules.surrogate_trust.output.summary,
+        facts=of_run(rules.record.output.facts),
         modules=code("surrogates/figure_surrogate_trust"),
     output:
         **figure("surrogate_trust", "Records", "surrogates beside their records"),
     log:
-        "results/{run}/logs/figure_surrogate_trust.log",
+        logs("figure_surrogate_trust"),
     script:
         "../scripts/surrogates/figure_surrogate_trust.py"
 
 
 rule figure_surrogate_scatter:
     input:
-        table="results/{run}/tables/surrogates.csv",
-        facts=STUDY.record_facts,
+        table=rules.surrogate_trust.output.table,
+        facts=of_run(rules.record.output.facts),
         modules=code("surrogates/figure_surrogate_scatter"),
     output:
         **figure("surrogate_scatter", "Records", "draws of surrogates"),
     log:
-        "results/{run}/logs/figure_surrogate_scatter.log",
+        logs("figure_surrogate_scatter"),
     script:
         "../scripts/surrogates/figure_surrogate_scatter.py"
+
+
+rule surrogates:
+    input:
+        every_run(
+            rules.surrogate_trust.output.table,
+            rules.surrogate_trust.output.scatter,
+            where(
+                has_recordings,
+                rules.surrogate_trust.output.summary,
+                rules.figure_surrogate_trust.output.png,
+            ),
+            where(
+                lambda run: RUNS.settings[run]["surrogates"]["draws"] > 1,
+                rules.figure_surrogate_scatter.output.png,
+            ),
+        ),

@@ -1,67 +1,92 @@
 # Façades in three dimensions under both horizontal components, beside the planar scene under one.
+from rocking.records.table import second_component as mate
 
 
-rule two_components:
-    input:
-        with_pages(STUDY.per_run(TWO_COMPONENTS.results)),
+def one_block(run):
+    """The run's models with dry, driven walls and one block."""
+    resolved = RUNS.settings[run]
+    for key in ("hinges_m", "ties", "floors"):
+        if given := resolved["facade"][key]:
+            stop(f"two_components: facade.{key} = {given}: expected none")
+    wanted = [m for m in RUNS.planar(run) if MODELS[m].plain == m]
+    if not wanted:
+        stop(f"two_components: models = {resolved['models']}: expected W1 or W2")
+    return wanted
+
+
+def second_component(wildcards):
+    """The other record of the table with the same event and station; None without one."""
+    return mate(RUNS.tables[wildcards.run], wildcards.record)
+
+
+def motion_along(wildcards):
+    """Floor motions of the component along the façade; ends the workflow without one."""
+    second = second_component(wildcards)
+    if second is None:
+        stop(
+            f"two_components: record {wildcards.record} in {RUNS.table_path(wildcards.run)}: expected one"
+            " more record of the same event and station, such as in"
+            " records_table=config/suites/recorded_suite.tsv"
+        )
+    return of_run(rules.floor_motions.output[0], record=second)(wildcards)
 
 
 rule two_components_curves:
     input:
-        scenes=TWO_COMPONENTS.scenes,
-        motion=STUDY.ida_motion,
-        second=TWO_COMPONENTS.motion_along,
+        scenes=of_run(rules.scene.output[0], model=one_block),
+        motion=of_run(rules.floor_motions.output[0]),
+        second=motion_along,
         modules=code("two_components/two_components"),
     output:
-        "results/{run}/two_components/{record}.csv",
+        results("two_components/{record}.csv"),
     log:
-        "results/{run}/logs/two_components_{record}.log",
+        logs("two_components_{record}"),
     benchmark:
-        "results/{run}/benchmarks/two_components_{record}.tsv"
+        benchmarks("two_components_{record}")
     params:
-        settings=lambda w: STUDY.cfg(w)["two_components"],
-        directions=lambda w: STUDY.cfg(w)["directions"],
-        second=TWO_COMPONENTS.second,
+        settings=lambda w: RUNS.cfg(w)["two_components"],
+        directions=lambda w: RUNS.cfg(w)["directions"],
+        second=second_component,
     script:
         "../scripts/two_components/two_components.py"
 
 
 rule two_components_table:
     input:
-        tables=TWO_COMPONENTS.tables,
+        tables=of_run(rules.two_components_curves.output[0]),
         modules=code("two_components/table_two_components"),
     output:
-        table="results/{run}/tables/two_components.csv",
-        summary="results/{run}/tables/two_components_summary.csv",
+        table=results("tables/two_components.csv"),
+        summary=results("tables/two_components_summary.csv"),
     log:
-        "results/{run}/logs/two_components.log",
+        logs("two_components"),
     script:
         "../scripts/two_components/table_two_components.py"
 
 
 rule figure_two_components:
     input:
-        table="results/{run}/tables/two_components.csv",
-        facts=STUDY.record_facts,
+        table=rules.two_components_table.output.table,
+        facts=of_run(rules.record.output.facts),
         modules=code("two_components/figure_two_components"),
     output:
         **figure("two_components", "Two components", "both components beside one"),
     log:
-        "results/{run}/logs/figure_two_components.log",
+        logs("figure_two_components"),
     script:
         "../scripts/two_components/figure_two_components.py"
 
 
 rule two_components_scene:
     input:
-        scene="results/{run}/scenes/{model}.json",
+        scene=rules.scene.output[0],
         modules=code("two_components/two_components_scene"),
     output:
-        "results/{run}/scenes/{model}_two_components.json",
+        results("scenes/{model}_two_components.json"),
     log:
-        "results/{run}/logs/scene_{model}_two_components.log",
+        logs("scene_{model}_two_components"),
     params:
-        settings=lambda w: STUDY.cfg(w)["two_components"],
+        settings=lambda w: RUNS.cfg(w)["two_components"],
     script:
         "../scripts/two_components/two_components_scene.py"
 
@@ -69,19 +94,26 @@ rule two_components_scene:
 # One curve at the intensities of the compiled solver, in YADE: ask for the file.
 rule two_components_yade:
     input:
-        scene="results/{run}/scenes/{model}_two_components.json",
-        motion=STUDY.ida_motion,
-        second=TWO_COMPONENTS.motion_along,
-        curves="results/{run}/two_components/{record}.csv",
-        yade="results/{run}/yade.txt",
+        scene=rules.two_components_scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        second=motion_along,
+        curves=rules.two_components_curves.output[0],
+        yade=rules.yade_check.output[0],
         modules=study_code("two_components"),
     output:
-        "results/{run}/two_components/{model}_{record}_{direction}_yade.csv",
+        results("two_components/{model}_{record}_{direction}_yade.csv"),
     log:
-        "results/{run}/logs/two_components_{model}_{record}_{direction}_yade.log",
+        logs("two_components_{model}_{record}_{direction}_yade"),
     params:
         yade=YADE,
     shell:
         "{params.yade} two_components --scene {input.scene:q} --motion {input.motion:q}"
         " --second {input.second:q} --curves {input.curves:q} --record {wildcards.record:q}"
         " --direction {wildcards.direction} --output {output:q} 2> {log:q}"
+
+
+rule two_components:
+    input:
+        every_run(
+            rules.two_components_table.output, rules.figure_two_components.output.png
+        ),

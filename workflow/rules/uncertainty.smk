@@ -1,56 +1,87 @@
 # Uncertainty of material and model beside that of the motion: ask for `uncertainty`.
+from rocking.uncertainty.design import drawn_motions
+
+
 wildcard_constraints:
     cell=r"cell\d+",
 
 
-rule uncertainty:
-    input:
-        lambda w: with_pages(STUDY.per_run(UNCERTAINTY.results)),
+@cache
+def design(run):
+    """Direction of every motion of the design, by record."""
+    try:
+        return drawn_motions(RUNS, run)
+    except ValueError as error:
+        stop(error)
+
+
+def drawn(run):
+    """Records of the design."""
+    return list(design(run))
+
+
+def cells(run):
+    """Names of the cells that YADE runs."""
+    return [
+        f"cell{k}" for k in range(1, RUNS.settings[run]["uncertainty"]["confirm"] + 1)
+    ]
+
+
+def sample_settings(*more):
+    """Params function: what the sample depends on and the keys of `more`, as JSON."""
+    keys = ("samples", "sampling", "seed", "replicates", "parameters", *more)
+
+    def text(wildcards):
+        own, limit = (RUNS.cfg(wildcards)[key] for key in ("uncertainty", "ida"))
+        found = {key: own[key] for key in keys}
+        return json.dumps({**found, "max_pga_g": limit["max_pga_g"]}, sort_keys=True)
+
+    return text
 
 
 rule uncertainty_collapse:
     input:
-        record="results/{run}/records/{record}.csv",
-        scenes=UNCERTAINTY.scenes,
+        record=rules.own_record.output.record,
+        scenes=of_run(rules.scene.output[0], model=RUNS.key("uncertainty.models")),
         modules=code("uncertainty/uncertainty_collapse"),
     output:
-        "results/{run}/uncertainty/{record}.csv",
+        results("uncertainty/{record}.csv"),
     log:
-        "results/{run}/logs/uncertainty_{record}.log",
+        logs("uncertainty_{record}"),
     benchmark:
-        "results/{run}/benchmarks/uncertainty_{record}.tsv"
+        benchmarks("uncertainty_{record}")
     params:
-        settings=UNCERTAINTY.params(),
-        direction=UNCERTAINTY.direction,
+        settings=sample_settings(),
+        direction=lambda w: design(w.run)[w.record],
     script:
         "../scripts/uncertainty/uncertainty_collapse.py"
 
 
 rule uncertainty_cells:
     input:
-        tables=UNCERTAINTY.collapses,
-        records=UNCERTAINTY.records,
-        scenes=UNCERTAINTY.scenes,
+        tables=of_run(rules.uncertainty_collapse.output[0], record=drawn),
+        records=of_run(rules.own_record.output.record, record=drawn),
+        scenes=of_run(rules.scene.output[0], model=RUNS.key("uncertainty.models")),
         modules=code("uncertainty/uncertainty_cells"),
     output:
-        "results/{run}/uncertainty/cells.json",
+        results("uncertainty/cells.json"),
     log:
-        "results/{run}/logs/uncertainty_cells.log",
+        logs("uncertainty_cells"),
     params:
-        settings=UNCERTAINTY.params("confirm"),
+        settings=sample_settings("confirm"),
     script:
         "../scripts/uncertainty/uncertainty_cells.py"
 
 
 rule uncertainty_yade:
     input:
-        cells="results/{run}/uncertainty/cells.json",
-        yade="results/{run}/yade.txt",
+        cells=rules.uncertainty_cells.output[0],
+        yade=rules.yade_check.output[0],
         modules=study_code("cells"),
     output:
-        "results/{run}/uncertainty/yade/{cell}.csv",
+        results("uncertainty/yade/{cell}.csv"),
     log:
-        "results/{run}/logs/uncertainty_yade_{cell}.log",
+        logs("uncertainty_yade_{cell}"),
     params:
         yade=YADE,
     shell:
@@ -60,44 +91,55 @@ rule uncertainty_yade:
 
 rule uncertainty_confirm:
     input:
-        cells="results/{run}/uncertainty/cells.json",
-        yade=UNCERTAINTY.confirmed,
+        cells=rules.uncertainty_cells.output[0],
+        yade=of_run(rules.uncertainty_yade.output[0], cell=cells),
         modules=code("uncertainty/uncertainty_confirm"),
     output:
-        "results/{run}/tables/uncertainty_confirm.csv",
+        results("tables/uncertainty_confirm.csv"),
     log:
-        "results/{run}/logs/uncertainty_confirm.log",
+        logs("uncertainty_confirm"),
     script:
         "../scripts/uncertainty/uncertainty_confirm.py"
 
 
 rule uncertainty_tables:
     input:
-        tables=UNCERTAINTY.collapses,
+        tables=of_run(rules.uncertainty_collapse.output[0], record=drawn),
         modules=code("uncertainty/uncertainty_tables"),
     output:
-        samples="results/{run}/uncertainty/samples.csv",
-        parts="results/{run}/tables/uncertainty_parts.csv",
-        sensitivity="results/{run}/tables/uncertainty_sensitivity.csv",
-        fragility="results/{run}/tables/uncertainty_fragility.csv",
+        samples=results("uncertainty/samples.csv"),
+        parts=results("tables/uncertainty_parts.csv"),
+        sensitivity=results("tables/uncertainty_sensitivity.csv"),
+        fragility=results("tables/uncertainty_fragility.csv"),
     log:
-        "results/{run}/logs/uncertainty_tables.log",
+        logs("uncertainty_tables"),
     params:
-        settings=UNCERTAINTY.params("confidence"),
+        settings=sample_settings("confidence"),
     script:
         "../scripts/uncertainty/uncertainty_tables.py"
 
 
 rule figure_uncertainty:
     input:
-        parts="results/{run}/tables/uncertainty_parts.csv",
-        sensitivity="results/{run}/tables/uncertainty_sensitivity.csv",
-        fragility="results/{run}/tables/uncertainty_fragility.csv",
-        facts=UNCERTAINTY.facts,
+        parts=rules.uncertainty_tables.output.parts,
+        sensitivity=rules.uncertainty_tables.output.sensitivity,
+        fragility=rules.uncertainty_tables.output.fragility,
+        facts=of_run(rules.own_record.output.facts, record=drawn),
         modules=code("uncertainty/figure_uncertainty"),
     output:
         **figure("uncertainty", "Fragility", "motion, material and model form"),
     log:
-        "results/{run}/logs/figure_uncertainty.log",
+        logs("figure_uncertainty"),
     script:
         "../scripts/uncertainty/figure_uncertainty.py"
+
+
+rule uncertainty:
+    input:
+        every_run(
+            rules.uncertainty_tables.output.parts,
+            rules.uncertainty_tables.output.sensitivity,
+            rules.uncertainty_tables.output.fragility,
+            where(cells, rules.uncertainty_confirm.output),
+            rules.figure_uncertainty.output.png,
+        ),

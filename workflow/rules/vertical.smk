@@ -1,51 +1,61 @@
 # What vertical motion changes in collapse: ask for `vertical`, with records that have one.
 
 
-rule vertical:
-    input:
-        with_pages(STUDY.per_run(VERTICAL.results)),
+def both_motions(wildcards):
+    """Files of both motions; a record without a vertical one ends the workflow."""
+    try:
+        RUNS.check_vertical(wildcards.run, "vertical", [wildcards.record])
+    except configuration.ConfigError as error:
+        stop(error.detail)
+    row = RUNS.record_row(wildcards)
+    return list(dict.fromkeys([row.path, row.vertical_path]))
 
 
 rule vertical_collapse:
     input:
-        files=VERTICAL.files,
-        scenes=VERTICAL.scenes,
+        files=both_motions,
+        scenes=of_run(rules.scene.output[0], model=RUNS.planar),
         modules=code("vertical/vertical_collapse"),
     output:
-        "results/{run}/vertical/{record}.csv",
+        results("vertical/{record}.csv"),
     log:
-        "results/{run}/logs/vertical_{record}.log",
+        logs("vertical_{record}"),
     benchmark:
-        "results/{run}/benchmarks/vertical_{record}.tsv"
+        benchmarks("vertical_{record}")
     params:
-        table=lambda w: STUDY.table_path(w.run),
-        station=SURROGATES.station,
-        settings=STUDY.params_of("directions", "baseline", "seed", "ida.max_pga_g"),
+        table=lambda w: RUNS.table_path(w.run),
+        station=station,
+        settings=RUNS.params_of("directions", "baseline", "seed", "ida.max_pga_g"),
     script:
         "../scripts/vertical/vertical_collapse.py"
 
 
 rule vertical_ratios:
     input:
-        tables=VERTICAL.collapses,
+        tables=of_run(rules.vertical_collapse.output[0]),
         modules=code("vertical/vertical_ratios"),
     output:
-        table="results/{run}/tables/vertical.csv",
-        summary="results/{run}/tables/vertical_ratios.csv",
+        table=results("tables/vertical.csv"),
+        summary=results("tables/vertical_ratios.csv"),
     log:
-        "results/{run}/logs/vertical_ratios.log",
+        logs("vertical_ratios"),
     script:
         "../scripts/vertical/vertical_ratios.py"
 
 
 rule figure_vertical:
     input:
-        table="results/{run}/tables/vertical.csv",
-        facts=STUDY.record_facts,
+        table=rules.vertical_ratios.output.table,
+        facts=of_run(rules.record.output.facts),
         modules=code("vertical/figure_vertical"),
     output:
         **figure("vertical", "Records", "what vertical motion changes"),
     log:
-        "results/{run}/logs/figure_vertical.log",
+        logs("figure_vertical"),
     script:
         "../scripts/vertical/figure_vertical.py"
+
+
+rule vertical:
+    input:
+        every_run(rules.vertical_ratios.output, rules.figure_vertical.output.png),

@@ -90,8 +90,8 @@ def check_records(rows, *, baseline="none", seed=DEFAULT_SEED, specs=None, draw=
     return findings
 
 
-def check_study(study, **options):
-    """Check the records of all runs of a `study.Study`, each combination once.
+def check_runs(runs, **options):
+    """Check the records of all runs of a `rocking.runs.Runs`, each combination once.
 
     `options` are `draw` and `cache` of `check_records`. Raises RecordError for surrogate
     parameters that cannot be read.
@@ -103,14 +103,14 @@ def check_study(study, **options):
     """
     found: dict[Finding, None] = {}
     done = set()
-    for run, resolved in study.runs.items():
-        table, names = study.table_path(run), study.records[run]
+    for run, resolved in runs.settings.items():
+        table, names = runs.table_path(run), runs.records[run]
         treatment = {key: resolved[key] for key in ("baseline", "seed")}
         combination = json.dumps([table, names, treatment], sort_keys=True)
         if combination not in done:
             done.add(combination)
             path = surrogates_for(table)
-            rows = [study.tables[run][name] for name in names]
+            rows = [runs.tables[run][name] for name in names]
             specs = read_specs(path) if path else None
             found |= dict.fromkeys(check_records(rows, specs=specs, **treatment, **options))
     return list(found)

@@ -192,3 +192,29 @@ def _row(text, number, cells):
         paths.get("vertical_file") or (paths.get("file") if vertical else None),
         vertical,
     )
+
+
+def second_component(rows, name):
+    """Name of the other record of a table with the same event and station.
+
+    Parameters
+    ----------
+    rows : dict of str to Row
+    name : str
+
+    Returns
+    -------
+    str or None
+        None where there is none, or more than one.
+    """
+    place = _place(rows[name])
+    mates = [
+        other
+        for other, row in rows.items()
+        if other != name and all(place) and _place(row) == place
+    ]
+    return mates[0] if len(mates) == 1 else None
+
+
+def _place(row):
+    return row.about.get("event"), row.about.get("station")

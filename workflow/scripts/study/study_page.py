@@ -5,7 +5,7 @@ from pathlib import Path
 import pandas as pd
 import yaml
 from rocking.runtime.script import run
-from rocking.study.page import page
+from rocking.studies.paper import page
 
 ABOUT = """\
 Every figure, table, equation and sentence of result of the study (DEM investigation of boundary

@@ -1,17 +1,25 @@
-"""Runs of a study, their configurations and records, and the files of the main job."""
+"""Runs of a configuration: their settings, records and curves."""
 
 from itertools import product
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from rocking.configuration import config as configuration
 from rocking.records import read_table, surrogates_for
-from rocking.study.shared import Shared
+from rocking.runs.shared import Shared
 from yade_scripts.model.registry import MODELS, PUSHED
 from yade_scripts.model.shape import is_plain, refuse
 
 
-class Study:
+class Curve(NamedTuple):
+    """What one incremental dynamic analysis is of."""
+
+    model: str
+    record: str
+    direction: str
+
+
+class Runs:
     """The runs that a configuration describes.
 
     Parameters
@@ -26,7 +34,7 @@ class Study:
     ----------
     name : str
         Name that all runs begin with, `run` of the configuration.
-    runs : dict of str to dict
+    settings : dict of str to dict
         Resolved configuration of each run.
     tables : dict of str to dict
         Rows of its records table, by record.
@@ -42,23 +50,39 @@ class Study:
     def __init__(self, config, base):
         """Resolve the configuration and read the records tables."""
         self.base = Path(base)
-        self.runs = configuration.expand_scenarios(config)
+        self.settings = configuration.expand_scenarios(config)
         self.name = str(config.get("run") or "main")
-        self.tables = {run: read_table(self.table_path(run)) for run in self.runs}
-        self.records = {run: self._record_names(run) for run in self.runs}
-        self.shared = Shared(self.runs)
+        self.tables = {run: read_table(self.table_path(run)) for run in self.settings}
+        self.records = {run: self._record_names(run) for run in self.settings}
+        self.shared = Shared(self.settings)
         self.faults: dict[tuple[str, str], str] = {}
-        for run, resolved in self.runs.items():
+        for run, resolved in self.settings.items():
             if resolved["vertical_motion"] == "on":
                 self.check_vertical(run, "vertical_motion = on", self.records[run])
 
     def cfg(self, wildcards) -> dict[str, Any]:
         """Resolved configuration of the run that a job belongs to."""
-        return self.runs[wildcards.run]
+        return self.settings[wildcards.run]
 
-    def per_run(self, targets) -> list[str]:
-        """Targets of every run; `targets` maps a run's name to paths."""
-        return [path for run in self.runs for path in targets(run)]
+    def key(self, dotted):
+        """Return the function of a run's name that looks up a key of its configuration."""
+
+        def value(run):
+            found = self.settings[run]
+            for name in dotted.split("."):
+                found = found[name]
+            return found
+
+        return value
+
+    def named(self, dotted):
+        """Like `key`, for names of records; ends the workflow in one line if one is unknown."""
+
+        def names(run):
+            wanted = self.key(dotted)(run)
+            return self.needed(run, dotted, [wanted] if isinstance(wanted, str) else wanted)
+
+        return names
 
     def params_of(self, *paths):
         """Params function: the parts of the configuration that a rule depends on, as JSON."""
@@ -71,10 +95,10 @@ class Study:
 
     def table_path(self, run) -> str:
         """Path of a run's records table."""
-        return self.beside(self.runs[run]["records_table"])
+        return self.beside(self.settings[run]["records_table"])
 
     def _record_names(self, run) -> list[str]:
-        wanted = self.runs[run]["records"]
+        wanted = self.settings[run]["records"]
         return list(self.tables[run]) if wanted == "all" else self.known(run, "records", wanted)
 
     def check_vertical(self, run, key, names):
@@ -88,7 +112,7 @@ class Study:
         for row in (self.tables[run][name] for name in names):
             if row.vertical_path is None:
                 raise configuration.ConfigError(
-                    f"{key}: {self.runs[run]['records_table']}, line {row.line}: record "
+                    f"{key}: {self.settings[run]['records_table']}, line {row.line}: record "
                     f"{row.record} has no vertical motion; expected it in the column vertical or "
                     "vertical_file"
                 )
@@ -104,7 +128,7 @@ class Study:
         for name in names:
             if name not in self.tables[run]:
                 raise configuration.ConfigError(
-                    f"{key}: '{name}' is not in {self.runs[run]['records_table']}; "
+                    f"{key}: '{name}' is not in {self.settings[run]['records_table']}; "
                     f"expected names from {', '.join(self.tables[run])}"
                 )
         return list(names)
@@ -119,7 +143,7 @@ class Study:
     def needs_plain(self, run, what, held=False):
         """End the workflow in one line where `shape.refuse` would end a job of it."""
         try:
-            refuse(self.runs[run]["facade"], what, held)
+            refuse(self.settings[run]["facade"], what, held)
         except ValueError as error:
             raise SystemExit(f"error: {error}") from None
 
@@ -157,93 +181,67 @@ class Study:
             return []
         return surrogates_for(self.table_path(wildcards.run)) or []
 
-    def facts_of(self, run) -> list[str]:
-        """Provenance files of all records of a run."""
-        return [self.shared.path(run, f"records/{name}.json") for name in self.records[run]]
-
-    def record_facts(self, wildcards):
-        """Those of a job's run."""
-        return self.facts_of(wildcards.run)
-
-    def all_facts(self, wildcards=None) -> list[str]:
-        """Those of all runs, each file once."""
-        return list(dict.fromkeys(self.per_run(self.facts_of)))
-
-    def floor_motions(self, run, record) -> str:
-        """Floor motions of a record."""
-        return self.shared.floor_motions(run, record)
-
-    def ida_motion(self, wildcards) -> str:
-        """Floor motions of a job's record."""
-        return self.floor_motions(wildcards.run, wildcards.record)
-
     # curves
 
-    def curves(self, run) -> list[tuple[str, str, str]]:
-        """Model, record and direction of every curve of a run."""
-        resolved = self.runs[run]
-        return list(product(resolved["models"], self.records[run], resolved["directions"]))
+    def wildcards(self, run) -> dict[str, Any]:
+        """Values that the wildcards of a path take in a run; lists where it has several."""
+        resolved = self.settings[run]
+        return {
+            "run": run,
+            "model": resolved["models"],
+            "record": self.records[run],
+            "direction": resolved["directions"],
+            "n": resolved["smdof"]["n_dof"],
+            **self.shared.keys[run],
+        }
+
+    def curves(self, run) -> list[Curve]:
+        """Every curve of a run."""
+        resolved = self.settings[run]
+        found = product(resolved["models"], self.records[run], resolved["directions"])
+        return [Curve(*names) for names in found]
 
     def confirmed(self, run) -> list[str]:
         """Records whose dense scans YADE confirms: one of every `ida.confirm_every`, in order."""
-        return self.records[run][:: self.runs[run]["ida"]["confirm_every"]]
+        return self.records[run][:: self.settings[run]["ida"]["confirm_every"]]
 
-    def ida_tables(self, run) -> list[str]:
-        """IDA tables of a run, by model, record and direction: curves that YADE runs."""
+    def scanned(self, run, model) -> bool:
+        """Whether the curves of a model follow a dense scan by the planar solver."""
+        return MODELS[model].scanned and self.settings[run]["ida"]["mode"] != "grid"
+
+    def scans(self, run) -> list[Curve]:
+        """Curves that a dense scan stands behind."""
+        return [curve for curve in self.curves(run) if self.scanned(run, curve.model)]
+
+    def by_yade(self, run) -> list[Curve]:
+        """Curves that YADE runs."""
         confirmed = self.confirmed(run)
         return [
-            f"results/{run}/ida/{model}/{record}_{direction}.csv"
-            for model, record, direction in self.curves(run)
-            if record in confirmed or not self.scanned(run, model)
+            curve
+            for curve in self.curves(run)
+            if curve.record in confirmed or not self.scanned(run, curve.model)
         ]
 
+    def ensembles(self, run) -> list[Curve]:
+        """Curves with a perturbed ensemble; none where config switches them off."""
+        return [] if self.settings[run]["ensemble"]["enabled"] == "off" else self.by_yade(run)
+
+    def pushed(self, run) -> list[str]:
+        """Models with a pushover curve of their own.
+
+        None of a façade with a shape or hinges, whose pushover is not known.
+        """
+        facade, models = self.settings[run]["facade"], self.settings[run]["models"]
+        known = not facade["hinges_m"] and is_plain(facade)
+        return [name for name in PUSHED if known and name in models]
+
+    def planar(self, run) -> list[str]:
+        """Models that the compiled planar solver stands in for."""
+        return [model for model in self.settings[run]["models"] if MODELS[model].twin]
+
     def known_runs(self, job):
-        """Number of runs of a curve's job where its strategy fixes it, else None."""
+        """Number of YADE's runs in a curve's job where its strategy fixes it, else None."""
         if job.rule.name not in ("ida", "reduction_ida"):
             return None
         ida = self.cfg(job.wildcards)["ida"]
         return len(ida["grid_g"]) if ida["mode"] == "grid" else None
-
-    def scanned(self, run, model) -> bool:
-        """Whether the curves of a model follow a dense scan by the planar solver."""
-        return MODELS[model].scanned and self.runs[run]["ida"]["mode"] != "grid"
-
-    def plan(self, wildcards):
-        """What YADE is to run, from the dense scan; nothing where there is none."""
-        w = wildcards
-        if not self.scanned(w.run, w.model):
-            return []
-        return f"results/{w.run}/screening/{w.model}/{w.record}_{w.direction}.json"
-
-    def scans(self, run) -> list[str]:
-        """Dense scans of a run's curves."""
-        return [
-            f"results/{run}/screening/{model}/{record}_{direction}.csv"
-            for model, record, direction in self.curves(run)
-            if self.scanned(run, model)
-        ]
-
-    def ensemble_tables(self, run) -> list[str]:
-        """Ensemble tables of a run; none where config switches them off."""
-        if self.runs[run]["ensemble"]["enabled"] == "off":
-            return []
-        return [path.replace(".csv", "_ensemble.csv") for path in self.ida_tables(run)]
-
-    def static_curves(self, run) -> list[str]:
-        """Pushover curves behind Figure 9: of the models that have one of their own.
-
-        None of a façade with a shape or hinges, whose pushover is not known.
-        """
-        facade = self.runs[run]["facade"]
-        if facade["hinges_m"] or not is_plain(facade):
-            return []
-        models = [name for name in PUSHED if name in self.runs[run]["models"]]
-        return [f"results/{run}/pushover/{name}.csv" for name in models]
-
-    def main_results(self, run) -> list[str]:
-        """What the main job makes for one run."""
-        return [
-            *(f"results/{run}/tables/{name}.csv" for name in ("records", "shared")),
-            *(f"results/{run}/tables/{t}.csv" for t in ("ida_collapse", "collapse_probability")),
-            f"results/{run}/figures/fig09_ida.png",
-        ]

@@ -1,0 +1,39 @@
+"""What differs between the configurations of runs."""
+
+import itertools
+
+
+def flat(settings, prefix=""):
+    """Configuration by dotted key."""
+    out: dict = {}
+    for key, value in settings.items():
+        if isinstance(value, dict):
+            out |= flat(value, f"{prefix}{key}.")
+        else:
+            out[f"{prefix}{key}"] = value
+    return out
+
+
+def differences(configurations):
+    """What differs between configurations.
+
+    Parameters
+    ----------
+    configurations : dict of str to dict
+        Resolved configuration of each run.
+
+    Returns
+    -------
+    dict of str to dict
+        By run, the dotted keys that are not the same in all, with their value there (None where an
+        older run lacks the key).
+    """
+    own = {run: flat(settings) for run, settings in configurations.items()}
+    keys = list(dict.fromkeys(itertools.chain.from_iterable(own.values())))
+    keys = [
+        key
+        for key in keys
+        if key not in ("run", "compare")
+        and any(values.get(key) != next(iter(own.values())).get(key) for values in own.values())
+    ]
+    return {run: {key: values.get(key) for key in keys} for run, values in own.items()}

@@ -1,0 +1,52 @@
+"""What runs have in common: motions and their figures, kept once for equal settings.
+
+`results/.shared/<motions>/` has what a records table, a baseline treatment and a seed make,
+`<chain>/` below it what a chain of masses makes of that; both names are hashes of those settings.
+So a path does not depend on which other runs there are. A run has each file in a second place
+under its own name (`records/…`, `smdof/…`, `figures/…`), a hard link where the file system can.
+"""
+
+import hashlib
+import json
+
+TREATMENT = ("baseline", "seed", "vertical_motion")  # what is done to a row of the records table
+
+
+def _key(*settings):
+    text = json.dumps(settings, sort_keys=True)
+    return hashlib.sha256(text.encode()).hexdigest()[:12]
+
+
+class Shared:
+    """Keys of the folders in `results/.shared`.
+
+    Parameters
+    ----------
+    settings : dict of str to dict
+        Resolved configuration of each run.
+    """
+
+    def __init__(self, settings):
+        """Name the settings of each run."""
+        self.settings = settings
+        self.keys = {
+            run: {
+                "motions": _key(s["records_table"], self.treatment(run)),
+                "chain": _key(s["smdof"]),
+            }
+            for run, s in settings.items()
+        }
+
+    def treatment(self, run):
+        """Configuration that a motion depends on, beside its row of the records table."""
+        return {key: self.settings[run][key] for key in TREATMENT}
+
+    def alike(self, wildcards) -> list[str]:
+        """Runs with the settings behind a file, by its wildcards `motions` and `chain`."""
+        wanted = {k: v for k, v in dict(wildcards).items() if k in ("motions", "chain")}
+        return [run for run, keys in self.keys.items() if wanted.items() <= keys.items()]
+
+    def label(self, wildcards) -> str:
+        """Runs alike, in the report."""
+        first, *others = self.alike(wildcards)
+        return f"{first} and {len(others)} more" if others else first

@@ -1,0 +1,39 @@
+"""Whether a façade can have what `strengthening` and `restraint` add to it."""
+
+from rocking.configuration.config import ConfigError
+from rocking.configuration.facade import check_facade
+from rocking.studies import restraint, strengthening
+from yade_scripts.model.registry import MODELS
+
+
+def planar_models(resolved, target):
+    """Models of a run that a target searches with, once it is known that the façade allows it.
+
+    Parameters
+    ----------
+    resolved : dict
+        Resolved configuration.
+    target : {"strengthening", "restraint"}
+
+    Returns
+    -------
+    list of str
+
+    Raises
+    ------
+    ConfigError
+        Where no model has a planar twin, or the façade cannot have a tie or floor that is tried.
+    """
+    models = [model for model in resolved["models"] if MODELS[model].twin]
+    if not models:
+        raise ConfigError(f"models = {resolved['models']}: expected one with a planar twin")
+    settings = resolved[target]
+    if target == "restraint":
+        trials = [restraint.held(resolved, settings["loads_kn"][0], 0.0)]
+    else:
+        heights = strengthening.trial_heights(settings, resolved["facade"]["height_m"])
+        force = settings["forces_kn"][0]
+        trials = [strengthening.tied(resolved, settings, z, force) for z in heights]
+    for trial in trials:
+        check_facade({**trial, "models": models})
+    return models

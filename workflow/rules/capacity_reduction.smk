@@ -1,0 +1,104 @@
+# How far the building behind a façade lowers its capacity: W2 over W1 against T1 and the façade's place.
+# Not part of the main job; ask for `capacity_reduction`.
+BUILDINGS = {
+    "t1": lambda run: [
+        f"{t1:g}" for t1 in RUNS.settings[run]["capacity_reduction"]["periods_s"]
+    ],
+    "below": RUNS.key("capacity_reduction.masses_below"),
+}
+
+
+wildcard_constraints:
+    t1=r"[0-9.]+",
+    below=r"\d+",
+
+
+# The building's period and the façade's place in it, with the façade itself unchanged. A case is
+# T<period>_below<masses>: a chain of masses_below + n_dof masses, the façade's base on mass
+# number masses_below (on the ground for 0).
+rule reduction_motion:
+    input:
+        record=rules.own_record.output.record,
+        modules=code("capacity_reduction/capacity_reduction_motion"),
+    output:
+        motion=results("capacity_reduction/T{t1}_below{below}/{record}.csv"),
+        facts=results("capacity_reduction/T{t1}_below{below}/{record}.json"),
+    log:
+        logs("reduction_motion_T{t1}_below{below}_{record}"),
+    params:
+        smdof=lambda w: {
+            k: v for k, v in RUNS.cfg(w)["smdof"].items() if k != "period_s"
+        },
+    script:
+        "../scripts/capacity_reduction/capacity_reduction_motion.py"
+
+
+use rule screen as reduction_screen with:
+    input:
+        scene=of_run(rules.scene.output[0], model="W2"),
+        motion=rules.reduction_motion.output.motion,
+        modules=code("ida/screen"),
+    output:
+        scan=results(
+            "capacity_reduction/T{t1}_below{below}/scan_{record}_{direction}.csv"
+        ),
+        plan=results(
+            "capacity_reduction/T{t1}_below{below}/plan_{record}_{direction}.json"
+        ),
+    log:
+        logs("reduction_screen_T{t1}_below{below}_{record}_{direction}"),
+    benchmark:
+        benchmarks("reduction_screen_T{t1}_below{below}_{record}_{direction}")
+
+
+use rule ida as reduction_ida with:
+    input:
+        scene=of_run(rules.scene.output[0], model="W2"),
+        motion=rules.reduction_motion.output.motion,
+        plan=rules.reduction_screen.output.plan,
+        yade=rules.yade_check.output[0],
+        modules=study_code("ida"),
+    output:
+        results("capacity_reduction/T{t1}_below{below}/{record}_{direction}.csv"),
+    log:
+        logs("reduction_T{t1}_below{below}_{record}_{direction}"),
+    benchmark:
+        benchmarks("reduction_T{t1}_below{below}_{record}_{direction}")
+    params:
+        yade=YADE,
+        plan=plan_option,
+        journal=results("cache/reduction/T{t1}_below{below}_{record}_{direction}.jsonl"),
+
+
+rule figure_capacity_reduction:
+    input:
+        w1=of_run(rules.ida.output[0], model="W1", record=RUNS.confirmed),
+        w1_scans=of_run(rules.screen.output.scan, model="W1"),
+        w2=of_run(rules.reduction_ida.output[0], **BUILDINGS, record=RUNS.confirmed),
+        w2_scans=of_run(rules.reduction_screen.output.scan, **BUILDINGS),
+        facts=of_run(rules.reduction_motion.output.facts, **BUILDINGS),
+        records=of_run(rules.record.output.facts),
+        modules=code("capacity_reduction/figure_capacity_reduction"),
+    output:
+        **figure(
+            "capacity_reduction", "Capacity reduction", "W2/W1 against T1 and position"
+        ),
+        table=results("tables/capacity_reduction.csv"),
+    log:
+        logs("figure_capacity_reduction"),
+    params:
+        w1=of_run(rules.ida.output[0], model="W1"),
+        w2=of_run(rules.reduction_ida.output[0], **BUILDINGS),
+        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
+        facade=lambda w: RUNS.cfg(w)["facade"],
+        smdof=lambda w: RUNS.cfg(w)["smdof"],
+    script:
+        "../scripts/capacity_reduction/figure_capacity_reduction.py"
+
+
+rule capacity_reduction:
+    input:
+        every_run(
+            rules.figure_capacity_reduction.output.table,
+            rules.figure_capacity_reduction.output.png,
+        ),
