@@ -5,14 +5,14 @@ import math
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import study
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.solver.plane import prepare
 from rocking.solver.runs import Motions, history
 from rocking.studies import restraint
+from rocking.studies.additions import planar_models
 from test_ties import BETA_S, FEW, G, pulses
-from yade_process import ROOT, in_yade, resolved
+from yade_process import in_yade, resolved
 
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.stiffness import assemble
@@ -217,13 +217,13 @@ def test_what_yade_confirms_of_a_roof():
 @pytest.mark.parametrize(
     ("given", "target", "message"),
     [
-        ({"models": ["W3"]}, "restraint", "restraint: models.*planar twin"),
+        ({"models": ["W3"]}, "restraint", "models.*planar twin"),
         ({"models": ["W1"], "facade": {"sides": "two"}}, "restraint", "sides = two"),
         ({"strengthening": {"heights_m": [6.0, 7.0]}}, "strengthening", "height_m = 7: expected"),
         ({"strengthening": {"elongation": 1e-4}}, "strengthening", "elongation.*strain at yield"),
     ],
 )
 def test_facades_that_cannot_be_held(given, target, message):
-    """Both searches end in one line before anything is planned."""
-    with pytest.raises(SystemExit, match=f"^error: .*{message}"):
-        study.Strengthening(study.Study(given, ROOT)).curves("main", target, ".csv")
+    """Both searches are refused before anything is planned."""
+    with pytest.raises(ConfigError, match=message):
+        planar_models(configuration.resolve(given), target)

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from rocking import study
+from rocking.records.table import read_table, second_component
 from rocking.solver import spatial
 from rocking.solver.plane import moving_supports
 from rocking.solver.plane import prepare as prepare_plane
@@ -234,21 +234,14 @@ def test_components_on_one_time_axis():
     assert columns[along("ground")][:-1] == pytest.approx(2.0 + longer[:-1])
 
 
-class _Wildcards:
-    run, record = "main", "RRS228"
-
-
 def test_components_that_belong_together():
-    """By event and station of the table; a record without a mate ends in one line."""
-    suite = study.Study({"records_table": "config/suites/recorded_suite.tsv"}, ROOT)
-    wanted = study.TwoComponents(suite)
-    where = _Wildcards()
-    where.record = "GMN_NS"
-    assert wanted.second(where) == "GMN_WE"
-    assert wanted.motion_along(where).endswith("smdof/GMN_WE_4dof.csv")
-    single = study.TwoComponents(study.Study({}, ROOT))
-    with pytest.raises(SystemExit, match="RRS228.*same event and station"):
-        single.motion_along(_Wildcards())
+    """By event and station of the table; a record without a mate has none."""
+    suite = read_table(ROOT / "config/suites/recorded_suite.tsv")
+    assert second_component(suite, "GMN_NS") == "GMN_WE"
+    assert second_component(suite, "GMN_WE") == "GMN_NS"
+    assert second_component(read_table(ROOT / "config/records.tsv"), "RRS228") is None
+    alone = {name: row for name, row in suite.items() if name != "GMN_WE"}
+    assert second_component(alone, "GMN_NS") is None
 
 
 def test_scenes_that_cannot():

@@ -8,9 +8,10 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.collapse.scan import Screen
+from rocking.runs import Runs
 from rocking.studies import fragility
-from rocking.study import Study, Uncertainty
 from rocking.uncertainty import parts, sampling
+from rocking.uncertainty.design import drawn_motions
 from yade_process import resolved, run_study
 
 from yade_scripts.model.facade import joint_stiffness
@@ -162,16 +163,15 @@ def test_the_study_draws_short_records_and_refuses_what_cannot_be():
     suite = {"records_table": "config/suites/recorded_suite.tsv"}
 
     def drawn(**section):
-        study = Study({**suite, "uncertainty": section}, root)
-        return Uncertainty(study).motions("main")
+        return drawn_motions(Runs({**suite, "uncertainty": section}, root), "main")
 
     short = drawn(max_duration_s=24.0, motions=4)
     assert len(short) == 4
     assert {name.split("_")[0] for name in short} <= {"GMN", "IS106", "IS113"}
     assert set(short.values()) <= {"pos", "neg"}
-    with pytest.raises(SystemExit, match="uncertainty: 2 records of at most 10 s"):
+    with pytest.raises(ValueError, match="uncertainty: 2 records of at most 10 s"):
         drawn(max_duration_s=10.0)
-    with pytest.raises(SystemExit, match=r"uncertainty\.samples = 20: expected a power of two"):
+    with pytest.raises(ValueError, match=r"uncertainty\.samples = 20: expected a power of two"):
         drawn(samples=20)
 
 

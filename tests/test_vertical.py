@@ -11,8 +11,8 @@ from rocking.configuration.config import ConfigError
 from rocking.mechanics import closed_forms as cf
 from rocking.records import RecordError, load, read_csv, write_csv
 from rocking.records.floors import floor_columns
+from rocking.runs import Runs
 from rocking.solver import Motions, history, peaks
-from rocking.study import Study
 from test_screening import BETA_S, case, shaking, slender, wall_of
 from yade_process import in_yade
 
@@ -191,6 +191,6 @@ def test_a_vertical_motion_of_another_step_is_refused(tmp_path):
 
 def test_a_record_without_a_vertical_motion_is_named():
     """Before anything is planned, in one line; off asks for none."""
-    Study({}, ROOT)
+    Runs({}, ROOT)
     with pytest.raises(ConfigError, match=r"vertical_motion = on: .*line 2: record BUCAR0 has no"):
-        Study({"vertical_motion": "on"}, ROOT)
+        Runs({"vertical_motion": "on"}, ROOT)

@@ -1,16 +1,15 @@
 """What an assessment reads: spectra and hazards, refused in one line where they mean nothing."""
 
-from pathlib import Path
-
 import numpy as np
 import pandas as pd
 import pytest
+from rocking.assessment import inputs
 from rocking.assessment.demand import RecordDemand, floor_demand
 from rocking.assessment.floor_spectra import beside, spread
 from rocking.assessment.site import SpectrumError, at_pga, pga_at, read_spectrum, shapes
+from rocking.configuration import config as configuration
 from rocking.records import Record
 from rocking.risk.hazard import Hazard
-from rocking.study import Assessment, Study
 
 CHAIN = {
     "n_dof": 3,
@@ -97,10 +96,6 @@ def test_modal_peaks_are_those_of_the_records_own_spectrum():
     assert floor.peaks()[0] == pytest.approx(first)
 
 
-class Job:
-    run = "main"
-
-
 @pytest.mark.parametrize(
     ("given", "words"),
     [
@@ -109,9 +104,8 @@ class Job:
     ],
 )
 def test_an_assessment_takes_no_façade_from_the_case_study(given, words):
-    study = Study({}, Path(__file__).resolve().parents[2])
-    with pytest.raises(SystemExit, match=words):
-        Assessment(study, given).site(Job)
+    with pytest.raises(ValueError, match=words):
+        inputs.check_stated(given)
 
 
 STATED = {
@@ -130,9 +124,8 @@ STATED = {
     ],
 )
 def test_a_missing_demand_is_refused_in_one_line(more, words):
-    given = STATED | more
-    study = Study(given, Path(__file__).resolve().parents[2])
-    with pytest.raises(SystemExit, match=words) as caught:
-        Assessment(study, given).site(Job)
-    assert str(caught.value).startswith("error: ")
+    inputs.check_stated(STATED | more)
+    resolved = configuration.resolve(STATED | more)
+    with pytest.raises(ValueError, match=words) as caught:
+        inputs.check_demand(inputs.spectrum_file(resolved, str), inputs.hazard_file(resolved, str))
     assert "\n" not in str(caught.value)

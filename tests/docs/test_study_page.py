@@ -13,7 +13,7 @@ from rocking.calibration import claims as damping_claims
 from rocking.calibration.restitution import TARGETS
 from rocking.mechanics import closed_forms
 from rocking.statements import COLUMNS, statement
-from rocking.study import page
+from rocking.studies import paper
 
 DOCS = Path(__file__).parents[2] / "docs"
 DATA = yaml.safe_load((DOCS / "study.yaml").read_text(encoding="utf-8"))
@@ -77,7 +77,7 @@ def test_the_committed_page_has_the_rows_of_the_data_file():
         cells = [c.strip().replace(r"\|", "|") for c in line.strip("|").split(" | ")]
         assert cells[:3] == [entry["id"], entry["says"], entry["paper"]]
         assert cells[5] == entry.get("why", "")
-        assert set(cells[4].split(" / ")) <= {*page.MET, page.NOT_RUN}
+        assert set(cells[4].split(" / ")) <= {*paper.MET, paper.NOT_RUN}
     # what differs says why
     assert all(
         row.split(" | ")[5].strip(" |") for row in rows if row.split(" | ")[4] in ("no", "open")
@@ -111,17 +111,17 @@ def test_a_row_takes_numbers_and_verdicts_from_the_tables():
         },
         "claim": "it holds",
     }
-    assert page.row(entry, {"modes": modes, "claims": claims}) == (
+    assert paper.row(entry, {"modes": modes, "claims": claims}) == (
         "| figure 0 | a period | 0.2 s | 0.223 s; surrogate: 0.5 (our threshold); file: 0.9 "
         "| yes / no |  |"
     )
-    assert page.row(entry, {}).count(page.NOT_RUN) == 3
+    assert paper.row(entry, {}).count(paper.NOT_RUN) == 3
     with pytest.raises(ValueError, match="2 rows"):
-        page.value(
+        paper.value(
             modes, {"table": "modes", "where": {"model": "A"}, "column": "mass", "digits": 1}
         )
     with pytest.raises(ValueError, match="met is 'None'"):
-        page.row({"id": "x", "says": "y", "paper": "z"}, {})
+        paper.row({"id": "x", "says": "y", "paper": "z"}, {})
 
 
 def test_figure_9_in_numbers_takes_the_median_and_else_the_bracket():
@@ -135,4 +135,4 @@ def test_figure_9_in_numbers_takes_the_median_and_else_the_bracket():
             "pga_median_g": [0.22, np.nan],
         }
     )
-    assert page.collapse(DATA, {"ida_collapse": table})[-1] == "| X− | 0.220 | 0.150 |"
+    assert paper.collapse(DATA, {"ida_collapse": table})[-1] == "| X− | 0.220 | 0.150 |"

@@ -12,10 +12,10 @@ import pytest
 import record_samples as samples
 from rocking.records import check as module
 from rocking.records import read_table
-from rocking.records.check import check_records, check_study
+from rocking.records.check import check_records, check_runs
 from rocking.records.reader import open_file, pick
 from rocking.records.record import G_M_S2, Record
-from rocking.study import Study
+from rocking.runs import Runs
 
 ROOT = Path(__file__).parents[2]
 SUITE = ROOT / "config" / "suites" / "recorded_suite.tsv"
@@ -92,7 +92,7 @@ def test_all_runs_of_a_study_are_checked_each_combination_once(study, tmp_path, 
         "records_table": str(study),
         "grid": {"facade.height_m": [6.0, 7.0], "baseline.method": ["none", "mean"]},
     }
-    findings = check_study(Study(config, ROOT), cache=tmp_path / "c.json")
+    findings = check_runs(Runs(config, ROOT), cache=tmp_path / "c.json")
     assert len(calls) == 2
     assert [f.record for f in findings] == ["good", "wrong", "bare", "cut", "up"]
 
@@ -163,7 +163,7 @@ def _record_as(record):
 
 def test_the_script_writes_the_table_of_all(study, tmp_path):
     output = tmp_path / "records_check.csv"
-    script = ROOT / "workflow" / "scripts" / "check_records.py"
+    script = ROOT / "workflow" / "scripts" / "records" / "check_records.py"
     done = subprocess.run(
         [sys.executable, str(script), "--params", f"table={study}", "--output", str(output)],
         env=os.environ | {"PYTHONPATH": f"{ROOT}{os.pathsep}{ROOT / 'workflow'}"},

@@ -11,7 +11,7 @@ import pandas as pd
 import pytest
 from rocking.collapse.ida import curve_key
 from rocking.records import Record, load, read_table, write_csv
-from rocking.study import Complete, Study
+from rocking.runs import Runs
 
 from smdof.chain import floor_motions
 from yade_scripts.model.motion import Motion
@@ -151,20 +151,15 @@ def test_yade_confirms_the_records_that_the_configuration_says():
         "directions": ["neg"],
         "ida": {"confirm_every": 2},
     }
-    study = Study(config, ROOT)
-    names = [f"{m}/{r}_neg.csv" for m in config["models"] for r in config["records"]]
-    assert [path.split("/", 2)[2] for path in study.scans("main")] == [
-        f"screening/{name}" for name in names
-    ]
-    assert study.ida_tables("main") == [
-        f"results/main/ida/{name}" for name in names if "RRS228" not in name
-    ]
-    config["complete"] = {"models": ["CB"]}
-    complete = Complete(Study(config, ROOT))
-    assert [len(complete.scans("main")), len(complete.twins("main"))] == [3, 2]
-    assert complete.curves("main") == [
-        f"results/main/ida/CB/{r}_neg.csv" for r in ("BUCAR0", "HVSC1")
-    ]
+    runs = Runs(config, ROOT)
+    curves = [(m, r, "neg") for m in config["models"] for r in config["records"]]
+    assert runs.scans("main") == curves
+    assert runs.by_yade("main") == [curve for curve in curves if "RRS228" not in curve]
+    assert runs.confirmed("main") == ["BUCAR0", "HVSC1"]
+    config["ida"] = {"mode": "grid", "confirm_every": 2}
+    grid = Runs(config, ROOT)
+    assert grid.scans("main") == []
+    assert grid.by_yade("main") == curves
 
 
 def test_committed_suite_is_the_one_its_rule_makes(tmp_path):

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 import yaml
 from rocking.configuration.config import expand_scenarios
-from rocking.study.shared import Shared
+from rocking.runs import Shared
 
 ROOT = Path(__file__).resolve().parents[2]
 STUDY = {
@@ -49,9 +49,6 @@ def test_runs_alike_are_found_by_the_wildcards_of_a_file():
     assert shared.alike({"motions": motions, "record": "A"}) == ["s-thin", "s-thick", "s-soft"]
     assert shared.alike({"motions": motions, "chain": chain}) == ["s-thin", "s-thick"]
     assert shared.label({"motions": motions}) == "s-thin and 2 more"
-    taken = shared.of(lambda w: (w.run, w.record))
-    wildcards = type("W", (dict,), {"record": "A"})(motions=motions, record="A")
-    assert taken(wildcards) == ("s-thin", "A")
 
 
 def snakemake(folder, *words):

@@ -208,7 +208,9 @@ rule figure_chaos:
         scans=of_run(
             rules.screen.output.scan, **{**ACCURACY_CURVES, "model": accuracy_scanned}
         ),
-        facts=of_run(rules.own_record.output.facts, record=RUNS.named("accuracy.records")),
+        facts=of_run(
+            rules.own_record.output.facts, record=RUNS.named("accuracy.records")
+        ),
         modules=code("accuracy/figure_chaos"),
     output:
         **figure("chaos", "Accuracy and stability", "perturbed ensembles"),
@@ -266,7 +268,9 @@ rule table_energy_balance:
 rule figure_energy_balance:
     input:
         histories=of_run(rules.energy_balance.output[0], **ENERGY_RUNS),
-        facts=of_run(rules.own_record.output.facts, record=RUNS.named("accuracy.records")),
+        facts=of_run(
+            rules.own_record.output.facts, record=RUNS.named("accuracy.records")
+        ),
         modules=code("energy/figure_energy_balance"),
     output:
         **figure("energy_balance", "Accuracy and stability", "energy balance"),
