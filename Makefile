@@ -48,16 +48,16 @@ freeze: setup
 	.venv/bin/python tests/trials/freeze.py compare build/freeze/old build/freeze/new
 
 mutations: setup
-	.venv/bin/python tests/mutations/run.py $(ARGS)
+	.venv/bin/python tests/trials/mutations/run.py $(ARGS)
 
 faults: setup
-	.venv/bin/python tests/faults/trials.py --output results/$(RUN)/tables/faults.csv $(ARGS)
+	.venv/bin/python tests/trials/faults/trials.py --output results/$(RUN)/tables/faults.csv $(ARGS)
 
 slurm: setup
-	.venv/bin/python tests/slurm/run_study.py
+	.venv/bin/python tests/trials/slurm/run_study.py
 
 load: setup
-	.venv/bin/python tests/load/run_load.py --output results/$(RUN)/tables/load.csv $(ARGS)
+	.venv/bin/python tests/trials/load/run_load.py --output results/$(RUN)/tables/load.csv $(ARGS)
 
 audit: setup
 	@bash tools/audit.sh

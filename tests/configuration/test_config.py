@@ -5,7 +5,6 @@ import json
 import os
 import shutil
 
-import fuzz_config
 import jsonschema
 import pytest
 import yaml
@@ -19,6 +18,8 @@ from rocking.configuration.config import (
     resolve,
     write_resolved,
 )
+
+from tests.trials import fuzz_config
 
 LEAVES = list(config_schema.leaves(config_schema.whole()))
 

@@ -1,7 +1,8 @@
-"""A few hundred damaged files; `python tests/fuzz_readers.py` reads 100,000."""
+"""A few hundred damaged files; `python tests/trials/fuzz_readers.py` reads 100,000."""
 
 import pytest
-from fuzz_readers import run
+
+from tests.trials.fuzz_readers import run
 
 
 @pytest.mark.parametrize("seed", [11, 12])

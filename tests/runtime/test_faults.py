@@ -1,6 +1,6 @@
 """Killed, doubled and starved runs: the same command completes with the same results.
 
-A handful of the trials of tests/faults/trials.py, and the parts they rest on.
+A handful of the trials of tests/trials/faults/trials.py, and the parts they rest on.
 """
 
 import errno
@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 from rocking.runtime import run_lock
 
-from tests.faults import inject, trials
-from tests.faults.workspace import comparable, wait_until
+from tests.trials.faults import inject, trials
+from tests.trials.faults.workspace import comparable, wait_until
 from yade_scripts.engine import memory
 from yade_scripts.files import write_atomic
 from yade_scripts.studies.journal import Journal

@@ -9,7 +9,7 @@ import matplotlib.image
 import numpy as np
 import pytest
 
-from tests.faults.workspace import RESULTS, Workspace, comparable
+from tests.trials.faults.workspace import RESULTS, Workspace, comparable
 
 TARGETS = (
     "tables/ida_collapse.csv",

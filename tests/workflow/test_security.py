@@ -12,7 +12,7 @@ from rocking.configuration import config
 from rocking.configuration.files import check_text
 from rocking.records import RecordError, read_table
 
-from tests.faults.workspace import RESULTS, SNAKEMAKE, Workspace, environment
+from tests.trials.faults.workspace import RESULTS, SNAKEMAKE, Workspace, environment
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = sorted(

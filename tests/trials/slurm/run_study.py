@@ -1,6 +1,6 @@
 """The IDA of two records through a real SLURM, one job cancelled half way, against a local run.
 
-    .venv/bin/python tests/slurm/run_study.py
+    .venv/bin/python tests/trials/slurm/run_study.py
 
 Starts a SLURM of one node (node.sh; installs Debian's slurm-wlm and munge if missing, needs root),
 runs the study on it with the profile a user would take, cancels one IDA job while it computes, and
@@ -13,10 +13,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT))
 
-from tests.faults.workspace import Workspace, wait_until  # noqa: E402
+from tests.trials.faults.workspace import Workspace, wait_until  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 # this SLURM keeps no accounts: ask the controller, and often, since the study is short

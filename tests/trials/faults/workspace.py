@@ -10,7 +10,7 @@ import sys
 import time
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 SNAKEMAKE = Path(sys.executable).parent / "snakemake"
 PARTS = ("profiles", "workflow", "yade_scripts", "smdof", "config")
 STUDY = "study.yaml"  # in the workspace, a copy of the one given to `fill`
@@ -32,7 +32,7 @@ class Workspace:
         while self.mounts:
             subprocess.run(["umount", "-l", str(self.mounts.pop())], check=True)
 
-    def fill(self, study=ROOT / "tests" / "faults" / "study.yaml"):
+    def fill(self, study=ROOT / "tests" / "trials" / "faults" / "study.yaml"):
         """Copy a study and the files of the workflow that it needs; return the workspace."""
         self.folder.mkdir(parents=True, exist_ok=True)
         shutil.copy2(study, self.folder / STUDY)

@@ -1,6 +1,6 @@
 """Interrupt YADE runs at random moments, under load, and see that each ends and none remains.
 
-    .venv/bin/python tests/interruptions/trials.py --count 240 --load 10 --seed 1
+    .venv/bin/python tests/trials/interruptions/trials.py --count 240 --load 10 --seed 1
 
 A trial of `Ctrl-C` or of an `error` in a runner holds if the run ends within LIMIT_S and a
 further run in the same process reaches its end; of `SIGTERM`, and of the workflow's death
@@ -21,8 +21,8 @@ import time
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
-sys.path[:0] = [str(ROOT), str(ROOT / "workflow"), str(ROOT / "tests")]
+ROOT = HERE.parents[2]
+sys.path[:0] = [str(ROOT), str(ROOT / "workflow"), str(ROOT / "tests" / "cases")]
 
 from yade_process import PYTHON, resolved  # noqa: E402
 

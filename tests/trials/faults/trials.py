@@ -1,6 +1,6 @@
 """Trials of faults: disturb a run, give the same command again, compare with an undisturbed run.
 
-    .venv/bin/python tests/faults/trials.py --trials 56 --seed 1 --output faults.csv
+    .venv/bin/python tests/trials/faults/trials.py --trials 56 --seed 1 --output faults.csv
 
 Half of the trials start from an empty folder, half from one in which all but the incremental
 dynamic analyses is done. A trial holds if the same command then completes, every file of the
@@ -21,12 +21,12 @@ import tempfile
 import time
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 if str(ROOT) not in sys.path:
     sys.path.insert(0, str(ROOT))
 
-from tests.faults import inject  # noqa: E402
-from tests.faults.workspace import RESULTS, Workspace, wait_until  # noqa: E402
+from tests.trials.faults import inject  # noqa: E402
+from tests.trials.faults.workspace import RESULTS, Workspace, wait_until  # noqa: E402
 
 COLUMNS = ("fault", "trial", "outcome", "detail")
 HELD = "completed, results equal"

@@ -1,6 +1,6 @@
 """Cost of a history in both planar solvers: a batch over the shipped suite.
 
-    .venv/bin/python tests/benchmarks/planar_histories.py --histories 5000 --model W2
+    .venv/bin/python tests/trials/benchmarks/planar_histories.py --histories 5000 --model W2
 
 Processor time of one process, of the compiled solver and, with --judge, of the adaptive one. The
 amplitudes of every component and direction run from --low to --high in equal ratios.
@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(ROOT), str(ROOT / "workflow")]
 
 from rocking.accuracy.fidelity import choose, read_fidelity  # noqa: E402

@@ -159,7 +159,7 @@ def test_motions_are_drawn_by_the_seed():
 
 def test_the_study_draws_short_records_and_refuses_what_cannot_be():
     """Through the configuration: durations from the table, and one line before any work."""
-    root = Path(__file__).parents[1]
+    root = Path(__file__).parents[2]
     suite = {"records_table": "config/suites/recorded_suite.tsv"}
 
     def drawn(**section):

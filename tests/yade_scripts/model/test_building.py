@@ -21,7 +21,7 @@ from yade_scripts.model.building.bricks import Brick, lay
 from yade_scripts.model.building.contacts import KINDS, Joints
 from yade_scripts.model.building.plan import Opening, Plan, PlanError, Wall, plan_from_dict
 
-BUILDINGS = Path(__file__).parents[2] / "config" / "buildings"
+BUILDINGS = Path(__file__).parents[3] / "config" / "buildings"
 JOINTS, BRICK = Joints(), Brick()
 E_BED = JOINTS.bed_jkn_pa_m * BRICK.height_m  # 307.2 MPa
 DENSITY = 1800.0

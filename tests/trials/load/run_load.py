@@ -1,6 +1,6 @@
 """A large study, stopped half way and resumed, with its memory and progress over time.
 
-    .venv/bin/python tests/load/run_load.py --records 44 --intensities 15 --output load.csv
+    .venv/bin/python tests/trials/load/run_load.py --records 44 --intensities 15 --output load.csv
 
 The whole study is 44 records × 2 directions × W1, W2 × 15 intensities = 2640 runs; the defaults
 are a reduced form of it. Checks that it completes, that what was finished when it was stopped is
@@ -20,11 +20,11 @@ from pathlib import Path
 import numpy as np
 import yaml
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT))
 
-from tests.faults.trials import write_atomic_csv  # noqa: E402
-from tests.faults.workspace import RESULTS, Workspace  # noqa: E402
+from tests.trials.faults.trials import write_atomic_csv  # noqa: E402
+from tests.trials.faults.workspace import RESULTS, Workspace  # noqa: E402
 
 COLUMNS = ("time_s", "runs", "curves", "processes", "largest_mb", "total_mb")
 G = 9.81

@@ -1,6 +1,6 @@
 """Random configurations: each resolves, or is refused in one line. Nothing else may happen.
 
-    python tests/fuzz_config.py --count 100000 --seed 1
+    python tests/trials/fuzz_config.py --count 100000 --seed 1
 
 Three kinds by turns: near-valid ones (schema keys with values around their limits), mutated ones
 (misspelt keys, wrong types, hostile text), and text mutated from the shipped files and parsed as
@@ -17,7 +17,7 @@ from pathlib import Path
 
 import yaml
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "workflow"))
 
 from rocking.configuration import config as module  # noqa: E402

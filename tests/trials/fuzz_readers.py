@@ -1,6 +1,6 @@
 """Fuzz the record readers, the records table and the surrogate parameters.
 
-    python tests/fuzz_readers.py --count 100000 --seed 1
+    python tests/trials/fuzz_readers.py --count 100000 --seed 1
 
 Small synthetic files of every format, and the real ones beside the repository when they
 are there, are damaged in many ways and read. Whatever happens must be either
@@ -25,8 +25,8 @@ from pathlib import Path
 
 import numpy as np
 
-ROOT = Path(__file__).parents[1]
-sys.path[:0] = [str(ROOT / "workflow"), str(Path(__file__).parent)]
+ROOT = Path(__file__).parents[2]
+sys.path[:0] = [str(ROOT / "workflow"), str(ROOT / "tests" / "cases")]
 
 import record_samples  # noqa: E402
 from rocking.records import (  # noqa: E402

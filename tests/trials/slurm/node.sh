@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # A real SLURM of one node on loopback, in a folder of its own, for tests.
 #
-#   tests/slurm/node.sh up FOLDER     installs slurm-wlm and munge if missing, starts the daemons
-#   tests/slurm/node.sh down FOLDER   stops the daemons that were started there
+#   tests/trials/slurm/node.sh up FOLDER     installs slurm-wlm and munge if missing, starts the daemons
+#   tests/trials/slurm/node.sh down FOLDER   stops the daemons that were started there
 #
 # Needs root (or a container in which you are root). Uses its own key, sockets and ports. Its
 # configuration is linked from /etc/slurm/slurm.conf, since SLURM does not pass SLURM_CONF on to

@@ -1,9 +1,9 @@
 """Interrupted YADE runs end, leave nothing, and do not hinder the next; hundreds under load:
-tests/interruptions/trials.py."""
+tests/trials/interruptions/trials.py."""
 
 import pytest
 
-from tests.interruptions.trials import trials
+from tests.trials.interruptions.trials import trials
 
 pytestmark = pytest.mark.yade
 

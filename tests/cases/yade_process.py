@@ -5,7 +5,7 @@ import os
 import subprocess
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 PYTHON = os.environ.get("YADE_PYTHON", "/usr/bin/python3")
 
 LIMIT_S = 600.0
@@ -21,8 +21,10 @@ print("RESULT" + json.dumps(getattr(case, {function!r})(**json.load(sys.stdin)))
 
 
 def in_yade(module, function, **arguments):
-    """Call a function of a module in tests/ inside a YADE process; return its result."""
-    code = CALL.format(root=str(ROOT), tests=str(ROOT / "tests"), module=module, function=function)
+    """Call a function of a module in tests/cases inside a YADE process; return its result."""
+    code = CALL.format(
+        root=str(ROOT), tests=str(ROOT / "tests" / "cases"), module=module, function=function
+    )
     done = subprocess.run(
         [PYTHON, "-c", code],
         input=json.dumps(arguments),

@@ -13,13 +13,13 @@ from rocking.records import RecordError, load, read_csv, write_csv
 from rocking.records.floors import floor_columns
 from rocking.runs import Runs
 from rocking.solver import Motions, history, peaks
-from test_screening import BETA_S, case, shaking, slender, wall_of
+from test_plane import BETA_S, case, shaking, slender, wall_of
 from yade_process import in_yade
 
 from yade_scripts.model import floor_motions, registry
 from yade_scripts.model.models import build_scene
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 TABLE = ROOT / "config" / "suites" / "recorded_suite.tsv"
 CHAIN = {"n_dof": 4, "period_s": 0.27, "damping_ratio": 0.05, "damping_model": "modal"}
 CHAIN["tail_s"] = 1.0

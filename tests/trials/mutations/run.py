@@ -1,6 +1,6 @@
 """Change one sign, factor or unit at a time and see whether the tests notice.
 
-    python tests/mutations/run.py [--only WORD] [--output survivors.csv]
+    python tests/trials/mutations/run.py [--only WORD] [--output survivors.csv]
 
 Each change of `table.yaml` is made in a copy of the tracked files, never in the checkout, and the
 tests named beside it run there until the first failure. A change that they do not notice survives:
@@ -27,7 +27,7 @@ import scipy.signal
 import scipy.sparse.linalg  # noqa: F401
 import yaml
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 LIMIT_S = 900.0  # of one run of tests; a change that makes them hang is noticed
 
 
@@ -73,7 +73,7 @@ def passes(folder, tests):
 def _run(folder, words):
     """In the child: the copy before the checkout, then pytest."""
     os.chdir(folder)
-    own = [str(folder), str(folder / "workflow"), str(folder / "tests")]
+    own = [str(folder), str(folder / "workflow"), str(folder / "tests" / "cases")]
     installed = sys.prefix  # the virtual environment may lie in the checkout
     rest = [p for p in sys.path if p.startswith(installed) or not p.startswith(str(ROOT))]
     sys.path[:] = [*own, *rest]

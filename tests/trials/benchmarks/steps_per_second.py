@@ -1,7 +1,7 @@
 """Steps per second of every model in YADE, and their ratio to the first one's, in one run.
 
-    .venv/bin/python tests/benchmarks/steps_per_second.py --pga 0.1 --rounds 3
-    .venv/bin/python tests/benchmarks/steps_per_second.py --against ../before --models W1 W2c
+    .venv/bin/python tests/trials/benchmarks/steps_per_second.py --pga 0.1 --rounds 3
+    .venv/bin/python tests/trials/benchmarks/steps_per_second.py --against ../before --models W1 W2c
 
 Processor time of one pulse of shaking, nodes and step as a study would choose them. Models take
 turns, and so does another checkout where one is given; the best round counts, since other work on
@@ -15,7 +15,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(ROOT), str(ROOT / "workflow")]
 
 from rocking.accuracy.fidelity import choose, read_fidelity  # noqa: E402
