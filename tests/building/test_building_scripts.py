@@ -1,8 +1,5 @@
 """A user's own building through the scripts, one after the other: periods, chain, refusals."""
 
-import json
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -11,20 +8,10 @@ import pytest
 import yaml
 from rocking.configuration import config
 from rocking.records import Record, write_csv
+from run_script import script
 
 ROOT = Path(__file__).parents[2]
 PLAN = ROOT / "config" / "buildings" / "example_three_storeys.yaml"
-
-
-def script(name, folder, **job):
-    """Run a script alone; return the completed process."""
-    words = [sys.executable, str(ROOT / "workflow" / "scripts" / name)]
-    for kind, named in job.items():
-        words.append(f"--{kind}")
-        for key, value in named.items():
-            text = value if isinstance(value, str) else json.dumps(value)
-            words.append(f"{key}={text}")
-    return subprocess.run(words, cwd=folder, capture_output=True, text=True)
 
 
 @pytest.fixture(scope="module")
@@ -42,11 +29,11 @@ def folder(tmp_path_factory, settings):
     write_csv(Record("pulse", pulse, 0.01, "file", "m/s2", "none"), path / "pulse.csv")
     params = {"building": settings}
     plan, fit = {"plan": str(PLAN)}, {"plan": str(PLAN), "fit": "fit.json"}
-    steps = [("building_fit.py", {"input": plan, "output": {"fit": "fit.json"}, "params": params})]
+    steps = [("building_fit", {"input": plan, "output": {"fit": "fit.json"}, "params": params})]
     for model in ("CBDEM", "SBDEM"):
         steps.append(
             (
-                "building_modal.py",
+                "building_modal",
                 {
                     "input": fit,
                     "output": {"modes": f"{model}.npz"},
@@ -57,7 +44,7 @@ def folder(tmp_path_factory, settings):
         )
     steps += [
         (
-            "table_building_modes.py",
+            "table_building_modes",
             {
                 "input": {"cbdem": "CBDEM.npz", "sbdem": "SBDEM.npz"},
                 "output": {"table": "modes.csv"},
@@ -65,7 +52,7 @@ def folder(tmp_path_factory, settings):
             },
         ),
         (
-            "building_history.py",
+            "building_history",
             {
                 "input": {**fit, "modes": "SBDEM.npz", "record": "pulse.csv"},
                 "output": {"history": "history.csv"},
@@ -74,7 +61,7 @@ def folder(tmp_path_factory, settings):
             },
         ),
         (
-            "table_wme.py",
+            "table_wme",
             {
                 "input": {
                     "modes": "SBDEM.npz",
@@ -87,8 +74,7 @@ def folder(tmp_path_factory, settings):
         ),
     ]
     for name, job in steps:
-        done = script(name, path, **job)
-        assert done.returncode == 0, f"{name}: {done.stderr}"
+        script(name, path, **job)
     return path
 
 
@@ -131,8 +117,9 @@ def test_a_bad_plan_ends_in_one_line(tmp_path, settings):
     data["walls"][0]["openings"][0]["from_start_m"] = 5.5
     (tmp_path / "plan.yaml").write_text(yaml.safe_dump(data))
     done = script(
-        "building_fit.py",
+        "building_fit",
         tmp_path,
+        checked=False,
         input={"plan": "plan.yaml"},
         output={"fit": "fit.json"},
         params={"building": settings},

@@ -1,26 +1,15 @@
 """Scripts of the complete building, run alone: where a curve begins, and its tables."""
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import pytest
 from rocking.collapse import probability
+from run_script import script
 
 ROOT = Path(__file__).parents[2]
-
-
-def script(name, folder, **parts):
-    """Run a script as it is run without Snakemake."""
-    words = [sys.executable, str(ROOT / "workflow" / "scripts" / name)]
-    for part, values in parts.items():
-        words.append(f"--{part}")
-        words += [f"{k}={v if isinstance(v, str) else json.dumps(v)}" for k, v in values.items()]
-    done = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=300)
-    assert done.returncode == 0, done.stderr
 
 
 def test_a_curve_begins_inside_the_first_island_of_the_scan(tmp_path):
@@ -32,7 +21,7 @@ def test_a_curve_begins_inside_the_first_island_of_the_scan(tmp_path):
         scan["status"] = np.where(values, "overturned", "ok")
         scan.to_csv(tmp_path / f"{name}.csv", index=False)
         script(
-            "complete_plan.py",
+            "complete_plan",
             tmp_path,
             input={"scan": f"{name}.csv"},
             output={"plan": f"{name}.json"},
@@ -59,7 +48,7 @@ def test_curves_are_tabled_in_the_form_of_the_other_models(tmp_path):
     scan.to_csv(tmp_path / "scan.csv", index=False)
     scan.assign(direction="pos").to_csv(tmp_path / "lone.csv", index=False)
     script(
-        "table_complete_collapse.py",
+        "table_complete_collapse",
         tmp_path,
         input={"ida": ["curve.csv"], "scans": ["scan.csv", "lone.csv"]},
         output={"collapse": "collapse.csv", "probability": "probability.csv"},
@@ -83,7 +72,7 @@ def test_curves_are_tabled_in_the_form_of_the_other_models(tmp_path):
     assert own["probability"].tolist() == [0.0, 1.0, 1.0, 1.0]
     assert len(share) == 9 + 4
     script(
-        "figure_complete.py",
+        "figure_complete",
         tmp_path,
         input={"ida": ["curve.csv"], "scans": ["scan.csv"], "facts": []},
         output={"png": "figure.png", "pdf": "figure.pdf"},

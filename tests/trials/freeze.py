@@ -33,6 +33,7 @@ PLAN = Path(__file__).with_suffix(".yaml")
 SNAKEMAKE = Path(sys.executable).with_name("snakemake")
 KINDS = {".csv", ".json", ".yaml", ".txt", ".xml", ".md", ".tsv"}
 LEFT_OUT = {"logs", "benchmarks", "cache", "figures", "report"}  # folders of a run
+LEFT_OUT |= {"config.yaml", "yade.txt"}  # a new key or another YADE changes no result
 # columns and keys that are measured on the machine; others that hold one of these words as well
 MEASURED = re.compile(
     r"(^|_)(wall|cpu|runs)_s($|_)|(memory|rss)_mb$|realtime|per_simulated_s|(wall|cpu)_time"

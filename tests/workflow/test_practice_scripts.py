@@ -1,9 +1,6 @@
 """Scripts of fragility and capacity reduction, run alone on small made-up results."""
 
 import json
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +9,7 @@ import pytest
 from rocking.collapse.ida import curve_key
 from rocking.records import Record, load, read_table, write_csv
 from rocking.runs import Runs
+from run_script import script
 
 from smdof.chain import floor_motions
 from yade_scripts.model.motion import Motion
@@ -19,20 +17,6 @@ from yade_scripts.model.motion import Motion
 ROOT = Path(__file__).resolve().parents[2]
 OUTPUTS = ("fragility", "measures", "sufficiency", "brackets", "curves")
 HEAD = "model,record,direction,pga_g,d_over_b,collapsed,status,dt_s,steps,wall_s\n"
-
-
-def script(name, folder, **parts):
-    """Run a script as it is run without Snakemake."""
-    found = [*(ROOT / "workflow/scripts").glob(f"*/{name}.py"), *ROOT.glob(f"tools/{name}.py")]
-    words = [sys.executable, str(found[0])]
-    for part, values in parts.items():
-        words.append(f"--{part}")
-        words += [f"{k}={v if isinstance(v, str) else json.dumps(v)}" for k, v in values.items()]
-    path = os.pathsep.join([str(ROOT), str(ROOT / "workflow")])
-    done = subprocess.run(
-        words, cwd=folder, capture_output=True, text=True, env={**os.environ, "PYTHONPATH": path}
-    )
-    assert done.returncode == 0, done.stderr
 
 
 def record(folder, name, scale=1.0, period_s=1.0):
