@@ -247,7 +247,7 @@ def test_curve_of_the_bonded_building_separates_and_resumes(tmp_path):
     (tmp_path / "scene.json").write_text(json.dumps(job("CBc", settings)))
     (tmp_path / "plan.json").write_text(json.dumps({"start_g": 0.3, "islands": []}))
     floor_motions.write(tmp_path / "motion.csv", T, pulses())
-    words = ["complete", "--scene", "scene.json", "--motion", "motion.csv", "--record", "pulse"]
+    words = ["ida", "--scene", "scene.json", "--motion", "motion.csv", "--record", "pulse"]
     words += ["--direction", "pos", "--plan", "plan.json", "--journal", "j.jsonl"]
     tables = []
     for name in ("one.csv", "two.csv"):

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pandas as pd
 import pytest
+from rocking import Case, Motion
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.solver.plane import prepare
@@ -178,16 +179,16 @@ def test_worth_of_a_roof_is_the_static_one():
     pressed part of the base; collapse at the next level above it.
     """
     config = resolved(numerics={**FEW, "after_motion_s": 0.5})
-    job = {**config, "model": "W1", "beta_s": BETA_S}
+    config["ida"] |= {"level_ratio": 0.02, "beyond": 1.03, "max_pga_g": 1.0}
+    config["ensemble"] |= {"members": 2, "amplitude_spread": 0.02}
+    case = Case({**config, "model": "W1", "beta_s": BETA_S})
     f = config["facade"]
     h, b = f["height_m"], f["thickness_m"]
     weight = f["density_kg_m3"] * h * b * f["width_m"] * G
     t = np.linspace(0.0, 6.0, 301)
     push = G * 0.5 * (1.0 - np.cos(np.pi * np.minimum(t / 3.0, 1.0)))
     settings = {"loads_kn": [60.0], "frictions": [0.0, 0.3]}
-    scan = {"level_ratio": 0.02, "beyond": 1.03, "max_pga_g": 1.0, "members": 2}
-    scan["amplitude_spread"] = 0.02
-    found = restraint.table(job, t, {"ground": -push}, "pos", settings, scan)
+    found = restraint.table(case, Motion(floors=(t, {"ground": -push})), "pos", settings)
     theta = np.linspace(1e-3, 0.06, 2000)
     for row in found.itertuples():
         total = weight + 1e3 * row.load_kn
@@ -206,12 +207,14 @@ def test_what_yade_confirms_of_a_roof():
     rows = [(20.0, 0.2, 4.0, 0.1, 0.2, 0.2, 0.3, 3.0), (60.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 3.0)]
     rows += [(60.0, 0.1, 6.0, 9.0, 9.0, 9.0, 9.0, 9.0), (60.0, 0.4, 24.0, 0.5, 1.0, 2, np.nan, 3)]
     names = ["load_kn", "friction", "capacity_kn", *restraint.INTENSITIES]
-    cases = restraint.to_confirm(config, pd.DataFrame(rows, columns=names))
-    assert [(c["force_kn"], c["pga_g"]) for c in cases] == [(0.0, 0.19), (0.0, 0.42), (24.0, 0.95)]
+    cases = restraint.to_confirm(Case(config), pd.DataFrame(rows, columns=names))
+    wanted = [(0.0, [0.19]), (0.0, [0.42]), (24.0, [0.95])]
+    assert [(c["about"]["force_kn"], c["pga_g"]) for c in cases] == wanted
     for case in cases:
-        own, roof = case["facade"]["floors"]
-        assert (own["anchor_kn"], roof["height_m"], roof["load_kn"]) == (4.0, case["height_m"], 60)
-        assert configuration.resolve({"facade": case["facade"]})["facade"] == case["facade"]
+        facade, height = case["changes"]["facade"], case["about"]["height_m"]
+        own, roof = facade["floors"]
+        assert (own["anchor_kn"], roof["height_m"], roof["load_kn"]) == (4.0, height, 60)
+        assert configuration.resolve({"facade": facade})["facade"] == facade
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pandas as pd
 import pytest
+from rocking import Case, Motion
 from rocking.configuration.config import ConfigError
 from rocking.solver.plane import prepare
 from rocking.solver.runs import Motions, history
@@ -201,7 +202,7 @@ def test_the_least_tie_is_the_weakest_from_which_all_hold():
     assert found.loc[3.0, "force_high_kn"] == 40.0  # 3 of 61: up to 0.14 with 95 %
     assert np.isnan(found.loc[6.0, "force_kn"])
     choice = strengthening.best(strengthening.least(table, 0.1))
-    assert strengthening.to_confirm(table, choice) == [(3.0, 20.0), (3.0, 30.0)]
+    assert strengthening.weakest(table, choice) == [(3.0, 20.0), (3.0, 30.0)]
     assert strengthening.best(strengthening.least(table[table["height_m"] == 6.0], 0.1)) is None
 
 
@@ -230,6 +231,7 @@ def test_search_finds_the_static_answer():
     turn = settings["yield_mpa"] / 2e5 * settings["length_m"] / z
     toe = math.sqrt(2.0 * weight / (f["e_mpa"] * 1e6 / h * f["width_m"] * turn))
     expected = (push * weight * 0.5 * h - weight * (0.5 * b - toe / 3.0)) / z / 1e3
-    table = strengthening.search(job, time_s, {"ground": -ground}, "pos", settings)
+    motion = Motion(floors=(time_s, {"ground": -ground}))
+    table = strengthening.search(Case(job), motion, "pos", settings)
     (found,) = strengthening.least(table, 0.5)["force_kn"]
     assert found == pytest.approx(expected, rel=0.04)

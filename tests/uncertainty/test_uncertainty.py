@@ -184,9 +184,9 @@ def test_a_cell_in_yade_is_the_planar_cell(tmp_path):
     t = np.linspace(0.0, 1.2, 121)
     ground = np.sin(np.pi * t / 1.2) ** 2 * np.sin(2.0 * np.pi * t / 0.6)
     cell = {"record": "R", "direction": "neg", "model": "W1", "pga_g": [0.15], "scene": job}
-    cell |= {"time_s": t.tolist(), "columns": {"ground": ground.tolist()}}
-    (tmp_path / "cells.json").write_text(json.dumps({"cell1": cell}))
-    words = ["cells", "--cells", "cells.json", "--output", "out.csv", "--cell"]
+    cell |= {"motion": {"time_s": t.tolist(), "columns": {"ground": ground.tolist()}}}
+    (tmp_path / "cells.json").write_text(json.dumps({"cases": {"cell1": cell}}))
+    words = ["runs", "--list", "cells.json", "--journal", "j", "--output", "out.csv", "--case"]
     done = run_study(*words, "cell1", folder=tmp_path)
     assert done.returncode == 0, done.stderr
     with open(tmp_path / "out.csv", newline="") as handle:

@@ -166,7 +166,7 @@ rule complete_ida:
         motion=of_run(rules.floor_motions.output[0]),
         plan=rules.complete_plan.output[0],
         yade=rules.yade_check.output[0],
-        modules=study_code("complete"),
+        modules=study_code("ida"),
     output:
         results("ida/{complete}/{record}_{direction}.csv"),
     log:
@@ -177,7 +177,7 @@ rule complete_ida:
         yade=YADE,
         journal=results("cache/complete/{complete}_{record}_{direction}.jsonl"),
     shell:
-        "{params.yade} complete --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} ida --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction} --plan {input.plan:q}"
         " --journal {params.journal:q} --output {output:q} 2> {log:q}"
 

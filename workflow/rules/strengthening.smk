@@ -42,7 +42,7 @@ rule strengthen_yade:
         motion=of_run(rules.floor_motions.output[0]),
         plan=rules.strengthen.output.plan,
         yade=rules.yade_check.output[0],
-        modules=study_code("strengthening"),
+        modules=study_code("runs"),
     output:
         results("strengthening/{model}/{record}_{direction}_yade.csv"),
     log:
@@ -53,9 +53,9 @@ rule strengthen_yade:
         yade=YADE,
         journal=results("cache/strengthening/{model}_{record}_{direction}.jsonl"),
     shell:
-        "{params.yade} strengthening --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} runs --scene {input.scene:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
-        " --plan {input.plan:q} --journal {params.journal:q} --output {output:q} 2> {log:q}"
+        " --list {input.plan:q} --journal {params.journal:q} --output {output:q} 2> {log:q}"
 
 
 rule figure_strengthening:

@@ -77,39 +77,41 @@ rule figure_two_components:
         "../scripts/two_components/figure_two_components.py"
 
 
-rule two_components_scene:
+# One curve at the intensities of the compiled solver, in YADE: ask for the file.
+rule two_components_runs:
     input:
         scene=rules.scene.output[0],
-        modules=code("two_components/two_components_scene"),
+        curves=rules.two_components_curves.output[0],
+        modules=code("two_components/two_components_runs"),
     output:
-        results("scenes/{model}_two_components.json"),
+        results("two_components/{model}_{record}_{direction}.json"),
     log:
-        logs("scene_{model}_two_components"),
+        logs("two_components_runs_{model}_{record}_{direction}"),
     params:
         settings=lambda w: RUNS.cfg(w)["two_components"],
     script:
-        "../scripts/two_components/two_components_scene.py"
+        "../scripts/two_components/two_components_runs.py"
 
 
-# One curve at the intensities of the compiled solver, in YADE: ask for the file.
 rule two_components_yade:
     input:
-        scene=rules.two_components_scene.output[0],
+        runs=rules.two_components_runs.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         second=motion_along,
-        curves=rules.two_components_curves.output[0],
         yade=rules.yade_check.output[0],
-        modules=study_code("two_components"),
+        modules=study_code("runs"),
     output:
         results("two_components/{model}_{record}_{direction}_yade.csv"),
     log:
         logs("two_components_{model}_{record}_{direction}_yade"),
     params:
         yade=YADE,
+        journal=results("cache/two_components/{model}_{record}_{direction}.jsonl"),
     shell:
-        "{params.yade} two_components --scene {input.scene:q} --motion {input.motion:q}"
-        " --second {input.second:q} --curves {input.curves:q} --record {wildcards.record:q}"
-        " --direction {wildcards.direction} --output {output:q} 2> {log:q}"
+        "{params.yade} runs --list {input.runs:q} --motion {input.motion:q}"
+        " --second {input.second:q} --record {wildcards.record:q}"
+        " --direction {wildcards.direction} --journal {params.journal:q}"
+        " --output {output:q} 2> {log:q}"
 
 
 rule two_components:

@@ -77,16 +77,17 @@ rule uncertainty_yade:
     input:
         cells=rules.uncertainty_cells.output[0],
         yade=rules.yade_check.output[0],
-        modules=study_code("cells"),
+        modules=study_code("runs"),
     output:
         results("uncertainty/yade/{cell}.csv"),
     log:
         logs("uncertainty_yade_{cell}"),
     params:
         yade=YADE,
+        journal=results("cache/uncertainty/{cell}.jsonl"),
     shell:
-        "{params.yade} cells --cells {input.cells:q} --cell {wildcards.cell:q}"
-        " --output {output:q} 2> {log:q}"
+        "{params.yade} runs --list {input.cells:q} --case {wildcards.cell:q}"
+        " --journal {params.journal:q} --output {output:q} 2> {log:q}"
 
 
 rule uncertainty_confirm:

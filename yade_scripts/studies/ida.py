@@ -1,6 +1,7 @@
 """Entry point: the incremental dynamic analysis of one model, record and direction.
 
-Runs under YADE's own Python, all intensities in one process:
+Runs under YADE's own Python, all intensities in one process; the complete building's case holds
+its scene:
 
     python3 yade_scripts ida --scene scenes/W2.json --motion smdof/RRS228_4dof.csv
         --record RRS228 --direction neg --journal cache/W2_RRS228_neg.jsonl --output ida.csv
@@ -11,11 +12,11 @@ import math
 from yade_scripts.engine import adapter, memory
 from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import models
-from yade_scripts.model.scene import to_json
+from yade_scripts.model.scene import from_dict, to_json
 from yade_scripts.sources import digest
 from yade_scripts.studies import command
 from yade_scripts.studies.journal import Journal, run_key
-from yade_scripts.studies.search import drive, next_listed, one_by_one
+from yade_scripts.studies.search import drive, next_level, next_listed, one_by_one
 from yade_scripts.studies.shaking import run_at
 from yade_scripts.studies.tables import RUN_COLUMNS, to_csv
 
@@ -74,14 +75,29 @@ def curve(scene, numerics, time_s, columns, names, strategy, study, journal, say
 
 
 def analyse(job, time_s, columns, record, direction, journal, say, renew=None, plan=None):
-    """Curve of a scene file, by `plan` or its list of intensities; see `next_listed`."""
+    """Curve of a case file, by a plan's list of intensities or its own; see `next_listed`.
+
+    A case that holds a whole scene, such as the complete building, whose run takes a minute where
+    a planar one takes a millisecond, has a plan with start_g and islands; see `next_level`.
+    """
+    plan = plan or {}
+    if "scene" in job:
+        scene, numerics = from_dict(job["scene"]), job["numerics"]
+        columns = {"ground": columns["ground"]}  # a building takes no other motion
+    else:
+        scene, numerics = models.build_scene(job), models.numerics(job)
+    if "start_g" in plan:
+        own, start, islands = job["complete"], plan["start_g"], plan["islands"]
+        strategy = one_by_one(lambda done: next_level(done, own, start, islands))
+    else:
+        strategy = one_by_one(lambda done: next_listed(done, job["ida"], plan.get("runs")))
     return curve(
-        models.build_scene(job),
-        models.numerics(job),
+        scene,
+        numerics,
         time_s,
         columns,
         (job["model"], record, direction),
-        one_by_one(lambda done: next_listed(done, job["ida"], plan)),
+        strategy,
         __file__,
         journal,
         say,
@@ -92,11 +108,15 @@ def analyse(job, time_s, columns, record, direction, journal, say, renew=None, p
 def main(arguments=None):
     """Parse the command line, run the analysis, write the table; return the exit status."""
     parser = command.parser(__doc__, *command.CURVE, "journal", output="table to write (CSV)")
-    parser.add_argument("--plan", help="intensities from the dense scan (JSON)")
+    parser.add_argument("--plan", help="from the dense scan (JSON)")
     args = parser.parse_args(arguments)
     job, time_s, columns = command.opened(args)
-    if not math.isfinite(job["beta_s"]):
+    plan = read_json(args.plan) if args.plan else {}
+    if not math.isfinite(job.get("beta_s", 0.0)):
         raise ValueError(f"{args.scene}: beta_s must be finite")
+    start = plan.get("start_g", 1.0)
+    if not (math.isfinite(start) and start > 0.0):
+        raise ValueError(f"{args.plan}: start_g must be positive, got {start}")
     adapter.load_yade()
     rows = analyse(
         job,
@@ -107,7 +127,7 @@ def main(arguments=None):
         Journal(args.journal),
         command.speaker(job, args),
         memory.start_afresh,
-        read_json(args.plan)["runs"] if args.plan else None,
+        plan,
     )
     write_atomic(args.output, to_csv(sorted(rows, key=lambda r: r["pga_g"]), COLUMNS))
     return 0

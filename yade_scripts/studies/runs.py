@@ -16,8 +16,8 @@ The list has `cases`, a list or by name, each with::
     about      columns that a row begins with, or by intensity a list of them
     members    true: the members of section ensemble at every intensity
 
-What a case leaves out, the command line says for all. `columns` of the list has the format of the
-columns ahead of those that every table of runs ends with.
+What a case leaves out, the command line says for all. `ahead` and `beside` of the list have the
+format of the columns of `about`, before those that name a run and after them.
 """
 
 import numpy as np
@@ -32,7 +32,8 @@ from yade_scripts.studies.journal import Journal
 from yade_scripts.studies.tables import RUN_COLUMNS, to_csv
 
 GIVEN = ("scene", "motion", "second", "record", "direction")
-COLUMNS = {"model": "", "record": "", "direction": "", "pga_g": ".4f"}
+KEY = {"model": "", "record": "", "direction": "", "pga_g": ".4f"}
+MEMBER = {"member": "d", "amplitude_factor": ".9f"}
 ALONE = perturb.Member(0, 1.0)
 
 
@@ -104,6 +105,8 @@ def main(arguments=None):
     journal, rows = Journal(args.journal), []
     for case in cases:
         rows += run_case(case, journal, command.teller(f"{case['record']} {case['direction']}"))
-    columns = {**listed.get("columns", COLUMNS), **RUN_COLUMNS}
+    members = MEMBER if any(case.get("members") for case in cases) else {}
+    own = listed.get("ahead", {})
+    columns = {**own, **KEY, **own, **listed.get("beside", {}), **members, **RUN_COLUMNS}
     write_atomic(args.output, to_csv(rows, columns))
     return 0

@@ -80,7 +80,8 @@ def collapse_curve(
         A name of `search.SEARCHES`: "scan", "climb", "crossings" or "list".
     settings : dict, optional
         What differs from the case's sections ida and ensemble (level_ratio, beyond, max_pga_g,
-        members, amplitude_spread), start_g, or, of a list, pga_g.
+        members, amplitude_spread); from_g, where a climb begins; of a list, pga_g, and scatter to
+        run them as members.
     options
         Of the solver, see `Screen` and `yade.YadeRuns`.
 
@@ -134,7 +135,7 @@ def strategy(name, case, outcomes, settings):
     """Search of a name, from half the static capacity, or `start_g` of the settings."""
     start = settings.get("from_g") or 0.5 * outcomes.static_g
     if name == "list":
-        return search.listed(settings["pga_g"])
+        return search.listed(settings["pga_g"], settings.get("scatter", False))
     if name in ("climb", "scan"):
         return search.SEARCHES[name](start, settings, outcomes.block)
     if name == "crossings":

@@ -49,9 +49,9 @@ class Seen:
         return self.status == "overturned"
 
 
-def listed(pga_g):
-    """Ask for stated intensities, all at once."""
-    yield Ask(np.sort(np.asarray(pga_g, float)))
+def listed(pga_g, members=False):
+    """Ask for stated intensities, all at once; as members each has nodes and step of its own."""
+    yield Ask(np.sort(np.asarray(pga_g, float)), members)
 
 
 def rising(low, high, ratio):

@@ -92,7 +92,7 @@ class YadeRuns:
     def run(self, pga_g, members=False):
         """Outcomes at some amplitudes; members are run with the scene's own nodes and step."""
         listed = {"cases": [{**self.case, "pga_g": [float(g) for g in pga_g]}]}
-        listed["columns"] = {"pga_g": ".17g"}
+        listed["ahead"] = {"pga_g": ".17g"}
         (self.folder / "runs.json").write_text(json.dumps(listed))
         words = ("--list", "runs.json", "--journal", "journal.jsonl", "--output", "runs.csv")
         run_yade("runs", *words, folder=self.folder, limit_s=self.limit_s)

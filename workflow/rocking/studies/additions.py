@@ -1,5 +1,6 @@
 """Whether a façade can have what `strengthening` and `restraint` add to it."""
 
+from rocking.collapse.case import Case
 from rocking.configuration.config import ConfigError
 from rocking.configuration.facade import check_facade
 from rocking.studies import restraint, strengthening
@@ -27,13 +28,13 @@ def planar_models(resolved, target):
     models = [model for model in resolved["models"] if MODELS[model].twin]
     if not models:
         raise ConfigError(f"models = {resolved['models']}: expected one with a planar twin")
-    settings = resolved[target]
+    settings, height = resolved[target], resolved["facade"]["height_m"]
     if target == "restraint":
-        trials = [restraint.held(resolved, settings["loads_kn"][0], 0.0)]
+        trials = [restraint.roof(height, settings["loads_kn"][0], 0.0)]
     else:
-        heights = strengthening.trial_heights(settings, resolved["facade"]["height_m"])
+        heights = strengthening.trial_heights(settings, height)
         force = settings["forces_kn"][0]
-        trials = [strengthening.tied(resolved, settings, z, force) for z in heights]
+        trials = [strengthening.tie(settings, z, force) for z in heights]
     for trial in trials:
-        check_facade({**trial, "models": models})
+        check_facade({**Case(resolved).varied(trial).scene, "models": models})
     return models

@@ -2,73 +2,75 @@
 
 import pandas as pd
 
-from rocking.collapse.scan import Screen
-from rocking.configuration import schema
+from rocking.collapse.case import Variant
+from rocking.collapse.curve import collapse_curve
 
 BELOW, ABOVE = 0.95, 1.05  # of the 10 and 90 % intensities: where few and most should fall
-FLOOR = schema.whole()["properties"]["facade"]["properties"]["floors"]["items"]
 INTENSITIES = tuple(f"pga_{name}_g" for name in ("collapse", "p10", "median", "p90", "max"))
+AHEAD = {"height_m": ".6g", "force_kn": ".6g"}  # columns of YADE's table
 
 
-def held(job, load_kn, friction):
-    """Scene file or configuration of a façade with one more floor on its top; none without load."""
-    if load_kn == 0.0:
-        return job
-    facade = job["facade"]
-    row = {"height_m": facade["height_m"], "load_kn": load_kn, "friction": friction}
-    floors = [*facade["floors"], schema.complete(row, FLOOR)]
-    return {**job, "facade": {**facade, "floors": floors}}
+def roof(height_m, load_kn, friction):
+    """Variant of a façade with one more floor on its top; none without load."""
+    row = {"height_m": height_m, "load_kn": load_kn, "friction": friction}
+    about = {"load_kn": load_kn, "friction": friction, "capacity_kn": load_kn * friction}
+    return Variant("roof", added={"facade.floors": [row] if load_kn else []}, about=about)
 
 
-def table(job, time_s, columns, direction, settings, scan_settings):
+def variants(height_m, settings):
+    """The façade as it is, then every load with every friction."""
+    pairs = [(p, mu) for p in settings["loads_kn"] for mu in settings["frictions"]]
+    return [roof(height_m, load, friction) for load, friction in [(0.0, 0.0), *pairs]]
+
+
+def table(case, motion, direction, settings):
     """Collapse intensities by load and friction, those without a load first.
 
     Parameters
     ----------
-    job : dict
-        A scene file of a model with a planar twin.
-    time_s, columns, direction
-        See `Screen`.
+    case : Case
+        Of a model with a planar twin.
+    motion, direction
+        See `collapse_curve`.
     settings : dict
         Section restraint: loads_kn, frictions.
-    scan_settings : dict
-        As `Screen.scan` takes.
 
     Returns
     -------
     DataFrame
         load_kn, friction, capacity_kn (μ P), then `INTENSITIES`.
     """
-    pairs = [(0.0, 0.0), *((p, mu) for p in settings["loads_kn"] for mu in settings["frictions"])]
     rows = []
-    for load, friction in pairs:
-        screen = Screen(held(job, load, friction), time_s, columns, direction)
-        found = screen.intensities(scan_settings)
-        rows.append((load, friction, load * friction, *(found[name] for name in INTENSITIES)))
-    return pd.DataFrame(rows, columns=["load_kn", "friction", "capacity_kn", *INTENSITIES])
+    for variant in variants(case["facade"]["height_m"], settings):
+        found = collapse_curve(case.varied(variant), motion, direction).summary()
+        rows.append({**variant.about, **{name: found[name] for name in INTENSITIES}})
+    return pd.DataFrame(rows)
 
 
-def to_confirm(job, found):
+def to_confirm(case, found):
     """Cases for YADE: the largest load with least and most friction, below and above collapse.
 
     Parameters
     ----------
-    job : dict
+    case : Case
     found : DataFrame
         Of `table`.
 
     Returns
     -------
     list of dict
-        height_m, force_kn (μ P), pga_g and the section facade; none beyond what was scanned.
+        As of the study `runs`, members of an ensemble each; none beyond what was scanned.
     """
     most = found[found["load_kn"] == found["load_kn"].max()]
+    height = case["facade"]["height_m"]
     return [
         {
-            "height_m": job["facade"]["height_m"],
-            "force_kn": round(row.capacity_kn, 6),
-            "pga_g": round(pga_g, 4),
-            "facade": held(job, row.load_kn, row.friction)["facade"],
+            "about": {"height_m": height, "force_kn": round(row.capacity_kn, 6)},
+            "pga_g": [round(pga_g, 4)],
+            "changes": {
+                "facade": case.varied(roof(height, row.load_kn, row.friction))["facade"],
+            },
+            "members": True,
         }
         for row in most.iloc[[0, -1]].itertuples()
         for pga_g in (BELOW * row.pga_p10_g, ABOVE * row.pga_p90_g)

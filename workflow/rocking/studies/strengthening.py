@@ -12,9 +12,11 @@ import numpy as np
 import pandas as pd
 from scipy.stats import binomtest
 
-from rocking.collapse.scan import Screen
+from rocking.collapse.case import Variant
+from rocking.collapse.curve import collapse_curve
 
 CONFIDENCE = 0.95
+AHEAD = {"height_m": ".6g", "force_kn": ".6g"}  # columns of YADE's table
 ROD_KEYS = ("count", "length_m", "yield_mpa", "elongation", "slack_mm")
 
 
@@ -48,32 +50,32 @@ def row_of_rods(settings, height_m, force_kn):
     }
 
 
-def tied(job, settings, height_m, force_kn):
-    """Scene file of a façade with one more row of ties; without force, as it is."""
-    if force_kn == 0.0:
-        return job
-    facade = job["facade"]
-    row = row_of_rods(settings, height_m, force_kn)
-    return {**job, "facade": {**facade, "ties": [*facade.get("ties", ()), row]}}
+def tie(settings, height_m, force_kn):
+    """Variant of a façade with one more row of ties; without force, as it is."""
+    rows = [row_of_rods(settings, height_m, force_kn)] if force_kn else []
+    about = {"height_m": height_m, "force_kn": force_kn}
+    return Variant("tie", added={"facade.ties": rows}, about=about)
 
 
-def members(screen, settings, spread):
+def members(case, motion, direction, settings):
     """How many of the members fell at the stated intensity, and of how many; failed ones apart."""
-    n = settings["members"]
-    table = screen.run(settings["pga_g"] * np.linspace(1.0 - spread, 1.0 + spread, n), scatter=True)
-    valid = table[table["status"] != "failed"]
+    spread = case["ensemble"]["amplitude_spread"]
+    pga_g = settings["pga_g"] * np.linspace(1.0 - spread, 1.0 + spread, settings["members"])
+    how = {"pga_g": pga_g, "scatter": True}
+    found = collapse_curve(case, motion, direction, search="list", settings=how)
+    valid = found.table[found.status != "failed"]
     return int(valid["collapsed"].sum()), len(valid)
 
 
-def search(job, time_s, columns, direction, settings):
+def search(case, motion, direction, settings):
     """Collapse probability at the stated intensity, by height and force of the row.
 
     Parameters
     ----------
-    job : dict
-        A scene file of a model with a planar twin.
-    time_s, columns, direction
-        See `Screen`.
+    case : Case
+        Of a model with a planar twin.
+    motion, direction
+        See `collapse_curve`.
     settings : dict
         Section strengthening.
 
@@ -83,16 +85,15 @@ def search(job, time_s, columns, direction, settings):
         height_m, force_kn, fell, members, probability, low, high (Wilson, 95 %); by height and
         force.
     """
-    spread = job["ensemble"]["amplitude_spread"]
     rows: list[tuple] = []
     bare: tuple | None = None
-    for height in trial_heights(settings, job["facade"]["height_m"]):
+    for height in trial_heights(settings, case["facade"]["height_m"]):
         for force in trial_forces(settings, settings["levels"]):
             if force == 0.0 and bare:
                 fell, n = bare
             else:
-                screen = Screen(tied(job, settings, height, force), time_s, columns, direction)
-                fell, n = members(screen, settings, spread)
+                tied = case.varied(tie(settings, height, force))
+                fell, n = members(tied, motion, direction, settings)
                 bare = bare or (fell, n)
             band = binomtest(fell, n).proportion_ci(CONFIDENCE, "wilson") if n else None
             low, high = (band.low, band.high) if band else (np.nan, np.nan)
@@ -139,7 +140,7 @@ def best(table):
     return None if weakest.empty else weakest.iloc[-1]
 
 
-def to_confirm(table, choice):
+def weakest(table, choice):
     """Height and forces that YADE confirms: the least tie, and the strongest weaker one."""
     if choice is None:
         return []
@@ -148,13 +149,21 @@ def to_confirm(table, choice):
     return [(float(choice["height_m"]), float(f)) for f in (*weaker, choice["force_kn"])]
 
 
-def curve(job, time_s, columns, direction, settings, scan_settings, height_m):
-    """Collapse intensities against the force of a row at one height.
+def to_confirm(case, table, choice, settings):
+    """Cases for YADE's study `runs`: the ties of `weakest`, members of an ensemble each."""
+    return [
+        {
+            "about": {"height_m": round(z, 6), "force_kn": round(force, 6)},
+            "pga_g": [settings["pga_g"]],
+            "changes": {"facade": case.varied(tie(settings, z, force))["facade"]},
+            "members": True,
+        }
+        for z, force in weakest(table, choice)
+    ]
 
-    Parameters
-    ----------
-    scan_settings : dict
-        As `Screen.scan` takes.
+
+def curve(case, motion, direction, settings, height_m):
+    """Collapse intensities against the force of a row at one height.
 
     Returns
     -------
@@ -164,8 +173,8 @@ def curve(job, time_s, columns, direction, settings, scan_settings, height_m):
     """
     rows = []
     for force in trial_forces(settings, settings["curve_levels"]):
-        screen = Screen(tied(job, settings, height_m, force), time_s, columns, direction)
-        found = screen.intensities(scan_settings)
-        rows.append({"height_m": height_m, "force_kn": force, **found})
+        variant = tie(settings, height_m, force)
+        found = collapse_curve(case.varied(variant), motion, direction).summary()
+        rows.append({**variant.about, **found})
     names = ("safe", "collapse", "p10", "median", "p90", "all", "max")
     return pd.DataFrame(rows)[["height_m", "force_kn", *(f"pga_{name}_g" for name in names)]]

@@ -38,6 +38,28 @@ def with_nodes(job, more=0):
     return {**job, "numerics": numerics}
 
 
+def runs(case, row, settings):
+    """What YADE runs of one row of the table: the compiled solver's intensities and its d/b.
+
+    Returns
+    -------
+    dict
+        As of the study `runs`; d_over_b_compiled is 1 where that solver's façade fell.
+    """
+    names = (("half_g", "d_two"), ("last_g", "last_d_two"), ("two_g", None))
+    known = [(row[g], row[d] if d else 1.0) for g, d in names if np.isfinite(row[g])]
+    return {
+        "beside": {"d_over_b_compiled": ".6g"},
+        "cases": [
+            {
+                "scene": full(case.scene, settings),
+                "pga_g": [float(pga_g) for pga_g, _ in known],
+                "about": [{"d_over_b_compiled": min(float(d), 1.0)} for _, d in known],
+            }
+        ],
+    }
+
+
 class Curve:
     """One model, record and direction under one component and under both.
 

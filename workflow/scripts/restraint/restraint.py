@@ -3,24 +3,21 @@
 import json
 from pathlib import Path
 
+from rocking import Case, Motion
 from rocking.runtime.script import run
 from rocking.studies import restraint
 from rocking.tables import write_table
 
-from yade_scripts.model import floor_motions
-
 
 def main(job):
-    scene = json.loads(Path(job.input.scene).read_text())
-    settings = json.loads(job.params.settings)["restraint"]
-    ensemble = {key: scene["ensemble"][key] for key in ("members", "amplitude_spread")}
-    w, motion = job.wildcards, floor_motions.read(job.input.motion)
-    found = restraint.table(scene, *motion, w.direction, settings, {**scene["ida"], **ensemble})
-    plan = {"cases": restraint.to_confirm(scene, found)}
+    settings, w = json.loads(job.params.settings)["restraint"], job.wildcards
+    case, motion = Case.read(job.input.scene), Motion.read_floors(job.input.motion)
+    found = restraint.table(case, motion, w.direction, settings)
+    plan = {"ahead": restraint.AHEAD, "cases": restraint.to_confirm(case, found)}
     for place, name in enumerate(("model", "record", "direction")):
         found.insert(place, name, getattr(w, name))
     write_table(found, job.output.table)
-    Path(job.output.plan).write_text(json.dumps(plan, indent=1, sort_keys=True) + "\n")
+    Path(job.output.plan).write_text(json.dumps(plan, indent=1) + "\n")
 
 
 run(main, globals())

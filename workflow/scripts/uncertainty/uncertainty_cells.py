@@ -40,10 +40,12 @@ def main(job):
             "pga_g": levels,
             "planar": found[["d_over_b", "status"]].to_dict("list"),
             "scene": case,
-            "time_s": motion[0].tolist(),
-            "columns": {name: values.tolist() for name, values in motion[1].items()},
+            "motion": {
+                "time_s": motion[0].tolist(),
+                "columns": {name: values.tolist() for name, values in motion[1].items()},
+            },
         }
-    Path(job.output[0]).write_text(json.dumps(cells) + "\n")
+    Path(job.output[0]).write_text(json.dumps({"cases": cells}) + "\n")
 
 
 run(main, globals())

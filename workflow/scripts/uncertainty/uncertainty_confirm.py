@@ -12,7 +12,7 @@ COLUMNS += ["d_over_b_planar", "status_planar", "d_over_b_yade", "status_yade", 
 
 
 def main(job):
-    cells = json.loads(Path(job.input.cells).read_text())
+    cells = json.loads(Path(job.input.cells).read_text())["cases"]
     rows = []
     for path in job.input.yade:
         own, found = cells[Path(path).stem], pd.read_csv(path)
