@@ -111,9 +111,26 @@ def test_units_only_scale_the_median(logs, factor, top):
     if np.isnan(one.median):
         assert np.isnan(other.median)
         return
-    assert other.median == pytest.approx(factor * one.median, rel=1e-4)
-    # brackets that only just touch: a flat top of the likelihood near the smallest dispersion
-    assert other.dispersion == pytest.approx(one.dispersion, rel=1e-3, abs=1e-3)
+    assert other.median == pytest.approx(factor * one.median, rel=1e-6)
+    assert other.dispersion == pytest.approx(one.dispersion, rel=1e-6)
+
+
+@pytest.mark.parametrize(("below", "above"), [(1, 1), (1, 2), (4, 1)])
+def test_brackets_that_meet_in_one_point_have_the_smallest_dispersion(below, above):
+    """As β falls the likelihood rises to its bound; the median is the likeliest one there."""
+    low = np.r_[np.full(below, 0.18), np.full(above, 0.2), 0.1]
+    high = np.r_[np.full(below, 0.2), np.full(above, 0.21), np.inf]
+    found = fragility.fit(low, high)
+    assert found.dispersion == fragility.MIN_DISPERSION
+    medians = np.linspace(0.19, 0.21, 4001)
+    p = ndtr(np.log(high[:, None] / medians) / found.dispersion) - ndtr(
+        np.log(low[:, None] / medians) / found.dispersion
+    )
+    likeliest = medians[np.argmax(np.log(p).sum(axis=0))]
+    assert found.median == pytest.approx(likeliest, abs=1.1e-5)
+    shifted = fragility.fit(low * (1.0 + 1e-13), high)
+    assert shifted.median == pytest.approx(found.median, rel=1e-9)
+    assert shifted.dispersion == found.dispersion
 
 
 @settings(max_examples=60, deadline=None)

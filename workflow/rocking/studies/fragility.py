@@ -17,10 +17,11 @@ is the binomial likelihood of Shinozuka et al. (2000) and Baker (2015, Earthquak
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import log_ndtr, ndtr
+from scipy.special import log_ndtr, ndtr, ndtri
 
 MIN_DISPERSION = 0.01  # brackets that all overlap would let it go to zero
 MAX_DISPERSION = 5.0
+TOUCHING = 1e-9  # brackets whose ends differ by less, of the intensity, meet in one point
 _STEPS = 200
 _LOG_ROOT_2PI = 0.5 * np.log(2.0 * np.pi)
 
@@ -164,6 +165,8 @@ def _fit_weighted(low, high, weights):
     """
     with np.errstate(divide="ignore"):
         x = np.stack([np.log(low), np.log(high)])  # −∞ and ∞ where open
+    origin = x[np.isfinite(x)].mean()  # so that the unit of the intensities changes nothing below
+    x = x - origin
     centre = np.where(
         np.isfinite(x[0]) & np.isfinite(x[1]),
         0.5 * (x[0] + x[1]),
@@ -200,14 +203,35 @@ def _fit_weighted(low, high, weights):
     median = np.exp(np.clip(a / t, -700.0, 700.0))
     # without a collapse, or without an intensity that stood, the maximum lies at infinity or zero
     collapses, stands = weights @ np.isfinite(x[1]), weights @ np.isfinite(x[0])
-    # brackets with a common part determine no dispersion: the smallest, in the middle of that part
+    limit, narrow = _narrowest(x, weights)
+    median = np.exp(origin) * np.where(narrow, limit, median)
+    median = np.where(collapses == 0, np.inf, np.where(stands == 0, 0.0, median))
+    return median, np.where(narrow, MIN_DISPERSION, 1.0 / t)
+
+
+def _narrowest(x, weights):
+    """Median where the likelihood grows, or stays, down to the smallest dispersion.
+
+    Brackets with a common part determine no dispersion: the middle of that part. If all of them
+    meet in one point c, the likelihood tends to its bound ever more slowly as β falls; there, with
+    the weights n₁ of the brackets below c and n₂ above, Φ[ln(c/θ)/β] = n₁/(n₁ + n₂), which the ends
+    of the brackets no longer change.
+
+    Returns
+    -------
+    median : ndarray, shape (m,)
+    narrow : ndarray of bool, shape (m,)
+    """
     inner_low = np.where(weights > 0, x[0], -np.inf).max(axis=1)
     inner_high = np.where(weights > 0, x[1], np.inf).min(axis=1)
-    common = inner_low < inner_high
     with np.errstate(over="ignore", invalid="ignore"):
-        median = np.where(common, np.exp(0.5 * (inner_low + inner_high)), median)
-    median = np.where(collapses == 0, np.inf, np.where(stands == 0, 0.0, median))
-    return median, np.where(common, MIN_DISPERSION, 1.0 / t)
+        middle, overlap = 0.5 * (inner_low + inner_high), inner_high - inner_low
+        below = np.sum(weights * (x[1] <= inner_high[:, None] + TOUCHING), axis=1)
+        above = np.sum(weights * (x[0] >= inner_low[:, None] - TOUCHING), axis=1)
+        share = ndtri(below / np.maximum(below + above, 1e-300))
+        met = np.exp(middle - share * MIN_DISPERSION)
+        median = np.where(np.abs(overlap) <= TOUCHING, met, np.exp(middle))
+    return median, overlap >= -TOUCHING
 
 
 def _log_likelihood(a, t, x, weights):
