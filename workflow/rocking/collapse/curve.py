@@ -155,11 +155,14 @@ class History:
     d_over_b : float
         Largest |d|/b; NaN where the run failed.
     status : str
+    broken : int or None
+        Bonds that broke; None where the solver does not count them.
     """
 
     table: pd.DataFrame
     d_over_b: float
     status: str
+    broken: int | None = None
 
 
 def history(case, motion, direction="pos", pga_g=0.1, *, solver="planar", sample_s=0.01):
@@ -210,4 +213,4 @@ def history(case, motion, direction="pos", pga_g=0.1, *, solver="planar", sample
             "rotation_rad": -found.pose[:, 2],
         }
     )
-    return History(table, found.peak_d_over_b, found.status)
+    return History(table, found.peak_d_over_b, found.status, found.broken)

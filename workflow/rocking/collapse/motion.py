@@ -10,7 +10,7 @@ from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import amplitude
 
 TABLE = Path(__file__).resolve().parents[3] / "config" / "records.tsv"
-PAUSE_S = 5.0  # between two shocks, beyond the free vibration of the first (smdof.tail_s)
+PAUSE_S = 10.0  # between two shocks, beyond the free vibration of the first (smdof.tail_s)
 
 
 @dataclass(frozen=True)
@@ -23,6 +23,8 @@ class Motion:
         The horizontal motion across the façade, with its vertical one where that counts.
     floors : (time_s, columns), or None
         Floor motions instead of a record, as `floor_motions.read` gives them.
+    label : str
+        Name of floor motions.
     first : Motion, or None
         A shock before this one, on the same case and in the same direction.
     first_pga_g : float
@@ -39,6 +41,7 @@ class Motion:
 
     record: Any = None
     floors: tuple | None = None
+    label: str = ""
     first: "Motion | None" = None
     first_pga_g: float = 0.0
     pause_s: float = PAUSE_S
@@ -54,21 +57,21 @@ class Motion:
         return cls(read_record(str(path), **how))
 
     @classmethod
-    def read_floors(cls, path):
+    def read_floors(cls, path, name=""):
         """Floor motions of a file, see `floor_motions.read`."""
-        return cls(floors=floor_motions.read(path))
+        return cls(floors=floor_motions.read(path), label=name)
 
     @property
     def name(self):
-        """Name of the record; empty for floor motions."""
-        return self.record.name if self.record is not None else ""
+        """Name of the record, or of the floor motions."""
+        return self.record.name if self.record is not None else self.label
 
     def varied(self, variant):
         """Return the motion with a variant's changes.
 
         Its `motion` may hold: vertical, the share of the vertical motion that counts; surrogate,
-        the keywords of `named` whose motion of the same name takes its place; first, the keywords
-        of `named` for a shock before it; first_pga_g; pause_s.
+        the keywords of `named` whose motion of the same name takes its place; first, a Motion
+        before it or the keywords of `named`; first_pga_g; pause_s.
 
         Raises
         ------
@@ -83,7 +86,7 @@ class Motion:
             record = replace(out.record, vertical_m_s2=share * up if share else None)
             out = replace(out, record=record)
         if (how := given.pop("first", None)) is not None:
-            out = replace(out, first=Motion.named(**how))
+            out = replace(out, first=how if isinstance(how, Motion) else Motion.named(**how))
         for key in {"first_pga_g", "pause_s"} & given.keys():
             out = replace(out, **{key: given.pop(key)})
         if given:

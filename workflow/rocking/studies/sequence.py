@@ -1,0 +1,117 @@
+"""What a first shock leaves for the second: collapse PGA of a motion after another one.
+
+The first shock has a stated PGA, the second is searched for collapse, on the same façade and in the
+same direction, after a pause in which the façade comes to rest. What the first leaves is what
+the model remembers: bonds and headers that broke, bricks that slid, and where the façade stands.
+"""
+
+import pandas as pd
+
+from rocking.collapse.case import Variant
+from rocking.collapse.curve import collapse_curve, history
+from rocking.collapse.ratios import Ratios
+
+KEY = ["model", "record", "first", "direction"]
+COLUMNS = [*KEY, "first_pga_g", "fell_first", "left_d_over_b", "left_broken"]
+COLUMNS += ["pga_p10_g", "pga_median_g", "ratio", "runs_planar"]
+SUMMARY = ["model", "first_pga_g", "n", "n_fell_first", "n_censored", "median", "least", "most"]
+SUMMARY += ["below_095"]
+BELOW, ABOVE = 0.9, 1.1  # of the PGA of 10 and of 50 % collapse, where YADE confirms
+AHEAD = {"first_pga_g": ".6g"}  # columns of YADE's table
+BESIDE = {"d_over_b_planar": ".6f", "status_planar": ""}
+
+
+def variants(settings, first):
+    """The façade as it is, then after the first shock at every stated PGA.
+
+    Parameters
+    ----------
+    settings : dict
+        Section sequence: first_pga_g, pause_s.
+    first : Motion
+    """
+    levels = [0.0, *settings["first_pga_g"]]
+    pause = {"first": first, "pause_s": settings["pause_s"]}
+    return [
+        Variant(f"after {g:g} g", motion={**pause, "first_pga_g": g}, about={"first_pga_g": g})
+        for g in levels
+    ]
+
+
+def left_by(case, first, direction, pga_g):
+    """What the first shock leaves: whether the façade fell, d/b at rest, joints that broke."""
+    if not pga_g:
+        return {"fell_first": 0, "left_d_over_b": 0.0, "left_broken": 0}
+    found = history(case, first, direction, pga_g)
+    if found.status == "overturned":
+        return {"fell_first": 1}
+    rest = float(found.table["d_over_b"].iloc[-1])
+    return {"fell_first": 0, "left_d_over_b": rest, "left_broken": found.broken}
+
+
+def collapse(case, first, second, direction, settings):
+    """Collapse of the second shock after the first, by the first one's PGA.
+
+    Returns
+    -------
+    DataFrame
+        COLUMNS; ratio of pga_median_g to that of the façade as it is, blank where the first shock
+        alone overturns it or nothing falls up to ida.max_pga_g.
+    """
+    rows = []
+    for variant in variants(settings, first):
+        pga_g = variant.about["first_pga_g"]
+        row = {"model": case.model, "record": second.name, "first": first.name}
+        row |= {"direction": direction, **variant.about, **left_by(case, first, direction, pga_g)}
+        if not row["fell_first"]:
+            shaken = second.varied(variant)
+            found = collapse_curve(case, shaken, direction, search="crossings")
+            row |= dict(zip(("pga_p10_g", "pga_median_g"), found.found, strict=True))
+            row["runs_planar"] = found.runs
+        rows.append(row)
+    table = pd.DataFrame(rows).reindex(columns=COLUMNS)
+    return table.assign(ratio=table["pga_median_g"] / table["pga_median_g"].iloc[0])
+
+
+def to_confirm(case, first, second, table, pause_s):
+    """Cases for YADE's study `runs`: undamaged, and after the strongest shock that it survived.
+
+    Each below and above the second's collapse, with the planar solver's answer; the file of the
+    first motion is the caller's to name.
+    """
+    stood = table[(table["fell_first"] == 0) & table["pga_median_g"].notna()]
+    chosen = stood.iloc[sorted({0, len(stood) - 1})] if len(stood) else stood
+    cases = []
+    for row in chosen.to_dict("records"):
+        shock = {"first": first, "first_pga_g": row["first_pga_g"], "pause_s": pause_s}
+        levels = [BELOW * row["pga_p10_g"], ABOVE * row["pga_median_g"]]
+        shaken = second.varied(Variant(motion=shock))
+        how = {"pga_g": [round(g, 4) for g in levels]}
+        planar = collapse_curve(case, shaken, row["direction"], search="list", settings=how).table
+        about = [
+            {"first_pga_g": row["first_pga_g"], "d_over_b_planar": d, "status_planar": status}
+            for d, status in zip(planar["d_over_b"], planar["status"], strict=True)
+        ]
+        cases.append({"pga_g": how["pga_g"], "about": about})
+        if row["first_pga_g"]:
+            cases[-1]["before"] = {"pga_g": row["first_pga_g"], "pause_s": pause_s}
+    return cases
+
+
+def summary(table):
+    """Spread of the ratios by model and the first shock's PGA.
+
+    Returns
+    -------
+    DataFrame
+        SUMMARY: median, least and largest ratio; below_095, the share that loses over 5 %.
+    """
+    rows = []
+    damaged = table[table["first_pga_g"] > 0.0]
+    for (model, pga_g), part in damaged.groupby(["model", "first_pga_g"], sort=False):
+        stood = part[part["fell_first"] == 0]
+        found = Ratios(stood["ratio"])
+        least, middle, most = found.percentiles([0, 50, 100])
+        key = (model, pga_g, len(part), len(part) - len(stood), found.n_censored)
+        rows.append((*key, middle, least, most, found.share(high=0.95)))
+    return pd.DataFrame(rows, columns=SUMMARY)

@@ -1,0 +1,89 @@
+# What a first shock leaves for the second: ask for `sequence`.
+
+
+def first_shock(wildcards):
+    """Name of the record that comes first; one that is not in the table ends the workflow."""
+    name = RUNS.cfg(wildcards)["sequence"]["first"] or wildcards.record
+    return RUNS.needed(wildcards.run, "sequence.first", [name])[0]
+
+
+def searched(run):
+    """Models of a run whose curves the planar solver can search."""
+    return [m for m in RUNS.settings[run]["models"] if MODELS[m].scanned]
+
+
+rule sequence_collapse:
+    input:
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        first=lambda w: of_run(rules.floor_motions.output[0])(
+            Of(run=w.run, record=first_shock(w))
+        ),
+        modules=code("sequence/sequence_collapse"),
+    output:
+        table=results("sequence/{model}/{record}_{direction}.csv"),
+        runs=results("sequence/{model}/{record}_{direction}.json"),
+    log:
+        logs("sequence_{model}_{record}_{direction}"),
+    benchmark:
+        benchmarks("sequence_{model}_{record}_{direction}")
+    params:
+        settings=lambda w: RUNS.cfg(w)["sequence"],
+        first=first_shock,
+        record=lambda w: w.record,
+    script:
+        "../scripts/sequence/sequence_collapse.py"
+
+
+# Below and above the second's collapse, in YADE: ask for the file.
+rule sequence_yade:
+    input:
+        runs=rules.sequence_collapse.output.runs,
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        first=rules.sequence_collapse.input.first,
+        yade=rules.yade_check.output[0],
+        modules=study_code("runs"),
+    output:
+        results("sequence/{model}/{record}_{direction}_yade.csv"),
+    log:
+        logs("sequence_yade_{model}_{record}_{direction}"),
+    params:
+        yade=YADE,
+        journal=results("cache/sequence/{model}_{record}_{direction}.jsonl"),
+    shell:
+        "{params.yade} runs --list {input.runs:q} --scene {input.scene:q}"
+        " --motion {input.motion:q} --record {wildcards.record:q}"
+        " --direction {wildcards.direction} --journal {params.journal:q}"
+        " --output {output:q} 2> {log:q}"
+
+
+rule sequence_table:
+    input:
+        tables=of_run(rules.sequence_collapse.output.table, model=searched),
+        modules=code("sequence/sequence_table"),
+    output:
+        table=results("tables/sequence.csv"),
+        summary=results("tables/sequence_summary.csv"),
+    log:
+        logs("sequence_table"),
+    script:
+        "../scripts/sequence/sequence_table.py"
+
+
+rule figure_sequence:
+    input:
+        table=rules.sequence_table.output.table,
+        facts=of_run(rules.record.output.facts),
+        modules=code("sequence/figure_sequence"),
+    output:
+        **figure("sequence", "Records", "what a first shock leaves"),
+    log:
+        logs("figure_sequence"),
+    script:
+        "../scripts/sequence/figure_sequence.py"
+
+
+rule sequence:
+    input:
+        every_run(rules.sequence_table.output, rules.figure_sequence.output.png),

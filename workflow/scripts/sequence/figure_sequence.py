@@ -1,0 +1,39 @@
+"""Collapse PGA after a first shock over that without, against the first shock's PGA."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from rocking.figures import style
+from rocking.runtime.script import run
+
+from yade_scripts.model.registry import MODELS
+
+
+def main(job):
+    table = pd.read_csv(job.input.table)
+    models = list(dict.fromkeys(table["model"]))
+    size = (1.2 + 1.75 * len(models), 3.2)
+    figure, axes = plt.subplots(1, len(models), figsize=size, sharey=True, squeeze=False)
+    levels = sorted(set(table["first_pga_g"]))
+    at = {level: k for k, level in enumerate(levels)}
+    for axis, model in zip(axes.flat, models, strict=True):
+        part, kind = table[table["model"] == model], MODELS[model]
+        for _, curve in part.groupby(["record", "first", "direction"]):
+            x = curve["first_pga_g"].map(at)
+            axis.plot(x, curve["ratio"], color=kind.colour, lw=0.8, alpha=0.6, zorder=2)
+            axis.plot(x, curve["ratio"], kind.marker, color=kind.colour, ms=3.5, zorder=3)
+        for level in levels[1:]:
+            fell = int(part.loc[part["first_pga_g"] == level, "fell_first"].sum())
+            if fell:
+                axis.annotate(f"{fell} fell", (at[level], 0.02), ha="center", fontsize=7)
+        axis.axhline(1.0, color=style.GREY, lw=0.8, zorder=0)
+        axis.set_title(model, loc="left")
+        axis.set_xticks(range(len(levels)), [f"{level:g}" for level in levels])
+        axis.set_xlim(-0.3, len(levels) - 0.7)
+    top = 1.1 * max(1.0, float(np.nanmax(table["ratio"], initial=1.0)))
+    axes[0, 0].set(ylabel="collapse PGA, after over before [-]", ylim=(0.0, top))
+    figure.supxlabel("PGA of the first shock [g]", fontsize=9)
+    style.save(figure, job.output, job.input.facts)
+
+
+run(main, globals())
