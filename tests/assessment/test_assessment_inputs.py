@@ -126,6 +126,11 @@ STATED = {
 def test_a_missing_demand_is_refused_in_one_line(more, words):
     inputs.check_stated(STATED | more)
     resolved = configuration.resolve(STATED | more)
+
+    def check():
+        files = inputs.spectrum_file(resolved, str), inputs.hazard_file(resolved, str)
+        inputs.check_demand(resolved, *files)
+
     with pytest.raises(ValueError, match=words) as caught:
-        inputs.check_demand(inputs.spectrum_file(resolved, str), inputs.hazard_file(resolved, str))
+        check()
     assert "\n" not in str(caught.value)

@@ -2,6 +2,7 @@
 from rocking.assessment import inputs as assessed
 
 COMPARED = results("assessment").format(run=RUNS.name)
+COMMIT = assessed.commit_of(BASE)
 
 
 def checked(function):
@@ -23,14 +24,25 @@ HAZARD = checked(assessed.hazard_file)
 
 def site(wildcards):
     """Files that say how the site shakes; what is missing ends the workflow in one line."""
-    RUNS.needs_plain(wildcards.run, "the assessment")
     try:
         assessed.check_stated(config)
+        assessed.check_facade(RUNS.cfg(wildcards))
         found = SPECTRUM(wildcards) + HAZARD(wildcards)
-        assessed.check_demand(*found)
+        assessed.check_demand(RUNS.cfg(wildcards), *found)
     except ValueError as error:
         stop(error)
     return found
+
+
+def stated(wildcards):
+    """Keys that a run's configuration states, to be told from defaults."""
+    first = next(iter(RUNS.settings.values()))
+    return assessed.given_keys(config, RUNS.cfg(wildcards), first)
+
+
+OF_CODE = RUNS.params_of(
+    *("facade", "return_wall", "smdof", "assessment", "baseline", "seed", "risk.site")
+)
 
 
 def dry(run):
@@ -106,6 +118,7 @@ rule assess_checks:
         records=stations,
         settings=RUNS.params_of(
             "facade",
+            "return_wall",
             "smdof",
             "assessment",
             "directions",
@@ -192,9 +205,7 @@ rule assess_code:
     params:
         table=lambda w: RUNS.table_path(w.run),
         records=lambda w: RUNS.records[w.run],
-        settings=RUNS.params_of(
-            "facade", "smdof", "assessment", "baseline", "seed", "risk.site"
-        ),
+        settings=OF_CODE,
     script:
         "../scripts/assess/assess_code.py"
 
@@ -218,6 +229,71 @@ rule assess_dynamic:
         seed=lambda w: RUNS.cfg(w)["seed"],
     script:
         "../scripts/assess/assess_dynamic.py"
+
+
+rule assess_selection:
+    input:
+        site=site,
+        spectrum=SPECTRUM,
+        hazard=HAZARD,
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.record_files(w),
+        modules=code("assess/assess_selection"),
+    output:
+        motions=results("assessment/selected_motions.csv"),
+        spectra=results("assessment/selected_spectra.csv"),
+    log:
+        logs("assess_selection"),
+    params:
+        table=lambda w: RUNS.table_path(w.run),
+        stations=stations,
+        settings=OF_CODE,
+    script:
+        "../scripts/assess/assess_selection.py"
+
+
+rule assess_histories:
+    input:
+        scene=rules.scene.output[0],
+        motions=rules.assess_selection.output.motions,
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.record_files(w),
+        modules=code("assess/assess_histories"),
+    output:
+        histories=results("assessment/dynamic_check_{model}_histories.csv"),
+        verdict=results("assessment/dynamic_check_{model}.csv"),
+    log:
+        logs("assess_histories_{model}"),
+    params:
+        table=lambda w: RUNS.table_path(w.run),
+        settings=RUNS.params_of(
+            "directions", "baseline", "seed", "vertical_motion", "assessment"
+        ),
+    script:
+        "../scripts/assess/assess_histories.py"
+
+
+rule assess_confirm:
+    input:
+        scene=rules.scene.output[0],
+        histories=rules.assess_histories.output.histories,
+        verdict=rules.assess_histories.output.verdict,
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.record_files(w),
+        yade=rules.yade_check.output[0],
+        modules=code("assess/assess_confirm"),
+        study=study_code("ida"),
+    output:
+        results("assessment/dynamic_check_{model}_yade.csv"),
+    log:
+        logs("assess_confirm_{model}"),
+    params:
+        yade=YADE,
+        folder=results("cache/assessment"),
+        table=lambda w: RUNS.table_path(w.run),
+        settings=RUNS.params_of("baseline", "seed", "vertical_motion"),
+    script:
+        "../scripts/assess/assess_confirm.py"
 
 
 rule assess_sensitivity:
@@ -246,29 +322,26 @@ rule assess_report:
             rules.assess_code.output,
             rules.assess_dynamic.output,
             rules.assess_sensitivity.output,
+            rules.assess_selection.output,
         ),
+        verdicts=of_run(rules.assess_histories.output.verdict, model=dry),
+        yade=of_run(rules.assess_confirm.output[0], model=dry),
         site=site,
-        scene=of_run(rules.scene.output[0], model=last_dry),
         table=lambda w: RUNS.table_path(w.run),
         modules=code("assess/assess_report"),
     output:
         html=results("assessment/report.html"),
         pdf=results("assessment/report.pdf"),
+        values=results("assessment/values.csv"),
     log:
         logs("assess_report"),
     params:
         run=lambda w: w.run,
         table=lambda w: RUNS.table_path(w.run),
         stations=stations,
-        settings=RUNS.params_of(
-            "facade",
-            "return_wall",
-            "smdof",
-            "damping",
-            "assessment",
-            "directions",
-            "seed",
-        ),
+        given=stated,
+        commit=COMMIT,
+        config=lambda w: RUNS.cfg(w),
     script:
         "../scripts/assess/assess_report.py"
 

@@ -4,67 +4,39 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 from rocking.assessment import checks
+from rocking.assessment.blocks import Facade, two_blocks
 from rocking.assessment.demand import RecordDemand, floor_demand
-from rocking.assessment.mechanism import Facade, overturning, two_blocks
+from rocking.assessment.family import Family
 from rocking.mechanics.closed_forms import G_M_S2
 from rocking.mechanics.rocking_block import overturning_pga
 from yade_scripts.model.motion import SIGNS
 from yade_scripts.model.shape import refuse
-from yade_scripts.model.ties import rod
 
-ADDED_REACH_M = 0.2  # elongation of a rod of 4 m that snaps at 5 %
-
-CHECKS = {  # key of the tables: what figures call it
+CHECKS = {  # key of the tables: what figures and reports call it
     "linear_ground": "linear q = 2, ground",
     "linear_height": "linear q = 2, floor",
-    "slv_ground": "non-linear 0.4 d0, ground",
-    "slv_height": "non-linear 0.4 d0, floor",
-    "slc_ground": "non-linear 0.6 d0, ground",
-    "slc_height": "non-linear 0.6 d0, floor",
-    "slv_both": "non-linear 0.4 d0, the less",
-    "slc_both": "non-linear 0.6 d0, the less",
+    "slv_ground": "non-linear SLV, ground",
+    "slv_height": "non-linear SLV, floor",
+    "slc_ground": "non-linear SLC, ground",
+    "slc_height": "non-linear SLC, floor",
+    "slv_both": "non-linear SLV, the less",
+    "slc_both": "non-linear SLC, the less",
+    "slv_both_fc": "non-linear SLV, the less, FC 1.35",
+    "slv_ground_first": "SLV, ground, first reading",
+    "slv_height_first": "SLV, floor, first reading",
+    "slv_both_first": "SLV, the less, first reading",
+    "slc_both_first": "SLC, the less, first reading",
+    "slv_all_modes": "SLV, floor, all modes",
+    "en_sd_ground": "EN 1998-3 SD, ground (second hand)",
+    "en_sd_height": "EN 1998-3 SD, floor (second hand)",
+    "en_nc_ground": "EN 1998-3 NC, ground (second hand)",
+    "en_nc_height": "EN 1998-3 NC, floor (second hand)",
     "parts_ground": "NZS parts, rigid, ground",
     "parts_height": "NZS parts, rigid, floor",
     "parts_slow": "NZS parts, T_SLV, floor",
     "housner": "Housner's energy",
     "oscillator": "rocking oscillator",
 }
-
-
-def facade_of(section, settings):
-    """The façade of sections facade and assessment as its mechanisms see it."""
-    refuse(section, "the assessment")
-    h, b = section["height_m"], section["thickness_m"]
-    arm = settings["roof_arm_m"]
-    return Facade(
-        h,
-        b,
-        section["density_kg_m3"] * G_M_S2 * h * b * section["width_m"],
-        settings["hinge_inset_m"],
-        1e3 * settings["roof_load_kn"],
-        0.5 * b if arm is None else arm,
-    )
-
-
-def ties_of(section, added_n=0.0):
-    """Rows of ties of section facade as pulls of `overturning`, rigid up to their capacity.
-
-    Parameters
-    ----------
-    section : dict
-        Section facade; each row pulls with what `rod` gives until its elongation.
-    added_n : float
-        Capacity of one more row at the height of the highest, at the top where there is none.
-    """
-    rows = section["ties"]
-    pulls = []
-    for row in rows:
-        _, capacity, elongation = rod(row)
-        pulls.append((capacity, row["height_m"], elongation + 1e-3 * row["slack_mm"], False))
-    if added_n > 0.0:
-        height = max((row["height_m"] for row in rows), default=section["height_m"])
-        pulls.append((added_n, height, ADDED_REACH_M, False))
-    return pulls
 
 
 def weakest_hinge(section):
@@ -76,84 +48,142 @@ def weakest_hinge(section):
         Section facade, whose floors stand at its top.
     """
     loads = [1e3 * row["load_kn"] for row in section["floors"]]
+    refuse({**section, "hinges_m": ()}, "the weakest hinge")
     h, b = section["height_m"], section["thickness_m"]
     arms = [0.5 * b if row["arm_m"] is None else row["arm_m"] for row in section["floors"]]
     total = sum(loads)
     arm = sum(p * s for p, s in zip(loads, arms, strict=True)) / total if total else 0.0
-    settings = {"roof_load_kn": 1e-3 * total, "roof_arm_m": arm, "hinge_inset_m": 0.0}
-    facade = facade_of({**section, "hinges_m": ()}, settings)
+    weight = section["density_kg_m3"] * G_M_S2 * h * b * section["width_m"]
+    facade = Facade(h, b, weight, 0.0, total, arm)
     found = minimize_scalar(
         lambda z: two_blocks(facade, z).multiplier(), bounds=(0.02 * h, 0.98 * h), method="bounded"
     )
     return float(found.x)
 
 
-def mechanism_of(section, settings):
-    """Overturning of the whole façade with its roof load and ties."""
-    return overturning(facade_of(section, settings), ties_of(section))
+def damaged(settings, chain):
+    """Period factor and damping of the building at ultimate states, for `floor_demand`."""
+    factor, damping = settings["building_period_factor"], settings["building_damping"]
+    return factor, chain["damping_ratio"] if damping is None else damping
 
 
-def battery(mechanism, facade, chain, settings, demand):
-    """Every check under one demand, but the oscillator's and those that combine two.
+def battery(candidate, facade, chain, settings, demand, confidence_factor=None):
+    """Every check of one mechanism under one demand, but the oscillator's.
 
     Parameters
     ----------
-    mechanism : Mechanism
+    candidate : rocking.assessment.family.Candidate
     facade : dict
         Section facade.
     chain : dict
         Section smdof.
     settings : dict
         Section assessment.
-    demand : RecordDemand or TableDemand
+    demand : RecordDemand, TableDemand or CodeDemand
         Of the ground.
+    confidence_factor : float or None
+        None: as stated, but that of knowledge level 1 where the hinge does not crush.
 
     Returns
     -------
     dict of str to Check
-        By the keys of `CHECKS`.
+        By the keys of `CHECKS`; those on the ground only where the mechanism stands on it.
     """
-    h, share = facade["height_m"], settings["height_ratio"]
-    fc, q = settings["confidence_factor"], settings["behaviour_factor"]
-    floor = floor_demand(demand, share, chain)
-    places = {"ground": (demand, "on the ground"), "height": (floor, f"at {share:g} of the height")}
+    mechanism, place, t0 = candidate.mechanism, candidate.place, candidate.t0_s
+    inset, q = settings["hinge_inset_m"], settings["behaviour_factor"]
+    fc = confidence_factor or checks.confidence(settings["confidence_factor"], inset)
+    floor = floor_demand(demand, place, chain, damaged=damaged(settings, chain))
+    places = {"height": (floor, f"at {place:.3g} of the height")}
+    if candidate.on_ground:
+        places = {"ground": (demand, "on the ground"), **places}
     found = {}
     for key, (at, where) in places.items():
         found[f"linear_{key}"] = checks.linear(
-            mechanism, at, where, confidence_factor=fc, behaviour=q
+            mechanism, at, where, confidence_factor=fc, behaviour=q, t0_s=t0
         )
         for limit in checks.LIMITS:
             found[f"{limit.lower()}_{key}"] = checks.nonlinear(
-                mechanism, at, where, limit, confidence_factor=fc
+                mechanism, at, where, limit, confidence_factor=fc, t0_s=t0
             )
-    slow = next(v for s, _, v, _ in found["slv_ground"].steps if s == "T_SLV")
-    for key, height, period in (
-        ("parts_ground", 0.0, 0.0),
-        ("parts_height", share * h, 0.0),
-        ("parts_slow", share * h, slow),
-    ):
+        for limit in checks.EUROCODE:
+            found[f"en_{limit.lower()}_{key}"] = checks.eurocode(
+                mechanism,
+                at,
+                where,
+                limit,
+                knowledge=settings["knowledge_level"],
+                crushes=inset > 0.0,
+            )
+    slow = next(v for s, _, v, _ in found["slv_height"].steps if s == "T_SLV")
+    base = facade.get("base_height_m") or 0.0
+    high = base + facade["height_m"]
+    rows = [("parts_height", place * high, 0.0), ("parts_slow", place * high, slow)]
+    if candidate.on_ground:
+        rows.insert(0, ("parts_ground", 0.0, 0.0))
+    for key, height, period in rows:
         found[key] = checks.parts(
-            mechanism, demand, height, h, period, response_factor=settings["response_factor"]
+            mechanism, demand, height, high, period, response_factor=settings["response_factor"]
         )
-    found["housner"] = checks.housner(h, facade["thickness_m"], demand)
+    if candidate.foot_m == 0.0 and candidate.on_ground:
+        found["housner"] = checks.housner(facade["height_m"], facade["thickness_m"], demand)
     return found
 
 
-def failing_pga(mechanism, facade, chain, settings, record, directions, max_pga_g):
+def least(found, limit="slv"):
+    """PGA at which the non-linear check of a `battery` fails, of ground and floor the less [g]."""
+    keys = (f"{limit}_ground", f"{limit}_height")
+    return min(found[key].failing_pga_g for key in keys if key in found)
+
+
+def governing(candidates, facade, chain, settings, demand, confidence_factor=None):
+    """Mechanisms by the PGA at which their SLV check fails, the least first.
+
+    Returns
+    -------
+    list of (pga_g, Candidate, dict of Check)
+    """
+    rows = []
+    for one in candidates:
+        found = battery(one, facade, chain, settings, demand, confidence_factor)
+        rows.append((least(found), one, found))
+    return sorted(rows, key=lambda row: row[0])
+
+
+def mechanism_of(facade, wall, settings):
+    """Overturning of the whole façade with its loads and ties, as a `Candidate`."""
+    return Family(facade, wall, settings).part(0.0, "whole façade about its base")
+
+
+def failing_pga(whole, facade, chain, settings, record, directions, max_pga_g):
     """PGA at which each check just fails under one record, its own spectrum scaled [g].
 
-    The rocking oscillator is integrated, so its answer depends on the direction; NaN where it
-    stands up to `max_pga_g`.
+    FC is 1, for the dynamic answer knows its façade, but where a key says otherwise. Beside the
+    code's letter stand its first reading in this project (demand at the secant period alone, all
+    modes, no bounds) and, of the floor check, all modes. The rocking oscillator is integrated, so
+    its answer depends on the direction; NaN where it stands up to `max_pga_g`.
 
     Returns
     -------
     list of (direction, key, pga_g)
     """
     demand = RecordDemand(record.acceleration_m_s2, record.dt_s)
-    own = battery(mechanism, facade, chain, settings, demand)
-    alike = {key: check.failing_pga_g for key, check in own.items()}
+    own = battery(whole, facade, chain, settings, demand, 1.0)
+    alike = {key: check.failing_pga_g for key, check in own.items() if key in CHECKS}
     for limit in ("slv", "slc"):  # whoever applies both takes the larger demand
-        alike[f"{limit}_both"] = min(alike[f"{limit}_ground"], alike[f"{limit}_height"])
+        alike[f"{limit}_both"] = least(own, limit)
+    known = battery(whole, facade, chain, settings, demand, checks.LEAST_KNOWN)
+    alike["slv_both_fc"] = least(known)
+    old = floor_demand(demand, whole.place, chain, modes="all", bounded=False)
+    for limit in checks.LIMITS:
+        pair = {
+            key: checks.first_reading(whole.mechanism, at, "", limit).failing_pga_g
+            for key, at in (("ground", demand), ("height", old))
+        }
+        alike[f"{limit.lower()}_both_first"] = min(pair.values())
+        if limit == "SLV":
+            alike |= {f"slv_{key}_first": pga_g for key, pga_g in pair.items()}
+    every = floor_demand(demand, whole.place, chain, modes="all")
+    alike["slv_all_modes"] = checks.nonlinear(whole.mechanism, every, "").failing_pga_g
     rows = []
     for direction in directions:
         rows += [(direction, key, pga_g) for key, pga_g in alike.items()]

@@ -1,26 +1,21 @@
-"""What the assessment report says: blocks made of the tables that stand behind it."""
+"""What the assessment report says: its first page, the checks, the dynamic answers, an appendix."""
 
-import pandas as pd
+from rocking.assessment import appendix, drawings, pictures, verdict
+from rocking.assessment.battery import CHECKS
+from rocking.assessment.checks import LEAST_KNOWN, confidence
+from rocking.assessment.document import Heading, List, PageBreak, Paragraph, Picture, Table
+from rocking.assessment.verdict import g3, per_cent
 
-from rocking.assessment import pictures
-from rocking.assessment.battery import CHECKS, mechanism_of
-from rocking.assessment.document import Heading, Paragraph, Picture, Table
-from yade_scripts.model.floors import capacity_n
-from yade_scripts.model.registry import MODELS
-from yade_scripts.model.ties import rod
-
-CIRCOLARE = "Circolare 7/2019, as transcribed in the literature; official text not checked"
-UNCHECKED = (
-    "Formulas of the Circolare 7/2019 and of NZS 1170.5 are used as secondary transcriptions give "
-    "them; neither official text could be read. Whoever signs compares them with the text in "
-    "force. The displacement check of New Zealand's guidelines for rocking walls, and the "
-    "Circolare's formula for interlocking, are not applied."
+SHOWN = (
+    *("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height"),
+    *("en_sd_ground", "en_sd_height", "en_nc_ground", "en_nc_height"),
+    *("parts_ground", "parts_height", "parts_slow", "housner"),
 )
-
-
-def g3(value):
-    """Three figures, or a dash."""
-    return f"{value:.3g}" if pd.notna(value) else "–"
+MEANING = {
+    "W1": "the walls move with the ground",
+    "W2": "they move with the building's floors, which the façade cannot push",
+    "W2m": "as W2, but the façade pushes the building's mass",
+}
 
 
 def with_unit(value, unit):
@@ -28,173 +23,208 @@ def with_unit(value, unit):
     return g3(value) if unit == "-" else f"{g3(value)} {unit}"
 
 
-def _answer(checks, dynamic):
-    demand = g3(checks["pga_demand_g"].iloc[0])
-    by = checks.set_index("check")
-    lines = [f"Demand: a PGA of {demand} g. Capacity over demand:"]
-    for key in ("linear_ground", "linear_height", "slv_ground", "slv_height"):
-        row = by.loc[key]
-        verdict = "passes" if row["ratio"] >= 1.0 else "fails"
-        lines.append(f"{CHECKS[key]}: {g3(row['ratio'])}, {verdict}.")
-    lines.append("Shaken by the suite's motions at that PGA (95 % interval):")
-    for _, row in dynamic.iterrows():
-        lines.append(
-            f"{row['model']}: collapse in {100 * row['probability']:.0f} % "
-            f"({100 * row['probability_low']:.0f} to {100 * row['probability_high']:.0f} %); "
-            f"half collapse at {g3(row['median_pga_g'])} g."
+def first_page(data):
+    """Title, who and what for, drawing, verdict, what it rests on, what is next."""
+    own, t = data.config["assessment"], data.tables
+    mechanisms, checks = t["mechanisms"], t["code_checks"]
+    fit = data.fit
+    sentences = [
+        verdict.kinematic(checks, mechanisms),
+        verdict.dynamic_check(t["verdicts"], fit),
+        verdict.suite(t["dynamic"]),
+    ]
+    weakest = data.weakest
+    known = ""
+    if confidence(own["confidence_factor"], own["hinge_inset_m"]) != own["confidence_factor"]:
+        known = (
+            "Give assessment.hinge_inset_m, from the masonry's compressive strength, to be allowed "
+            f"the stated confidence factor {own['confidence_factor']:g} instead of {LEAST_KNOWN}."
         )
-    return "\n".join(lines)
-
-
-def _ties_said(rows):
-    """Rows of ties in words."""
-    said = [
-        f"{1e-3 * rod(row)[1]:.3g} kN at {row['height_m']:g} m ({row['count']} of "
-        f"{row['diameter_mm']:g} mm)"
-        for row in rows
+    who = [
+        ("client", own["client"] or "–", "engineer", own["engineer"] or "–"),
+        ("place", own["place"] or "–", "date", own["date"] or "–"),
+        ("program", data.program, "commit", data.commit),
     ]
-    return "; ".join(said) or "none"
-
-
-def _floors_said(rows):
-    """Floors and roof in words."""
-    said = [
-        f"{row['load_kn']:g} kN at {row['height_m']:g} m, "
-        f"held up to {1e-3 * capacity_n(row):.3g} kN"
-        for row in rows
-    ]
-    return "; ".join(said) or "none"
-
-
-def _assumptions(settings, beta):
-    """Rows: what is assumed, its value, where it comes from."""
-    f, w, c, a = (settings[k] for k in ("facade", "return_wall", "smdof", "assessment"))
-    arm = "b/2" if a["roof_arm_m"] is None else f"{a['roof_arm_m']:g} m"
-    mass = w["building_mass_kg"]
     return [
-        ("façade", "one rigid block, homogeneous, no openings", "stated by the user"),
-        (
-            "height, thickness, width",
-            f"{f['height_m']:g}, {f['thickness_m']:g}, {f['width_m']:g} m",
-            "facade, stated by the user",
+        Heading(f"{own['title'] or 'Façade'}: out-of-plane assessment", 1),
+        Table("", ("", "", "", ""), who, (0.12, 0.38, 0.12, 0.38), ""),
+        Picture(
+            drawings.facade(data.family, weakest),
+            78.0,
+            "To scale. Crosses: ties; dashed lines: floors; dashed outline: the weakest mechanism.",
+            drawings.words(data.family, weakest),
+            "config.yaml",
         ),
-        ("density", f"{f['density_kg_m3']:g} kg/m³", "facade.density_kg_m3"),
-        ("modulus of the joints", f"{f['e_mpa']:g} MPa", "facade.e_mpa; base E/h, walls E/L"),
-        ("damping at contacts", f"β = {beta:.3g} s", f"damping.law = {settings['damping']['law']}"),
-        ("friction", f"{f['friction_deg']:g}°", "facade.friction_deg"),
-        (
-            "building",
-            f"{c['n_dof']} equal masses, T1 = {c['period_s']:g} s, {100 * c['damping_ratio']:g} %",
-            "smdof",
-        ),
-        (
-            "building's mass (W2m)",
-            f"{mass:g} kg" if mass else "of the brick model",
-            "return_wall.building_mass_kg",
-        ),
-        ("roof load", f"{a['roof_load_kn']:g} kN at {arm}", "assessment; code's mechanisms only"),
-        ("floors", _floors_said(f["floors"]), "facade.floors; in the dynamic models only"),
-        (
-            "ties",
-            _ties_said(f["ties"]),
-            "facade.ties; in the mechanisms as constant pulls up to their elongation",
-        ),
-        (
-            "hinge",
-            f"{1000 * a['hinge_inset_m']:g} mm inside the outer face",
-            "assessment; the dynamic models crush elastically",
-        ),
-        ("confidence factor", f"{a['confidence_factor']:g}", CIRCOLARE),
-        ("behaviour factor", f"{a['behaviour_factor']:g}", CIRCOLARE),
-        (
-            "place of the floor spectrum",
-            f"{a['height_ratio']:g} of the height",
-            "assessment.height_ratio: middle of the line that holds the façade",
-        ),
+        Paragraph("\n".join(sentences), strong=True),
+        Heading("What this rests on"),
+        List(_rests_on(data)),
+        Heading("What is recommended next"),
+        List(verdict.next_steps(checks, mechanisms, t["verdicts"], known)),
+        PageBreak(),
     ]
 
 
-def _checks(checks, steps, folder):
-    """Summary of the checks, and every number between."""
-    rows = [
-        (
-            CHECKS[r.check],
-            with_unit(r.capacity, r.unit),
-            with_unit(r.demand, r.unit),
-            g3(r.ratio),
-            "passes" if r.ratio >= 1.0 else "fails",
-            g3(r.pga_fails_g),
-        )
-        for r in checks.itertuples()
+def _rests_on(data):
+    """Lines: demand, models, and what is left out."""
+    f, t = data.config["facade"], data.tables
+    demand = t["code_checks"]["pga_demand_g"].iloc[0]
+    meanings = "; ".join(f"{m}: {MEANING[m]}" for m in t["dynamic"]["model"])
+    return [
+        f"The demand is {data.demand_said}, a PGA of {g3(demand)} g.",
+        f"The façade is rigid blocks of {f['density_kg_m3']:g} kg/m³ on dry joints; it does not "
+        "crush or fall apart, and the mechanisms know ties and anchors but no friction of floors.",
+        f"The dynamic models, the façade leaning on its return walls. {meanings}.",
+        "The Circolare was read in a public transcription with page numbers, EN 1998-3 and NZS "
+        "1170.5 at second hand (appendix B). Whoever signs compares them with the text in force.",
+        "Every value is marked stated, derived or default in appendix C.",
     ]
-    blocks = [
-        Table(
-            "Checks: capacity, demand, and the PGA at which each just fails, the demand scaled.",
-            ("check", "capacity", "demand", "ratio", "", "fails at [g]"),
-            rows,
-            (0.34, 0.16, 0.16, 0.1, 0.1, 0.14),
-            f"{folder}/code_checks.csv",
-        ),
-        Paragraph(UNCHECKED),
-        *_floor_below_ground(steps),
-        Heading("Every number of the checks", 3),
-    ]
-    for key, part in steps.groupby("check", sort=False):
-        source = checks.set_index("check").loc[key, "source"]
+
+
+def _mechanisms(table, folder):
+    rows = []
+    for r in table.itertuples():
+        letter = r.multiplier / r.e_star_letter
+        start = r.multiplier / r.e_star
+        both = g3(start) if abs(letter - start) < 1e-6 * start else f"{g3(start)} ({g3(letter)})"
+        name = r.mechanism if r.kind == "as stated" else f"{r.mechanism}; {r.kind}"
+        rows.append((name, g3(r.multiplier), both, g3(r.d0_m), f"{r.place:.2f}", g3(r.pga_fails_g)))
+    return Table(
+        "Mechanisms: the least first, then what more ties or a held top would do to it. Onset is "
+        "α0/e* [g] without FC; where a held load does not move, in brackets what the code's letter "
+        "gives, which counts that load in e* and is the less safe. Height: of the line that holds "
+        "it, over the building's.",
+        ("mechanism", "α0", "onset", "d0 [m]", "height", "SLV fails at [g]"),
+        rows,
+        (0.42, 0.1, 0.16, 0.1, 0.09, 0.13),
+        f"{folder}/mechanisms.csv",
+    )
+
+
+def _checks(checks, folder):
+    blocks = []
+    for name, part in checks.groupby("mechanism", sort=False):
+        own = part.set_index("check")
+        rows = []
+        for key in SHOWN:
+            if key not in own.index:
+                continue
+            r = own.loc[key]
+            rows.append(
+                (
+                    CHECKS.get(key, key.replace("_", " ")),
+                    with_unit(r["capacity"], r["unit"]),
+                    with_unit(r["demand"], r["unit"]),
+                    "passes" if r["ratio"] >= 1.0 else "fails",
+                    g3(r["pga_fails_g"]),
+                    g3(r["ratio"]),
+                )
+            )
         blocks.append(
             Table(
-                f"{CHECKS[key]}. {source}.",
-                ("symbol", "meaning", "value", "unit"),
-                [(r.symbol, r.meaning, f"{r.value:.4g}", r.unit) for r in part.itertuples()],
-                (0.18, 0.52, 0.18, 0.12),
-                f"{folder}/code_steps.csv",
+                f"Checks of: {name}. A check just fails at the PGA in the fifth column; the last "
+                "is that over the demand's. On ground and floor there are two demands; the larger "
+                "governs.",
+                ("check", "capacity", "demand", "", "fails at [g]", "over demand"),
+                rows,
+                (0.36, 0.15, 0.15, 0.1, 0.12, 0.12),
+                f"{folder}/code_checks.csv",
             )
         )
     return blocks
 
 
-def _floor_below_ground(steps):
-    """A warning where the floor spectrum asks for less than the ground's."""
-    own = steps[steps["symbol"] == "S_De(T)"].set_index("check")["value"]
-    if own["slv_height"] >= own["slv_ground"] and own["slc_height"] >= own["slc_ground"]:
-        return []
-    return [
-        Paragraph(
-            "Caution: at the long period of the turned façade the floor spectrum's formula asks "
-            "for less than the ground's spectrum, since it holds the building's amplified modes "
-            "alone. Compare the exact chain below. The larger demand governs."
+def _dynamic_check(data, folder):
+    t = data.tables
+    verdicts, motions, yade = t["verdicts"], t["selected_motions"], t["yade"]
+    if verdicts.empty:
+        return [
+            Paragraph(
+                "Not made: it wants as many motions of different stations as assessment.motions "
+                f"says ({data.config['assessment']['motions']})."
+            )
+        ]
+    low, high, fits = data.fit
+    rows = [
+        (
+            r.model,
+            f"{r.exceed_d0:.0f} of {r.motions:.0f}",
+            f"{1e3 * r.mean_d_m:.0f} mm",
+            f"{1e3 * r.d_slv_m:.0f}, {1e3 * r.d_slc_m:.0f} mm",
+            "fulfilled" if r.slv else "not fulfilled",
+            per_cent(r.agree),
         )
+        for r in verdicts.itertuples()
     ]
+    factors = motions["factor"]
+    blocks = [
+        Paragraph(
+            f"{len(motions)} recorded motions, one horizontal component a station, factors "
+            f"{factors.min():.2f} to {factors.max():.2f}. Their mean spectrum lies "
+            f"{per_cent(low)} to {per_cent(high)} from the demand's between "
+            f"{data.range_s[0]:.2f} and {data.range_s[1]:.2f} s, "
+            f"{'within' if fits else 'outside'} the code's −10 to +30 %. "
+            "Directions: " + ", ".join(data.config["directions"]) + "."
+        ),
+        Picture(
+            pictures.selected(t["selected_spectra"]),
+            55.0,
+            "Spectra of 5 %: the demand, the motions' mean, and each motion.",
+            f"The mean lies {per_cent(low)} to {per_cent(high)} from the demand.",
+            f"{folder}/selected_spectra.csv",
+        ),
+        Table(
+            "The code's dynamic check (C8.7.1.2.1.9): fulfilled if no history exceeds d0 and "
+            "the mean of the largest displacements of the top does not exceed d_SLV. Last column: "
+            "share of draws with one perturbed history a motion that give the same verdict.",
+            ("model", "beyond d0", "mean", "d_SLV, d_SLC", "SLV", "same verdict"),
+            rows,
+            (0.1, 0.16, 0.14, 0.22, 0.2, 0.18),
+            f"{folder}/dynamic_check_*.csv",
+        ),
+    ]
+    if len(yade):
+        rows = [
+            (
+                f"{r.model}, {r.record} {r.direction}",
+                {"worst": "the largest", "nearest": "nearest to d_SLV"}[r.which],
+                f"{1e3 * r.d_m:.0f} mm",
+                f"{1e3 * r.d_yade_m:.0f} mm, {r.status_yade}",
+            )
+            for r in yade.itertuples()
+        ]
+        blocks.append(
+            Table(
+                "Confirmed by YADE, the discrete element program: two histories a model.",
+                ("history", "", "planar solver", "YADE"),
+                rows,
+                (0.36, 0.22, 0.2, 0.22),
+                f"{folder}/dynamic_check_*_yade.csv",
+            )
+        )
+    return blocks
 
 
-def _dynamic(dynamic, folder):
+def _suite(dynamic, folder):
     rows = []
     for r in dynamic.itertuples():
-        line = [
-            f"{r.model}: {MODELS[r.model].meaning}",
-            f"{g3(r.median_pga_g)} ({g3(r.ci_low_g)} to {g3(r.ci_high_g)})",
-            g3(r.dispersion),
-            f"{100 * r.probability:.0f} % ({100 * r.probability_low:.0f} to "
-            f"{100 * r.probability_high:.0f})",
-            f"{r.curves} ({r.never_collapsed})",
-        ]
+        middle, share = g3(r.median_pga_g), "–"
+        if r.probability == r.probability:  # from enough stations
+            middle += f" ({g3(r.ci_low_g)} to {g3(r.ci_high_g)})"
+            share = f"{per_cent(r.probability)} ({100 * r.probability_low:.0f} to "
+            share += f"{100 * r.probability_high:.0f})"
+        line = [r.model, middle, g3(r.dispersion), share, f"{r.curves} ({r.never_collapsed})"]
         if "annual_rate" in dynamic:
             line.append(f"{r.annual_rate:.2g} ({r.rate_low:.2g} to {r.rate_high:.2g})")
         rows.append(tuple(line))
-    columns = [
-        "model",
-        "median PGA [g]",
-        "dispersion",
-        "collapse at the demand",
-        "curves (never fell)",
-    ]
-    widths = [0.3, 0.22, 0.12, 0.22, 0.14]
+    columns = ["model", "median PGA [g]", "dispersion", "collapse at the demand", "curves (stood)"]
+    widths = [0.1, 0.28, 0.14, 0.26, 0.22]
     if "annual_rate" in dynamic:
         columns.append("a year")
-        widths.append(0.2)
+        widths.append(0.24)
     return Table(
-        "Dynamic answer: PGA of half collapse over the suite, and collapse at the demand's PGA. "
-        "In brackets 95 % intervals, stations drawn with replacement.",
+        "Every motion of the run scaled until the façade falls: PGA of half collapse, and collapse "
+        "at the demand's PGA. In brackets 95 % intervals, stations drawn with replacement; none "
+        "from fewer than seven stations.",
         tuple(columns),
         rows,
         tuple(widths),
@@ -202,182 +232,100 @@ def _dynamic(dynamic, folder):
     )
 
 
-def _ties(mechanisms, folder):
-    rows = [
-        (
-            r.mechanism,
-            g3(r.tie_kn),
-            g3(r.multiplier),
-            g3(r.d0_m),
-            g3(r.linear_ground),
-            g3(r.linear_height),
-            g3(r.slv_ground),
-            g3(r.slv_height),
-        )
-        for r in mechanisms.itertuples()
-    ]
-    return Table(
-        "What would help: the mechanism with ties at their height, and held at the top. Ratios are "
-        "capacity over demand of the Circolare's checks, on the ground and at the floor.",
-        (
-            "mechanism",
-            "ties [kN]",
-            "α0",
-            "d0 [m]",
-            "linear, ground",
-            "floor",
-            "0.4 d0, ground",
-            "floor",
-        ),
-        rows,
-        (0.28, 0.1, 0.09, 0.09, 0.12, 0.1, 0.13, 0.1),
-        f"{folder}/mechanisms.csv",
-    )
-
-
-def _sensitivity(code, dynamic, checks, folder):
-    by = checks.set_index("check")["ratio"]
+def _sensitivity(data, folder):
+    code, dynamic = data.tables["code_sensitivity"], data.tables["dynamic_sensitivity"]
+    own = data.tables["code_checks"]
+    own = own[own["mechanism"] == data.weakest.name].set_index("check")["ratio"]
     blocks: list = []
-    for key, words in (("linear_ground", "linear"), ("slv_height", "non-linear 0.4 d0, floor")):
+    for key, words in (("slv_ground", "ground"), ("slv_height", "floor")):
         part = code[code["check"] == key].rename(columns={"ratio": "value"})
+        if part.empty or key not in own:
+            continue
         blocks.append(
             Picture(
-                pictures.tornado(part, by[key], "capacity over demand [-]"),
+                pictures.tornado(part, own[key], "PGA of failure over the demand's [-]"),
                 55.0,
-                f"Sensitivity of the code's answer, {words}; line: as stated.",
-                "Bars, one a parameter: "
-                + "; ".join(
-                    f"{r.key} ×{r.factor:g} gives {g3(r.value)}" for r in part.itertuples()
-                ),
+                f"Sensitivity of the non-linear SLV check, {words}; line: as stated. What changes "
+                "nothing is left out.",
+                "; ".join(f"{r.key} ×{r.factor:g} gives {g3(r.value)}" for r in part.itertuples()),
                 f"{folder}/code_sensitivity.csv",
             )
         )
-    own = dynamic.dropna(subset=["ratio"])
-    middle = own.groupby(["key", "factor"], sort=False)["ratio"].median()
-    spread = own.groupby(["key", "factor"], sort=False)["ratio"].agg(["min", "max", "size"])
-    rows = [
-        (
-            k.split(".")[-1],
-            f"×{f:g}",
-            g3(middle[k, f]),
-            f"{g3(s['min'])} to {g3(s['max'])}",
-            f"{s['size']:.0f}",
+    found = dynamic.dropna(subset=["ratio"])
+    if len(found):
+        spread = found.groupby(["key", "factor"], sort=False)["ratio"].agg(
+            ["median", "min", "max", "size"]
         )
-        for (k, f), s in spread.iterrows()
-    ]
-    blocks.append(
-        Table(
-            f"Sensitivity of the dynamic answer ({dynamic['model'].iloc[0]}): PGA of half collapse "
-            "over that of the façade as stated, for some of the suite's motions.",
-            ("parameter", "factor", "median ratio", "range over motions", "motions"),
-            rows,
-            (0.3, 0.14, 0.18, 0.24, 0.14),
-            f"{folder}/dynamic_sensitivity.csv",
+        rows = [
+            (k, f"×{f:g}", g3(s["median"]), f"{g3(s['min'])} to {g3(s['max'])}", f"{s['size']:.0f}")
+            for (k, f), s in spread.iterrows()
+        ]
+        blocks.append(
+            Table(
+                f"Sensitivity of the dynamic answer ({dynamic['model'].iloc[0]}): PGA of half "
+                "collapse over that of the façade as stated, for some of the motions.",
+                ("parameter", "factor", "median ratio", "range over motions", "motions"),
+                rows,
+                (0.3, 0.14, 0.18, 0.24, 0.14),
+                f"{folder}/dynamic_sensitivity.csv",
+            )
         )
-    )
     return blocks
 
 
-def blocks(settings, tables, beta, provenance, folder):
+def blocks(data, folder):
     """All blocks of the report.
 
     Parameters
     ----------
-    settings : dict
-        Sections of the resolved configuration.
-    tables : dict of str to DataFrame
-        checks, steps, curve, sensitivity, mechanisms, spectra, dynamic, curves,
-        dynamic_sensitivity.
-    beta : float
-        Damping of the contacts [s].
-    provenance : list of (what, value)
+    data : rocking.assessment.appendix.Data
     folder : str
         Where the tables are, for the sources.
     """
-    t, own = tables, settings["assessment"]
-    facade, chain = settings["facade"], settings["smdof"]
-    mechanism = mechanism_of(facade, own)
-    h = facade["height_m"]
-    demand = t["checks"]["pga_demand_g"].iloc[0]
-    title = own["title"] or "Façade"
+    t, demand = data.tables, data.tables["code_checks"]["pga_demand_g"].iloc[0]
     out = [
-        Heading(f"{title}: out-of-plane assessment", 1),
-        Paragraph(_answer(t["checks"], t["dynamic"]), strong=True),
-        Paragraph(
-            "The code's answer compares one mechanism with one spectrum. The dynamic answer shakes "
-            "the façade against its return walls with motions scaled in PGA; its roof load is that "
-            "of facade.floors, and it knows no material that crushes or falls apart."
-        ),
-        Heading("The façade as modelled"),
+        *first_page(data),
+        Heading("The kinematic checks"),
+        _mechanisms(t["mechanisms"], folder),
+        *_checks(t["code_checks"], folder),
         Picture(
-            pictures.sketch(facade, settings["return_wall"], chain, own, mechanism),
-            88.0,
-            "Section to scale; dashed: turned by half the rotation at which α vanishes.",
-            f"Section of a façade {h:g} m high and {facade['thickness_m']:g} m thick on the "
-            f"ground, return walls behind it in {chain['n_dof']} blocks, one a floor, and its "
-            "turned position.",
-            "config.yaml",
-        ),
-        Table(
-            "Assumptions and where each comes from.",
-            ("assumption", "value", "source"),
-            _assumptions(settings, beta),
-            (0.27, 0.33, 0.4),
-            "config.yaml",
-        ),
-        Heading("The answer of the codes"),
-        *_checks(t["checks"], t["steps"], folder),
-        Picture(
-            pictures.capacity(t["curve"], t["steps"]),
-            55.0,
-            "Capacity curve of the mechanism.",
-            f"The multiplier falls from {g3(t['curve']['multiplier'].iloc[0])} at rest to zero at "
-            f"{g3(t['curve']['d_m'].iloc[-1])} m.",
+            pictures.capacity(t["capacity_curve"]),
+            50.0,
+            "Capacity curve.",
+            "The multiplier falls to zero at d0.",
             f"{folder}/capacity_curve.csv",
         ),
-        Heading("Spectra on ground and floor"),
         Picture(
-            pictures.spectra(t["spectra"], own["height_ratio"] * h),
-            70.0,
+            pictures.spectra(t["spectra"]),
+            65.0,
             f"Elastic spectra of 5 % at a PGA of {g3(demand)} g: the demand, the Circolare's floor "
-            "spectrum, and the building's chain under the suite scaled to that PGA.",
-            _spectra_words(t["spectra"]),
+            "spectrum where the weakest mechanism is held, and the building's chain under the "
+            "run's motions scaled to that PGA.",
+            "Ground, floor by formula, floor by the chain.",
             f"{folder}/spectra.csv",
         ),
-        Heading("The dynamic answer"),
-        Picture(
-            pictures.fragility(t["curves"], t["dynamic"], t["checks"]),
-            65.0,
-            "Probability of collapse over the suite's motions, with 95 % bands; marks: PGA at "
-            "which checks just fail.",
-            "; ".join(
-                f"{r.model}: half collapse at {g3(r.median_pga_g)} g, {g3(r.probability)} at the "
-                "demand"
-                for r in t["dynamic"].itertuples()
-            ),
-            f"{folder}/dynamic_curves.csv",
-        ),
-        _dynamic(t["dynamic"], folder),
+        Heading("The code's own dynamic check"),
+        *_dynamic_check(data, folder),
+        Heading("Collapse under all motions"),
+    ]
+    if len(t["dynamic_curves"]):
+        out.append(
+            Picture(
+                pictures.fragility(t["dynamic_curves"], t["dynamic"], t["mechanisms"]),
+                60.0,
+                "Probability of collapse with 95 % bands; mark: PGA at which the SLV check fails.",
+                "; ".join(
+                    f"{r.model}: half collapse at {g3(r.median_pga_g)} g"
+                    for r in t["dynamic"].itertuples()
+                ),
+                f"{folder}/dynamic_curves.csv",
+            )
+        )
+    out += [
+        _suite(t["dynamic"], folder),
         Heading("Sensitivity"),
-        *_sensitivity(t["sensitivity"], t["dynamic_sensitivity"], t["checks"], folder),
-        Heading("What would help"),
-        _ties(t["mechanisms"], folder),
-        Paragraph(
-            "Added ties are judged by the mechanism alone; under shaking the target "
-            "strengthening searches for the least row that holds. A top that is held changes "
-            "the mechanism to vertical bending; floors and ties must then carry its reaction."
-        ),
-        Heading("Provenance"),
-        Table("What this report rests on.", ("what", "value"), provenance, (0.3, 0.7), ""),
+        *_sensitivity(data, folder),
+        PageBreak(),
+        *appendix.blocks(data, folder),
     ]
     return out
-
-
-def _spectra_words(table):
-    at = (0.1, 0.3, 1.0, 2.0)
-    rows = [table.iloc[(table["period_s"] - t).abs().argmin()] for t in at]
-    return "; ".join(
-        f"at {r['period_s']:.2g} s: ground {g3(r['ground_g'])} g, floor by formula "
-        f"{g3(r['floor_formula_g'])} g, by chain {g3(r['floor_chain_p50_g'])} g"
-        for r in rows
-    )

@@ -1,10 +1,11 @@
-"""Demand of shaking on an oscillator: spectra of a record or of a table, and of floors.
+"""Demand of shaking on an oscillator: spectra of a record, of a table, of a code, and of floors.
 
 A demand knows its peak ground acceleration and its pseudo-acceleration at any period and damping,
-in g. All of them are proportional to the intensity, so a check that compares a demand with a
-capacity just fails at PGA × capacity/demand.
+in g. It is scaled with its PGA, so a check whose demand is proportional to it just fails at PGA ×
+capacity/demand.
 """
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -14,10 +15,15 @@ from smdof.chain import shear_chain
 from smdof.spectra import response_spectrum
 
 REFERENCE = 0.05  # damping ratio of a spectrum given as a table
+LOWER, UPPER = 0.8, 1.1  # a and b of C7.2.6
+PERIOD_STEP = 1.08  # between the periods over which the largest displacement is sought
+SHORTEST = (
+    12.0  # of the longest: below, no spectrum of ground or floor has its largest displacement
+)
 
 
 def eta(damping_ratio):
-    """Factor η = √(10/(5 + ξ)) ≥ 0.55 on a spectrum of 5 %, ξ in per cent (NTC 2018, 3.2.3.2.1)."""
+    """Factor η = √(10/(5 + ξ)) ≥ 0.55 on a spectrum of 5 %, ξ in per cent (NTC 2018, 3.2.4)."""
     return max(np.sqrt(10.0 / (5.0 + 100.0 * damping_ratio)), 0.55)
 
 
@@ -46,9 +52,19 @@ class RecordDemand:
             return self.pga_g
         key = (round(period_s, 12), round(damping_ratio, 12))
         if key not in self._known:
-            found = response_spectrum(self.acceleration_m_s2, self.dt_s, [period_s], damping_ratio)
-            self._known[key] = float(found.psa_m_s2[0]) / G_M_S2
+            self.prepare([period_s], damping_ratio)
         return self._known[key]
+
+    def prepare(self, periods_s, damping_ratio):
+        """Compute the spectrum at several periods at once, to be kept."""
+        wanted = {float(t) for t in periods_s if t > 0.0}
+        known = {t for t in wanted if (round(t, 12), round(damping_ratio, 12)) in self._known}
+        periods = sorted(wanted - known)
+        if not periods:
+            return
+        found = response_spectrum(self.acceleration_m_s2, self.dt_s, periods, damping_ratio)
+        for period, value in zip(periods, found.psa_m_s2 / G_M_S2, strict=True):
+            self._known[round(period, 12), round(damping_ratio, 12)] = float(value)
 
 
 @dataclass(frozen=True)
@@ -80,45 +96,74 @@ class TableDemand:
 
 
 def displacement(demand, period_s, damping_ratio):
-    """S_De(T) = S_e(T) T²/4π² [m]."""
-    value = demand.acceleration(period_s, damping_ratio) * G_M_S2
-    return value * (period_s / (2.0 * np.pi)) ** 2
+    """S_De(T) = S_e(T) T²/4π² [m] (NTC 2018, 3.2.10).
+
+    On a floor not less than S_eZ(T1) b²T1²/4π² where T > b T1, with T1 the building's longest
+    period (Circolare 7/2019, C8.7.1.12): the displacement spectrum does not fall with the period.
+    """
+    value = demand.acceleration(period_s, damping_ratio) * G_M_S2 * (period_s / (2 * np.pi)) ** 2
+    if isinstance(demand, FloorDemand) and demand.bounded and demand.period_s:
+        first = max(demand.period_s)
+        if period_s > UPPER * first:
+            peak = demand.acceleration(first, damping_ratio) * G_M_S2
+            value = max(value, peak * (UPPER * first / (2.0 * np.pi)) ** 2)
+    return value
+
+
+def largest_displacement(demand, low_s, high_s, damping_ratio):
+    """Largest spectral displacement between two periods, and the period it is at.
+
+    Circolare 7/2019, C8.7.1.2.1.8: so wherever accelerograms or a site response analysis give the
+    spectrum. For a spectrum whose displacement grows with the period it is that at `high_s`.
+
+    Returns
+    -------
+    displacement_m, period_s : float
+    """
+    low = max(low_s, high_s / SHORTEST)
+    first, last = (math.log(t) / math.log(PERIOD_STEP) for t in (low, high_s))
+    periods = [*PERIOD_STEP ** np.arange(math.ceil(first), math.ceil(last)), high_s]
+    ground = demand.ground if isinstance(demand, FloorDemand) else demand
+    if isinstance(ground, RecordDemand) and (ground is demand or demand.bounded):
+        ground.prepare(periods, damping_ratio)
+    found = [displacement(demand, float(t), damping_ratio) for t in periods]
+    k = int(np.argmax(found))
+    return found[k], float(periods[k])
 
 
 @dataclass(frozen=True)
 class FloorDemand:
-    """Floor spectrum at height z by the formula of the Circolare 7/2019, C7.2.3.
+    """Floor spectrum at height z by the Circolare 7/2019, C7.2.5 to C7.2.8.
 
     Of every mode k the floor feels a_k = S_e(T_k, ξ_k)|γ_k ψ_k(z)|√(1 + 0.0004 ξ_k²), ξ in per
-    cent. An oscillator of period T and damping ξ on the floor feels, with R = 1.1 ξ_k^−0.5 η(ξ) and
-    ξ_k as a ratio,
+    cent. An oscillator of period T and damping ξ on the floor feels, with R = 1.1 ξ_k^−0.5 η(ξ),
+    ξ_k as a ratio, a = 0.8 and b = 1.1,
 
-        R a_k/[1 + (R − 1)(1 − T/0.8T_k)^1.6]   for T < 0.8 T_k,
-        R a_k                                   for 0.8 T_k ≤ T < 1.1 T_k,
-        R a_k/[1 + (R − 1)(T/1.1T_k − 1)^1.2]   above,
+        R a_k/[1 + (R − 1)(1 − T/aT_k)^1.6]   for T < a T_k,
+        R a_k                                 for a T_k ≤ T < b T_k,
+        R a_k/[1 + (R − 1)(T/bT_k − 1)^1.2]   above,
 
-    and the modes are combined by the root of the sum of squares. At T = 0 that is the peak floor
-    acceleration. Not checked against the official text; measured against the exact chain in
+    combined over modes by the root of the sum of squares, and not less than S_e(T, ξ) of the ground
+    where T > T1. At T = 0 it is the floor's peak acceleration. Measured against the exact chain in
     `floor_spectra`.
 
     Parameters
     ----------
-    ground : RecordDemand or TableDemand
+    ground : RecordDemand, TableDemand or CodeDemand
     period_s, share : tuple of float
         Of the modes that count: T_k, γ_k ψ_k(z).
     damping_ratio : float
         ξ_k of the building's modes.
-    grounded : bool
-        Beyond the longest period never below the ground's own spectrum, which a soft oscillator
-        feels whatever the building does. Not in the transcription; see `floor_spectra` for what
-        its absence means.
+    bounded : bool
+        With the lower bound of C7.2.5 and that of C8.7.1.12 (`displacement`). Without them it is
+        what earlier versions of this project took the code to say.
     """
 
-    ground: RecordDemand | TableDemand
+    ground: object
     period_s: tuple
     share: tuple
     damping_ratio: float = REFERENCE
-    grounded: bool = False
+    bounded: bool = True
 
     @property
     def pga_g(self):
@@ -138,7 +183,7 @@ class FloorDemand:
         r = 1.1 * self.damping_ratio**-0.5 * eta(damping_ratio)
         square = 0.0
         for own, peak in zip(self.period_s, self.peaks(), strict=True):
-            below, above = 1.0 - period_s / (0.8 * own), period_s / (1.1 * own) - 1.0
+            below, above = 1.0 - period_s / (LOWER * own), period_s / (UPPER * own) - 1.0
             divisor = 1.0
             if below > 0.0:
                 divisor += (r - 1.0) * below**1.6
@@ -146,43 +191,47 @@ class FloorDemand:
                 divisor += (r - 1.0) * above**1.2
             square += (r * peak / divisor) ** 2
         found = float(np.sqrt(square))
-        if self.grounded and period_s > max(self.period_s):
+        if self.bounded and period_s > max(self.period_s):
             found = max(found, self.ground.acceleration(period_s, damping_ratio))
         return found
 
 
-def floor_demand(ground, height_ratio, chain, simplified=False, grounded=False):
+def floor_demand(ground, height_ratio, chain, modes="first", bounded=True, damaged=None):
     """Floor spectrum at a share of the building's height.
 
     Parameters
     ----------
-    ground : RecordDemand or TableDemand
+    ground : RecordDemand, TableDemand or CodeDemand
     height_ratio : float
         z over the height of the building; shapes are straight between floors.
     chain : dict
         Section smdof: n_dof, period_s, damping_ratio.
-    simplified : bool
-        First mode alone, γ1 = 3n/(2n + 1) and ψ1 = z/H, as the code offers where no modal analysis
-        is at hand; else every mode of the equal chain, exact.
-    grounded : bool
+    modes : {"first", "all", "linear"}
+        The first mode alone, which the code says is enough for ultimate states, every mode of the
+        equal chain, or the first as a straight line with γ1 = 3n/(2n + 1) (C7.2.10).
+    bounded : bool
         See `FloorDemand`.
+    damaged : (period_factor, damping_ratio) or None
+        Of the building at ultimate states (C8.7.1.2.1.4); None leaves it as it is.
     """
     n = chain["n_dof"]
     if not 0.0 <= height_ratio <= 1.0:
         raise ValueError(f"height_ratio: expected 0 to 1, got {height_ratio}")
-    if simplified:
+    if modes == "linear":
         gamma = 3.0 * n / (2.0 * n + 1.0)
         periods, shares = [chain["period_s"]], [gamma * height_ratio]
     else:
-        modes = shear_chain(n, chain["period_s"])
-        rows = np.vstack([np.zeros(n), modes.modes()[1]])
+        shear = shear_chain(n, chain["period_s"])
+        rows = np.vstack([np.zeros(n), shear.modes()[1]])
         levels = np.arange(n + 1) / n
-        periods = modes.periods_s()
-        shares = [np.interp(height_ratio, levels, rows[:, k]) for k in range(n)]
+        count = 1 if modes == "first" else n
+        periods = shear.periods_s()[:count]
+        shares = [np.interp(height_ratio, levels, rows[:, k]) for k in range(count)]
+    factor, damping = damaged or (1.0, chain["damping_ratio"])
     return FloorDemand(
         ground,
-        tuple(float(t) for t in periods),
+        tuple(float(factor * t) for t in periods),
         tuple(float(s) for s in shares),
-        chain["damping_ratio"],
-        grounded,
+        damping,
+        bounded,
     )

@@ -35,8 +35,22 @@ class Paragraph:
 
 
 @dataclass(frozen=True)
+class List:
+    """Lines with a mark before each."""
+
+    lines: list
+
+
+@dataclass(frozen=True)
+class PageBreak:
+    """What follows begins a page, on paper."""
+
+
+@dataclass(frozen=True)
 class Table:
     """Rows of words under column names, with the file that the numbers stand in.
+
+    Without column names no head is drawn.
 
     Attributes
     ----------
@@ -94,7 +108,10 @@ td.number { font-variant-numeric: tabular-nums; white-space: nowrap; }
 code, .source { font-size: .75rem; color: #444; overflow-wrap: anywhere; }
 @media (max-width: 30rem) { body { font-size: 15px; padding: .6rem; } table { font-size: .75rem; }
   th, td { padding-right: .3rem; } }
-@media print { @page { size: A4; margin: 16mm; }
+ul { padding-left: 1.2rem; margin: .3rem 0; }
+@media print { @page { size: A4; margin: 16mm;
+  @bottom-right { content: "page " counter(page) " of " counter(pages); font-size: 8pt; } }
+  .break { break-after: page; }
   body { max-width: none; padding: 0; font-size: 10pt; }
   figure, tr, .wide { break-inside: avoid; } h2 { break-after: avoid; }
   figure img { max-width: 120mm; }
@@ -131,6 +148,7 @@ def _source(path):
 
 def _table(table):
     head = "".join(f'<th scope="col">{html.escape(c)}</th>' for c in table.columns)
+    head = f"<thead><tr>{head}</tr></thead>" if any(table.columns) else ""
     body = []
     for row in table.rows:
         cells = [
@@ -142,9 +160,7 @@ def _table(table):
     return (
         f'<div class="wide" tabindex="0" role="region" aria-label="{html.escape(table.caption)}">'
         f"<table><caption>{html.escape(table.caption)}{_source(table.source)}</caption>"
-        f"<colgroup>{groups}</colgroup><thead><tr>{head}</tr></thead>\n<tbody>"
-        + "\n".join(body)
-        + "</tbody></table></div>"
+        f"<colgroup>{groups}</colgroup>{head}\n<tbody>" + "\n".join(body) + "</tbody></table></div>"
     )
 
 
@@ -163,6 +179,11 @@ def page(blocks):
             kind = ' class="answer"' if block.strong else ""
             text = "<br>\n".join(html.escape(line) for line in block.text.split("\n"))
             parts.append(f"<p{kind}>{text}</p>")
+        elif isinstance(block, List):
+            lines = "".join(f"<li>{html.escape(line)}</li>" for line in block.lines)
+            parts.append(f"<ul>{lines}</ul>")
+        elif isinstance(block, PageBreak):
+            parts.append('<div class="break"></div>')
         elif isinstance(block, Table):
             parts.append(_table(block))
         else:

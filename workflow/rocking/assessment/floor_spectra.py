@@ -10,9 +10,10 @@ from smdof.spectra import response_spectrum
 
 PERIOD_RATIOS = np.geomspace(0.1, 8.0, 20)  # T over T1
 VARIANTS = {  # keywords of `floor_demand`
-    "all modes": {},
-    "first mode, γ1 z/H": {"simplified": True},
-    "all modes, at least the ground": {"grounded": True},
+    "first mode": {},
+    "all modes": {"modes": "all"},
+    "all modes, without the ground's bound": {"modes": "all", "bounded": False},
+    "first mode, γ1 z/H": {"modes": "linear"},
 }
 COLUMNS = ["record", "floor", "t_over_t1", "variant", "formula_g", "exact_g"]
 

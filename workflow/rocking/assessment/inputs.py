@@ -1,7 +1,9 @@
 """What an assessment needs to be told, checked before anything is planned."""
 
+import subprocess
 from collections.abc import Mapping
 
+from rocking.assessment.family import Family
 from rocking.assessment.site import SpectrumError, pga_at, read_spectrum
 from rocking.records import RecordError
 from rocking.risk.hazard import HazardError, read_hazard
@@ -63,18 +65,68 @@ def hazard_file(resolved, find):
     if path is not None:
         path, period_s = find(path), resolved["smdof"]["period_s"]
         curve = _checked("risk.hazard", read_hazard, path, period_s, resolved["risk"]["site"])
-        if settings["spectrum"] is None:
+        if settings["spectrum"] is None and settings["ag_g"] is None:
             _checked("risk.hazard", pga_at, curve, settings["return_period_years"])
     return path
 
 
-def check_demand(*files):
-    """Refuse an assessment that has neither file."""
-    if not any(files):
+def check_demand(resolved, *files):
+    """Refuse an assessment that has no demand."""
+    if not any(files) and resolved["assessment"]["ag_g"] is None:
         raise ValueError(
-            "assess: no demand; expected assessment.spectrum (columns period_s,sa_g) or "
-            "risk.hazard (columns pga_g,annual_rate)"
+            "assess: no demand; expected assessment.spectrum (columns period_s,sa_g), "
+            "assessment.ag_g (NTC 2018) or risk.hazard (columns pga_g,annual_rate)"
         )
+
+
+def check_facade(resolved):
+    """Refuse a façade that has hinges stated, or a part that falls by its own weight."""
+    facade = resolved["facade"]
+    if facade["hinges_m"]:
+        raise ValueError(
+            "assess: facade.hinges_m: expected none; the checks find the weakest mechanism, "
+            "vertical bending among them"
+        )
+    try:
+        Family(facade, resolved["return_wall"], resolved["assessment"]).all()
+    except ValueError as error:
+        raise ValueError(f"assess: {error}") from None
+
+
+def given_keys(given, resolved, first):
+    """Dotted keys that a run's configuration states, scenarios and grid included.
+
+    Parameters
+    ----------
+    given : mapping
+        The configuration as the user gave it.
+    resolved, first : dict
+        Of the run, and of the first run of the study: what differs between them was stated.
+    """
+    found, others = set(dotted(given)), dotted(first)
+    found |= {key for key, value in dotted(resolved).items() if others.get(key) != value}
+    return sorted(found)
+
+
+def dotted(part, above=""):
+    """Values of nested mappings by dotted key; lists are values."""
+    found = {}
+    for key, value in part.items():
+        if isinstance(value, Mapping):
+            found |= dotted(value, f"{above}{key}.")
+        else:
+            found[f"{above}{key}"] = value
+    return found
+
+
+def commit_of(folder):
+    """Commit of the checkout in a folder; "none" where it is no checkout."""
+    words = ["git", "-C", str(folder), "rev-parse", "HEAD"]
+    try:
+        done = subprocess.run(words, capture_output=True, text=True, timeout=20.0, check=True)
+    except (OSError, subprocess.SubprocessError):
+        return "none"
+    return done.stdout.strip()
 
 
 def _checked(key, read, *arguments):

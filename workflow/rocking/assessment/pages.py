@@ -6,7 +6,16 @@ from typing import Any
 import matplotlib.pyplot as plt
 from matplotlib.backends.backend_pdf import PdfPages
 
-from rocking.assessment.document import MM, WIDTH_MM, Heading, Paragraph, Picture, Table
+from rocking.assessment.document import (
+    MM,
+    WIDTH_MM,
+    Heading,
+    List,
+    PageBreak,
+    Paragraph,
+    Picture,
+    Table,
+)
 from rocking.figures import style as _style  # noqa: F401  sets the project's type and lines
 
 PAGE_MM = (210.0, 297.0)
@@ -16,6 +25,7 @@ SIZES = {1: 15.0, 2: 11.0, 3: 9.5}
 BODY, SMALL = 8.5, 7.2
 LEAD = 1.35  # of a line over the size of its type
 ASCENT = 0.72  # of a line above the baseline
+BOLD = 1.13  # of a bold character over a plain one
 CHARACTER = 0.54  # mean width of a character over the size of its type
 
 
@@ -31,8 +41,8 @@ def _wrapped(text, size, width_mm=TEXT_MM):
 class _Pages:
     """Pages that fill from the top; a new one begins where a piece does not fit."""
 
-    def __init__(self, pdf, foot):
-        self.pdf, self.foot, self.number = pdf, foot, 0
+    def __init__(self, pdf, foot, count=None):
+        self.pdf, self.foot, self.count, self.number = pdf, foot, count, 0
         self.figure: Any = None
         self.left_mm = 0.0
 
@@ -45,7 +55,7 @@ class _Pages:
             )
             self.number += 1
             self.left_mm = PAGE_MM[1] - 2.0 * MARGIN_MM
-            foot = f"{self.foot} · page {self.number}"
+            foot = f"{self.foot} · page {self.number} of {self.count}"
             self.figure.text(
                 MARGIN_MM / PAGE_MM[0], 0.5 * MARGIN_MM / PAGE_MM[1], foot, size=6.5, color="0.3"
             )
@@ -72,7 +82,8 @@ class _Pages:
 
     def lines(self, text, size, after_mm=1.5, **style):
         """Text, line by line, over pages where it must."""
-        for line in _wrapped(text, size):
+        bold = BOLD if style.get("weight") == "bold" else 1.0
+        for line in _wrapped(text, size, TEXT_MM / bold):
             self.need(_line_mm(size))
             self.text(line, size, **style)
             self.left_mm -= _line_mm(size)
@@ -80,7 +91,8 @@ class _Pages:
 
     def close(self):
         if self.figure is not None:
-            self.pdf.savefig(self.figure)
+            if self.pdf is not None:
+                self.pdf.savefig(self.figure)
             plt.close(self.figure)
         self.figure = None
 
@@ -95,6 +107,17 @@ def _heading(pages, block):
 def _paragraph(pages, block):
     for line in block.text.split("\n"):
         pages.lines(line, BODY, after_mm=0.0, weight="bold" if block.strong else "normal")
+    pages.left_mm -= 1.5
+
+
+def _list(pages, block):
+    for line in block.lines:
+        for i, words in enumerate(_wrapped(line, BODY, TEXT_MM - 4.0)):
+            pages.need(_line_mm(BODY))
+            if i == 0:
+                pages.text("–", BODY)
+            pages.text(words, BODY, 4.0)
+            pages.left_mm -= _line_mm(BODY)
     pages.left_mm -= 1.5
 
 
@@ -115,11 +138,13 @@ def _table(pages, table):
         pages.left_mm -= height
         return height
 
-    pages.need(8.0 * step)
+    pages.need(min(8.0, 2.0 + len(table.rows)) * step)
     source = f" [{table.source}]" if table.source else ""
-    pages.lines(table.caption + source, SMALL, after_mm=0.5, color="0.25")
-    row(table.columns, weight="bold")
-    pages.rule(0.0)
+    if table.caption or source:
+        pages.lines(table.caption + source, SMALL, after_mm=0.5, color="0.25")
+    if any(table.columns):
+        row(table.columns, weight="bold")
+        pages.rule(0.0)
     for words in table.rows:
         row(words)
         pages.rule(0.0, 0.3, "0.8")
@@ -130,7 +155,8 @@ def _picture(pages, picture):
     source = f" [{picture.source}]" if picture.source else ""
     caption = _wrapped(picture.caption + source, SMALL)
     pages.need(picture.height_mm + _line_mm(SMALL) * len(caption) + 3.0)
-    _place(pages, picture)
+    if pages.pdf is not None:
+        _place(pages, picture)
     pages.left_mm -= picture.height_mm
     pages.lines(picture.caption + source, SMALL, after_mm=3.0, color="0.25")
 
@@ -156,8 +182,15 @@ def write(path, blocks, foot):
         At the foot of every page, before its number.
     """
     draw = {Heading: _heading, Paragraph: _paragraph, Table: _table, Picture: _picture}
-    with PdfPages(path, metadata={"CreationDate": None, "Producer": None}) as pdf:
-        pages = _Pages(pdf, foot)
+    draw |= {List: _list, PageBreak: lambda pages, _: pages.close()}
+
+    def laid(pdf, count):
+        pages = _Pages(pdf, foot, count)
         for block in blocks:
             draw[type(block)](pages, block)
         pages.close()
+        return pages.number
+
+    count = laid(None, 0)  # once without drawing, for how many pages there are
+    with PdfPages(path, metadata={"CreationDate": None, "Producer": None}) as pdf:
+        laid(pdf, count)

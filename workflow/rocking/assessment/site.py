@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.demand import RecordDemand, TableDemand
 from rocking.records.text import read_text
 
@@ -105,3 +106,23 @@ def shapes(records):
 def at_pga(shape, pga_g):
     """The median shape of the records at a PGA."""
     return TableDemand(PERIODS_S, pga_g * np.median(shape, axis=0))
+
+
+def demand_of(own, records, spectrum=None, hazard=None):
+    """The ground's demand: of a table, of NTC 2018, or the median shape at the hazard's PGA.
+
+    Parameters
+    ----------
+    own : dict
+        Section assessment.
+    records : sequence of rocking.records.Record
+        Whose shapes stand for the site's where neither table nor a_g is given.
+    spectrum : str or None
+        File of a table.
+    hazard : rocking.risk.hazard.Hazard or None
+    """
+    if spectrum:
+        return read_spectrum(spectrum)
+    if own["ag_g"] is not None:
+        return CodeDemand(own["ag_g"], own["f0"], own["tc_star_s"], own["soil"], own["topography"])
+    return at_pga(shapes(records), pga_at(hazard, own["return_period_years"]))

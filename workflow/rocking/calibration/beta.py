@@ -323,5 +323,13 @@ def beta_for(config: Mapping, law_file=LAW_FILE) -> float:
     return law.predict(values)[0]
 
 
+def beta_and_range(config: Mapping, law_file=LAW_FILE) -> tuple[float, str]:
+    """β as `beta_for`, and in one line what lies outside the range of its law; else nothing."""
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always", RangeWarning)
+        beta = beta_for(config, law_file)
+    return beta, "; ".join(str(warning.message) for warning in said)
+
+
 def _warn(text):
     warnings.warn(f"damping.law = {text}", RangeWarning, stacklevel=3)

@@ -1,7 +1,8 @@
 """What the open values (null) of a run stand for, and why; written below its configuration."""
 
 from rocking.accuracy.fidelity import CHOSEN, choose, read_fidelity
-from rocking.calibration.beta import beta_for
+from rocking.calibration.beta import beta_and_range
+from rocking.runtime import terminal
 from yade_scripts.model.facade import joint_stiffness
 from yade_scripts.model.models import static_multiplier
 
@@ -28,8 +29,11 @@ def chosen(resolved, fidelity_file, law_file):
         lines.append(f"  facade.base_stiffness_pa_m: {base:.6g} (E/h)")
     if wall["length_m"] is None:
         lines.append(f"  return_wall.length_m: {0.5 * facade['height_m']:.6g} (h/2)")
-    beta = beta_for(resolved, law_file)
-    lines.append(f"  damping: beta {beta:.6g} s (law: {resolved['damping']['law']})")
+    beta, outside = beta_and_range(resolved, law_file)
+    if outside:
+        terminal.warn([f"{resolved['run']}: {outside}"])
+    about = f"law: {resolved['damping']['law']}" + (f"; {outside}" if outside else "")
+    lines.append(f"  damping: beta {beta:.6g} s ({about})")
     measured = read_fidelity(fidelity_file)
     for model in resolved["models"]:
         numerics, reason = choose(resolved, model, measured)

@@ -10,9 +10,10 @@ from rocking.tables import write_table
 
 def main(job):
     settings = json.loads(job.params.settings)
-    facade, chain, own = (settings[k] for k in ("facade", "smdof", "assessment"))
-    own = {**own, "confidence_factor": 1.0}  # the dynamic answer knows its façade
-    mechanism = mechanism_of(facade, own)
+    facade, wall, chain, own = (
+        settings[k] for k in ("facade", "return_wall", "smdof", "assessment")
+    )
+    mechanism = mechanism_of(facade, wall, own)
     rows = []
     for name, station in job.params.records.items():
         record = load(name, job.params.table, baseline=settings["baseline"], seed=settings["seed"])

@@ -5,9 +5,9 @@ import json
 import numpy as np
 import pandas as pd
 from rocking.assessment import site
-from rocking.assessment.battery import battery, facade_of, mechanism_of, ties_of
+from rocking.assessment.battery import battery, governing, least
 from rocking.assessment.demand import floor_demand
-from rocking.assessment.mechanism import lowest_two_blocks, overturning
+from rocking.assessment.family import Family, ties_of
 from rocking.records import G_M_S2, load
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
@@ -18,69 +18,97 @@ from smdof.spectra import response_spectrum
 
 TIE_SHARES = (0.02, 0.05, 0.10, 0.20)  # of the façade's weight
 VARIED = (
-    ("facade", "height_m", 0.05),
-    ("facade", "thickness_m", 0.05),
-    ("facade", "density_kg_m3", 0.10),
-    ("smdof", "period_s", 0.25),
-    ("smdof", "damping_ratio", 0.40),
-    ("assessment", "confidence_factor", 0.10),
-    ("assessment", "height_ratio", 0.25),
+    ("facade", "height_m", (0.95, 1.05)),
+    ("facade", "thickness_m", (0.95, 1.05)),
+    ("facade", "density_kg_m3", (0.9, 1.1)),
+    ("smdof", "period_s", (0.75, 1.25)),
+    ("smdof", "damping_ratio", (0.6, 1.4)),
+    ("assessment", "confidence_factor", (0.9, 1.1)),
 )
+DAMAGED = ((1.5, 0.10), (2.0, 0.20))  # period factor and damping of a damaged building
 SHOWN = ("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height")
+SECTIONS = ("facade", "return_wall", "smdof", "assessment")
 
 
-def sensitivity(settings, demand):
-    """Capacity over demand of the Circolare's checks, one key at a time up and down."""
+def checked(settings, demand, name, added_n=0.0):
+    """A mechanism of the façade by its name, and its checks; None where it no longer is one."""
+    facade, wall, chain, own = (settings[k] for k in SECTIONS)
+    known = {one.name: one for one in Family(facade, wall, own, added_n).all()}
+    if name not in known:
+        return None, {}
+    return known[name], battery(known[name], facade, chain, own, demand)
+
+
+def sensitivity(settings, demand, name):
+    """PGA of failure over the demand's, of one mechanism, one key at a time up and down."""
     rows = []
-    for section, key, share in VARIED:
-        for factor in (1.0 - share, 1.0 + share):
-            changed = {name: dict(settings[name]) for name in ("facade", "smdof", "assessment")}
-            value = changed[section][key] * factor
-            if key == "confidence_factor" and value < 1.0 or key == "height_ratio" and value > 1.0:
-                continue
-            changed[section][key] = value
-            facade, chain, own = (changed[k] for k in ("facade", "smdof", "assessment"))
-            found = battery(mechanism_of(facade, own), facade, chain, own, demand)
-            rows += [(f"{section}.{key}", factor, k, found[k].ratio) for k in SHOWN]
+
+    def add(key, factor, changed):
+        try:
+            _, found = checked(changed, demand, name)
+        except ValueError:  # no such façade
+            return
+        rows.extend((key, factor, k, found[k].ratio) for k in SHOWN if k in found)
+
+    for section, key, factors in VARIED:
+        for factor in factors:
+            changed = {part: dict(settings[part]) for part in SECTIONS}
+            changed[section][key] *= factor
+            if changed["assessment"]["confidence_factor"] >= 1.0:
+                add(f"{section}.{key}", factor, changed)
+    for factor, damping in DAMAGED:
+        changed = {part: dict(settings[part]) for part in SECTIONS}
+        changed["assessment"] |= {"building_period_factor": factor, "building_damping": damping}
+        add(f"damaged building, {100 * damping:g} %", factor, changed)
     return pd.DataFrame(rows, columns=["key", "factor", "check", "ratio"])
 
 
-def mechanisms(settings, demand):
-    """The mechanism as stated, with more ties, and the one left when the top is held."""
-    facade, chain, own = (settings[k] for k in ("facade", "smdof", "assessment"))
-    wall = facade_of(facade, own)
+def mechanism_row(one, found, tie_kn, kind):
+    """One row of the table of mechanisms."""
+    mechanism = one.mechanism
+    mass, ratio, _ = mechanism.participation()
+    row = {
+        "mechanism": one.name,
+        "kind": kind,
+        "tie_kn": tie_kn,
+        "foot_m": one.foot_m,
+        "place": one.place,
+        "multiplier": mechanism.multiplier(),
+        "participating_mass_kg": mass,
+        "e_star": ratio,
+        "e_star_letter": mechanism.participation(letter=True)[1],
+        "d0_m": mechanism.ultimate()[1],
+        "t0_s": one.t0_s,
+        "pga_fails_g": least(found),
+    }
+    return row | {k: found[k].ratio for k in SHOWN if k in found}
+
+
+def mechanisms(settings, demand, ranked):
+    """All mechanisms, the least first, and what more ties or a held top would do to them."""
+    facade, wall, _, own = (settings[k] for k in SECTIONS)
     stated = 1e-3 * sum(force for force, *_ in ties_of(facade))
-    found = [("as stated", stated, mechanism_of(facade, own))]
+    rows = [mechanism_row(one, found, stated, "as stated") for _, one, found in ranked]
+    name = ranked[0][1].name
+    weight = sum(w for w, *_ in Family(facade, wall, own).masonry.masses(0.0, facade["height_m"]))
     for share in TIE_SHARES:
-        force = 1e-3 * share * wall.weight_n
-        tied = overturning(wall, ties_of(facade, 1e3 * force))
-        found.append((f"one more row, {100 * share:g} % of the weight", stated + force, tied))
-    height, bent = lowest_two_blocks(wall)
-    found.append((f"top held: hinge at {height:.2f} m", np.nan, bent))
-    rows = []
-    for name, force, mechanism in found:
-        checks = battery(mechanism, facade, chain, own, demand)
-        mass, ratio, _ = mechanism.participation()
-        rows.append(
-            {
-                "mechanism": name,
-                "tie_kn": force,
-                "multiplier": mechanism.multiplier(),
-                "participating_mass_kg": mass,
-                "e_star": ratio,
-                "d0_m": mechanism.ultimate()[1],
-                "linear_ground": checks["linear_ground"].ratio,
-                "linear_height": checks["linear_height"].ratio,
-                "slv_ground": checks["slv_ground"].ratio,
-                "slv_height": checks["slv_height"].ratio,
-            }
-        )
+        one, found = checked(settings, demand, name, share * weight)
+        if one is not None:
+            force = stated + 1e-3 * share * weight
+            row = mechanism_row(one, found, force, f"one more row, {100 * share:g} % of the weight")
+            rows.append(row)
+    family = Family(facade, wall, own)
+    held = family.span(
+        max(z for z in family.levels() if z < facade["height_m"]), facade["height_m"]
+    )
+    chain = settings["smdof"]
+    rows.append(mechanism_row(held, battery(held, facade, chain, own, demand), np.nan, "top held"))
     return pd.DataFrame(rows)
 
 
-def spectra(records, settings, demand):
+def spectra(records, settings, demand, share):
     """Demand on ground and floor, with the suite at its PGA and the exact chain, by period."""
-    chain, share = settings["smdof"], settings["assessment"]["height_ratio"]
+    chain = settings["smdof"]
     n = chain["n_dof"]
     floor = floor_demand(demand, share, chain)
     periods = site.PERIODS_S[1:]
@@ -114,38 +142,41 @@ def spectra(records, settings, demand):
     return pd.DataFrame(table)
 
 
+def site_files(job, settings):
+    """Spectrum's file and hazard of a job, where they are given."""
+    hazard = None
+    if job.input.hazard:
+        period_s, where = settings["smdof"]["period_s"], settings["risk.site"]
+        hazard = read_hazard(str(job.input.hazard), period_s, where)
+    return str(job.input.spectrum) if job.input.spectrum else None, hazard
+
+
 def main(job):
     settings = json.loads(job.params.settings)
-    records = [
-        load(name, job.params.table, baseline=settings["baseline"], seed=settings["seed"])
-        for name in job.params.records
-    ]
-    if job.input.spectrum:
-        demand = site.read_spectrum(str(job.input.spectrum))
-    else:
-        hazard = read_hazard(
-            str(job.input.hazard), settings["smdof"]["period_s"], settings["risk.site"]
-        )
-        years = settings["assessment"]["return_period_years"]
-        demand = site.at_pga(site.shapes(records), site.pga_at(hazard, years))
-    facade, chain, own = (settings[k] for k in ("facade", "smdof", "assessment"))
-    mechanism = mechanism_of(facade, own)
-    found = battery(mechanism, facade, chain, own, demand)
-    checks, steps = [], []
-    for key, check in found.items():
-        values = (check.capacity, check.demand, check.unit, check.ratio, check.failing_pga_g)
-        checks.append((key, check.name, *values, check.demand_pga_g, check.source))
-        steps += [(key, *step) for step in check.steps]
-    names = ["check", "name", "capacity", "demand", "unit", "ratio", "pga_fails_g"]
+    how = {"baseline": settings["baseline"], "seed": settings["seed"]}
+    records = [load(name, job.params.table, **how) for name in job.params.records]
+    facade, wall, chain, own = (settings[k] for k in SECTIONS)
+    demand = site.demand_of(own, records, *site_files(job, settings))
+    ranked = governing(Family(facade, wall, own).all(), facade, chain, own, demand)
+    least_one = ranked[0]
+    whole = next(row for row in ranked if row[1].foot_m == 0.0)
+    checks, steps, curves = [], [], []
+    for _, one, found in [least_one] if least_one is whole else [least_one, whole]:
+        for key, check in found.items():
+            values = (check.capacity, check.demand, check.unit, check.ratio, check.failing_pga_g)
+            checks.append((one.name, key, check.name, *values, check.demand_pga_g, check.source))
+            steps += [(one.name, key, *step) for step in check.steps]
+        d, alpha = one.mechanism.curve()
+        curves.append(pd.DataFrame({"mechanism": one.name, "d_m": d, "multiplier": alpha}))
+    names = ["mechanism", "check", "name", "capacity", "demand", "unit", "ratio", "pga_fails_g"]
     out = job.output
     write_table(checks, out.checks, [*names, "pga_demand_g", "source"])
-    columns = ["check", "symbol", "meaning", "value", "unit"]
+    columns = ["mechanism", "check", "symbol", "meaning", "value", "unit"]
     write_table(steps, out.steps, columns)
-    d, alpha = mechanism.curve()
-    write_table({"d_m": d, "multiplier": alpha}, out.curve)
-    write_table(sensitivity(settings, demand), out.sensitivity)
-    write_table(mechanisms(settings, demand), out.mechanisms)
-    write_table(spectra(records, settings, demand), out.spectra)
+    write_table(pd.concat(curves), out.curve)
+    write_table(sensitivity(settings, demand, least_one[1].name), out.sensitivity)
+    write_table(mechanisms(settings, demand, ranked), out.mechanisms)
+    write_table(spectra(records, settings, demand, least_one[1].place), out.spectra)
 
 
 run(main, globals())

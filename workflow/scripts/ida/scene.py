@@ -1,8 +1,10 @@
 """Case file of one model: the parts of the configuration a façade run depends on, and β."""
 
 import json
+import warnings
 from pathlib import Path
 
+from rocking.calibration.beta import RangeWarning
 from rocking.collapse.case import Case
 from rocking.runtime.script import run
 
@@ -13,6 +15,7 @@ def main(job):
         sections["damping"]["law"] = law
     if building := getattr(job.input, "building", None):
         mass_kg = json.loads(Path(str(building)).read_text())["mass_behind_facade_kg"]
+    warnings.simplefilter("ignore", RangeWarning)  # the run says it at its start, once
     case = Case.chosen(sections, job.wildcards.model, mass_kg, job.input.law, job.input.fidelity)
     Path(job.output[0]).write_text(case.to_json())
 

@@ -15,6 +15,13 @@ from yade_scripts.model.registry import MODELS
 LINES = ("-", "--", ":", "-.")
 
 
+def interval(row):
+    """Interval of a rate in brackets; nothing where too few records give none."""
+    if not np.isfinite(row["rate_low"]):
+        return ""
+    return f" ({row['rate_low']:.2g} to {row['rate_high']:.2g})"
+
+
 def main(job):
     risk = job.params.risk
     hazard = read_hazard(str(job.input.hazard), job.params.period_s, risk["site"])
@@ -35,9 +42,10 @@ def main(job):
         row = table[table["model"] == model].iloc[0]
         curve = curves[curves["model"] == model]
         x = curve["intensity"]
-        axes[1].fill_between(
-            x, curve["band_low"], curve["band_high"], alpha=0.18, lw=0, color=colour
-        )
+        if np.isfinite(row["rate_low"]):
+            axes[1].fill_between(
+                x, curve["band_low"], curve["band_high"], alpha=0.18, lw=0, color=colour
+            )
         axes[1].plot(x, curve["probability"], ls=LINES[i % len(LINES)], color=colour)
         part = parts[parts["model"] == model].iloc[1:-1]  # the table's own intensities
         beside = (i - 0.5 * (len(models) - 1)) * 0.5 / len(models)
@@ -52,8 +60,7 @@ def main(job):
             ms=4,
             capsize=2,
             color=colour,
-            label=f"{model}: {row['annual_rate']:.2g} a year"
-            f" ({row['rate_low']:.2g} to {row['rate_high']:.2g}),"
+            label=f"{model}: {row['annual_rate']:.2g} a year{interval(row)},"
             f" {100 * row['probability']:.2g} % in {risk['years']:g} years",
         )
     axes[1].set(ylabel="probability\nof collapse [-]", ylim=(0, 1))
@@ -63,10 +70,9 @@ def main(job):
     if models:
         figure.legend(loc="outside lower center", fontsize=8)
     records = int(table["n_records"].max())
-    figure.suptitle(
-        f"{records} records, {100 * job.params.confidence:g} % intervals;"
-        f" hazard: {Path(str(job.input.hazard)).name}"
-    )
+    known = table["rate_low"].notna().any()
+    said = f"{100 * job.params.confidence:g} % intervals" if known else "too few for an interval"
+    figure.suptitle(f"{records} records, {said}; hazard: {Path(str(job.input.hazard)).name}")
     style.save(figure, job.output, job.input.facts)
 
 

@@ -27,8 +27,10 @@ def remark(rate, outside, records, settings):
         words.append("fragility not determined")
     if outside > MUCH:
         words.append(f"{outside:.0%} of the rate from beyond the hazard table")
-    if records < settings["min_records"]:
-        words.append(f"indicative: {records} record{'s' if records > 1 else ''}")
+    if records < rates.FEWEST:
+        words.append(f"no interval: {records} of at least {rates.FEWEST} records")
+    elif records < settings["min_records"]:
+        words.append(f"indicative: {records} records")
     return "; ".join(words)
 
 
@@ -56,7 +58,8 @@ def main(job):
         )
         (rate,), (outside,) = rates.collapse_rate(hazard, fit.median, fit.dispersion)
         drawn, _ = rates.collapse_rate(hazard, draws.median, draws.dispersion)
-        ends = np.percentile(drawn, tails, method="inverted_cdf")
+        few = records < rates.FEWEST
+        ends = [np.nan] * 2 if few else np.percentile(drawn, tails, method="inverted_cdf")
         words = remark(rate, outside, records, settings)
         within = rates.probability_within([rate, *ends], risk["years"])
         values = (rate, *ends, risk["years"], *within, outside, records, words)
@@ -67,6 +70,8 @@ def main(job):
         usable = np.isfinite(drawn) & (drawn > 0.0)
         shares = by_bin_drawn[usable] / drawn[usable, None]
         lower, upper = np.percentile(shares, tails, axis=0)
+        if few:
+            lower, upper = np.full((2, lower.size), np.nan)
         for i, value in enumerate(by_bin[0]):
             ends = (edges[i], edges[i + 1], value, value / rate, lower[i], upper[i])
             parts.append((model, hazard.measure, *ends))

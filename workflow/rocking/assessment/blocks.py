@@ -1,0 +1,249 @@
+"""Rigid blocks that turn: a block about its toe, two blocks between held levels, a plain façade.
+
+See `mechanism` for the virtual work. Forces in N, lengths in m, on the whole width of the façade;
+y is outward, z upward.
+"""
+
+import cmath
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from rocking.assessment.mechanism import Mechanism, Pull, Weight, spread_weight, turning
+from rocking.mechanics.closed_forms import _positive
+
+
+class Facade(NamedTuple):
+    """A plain façade as its mechanisms see it; lengths in m, forces in N, on the whole width.
+
+    Attributes
+    ----------
+    height_m, thickness_m, weight_n : float
+    hinge_inset_m : float
+        Distance of the hinge from the outer face, for crushing.
+    roof_n, roof_arm_m : float
+        Vertical load at the top, and its distance from the inner face; it moves with the façade.
+    pushing_n : float
+        Weight of what does not bear on the façade but pushes it at the top, Q of C8.7.1.1.
+    """
+
+    height_m: float
+    thickness_m: float
+    weight_n: float
+    hinge_inset_m: float = 0.0
+    roof_n: float = 0.0
+    roof_arm_m: float = 0.0
+    pushing_n: float = 0.0
+
+
+def _checked(facade):
+    f = facade
+    _positive(height_m=f.height_m, thickness_m=f.thickness_m, weight_n=f.weight_n)
+    for name, value, limit in (
+        ("hinge_inset_m", f.hinge_inset_m, 0.5 * f.thickness_m),
+        ("roof_arm_m", f.roof_arm_m, f.thickness_m),
+        ("roof_n", f.roof_n, math.inf),
+        ("pushing_n", f.pushing_n, math.inf),
+    ):
+        if not 0.0 <= value <= limit:
+            raise ValueError(f"{name}: expected a value from 0 to {limit:g}, got {value}")
+    return f
+
+
+def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=()):
+    """One rigid block that turns outward about a hinge.
+
+    Parameters
+    ----------
+    masses, loads : sequence of (weight_n, y_m, z_m)
+        Of the block, and what it carries.
+    hinge, top : tuple of float
+        (y, z); the top is the control point.
+    pulls : sequence of (force_n, height_m, reach_m, fades)
+    pushes : sequence of (weight_n, height_m)
+        Masses that push horizontally and do not bear on it.
+    """
+
+    def move(point):
+        return turning(point, hinge)
+
+    weights = [Weight(w, move((y, z))) for w, y, z in (*masses, *loads) if w > 0.0]
+    weights += [Weight(w, _part(move((hinge[0], z)), 0)) for w, z in pushes if w > 0.0]
+    found = []
+    for force, height, reach, fades in pulls:
+        if not (force >= 0.0 and hinge[1] < height <= top[1] and reach > 0.0):
+            raise ValueError(
+                f"tie: expected a force of at least 0, a height from {hinge[1]:g} to {top[1]:g} m "
+                f"and a positive reach, got {force:g} N, {height:g} m, {reach:g} m"
+            )
+        found.append(Pull(force, move((hinge[0], height)), reach, fades))
+    pieces = ((hinge[1], top[1], move),)
+    return Mechanism(name, tuple(weights), move(top), tuple(found), pieces=pieces)
+
+
+def bending(name, lower, upper, base, joint, top, loads=(), held=(), pushes=()):
+    """Two blocks between held levels: vertical bending.
+
+    The lower block turns outward about `base`, the upper one back about `joint`, the inner edge of
+    the opening between them; `top`, where it is held, moves vertically only. What bears there lifts
+    and does not move sideways.
+
+    Parameters
+    ----------
+    lower, upper : sequence of (weight_n, y_m, z_m)
+        Masses of the blocks.
+    base, joint, top : tuple of float
+        (y, z).
+    loads : sequence of (weight_n, y_m, z_m)
+        That move with the block they stand on.
+    held : sequence of (weight_n, y_m, z_m)
+        That bear on the upper block and are held.
+    pushes : sequence of (weight_n, height_m)
+        Between the levels.
+    """
+    first = turning(joint, base)
+    dy, dz = top[0] - joint[0], top[1] - joint[1]
+    length, angle = math.hypot(dy, dz), math.atan2(dz, dy)
+
+    def below(point):
+        return turning(point, base)
+
+    def above(point):
+        ry, rz = point[0] - joint[0], point[1] - joint[1]
+
+        def path(theta):
+            y, z = first(theta)
+            psi = cmath.acos((top[0] - y) / length) - angle  # leaves the top where it is in y
+            cos, sin = cmath.cos(psi), cmath.sin(psi)
+            return y + ry * cos - rz * sin, z + ry * sin + rz * cos
+
+        return path
+
+    def move(point):
+        return (above if point[1] > joint[1] else below)(point)
+
+    weights = [Weight(w, below((y, z))) for w, y, z in lower if w > 0.0]
+    weights += [Weight(w, above((y, z))) for w, y, z in upper if w > 0.0]
+    weights += [Weight(w, move((y, z))) for w, y, z in loads if w > 0.0]
+    weights += [Weight(w, _part(above((y, z)), 1)) for w, y, z in held if w > 0.0]
+    weights += [Weight(w, _part(move((base[0], z)), 0)) for w, z in pushes if w > 0.0]
+    rise = joint[1] - base[1]
+    largest = math.asin(min(0.95 * length / rise, 0.95))  # the joint stays within its reach
+    pieces = ((base[1], joint[1], below), (joint[1], top[1], above))
+    return Mechanism(name, tuple(weights), first, (), largest, pieces)
+
+
+def _part(path, which):
+    """Horizontal (0) or vertical (1) part of a path."""
+
+    def only(theta):
+        y, z = path(theta)
+        return (y, complex(0.0)) if which == 0 else (complex(0.0), z)
+
+    return only
+
+
+def overturning(facade, pulls=(), name="overturning about the base"):
+    """Simple overturning of the whole façade about its outer edge, less the hinge's inset.
+
+    Free: α0 = (b − 2t)/h. With a roof load N at the inner distance s, and Q that pushes at the top:
+    α0 = [W(b/2 − t) + N(b − s − t)]/(W h/2 + (N + Q) h). Ties T at z_t add T z_t to the numerator.
+
+    Parameters
+    ----------
+    facade : Facade
+    pulls : sequence of (force_n, height_m, reach_m, fades)
+        Ties, and courses of interlocked return walls (`courses`).
+    """
+    f = _checked(facade)
+    h, middle = f.height_m, 0.5 * f.thickness_m
+    masses = [(part, middle, z) for part, z in spread_weight(f.weight_n, 0.0, h)]
+    hinge = (f.thickness_m - f.hinge_inset_m, 0.0)
+    return toppling(
+        name,
+        masses,
+        hinge,
+        (hinge[0], h),
+        [(f.roof_n, f.roof_arm_m, h)],
+        pulls,
+        [(f.pushing_n, h)],
+    )
+
+
+def courses(height_m, course_m, return_thickness_m, overlap_m, friction, unit_weight_n_m3, walls=2):
+    """Friction of interlocked courses as pulls, from the top: F_i = μ γ t_s v h_b i a wall.
+
+    Joint i lies at h − i·h_b above the hinge and is gone when it has slipped by the overlap v
+    (upper bound of Casapulla et al., 2019). Their sum is μ γ t_s v h_b n(n − 1)/2 a wall, for n
+    courses, at (n + 1)h_b/3 above the hinge: for many courses 1.25 times `interlocking`.
+
+    Returns
+    -------
+    list of (force_n, height_m, reach_m, fades)
+    """
+    _positive(course_m=course_m, overlap_m=overlap_m, return_thickness_m=return_thickness_m)
+    count = round(height_m / course_m)
+    force = walls * friction * unit_weight_n_m3 * return_thickness_m * overlap_m * course_m
+    return [(force * i, height_m - i * course_m, overlap_m, False) for i in range(1, count)]
+
+
+def interlocking(
+    height_m, course_m, return_thickness_m, overlap_m, friction, unit_weight_n_m3, walls=2
+):
+    """Friction of interlocked return walls by the Circolare's C8.7.1.2, as one pull.
+
+    F = 0.4 n(n + 1) Φ μ l² t_s W a wall, Φ = h_b/l, n = h/h_b, at a third of the height h above the
+    hinge. The code does not say how it fades as the blocks slide off each other; here it falls
+    linearly to zero as its point moves by the overlap l.
+
+    Returns
+    -------
+    force_n, height_m, reach_m, fades
+        Height above the hinge.
+    """
+    _positive(course_m=course_m, overlap_m=overlap_m, return_thickness_m=return_thickness_m)
+    n, phi = height_m / course_m, course_m / overlap_m
+    one = 0.4 * n * (n + 1.0) * phi * friction * overlap_m**2 * return_thickness_m
+    return walls * one * unit_weight_n_m3, height_m / 3.0, overlap_m, True
+
+
+def two_blocks(facade, hinge_height_m):
+    """Vertical bending: the top is held, the façade opens at a hinge at an intermediate height.
+
+    Small rotations, b₁ = b, roof load N at s from the inner face, W₁ = W h₁/h, W₂ = W h₂/h,
+    r = h₁/h₂ (rotation of the upper block per lower one):
+
+        α0 = [W₁ b/2 + (W₂ + N) b + r (W₂ b/2 + N s)]/[(W₁ + W₂) h₁/2]
+
+    See `bending`. The held roof load has no horizontal displacement and does no work against the
+    shaking.
+
+    Parameters
+    ----------
+    facade : Facade
+        Its hinge inset applies at the base and at the joint.
+    hinge_height_m : float
+    """
+    f = _checked(facade)
+    h1, h = hinge_height_m, f.height_m
+    if not (0.0 < h1 < h):
+        raise ValueError(f"hinge_height_m: expected 0 to {h:g} m, got {h1:g}")
+    b, w = f.thickness_m, f.weight_n / h
+    return bending(
+        "vertical bending",
+        [(p, 0.5 * b, z) for p, z in spread_weight(w * h1, 0.0, h1)],
+        [(p, 0.5 * b, z) for p, z in spread_weight(w * (h - h1), h1, h)],
+        (b - f.hinge_inset_m, 0.0),
+        (f.hinge_inset_m, h1),
+        (b, h),
+        held=[(f.roof_n, f.roof_arm_m, h)],
+    )
+
+
+def lowest_two_blocks(facade, shares=19):
+    """Hinge height with the smallest α0 [m], and its mechanism, of multiples of h/(shares + 1)."""
+    heights = facade.height_m * np.arange(1, shares + 1) / (shares + 1)
+    found = [(two_blocks(facade, float(z)), float(z)) for z in heights]
+    mechanism, height = min(found, key=lambda item: item[0].multiplier())
+    return height, mechanism

@@ -1,0 +1,128 @@
+"""Natural motions whose mean spectrum fits a target between stated periods.
+
+NTC 2018, 3.2.3.6: of recorded motions, selected and scaled, the mean of the 5 % spectra may lie no
+more than 10 % below and 30 % above the target at any period of interest. Each motion has a factor
+of its own, that of its mean logarithmic distance from the target, within bounds; a set is built by
+taking the motion that helps most, then by exchanging single motions as long as the fit improves,
+and last by one common factor. At most one horizontal component of a station is taken, so that no
+earthquake counts twice.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+BELOW, ABOVE = 0.10, 0.30  # of the target, by NTC 2018
+POINTS = 40  # periods at which the fit is judged
+ROUNDS = 50  # of exchanges
+
+
+@dataclass(frozen=True)
+class Selection:
+    """A set of scaled motions and how its mean fits.
+
+    Attributes
+    ----------
+    names : list of str
+    factors : ndarray
+        On each motion's acceleration.
+    period_s, target_g, mean_g : ndarray
+    """
+
+    names: list
+    factors: np.ndarray
+    period_s: np.ndarray
+    target_g: np.ndarray
+    mean_g: np.ndarray
+
+    @property
+    def deviations(self):
+        """Least and largest of mean/target − 1."""
+        ratio = self.mean_g / self.target_g - 1.0
+        return float(ratio.min()), float(ratio.max())
+
+    @property
+    def fits(self):
+        """Whether the code's bounds hold at every period."""
+        low, high = self.deviations
+        return low >= -BELOW - 1e-9 and high <= ABOVE + 1e-9
+
+
+def periods(low_s, high_s):
+    """Periods at which a fit is judged."""
+    return np.geomspace(low_s, high_s, POINTS)
+
+
+def _misfit(ratio):
+    """Mean square of a set's logarithmic distance, what is out of bounds counted tenfold."""
+    log = np.log(ratio)
+    log = log - log.mean()  # the common factor is free
+    out = np.maximum(log - np.log1p(ABOVE), 0.0) + np.maximum(np.log1p(-BELOW) - log, 0.0)
+    return float(np.mean(log**2) + 10.0 * np.mean(out**2))
+
+
+def choose(names, stations, spectra_g, period_s, target_g, count, bounds):
+    """Choose motions.
+
+    Parameters
+    ----------
+    names, stations : sequence of str
+        Of the candidates.
+    spectra_g : ndarray, shape (candidates, periods)
+        5 % spectra of the motions as recorded.
+    period_s, target_g : ndarray, shape (periods,)
+    count : int
+    bounds : tuple of float
+        Least and largest factor.
+
+    Returns
+    -------
+    Selection
+
+    Raises
+    ------
+    ValueError
+        If there are fewer stations than motions wanted.
+    """
+    names, stations = list(names), np.asarray(stations)
+    if len(set(stations)) < count:
+        raise ValueError(
+            f"{len(set(stations))} stations; expected at least as many as motions, {count}"
+        )
+    own = np.exp(np.mean(np.log(target_g / spectra_g), axis=1)).clip(*bounds)
+    scaled = own[:, None] * spectra_g / target_g
+
+    def value(chosen):
+        return _misfit(np.mean(scaled[chosen], axis=0))
+
+    chosen: list[int] = []
+    while len(chosen) < count:
+        free = [i for i in range(len(names)) if stations[i] not in set(stations[chosen])]
+        chosen.append(min(free, key=lambda i: value([*chosen, i])))
+    best = value(chosen)
+    for _ in range(ROUNDS):
+        trials = []
+        for k in range(count):
+            rest = chosen[:k] + chosen[k + 1 :]
+            taken = set(stations[rest])
+            trials += [
+                (value([*rest, i]), [*rest, i])
+                for i in range(len(names))
+                if i not in chosen and stations[i] not in taken
+            ]
+        found, exchanged = min(trials, default=(best, chosen))
+        if found >= best - 1e-12:
+            break
+        best, chosen = found, exchanged
+    chosen = sorted(chosen)
+    factors = _common(scaled[chosen], own[chosen], bounds)
+    mean = np.mean(factors[:, None] * spectra_g[chosen], axis=0)
+    return Selection([names[i] for i in chosen], factors, period_s, np.asarray(target_g), mean)
+
+
+def _common(ratios, factors, bounds):
+    """Factors times a common one: the mean as near the target as the lower bound lets it be."""
+    ratio = np.mean(ratios, axis=0)
+    common = np.exp(-np.mean(np.log(ratio)))
+    common = max(common, (1.0 - BELOW) / ratio.min())
+    return (common * factors).clip(*bounds)

@@ -1,0 +1,142 @@
+"""What a report says first: the verdict in three sentences, what it rests on, what is next."""
+
+import pandas as pd
+
+from rocking.risk.rates import FEWEST
+
+
+def g3(value):
+    """Three figures, a word where there is no end, or a dash."""
+    if pd.isna(value):
+        return "–"
+    return "never" if value == float("inf") else f"{value:.3g}"
+
+
+def per_cent(value):
+    """Whole per cent."""
+    return f"{100 * value:.0f} %"
+
+
+def _models(names):
+    return " and ".join([", ".join(names[:-1]), names[-1]] if names[1:] else names)
+
+
+def kinematic(checks, mechanisms):
+    """The first sentence: the non-linear kinematic check of the weakest mechanism."""
+    stated = mechanisms[mechanisms["kind"] == "as stated"]
+    least = stated.sort_values("pga_fails_g").iloc[0]
+    demand = checks["pga_demand_g"].iloc[0]
+    share = least["pga_fails_g"] / demand
+    verdict = "passes" if share >= 1.0 else "fails"
+    return (
+        f"The façade {verdict} the non-linear kinematic check of the Circolare 7/2019 for life "
+        f"safety (SLV): the weakest of {len(stated)} mechanisms, {least['mechanism']}, holds up to "
+        f"a PGA of {g3(least['pga_fails_g'])} g, {per_cent(share)} of the demand's {g3(demand)} g."
+    )
+
+
+def dynamic_check(verdicts, fit):
+    """The second sentence: the code's own dynamic check."""
+    if verdicts.empty:
+        return "The code's dynamic check was not made: too few motions of different stations."
+    held = [r.model for r in verdicts.itertuples() if r.slv]
+    lost = [r.model for r in verdicts.itertuples() if not r.slv]
+    row = verdicts.iloc[0]
+    about = f"under {row['motions']:.0f} histories of recorded motions scaled to the demand"
+    if fit is not None and not fit[2]:
+        about += ", whose mean does not fit its spectrum within the code's bounds"
+    said = [
+        f"{r.model} {r.exceed_d0:.0f} fell, mean {per_cent(r.mean_d_m / r.d_slv_m)} of d_SLV"
+        for r in verdicts.itertuples()
+    ]
+    if not lost:
+        verdict = "is fulfilled for every model"
+    elif not held:
+        verdict = "is not fulfilled for any model"
+    else:
+        verdict = f"is fulfilled for {_models(held)} and not for {_models(lost)}"
+    unsure = [r.model for r in verdicts.itertuples() if r.agree < 0.95]
+    words = f"The code's dynamic check (C8.7.1.2.1.9) {verdict}, {about} ({'; '.join(said)})"
+    if unsure:
+        words += f"; for {_models(unsure)} the verdict hangs on the numerics"
+    return words + "."
+
+
+def suite(dynamic):
+    """The third sentence: collapse under all motions of the run."""
+    stations = int(dynamic["stations"].max())
+    if stations < FEWEST:
+        said = "; ".join(
+            f"{r.model} fell under {r.fell_at_demand:.0f} of {r.curves:.0f}, from "
+            f"{g3(r.least_pga_g)} g on"
+            for r in dynamic.itertuples()
+        )
+        stations_said = f"{stations} station{'s' if stations > 1 else ''}"
+        return (
+            f"Shaken by the motions of {stations_said} at the demand's PGA, {said}; so few give no "
+            f"probability and no interval ({FEWEST} stations are the least)."
+        )
+    said = ", ".join(
+        f"{per_cent(r.probability)} of {r.model} ({100 * r.probability_low:.0f} to "
+        f"{per_cent(r.probability_high)})"
+        for r in dynamic.itertuples()
+    )
+    return (
+        f"Shaken by {stations} stations' motions, each scaled to the demand's PGA, collapse takes "
+        f"{said}; in brackets 95 % intervals."
+    )
+
+
+def passes(checks, mechanisms, verdicts):
+    """Whether every mechanism and every model pass; None without a dynamic check."""
+    stated = mechanisms[mechanisms["kind"] == "as stated"]
+    kinematic_holds = stated["pga_fails_g"].min() >= checks["pga_demand_g"].iloc[0]
+    if verdicts.empty:
+        return None if kinematic_holds else False
+    return bool(kinematic_holds and verdicts["slv"].all())
+
+
+def next_steps(checks, mechanisms, verdicts, knowledge):
+    """What is recommended next, a line each."""
+    stated = mechanisms[mechanisms["kind"] == "as stated"]
+    demand = checks["pga_demand_g"].iloc[0]
+    weak = stated[stated["pga_fails_g"] < demand].sort_values("pga_fails_g")
+    lines = []
+    if len(weak):
+        lines.append(
+            "Tie or hold the façade against: "
+            + "; ".join(f"{r.mechanism} ({g3(r.pga_fails_g)} g)" for r in weak.itertuples())
+            + ". What rows of ties do is below; the target strengthening finds the least one."
+        )
+        lines.append(
+            "Verify on site what the checks leave out: the bond with the return walls, the anchors "
+            "of floors and roof, the quality of the masonry."
+        )
+    linear = checks[checks["check"].isin(("linear_ground", "linear_height"))]
+    if not len(weak) and (linear["ratio"] < 1.0).any():
+        lines.append(
+            "The linear check with q = 2 fails, the non-linear one passes. The Circolare takes the "
+            "first where no capacity curve is at hand, so the second stands."
+        )
+    lost = [r.model for r in verdicts.itertuples() if not r.slv]
+    if lost and not len(weak):
+        lines.append(
+            f"The kinematic check passes and the dynamic one does not ({_models(lost)}): do not "
+            "rest on the kinematic check alone; tie the façade or find what the building's motion "
+            "really is."
+        )
+    if not verdicts.empty and (verdicts["agree"] < 0.95).any():
+        lines.append(
+            "Run the dynamic check with more motions: its verdict hangs on single histories."
+        )
+    least = stated.sort_values("pga_fails_g").iloc[0]
+    if least["foot_m"] > 0.0 and not verdicts.empty:
+        lines.append(
+            "The dynamic models turn the whole façade; the weakest mechanism, "
+            f"{least['mechanism']}, is judged by the kinematic checks alone."
+        )
+    if knowledge:
+        lines.append(knowledge)
+    if not lines:
+        lines.append("Keep the assumptions below verified on site; nothing else is asked for.")
+    return lines

@@ -1,0 +1,37 @@
+"""Histories of one model under the motions of the code's dynamic check, and its verdict."""
+
+import json
+from pathlib import Path
+
+import pandas as pd
+from rocking.assessment.battery import mechanism_of
+from rocking.assessment.dynamic_check import COLUMNS, histories, limits_of, verdict
+from rocking.records import load
+from rocking.runtime.script import run
+from rocking.tables import write_table
+
+
+def main(job):
+    scene = json.loads(Path(job.input.scene).read_text())
+    settings = json.loads(job.params.settings)
+    motions = pd.read_csv(job.input.motions)
+    how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}
+    parts = []
+    for row in motions.itertuples():
+        record = load(row.record, job.params.table, **how)
+        for direction in settings["directions"]:
+            members = settings["assessment"]["dynamic_members"]
+            parts.append(histories(scene, record, direction, [row.pga_g], members))
+    if not parts:
+        write_table([], job.output.histories, COLUMNS)
+        write_table([], job.output.verdict, ["model"])
+        return
+    table = pd.concat(parts, ignore_index=True)
+    write_table(table, job.output.histories)
+    whole = mechanism_of(scene["facade"], scene["return_wall"], settings["assessment"])
+    found = verdict(table, limits_of(whole.mechanism), settings["seed"])
+    row = {"model": scene["model"], **found}
+    write_table([row], job.output.verdict)
+
+
+run(main, globals())
