@@ -65,3 +65,37 @@ use rule animation_collapse as animation_history with:
         results("histories/{model}/{record}_{direction}_{pga}g.gif"),
     log:
         logs("animation_{model}_{record}_{direction}_{pga}g"),
+
+
+# For ParaView: blocks as bodies, contacts with their forces, at every 0.02 s.
+rule history_acting:
+    input:
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        yade=rules.yade_check.output[0],
+        modules=study_code("frames"),
+    output:
+        temp(results("histories/{model}/{record}_{direction}_{pga}g_acting.json")),
+    log:
+        logs("history_acting_{model}_{record}_{direction}_{pga}g"),
+    params:
+        yade=YADE,
+    shell:
+        "{params.yade} frames --scene {input.scene:q} --motion {input.motion:q}"
+        " --record {wildcards.record:q} --direction {wildcards.direction}"
+        " --pga {wildcards.pga:q} --contacts --output {output:q} 2> {log:q}"
+
+
+rule history_vtk:
+    input:
+        frames=rules.history_acting.output[0],
+        modules=code("history/history_vtk"),
+    output:
+        collection=results("histories/{model}/{record}_{direction}_{pga}g.pvd"),
+        instants=directory(results("histories/{model}/{record}_{direction}_{pga}g")),
+    log:
+        logs("history_vtk_{model}_{record}_{direction}_{pga}g"),
+    params:
+        config=RUNS.params_of("facade", "return_wall", "w3"),
+    script:
+        "../scripts/history/history_vtk.py"

@@ -83,8 +83,8 @@ def faces(frames, frame, walls, config, magnification=1.0):
         pieces = STRIPS if frames["blocks"][i]["name"] == "façade" else 1
         for k in range(pieces):
             low = centre[2] - 0.5 * size[2] + size[2] * k / pieces
-            corner = _corners(centre, size, low, size[2] / pieces)
-            real = _turn(corner, pivot, angle) + np.array([0.0, dy - ground, dz])
+            corner = corners(centre, size, low, size[2] / pieces)
+            real = turned(corner, pivot, angle) + np.array([0.0, dy - ground, dz])
             shift = real - corner
             value = float(np.linalg.norm(shift.mean(axis=0)))
             drawn = corner + magnification * shift
@@ -101,7 +101,8 @@ def faces(frames, frame, walls, config, magnification=1.0):
     return np.array(polygons)[order], np.array(values)[order]
 
 
-def _corners(centre, size, low, tall):
+def corners(centre, size, low, tall):
+    """Corners of a box of height `tall` from `low` up, shape (8, 3), in VTK's order."""
     x0, x1 = centre[0] - 0.5 * size[0], centre[0] + 0.5 * size[0]
     y0, y1 = centre[1] - 0.5 * size[1], centre[1] + 0.5 * size[1]
     z0, z1 = low, low + tall
@@ -119,7 +120,7 @@ def _corners(centre, size, low, tall):
     )
 
 
-def _turn(points, pivot, angle):
+def turned(points, pivot, angle):
     """Points turned about x by `angle` (positive: outward top moves inward) about the pivot."""
     c, s = np.cos(angle), np.sin(angle)
     r = points - pivot

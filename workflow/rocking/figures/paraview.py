@@ -1,0 +1,116 @@
+"""Histories as VTK files for ParaView: the blocks as bodies, the contacts as points with a force.
+
+A history becomes a collection (`.pvd`) of instants, each with two parts (`.vtu`): the blocks as
+hexahedra and the contacts as vertices. Half models are written whole, with both return walls, as
+they are drawn; the contacts are those of the part that is modelled.
+"""
+
+from pathlib import Path
+from xml.sax.saxutils import quoteattr
+
+import meshio
+import numpy as np
+
+from rocking.figures.pictures import boxes, corners, turned
+
+BLOCKS, CONTACTS = 0, 1  # parts of the collection
+
+
+def blocks(frames, frame, walls, config):
+    """Blocks of one instant as a mesh of hexahedra.
+
+    Parameters
+    ----------
+    frames : dict
+        Of `yade_scripts.studies.frames` with contacts.
+    frame : int
+    walls : int
+        Number of return walls.
+    config : dict
+        Sections facade, return_wall, w3.
+
+    Returns
+    -------
+    meshio.Mesh
+        Points where they are in the frame of the motion's origin [m], with displacement_m and
+        velocity_m_s; cells with block (index in the scene), free and spin_rad_s.
+    """
+    moved, rates = (np.array(frames[key][frame], float) for key in ("moved", "velocity"))
+    base = [i for i, b in enumerate(frames["blocks"]) if b["name"] == "base"]
+    shown = [*boxes(frames, walls, config), *_of_base(frames, base, config)]
+    places, shifts, velocities, cells = [], [], [], []
+    for centre, size, i in shown:
+        block = frames["blocks"][i]
+        pivot, (dy, dz, angle) = np.array(block["centre_m"]), moved[i]
+        start = corners(centre, size, centre[2] - 0.5 * size[2], size[2])
+        place = turned(start, pivot, angle) + np.array([0.0, dy, dz])
+        arm = place - (pivot + np.array([0.0, dy, dz]))
+        vy, vz, spin = rates[i]
+        velocity = np.stack([0.0 * arm[:, 0], vy - spin * arm[:, 2], vz + spin * arm[:, 1]], axis=1)
+        cells.append(len(places) * 8 + np.arange(8))
+        places.append(place)
+        shifts.append(place - start)
+        velocities.append(velocity)
+    index = [i for *_, i in shown]
+    return meshio.Mesh(
+        np.concatenate(places),
+        [("hexahedron", np.array(cells))],
+        point_data={
+            "displacement_m": np.concatenate(shifts),
+            "velocity_m_s": np.concatenate(velocities),
+        },
+        cell_data={
+            "block": [np.array(index)],
+            "free": [np.array([int(bool(frames["blocks"][i]["free"])) for i in index])],
+            "spin_rad_s": [rates[index, 2]],
+        },
+    )
+
+
+def _of_base(frames, base, config):
+    """The base as a slab a little wider than the façade."""
+    facade = config["facade"]
+    size = np.array([1.2 * facade["width_m"], 6.0 * facade["thickness_m"], 0.2])
+    return [(np.array([0.0, 0.0, -0.1]), size, i) for i in base]
+
+
+def contacts(frames, frame):
+    """Contacts of one instant as vertices, with force_n [N] and the block that it acts on."""
+    table = np.array(frames["contacts"][frame], float).reshape(-1, 7)
+    vertices = np.arange(len(table)).reshape(-1, 1)
+    data = {"force_n": table[:, 3:6], "block": table[:, 6].astype(int)}
+    return meshio.Mesh(table[:, :3], [("vertex", vertices)], point_data=data)
+
+
+def write(collection, frames, walls, config):
+    """Write a history: the collection, and its instants in a folder beside it.
+
+    Parameters
+    ----------
+    collection : path
+        `name.pvd`; the instants go to `name/`.
+    frames, walls, config
+        See `blocks`.
+    """
+    collection = Path(collection)
+    folder = collection.with_suffix("")
+    folder.mkdir(parents=True, exist_ok=True)
+    rows = []
+    for k, time_s in enumerate(frames["time_s"]):
+        parts = {BLOCKS: blocks(frames, k, walls, config), CONTACTS: contacts(frames, k)}
+        for part, mesh in parts.items():
+            if not len(mesh.points):
+                continue
+            path = folder / f"{('blocks', 'contacts')[part]}_{k:04d}.vtu"
+            mesh.write(path, file_format="vtu", binary=True)
+            name = quoteattr(f"{folder.name}/{path.name}")
+            rows.append(f'    <DataSet timestep="{time_s:.6g}" part="{part}" file={name}/>')
+    lines = [
+        '<?xml version="1.0"?>',
+        '<VTKFile type="Collection" version="0.1">',
+        "  <Collection>",
+        *rows,
+        "  </Collection>",
+        "</VTKFile>",
+    ]
+    collection.write_text("\n".join(lines) + "\n", "utf-8")

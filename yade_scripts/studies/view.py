@@ -1,0 +1,108 @@
+"""Entry point: a scene in YADE's own viewer, ready to play.
+
+    python3 yade_scripts view --scene scenes/W2.json --motion smdof/RRS228_4dof.csv
+        --record RRS228 --direction neg --pga 0.2
+
+opens YADE's viewer and controller with the scene as the analyses run it; press Play. Free blocks
+are drawn as they move. Return walls and base are drawn where they start, as frames: the faces that
+stand for them in contact are many times larger than a wall, and hidden.
+"""
+
+import contextlib
+import os
+import shutil
+import sys
+from pathlib import Path
+
+if __name__ == "__main__":  # started by YADE's own program, which sets no path
+    sys.path.insert(0, str(Path(sys.argv[0]).resolve().parents[2]))
+
+from yade_scripts.engine import adapter
+from yade_scripts.model import models
+from yade_scripts.model.motion import amplitude
+from yade_scripts.studies import command, shaking
+
+SHOWN_M = 2.2  # of the return walls, which are longer than needed
+COLOURS = {True: (0.79, 0.51, 0.42), False: (0.68, 0.72, 0.76)}  # free, support
+
+
+class Ready(Exception):
+    """The scene is built; nothing has run."""
+
+
+def dress(scene, built):
+    """Draw the blocks: free ones solid, supports as frames; return the ids of what to hide."""
+    from yade import utils
+
+    omega = built.omega
+    carriers = set()
+    for index, block in enumerate(scene.blocks):
+        body = omega.bodies[built.body[index]]
+        if block.free:
+            first = min(body.shape.members) if body.isClump else body.id
+            carriers.add(first)
+            omega.bodies[first].shape.color = COLOURS[True]
+            omega.bodies[first].shape.wire = False
+            continue
+        half = [0.5 * min(size, SHOWN_M) for size in block.size_m]
+        centre = list(block.centre_m)
+        centre[1] += 0.5 * block.size_m[1] - half[1]  # its face towards the façade stays
+        centre[2] += (0.5 * block.size_m[2] - half[2]) * (block.name == scene.reference)
+        half[2] = half[2] if block.name == scene.reference else 0.5 * block.size_m[2]
+        box = utils.box(tuple(centre), tuple(half), fixed=True, wire=True, mask=0)
+        box.shape.color = COLOURS[False]
+        carriers.add(omega.bodies.append(box))
+    return [b.id for b in omega.bodies if b.shape and not b.isClump and b.id not in carriers]
+
+
+def opened(arguments):
+    """Build the scene that the command line names; return it with its handles in YADE."""
+    parser = command.parser(__doc__, *command.CURVE)
+    parser.add_argument("--pga", required=True, type=float, help="intensity [g]")
+    args = parser.parse_args(arguments)
+    case, time_s, columns = command.opened(args)
+    scene = models.build_scene(case)
+    factor = amplitude(columns["ground"], args.direction, args.pga)
+    run = shaking.prepare(scene, models.numerics(case), time_s, columns, factor)
+    found = []
+
+    def setup(built):
+        found.append(built)
+        raise Ready
+
+    with contextlib.suppress(Ready):
+        run.run(setup=setup)
+    return run.scene, found[0]
+
+
+def show(arguments):
+    """Build and open the viewer; runs inside YADE's own program."""
+    adapter.load_yade()
+    from yade import qt
+
+    scene, built = opened(arguments)
+    hidden = dress(scene, built)
+    qt.Controller()
+    view, renderer = qt.View(), qt.Renderer()
+    for body in hidden:
+        renderer.hideBody(body)
+    renderer.mask = 0  # blocks touch nothing, so they belong to no group: draw all groups
+    renderer.bgColor = (1.0, 1.0, 1.0)
+    height = max(b.centre_m[2] + 0.5 * b.size_m[2] for b in scene.blocks)
+    view.viewDir, view.upVector = (-0.75, -0.6, -0.2), (0.0, 0.0, 1.0)
+    view.fitAABB((-height, -height, -0.2 * height), (height, height, 1.2 * height))
+    return view
+
+
+def main(arguments=None):
+    """Hand over to YADE's own program, which has the viewer."""
+    program = shutil.which("yade")
+    if program is None:
+        raise ValueError("YADE's program is not on the path: install Debian's package 'yade'")
+    if not os.environ.get("DISPLAY"):
+        raise ValueError("no display: YADE's viewer needs one (DISPLAY is not set)")
+    os.execv(program, [program, str(Path(__file__).resolve()), *arguments])
+
+
+if __name__ == "__main__":
+    VIEW = show(sys.argv[1:])
