@@ -1,6 +1,6 @@
 """Every record of a study read before anything runs, remembered by its content.
 
-    for finding in check_study(study, cache="results/main/cache/records_check.json"):
+    for finding in check_runs(runs, cache="results/main/cache/records_check.json"):
         if finding.status == "fault":
             print(finding)
 
