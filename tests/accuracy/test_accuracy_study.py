@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.accuracy import histories, study
-from rocking.reference.facade import judge
+from rocking.reference.facade import peak_and_end
 from yade_process import resolved
 
 from yade_scripts.model import floor_motions
@@ -44,7 +44,7 @@ def test_the_reference_is_what_the_adaptive_solver_converges_to(model, cycle):
     """Two independent schemes and codes; a single cycle repeats."""
     compiled, pga_g = solver(model, cycle), 0.9 / STANDARD_GRAVITY_M_S2
     found = histories.judged(compiled, pga_g, LIMITS)
-    expected, end_s = judge(compiled.job, cycle[0], "pos", pga_g, nodes=25, tolerance=1e-5)
+    expected, end_s = peak_and_end(compiled.job, cycle[0], "pos", pga_g, nodes=25, tolerance=1e-5)
     assert found["repeats"] == 1
     assert 0.1 < found["d_over_b"] < 0.9
     assert found["d_over_b"] == pytest.approx(expected, rel=4e-3)
@@ -111,8 +111,8 @@ def test_errors_and_their_spread():
     assert spread.loc["x", "worst"] == "c"
     assert spread.loc["y", "within_1_percent"] == 0.5  # the failed run is wrong
     assert spread.loc["x", "cost"] == pytest.approx(0.1)
-    judge = study.errors(runs().assign(method=study.JUDGE), known(), {"W1": (9, 0.1)})
-    assert judge["error"].iloc[1] == pytest.approx(0.25)  # the reference does not judge itself
+    found = study.errors(runs().assign(method=study.ADAPTIVE), known(), {"W1": (9, 0.1)})
+    assert found["error"].iloc[1] == pytest.approx(0.25)  # the reference has no error of its own
 
 
 def test_methods_stand_on_the_same_cases():

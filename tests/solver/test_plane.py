@@ -1,4 +1,4 @@
-"""The compiled planar solver: closed forms, its energy, the judge, YADE, the chain."""
+"""The compiled planar solver: closed forms, its energy, the reference solver, YADE, the chain."""
 
 import json
 import subprocess
@@ -7,8 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from rocking import reference as judge
-from rocking import solver
+from rocking import reference, solver
 from rocking.mechanics import closed_forms as cf
 from rocking.solver import Motions, bodies, history, moving_supports, peaks, prepare
 from yade_process import in_yade, resolved
@@ -190,7 +189,7 @@ def test_one_history_whichever_way_it_is_asked_for():
 
 def wall_of(config, segments):
     facade, wall = config["facade"], config["return_wall"]
-    return judge.Wall(
+    return reference.Wall(
         facade["height_m"],
         facade["thickness_m"],
         facade["width_m"],
@@ -211,10 +210,10 @@ def test_agrees_with_the_judge(model):
     config, planar = case(model)
     floors = floor_motions(ground, t[1])
     driven = floors.floors_m_s2 if model == "W2" else None
-    motion = judge.Motion(floors.time_s[1], floors.ground_m_s2, driven)
+    motion = reference.Motion(floors.time_s[1], floors.ground_m_s2, driven)
     factor = 0.6 if model == "W2" else 1.0
     wall = wall_of(config, 4 if model == "W2" else 1)
-    expected = judge.simulate(wall, motion, scale=factor, tolerance=3e-6).d_over_b.max()
+    expected = reference.simulate(wall, motion, scale=factor, tolerance=3e-6).d_over_b.max()
     motions = Motions(floors.time_s, floors.ground_m_s2, driven if model == "W2" else ())
     h = history(planar, motions, config["numerics"], factor, sample_s=0.0)
     got = h.d_m[h.time_s <= motion.duration_s].max() / planar.thickness_m

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from rocking import reference as judge
+from rocking import reference
 from rocking.collapse.scan import carried_masses
 from rocking.configuration.config import ConfigError
 from rocking.mechanics import closed_forms as cf
@@ -58,7 +58,7 @@ def test_static_capacity_grows_with_gravity(lift):
 
 
 def test_a_mirror_image_keeps_the_vertical_motion():
-    """Both directions, in the compiled solver and the judge, which share no line: 0.2 %."""
+    """Both directions, in the compiled solver and the reference, which share no line: 0.2 %."""
     config, planar = case("W1")
     time_s, columns = motions(**BURST)
     ground, up = columns["ground"], columns["vertical"]
@@ -67,8 +67,8 @@ def test_a_mirror_image_keeps_the_vertical_motion():
         found = {}
         for lift in (up, None):
             h = history(planar, Motions(time_s, ground, (), lift), config["numerics"], factor)
-            motion = judge.Motion(time_s[1], ground, None, lift)
-            expected = judge.simulate(wall, motion, scale=factor, tolerance=3e-6)
+            motion = reference.Motion(time_s[1], ground, None, lift)
+            expected = reference.simulate(wall, motion, scale=factor, tolerance=3e-6)
             assert h.peak_d_over_b > 0.03
             assert h.peak_d_over_b == pytest.approx(expected.d_over_b.max(), rel=2e-3)
             found[lift is None] = h.peak_d_over_b

@@ -13,9 +13,9 @@ ENERGY_RUNS = {
 
 
 def accuracy_scenes(wildcards):
-    """Scenes of its models, which the judge must know if it is the reference."""
-    if RUNS.cfg(wildcards)["accuracy"]["reference"] == "judge":
-        RUNS.needs_plain(wildcards.run, "the judge", held=True)
+    """Scenes of its models, which the reference solver must know if it is the reference."""
+    if RUNS.cfg(wildcards)["accuracy"]["reference"] == "adaptive":
+        RUNS.needs_plain(wildcards.run, "the reference solver", held=True)
     return of_run(rules.scene.output[0], model=RUNS.key("accuracy.models"))(wildcards)
 
 
@@ -75,18 +75,18 @@ rule accuracy_plan:
         "../scripts/accuracy/accuracy_plan.py"
 
 
-rule accuracy_screening:
+rule accuracy_compiled:
     input:
         plan=rules.accuracy_plan.output.plan,
-        modules=code("accuracy/accuracy_screening"),
+        modules=code("accuracy/accuracy_compiled"),
     output:
-        results("accuracy/screening.csv"),
+        results("accuracy/compiled.csv"),
     log:
-        logs("accuracy_screening"),
+        logs("accuracy_compiled"),
     params:
         accuracy=lambda w: RUNS.cfg(w)["accuracy"],
     script:
-        "../scripts/accuracy/accuracy_screening.py"
+        "../scripts/accuracy/accuracy_compiled.py"
 
 
 rule accuracy_runs:
@@ -111,7 +111,7 @@ rule accuracy_reference:
         plan=rules.accuracy_plan.output.plan,
         modules=code("accuracy/accuracy_reference"),
     output:
-        results("accuracy/judge.csv"),
+        results("accuracy/reference.csv"),
     log:
         logs("accuracy_reference"),
     benchmark:
@@ -142,10 +142,10 @@ rule speed_accuracy:
     input:
         runs=all_of(
             rules.accuracy_runs.output,
-            rules.accuracy_screening.output,
+            rules.accuracy_compiled.output,
             of_run(rules.accuracy_engine.output, engine=RUNS.key("accuracy.engines")),
         ),
-        judge=rules.accuracy_reference.output[0],
+        reference=rules.accuracy_reference.output[0],
         plan=rules.accuracy_plan.output.plan,
         histories=rules.accuracy_plan.output.histories,
         modules=code("accuracy/table_speed_accuracy"),
@@ -206,7 +206,8 @@ rule figure_chaos:
     input:
         ensembles=of_run(rules.ida_ensemble.output.ensemble, **ACCURACY_CURVES),
         scans=of_run(
-            rules.screen.output.scan, **{**ACCURACY_CURVES, "model": accuracy_scanned}
+            rules.planar_ida.output.scan,
+            **{**ACCURACY_CURVES, "model": accuracy_scanned},
         ),
         facts=of_run(
             rules.own_record.output.facts, record=RUNS.named("accuracy.records")

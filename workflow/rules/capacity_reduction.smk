@@ -33,11 +33,11 @@ rule reduction_motion:
         "../scripts/capacity_reduction/capacity_reduction_motion.py"
 
 
-use rule screen as reduction_screen with:
+use rule planar_ida as reduction_planar with:
     input:
         scene=of_run(rules.scene.output[0], model="W2"),
         motion=rules.reduction_motion.output.motion,
-        modules=code("ida/screen"),
+        modules=code("ida/planar_ida"),
     output:
         scan=results(
             "capacity_reduction/T{t1}_below{below}/scan_{record}_{direction}.csv"
@@ -46,16 +46,16 @@ use rule screen as reduction_screen with:
             "capacity_reduction/T{t1}_below{below}/plan_{record}_{direction}.json"
         ),
     log:
-        logs("reduction_screen_T{t1}_below{below}_{record}_{direction}"),
+        logs("reduction_planar_T{t1}_below{below}_{record}_{direction}"),
     benchmark:
-        benchmarks("reduction_screen_T{t1}_below{below}_{record}_{direction}")
+        benchmarks("reduction_planar_T{t1}_below{below}_{record}_{direction}")
 
 
 use rule ida as reduction_ida with:
     input:
         scene=of_run(rules.scene.output[0], model="W2"),
         motion=rules.reduction_motion.output.motion,
-        plan=rules.reduction_screen.output.plan,
+        plan=rules.reduction_planar.output.plan,
         yade=rules.yade_check.output[0],
         modules=study_code("ida"),
     output:
@@ -73,9 +73,9 @@ use rule ida as reduction_ida with:
 rule figure_capacity_reduction:
     input:
         w1=of_run(rules.ida.output[0], model="W1", record=RUNS.confirmed),
-        w1_scans=of_run(rules.screen.output.scan, model="W1"),
+        w1_scans=of_run(rules.planar_ida.output.scan, model="W1"),
         w2=of_run(rules.reduction_ida.output[0], **BUILDINGS, record=RUNS.confirmed),
-        w2_scans=of_run(rules.reduction_screen.output.scan, **BUILDINGS),
+        w2_scans=of_run(rules.reduction_planar.output.scan, **BUILDINGS),
         facts=of_run(rules.reduction_motion.output.facts, **BUILDINGS),
         records=of_run(rules.record.output.facts),
         modules=code("capacity_reduction/figure_capacity_reduction"),

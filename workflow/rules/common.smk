@@ -18,6 +18,7 @@ except ModuleNotFoundError as error:
         " which `make setup` makes"
     )
 from rocking.configuration import config as configuration
+from rocking.configuration import renamed
 from rocking.configuration.chosen import chosen
 from rocking.records.intensity_measures import MEASURES
 from rocking.studies.pushover import DRAWN, VARIANTS
@@ -71,6 +72,8 @@ except (configuration.ConfigError, RecordError) as error:
 RUNS.refuse(FINDINGS)
 if workflow.is_main_process and "check" not in sys.argv:  # that target says so itself
     terminal.warn([str(f) for f in FINDINGS if f.status == "warning"])
+if workflow.is_main_process:
+    terminal.warn(renamed.lines(config))
 
 SHARED = RUNS.shared
 

@@ -129,7 +129,7 @@ rule complete_scan:
         motion=of_run(rules.floor_motions.output[0]),
         modules=code("complete/complete_scan"),
     output:
-        results("screening/{complete}/{record}_{direction}.csv"),
+        results("planar/{complete}/{record}_{direction}.csv"),
     log:
         logs("complete_scan_{complete}_{record}_{direction}"),
     benchmark:
@@ -288,7 +288,7 @@ rule figure_complete:
         ),
         scans=all_of(
             of_run(rules.complete_scan.output, complete=COMPLETE_MODELS),
-            of_run(rules.screen.output.scan, cases=two_way_curves),
+            of_run(rules.planar_ida.output.scan, cases=two_way_curves),
         ),
         facts=of_run(rules.record.output.facts),
         modules=code("complete/figure_complete"),

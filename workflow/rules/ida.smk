@@ -5,25 +5,25 @@
 def plan(wildcards):
     """What YADE is to run, from the dense scan; nothing where there is none."""
     scanned = RUNS.scanned(wildcards.run, wildcards.model)
-    return of_run(rules.screen.output.plan)(wildcards) if scanned else []
+    return of_run(rules.planar_ida.output.plan)(wildcards) if scanned else []
 
 
-rule screen:
+rule planar_ida:
     input:
         scene=rules.scene.output[0],
         motion=of_run(rules.floor_motions.output[0]),
-        modules=code("ida/screen"),
+        modules=code("ida/planar_ida"),
     output:
-        scan=results("screening/{model}/{record}_{direction}.csv"),
-        plan=results("screening/{model}/{record}_{direction}.json"),
+        scan=results("planar/{model}/{record}_{direction}.csv"),
+        plan=results("planar/{model}/{record}_{direction}.json"),
     log:
-        logs("screen_{model}_{record}_{direction}"),
+        logs("planar_ida_{model}_{record}_{direction}"),
     benchmark:
-        benchmarks("screen_{model}_{record}_{direction}")
+        benchmarks("planar_ida_{model}_{record}_{direction}")
     params:
         record=lambda w: w.record,
     script:
-        "../scripts/ida/screen.py"
+        "../scripts/ida/planar_ida.py"
 
 
 rule ida:
@@ -79,7 +79,7 @@ rule ida_collapse:
     input:
         ida=of_run(rules.ida.output[0], cases=RUNS.by_yade),
         ensemble=of_run(rules.ida_ensemble.output.ensemble, cases=RUNS.ensembles),
-        scans=of_run(rules.screen.output.scan, cases=RUNS.scans),
+        scans=of_run(rules.planar_ida.output.scan, cases=RUNS.scans),
         modules=code("ida/table_ida_collapse"),
     output:
         collapse=results("tables/ida_collapse.csv"),
@@ -96,7 +96,7 @@ rule ida_collapse:
 rule fig09_ida:
     input:
         ida=of_run(rules.ida.output[0], cases=RUNS.by_yade),
-        scans=of_run(rules.screen.output.scan, cases=RUNS.scans),
+        scans=of_run(rules.planar_ida.output.scan, cases=RUNS.scans),
         collapse=rules.ida_collapse.output.collapse,
         probability=rules.ida_collapse.output.probability,
         pushover=of_run(rules.pushover_curve.output[0], pushed=RUNS.pushed),

@@ -1,5 +1,5 @@
 # Where results lie, and how a rule asks for what other rules make. A path is written once, in the rule
-# that makes it; other rules name that rule: `rules.screen.output.scan`, or by the functions below.
+# that makes it; other rules name that rule: `rules.planar_ida.output.scan`, or by the functions below.
 from snakemake.io import get_wildcard_names
 
 RESULTS = "results"

@@ -143,18 +143,18 @@ rule damping_choice_scene:
         "../scripts/ida/scene.py"
 
 
-use rule screen as damping_choice_screen with:
+use rule planar_ida as damping_choice_planar with:
     input:
         scene=rules.damping_choice_scene.output[0],
         motion=of_run(rules.floor_motions.output[0], record=CHOICE_RECORD),
-        modules=code("ida/screen"),
+        modules=code("ida/planar_ida"),
     output:
         scan=results("calibration/choice/scan_{model}_{direction}_{law}.csv"),
         plan=results("calibration/choice/plan_{model}_{direction}_{law}.json"),
     log:
-        logs("damping_choice_screen_{model}_{direction}_{law}"),
+        logs("damping_choice_planar_{model}_{direction}_{law}"),
     benchmark:
-        benchmarks("damping_choice_screen_{model}_{direction}_{law}")
+        benchmarks("damping_choice_planar_{model}_{direction}_{law}")
     params:
         record=lambda w: CHOICE_RECORD(w.run),
 
@@ -163,7 +163,7 @@ rule damping_choice_ida:
     input:
         scene=rules.damping_choice_scene.output[0],
         motion=of_run(rules.floor_motions.output[0], record=CHOICE_RECORD),
-        plan=rules.damping_choice_screen.output.plan,
+        plan=rules.damping_choice_planar.output.plan,
         yade=ancient(rules.yade_check.output[0]),
         modules=study_code("ida"),
     output:

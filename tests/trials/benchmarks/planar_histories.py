@@ -2,7 +2,7 @@
 
     .venv/bin/python tests/trials/benchmarks/planar_histories.py --histories 5000 --model W2
 
-Processor time of one process, of the compiled solver and, with --judge, of the adaptive one. The
+Processor time of one process, of the compiled solver and, with --adaptive, of the adaptive one. The
 amplitudes of every component and direction run from --low to --high in equal ratios.
 """
 
@@ -29,13 +29,13 @@ from yade_scripts.model.motion import amplitude  # noqa: E402
 SUITE = ROOT / "config" / "suites" / "recorded_suite.tsv"
 
 
-def solve(job, motion, direction, pga_g, judge_nodes):
+def solve(job, motion, direction, pga_g, adaptive_nodes):
     """Histories that overturned, and the simulated time where the solver tells it [s]."""
-    if judge_nodes:
+    if adaptive_nodes:
         floors = motion.floors_m_s2 if job["model"] == "W2" else None
         driven = Motion(float(motion.time_s[1]), motion.ground_m_s2, floors)
         scales = [amplitude(motion.ground_m_s2, direction, g) for g in pga_g]
-        found = simulate_batch(wall_of(job, judge_nodes), driven, scales, stop_d_over_b=1.0)
+        found = simulate_batch(wall_of(job, adaptive_nodes), driven, scales, stop_d_over_b=1.0)
         return found.overturned.sum(), found.end_time_s.sum()
     columns = {"ground": motion.ground_m_s2}
     columns |= {f"floor{j + 1}": floor for j, floor in enumerate(motion.floors_m_s2)}
@@ -50,7 +50,7 @@ def main(arguments=None):
     parser.add_argument("--histories", type=int, default=5000)
     parser.add_argument("--low", type=float, default=0.05, help="least PGA (g)")
     parser.add_argument("--high", type=float, default=1.0, help="largest PGA (g)")
-    parser.add_argument("--judge", type=int, help="nodes: the adaptive solver instead")
+    parser.add_argument("--adaptive", type=int, help="nodes: the adaptive solver instead")
     args = parser.parse_args(arguments)
     job = config.resolve({"models": [args.model]})
     job |= {"model": args.model, "beta_s": job["damping"]["beta_s"]}
@@ -66,16 +66,16 @@ def main(arguments=None):
         )
         for direction in ("pos", "neg"):
             if not count:  # compiles
-                solve(job, motion, direction, pga_g[:1], args.judge)
+                solve(job, motion, direction, pga_g[:1], args.adaptive)
             began = time.process_time()
-            down, length = solve(job, motion, direction, pga_g, args.judge)
+            down, length = solve(job, motion, direction, pga_g, args.adaptive)
             spent += time.process_time() - began
             count, fell, simulated = count + each, fell + down, simulated + length
     print(
         f"{args.model}: {count:.0f} histories, {fell:.0f} overturned, {spent:.1f} s of one core, "
         f"{1e3 * spent / count:.2f} ms each; 100,000 in {1e5 * spent / count / 60:.1f} min of it"
     )
-    if args.judge:
+    if args.adaptive:
         print(f"{simulated / spent:.0f} simulated seconds a second")
 
 

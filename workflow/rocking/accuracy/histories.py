@@ -75,7 +75,7 @@ class Solver:
         return self.planes[nodes]
 
     def peaks(self, pga_g, nodes, step_fraction):
-        """Outcomes (`screening.Peaks`) at some intensities; step over the stable one."""
+        """Outcomes (`solver.Peaks`) at some intensities; step over the stable one."""
         plane, stable = self.plane(nodes)
         factors = [amplitude(self.ground, self.direction, g) for g in np.atleast_1d(pga_g)]
         h = step_fraction * stable

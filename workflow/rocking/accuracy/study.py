@@ -8,7 +8,7 @@ import pandas as pd
 
 from rocking.accuracy.histories import REPORTING
 
-JUDGE = "SciPy planar"
+ADAPTIVE = "SciPy planar"
 COMPILED = "compiled planar"
 WITHIN = 0.01  # the error up to which a history counts as right
 TABLE_COLUMNS = (
@@ -87,7 +87,7 @@ def errors(runs, histories, defaults):
         Of `yade_scripts/studies/accuracy.py`, or of another engine or solver in its columns.
     histories : DataFrame
         case, half, d_over_b (the reference), d_over_b_compiled (the converged compiled solver's, by
-        which the judge is measured), repeats, amplification.
+        which the reference solver is measured), repeats, amplification.
     defaults : dict
         Model to (nodes, step fraction) of the main job.
 
@@ -100,7 +100,7 @@ def errors(runs, histories, defaults):
     rows = runs.reset_index(drop=True)
     reference = rows["case"].map(known["d_over_b"])
     judged = rows["case"].map(known["d_over_b_compiled"])
-    reference = reference.mask(rows["method"] == JUDGE, judged)
+    reference = reference.mask(rows["method"] == ADAPTIVE, judged)
     value = rows["d_over_b"].where(rows["status"] != "failed").clip(upper=1.0)
     default = [
         method == "nodes and step"

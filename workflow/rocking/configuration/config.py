@@ -11,6 +11,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from rocking.configuration import renamed
 from rocking.configuration import schema as config_schema
 from rocking.configuration.facade import check_facade
 from rocking.configuration.files import check_files, write_resolved
@@ -53,7 +54,7 @@ def resolve(config: Mapping) -> dict[str, Any]:
     """
     if not isinstance(config, Mapping):
         raise ConfigError("expected keys and values at the top level")
-    values = config_schema.plain(config)
+    values = renamed.current(config_schema.plain(config))
     for key in STUDY_KEYS:
         if values.pop(key, None):
             raise ConfigError(f"'{key}' describes several runs; use expand_scenarios")
@@ -143,7 +144,8 @@ def expand_scenarios(config: Mapping) -> dict[str, dict[str, Any]]:
         raise ConfigError("expected keys and values at the top level")
     base = config_schema.plain(config)
     wanted, scenarios, grid = (base.pop(key, None) for key in STUDY_KEYS)
-    cells = _grid(grid)
+    base = renamed.current(base)
+    cells = _grid(renamed.current(grid))
     named = _scenarios(scenarios)
     if len(cells) * max(len(named), 1) > MAX_RUNS:
         raise ConfigError(f"scenarios and grid make more than {MAX_RUNS} runs")
@@ -186,7 +188,7 @@ def _scenarios(given: Any) -> dict[str, dict]:
     for name, overrides in given.items():
         if overrides is not None and not isinstance(overrides, dict):
             raise ConfigError(f"scenarios.{name} = {show(overrides)}: expected keys and values")
-        nested = _nest(overrides or {}, f"scenarios.{name}")
+        nested = renamed.current(_nest(overrides or {}, f"scenarios.{name}"))
         for key in ("run", *STUDY_KEYS):
             if key in nested:
                 raise ConfigError(f"scenarios.{name}.{key}: a scenario cannot set '{key}'")

@@ -9,6 +9,7 @@ Schema's own keywords (draft 2020-12) these are understood:
 `ascending`      the numbers of an array increase
 `models`         the value is the name of a model; which, a list of `registry` says
 `pattern_words`  what `pattern` means, for messages
+`formerly`, `former_values`  names of one version ago, see `renamed`
 """
 
 import copy

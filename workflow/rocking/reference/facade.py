@@ -13,7 +13,7 @@ from yade_scripts.model.shape import refuse
 def wall_of(job, nodes):
     """Planar wall of a scene file (model free, W1 or W2) with so many nodes along every edge."""
     facade, wall = job["facade"], job["return_wall"]
-    refuse(facade, "the judge", held=True)
+    refuse(facade, "the reference solver", held=True)
     e_pa = facade["e_mpa"] * 1e6
     free = registry.model(job["model"]).walls == "none"
     return Wall(
@@ -47,10 +47,10 @@ def read_motion(path, model):
 
 def peak_d_over_b(job, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-5):
     """Largest |d|/b of one history, 1 if it overturns, NaN if it failed."""
-    return judge(job, motion_path, direction, pga_g, nodes=nodes, tolerance=tolerance)[0]
+    return peak_and_end(job, motion_path, direction, pga_g, nodes=nodes, tolerance=tolerance)[0]
 
 
-def judge(job, motion_path, direction, pga_g, *, nodes, tolerance):
+def peak_and_end(job, motion_path, direction, pga_g, *, nodes, tolerance):
     """Largest |d|/b of one history as `peak_d_over_b`, and the time simulated [s]."""
     found = outcomes(job, motion_path, direction, [pga_g], nodes=nodes, tolerance=tolerance)
     return float(found.d_over_b[0]), float(found.end_s[0])

@@ -30,6 +30,7 @@ MAX_WARNINGS = 5
 
 def warn(lines, stream=None):
     """Print warnings about records, a line each, the first of many."""
+    lines = list(lines)
     for line in lines[:MAX_WARNINGS]:
         print(f"warning: {line}", file=stream or sys.stderr)
     if (more := len(lines) - MAX_WARNINGS) > 0:

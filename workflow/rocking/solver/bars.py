@@ -198,7 +198,7 @@ def of_scene(scene, own, column):
         One line if one does not hold a free block to a support.
     """
     if any(bar.a not in own for bar in (*scene.ties, *scene.floors)):
-        raise ValueError("screening: ties and floors must hold the free block to a support")
+        raise ValueError("planar solver: ties and floors must hold the free block to a support")
     spring = {link.a: link for link in scene.links}
 
     def support(block):

@@ -102,14 +102,14 @@ def prepare(scene):
     sprung = {floor.b for floor in scene.floors}  # floors with a mass of their own
     free = [i for i, block in enumerate(scene.blocks) if block.free and i not in sprung]
     if not free or any(not set(scene.blocks[i].free) <= set(FREEDOMS) for i in free):
-        raise ValueError("screening: expected free blocks with the freedoms y, z, rotation x")
+        raise ValueError("planar solver: expected free blocks with the freedoms y, z, rotation x")
     nodes = scene.nodes
     if np.any(np.abs(nodes.normal[:, 0]) > 1e-12):
-        raise ValueError("screening: every node must push in the plane")
+        raise ValueError("planar solver: every node must push in the plane")
     reference = scene.blocks[scene.index(scene.reference)]
     names = moving_supports(scene)
     if names and any(b.motion is None for b in scene.blocks if not b.free) and reference.motion:
-        raise ValueError("screening: a support at rest beside a driven reference")
+        raise ValueError("planar solver: a support at rest beside a driven reference")
     column = {name: i for i, name in enumerate(names)}
     bars = of_scene(scene, free, column)
     if len(free) > 1:
@@ -117,9 +117,9 @@ def prepare(scene):
     (own,) = free
     block = scene.blocks[own]
     if block.free != FREEDOMS:
-        raise ValueError("screening: expected a block that is free along y, z and about x")
+        raise ValueError("planar solver: expected a block that is free along y, z and about x")
     if np.any((nodes.a == own) == (nodes.b == own)):
-        raise ValueError("screening: every node must join the block to a support")
+        raise ValueError("planar solver: every node must join the block to a support")
     centre = np.array(block.centre_m)[1:]
     groups = [_group(scene, own, centre, column, mine) for mine in _groups(nodes, centre)]
     order = np.concatenate([group["nodes"] for group in groups])

@@ -270,13 +270,13 @@ def _loop(planar):
 def _set_up(planar, motions, numerics, factors, carried, step_s):
     carried = carried or NO_BODIES
     if isinstance(planar, Stack) and carried.mass_kg.size:
-        raise ValueError("screening: a façade with hinges stands before driven walls only")
+        raise ValueError("planar solver: a façade with hinges stands before driven walls only")
     wanted = int(planar.support.max(initial=-1)) + 1
     if isinstance(planar, Stack):
         wanted = max(wanted, int(planar.guide.max()) + 1)
     given = len(carried.hang) or len(motions.supports_m_s2)
     if wanted > given:
-        raise ValueError(f"screening: the scene has {wanted} moving supports, got {given}")
+        raise ValueError(f"planar solver: the scene has {wanted} moving supports, got {given}")
     factors = np.atleast_1d(np.asarray(factors, float))
     step = step_s or STEP_FRACTION * stable_step(planar, carried)
     table = motions.table(step, supports=not carried.mass_kg.size)

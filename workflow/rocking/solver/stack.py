@@ -118,10 +118,10 @@ def stacked(scene, own, column, bars):
     number[own] = np.arange(len(own))
     a, b = number[nodes.a], number[nodes.b]
     if np.any((a < 0) & (b < 0)):
-        raise ValueError("screening: every node of several blocks must meet a free one")
+        raise ValueError("planar solver: every node of several blocks must meet a free one")
     links = [link for link in scene.links if number[link.a] >= 0]
     if any(tuple(link.direction) != (0.0, 1.0, 0.0) for link in links):
-        raise ValueError("screening: expected links along y")
+        raise ValueError("planar solver: expected links along y")
     centre = np.array([block.centre_m[1:] for block in blocks], float)
     watched = [(number[scene.index(name)], point[1:]) for name, point in scene.watched]
     from_a, from_b = (

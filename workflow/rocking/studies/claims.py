@@ -121,7 +121,7 @@ def evaluate(collapse, static_peak, agreement=None):
         (
             "the reduction comes from the building's motion, not from walls that cannot be pushed",
             f"not checked (here: W2 and W2m within {100 * TOLERANCE:g} points)",
-            _premise(capacity),
+            _assumption(capacity),
             OURS,
         ),
         (
@@ -201,7 +201,7 @@ def _largest_reduction(capacity):
     )
 
 
-def _premise(capacity):
+def _assumption(capacity):
     """Reduction by driven walls less that by walls that feel the façade, in points of W1."""
     if not {"W1", "W2", "W2m"} <= set(capacity):
         return None
@@ -212,7 +212,7 @@ def _premise(capacity):
     gap, where = driven - felt, driven.idxmax()
     text = (
         f"{where}: {driven[where]:.0f} % driven, {felt[where]:.0f} % where walls feel the façade; "
-        f"the premise: {gap.min():.0f} to {gap.max():.0f} points, median {gap.median():.0f}"
+        f"the assumption: {gap.min():.0f} to {gap.max():.0f} points, median {gap.median():.0f}"
     )
     return text, bool(gap.abs().max() <= 100.0 * TOLERANCE)
 

@@ -1,12 +1,12 @@
-"""Cases of the accuracy study by the independent adaptive solver, the judge of all others."""
+"""Cases of the accuracy study by the independent adaptive solver, the reference of all others."""
 
 import json
 import os
 import time
 from concurrent.futures import ProcessPoolExecutor
 
-from rocking.accuracy.study import JUDGE
-from rocking.reference.facade import judge
+from rocking.accuracy.study import ADAPTIVE
+from rocking.reference.facade import peak_and_end
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
@@ -16,12 +16,12 @@ def one(arguments):
     scene, motion, case, settings = arguments
     began = time.perf_counter()
     nodes, tolerance = settings["reference_nodes"], settings["reference_tolerance"]
-    peak, end = judge(
+    peak, end = peak_and_end(
         scene, motion, case["direction"], case["pga_g"], nodes=nodes, tolerance=tolerance
     )
     return {
         **case,
-        "method": JUDGE,
+        "method": ADAPTIVE,
         "nodes": nodes,
         "factor": 1.0,
         "dt_s": None,

@@ -4,7 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
-from rocking.accuracy.study import COMPILED, JUDGE, pareto_front, same_cases, summary
+from rocking.accuracy.study import ADAPTIVE, COMPILED, pareto_front, same_cases, summary
 from rocking.figures import style
 from rocking.runtime.script import run
 
@@ -12,7 +12,7 @@ GRID = "nodes and step"
 METHODS = {  # marker, colour
     GRID: ("o", "#0072B2"),
     COMPILED: ("^", "#009E73"),
-    JUDGE: ("d", "0.3"),
+    ADAPTIVE: ("d", "0.3"),
     "lag not compensated": ("X", "#CC79A7"),
     "python drive": ("P", "#999933"),
     "full 3D": ("D", "#E69F00"),

@@ -23,12 +23,12 @@ def main(job):
     plan = json.loads(Path(job.input.plan).read_text())
     scenes = {m: json.loads(Path(path).read_text()) for m, path in plan["scenes"].items()}
     histories = pd.read_csv(job.input.histories)
-    judge = pd.read_csv(job.input.judge)
+    adaptive = pd.read_csv(job.input.reference)
     histories["d_over_b_compiled"] = histories["d_over_b"]
-    if settings["reference"] == "judge":
-        exact = judge.set_index("case")["d_over_b"]
+    if settings["reference"] == "adaptive":
+        exact = adaptive.set_index("case")["d_over_b"]
         histories["d_over_b"] = histories["case"].map(exact).fillna(histories["d_over_b"])
-    runs = pd.concat([*(pd.read_csv(path) for path in job.input.runs), judge], ignore_index=True)
+    runs = pd.concat([*(pd.read_csv(path) for path in job.input.runs), adaptive], ignore_index=True)
     defaults = {model: chosen_pair(scene) for model, scene in scenes.items()}
     table = errors(runs, histories, defaults)
     table = table.sort_values(["scene", "method", "nodes", "dt_over_dt_crit"])

@@ -1,4 +1,4 @@
-"""The target `premises`: its plan, and a reduced map whose limit is known."""
+"""The target `assumptions`: its plan, and a reduced map whose limit is known."""
 
 import subprocess
 import sys
@@ -19,7 +19,7 @@ REDUCED = [
     "numerics={after_motion_s: 0.1}",
     "ida={level_ratio: 0.1}",
     "ensemble={members: 3, amplitude_spread: 0.05}",
-    "premises={mass_ratios: [0.001, 0.3], periods_s: [0.27], damping_ratios: [], level_ratio: 0.1}",
+    "assumptions={mass_ratios: [0.001, 0.3], periods_s: [0.27], damping_ratios: [], level_ratio: 0.1}",
 ]
 
 
@@ -39,15 +39,15 @@ def snakemake(folder, *words):
 
 def test_the_scenario_plans_every_chart(tmp_path):
     """Both runs: the map over the recorded suite, the charts of W2 and of W3."""
-    scenario = str(ROOT / "config/scenarios/premises.yaml")
-    done = snakemake(tmp_path, "-n", "--configfile", scenario, "--", "premises")
+    scenario = str(ROOT / "config/scenarios/assumptions.yaml")
+    done = snakemake(tmp_path, "-n", "--configfile", scenario, "--", "assumptions")
     assert done.returncode == 0, done.stderr[-2000:]
     jobs = dict(
         line.split() for line in (done.stdout + done.stderr).splitlines() if len(line.split()) == 2
     )
-    assert jobs["premises_map"] == "44"
-    assert jobs["premises_varied"] == "8"
-    assert jobs["figure_premises_tornado"] == "2"
+    assert jobs["assumptions_map"] == "44"
+    assert jobs["assumptions_varied"] == "8"
+    assert jobs["figure_assumptions_tornado"] == "2"
 
 
 @pytest.mark.slow
@@ -63,15 +63,15 @@ def test_a_light_facade_cannot_push_its_building(tmp_path):
     )
     options = [*REDUCED[:-1], REDUCED[-1].replace("{", "{other_curves: [cb.csv], ")]
     done = snakemake(
-        tmp_path, *options, "--", "results/small/tables/premises_map.csv",
-        "results/small/figures/premises_ratios.png", "results/small/figures/premises.png",
+        tmp_path, *options, "--", "results/small/tables/assumptions_map.csv",
+        "results/small/figures/assumptions_ratios.png", "results/small/figures/assumptions.png",
     )  # fmt: skip
     assert done.returncode == 0, done.stderr[-3000:]
     results = tmp_path / "results/small"
-    table = pd.read_csv(results / "tables/premises_map.csv").set_index(["mass_ratio", "measure"])
+    table = pd.read_csv(results / "tables/assumptions_map.csv").set_index(["mass_ratio", "measure"])
     assert table.loc[(0.001, "median"), "median"] == pytest.approx(1.0, abs=0.02)
-    beside = pd.read_csv(results / "tables/premises.csv")
+    beside = pd.read_csv(results / "tables/assumptions.csv")
     assert beside["model"].tolist() == ["W2", "W2m", "CB"]
     # half a straight line to each side of 0.22 g
     assert beside["pga_mean_g"].iloc[2] == pytest.approx(0.2 + 0.75 * 0.02 + 0.25 * 0.03, abs=1e-4)
-    assert (results / "figures/premises_ratios.png").stat().st_size > 10_000
+    assert (results / "figures/assumptions_ratios.png").stat().st_size > 10_000

@@ -1,8 +1,8 @@
-"""Dense scans by the independent planar solver, and what of them a reported curve holds.
+"""Dense scans by the independent planar solver, and what of them a reported curve covers.
 
-The judge (`rocking.reference`) shares no code with the solver that screens. Its
+The reference solver (`rocking.reference`) shares no code with the compiled one. Its
 search is `collapse.search.dense`, from half the lowest collapse that the workflow found, with
-`accuracy.judge_step` for the fine steps. The dense probability at an amplitude
+`accuracy.reference_step` for the fine steps. The dense probability at an amplitude
 is the share of its histories within that spread that fall; nodes and tolerance are the same.
 """
 
@@ -20,14 +20,21 @@ KEY = probability.KEY
 SCAN_COLUMNS = (*KEY, "pga_g", "level", "d_over_b", "status", "collapsed")
 BAND_COLUMNS = (
     *KEY,
-    *("pga_collapse_g", "judge_collapse_g", "judge_fine_g", "collapse_error"),
-    *("pga_p10_g", "judge_p10_g", "pga_median_g", "judge_median_g", "pga_p90_g", "judge_p90_g"),
-    *("held", "held_pooled", "reversals", "judge_reversals", "judge_runs"),
+    *("pga_collapse_g", "reference_collapse_g", "reference_fine_g", "collapse_error"),
+    *(
+        "pga_p10_g",
+        "reference_p10_g",
+        "pga_median_g",
+        "reference_median_g",
+        "pga_p90_g",
+        "reference_p90_g",
+    ),
+    *("coverage", "coverage_pooled", "reversals", "reference_reversals", "reference_runs"),
 )
 
 
 def scan(job, motion_path, direction, settings, start_g):
-    """Outcomes of one curve by the judge.
+    """Outcomes of one curve by the reference solver.
 
     Parameters
     ----------
@@ -37,7 +44,7 @@ def scan(job, motion_path, direction, settings, start_g):
         Floor motions.
     direction : str
     settings : dict
-        level_ratio, beyond, max_pga_g, judge_step, reference_nodes, reference_tolerance,
+        level_ratio, beyond, max_pga_g, reference_step, reference_nodes, reference_tolerance,
         amplitude_spread.
     start_g : float
         Lowest amplitude.
@@ -59,12 +66,12 @@ def scan(job, motion_path, direction, settings, start_g):
         parts.append(table.assign(status=found.status))
         return found.status
 
-    drive(search.dense(start_g, {**settings, "fine_step": settings["judge_step"]}), run)
+    drive(search.dense(start_g, {**settings, "fine_step": settings["reference_step"]}), run)
     table = pd.concat(parts).sort_values("pga_g", ignore_index=True)
     return table.assign(collapsed=(table["status"] == "overturned").astype(int))
 
 
-def held(pga_g, share, low_g, high_g):
+def coverage(pga_g, share, low_g, high_g):
     """Part of a collapse probability that lies between two amplitudes.
 
     F(high) − F(low), with F the share made non-decreasing, linear between amplitudes; what is never
@@ -93,7 +100,7 @@ def held(pga_g, share, low_g, high_g):
 
 
 def compare(table, row, spread):
-    """What one reported curve holds of the judge's scan.
+    """What one reported curve covers of the reference solver's scan.
 
     Parameters
     ----------
@@ -116,18 +123,18 @@ def compare(table, row, spread):
     low, middle, high = levels
     coarse = valid[valid["level"] == 1]
     lowest = coarse.loc[coarse["collapsed"] == 1, "pga_g"].min()
-    running, pooled = held(pga_g, share, row["pga_p10_g"], row["pga_p90_g"])
+    running, pooled = coverage(pga_g, share, row["pga_p10_g"], row["pga_p90_g"])
     return {
         **{key: row[key] for key in (*KEY, "reversals")},
         **{f"pga_{key}_g": row[f"pga_{key}_g"] for key in ("collapse", "p10", "median", "p90")},
-        "judge_collapse_g": lowest,
-        "judge_fine_g": valid.loc[valid["collapsed"] == 1, "pga_g"].min(),
+        "reference_collapse_g": lowest,
+        "reference_fine_g": valid.loc[valid["collapsed"] == 1, "pga_g"].min(),
         "collapse_error": row["pga_collapse_g"] / lowest - 1.0,
-        "judge_p10_g": low,
-        "judge_median_g": middle,
-        "judge_p90_g": high,
-        "held": running,
-        "held_pooled": pooled,
-        "judge_reversals": probability.reversals(coarse["collapsed"]),
-        "judge_runs": len(table),
+        "reference_p10_g": low,
+        "reference_median_g": middle,
+        "reference_p90_g": high,
+        "coverage": running,
+        "coverage_pooled": pooled,
+        "reference_reversals": probability.reversals(coarse["collapsed"]),
+        "reference_runs": len(table),
     }

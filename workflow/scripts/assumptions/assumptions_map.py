@@ -25,7 +25,7 @@ def buildings(smdof, settings):
 
 def main(job):
     scene = json.loads(Path(job.input.scene).read_text())
-    settings, record = job.params.premises, read_csv(job.input.record)
+    settings, record = job.params.assumptions, read_csv(job.input.record)
     facade, chain = scene["facade"], scene["smdof"]
     own_mass = facade["density_kg_m3"] * facade["height_m"] * facade["thickness_m"]
     own_mass *= facade["width_m"]

@@ -1,4 +1,4 @@
-"""Tornado chart of a driven model: what each premise moves, sorted, a panel a record."""
+"""Tornado chart of a driven model: what each assumption moves, sorted, a panel a record."""
 
 import json
 from pathlib import Path
@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 from rocking.figures import style
 from rocking.runtime.script import run
-from rocking.studies.premises import BASE
+from rocking.studies.assumptions import BASE
 
 PANELS = 8
 LIMIT = 1.1  # natural logarithm of a ratio; longer bars end in an arrow
@@ -20,14 +20,14 @@ def main(job):
     table["level"] = table["level"].fillna("")
     facts = [json.loads(Path(path).read_text()) for path in job.input.facts]
     title = {fact["name"]: style.provenance(fact) for fact in facts}
-    levels = table[table["premise"] != BASE].copy()
+    levels = table[table["assumption"] != BASE].copy()
     levels["swing"] = np.abs(np.log(levels[["ratio_median", "ratio_collapse"]])).max(axis=1)
-    # one order for all panels: the largest median swing of a premise's levels at the top
-    order = levels.groupby("premise")["swing"].median().sort_values()
+    # one order for all panels: the largest median swing of an assumption's levels at the top
+    order = levels.groupby("assumption")["swing"].median().sort_values()
     rows = [
-        (premise, level)
-        for premise in order.index
-        for level in levels.loc[levels["premise"] == premise, "level"].drop_duplicates()
+        (assumption, level)
+        for assumption in order.index
+        for level in levels.loc[levels["assumption"] == assumption, "level"].drop_duplicates()
     ]
     place = {row: i for i, row in enumerate(rows)}
     keys = list(levels.groupby(["record", "direction"], sort=False).groups)[:PANELS]
@@ -40,11 +40,11 @@ def main(job):
     ticks = [0.5, 0.7, 1.0, 1.4, 2.0]
     for axis, (record, direction) in zip(axes.flat, keys, strict=False):
         mine = table[(table["record"] == record) & (table["direction"] == direction)]
-        base = mine[mine["premise"] == BASE].iloc[0]
+        base = mine[mine["assumption"] == BASE].iloc[0]
         axis.axvspan(*np.log([base["ratio_p10"], base["ratio_p90"]]), color="0.9", lw=0, zorder=0)
         axis.axvline(0.0, color="k", lw=0.7, zorder=1)
-        for row in mine[mine["premise"] != BASE].itertuples():
-            y = place[row.premise, row.level]
+        for row in mine[mine["assumption"] != BASE].itertuples():
+            y = place[row.assumption, row.level]
             middle, low, high, lowest = np.log(
                 [row.ratio_median, row.ratio_p10, row.ratio_p90, row.ratio_collapse]
             )

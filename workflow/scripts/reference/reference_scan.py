@@ -5,7 +5,7 @@ import math
 from pathlib import Path
 
 import pandas as pd
-from rocking.accuracy.judge import SCAN_COLUMNS, scan
+from rocking.accuracy.coverage import SCAN_COLUMNS, scan
 from rocking.runtime.script import run
 from rocking.tables import write_table
 

@@ -1,9 +1,9 @@
-"""What a premise is worth: ratios, losses, and variants that change what they say."""
+"""What an assumption is worth: ratios, losses, and variants that change what they say."""
 
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.studies import premises
+from rocking.studies import assumptions
 from yade_process import resolved
 
 from yade_scripts.model.models import build_scene
@@ -23,22 +23,24 @@ def capacity(**pga_g):
     return pd.DataFrame(rows)
 
 
-def test_the_driven_loss_is_that_of_motion_and_premise():
-    """W1 0.4, W2 0.14, W2m 0.2 g: 65 % driven, of which 50 by motion and 15 by the premise."""
-    found = premises.losses(capacity(W1=0.4, W2=0.14, W2m=0.2)).set_index("measure").loc["median"]
+def test_the_driven_loss_is_that_of_motion_and_assumption():
+    """W1 0.4, W2 0.14, W2m 0.2 g: 65 % driven, of which 50 by motion and 15 by the assumption."""
+    found = (
+        assumptions.losses(capacity(W1=0.4, W2=0.14, W2m=0.2)).set_index("measure").loc["median"]
+    )
     assert found["loss_driven"] == pytest.approx(0.65)
     assert found["loss_two_way"] == pytest.approx(0.5)
-    assert found["premise"] == pytest.approx(0.15)
-    assert premises.losses(capacity(W1=0.4, W2=0.14)).empty
+    assert found["assumption"] == pytest.approx(0.15)
+    assert assumptions.losses(capacity(W1=0.4, W2=0.14)).empty
 
 
 def test_a_substitute_that_stands_more_is_unsafe():
     """Outside the reference's own scatter; inside it neither is stronger."""
-    table = premises.beside(capacity(W2m=0.2, W2=0.14, W1=0.4, W2cm=0.201), "W2m")
+    table = assumptions.beside(capacity(W2m=0.2, W2=0.14, W1=0.4, W2cm=0.201), "W2m")
     side = dict(zip(table["model"], table["side"], strict=True))
     assert side == {"W2m": "", "W2": "safe", "W1": "unsafe", "W2cm": "even"}
     assert table["ratio_median"].tolist() == pytest.approx([1.0, 0.7, 2.0, 1.005])
-    blank = premises.beside(capacity(W2=0.14), "W2m")
+    blank = assumptions.beside(capacity(W2=0.14), "W2m")
     assert blank["ratio_median"].isna().all()
     assert blank["side"].tolist() == [""]
 
@@ -46,7 +48,7 @@ def test_a_substitute_that_stands_more_is_unsafe():
 def test_a_curve_of_probabilities_alone():
     """Crossings by straight lines; lowest amplitude at which any fell, first at which all did."""
     table = pd.DataFrame({"pga_g": [0.4, 0.1, 0.3, 0.2], "probability": [1.0, 0.0, 0.8, 0.2]})
-    found = premises.given(table.assign(members=5, members_yade=np.nan, probability_yade=np.nan))
+    found = assumptions.given(table.assign(members=5, members_yade=np.nan, probability_yade=np.nan))
     assert found["pga_collapse_g"] == 0.2
     assert found["pga_p10_g"] == pytest.approx(0.15)
     assert found["pga_median_g"] == pytest.approx(0.25)
@@ -55,7 +57,7 @@ def test_a_curve_of_probabilities_alone():
     assert found["runs"] == 20
     # stands to 0.1 g, then 0.09 + 0.05 + 0.01 g in the three steps
     assert found["pga_mean_g"] == pytest.approx(0.25)
-    assert np.isnan(premises.standing([0.1, 0.2], [0.0, 0.5]))
+    assert np.isnan(assumptions.standing([0.1, 0.2], [0.0, 0.5]))
 
 
 @pytest.mark.parametrize("model", ["W2", "W3"])
@@ -63,13 +65,13 @@ def test_every_variant_changes_the_scene_or_its_motion(model):
     """Names are unique and no key is misspelt: each variant is another scene, chain or record."""
     job = {**resolved(), "model": model, "beta_s": 0.00276}
     base = to_json(build_scene(job))
-    known = premises.variants(model)
-    assert len(known) == sum(model in v.models for v in premises.VARIANTS)
+    known = assumptions.variants(model)
+    assert len(known) == sum(model in v.models for v in assumptions.VARIANTS)
     for name, variant in known.items():
-        new = premises.varied(job, variant, STAGE)
+        new = assumptions.varied(job, variant, STAGE)
         assert {k: v.keys() for k, v in new.items() if isinstance(v, dict)} == {
             k: v.keys() for k, v in job.items() if isinstance(v, dict)
         }, name
         other = [new["smdof"] != job["smdof"], new["damping"] != job["damping"], variant.surrogate]
         assert to_json(build_scene(new)) != base or any(other), name
-    assert premises.varied(job, known["two_way"], STAGE)["model"] == f"{model}m"
+    assert assumptions.varied(job, known["two_way"], STAGE)["model"] == f"{model}m"

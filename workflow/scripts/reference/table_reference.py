@@ -1,7 +1,7 @@
-"""Reported collapse intensities and bands beside the judge's dense scans."""
+"""Reported collapse intensities and bands beside the reference solver's dense scans."""
 
 import pandas as pd
-from rocking.accuracy.judge import BAND_COLUMNS, KEY, compare
+from rocking.accuracy.coverage import BAND_COLUMNS, KEY, compare
 from rocking.runtime.script import run
 from rocking.tables import write_table
 

@@ -8,13 +8,13 @@ import pandas as pd
 from rocking.collapse import probability
 from rocking.collapse.ida import curve_key, read_curve
 from rocking.runtime.script import run
-from rocking.studies import premises
+from rocking.studies import assumptions
 from rocking.tables import write_table
 
 from yade_scripts.model.registry import MODELS
 
-SIDE = [f"pga_{name}_g" for name in premises.SIDE]
-RATIOS = [f"ratio_{name}" for name in premises.SIDE]
+SIDE = [f"pga_{name}_g" for name in assumptions.SIDE]
+RATIOS = [f"ratio_{name}" for name in assumptions.SIDE]
 COLUMNS = ["model", "record", "source", "direction", "method", "runs", "cpu_s", *SIDE]
 COLUMNS += ["reference", *RATIOS, "side"]
 
@@ -35,14 +35,14 @@ def curves(job, records):
         key = curve_key(scan)
         found = probability.summary(scan, scan, (), spread)
         dense = probability.from_scan(scan, spread)
-        found["pga_mean_g"] = premises.standing(dense["pga_g"], dense["probability"])
-        yield key, "planar", len(scan), cpu_s(folder, "screen", key), found, dense
+        found["pga_mean_g"] = assumptions.standing(dense["pga_g"], dense["probability"])
+        yield key, "planar", len(scan), cpu_s(folder, "planar_ida", key), found, dense
     for path in job.input.bricks:
         curve = read_curve(path)
         key = curve_key(curve)
         found = probability.summary(None, curve, (), spread)
         dense = probability.from_scan(curve, spread)
-        found["pga_mean_g"] = premises.standing(dense["pga_g"], dense["probability"])
+        found["pga_mean_g"] = assumptions.standing(dense["pga_g"], dense["probability"])
         yield key, "YADE", len(curve), cpu_s(folder, "ida", key), found, dense
     for path in job.input.others:
         whole = pd.read_csv(path)
@@ -51,7 +51,7 @@ def curves(job, records):
             raise ValueError(f"{path}: missing column(s) {', '.join(sorted(missing))}")
         measured = Path(path).parent.parent / "benchmarks"
         for key, table in whole[whole["record"].isin(records)].groupby(probability.KEY):
-            found, cost = premises.given(table), cpu_s(measured, "complete_scan", key)
+            found, cost = assumptions.given(table), cpu_s(measured, "complete_scan", key)
             yield key, "given", found["runs"], cost, found, table
 
 
@@ -67,20 +67,20 @@ def main(job):
         columns = [c for c in probability.PROBABILITY_COLUMNS if c in dense or c in named]
         parts.append(dense.assign(**named)[columns])
     table = pd.DataFrame(rows)
-    beside = premises.beside(table, job.params.reference)
+    beside = assumptions.beside(table, job.params.reference)
     write_table(beside[COLUMNS], job.output.table, digits="%.4f")
     dense = pd.concat(parts).reindex(columns=probability.PROBABILITY_COLUMNS)
     write_table(dense, job.output.probability, digits="%.4f")
-    write_table(premises.losses(table), job.output.losses, digits="%.4f")
+    write_table(assumptions.losses(table), job.output.losses, digits="%.4f")
     # every driven model over its own massive twin, then every model over the reference
     pairs = []
     for model in table["model"].unique():
         kind = MODELS.get(model)
         if kind is not None and kind.massive and kind.driven in set(table["model"]):
-            pairs.append(premises.beside(table, model).query("model == @kind.driven"))
+            pairs.append(assumptions.beside(table, model).query("model == @kind.driven"))
     pairs.append(beside[beside["model"] != job.params.reference])
-    whole = pd.concat(pairs).drop_duplicates(["model", "reference", *premises.KEY])
-    ratios = premises.spread_of(whole, RATIOS, ["model", "reference"])
+    whole = pd.concat(pairs).drop_duplicates(["model", "reference", *assumptions.KEY])
+    ratios = assumptions.spread_of(whole, RATIOS, ["model", "reference"])
     write_table(ratios, job.output.ratios, digits="%.4f")
 
 

@@ -1,12 +1,12 @@
-"""What every premise of a driven model is worth: collapse with it over collapse as configured."""
+"""What each assumption of a model is worth: collapse with it over collapse as configured."""
 
 import pandas as pd
 from rocking.runtime.script import run
-from rocking.studies import premises
+from rocking.studies import assumptions
 from rocking.tables import write_table
 
 KEY = ["record", "direction"]
-WHAT = ["model", *KEY, "premise", "level"]
+WHAT = ["model", *KEY, "assumption", "level"]
 MEASURES = ("collapse", "median")
 RUNS = "runs"
 
@@ -14,7 +14,7 @@ RUNS = "runs"
 def main(job):
     table = pd.concat([pd.read_csv(path) for path in job.input.curves])
     table = table.rename(columns={"runs_planar": RUNS})
-    base = table[table["premise"] == premises.BASE].set_index(KEY)
+    base = table[table["assumption"] == assumptions.BASE].set_index(KEY)
     table = table.set_index(KEY)
     for name in MEASURES:
         column = f"pga_{name}_g"
@@ -22,7 +22,12 @@ def main(job):
     middle = base["pga_median_g"].reindex(table.index)
     table["ratio_p10"] = table["pga_p10_g"] / middle
     table["ratio_p90"] = table["pga_p90_g"] / middle
-    columns = [*WHAT, *premises.CAPACITY, *(f"ratio_{m}" for m in (*MEASURES, "p10", "p90")), RUNS]
+    columns = [
+        *WHAT,
+        *assumptions.CAPACITY,
+        *(f"ratio_{m}" for m in (*MEASURES, "p10", "p90")),
+        RUNS,
+    ]
     write_table(table.reset_index()[columns], job.output[0], digits="%.4f")
 
 

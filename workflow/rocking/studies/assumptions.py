@@ -1,4 +1,4 @@
-"""What a premise is worth: variants of a scene, and ratios between collapse intensities.
+"""What an assumption is worth: variants of a scene, and ratios between collapse intensities.
 
 A ratio above 1 says that a model stands more shaking than the one it is held against: as a
 substitute it is on the unsafe side.
@@ -23,18 +23,18 @@ BASE = "as configured"
 
 @dataclass(frozen=True)
 class Variant:
-    """One premise at another level.
+    """One assumption at another level.
 
     Attributes
     ----------
     name : str
         In file names.
-    premise, level : str
+    assumption, level : str
         In charts.
     changes : callable
         From a scene file and the building stage's answers to values by dotted key.
     models : tuple of str
-        Driven models that have this premise.
+        Driven models that have this assumption.
     massive : bool
         Run the massive twin.
     surrogate : bool
@@ -42,7 +42,7 @@ class Variant:
     """
 
     name: str
-    premise: str
+    assumption: str
     level: str
     changes: Callable = lambda job, stage: {}
     models: tuple = ("W2", "W3")
@@ -235,16 +235,16 @@ def beside(capacity, reference):
 
 
 def losses(capacity):
-    """How much of the capacity the building takes, and how much of that its premise.
+    """How much of the capacity the building takes, and how much of that its assumption.
 
     The loss is 1 − W2/W1 as the study has it, driven, and 1 − W2m/W1 with walls that feel the
-    façade; the second is what the building's motion takes, the rest is the premise.
+    façade; the second is what the building's motion takes, the rest is the assumption.
 
     Returns
     -------
     DataFrame
         record, direction, measure, pga_w1_g, pga_w2_g, pga_w2m_g, loss_driven, loss_two_way,
-        premise; curves of which all three are known.
+        assumption; curves of which all three are known.
     """
     rows = []
     for measure in ("collapse", "median", "mean", "all"):
@@ -258,10 +258,10 @@ def losses(capacity):
         wide.insert(2, "measure", measure)
         wide["loss_driven"] = 1.0 - wide["pga_w2_g"] / wide["pga_w1_g"]
         wide["loss_two_way"] = 1.0 - wide["pga_w2m_g"] / wide["pga_w1_g"]
-        wide["premise"] = wide["loss_driven"] - wide["loss_two_way"]
+        wide["assumption"] = wide["loss_driven"] - wide["loss_two_way"]
         rows.append(wide)
     columns = [*KEY, "measure", "pga_w1_g", "pga_w2_g", "pga_w2m_g"]
-    columns += ["loss_driven", "loss_two_way", "premise"]
+    columns += ["loss_driven", "loss_two_way", "assumption"]
     return pd.concat(rows) if rows else pd.DataFrame(columns=columns)
 
 

@@ -16,7 +16,7 @@ from yade_scripts.model import floor_motions
 def main(job):
     plan, settings = json.loads(Path(job.input.plan).read_text()), job.params.accuracy
     scenes = {m: json.loads(Path(path).read_text()) for m, path in plan["scenes"].items()}
-    grid = list(itertools.product(settings["screening_nodes"], settings["screening_steps"]))
+    grid = list(itertools.product(settings["compiled_nodes"], settings["compiled_steps"]))
     rows = []
     for case in plan["cases"]:
         motion = floor_motions.read(plan["motions"][case["record"]])

@@ -2,7 +2,7 @@
 
 import pandas as pd
 from rocking.runtime.script import run
-from rocking.studies.premises import spread_of
+from rocking.studies.assumptions import spread_of
 from rocking.tables import write_table
 
 KEY = ["record", "direction", "period_s", "damping_ratio"]

@@ -1,4 +1,4 @@
-"""Collapse of a driven model under one record, one premise after the other at another level."""
+"""Collapse of a driven model under one record, one assumption after the other at another level."""
 
 import json
 from pathlib import Path
@@ -11,10 +11,10 @@ from rocking.records import load, read_csv
 from rocking.records.floors import floor_columns
 from rocking.records.table import read_table
 from rocking.runtime.script import run
-from rocking.studies.premises import BASE, CAPACITY, Variant, variants, varied
+from rocking.studies.assumptions import BASE, CAPACITY, Variant, variants, varied
 from rocking.tables import write_table
 
-COLUMNS = ["model", "record", "direction", "premise", "level", *CAPACITY, "runs_planar"]
+COLUMNS = ["model", "record", "direction", "assumption", "level", *CAPACITY, "runs_planar"]
 
 
 def main(job):
@@ -39,7 +39,7 @@ def main(job):
         for direction in p.directions:
             scan = Screen(case, *motion, direction).scan(settings)
             found = probability.summary(scan, scan, (), settings["amplitude_spread"])
-            named = (model, record.name, direction, variant.premise, variant.level)
+            named = (model, record.name, direction, variant.assumption, variant.level)
             rows.append([*named, *(found[name] for name in COLUMNS[5:])])
     found = pd.DataFrame(rows, columns=COLUMNS)
     write_table(found, job.output[0])

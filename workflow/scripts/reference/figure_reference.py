@@ -1,4 +1,4 @@
-"""Reported collapse probability over the judge's, a panel a curve."""
+"""Reported collapse probability over the reference solver's, a panel a curve."""
 
 import math
 
@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from matplotlib.ticker import MaxNLocator
-from rocking.accuracy.judge import KEY
+from rocking.accuracy.coverage import KEY
 from rocking.collapse import probability
 from rocking.figures import style
 from rocking.runtime.script import run
@@ -17,7 +17,7 @@ COLUMNS = 4
 
 
 def draw(axis, key, scan, row, reported, spread):
-    """One curve: judge in black, what is reported in the model's colour."""
+    """One curve: reference solver in black, what is reported in the model's colour."""
     colour = MODELS[key[0]].colour
     valid = scan[scan["status"] != "failed"].sort_values("pga_g")
     share, _ = probability.probability(valid["pga_g"], valid["collapsed"], valid["pga_g"], spread)
@@ -31,7 +31,7 @@ def draw(axis, key, scan, row, reported, spread):
     axis.plot([low, high], [0.5, 0.5], color=colour, lw=4, alpha=0.35, solid_capstyle="butt")
     axis.plot(row["pga_collapse_g"], -0.1, marker="^", color=colour, ms=5, clip_on=False)
     axis.set_title(
-        f"{key[0]} {key[1]} {'+' if key[2] == 'pos' else '−'}: {row['held']:.2f}", fontsize=8
+        f"{key[0]} {key[1]} {'+' if key[2] == 'pos' else '−'}: {row['coverage']:.2f}", fontsize=8
     )
     fell = valid.loc[valid["collapsed"] == 1, "pga_g"]
     stood = valid.loc[valid["collapsed"] == 0, "pga_g"]

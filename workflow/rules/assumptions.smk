@@ -1,0 +1,215 @@
+# What the driven return walls are worth, beside every other assumption: models side by side, a map over
+# buildings, a tornado chart. Ask for `assumptions`; config/scenarios/assumptions.yaml has the runs.
+ASSUMPTIONS = RUNS.key("assumptions")
+
+
+def tornado_records(run):
+    """Records of the tornado chart; all where none are named."""
+    named = ASSUMPTIONS(run)["tornado_records"]
+    return (
+        RUNS.records[run]
+        if named is None
+        else RUNS.named("assumptions.tornado_records")(run)
+    )
+
+
+def without_scan(run):
+    """Curves that no dense scan stands for."""
+    return [c for c in RUNS.by_yade(run) if not RUNS.scanned(run, c.model)]
+
+
+def tornado_models(run):
+    """Models with a tornado chart."""
+    return ASSUMPTIONS(run)["tornado_models"] if tornado_records(run) else []
+
+
+rule table_assumptions:
+    input:
+        scans=of_run(rules.planar_ida.output.scan, cases=RUNS.scans),
+        bricks=of_run(rules.ida.output[0], cases=without_scan),
+        others=lambda w: list(map(RUNS.beside, ASSUMPTIONS(w.run)["other_curves"])),
+        facts=of_run(rules.record.output.facts),
+        modules=code("assumptions/table_assumptions"),
+    output:
+        table=results("tables/assumptions.csv"),
+        ratios=results("tables/assumptions_ratios.csv"),
+        losses=results("tables/assumptions_losses.csv"),
+        probability=results("assumptions/probability.csv"),
+    log:
+        logs("table_assumptions"),
+    params:
+        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
+        reference=lambda w: ASSUMPTIONS(w.run)["reference"],
+        benchmarks=results("benchmarks"),
+    script:
+        "../scripts/assumptions/table_assumptions.py"
+
+
+rule figure_assumptions:
+    input:
+        probability=rules.table_assumptions.output.probability,
+        facts=of_run(rules.record.output.facts),
+        modules=code("assumptions/figure_assumptions"),
+    output:
+        **figure(
+            "assumptions", "Assumptions", "collapse probability, models side by side"
+        ),
+    log:
+        logs("figure_assumptions"),
+    params:
+        facade=RUNS.params_of("facade"),
+    script:
+        "../scripts/assumptions/figure_assumptions.py"
+
+
+rule figure_assumptions_ratios:
+    input:
+        table=rules.table_assumptions.output.table,
+        facts=of_run(rules.record.output.facts),
+        modules=code("assumptions/figure_assumptions_ratios"),
+    output:
+        **figure("assumptions_ratios", "Assumptions", "each model over the reference"),
+    log:
+        logs("figure_assumptions_ratios"),
+    params:
+        reference=lambda w: ASSUMPTIONS(w.run)["reference"],
+    script:
+        "../scripts/assumptions/figure_assumptions_ratios.py"
+
+
+rule assumptions_map:
+    input:
+        scene=of_run(rules.scene.output[0], model="W2"),
+        record=rules.own_record.output.record,
+        modules=code("assumptions/assumptions_map"),
+    output:
+        results("assumptions/map/{record}.csv"),
+    log:
+        logs("assumptions_map_{record}"),
+    benchmark:
+        benchmarks("assumptions_map_{record}")
+    params:
+        assumptions=lambda w: {
+            key: ASSUMPTIONS(w.run)[key]
+            for key in ("mass_ratios", "periods_s", "damping_ratios", "level_ratio")
+        },
+        directions=lambda w: RUNS.cfg(w)["directions"],
+    script:
+        "../scripts/assumptions/assumptions_map.py"
+
+
+rule table_assumptions_map:
+    input:
+        curves=of_run(rules.assumptions_map.output[0]),
+        modules=code("assumptions/table_assumptions_map"),
+    output:
+        results("tables/assumptions_map.csv"),
+    log:
+        logs("table_assumptions_map"),
+    script:
+        "../scripts/assumptions/table_assumptions_map.py"
+
+
+rule figure_assumptions_map:
+    input:
+        table=rules.table_assumptions_map.output[0],
+        facts=of_run(rules.record.output.facts),
+        modules=code("assumptions/figure_assumptions_map"),
+    output:
+        **figure("assumptions_map", "Assumptions", "error of driven walls, by building"),
+    log:
+        logs("figure_assumptions_map"),
+    params:
+        smdof=lambda w: RUNS.cfg(w)["smdof"],
+        records=lambda w: len(RUNS.records[w.run]),
+        directions=lambda w: len(RUNS.cfg(w)["directions"]),
+    script:
+        "../scripts/assumptions/figure_assumptions_map.py"
+
+
+rule assumptions_stage:
+    input:
+        fit=rules.building_fit.output[0],
+        cbdem=of_run(rules.building_modal.output[0], building="CBDEM"),
+        sbdem=of_run(rules.building_modal.output[0], building="SBDEM"),
+        modules=code("assumptions/assumptions_stage"),
+    output:
+        results("assumptions/stage.json"),
+    log:
+        logs("assumptions_stage"),
+    script:
+        "../scripts/assumptions/assumptions_stage.py"
+
+
+rule assumptions_varied:
+    input:
+        scene=rules.scene.output[0],
+        stage=rules.assumptions_stage.output[0],
+        record=rules.own_record.output.record,
+        law=LAW_FILE,
+        modules=code("assumptions/assumptions_varied"),
+    output:
+        results("assumptions/{model}/{record}.csv"),
+    log:
+        logs("assumptions_varied_{model}_{record}"),
+    benchmark:
+        benchmarks("assumptions_varied_{model}_{record}")
+    params:
+        directions=lambda w: RUNS.cfg(w)["directions"],
+        surrogates_table=lambda w: RUNS.beside(ASSUMPTIONS(w.run)["surrogates_table"]),
+        seed=lambda w: RUNS.cfg(w)["seed"],
+    script:
+        "../scripts/assumptions/assumptions_varied.py"
+
+
+rule table_assumptions_tornado:
+    input:
+        curves=of_run(rules.assumptions_varied.output[0], record=tornado_records),
+        modules=code("assumptions/table_assumptions_tornado"),
+    output:
+        results("tables/assumptions_tornado_{model}.csv"),
+    log:
+        logs("table_assumptions_tornado_{model}"),
+    script:
+        "../scripts/assumptions/table_assumptions_tornado.py"
+
+
+rule figure_assumptions_tornado:
+    input:
+        table=rules.table_assumptions_tornado.output[0],
+        facts=of_run(rules.record.output.facts),
+        modules=code("assumptions/figure_assumptions_tornado"),
+    output:
+        **figure(
+            "assumptions_tornado_{model}",
+            "Assumptions",
+            "what each assumption of {model} is worth",
+            about="assumptions_tornado",
+        ),
+    log:
+        logs("figure_assumptions_tornado_{model}"),
+    params:
+        facade=RUNS.params_of("facade"),
+    script:
+        "../scripts/assumptions/figure_assumptions_tornado.py"
+
+
+rule assumptions:
+    input:
+        every_run(
+            rules.table_assumptions.output.table,
+            rules.table_assumptions.output.ratios,
+            rules.table_assumptions.output.losses,
+            rules.figure_assumptions.output.png,
+            rules.figure_assumptions_ratios.output.png,
+            where(
+                RUNS.key("assumptions.mass_ratios"),
+                rules.table_assumptions_map.output,
+                rules.figure_assumptions_map.output.png,
+            ),
+            of_run(
+                rules.table_assumptions_tornado.output,
+                rules.figure_assumptions_tornado.output.png,
+                model=tornado_models,
+            ),
+        ),

@@ -1,0 +1,78 @@
+# The independent planar solver scans curves by itself; what of its answer the reported ones hold.
+
+
+def describable(wildcards):
+    """Dense scans by the independent planar solver, of the models that it can describe."""
+    run = wildcards.run
+    RUNS.needs_plain(run, "the reference solver", held=True)
+    models = [model for model in RUNS.settings[run]["models"] if model in PLANAR]
+    return of_run(rules.reference_scan.output[0], model=models)(wildcards)
+
+
+rule reference_scan:
+    input:
+        scene=rules.scene.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+        scan=rules.planar_ida.output.scan,
+        modules=code("reference/reference_scan"),
+    output:
+        results("reference/{model}/{record}_{direction}.csv"),
+    log:
+        logs("reference_scan_{model}_{record}_{direction}"),
+    benchmark:
+        benchmarks("reference_scan_{model}_{record}_{direction}")
+    params:
+        record=lambda w: w.record,
+        accuracy=lambda w: {
+            key: RUNS.cfg(w)["accuracy"][key]
+            for key in ("reference_nodes", "reference_tolerance", "reference_step")
+        },
+    script:
+        "../scripts/reference/reference_scan.py"
+
+
+rule reference_bands:
+    input:
+        scans=describable,
+        collapse=rules.ida_collapse.output.collapse,
+        modules=code("reference/table_reference"),
+    output:
+        scan=results("tables/reference_scan.csv"),
+        bands=shown(
+            results("tables/reference_bands.csv"),
+            "reference_solver",
+            "Accuracy and stability",
+            "reported bands and the reference solver's (CSV)",
+        ),
+    log:
+        logs("reference_bands"),
+    params:
+        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
+    script:
+        "../scripts/reference/table_reference.py"
+
+
+rule figure_reference:
+    input:
+        scan=rules.reference_bands.output.scan,
+        bands=rules.reference_bands.output.bands,
+        probability=rules.ida_collapse.output.probability,
+        facts=of_run(rules.record.output.facts),
+        modules=code("reference/figure_reference"),
+    output:
+        **figure(
+            "reference_solver",
+            "Accuracy and stability",
+            "collapse probability by both planar solvers",
+        ),
+    log:
+        logs("figure_reference"),
+    params:
+        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
+    script:
+        "../scripts/reference/figure_reference.py"
+
+
+rule reference_solver:
+    input:
+        every_run(rules.reference_bands.output, rules.figure_reference.output.png),
