@@ -19,7 +19,8 @@ REDUCED = [
     "numerics={after_motion_s: 0.1}",
     "ida={level_ratio: 0.1}",
     "ensemble={members: 3, amplitude_spread: 0.05}",
-    "assumptions={mass_ratios: [0.001, 0.3], periods_s: [0.27], damping_ratios: [], level_ratio: 0.1}",
+    "assumptions={mass_ratios: [0.001, 0.3], periods_s: [0.27], damping_ratios: [],"
+    " level_ratio: 0.1}",
 ]
 
 
