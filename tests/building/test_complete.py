@@ -15,6 +15,7 @@ from yade_scripts.model.building import assembly
 from yade_scripts.model.building.complete import apart, behind, with_rigid_floors
 from yade_scripts.model.building.contacts import Joints
 from yade_scripts.model.building.plan import Floor, Opening, Plan, PlanError, Wall
+from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.scene import from_dict, to_json
 from yade_scripts.studies.search import next_level
 
@@ -161,6 +162,13 @@ def test_sparse_critical_step_is_the_dense_one():
     scene = scene_of("CB")
     assert critical_step(scene) == pytest.approx(stiffness.critical_step(scene), rel=1e-3)
     assert scene.notes["critical_step_s"] == critical_step(scene)
+
+
+def test_dashpots_shorten_the_sparse_critical_step_as_the_dense_one():
+    """Lanczos against the dense criterion on a façade, up to dashpots that govern the step."""
+    for beta_s in (0.0, 0.0005, 0.02):
+        scene = facade_scene(resolved(), "W1", beta_s)
+        assert critical_step(scene) == pytest.approx(stiffness.critical_step(scene), rel=1e-3)
 
 
 def test_drag_damps_translations_alone():

@@ -93,6 +93,12 @@ def test_single_runs_stand_for_the_amplitudes_nearest_to_them():
     assert np.all(weights[:, 1] > 0.39)
 
 
+def test_two_distant_runs_meet_at_the_geometric_middle():
+    """Each stands for the amplitudes nearest by ratio: 0.1 and 0.4 g part at 0.2 g."""
+    found = probability.summary(None, runs((0.1, 0)), runs((0.4, 1)), 0.01)
+    assert found["pga_median_g"] == pytest.approx(0.2, rel=2e-4)
+
+
 def test_disagreement_is_beyond_the_scatter_of_both():
     """Eleven members that all stand where all planar ones fall disagree; one of 11 does not."""
     dense = scan(lambda g: g > 0.5)
