@@ -130,6 +130,33 @@ rule assess_checks:
         "../scripts/assess/assess_checks.py"
 
 
+rule assess_levels:
+    input:
+        scenes=of_run(rules.scene.output[0], model=dry),
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.record_files(w),
+        modules=code("assess/assess_levels"),
+    output:
+        results("assessment/dynamic_levels.csv"),
+    log:
+        logs("assess_levels"),
+    params:
+        table=lambda w: RUNS.table_path(w.run),
+        stations=stations,
+        settings=RUNS.params_of(
+            "facade",
+            "return_wall",
+            "smdof",
+            "assessment",
+            "directions",
+            "baseline",
+            "seed",
+            "vertical_motion",
+        ),
+    script:
+        "../scripts/assess/assess_levels.py"
+
+
 rule assess_floor_spectra:
     input:
         table=lambda w: RUNS.table_path(w.run),
@@ -351,6 +378,22 @@ rule assess:
         every_run(rules.assess_report.output),
 
 
+rule compare_kinematic_and_dynamic:
+    input:
+        levels=every_run(rules.assess_levels.output[0]),
+        modules=code("assess/dynamic_against_kinematic"),
+    output:
+        levels=f"{COMPARED}/dynamic_levels_all.csv",
+        table=f"{COMPARED}/dynamic_against_kinematic.csv",
+    log:
+        logs("compare_kinematic_and_dynamic").format(run=RUNS.name),
+    params:
+        runs=compared_facades,
+    script:
+        "../scripts/assess/dynamic_against_kinematic.py"
+
+
 rule code_against_dynamics:
     input:
         rules.compare_code_and_dynamics.output.table,
+        rules.compare_kinematic_and_dynamic.output.table,

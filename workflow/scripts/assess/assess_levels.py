@@ -1,0 +1,74 @@
+"""Kinematic and dynamic check of one façade under the code's spectrum at several intensities."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from rocking.assessment import selection
+from rocking.assessment.battery import battery, least, mechanism_of
+from rocking.assessment.checks import LEAST_KNOWN
+from rocking.assessment.code_spectrum import CodeDemand
+from rocking.assessment.dynamic_check import histories, limits_of, verdict
+from rocking.records import G_M_S2, load
+from rocking.runtime.script import run
+from rocking.tables import write_table
+
+from smdof.spectra import response_spectrum
+
+LEVELS_G = (0.05, 0.10, 0.15, 0.20, 0.25, 0.30)  # a_g
+SITE = (2.5, 0.3, "B")  # F0, T_C*, subsoil
+HIGH_S = 3.0  # the motions fit from match_low_s to here
+SECTIONS = ("facade", "return_wall", "smdof", "assessment")
+
+
+def main(job):
+    settings, stations = json.loads(job.params.settings), job.params.stations
+    facade, wall, chain, own = (settings[k] for k in SECTIONS)
+    how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}
+    records = {name: load(name, job.params.table, **how) for name in stations}
+    period_s = selection.periods(own["match_low_s"], HIGH_S)
+    spectra = np.array(
+        [
+            response_spectrum(r.acceleration_m_s2, r.dt_s, period_s, 0.05).psa_m_s2 / G_M_S2
+            for r in records.values()
+        ]
+    )
+    peaks = {n: np.abs(r.acceleration_m_s2).max() / G_M_S2 for n, r in records.items()}
+    whole = mechanism_of(facade, wall, own)
+    limits = limits_of(whole.mechanism)
+    kinematic, wanted = [], {}
+    for ag_g in LEVELS_G:
+        demand = CodeDemand(ag_g, *SITE)
+        target = np.array([demand.acceleration(t) for t in period_s])
+        given = (list(stations), list(stations.values()), spectra, period_s, target)
+        chosen = selection.choose(*given, own["motions"], own["motion_factors"])
+        found = {fc: battery(whole, facade, chain, own, demand, fc) for fc in (1.0, LEAST_KNOWN)}
+        row = {"ag_g": ag_g, "pga_g": demand.pga_g, "fits": int(chosen.fits)}
+        row |= {
+            f"kinematic_{name}": int(least(found[fc]) >= demand.pga_g)
+            for name, fc in (("fc1", 1.0), ("fc", LEAST_KNOWN))
+        }
+        row["kinematic_ground_fc"] = int(
+            found[LEAST_KNOWN]["slv_ground"].failing_pga_g >= demand.pga_g
+        )
+        kinematic.append(row)
+        for name, factor in zip(chosen.names, chosen.factors, strict=True):
+            wanted.setdefault(name, {})[ag_g] = factor * peaks[name]
+    rows = []
+    for path in job.input.scenes:
+        scene = json.loads(Path(str(path)).read_text())
+        parts = []
+        for name, levels in wanted.items():
+            one = histories(scene, records[name], settings["directions"][0], levels.values(), 0)
+            parts.append(one.assign(ag_g=list(levels)))
+        table = pd.concat(parts, ignore_index=True)
+        for known in kinematic:
+            found = verdict(table[table["ag_g"] == known["ag_g"]], limits, settings["seed"])
+            kept = ("motions", "exceed_d0", "mean_d_m", "d0_m", "d_slv_m", "failed")
+            row = {key: found[key] for key in kept} | {"dynamic": int(found["slv"])}
+            rows.append({"model": scene["model"], **known, **row})
+    write_table(rows, job.output[0])
+
+
+run(main, globals())
