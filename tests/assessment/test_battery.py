@@ -1,0 +1,68 @@
+"""Which check governs: ground or floor, which mechanism, which reading of the code."""
+
+import numpy as np
+import pytest
+from rocking.assessment.battery import CHECKS, battery, failing_pga, governing, least
+from rocking.assessment.checks import LEAST_KNOWN
+from rocking.assessment.code_spectrum import CodeDemand
+from rocking.assessment.family import Family
+from rocking.configuration import config
+from rocking.records import Record
+
+CONFIG = config.resolve(
+    {
+        "facade": {"height_m": 6.0, "thickness_m": 0.5, "width_m": 5.0, "gable_height_m": 2.0},
+        "smdof": {"n_dof": 3, "period_s": 0.8},
+    }
+)
+FACADE, WALL, CHAIN, OWN = (CONFIG[k] for k in ("facade", "return_wall", "smdof", "assessment"))
+DEMAND = CodeDemand(0.2, 2.5, 0.3, "B")
+
+
+def family():
+    return Family(FACADE, WALL, OWN)
+
+
+def test_the_less_of_ground_and_floor_governs():
+    """Before a soft building the floor asks for more than the ground; both stand in the table."""
+    found = battery(family().part(0.0, "whole"), FACADE, CHAIN, OWN, DEMAND)
+    ground, floor = found["slv_ground"].failing_pga_g, found["slv_height"].failing_pga_g
+    assert floor < 0.95 * ground
+    assert least(found) == floor
+    assert least({"slv_ground": found["slv_ground"]}) == ground
+
+
+def test_mechanisms_come_the_weakest_first_and_off_the_ground_none_is_checked_on_it():
+    ranked = governing(family().all(), FACADE, CHAIN, OWN, DEMAND)
+    pga_g = [row[0] for row in ranked]
+    assert pga_g == sorted(pga_g)
+    for one, found in ((one, found) for _, one, found in ranked):
+        assert one.on_ground == ("slv_ground" in found)
+
+
+def test_confidence_is_level_one_unless_the_hinge_crushes():
+    known = {**OWN, "confidence_factor": 1.0}
+    whole = family().part(0.0, "whole")
+    without = battery(whole, FACADE, CHAIN, known, DEMAND)
+    crushing = battery(whole, FACADE, CHAIN, {**known, "hinge_inset_m": 1e-9}, DEMAND)
+    ratio = crushing["linear_ground"].capacity / without["linear_ground"].capacity
+    assert ratio == pytest.approx(LEAST_KNOWN)
+
+
+def test_every_reading_of_one_record_stands_beside_the_others():
+    """The first reading asks at the secant period alone, so it allows no less than the letter.
+
+    Except where the onset governs, whose bound it lacks.
+    """
+    rng = np.random.default_rng(2)
+    values = np.cumsum(rng.standard_normal(1500)) * 0.05
+    record = Record("r", values - values.mean(), 0.01, source="file")
+    whole = Family(FACADE, WALL, OWN).part(0.0, "whole")
+    rows = failing_pga(whole, FACADE, CHAIN, OWN, record, ["pos"], 3.0)
+    found = {key: pga_g for _, key, pga_g in rows}
+    assert set(found) == set(CHECKS)
+    assert found["slv_both"] == min(found["slv_ground"], found["slv_height"])
+    assert found["slv_both_first"] == min(found["slv_ground_first"], found["slv_height_first"])
+    assert found["slv_both_fc"] <= found["slv_both"]
+    onset = 0.5 * found["linear_ground"]  # a_g,SLD on the ground
+    assert found["slv_ground"] <= max(found["slv_ground_first"], onset) * (1.0 + 1e-9)
