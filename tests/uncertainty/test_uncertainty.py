@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+from rocking import Case
 from rocking.collapse.scan import Screen
 from rocking.runs import Runs
 from rocking.studies import fragility
@@ -15,6 +16,13 @@ from rocking.uncertainty.design import drawn_motions
 from yade_process import resolved, run_study
 
 from yade_scripts.model.facade import joint_stiffness
+
+
+def drawn(job, factor):
+    """Case file with the parameters times their factors."""
+    case = Case(job)
+    return case.varied(sampling.variant(case, factor)).scene
+
 
 SLOPES = np.array([0.30, -0.15, 0.05, 0.0])
 MODELS = np.array([-0.12, 0.0, 0.12])
@@ -137,7 +145,7 @@ def test_sobol_points_come_in_powers_of_two():
 def test_a_varied_scene_has_what_the_factors_say():
     """Friction by its coefficient; E on base and back joint, the length on the back joint alone."""
     job = {**resolved(), "beta_s": 0.002}
-    new = sampling.varied(job, {"e_mpa": 2.0, "friction": 0.5, "length_m": 4.0, "beta_s": 3.0})
+    new = drawn(job, {"e_mpa": 2.0, "friction": 0.5, "length_m": 4.0, "beta_s": 3.0})
     base, back = joint_stiffness(job)
     assert joint_stiffness(new) == pytest.approx((2.0 * base, 0.5 * back))
     for section in ("facade", "return_wall"):
@@ -145,7 +153,7 @@ def test_a_varied_scene_has_what_the_factors_say():
         assert tangent == pytest.approx(0.5 * np.tan(np.radians(30.0)))
     assert new["beta_s"] == pytest.approx(0.006)
     assert job["return_wall"]["length_m"] is None
-    assert sampling.varied(job, {"period_s": 1.1})["smdof"]["period_s"] == pytest.approx(0.297)
+    assert drawn(job, {"period_s": 1.1})["smdof"]["period_s"] == pytest.approx(0.297)
 
 
 def test_motions_are_drawn_by_the_seed():
@@ -180,7 +188,7 @@ def test_a_cell_in_yade_is_the_planar_cell(tmp_path):
     """A façade with drawn properties under a burst: outcome, and d/b within 1 %."""
     few = dict.fromkeys(("nodes_thickness", "nodes_height"), 17)
     job = {**resolved(numerics={**few, "step_fraction": 0.1}), "model": "W1", "beta_s": 0.00276}
-    job = sampling.varied(job, {"e_mpa": 1.3, "friction": 0.9, "thickness_m": 1.05})
+    job = drawn(job, {"e_mpa": 1.3, "friction": 0.9, "thickness_m": 1.05})
     t = np.linspace(0.0, 1.2, 121)
     ground = np.sin(np.pi * t / 1.2) ** 2 * np.sin(2.0 * np.pi * t / 0.6)
     cell = {"record": "R", "direction": "neg", "model": "W1", "pga_g": [0.15], "scene": job}

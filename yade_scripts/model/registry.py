@@ -68,7 +68,7 @@ class Model:
     @property
     def climb_ratio(self):
         """From one amplitude of a short climb to the next: floors make narrower islands."""
-        return 1.03 if self.chain else 1.12
+        return 1.03 if self.walls == "floors" else 1.12
 
     @property
     def driven(self):

@@ -3,13 +3,53 @@
 import numpy as np
 import pandas as pd
 
-SHARES = {"none": 0.0, "hundredth": 0.01, "whole": 1.0}  # of the recorded vertical motion
+from rocking.collapse.case import Variant
+from rocking.collapse.quick import crossings
+from rocking.collapse.ratios import Ratios
+
+VARIANTS = [
+    Variant(name, motion={"vertical": share}, about={"vertical": name})
+    for name, share in (("none", 0.0), ("hundredth", 0.01), ("whole", 1.0))
+]
 MEASURES = ("p10", "median")
-COLUMNS = ["record", "station", "model", "direction", "vertical", "vertical_over_horizontal"]
-COLUMNS += [*(f"pga_{name}_g" for name in MEASURES), "runs_planar"]
 KEY = ["record", "station", "model", "direction", "vertical_over_horizontal"]
+COLUMNS = [*KEY[:4], "vertical", KEY[4], *(f"pga_{name}_g" for name in MEASURES), "runs_planar"]
 SUMMARY = ["model", "measure", "vertical", "n", "n_censored", "ratio_median", "ratio_p10"]
 SUMMARY += ["ratio_p90", "ratio_min", "ratio_max", "scatter", "within_5_percent"]
+
+
+def collapse(cases, motion, directions, station):
+    """Collapse without, with a hundredth of, and with the vertical motion of a record.
+
+    Parameters
+    ----------
+    cases : iterable of Case
+    motion : Motion
+        With its vertical motion.
+    directions : sequence of str
+    station : str
+
+    Returns
+    -------
+    DataFrame
+        COLUMNS.
+    """
+    record = motion.record
+    size = np.abs(record.vertical_m_s2).max() / np.abs(record.acceleration_m_s2).max()
+    key = {"record": record.name, "station": station, "vertical_over_horizontal": size}
+    return pd.DataFrame(
+        [
+            {
+                **key,
+                **{"model": case.model, "direction": direction, **variant.about},
+                **crossings(case, motion.varied(variant), direction),
+            }
+            for case in cases
+            for variant in VARIANTS
+            for direction in directions
+        ],
+        columns=COLUMNS,
+    )
 
 
 def ratios(table):
@@ -18,7 +58,7 @@ def ratios(table):
     Parameters
     ----------
     table : DataFrame
-        Columns as COLUMNS; `vertical` one of SHARES.
+        Columns as COLUMNS; `vertical` a name of VARIANTS.
 
     Returns
     -------
@@ -47,11 +87,8 @@ def summary(table):
     """
     rows = []
     for key, part in ratios(table).groupby(["model", "measure", "vertical"], sort=False):
-        ratio = part["ratio"].dropna().to_numpy()
-        ends = np.full(5, np.nan)
-        if ratio.size:
-            ends = np.percentile(ratio, [50, 10, 90, 0, 100])
-        scatter = np.std(np.log(ratio), ddof=1) if ratio.size > 1 else np.nan
-        near = np.mean(np.abs(ratio - 1.0) <= 0.05) if ratio.size else np.nan
-        rows.append((*key, len(part), len(part) - ratio.size, *ends, scatter, near))
+        found = Ratios(part["ratio"])
+        ends, near = found.percentiles([50, 10, 90, 0, 100]), Ratios(np.abs(found.known - 1.0))
+        within = near.share(high=0.05)
+        rows.append((*key, found.n, found.n_censored, *ends, found.scatter, within))
     return pd.DataFrame(rows, columns=SUMMARY)

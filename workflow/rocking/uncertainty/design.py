@@ -1,7 +1,51 @@
-"""The motions under which the sample of an uncertainty study is run."""
+"""The crossed design of an uncertainty study: its motions, and collapse over its sample."""
 
+import math
+
+from rocking.collapse.quick import LONG_STEP, crossings
 from rocking.records import load
 from rocking.uncertainty import sampling
+from yade_scripts.model import models
+
+BELOW = 0.5  # of the medians' first collapse: where the climb of another point begins
+OTHER = {"start": 1.007, "step": 0.9}  # of a cell that is run again
+COLUMNS = ["record", "direction", "model", "sample", "replicate"]
+COLUMNS += ["pga_p10_g", "pga_median_g", "pga_max_g", "runs_planar"]
+
+
+def collapse(case, motion, direction, factors, settings):
+    """Collapse of a case over the sample, the first `replicates` of it twice.
+
+    Parameters
+    ----------
+    case : Case
+    motion : Motion
+    direction : str
+    factors : DataFrame
+        Of `sampling.factors`.
+    settings : dict
+        max_pga_g, replicates.
+
+    Returns
+    -------
+    list of dict
+        COLUMNS.
+    """
+    rows, first, limit = [], None, settings["max_pga_g"]
+    for number, factor in enumerate(factors.to_dict("records")):
+        cell = case.varied(sampling.variant(case, factor))
+        lowest = cell.kind.climb_from * models.static_multiplier(cell.scene)
+        start = max(lowest, BELOW * first) if first else lowest
+        for again in range(1 + (0 < number <= settings["replicates"])):
+            step = LONG_STEP * OTHER["step"] if again else LONG_STEP
+            how = {"max_pga_g": limit, "from_g": start * OTHER["start"] if again else start}
+            found = crossings(cell, motion, direction, how, step)
+            if number == sampling.MEDIAN:
+                first = found["pga_p10_g"] if math.isfinite(found["pga_p10_g"]) else None
+            key = {"record": motion.name, "direction": direction, "model": cell.model}
+            key |= {"sample": number, "replicate": again, "pga_max_g": limit}
+            rows.append(key | found)
+    return rows
 
 
 def drawn_motions(runs, run):

@@ -1,14 +1,16 @@
-"""Space-filling samples of the uncertain parameters, and scene files that have them."""
+"""Space-filling samples of the uncertain parameters, and variants of a case that have them."""
 
-import copy
 import math
 
 import numpy as np
 import pandas as pd
 from scipy.special import ndtri
 
+from rocking.collapse.case import Variant
+
 MEDIAN = 0  # number of the sample in which every factor is 1
-PLACES = {  # dotted key of a scene file, for parameters that are one value of it
+PLACES = {  # dotted key of a case, for parameters that are one value of it
+    "beta_s": "beta_s",
     "e_mpa": "facade.e_mpa",
     "density_kg_m3": "facade.density_kg_m3",
     "thickness_m": "facade.thickness_m",
@@ -77,33 +79,29 @@ def factors(settings):
     return pd.DataFrame(columns)
 
 
-def varied(job, factor):
-    """A scene file with the parameters times their factors.
+def variant(case, factor):
+    """Variant of a case with the parameters times their factors.
 
     Friction is the coefficient tan φ of base and back joints; a length of return wall that is null
     is h/2 before it is multiplied.
 
     Parameters
     ----------
-    job : dict
-        A scene file.
+    case : Case
     factor : mapping of str to float
     """
-    new = copy.deepcopy(job)
+    changes, factors = {}, {}
     for name, value in factor.items():
-        if name == "beta_s":
-            new["beta_s"] *= value
-        elif name == "friction":
-            for section in ("facade", "return_wall"):
-                tangent = value * math.tan(math.radians(new[section]["friction_deg"]))
-                new[section]["friction_deg"] = math.degrees(math.atan(tangent))
+        if name == "friction":
+            for key in ("facade.friction_deg", "return_wall.friction_deg"):
+                tangent = value * math.tan(math.radians(case.get(key)))
+                changes[key] = math.degrees(math.atan(tangent))
         elif name == "length_m":
-            length = job["return_wall"]["length_m"] or 0.5 * job["facade"]["height_m"]
-            new["return_wall"]["length_m"] = value * length
+            length = case["return_wall"]["length_m"] or 0.5 * case["facade"]["height_m"]
+            changes["return_wall.length_m"] = value * length
         else:
-            section, key = PLACES[name].split(".")
-            new[section][key] *= value
-    return new
+            factors[PLACES[name]] = value
+    return Variant("sample", changes=changes, factors=factors)
 
 
 def motions(names, directions, settings):

@@ -1,31 +1,30 @@
 """PGA of 10 and 50 % collapse of one model under every motion of the run, by the planar solver."""
 
 import json
-from pathlib import Path
 
-import pandas as pd
-from rocking.assessment.collapse import collapse_pga
-from rocking.records import load, measures
+from rocking import Case, Motion
+from rocking.collapse.quick import crossings
+from rocking.records import measures
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
+COLUMNS = ["model", "record", "direction", "record_pga_g", "pga_p10_g", "pga_median_g"]
+COLUMNS += ["pga_max_g", "runs_planar"]
+
 
 def main(job):
-    scene = json.loads(Path(job.input.scene).read_text())
-    settings = json.loads(job.params.settings)
-    limit = settings["ida.max_pga_g"]
+    case, settings = Case.read(job.input.scene), json.loads(job.params.settings)
+    limit = {"max_pga_g": settings["ida.max_pga_g"]}
     how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}
     rows = []
     for name in job.params.records:
-        record = load(name, job.params.table, **how)
-        peak = measures(record)["pga_g"]
-        for direction, low, half, runs in collapse_pga(
-            scene, record, settings["directions"], limit
-        ):
-            rows.append((scene["model"], name, direction, peak, low, half, limit, runs))
-    names = ("model", "record", "direction", "record_pga_g", "pga_p10_g", "pga_median_g")
-    table = pd.DataFrame(rows, columns=[*names, "pga_max_g", "runs_planar"])
-    write_table(table, job.output[0])
+        motion = Motion.named(name, job.params.table, **how)
+        peak = measures(motion.record)["pga_g"]
+        for direction in settings["directions"]:
+            key = {"model": case.model, "record": name, "direction": direction}
+            found = crossings(case, motion, direction, limit)
+            rows.append(key | {"record_pga_g": peak, "pga_max_g": limit["max_pga_g"]} | found)
+    write_table(rows, job.output[0], COLUMNS)
 
 
 run(main, globals())

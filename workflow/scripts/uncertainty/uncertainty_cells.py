@@ -5,9 +5,8 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from rocking.collapse.scan import Screen
+from rocking import Case, Motion, collapse_curve
 from rocking.records import read_csv
-from rocking.records.floors import floor_columns
 from rocking.runtime.script import run
 from rocking.uncertainty import sampling
 
@@ -20,8 +19,7 @@ def main(job):
     settings = json.loads(job.params.settings)
     table = pd.concat([pd.read_csv(path) for path in job.input.tables], ignore_index=True)
     table = table[(table["replicate"] == 0) & (table["sample"] > 0)].dropna()
-    scenes = [json.loads(Path(path).read_text()) for path in job.input.scenes]
-    scenes = {scene["model"]: scene for scene in scenes}
+    cases = {case.model: case for case in map(Case.read, job.input.scenes)}
     paths = {Path(path).stem: path for path in job.input.records}
     factors = sampling.factors(settings)
     rng = np.random.default_rng(settings["seed"])
@@ -29,20 +27,23 @@ def main(job):
     cells = {}
     for k, i in enumerate(sorted(rng.choice(len(table), count, replace=False)), 1):
         row = table.iloc[i]
-        case = sampling.varied(scenes[row["model"]], factors.iloc[row["sample"]].to_dict())
-        motion = floor_columns(read_csv(paths[row["record"]]), case["smdof"])
+        case = cases[row["model"]]
+        case = case.varied(sampling.variant(case, factors.iloc[row["sample"]].to_dict()))
+        motion = Motion(read_csv(paths[row["record"]]))
         levels = (SHARES[0] * row["pga_p10_g"], SHARES[1] * row["pga_median_g"])
         levels = [round(float(g), DIGITS) for g in levels]
-        found = Screen(case, *motion, row["direction"]).run(levels, scatter=False)
+        how = {"search": "list", "settings": {"pga_g": levels}}
+        found = collapse_curve(case, motion, row["direction"], **how).table
+        time_s, columns = motion.columns(case)
         cells[f"cell{k}"] = {
             **{key: row[key] for key in ("record", "direction", "model")},
             "sample": int(row["sample"]),
             "pga_g": levels,
             "planar": found[["d_over_b", "status"]].to_dict("list"),
-            "scene": case,
+            "scene": case.scene,
             "motion": {
-                "time_s": motion[0].tolist(),
-                "columns": {name: values.tolist() for name, values in motion[1].items()},
+                "time_s": time_s.tolist(),
+                "columns": {name: values.tolist() for name, values in columns.items()},
             },
         }
     Path(job.output[0]).write_text(json.dumps({"cases": cells}) + "\n")

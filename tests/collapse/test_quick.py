@@ -1,0 +1,43 @@
+"""The short climb to 10 and 50 % collapse beside the dense scan, on a pulse."""
+
+import numpy as np
+import pytest
+from rocking import Case, Motion, collapse_curve
+from rocking.collapse import search
+from rocking.collapse.quick import crossings
+from rocking.records import Record
+
+SETTINGS = {"level_ratio": 0.02, "beyond": 1.35, "max_pga_g": 3.0, "members": 7}
+
+
+def case(model):
+    given = {"return_wall.building_mass_kg": 77000.0, "smdof.tail_s": 1.0}
+    return Case.configured(model, given | {"numerics.after_motion_s": 3.0, "ida.max_pga_g": 3.0})
+
+
+def pulse():
+    t = 0.01 * np.arange(160)
+    return Motion(Record("pulse", -np.sin(2.5 * np.pi * t) * (t < 0.8), 0.01, source="file"))
+
+
+@pytest.mark.parametrize("model", ["W1", "W2"])
+def test_the_climb_finds_what_the_dense_scan_finds(model):
+    found = crossings(case(model), pulse(), "pos")
+    dense = collapse_curve(case(model), pulse(), "pos", settings=SETTINGS)
+    assert found["pga_median_g"] == pytest.approx(dense.summary()["pga_median_g"], rel=0.03)
+    assert found["pga_p10_g"] <= found["pga_median_g"]
+    assert found["runs_planar"] < dense.runs
+
+
+def test_a_façade_that_stands_has_no_crossing():
+    found = crossings(case("W1"), pulse(), "pos", {"max_pga_g": 0.05})
+    assert np.isnan(found["pga_p10_g"])
+    assert np.isnan(found["pga_median_g"])
+
+
+def test_levels_end_where_they_are_told_to():
+    levels = search.rising(0.1, 0.5, 1.3)
+    assert levels[0] == 0.1
+    assert levels[-1] == 0.5
+    assert np.all(np.diff(levels) > 0.0)
+    assert search.rising(0.5, 0.1, 1.3).size == 0
