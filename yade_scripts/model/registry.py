@@ -77,6 +77,12 @@ class Model:
         return next(m.name for m in same if not m.massive)
 
     @property
+    def two_way(self):
+        """Name of the model with the same walls and joint whose walls feel the façade."""
+        same = (m for m in MODELS.values() if (m.walls, m.bonded) == (self.walls, self.bonded))
+        return next(m.name for m in same if m.massive)
+
+    @property
     def plain(self):
         """Name of the driven model with the same walls, joint dry: its convergence is theirs."""
         same = (m for m in MODELS.values() if m.walls == self.walls)

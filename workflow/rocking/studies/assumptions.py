@@ -4,15 +4,15 @@ A ratio above 1 says that a model stands more shaking than the one it is held ag
 substitute it is on the unsafe side.
 """
 
-import copy
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 import pandas as pd
 
 from rocking.collapse import probability
-from yade_scripts.model.registry import MODELS
+from rocking.collapse.case import Variant
+from rocking.collapse.curve import collapse_curve
+from rocking.collapse.ratios import Ratios
 
 MEASURES = ("collapse", "p10", "median", "p90", "all")
 CAPACITY = [f"pga_{name}_g" for name in MEASURES]
@@ -21,144 +21,141 @@ KEY = ["record", "direction"]
 BASE = "as configured"
 
 
-@dataclass(frozen=True)
-class Variant:
-    """One assumption at another level.
-
-    Attributes
-    ----------
-    name : str
-        In file names.
-    assumption, level : str
-        In charts.
-    changes : callable
-        From a scene file and the building stage's answers to values by dotted key.
-    models : tuple of str
-        Driven models that have this assumption.
-    massive : bool
-        Run the massive twin.
-    surrogate : bool
-        Run the record's surrogate.
-    """
-
-    name: str
-    assumption: str
-    level: str
-    changes: Callable = lambda job, stage: {}
-    models: tuple = ("W2", "W3")
-    massive: bool = False
-    surrogate: bool = False
-
-
-def _friction(degrees):
-    keys = ("facade.friction_deg", "return_wall.friction_deg", "w3.friction_deg")
-    return lambda job, stage: dict.fromkeys(keys, degrees)
-
-
-def _back(factor):
-    """Stiffness of the back joint: L of W2's E/L, the front joints' stiffness of W3."""
-    return lambda job, stage: {
-        "return_wall.length_m": (job["return_wall"]["length_m"] or 0.5 * job["facade"]["height_m"])
-        / factor,
-        **{f"w3.{k}": factor * job["w3"][k] for k in ("jkn_pa_m", "jks_pa_m") if "w3" in job},
-    }
-
-
-def _set(**values):
-    """Fixed values; a double underscore stands for the dot of a key."""
-    return lambda job, stage: {key.replace("__", "."): value for key, value in values.items()}
-
-
-W3 = ("W3",)
-VARIANTS = (
-    Variant("two_way", "return walls feel the façade", "building's mass", massive=True),
-    Variant(
-        "two_way_51t",
-        "return walls feel the façade",
-        "51 t",
-        _set(return_wall__building_mass_kg=51e3),
-        massive=True,
-    ),
-    Variant(
-        "two_way_97t",
-        "return walls feel the façade",
-        "97 t",
-        _set(return_wall__building_mass_kg=97e3),
-        massive=True,
-    ),
-    Variant(
-        "motion_middle",
-        "motion of the walls",
-        "storey's middle",
-        _set(return_wall__motion="middle"),
-    ),
-    Variant(
-        "motion_interpolated",
-        "motion of the walls",
-        "by height",
-        _set(return_wall__motion="interpolated"),
-    ),
-    Variant("headers_sliding", "headers", "sliding", _set(w3__header_joint="sliding"), W3),
-    Variant("headers_bonded", "headers", "bonded", _set(w3__header_joint="bonded"), W3),
-    Variant("headers_study", "headers", "bonded, cut bricks", _set(w3__header_joint="study"), W3),
-    Variant("inclined_none", "inclined courses", "none", _set(w3__lower_courses=0), W3),
-    Variant("inclined_nine", "inclined courses", "lowest 9", _set(w3__lower_courses=9), W3),
-    Variant("friction_20", "friction", "20°", _friction(20.0)),
-    Variant("friction_40", "friction", "40°", _friction(40.0)),
-    Variant("back_half", "stiffness behind", "half", _back(0.5)),
-    Variant("back_double", "stiffness behind", "double", _back(2.0)),
-    Variant("beta_eq5", "law of β", "eq. 5", _set(damping__law="eq5")),
-    Variant("beta_fitted", "law of β", "fitted", _set(damping__law="fitted")),
-    Variant(
-        "t1_stage",
-        "T1",
-        "building stage",
-        lambda job, stage: {"smdof.period_s": stage["period_s"]},
-    ),
-    Variant(
-        "t1_complete",
-        "T1",
-        "complete building",
-        lambda job, stage: {"smdof.period_s": stage["complete_period_s"]},
-    ),
-    Variant("damping_2", "building's damping", "2 %", _set(smdof__damping_ratio=0.02)),
-    Variant("damping_10", "building's damping", "10 %", _set(smdof__damping_ratio=0.10)),
-    Variant("width_6", "width", "6 m", _set(facade__width_m=6.0)),
-    Variant("width_8", "width", "8 m", _set(facade__width_m=8.0)),
-    Variant("surrogate", "record", "surrogate", surrogate=True),
-)
-
-
-def variants(model):
-    """Variants of a driven model, by name."""
-    return {v.name: v for v in VARIANTS if model in v.models}
-
-
-def varied(job, variant, stage):
-    """A scene file with a variant's changes; β and numerics are the caller's to choose anew.
+def variants(case, stage):
+    """Every assumption of a driven case at another level.
 
     Parameters
     ----------
-    job : dict
-    variant : Variant
+    case : Case
+        W2 or W3; β is the caller's to choose anew.
     stage : dict
         Answers of the building stage: period_s, complete_period_s [s], mass_kg.
 
     Returns
     -------
-    dict
+    list of Variant
+        `about` says the assumption and its level. The record's surrogate is marked by a change of
+        the motion whose table is the caller's to name.
     """
-    new = copy.deepcopy(job)
-    for key, value in variant.changes(job, stage).items():
-        section, name = key.split(".")
-        if section in new:
-            new[section][name] = value
-    if variant.massive:
-        same = MODELS[job["model"]]
-        new["model"] = next(m.name for m in MODELS.values() if m.massive and m.driven == same.name)
-        if not new["return_wall"]["building_mass_kg"]:
-            new["return_wall"]["building_mass_kg"] = stage["mass_kg"]
-    return new
+    wall, bricks = case["return_wall"], not case.kind.single_block
+    length = wall["length_m"] or 0.5 * case["facade"]["height_m"]
+
+    def two_way(mass_kg):
+        return {"model": case.kind.two_way, "return_wall.building_mass_kg": mass_kg}
+
+    def friction(degrees):
+        sections = ("facade", "return_wall", *(["w3"] if bricks else []))
+        return {f"{section}.friction_deg": degrees for section in sections}
+
+    def back(factor):
+        """Stiffness of the back joint: L of W2's E/L, the front joints' stiffness of W3."""
+        joints = ("jkn_pa_m", "jks_pa_m") if bricks else ()
+        own = {f"w3.{key}": factor * case["w3"][key] for key in joints}
+        return {"return_wall.length_m": length / factor, **own}
+
+    feel, walls = "return walls feel the façade", "motion of the walls"
+    rows = [
+        (feel, "building's mass", two_way(wall["building_mass_kg"] or stage["mass_kg"])),
+        (feel, "51 t", two_way(51e3)),
+        (feel, "97 t", two_way(97e3)),
+        (walls, "storey's middle", {"return_wall.motion": "middle"}),
+        (walls, "by height", {"return_wall.motion": "interpolated"}),
+    ]
+    if bricks:
+        rows += [
+            ("headers", "sliding", {"w3.header_joint": "sliding"}),
+            ("headers", "bonded", {"w3.header_joint": "bonded"}),
+            ("headers", "bonded, cut bricks", {"w3.header_joint": "study"}),
+            ("inclined courses", "none", {"w3.lower_courses": 0}),
+            ("inclined courses", "lowest 9", {"w3.lower_courses": 9}),
+        ]
+    rows += [
+        ("friction", "20°", friction(20.0)),
+        ("friction", "40°", friction(40.0)),
+        ("stiffness behind", "half", back(0.5)),
+        ("stiffness behind", "double", back(2.0)),
+        ("law of β", "eq. 5", {"damping.law": "eq5"}),
+        ("law of β", "fitted", {"damping.law": "fitted"}),
+        ("T1", "building stage", {"smdof.period_s": stage["period_s"]}),
+        ("T1", "complete building", {"smdof.period_s": stage["complete_period_s"]}),
+        ("building's damping", "2 %", {"smdof.damping_ratio": 0.02}),
+        ("building's damping", "10 %", {"smdof.damping_ratio": 0.10}),
+        ("width", "6 m", {"facade.width_m": 6.0}),
+        ("width", "8 m", {"facade.width_m": 8.0}),
+    ]
+    changed = [Variant(f"{a}, {b}", changes=c, about=_about(a, b)) for a, b, c in rows]
+    other = Variant("surrogate", motion={"surrogate": {}}, about=_about("record", "surrogate"))
+    return [*changed, other]
+
+
+def _about(assumption, level):
+    return {"assumption": assumption, "level": level}
+
+
+AS_CONFIGURED = Variant("base", about=_about(BASE, ""))
+
+
+def collapse(case, motion, directions, stage, law, surrogate=None):
+    """Collapse of a driven case as configured, and with every assumption at another level.
+
+    Parameters
+    ----------
+    case, motion, directions
+    stage : dict
+        See `variants`.
+    law : path
+        Coefficients of the law of β.
+    surrogate : dict or None
+        Keywords of `Motion.named` for the record's surrogate; None: it has none.
+
+    Returns
+    -------
+    list of dict
+        model, record, direction, assumption, level, intensities, runs_planar.
+    """
+    rows = []
+    for variant in (AS_CONFIGURED, *variants(case, stage)):
+        shaken = motion
+        if "surrogate" in variant.motion:
+            if surrogate is None:
+                continue
+            shaken = motion.varied(replace(variant, motion={"surrogate": surrogate}))
+        changed = case.varied(variant).calibrated(law)
+        for direction in directions:
+            key = {"model": case.model, "record": motion.name, "direction": direction}
+            curve = collapse_curve(changed, shaken, direction, settings={"power": 0.0})
+            rows.append({**key, **variant.about, **curve.summary()})
+    return rows
+
+
+def buildings(case, settings):
+    """W2 driven and two-way before many buildings: periods, dampings, mass ratios.
+
+    Returns
+    -------
+    list of Variant
+        All periods at the configured damping, further dampings at its T1; `about` has mass_ratio
+        (0: driven), period_s, damping_ratio.
+    """
+    facade, chain = case["facade"], case["smdof"]
+    own_mass = facade["density_kg_m3"] * facade["height_m"] * facade["thickness_m"]
+    own_mass *= facade["width_m"]
+    pairs = [(period, chain["damping_ratio"]) for period in settings["periods_s"]]
+    pairs += [(chain["period_s"], damping) for damping in settings["damping_ratios"]]
+    return [
+        Variant(
+            "building",
+            changes={
+                "model": case.kind.two_way if ratio else case.model,
+                "smdof.period_s": period,
+                "smdof.damping_ratio": damping,
+                "return_wall.building_mass_kg": own_mass / (ratio or 1.0),
+            },
+            about={"mass_ratio": ratio, "period_s": period, "damping_ratio": damping},
+        )
+        for period, damping in dict.fromkeys(pairs)
+        for ratio in (0.0, *settings["mass_ratios"])
+    ]
 
 
 def standing(pga_g, share):
@@ -277,11 +274,10 @@ def spread_of(table, columns, by):
     for key, group in table.groupby(by, sort=False):
         named = dict(zip(by, key if isinstance(key, tuple) else (key,), strict=True))
         for column in columns:
-            known = group[column].dropna()
-            if len(known):
-                low, middle, high = np.percentile(known, [10.0, 50.0, 90.0])
-                share = float((known > 1.0).mean())
-                row = (column.removeprefix("ratio_"), len(known), low, middle, high, share)
+            found = Ratios(group[column])
+            if found.known.size:
+                ends, share = found.percentiles([10.0, 50.0, 90.0]), found.share(low=1.0)
+                row = (column.removeprefix("ratio_"), found.known.size, *ends, share)
                 names = ("measure", "curves", "low", "median", "high", "share_unsafe")
                 rows.append({**named, **dict(zip(names, row, strict=True))})
     return pd.DataFrame(rows)
