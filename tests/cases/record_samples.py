@@ -164,6 +164,20 @@ def csmip():
     return Sample("csmip.V2", _bytes(lines), a, 6e-6, {"component": "90"})
 
 
+def csmip_raw():
+    """Volume 1: a rate in place of a step, values in g."""
+    a = motion()
+    lines = ["Uncorrected accelerogram data       ABC    Chan  1: 90 Deg", "CHAN  1:  90 DEG"]
+    lines += [format(0, "5d") * 16] * 3
+    rate = 1.0 / DT_S
+    lines += [
+        f" {len(a)} Accelerogram points at {rate:6.1f} pts/sec in units of g . Format: (8f9.6)"
+    ]
+    lines += _rows(a / 9.80665, ">9.6f", 8)
+    lines += ["/&  ----------  END OF DATA FOR CHANNEL  1  ----------"]
+    return Sample("csmip.V1", _bytes(lines), a, 6e-6)
+
+
 def smc():
     a = motion()
     cm = 100 * a
@@ -255,6 +269,7 @@ def all_samples():
         esm(),
         cosmos(),
         csmip(),
+        csmip_raw(),
         smc(),
         knet(),
         two_column(),

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import record_samples as samples
 from record_samples import put, read, refusal
-from rocking.records import read_record
+from rocking.records import RecordError, read_record
 from rocking.records.record import unit_name
 
 
@@ -145,3 +145,16 @@ def test_component_by_label_azimuth_and_place(tmp_path):
 )
 def test_spellings_of_units(text, unit):
     assert unit_name(text) == unit
+
+
+@pytest.mark.parametrize(("label", "azimuth_deg"), [("N-S", 0), ("E-W", 90)])
+def test_a_k_net_channel_is_found_by_its_azimuth(tmp_path, label, azimuth_deg):
+    """N-S is along 0°, E-W along 90°, clockwise from north; the other one is not in the file."""
+    sample = samples.knet()
+    path = put(tmp_path, sample, sample.data.replace(b"E-W", label.encode()))
+    record = read_record(path, component=str(azimuth_deg))
+    np.testing.assert_allclose(
+        record.acceleration_m_s2, sample.acceleration_m_s2, atol=sample.tolerance_m_s2
+    )
+    with pytest.raises(RecordError):
+        read_record(path, component=str(90 - azimuth_deg))
