@@ -173,6 +173,7 @@ def test_refusals_name_the_key_and_what_was_expected(config, message):
         ({"return_wall": {"thickness_m": 5}}, "return_wall.thickness_m = 5: expected a value at"),
         ({"facade": {"sides": "two"}}, "models = ['W1', 'W2']: expected [W1] with facade.sides"),
         ({"facade": {"gap_m": 0.01}, "models": "W2c"}, "facade.gap_m = 0.01: expected 0 (m)"),
+        ({"facade": {"tilt_deg": 0.2}, "models": "W1c"}, "facade.tilt_deg = 0.2: expected 0 (°)"),
         ({"baseline": {"highpass_hz": 9, "lowpass_hz": 9}}, "baseline.highpass_hz = 9: expected"),
         ({"ida": {"start_g": 3}}, "ida.start_g = 3: expected a value below ida.max_pga_g = 3"),
         ({"ensemble": {"percentiles": [60, 90]}}, "ensemble.percentiles = [60, 90]: expected one"),

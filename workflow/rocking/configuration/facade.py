@@ -28,11 +28,12 @@ def check_facade(resolved: Mapping) -> None:
             "since a free-standing façade has no return walls"
         )
     bonded = [name for name in resolved["models"] if registry.model(name).bonded]
-    if bonded and facade["gap_m"] > 0.0:
-        raise ConfigError(
-            f"facade.gap_m = {show(facade['gap_m'])}: expected 0 (m) with the bonded "
-            f"models {show(bonded)}"
-        )
+    for key, unit in (("gap_m", "m"), ("tilt_deg", "°")):  # a bond needs a wall that it touches
+        if bonded and facade[key] > 0.0:
+            raise ConfigError(
+                f"facade.{key} = {show(facade[key])}: expected 0 ({unit}) with the bonded "
+                f"models {show(bonded)}"
+            )
     _check_shape(resolved)
     _check_bars(resolved)
     _check_hinges(resolved)

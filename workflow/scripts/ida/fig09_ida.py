@@ -96,9 +96,12 @@ def draw_probability(axis, table, row):
 
 
 def highest(row):
-    """Largest intensity worth showing for a curve: where all collapse, or what was reached."""
+    """Largest intensity worth showing for a curve: where all collapse, or what was reached.
+
+    NaN where every run failed.
+    """
     known = [row[f"pga_{name}_g"] for name in ("all", "collapse", "max")]
-    return next(g for g in known if np.isfinite(g))
+    return next((g for g in known if np.isfinite(g)), np.nan)
 
 
 def main(job):
@@ -115,6 +118,7 @@ def main(job):
     blank = pd.DataFrame(columns=probability.PROBABILITY_COLUMNS)
     pushovers = list(job.input.pushover) or ([] if facade["hinges_m"] else [None])
     shown = {r: [highest(row) for key, row in rows.items() if key[1] == r] for r in p.records}
+    shown = {r: [g for g in values if np.isfinite(g)] or [1.0] for r, values in shown.items()}
     # bonded façades may stand so much that the others vanish
     logarithmic = any(max(values) > LOG_RATIO * min(values) for values in shown.values())
     for i, record in enumerate(p.records):
