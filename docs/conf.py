@@ -35,9 +35,9 @@ autodoc_member_order = "bysource"
 suppress_warnings = ["ref.python"]
 napoleon_use_ivar = True
 
-html_theme = "alabaster"
-html_theme_options = {"fixed_sidebar": True, "page_width": "1100px", "show_powered_by": False}
-html_sidebars = {"**": ["about.html", "searchfield.html", "navigation.html"]}
+smartquotes = False  # an option is --scene, not an en dash
+html_theme = "furo"  # navigation folds away on a phone, wide tables and code scroll
+html_title = project
 html_extra_path = ["redirect"]
 html_copy_source = False
 html_show_copyright = False
