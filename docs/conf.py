@@ -1,4 +1,4 @@
-"""Sphinx: the Markdown pages of the repository where they are, and the API from docstrings.
+"""Sphinx: the Markdown pages of the repository where they are, and the public functions from docstrings.
 
 The source folder is the repository, so a relative link means the same here and on a code host.
 Nothing is loaded from a network: the site opens from a folder.
@@ -13,22 +13,12 @@ sys.path[:0] = [str(ROOT), str(ROOT / "workflow")]
 project = "Rocking masonry façades on YADE"
 author = "the contributors"
 root_doc = "docs/index"
-extensions = ["myst_parser", "sphinx.ext.apidoc", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 
 include_patterns = ["*.md", "docs/**", "config/README.md"]
-exclude_patterns = ["results", "build", ".*", "docs/api/*/modules.rst"]
+exclude_patterns = ["results", "build", ".*"]
 myst_heading_anchors = 3
 
-apidoc_modules = [
-    {
-        "path": str(ROOT / package),
-        "destination": f"docs/api/{Path(package).name}",
-        "separate_modules": True,
-        "module_first": True,
-        "automodule_options": {"members"},
-    }
-    for package in ("smdof", "yade_scripts", "workflow/rocking")
-]
 autodoc_mock_imports = ["yade", "minieigen"]  # built for the system's Python alone
 autodoc_member_order = "bysource"
 # a parameter's name may be an attribute of two classes; nothing is linked by such names
