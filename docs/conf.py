@@ -1,4 +1,4 @@
-"""Sphinx: the Markdown pages of the repository where they are, and the public functions from docstrings.
+"""Sphinx: the Markdown pages of the repository where they are, and the public functions.
 
 The source folder is the repository, so a relative link means the same here and on a code host.
 Nothing is loaded from a network: the site opens from a folder.

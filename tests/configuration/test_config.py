@@ -269,3 +269,17 @@ def test_fuzzed_configurations_resolve_or_are_refused_in_one_line():
     outcomes, failure = fuzz_config.fuzz(600, seed=20)
     assert failure is None, failure
     assert min(outcomes["refused"], outcomes["resolved"]) > 60  # both paths were walked
+
+
+@pytest.mark.parametrize(
+    ("entry", "words"),
+    [
+        ({"heigth_m": 5.0}, "did you mean 'height_m'?"),
+        ({"colour": 1}, "expected one of height_m, "),
+    ],
+)
+def test_a_wrong_key_in_a_list_is_answered_with_the_keys_of_its_entries(entry, words):
+    with pytest.raises(config.ConfigError) as error:
+        config.resolve({"facade": {"ties": [entry]}})
+    assert f"facade.ties[1].{next(iter(entry))}" in str(error.value)
+    assert words in str(error.value)

@@ -332,6 +332,11 @@ def refusal(error: jsonschema.ValidationError, known: dict) -> ConfigError:
         unit = schema.get("unit", unit)
     if error.validator == "additionalProperties":
         extra = [k for k in error.instance if k not in error.schema.get("properties", {})]
+        if "[" in path:  # an entry of a list has keys of its own
+            own = schema.get("properties", {})
+            near = difflib.get_close_matches(extra[0], own, 1, 0.7)
+            meant = f"did you mean '{near[0]}'?" if near else f"expected one of {', '.join(own)}"
+            return ConfigError(f"unknown key '{path}.{extra[0]}'; {meant}")
         return unknown_key(f"{path}.{extra[0]}" if path else extra[0], known)
     if not schema:
         schema = error.schema if isinstance(error.schema, dict) else {}
