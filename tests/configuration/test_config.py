@@ -279,7 +279,7 @@ def test_fuzzed_configurations_resolve_or_are_refused_in_one_line():
     ],
 )
 def test_a_wrong_key_in_a_list_is_answered_with_the_keys_of_its_entries(entry, words):
-    with pytest.raises(config.ConfigError) as error:
-        config.resolve({"facade": {"ties": [entry]}})
+    with pytest.raises(ConfigError) as error:
+        resolve({"facade": {"ties": [entry]}})
     assert f"facade.ties[1].{next(iter(entry))}" in str(error.value)
     assert words in str(error.value)
