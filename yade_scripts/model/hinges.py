@@ -2,7 +2,7 @@
 
 A joint between two pieces is the base's over again: Gauss–Lobatto nodes across the thickness that
 take no tension, the base's friction, and jkn = E/L with L half the height of the two pieces
-together, unless the base's jkn is stated. A piece meets the return walls behind it alone.
+together; a base's jkn that is stated is the base's alone. A piece meets the return walls behind it alone.
 """
 
 from dataclasses import replace
@@ -15,9 +15,7 @@ from yade_scripts.model.floors import loaded
 def hinge_stiffness(section, shape):
     """Joint stiffness jkn of each hinge from the lowest up [Pa/m]."""
     edges = np.array([0.0, *shape.hinges_m, shape.height_m])
-    stated = section["base_stiffness_pa_m"]
-    own = section["e_mpa"] * 1e6 / (0.5 * (edges[2:] - edges[:-2]))
-    return np.full(own.shape, stated) if stated else own
+    return section["e_mpa"] * 1e6 / (0.5 * (edges[2:] - edges[:-2]))
 
 
 def pieces(section, shape, whole):

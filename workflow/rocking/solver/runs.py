@@ -205,7 +205,8 @@ def stable_step(planar, carried=NO_BODIES):
     """
     if isinstance(planar, Stack):
         mass, k, c, block = stack_matrices(planar)
-        own = (block[:, None] == block) & (block < len(planar.mass_kg))
+        pieces = block < len(planar.mass_kg)
+        own = pieces[:, None] & pieces if planar.in_row else (block[:, None] == block) & pieces
         return _largest_step(np.diag(mass), k, c, own)
     n = carried.mass_kg.size
     mass, k, c = matrices(planar, len(carried.hang))

@@ -51,6 +51,9 @@ class Stack(NamedTuple):
     link_a, link_b : ndarray of int, shape (links,)
         Blocks joined along y by a spring and a dashpot; −1: the ground.
     link_n_m, link_ns_m : ndarray, shape (links,)
+    in_row : bool
+        Pieces that stand on each other: every node joins two that follow each other, or one to a
+        support, so that all their dashpots can be solved together.
     gravity_m_s2, thickness_m, height_m : float
     bars : Bars
     """
@@ -84,6 +87,7 @@ class Stack(NamedTuple):
     link_b: np.ndarray
     link_n_m: np.ndarray
     link_ns_m: np.ndarray
+    in_row: bool
     gravity_m_s2: float
     thickness_m: float
     height_m: float
@@ -175,6 +179,11 @@ def stacked(scene, own, column, bars):
         link_b=np.array([number[link.b] for link in links], np.int64),
         link_n_m=np.array([link.stiffness_n_m for link in links], float),
         link_ns_m=np.array([link.dashpot_ns_m for link in links], float),
+        in_row=bool(
+            not links
+            and all(set(FREEDOMS) <= set(block.free) and block.motion is None for block in mine)
+            and np.all((a < 0) | (b < 0) | (np.abs(a - b) == 1))
+        ),
         gravity_m_s2=float(scene.gravity_m_s2),
         thickness_m=float(scene.thickness_m),
         height_m=float(max(p[1] for _, p in watched) - nodes.position_m[:, 2].min()),

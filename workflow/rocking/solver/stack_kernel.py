@@ -52,6 +52,56 @@ def _damp(own, block, y, z, arm, dashpot):
 
 
 @compiled
+def _couple(between, low, y, z, arm_low, arm_high, dashpot):
+    """Add what a dashpot along (y, z) does between block `low` and the next, C of the two."""
+    one, other = (y, z, arm_low), (y, z, arm_high)
+    for m in range(3):
+        for n in range(3):
+            between[low, m, n] -= dashpot * one[m] * other[n]
+
+
+@compiled
+def _solve_chain(own, between, mass, inertia, force):
+    """Solve (M + C)·a = f of blocks in a row in place, by blocks of 3 from the first to the last.
+
+    C by `own`, as in `_solve`, and `between`, the part that joins each block to the next.
+    """
+    blocks = mass.size
+    inverse, back = np.zeros((blocks, 3, 3)), np.zeros((3, 3))
+    for i in range(blocks):
+        a = mass[i] + own[i, 0]
+        b, c, d = own[i, 1], own[i, 2], mass[i] + own[i, 3]
+        e, f = own[i, 4], inertia[i] + own[i, 5]
+        if i > 0:
+            for m in range(3):
+                for n in range(3):
+                    back[m, n] = 0.0
+                    for r in range(3):
+                        back[m, n] += between[i - 1, r, m] * inverse[i - 1, r, n]
+            for m in range(3):
+                for n in range(3):
+                    force[i, m] -= back[m, n] * force[i - 1, n]
+            for r in range(3):
+                low = between[i - 1, r]
+                a, b, c = a - back[0, r] * low[0], b - back[0, r] * low[1], c - back[0, r] * low[2]
+                d, e, f = d - back[1, r] * low[1], e - back[1, r] * low[2], f - back[2, r] * low[2]
+        over = 1.0 / (a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d))
+        inverse[i, 0, 0], inverse[i, 1, 1] = over * (d * f - e * e), over * (a * f - c * c)
+        inverse[i, 2, 2] = over * (a * d - b * b)
+        inverse[i, 0, 1] = inverse[i, 1, 0] = over * (c * e - b * f)
+        inverse[i, 0, 2] = inverse[i, 2, 0] = over * (b * e - c * d)
+        inverse[i, 1, 2] = inverse[i, 2, 1] = over * (b * c - a * e)
+    for i in range(blocks - 1, -1, -1):
+        for m in range(3):
+            if i < blocks - 1:
+                for n in range(3):
+                    force[i, m] -= between[i, m, n] * force[i + 1, n]
+        y, z, turn = force[i, 0], force[i, 1], force[i, 2]
+        for m in range(3):
+            force[i, m] = inverse[i, m, 0] * y + inverse[i, m, 1] * z + inverse[i, m, 2] * turn
+
+
+@compiled
 def _come_out(p, a, b, moves, v, acceleration, gone):
     """Take the debris among two blocks out of the scene with all its nodes; whether there is any.
 
@@ -86,6 +136,7 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
     q, v, acceleration = p.start[:, :3].copy(), p.start[:, 3:].copy(), np.zeros((blocks, 3))
     pose, w = np.zeros((blocks, 4)), np.zeros((blocks, 3))
     force, own = np.zeros((blocks, 3)), np.zeros((blocks, 6))
+    between = np.zeros((blocks if p.in_row else 0, 3, 3))
     barred = p.bars.tie_k_n_m.size + p.bars.floor_k_n_m.size > 0
     peak = moving_until = spent = 0.0
     written, broken, k = 0, 0, 0
@@ -106,6 +157,7 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
             pose[i, 2], pose[i, 3] = math.cos(q[i, 2]), math.sin(q[i, 2])
         force[:] = 0.0
         own[:] = 0.0
+        between[:] = 0.0
         elastic = 0.0
         for i in range(count):
             if gone[i]:
@@ -211,6 +263,17 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
                 force[b, 2] -= by * fz - bz * fy
                 _damp(own, b, ny, nz, nz * by - ny * bz, pressed)
                 _damp(own, b, ty, tz, tz * by - ty * bz, dragged)
+                if p.in_row and a >= 0:
+                    la, lb = (nz * ay - ny * az, tz * ay - ty * az), (
+                        nz * by - ny * bz,
+                        tz * by - ty * bz,
+                    )
+                    if a < b:
+                        _couple(between, a, ny, nz, la[0], lb[0], pressed)
+                        _couple(between, a, ty, tz, la[1], lb[1], dragged)
+                    else:
+                        _couple(between, b, ny, nz, lb[0], la[0], pressed)
+                        _couple(between, b, ty, tz, lb[1], la[1], dragged)
         for i in range(p.link_a.size):
             a, b = p.link_a[i], p.link_b[i]
             stretch, rate = q[a, 0], w[a, 0]
@@ -239,7 +302,17 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
             force[i, 2] += push[i, 2] + own[i, 2] * y + own[i, 4] * z + own[i, 5] * turn
             force[i, 0] -= p.mass_kg[i] * ag
             force[i, 1] -= p.mass_kg[i] * gravity
-            _solve(own, i, p.mass_kg[i], p.inertia_kg_m2[i], moves, force)
+            if not p.in_row:
+                _solve(own, i, p.mass_kg[i], p.inertia_kg_m2[i], moves, force)
+        if p.in_row:
+            for i in range(blocks - 1):
+                for m in range(3):
+                    for n in range(3):
+                        between[i, m, n] *= half
+                        force[i, m] += between[i, m, n] * acceleration[i + 1, n]
+                        force[i + 1, n] += between[i, m, n] * acceleration[i, m]
+            _solve_chain(own, between, p.mass_kg, p.inertia_kg_m2, force)
+        for i in range(blocks):
             for m in range(3):
                 acceleration[i, m] = force[i, m]
         d = speed = 0.0
