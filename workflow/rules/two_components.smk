@@ -5,7 +5,7 @@ from rocking.records.table import second_component as mate
 def one_block(run):
     """The run's models with dry, driven walls and one block."""
     resolved = RUNS.settings[run]
-    for key in ("hinges_m", "ties", "floors"):
+    for key in ("hinges_m", "courses", "ties", "floors"):
         if given := resolved["facade"][key]:
             stop(f"two_components: facade.{key} = {given}: expected none")
     wanted = [m for m in RUNS.planar(run) if MODELS[m].plain == m]

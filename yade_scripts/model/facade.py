@@ -26,6 +26,7 @@ from dataclasses import replace
 import numpy as np
 
 from yade_scripts.model import registry
+from yade_scripts.model.base import base_jkn, shares
 from yade_scripts.model.chain import chain_links, chain_matrices
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.floors import facade_floors, loaded
@@ -49,8 +50,8 @@ PIECE_M = 0.25  # depth of wall that moves with the contact, where the masses ar
 def joint_stiffness(config):
     """Joint stiffnesses of base and back joint [Pa/m], paper section 3.
 
-    jkn = E/h at the base unless stated, E/L at the return walls with L = h/2,
-    the mean length of the 45° triangle behind the crack, unless stated.
+    That of the base is `base.base_jkn`, over which `base.shares` says where it sits; E/L at the
+    return walls with L = h/2, the mean length of the 45° triangle behind the crack, unless stated.
 
     Returns
     -------
@@ -58,9 +59,7 @@ def joint_stiffness(config):
     """
     facade, wall = config["facade"], config["return_wall"]
     e_pa = facade["e_mpa"] * 1e6
-    base = facade["base_stiffness_pa_m"] or e_pa / facade["height_m"]
-    back = e_pa / (wall["length_m"] or 0.5 * facade["height_m"])
-    return base, back
+    return base_jkn(facade), e_pa / (wall["length_m"] or 0.5 * facade["height_m"])
 
 
 def facade_scene(
@@ -141,7 +140,7 @@ def facade_scene(
     # lift of each base node in the pose turned about the toe; debris lies under a tilted base
     angle = release_ratio * math.atan2(*shape.lever_m)
     walls_stand = kind.walls != "none" and facade.get("sides") != "two"
-    kn = weights * b * (width - shape.base_lost_m) * jkn_base
+    kn = shares(facade, weights) * b * (width - shape.base_lost_m) * jkn_base
     weight, lever = loaded(facade.get("floors", ()), shape)
     if not (release_ratio or shape.hinges_m):
         angle = lean(weight, lever, kn, points, b, walls_stand)
@@ -238,6 +237,7 @@ def add_base(
     b, width = section["thickness_m"], section["width_m"]
     name, jkn = joint or (BASE, joint_stiffness(config)[0])
     points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
+    stiff = np.ones(weights.shape) if joint else shares(section, weights) / weights
     protrusion = np.broadcast_to(protrusion_m, points.shape)
     line = np.stack([origin[0] + 0 * points, origin[1] + points * b, height_m - protrusion], axis=1)
     gauss = np.array([-0.5, 0.5]) * (width / math.sqrt(3.0)), np.array([0.5, 0.5])
@@ -246,6 +246,7 @@ def add_base(
     positions, areas, gaps = _spread(
         line, weights * b * standing, columns, column_weights, gap_m=-protrusion
     )
+    jkn = jkn * np.tile(stiff, len(columns))
     nodes.add_joint(
         name,
         facade,

@@ -39,6 +39,7 @@ import math
 import numpy as np
 
 from yade_scripts.model import split_bricks
+from yade_scripts.model.base import shares, total
 from yade_scripts.model.facade import BASE, FACADE, joint_stiffness
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.gravity import GRAVITY_M_S2
@@ -168,7 +169,9 @@ class _Assembly:
         mass = self.density * self.h * self.b * self.width
         size = (self.width, self.b, self.h)
         jkn, _ = joint_stiffness(self.config)
-        settlement = mass * GRAVITY_M_S2 / (jkn * self.b * self.width)
+        points, weights = gauss_lobatto(self.config["numerics"]["nodes_thickness"])
+        settlement = mass * GRAVITY_M_S2 / (total(facade) * jkn * self.b * self.width)
+        jkn = jkn * (shares(facade, weights) / weights)
         self.blocks += [
             Block(
                 BASE,
@@ -189,7 +192,6 @@ class _Assembly:
                 displacement_m=(0.0, 0.0, -settlement),
             ),
         ]
-        points, weights = gauss_lobatto(self.config["numerics"]["nodes_thickness"])
         line = np.stack([0 * points, points * self.b, 0 * points], axis=1)
         self.nodes.add_joint(
             BASE,

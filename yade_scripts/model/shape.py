@@ -157,7 +157,7 @@ def refuse(facade, what, held=False):
 
     With `held` also if ties or floors hold it.
     """
-    keys = (*OWN_KEYS, "base_height_m", "hinges_m", *(("ties", "floors") if held else ()))
+    keys = (*OWN_KEYS, "base_height_m", "hinges_m", "courses", *(("ties", "floors") if held else ()))
     given = [key for key in keys if facade.get(key)]
     if given:
         raise ValueError(
@@ -210,7 +210,7 @@ def shape_of(facade):
         storeys,
         openings,
         tuple(parts),
-        tuple(facade.get("hinges_m", ())),
+        _hinges(facade),
     )
     if not 0.0 < found.centre_m[1] < b:
         raise ValueError(
@@ -234,6 +234,14 @@ def _box(density, x, y, z):
     return mass, centre, np.diag(box_inertia(mass, size)), size
 
 
+def _hinges(facade):
+    """Heights of the joints between rigid pieces: as stated, or between equal courses [m]."""
+    courses = facade.get("courses") or 1
+    return tuple(facade.get("hinges_m", ())) or tuple(
+        facade["height_m"] * k / courses for k in range(1, courses)
+    )
+
+
 def _storeys(facade):
     """(z0, z1, y0, y1) of the storeys of thickness, the parapet last."""
     h, b = facade["height_m"], facade["thickness_m"]
@@ -245,7 +253,7 @@ def _storeys(facade):
                 f"heights above 0 and below facade.height_m = {h:g} (m)"
             )
         last = row["z_m"]
-    hinges = facade.get("hinges_m", ())
+    hinges = _hinges(facade)
     edges = [0.0, *hinges, *(row["z_m"] for row in steps), h]
     thick = [b] * (1 + len(hinges)) + [row["thickness_m"] for row in steps]
     if parapet := facade.get("parapet_height_m", 0.0):

@@ -48,7 +48,7 @@ def weakest_hinge(section):
         Section facade, whose floors stand at its top.
     """
     loads = [1e3 * row["load_kn"] for row in section["floors"]]
-    refuse({**section, "hinges_m": ()}, "the weakest hinge")
+    refuse({**section, "hinges_m": (), "courses": 0}, "the weakest hinge")
     h, b = section["height_m"], section["thickness_m"]
     arms = [0.5 * b if row["arm_m"] is None else row["arm_m"] for row in section["floors"]]
     total = sum(loads)

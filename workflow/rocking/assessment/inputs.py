@@ -82,9 +82,9 @@ def check_demand(resolved, *files):
 def check_facade(resolved):
     """Refuse a façade that has hinges stated, or a part that falls by its own weight."""
     facade = resolved["facade"]
-    if facade["hinges_m"]:
+    if given := next((key for key in ("hinges_m", "courses") if facade[key]), None):
         raise ValueError(
-            "assess: facade.hinges_m: expected none; the checks find the weakest mechanism, "
+            f"assess: facade.{given}: expected none; the checks find the weakest mechanism, "
             "vertical bending among them"
         )
     try:

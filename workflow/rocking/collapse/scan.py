@@ -27,6 +27,8 @@ STEPS = 4  # different steps of the members
 SHORTER = tuple(1.0 - STEP_SPREAD * k / STEPS for k in range(STEPS))
 LAYOUTS_SHORTER = tuple(1.0 - 0.03 * k for k in range(NODE_CHOICES))  # of long steps
 BRICKS_STEP = 0.5  # of W3's stable step, which its bricks decide: 0.24 ms
+COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}
+COURSES_STEP = 0.125  # of the stable step of a stack: joints that open chatter at longer ones
 
 
 class Scan:
@@ -158,12 +160,14 @@ class Screen(Scan):
         self.numerics, self.direction, self.ground = job["numerics"], direction, columns["ground"]
         kind = registry.model(job["model"])
         bricks = not kind.single_block  # their scene holds the masses that carry them
+        courses = job["facade"].get("courses", 0)
         self.planes = []
-        for numerics in layouts(job["numerics"]):
+        for numerics in layouts(job["numerics"], COURSES_NODES if courses else {}):
             name = job["model"] if bricks else kind.driven
             scene = models.build_scene({**job, "model": name, "numerics": numerics})
             self.planes.append(prepare(scene))
-        share = fraction or (BRICKS_STEP if bricks else STEP_FRACTION)
+        usual = BRICKS_STEP if bricks else COURSES_STEP if courses else STEP_FRACTION
+        share = fraction or usual
         if fraction:
             self.shorter = LAYOUTS_SHORTER
         self.steps_s = [share * stable_step(plane) for plane in self.planes]
@@ -222,9 +226,9 @@ def driving(scene, time_s, columns):
     return Motions(time_s, base, supports, columns.get(VERTICAL))
 
 
-def layouts(numerics):
+def layouts(numerics, nodes=None):
     """Section numerics in every layout of nodes that members use."""
-    nodes = {**numerics, **dict.fromkeys(NODE_KEYS, NODES)}
+    nodes = {**numerics, **dict.fromkeys(NODE_KEYS, NODES), **(nodes or {})}
     return [perturbed_numerics(nodes, Member(0, 1.0, extra_nodes=n)) for n in range(NODE_CHOICES)]
 
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from rocking.configuration.schema import ConfigError, show
 from rocking.configuration.standing import WEAKEST, check_standing
 from yade_scripts.model import registry
+from yade_scripts.model.base import STUDY
 from yade_scripts.model.shape import Shape, is_plain, shape_of
 
 MIN_SLENDERNESS = 2.0  # h/b; a stockier block slides or crushes before it rocks
@@ -131,19 +132,30 @@ def _check_shape(resolved: Mapping) -> None:
 
 def _check_hinges(resolved: Mapping) -> None:
     facade = resolved["facade"]
-    heights = facade["hinges_m"]
-    if not heights:
+    heights, courses = facade["hinges_m"], facade["courses"]
+    for key in ("base_stiffness_pa_m", "courses", "hinges_m"):
+        if facade["base"] != STUDY and facade[key]:
+            raise ConfigError(
+                f"facade.base = {facade['base']}: expected {STUDY} with facade.{key}, which states "
+                "its own stiffness"
+            )
+    if not heights and not courses:
         return
+    given = "hinges_m" if heights else "courses"
+    if heights and courses:
+        raise ConfigError(f"facade.courses = {courses}: expected 0 with facade.hinges_m")
     for name in resolved["models"]:
         kind = registry.model(name)
         if not kind.twin or kind.massive or kind.bonded:
             raise ConfigError(
-                f"models = {name}: expected W1 or W2, dry and driven, with facade.hinges_m"
+                f"models = {name}: expected W1 or W2, dry and driven, with facade.{given}"
             )
     if facade["sides"] == "two" or facade["tilt_deg"] or not is_plain(facade):
         raise ConfigError(
-            "facade.hinges_m: expected a plain upright façade on the ground, before walls"
+            f"facade.{given}: expected a plain upright façade on the ground, before walls"
         )
+    if courses:
+        return
     if heights != WEAKEST:
         if any(a >= b for a, b in itertools.pairwise(heights)):
             raise ConfigError(f"facade.hinges_m = {show(heights)}: expected ascending values")

@@ -18,6 +18,7 @@ import numpy as np
 
 from rocking.configuration.schema import ConfigError, show
 from yade_scripts.model import registry
+from yade_scripts.model.base import parts
 from yade_scripts.model.facade import joint_stiffness
 from yade_scripts.model.floors import capacity_n, loaded
 from yade_scripts.model.gravity import GRAVITY_M_S2
@@ -75,7 +76,7 @@ def stands(config: Mapping) -> bool:
     config : mapping
         Sections facade and return_wall.
     """
-    if config["facade"]["hinges_m"]:
+    if config["facade"]["hinges_m"] or config["facade"]["courses"]:
         return _pieces_stand(config)
     return restoring(config) > 0.0
 
@@ -84,17 +85,19 @@ def restoring(config: Mapping) -> float:
     """Largest moment about the front toe by which a façade of one block rights itself, over W z_g.
 
     Without ties and floors the static multiplier at which it tips over on its compliant base; not
-    positive where it cannot stand. With q = W/(jkn w) the base pushes at b/2 − b³ sin φ/(12 q) from
-    the toe while all of it touches, sin φ ≤ 2q/b², then at a third of the triangle √(2q/sin φ).
+    positive where it cannot stand. Where the base pushes is said in
+    `closed_forms.capacity_compliant_base`.
     """
     facade, shape = config["facade"], shape_of(config["facade"])
     b, width = facade["thickness_m"], facade["width_m"] - shape.base_lost_m
     weight, (arm, height) = loaded(facade["floors"], shape)
     angle = math.atan2(arm, height) * ANGLES
     sin, cos, tilted = np.sin(angle), np.cos(angle), angle + math.radians(facade["tilt_deg"])
-    q = weight / (joint_stiffness(config)[0] * width)
-    whole = 0.5 * b - b**3 * sin / (12.0 * q)
-    place = np.where(sin <= 2.0 * q / b**2, whole, np.sqrt(2.0 * q / sin) / 3.0)
+    jkn, edge = parts(facade)
+    q, edge = weight / (jkn * width), edge / jkn
+    whole = 0.5 * b - (b**3 / 12.0 + 0.5 * edge * b**2) * sin / q
+    partly = (np.sqrt(edge**2 + 2.0 * q / sin) - edge) ** 3 * sin / (6.0 * q)
+    place = np.where(sin * (0.5 * b**2 + edge * b) <= q, whole, partly)
     moment = weight * (arm * np.cos(tilted) - height * np.sin(tilted) - cos * place)
     for z, stiffness, most, slack in _holding(facade):
         moment += np.clip(stiffness * (z * sin - slack), 0.0, most) * z * cos

@@ -298,15 +298,19 @@ def capacity_interlocking(
     return (weight * arm + friction_moment * cos) / (weight * 0.5 * (h_m * cos + b_m * sin))
 
 
-def capacity_compliant_base(theta_rad, h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2=G_M_S2):
+def capacity_compliant_base(
+    theta_rad, h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2=G_M_S2, *, edge_pa=0.0
+):
     """Static multiplier λ(θ) of a rigid block on a no-tension elastic base.
 
-    Penetration falls linearly from the toe, by sin θ per unit of width. With
-    q = W/(jkn·w) = ρghb/jkn the contact width follows from the vertical balance:
+    Penetration falls linearly from the toe, by sin θ per unit of width. With k = jkn evenly and a
+    spring k_e along either edge (`edge_pa`, per width), and W = ρghb:
 
-    - full contact while sin θ ≤ 2q/b²; the reaction is eccentric by e = b³ sin θ/(12q);
-    - beyond, a triangle of width c = √(2q/sin θ) whose resultant lies c/3 inside the
-      toe, so e = b/2 − c/3: the pivot is inset and the capacity below tan(α − θ).
+    - full contact while (k b²/2 + k_e b) sin θ ≤ W; the reaction is eccentric by
+      e = (k b³/12 + k_e b²/2) sin θ/W;
+    - beyond, the toe sinks by p with k_e p + k p²/(2 sin θ) = W, and the resultant lies
+      k p³/(6 W sin² θ) inside the toe: the pivot is inset and the capacity below tan(α − θ).
+      Without k_e that is a third of the width in contact, c = √(2W/(k sin θ)).
 
     λ = (e·cosθ − h/2·sinθ)/(h/2·cosθ + b/2·sinθ)
 
@@ -316,10 +320,12 @@ def capacity_compliant_base(theta_rad, h_m, b_m, density_kg_m3, jkn_pa_m, gravit
     theta = np.asarray(theta_rad, float)
     sin, cos = np.sin(theta), np.cos(theta)
     q = density_kg_m3 * gravity_m_s2 * h_m * b_m / jkn_pa_m
-    full = b_m**3 * sin / (12.0 * q)
+    edge = edge_pa / jkn_pa_m
+    full = (b_m**3 / 12.0 + 0.5 * edge * b_m**2) * sin / q
     with np.errstate(divide="ignore", invalid="ignore"):
-        partial = 0.5 * b_m - np.sqrt(2.0 * q / sin) / 3.0
-    eccentricity = np.where(sin <= 2.0 * q / b_m**2, full, partial)
+        width = np.sqrt(edge**2 + 2.0 * q / sin) - edge  # in contact
+        partial = 0.5 * b_m - width**3 * sin / (6.0 * q)
+    eccentricity = np.where(sin * (0.5 * b_m**2 + edge * b_m) <= q, full, partial)
     return (eccentricity * cos - 0.5 * h_m * sin) / (0.5 * (h_m * cos + b_m * sin))
 
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rocking.reference import Motion, Wall, simulate_batch
-from yade_scripts.model import floor_motions, registry
+from yade_scripts.model import base, floor_motions, registry
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.shape import refuse
 
@@ -15,6 +15,7 @@ def wall_of(job, nodes):
     facade, wall = job["facade"], job["return_wall"]
     refuse(facade, "the reference solver", held=True)
     e_pa = facade["e_mpa"] * 1e6
+    jkn, edge_pa = base.parts(facade)
     free = registry.model(job["model"]).walls == "none"
     return Wall(
         facade["height_m"],
@@ -24,7 +25,8 @@ def wall_of(job, nodes):
         e_pa,
         job["beta_s"],
         0.0 if free else wall["count"] * wall["thickness_m"],
-        base_jkn_pa_m=facade["base_stiffness_pa_m"],
+        base_jkn_pa_m=jkn,
+        base_edge_pa=edge_pa,
         back_jkn_pa_m=e_pa / wall["length_m"] if wall["length_m"] else None,
         shear_ratio=facade["shear_stiffness_ratio"],
         base_friction_deg=facade["friction_deg"],

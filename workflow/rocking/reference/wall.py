@@ -53,6 +53,8 @@ class Wall:
         walls of 0.375 m: 0.75); 0 leaves the wall free standing.
     base_jkn_pa_m, back_jkn_pa_m : float or None
         Normal stiffness per area; None means E/h at the base and E/(h/2) at the back.
+    base_edge_pa : float
+        Stiffness per width along either edge of the base, beside the even one.
     shear_ratio : float
         jks/jkn of both interfaces.
     base_friction_deg, back_friction_deg : float
@@ -80,6 +82,7 @@ class Wall:
     return_thickness_m: float = 0.0
     base_jkn_pa_m: float | None = None
     back_jkn_pa_m: float | None = None
+    base_edge_pa: float = 0.0
     shear_ratio: float = 0.33
     base_friction_deg: float = 30.0
     back_friction_deg: float = 30.0
@@ -118,6 +121,7 @@ class Wall:
         x, weight = rule(self.quadrature, self.nodes_base)
         eta, zeta = [(x - 0.5) * self.b_m], [np.full(x.size, -0.5 * self.h_m)]
         kn, segment = [base_jkn * self.b_m * self.w_m * weight], []
+        kn[0][[0, -1]] += self.base_edge_pa * self.w_m
         if self.return_thickness_m > 0.0:
             x, weight = rule(self.quadrature, self.nodes_up)
             bottoms = np.cumsum([0.0, *heights[:-1]])

@@ -232,7 +232,7 @@ class Runs:
         None of a façade with a shape or hinges, whose pushover is not known.
         """
         facade, models = self.settings[run]["facade"], self.settings[run]["models"]
-        known = not facade["hinges_m"] and is_plain(facade)
+        known = not (facade["hinges_m"] or facade["courses"]) and is_plain(facade)
         return [name for name in PUSHED if known and name in models]
 
     def planar(self, run) -> list[str]:

@@ -8,7 +8,7 @@ import pandas as pd
 
 from rocking.mechanics import closed_forms
 from yade_scripts.model import registry
-from yade_scripts.model.facade import joint_stiffness
+from yade_scripts.model import base
 from yade_scripts.model.shape import refuse
 
 CURVE_COLUMNS = [
@@ -86,9 +86,9 @@ def closed_form(d_over_b, config, model):
     h, b = facade["height_m"], facade["thickness_m"]
     theta = theta_of(d_over_b, facade)
     rigid = closed_forms.capacity_rigid(theta, h, b)
-    jkn = joint_stiffness(config)[0]
+    jkn, edge_pa = base.parts(facade)
     compliant = closed_forms.capacity_compliant_base(
-        np.maximum(theta, 1e-12), h, b, facade["density_kg_m3"], jkn
+        np.maximum(theta, 1e-12), h, b, facade["density_kg_m3"], jkn, edge_pa=edge_pa
     )
     if registry.model(model).walls != "bricks":
         return rigid, np.full_like(rigid, np.nan), compliant - rigid

@@ -18,6 +18,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from yade_scripts.model.base import total
 from yade_scripts.model.building.contacts import Joints
 from yade_scripts.model.building.plan import TOLERANCE_M, Opening, PlanError, Wall
 from yade_scripts.model.facade import FACADE, add_base, joint_stiffness
@@ -145,6 +146,7 @@ def complete_scene(
     facade = len(blocks)
     mass = section["density_kg_m3"] * h * b * width
     jkn_base, jkn_back = joint_stiffness(config)
+    kn_base = total(section) * jkn_base * b * width
     back = crack_m + section["gap_m"]
     blocks.append(
         Block(
@@ -153,7 +155,7 @@ def complete_scene(
             (width, b, h),
             mass,
             box_inertia(mass, (width, b, h)),
-            displacement_m=(0.0, 0.0, -mass * GRAVITY_M_S2 / (jkn_base * b * width)),
+            displacement_m=(0.0, 0.0, -mass * GRAVITY_M_S2 / kn_base),
         )
     )
     nodes = NodeList()
