@@ -31,7 +31,7 @@ def scene_of(facade, numerics=NODES, model="W1"):
 
 
 def test_where_the_stiffness_sits():
-    """2.2 E/h evenly and 0.3 E b/h along either edge: the uncracked column's Σ k y² = E b³/(3 h)."""
+    """2.2 E/h evenly, 0.3 E b/h along either edge: the uncracked column's Σ k y² = E b³/(3 h)."""
     config, scene = scene_of(COLUMN)
     f = config["facade"]
     at = scene.nodes.joint == scene.joints.index("base")
@@ -86,7 +86,7 @@ def test_static_capacity(facade):
 
 
 def test_the_step_of_a_stack():
-    """Half the step of `COURSES_STEP` moves the peak by less than 1 %, nine nodes a joint by 8 %."""
+    """Half the step moves the peak by less than 1 %, nine nodes a joint by less than 8 %."""
     t, ground = pulses(1.2)
     peaks = []
     for nodes, fraction in ((5, 1.0), (5, 0.5), (9, 1.0)):
@@ -123,7 +123,7 @@ def test_yade_and_the_compiled_solver(facade):
     step = COURSES_STEP * stable_step(plane) if "courses" in facade else None
     planar = history(plane, Motions(t, ground), config["numerics"], sample_s=0.01, step_s=step)
     got = in_yade(
-        "accuracy_cases", "balanced", config=config, model="W1", beta_s=BETA_S, fraction=0.1,
+        "accuracy_cases", "balanced", config=config, model="W1", beta_s=BETA_S, fraction=0.05,
         time_s=t.tolist(), columns={"ground": ground.tolist()},
     )  # fmt: skip
     assert got["status"] == planar.status == "ok"

@@ -4,15 +4,15 @@
 
 `column`: the same block on the base for which its static curve λ(d) is that of the wall itself, a
 column that is elastic along its height, carries no tension and feels P-Δ
-(`rocking.mechanics.column`). Compression gathers at the toe as the wall leans and the part of it that
-yields shrinks, so that its base seems to stiffen: the stiffness at its edges stands for that,
+(`rocking.mechanics.column`). As the wall leans, compression gathers at the toe and the part of it
+that yields shrinks, so that its base seems to stiffen: stiffness at its edges stands for that,
 
     2.2 E/h spread evenly, and 0.3 E b/h along either edge.
 
-The first of the two follows from the second, by the stiffness of the uncracked column: its top moves
-by a quarter of what the block on E/h does, Σ k y² = 4 (E/h) b³/12, so 4 − 6·0.3 = 2.2. The other was
-chosen for its static curve; how far it holds is said in docs/base.md. Being linear and without
-tension, the joint scales with the load on it, as the column does.
+The first of the two follows from the second, by the stiffness of the uncracked column: its top
+moves by a quarter of what the block on E/h does, Σ k y² = 4 (E/h) b³/12, so 4 − 6·0.3 = 2.2. The
+other was chosen for its static curve; how far it holds is said in docs/base.md. Being linear and
+without tension, the joint scales with the load on it, as the column does.
 """
 
 import numpy as np

@@ -2,7 +2,8 @@
 
 A joint between two pieces is the base's over again: Gauss–Lobatto nodes across the thickness that
 take no tension, the base's friction, and jkn = E/L with L half the height of the two pieces
-together; a base's jkn that is stated is the base's alone. A piece meets the return walls behind it alone.
+together; a jkn stated for the base is the base's alone. A piece meets the return walls behind it
+alone.
 """
 
 from dataclasses import replace

@@ -157,7 +157,13 @@ def refuse(facade, what, held=False):
 
     With `held` also if ties or floors hold it.
     """
-    keys = (*OWN_KEYS, "base_height_m", "hinges_m", "courses", *(("ties", "floors") if held else ()))
+    keys = (
+        *OWN_KEYS,
+        "base_height_m",
+        "hinges_m",
+        "courses",
+        *(("ties", "floors") if held else ()),
+    )
     given = [key for key in keys if facade.get(key)]
     if given:
         raise ValueError(

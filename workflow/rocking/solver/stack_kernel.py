@@ -264,9 +264,12 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
                 _damp(own, b, ny, nz, nz * by - ny * bz, pressed)
                 _damp(own, b, ty, tz, tz * by - ty * bz, dragged)
                 if p.in_row and a >= 0:
-                    la, lb = (nz * ay - ny * az, tz * ay - ty * az), (
-                        nz * by - ny * bz,
-                        tz * by - ty * bz,
+                    la, lb = (
+                        (nz * ay - ny * az, tz * ay - ty * az),
+                        (
+                            nz * by - ny * bz,
+                            tz * by - ty * bz,
+                        ),
                     )
                     if a < b:
                         _couple(between, a, ny, nz, la[0], lb[0], pressed)

@@ -74,6 +74,7 @@ def variants(case, stage):
         ("friction", "40°", friction(40.0)),
         ("stiffness behind", "half", back(0.5)),
         ("stiffness behind", "double", back(2.0)),
+        ("base of the façade", "the elastic wall's", {"facade.base": "column"}),
         ("law of β", "eq. 5", {"damping.law": "eq5"}),
         ("law of β", "fitted", {"damping.law": "fitted"}),
         ("T1", "building stage", {"smdof.period_s": stage["period_s"]}),

@@ -7,8 +7,7 @@ import numpy as np
 import pandas as pd
 
 from rocking.mechanics import closed_forms
-from yade_scripts.model import registry
-from yade_scripts.model import base
+from yade_scripts.model import base, registry
 from yade_scripts.model.shape import refuse
 
 CURVE_COLUMNS = [

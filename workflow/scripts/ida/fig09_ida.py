@@ -116,7 +116,9 @@ def main(job):
     size = (max(5.0, 4.0 * shape[1]), 0.9 + 2.0 * shape[0])
     figure, axes = plt.subplots(*shape, figsize=size, squeeze=False, sharex=True)
     blank = pd.DataFrame(columns=probability.PROBABILITY_COLUMNS)
-    pushovers = list(job.input.pushover) or ([] if facade["hinges_m"] or facade["courses"] else [None])
+    pushovers = list(job.input.pushover) or (
+        [] if facade["hinges_m"] or facade["courses"] else [None]
+    )
     shown = {r: [highest(row) for key, row in rows.items() if key[1] == r] for r in p.records}
     shown = {r: [g for g in values if np.isfinite(g)] or [1.0] for r, values in shown.items()}
     # bonded façades may stand so much that the others vanish

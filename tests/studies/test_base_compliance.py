@@ -1,0 +1,43 @@
+"""What the base of a rigid façade is worth: static tables, collapse of a pulse, the summary."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from rocking import Case, Motion
+from rocking.records import Record
+from rocking.studies import base_compliance as study
+
+SHORT = {"numerics.after_motion_s": 3.0, "smdof.tail_s": 1.0, "ida.max_pga_g": 1.0}
+
+
+def test_static_curves():
+    """Twenty courses and the column's base are near the column; E/h takes a third of its peak."""
+    table = study.static({"study": study.FACADES["study"]})
+    assert list(table) == study.STATIC
+    inner = table[table["d_over_b"] <= 0.6]
+    wall = inner["lambda_wall"].to_numpy()
+    assert inner["lambda_courses"].to_numpy() == pytest.approx(wall, rel=0.01)
+    assert inner["lambda_base_column"].to_numpy() == pytest.approx(wall, rel=0.03)
+    share = table["lambda_base_study"].max() / table["lambda_wall"].max()
+    assert share == pytest.approx(0.656, abs=0.01)
+    assert (table["lambda_wall"] < table["lambda_rigid"])[table["d_over_b"] < 0.75].all()
+
+
+def test_collapse_under_a_pulse():
+    """An outward pulse: E/h falls first; the column's base within 10 % of the stack."""
+    t = 0.01 * np.arange(160)
+    pulse = Record("pulse", -np.sin(2.5 * np.pi * t) * (t < 0.8), 0.01, source="file")
+    case = Case.configured("W1", SHORT)
+    table = study.collapse(case, Motion(pulse), "pos").set_index("facade")
+    assert list(table.index) == ["courses", "study", "column"]
+    assert table.loc["study", "ratio"] < 0.9
+    assert table.loc["column", "ratio"] == pytest.approx(1.0, abs=0.1)
+
+
+def test_summary():
+    """Percentiles of the ratios by base, without the stack itself."""
+    rows = [("W1", "r", "pos", name, r) for r in (0.7, 0.8, np.nan) for name in ("study", "column")]
+    table = pd.DataFrame(rows, columns=["model", "record", "direction", "facade", "ratio"])
+    found = study.summary(table).set_index("facade")
+    assert list(found.loc["study", ["n", "n_censored"]]) == [3, 1]
+    assert found.loc["column", "median"] == pytest.approx(0.75)

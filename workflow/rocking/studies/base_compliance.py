@@ -1,0 +1,102 @@
+"""What a rigid façade's base is worth, beside the elastic wall that it stands for.
+
+The wall is a column (`mechanics.column`): its static curve is exact. Under a motion it is a stack
+of rigid courses on elastic joints, which converges to it. Both are compared with the rigid block on
+`facade.base: study` and `column`.
+"""
+
+import numpy as np
+import pandas as pd
+
+from rocking.collapse.case import Variant
+from rocking.collapse.curve import collapse_curve
+from rocking.collapse.ratios import Ratios
+from rocking.mechanics import column
+from rocking.mechanics.closed_forms import capacity_compliant_base, capacity_rigid
+from yade_scripts.model import base
+
+BASES = (base.STUDY, base.COLUMN)
+COURSES = 10  # of the stack under a motion; its static curve lies 1 to 3 % below the column's
+FINE = 20  # of the stack whose static curve is drawn
+D_OVER_B = np.array([0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8])
+FACADES = {  # h, b [m], ρ [kg/m³], E [MPa]; none of them but the first chose the base's law
+    "study": (6.48, 0.375, 1800.0, 1800.0),
+    "half of E": (6.48, 0.375, 1800.0, 900.0),
+    "three storeys": (9.0, 0.6, 1900.0, 1500.0),
+    "thin": (3.2, 0.12, 1800.0, 2500.0),
+    "Shawa": (3.0, 0.25, 1810.0, 4050.0),
+    "slender": (4.5, 0.15, 1700.0, 800.0),
+}
+STATIC = ["facade", "h_m", "b_m", "e_mpa", "gamma", "d_over_b", "lambda_rigid", "lambda_wall"]
+STATIC += ["lambda_courses", *(f"lambda_base_{name}" for name in BASES)]
+CAPACITY = ["pga_p10_g", "pga_median_g"]
+COLUMNS = ["model", "record", "direction", "facade", *CAPACITY, "ratio", "runs_planar"]
+SUMMARY = ["model", "facade", "n", "n_censored", "p10", "median", "p90", "scatter"]
+STACK = "courses"
+
+
+def variants():
+    """The stack of courses, then the rigid block on either base."""
+    stack = Variant(STACK, {"facade.courses": COURSES, "facade.base": base.STUDY})
+    return [stack, *(Variant(name, {"facade.base": name, "facade.courses": 0}) for name in BASES)]
+
+
+def static(facades=None):
+    """Static curves λ(d) of façades: rigid, the column, twenty courses, the block on either base.
+
+    Parameters
+    ----------
+    facades : dict of str to (h_m, b_m, density_kg_m3, e_mpa), or None
+        None: `FACADES`.
+
+    Returns
+    -------
+    DataFrame
+        STATIC.
+    """
+    parts = []
+    for name, (h, b, density, e_mpa) in (facades or FACADES).items():
+        gamma, ratio = column.compliance(h, b, density, 1e6 * e_mpa), b / h
+        theta = np.arcsin(D_OVER_B * ratio)
+        facade = {"height_m": h, "thickness_m": b, "e_mpa": e_mpa, "base_stiffness_pa_m": None}
+        curves = {
+            "lambda_rigid": capacity_rigid(theta, h, b),
+            "lambda_wall": column.capacity(D_OVER_B, gamma, ratio),
+            "lambda_courses": column.capacity(D_OVER_B, gamma, ratio, column.courses(FINE)),
+        }
+        for law in BASES:
+            jkn, edge = base.parts({**facade, "base": law})
+            found = capacity_compliant_base(theta, h, b, density, jkn, edge_pa=edge)
+            curves[f"lambda_base_{law}"] = found
+        about = {"facade": name, "h_m": h, "b_m": b, "e_mpa": e_mpa, "gamma": gamma}
+        parts.append(pd.DataFrame({**about, "d_over_b": D_OVER_B, **curves}))
+    return pd.concat(parts, ignore_index=True)[STATIC]
+
+
+def collapse(case, motion, direction):
+    """Collapse of the stack, and of the block on either base, under one motion.
+
+    Returns
+    -------
+    DataFrame
+        COLUMNS; ratio of pga_median_g to the stack's.
+    """
+    rows = []
+    for variant in variants():
+        found = collapse_curve(case.varied(variant), motion, direction, search="crossings")
+        row = {"model": case.model, "record": motion.name, "direction": direction}
+        row |= {"facade": variant.name, **dict(zip(CAPACITY, found.found, strict=True))}
+        rows.append({**row, "runs_planar": found.runs})
+    table = pd.DataFrame(rows).reindex(columns=COLUMNS)
+    return table.assign(ratio=table["pga_median_g"] / table["pga_median_g"].iloc[0])
+
+
+def summary(table):
+    """Spread of the ratios by model and base: 10, 50, 90 % of the curves, scatter of ln ratio."""
+    rows = []
+    blocks = table[table["facade"] != STACK]
+    for (model, name), part in blocks.groupby(["model", "facade"], sort=False):
+        found = Ratios(part["ratio"])
+        ends = found.percentiles([10, 50, 90])
+        rows.append((model, name, found.n, found.n_censored, *ends, found.scatter))
+    return pd.DataFrame(rows, columns=SUMMARY)
