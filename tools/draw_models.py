@@ -56,7 +56,7 @@ def block(axis, x, y, width, height, colour, **more):
 def walls(axis, kind):
     """Return wall of a model: one block, one a floor, or interlocking bricks."""
     left = THICKNESS + GAP
-    colour = CARRIED if kind.massive else DRIVEN
+    colour = CARRIED if kind.two_way else DRIVEN
     storey = HEIGHT / FLOORS
     if kind.walls == "one":
         block(axis, left, 0.0, DEPTH, HEIGHT, colour)
@@ -72,10 +72,10 @@ def walls(axis, kind):
             block(axis, reach, k * high, left + DEPTH - reach, high, colour)
             if k % 2:
                 block(axis, THICKNESS, k * high, reach - THICKNESS, high, FACADE, zorder=3)
-    if kind.walls in ("floors", "bricks") and not kind.massive:
+    if kind.walls in ("floors", "bricks") and not kind.two_way:
         for k in range(FLOORS):
             arrow(axis, left + 0.58 * DEPTH, (k + 0.5) * storey, 0.4 + 0.14 * k)
-    if kind.massive:
+    if kind.two_way:
         at = left + DEPTH + 0.3
         for k in range(FLOORS):
             low = (k - 0.5) * storey if k else 0.0

@@ -39,7 +39,7 @@ def test_a_sharp_threshold_is_covered_by_its_own_ramp():
     assert shifted["coverage"] == pytest.approx(0.0, abs=0.01)
 
 
-def test_an_island_counts_where_it_is_first_reached():
+def test_a_separate_range_counts_where_it_is_first_reached():
     """All fall from 0.40 to 0.44 g, none up to 0.5 g, all above: first reached at 0.40 g."""
     table = scanned(lambda g: 0.40 <= g < 0.44 or g >= 0.5)
     found = coverage.compare(table, reported(p10=0.397, p90=0.403), SPREAD)

@@ -62,14 +62,14 @@ def test_too_few_stations_are_refused():
         choose(list("abc"), list("abc"), candidates(3), PERIODS, 0.3 / PERIODS, 7, (0.25, 4.0))
 
 
-def table(d_m, members=None, fallen=()):
-    """Histories: one row a motion, or members beside it."""
+def table(d_m, realisations=None, fallen=()):
+    """Histories: one row a motion, or realisations beside it."""
     rows = []
     for i, own in enumerate(d_m):
-        for k, d in enumerate([own, *(members[i] if members else ())]):
+        for k, d in enumerate([own, *(realisations[i] if realisations else ())]):
             status = "overturned" if (i, k) in fallen else "ok"
             rows.append(("W2", f"m{i}", "pos", k, 0.2, d / 0.41, d, status))
-    names = ["model", "record", "direction", "member", "pga_g", "d_over_b", "d_m", "status"]
+    names = ["model", "record", "direction", "realisation", "pga_g", "d_over_b", "d_m", "status"]
     return pd.DataFrame(rows, columns=names)
 
 
@@ -94,10 +94,10 @@ def test_one_history_beyond_d0_is_enough():
     assert found["exceed_d0"] == 1
 
 
-def test_members_tell_what_hangs_on_the_numerics():
-    """Of two motions one falls in one of its four members: a quarter of the draws disagrees."""
-    members = [[0.05, 0.05, 0.05], [0.10, 0.11, 0.41]]
-    found = verdict(table([0.05, 0.10], members, fallen={(1, 3)}), LIMITS, 1)
+def test_realisations_tell_what_hangs_on_the_numerics():
+    """Of two motions one falls in one of four realisations: a quarter of the draws disagrees."""
+    realisations = [[0.05, 0.05, 0.05], [0.10, 0.11, 0.41]]
+    found = verdict(table([0.05, 0.10], realisations, fallen={(1, 3)}), LIMITS, 1)
     assert found["slv"]
     assert found["agree"] == pytest.approx(0.75, abs=0.03)
 

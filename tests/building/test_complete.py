@@ -253,7 +253,7 @@ def test_curve_of_the_bonded_building_separates_and_resumes(tmp_path):
         complete={"max_runs": 2, "below": 1, "beyond": 1, "level_ratio": 0.5},
     )
     (tmp_path / "scene.json").write_text(json.dumps(job("CBc", settings)))
-    (tmp_path / "plan.json").write_text(json.dumps({"start_g": 0.3, "islands": []}))
+    (tmp_path / "plan.json").write_text(json.dumps({"start_g": 0.3, "ranges": []}))
     floor_motions.write(tmp_path / "motion.csv", T, pulses())
     words = ["ida", "--scene", "scene.json", "--motion", "motion.csv", "--record", "pulse"]
     words += ["--direction", "pos", "--plan", "plan.json", "--journal", "j.jsonl"]
@@ -276,9 +276,9 @@ def test_curve_of_the_bonded_building_separates_and_resumes(tmp_path):
 SETTINGS = {"level_ratio": 0.05, "below": 2, "beyond": 2, "max_runs": 40, "max_pga_g": 3.0}
 
 
-def climbed(falls, start_g, islands=(), **more):
+def climbed(falls, start_g, ranges=(), **more):
     done = {}
-    while (g := next_level(done, {**SETTINGS, **more}, start_g, islands)) is not None:
+    while (g := next_level(done, {**SETTINGS, **more}, start_g, ranges)) is not None:
         done[g] = "overturned" if falls(g) else "ok"
     return done
 
@@ -294,11 +294,11 @@ def test_levels_bracket_a_threshold_within_one_ratio(collapse):
     assert len(done) < 16
 
 
-def test_levels_find_a_gap_below_and_an_island():
-    """A collapse two levels below the first one found is found too, islands are looked at."""
+def test_levels_find_a_gap_below_and_a_separate_range():
+    """A collapse two levels below the first one found is found too, ranges are looked at."""
     done = climbed(lambda g: 0.198 < g < 0.201 or g > 0.215, 0.22)
     assert min(g for g, s in done.items() if s == "overturned") < 0.201
-    done = climbed(lambda g: g > 0.199, 0.2, islands=(0.203, 0.9))
+    done = climbed(lambda g: g > 0.199, 0.2, ranges=(0.203, 0.9))
     assert 0.203 in done
     assert 0.9 not in done
 

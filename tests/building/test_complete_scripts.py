@@ -12,8 +12,8 @@ from run_script import script
 ROOT = Path(__file__).parents[2]
 
 
-def test_a_curve_begins_inside_the_first_island_of_the_scan(tmp_path):
-    """The gap between two islands and the second are looked at too; without a collapse, the end."""
+def test_a_curve_begins_inside_the_first_range_of_the_scan(tmp_path):
+    """The gap between two ranges and the second are looked at too; without a collapse, the end."""
     pga = 0.1 * 1.01 ** np.arange(120)
     fell = ((pga > 0.15) & (pga < 0.18)) | (pga > 0.2)
     for name, values in (("falls", fell), ("stands", 0 * fell)):
@@ -29,9 +29,9 @@ def test_a_curve_begins_inside_the_first_island_of_the_scan(tmp_path):
         )
     plan = json.loads((tmp_path / "falls.json").read_text())
     assert plan["start_g"] == pytest.approx(1.05 * pga[pga > 0.15][0], abs=1e-3)
-    assert plan["islands"] == pytest.approx([0.19, 0.5 * (0.2 + pga[-1])], abs=0.004)
+    assert plan["ranges"] == pytest.approx([0.19, 0.5 * (0.2 + pga[-1])], abs=0.004)
     plan = json.loads((tmp_path / "stands.json").read_text())
-    assert plan == {"start_g": pytest.approx(pga[-1], abs=1e-4), "islands": []}
+    assert plan == {"start_g": pytest.approx(pga[-1], abs=1e-4), "ranges": []}
 
 
 def test_curves_are_tabled_in_the_form_of_the_other_models(tmp_path):
@@ -63,10 +63,10 @@ def test_curves_are_tabled_in_the_form_of_the_other_models(tmp_path):
     lone = table.iloc[1]  # the record's other direction has a scan alone
     assert lone[["pga_safe_g", "pga_collapse_g", "runs_yade"]].tolist() == [0.205, 0.21, 0]
     share = pd.read_csv(tmp_path / "probability.csv")
-    assert share.loc[share["direction"] == "pos", "members_yade"].fillna(0).eq(0).all()
+    assert share.loc[share["direction"] == "pos", "realisations_yade"].fillna(0).eq(0).all()
     share = share[share["direction"] == "neg"]
     assert list(share.columns) == probability.PROBABILITY_COLUMNS
-    own = share[share["members_yade"] == 1]
+    own = share[share["realisations_yade"] == 1]
     assert own["pga_g"].tolist() == [0.20, 0.21, 0.22, 0.24]
     assert own["probability_yade"].tolist() == [0.0, 1.0, 0.0, 1.0]
     assert own["probability"].tolist() == [0.0, 1.0, 1.0, 1.0]

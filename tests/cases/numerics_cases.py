@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from yade_scripts.engine import adapter, ledger, loop, simulate
+from yade_scripts.engine import adapter, energy_check, loop, simulate
 from yade_scripts.model import facade, models
 from yade_scripts.model.stiffness import critical_step
 from yade_scripts.studies import ida, shaking
@@ -53,7 +53,7 @@ def shaken_run(config, model, record, peak_g):
     columns = {n: np.array(v) for n, v in columns.items()}
     numerics = models.numerics({**config, "model": model})
     case = shaking.prepare(scene, numerics, time_s, columns, peak_g * 9.81)
-    check = ledger.EnergyLedger(scene, case.motions)
+    check = energy_check.EnergyCheck(scene, case.motions)
     history = case.run(check=check)
     return _outcome(history, excess=check.excess, walls=len(check.walls))
 

@@ -1,4 +1,4 @@
-"""Runs with massive return walls for tests; imported inside YADE's Python."""
+"""Runs with two-way return walls for tests; imported inside YADE's Python."""
 
 from dataclasses import replace
 

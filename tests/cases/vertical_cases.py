@@ -3,12 +3,12 @@
 import accuracy_cases
 import numpy as np
 
-from yade_scripts.engine import adapter, ledger, simulate
+from yade_scripts.engine import adapter, energy_check, simulate
 from yade_scripts.model import facade, models
 from yade_scripts.studies import shaking
 
 
-class Noted(ledger.EnergyLedger):
+class Noted(energy_check.EnergyCheck):
     """Keeps energy and work at every sample."""
 
     def __init__(self, scene, motions):
@@ -21,7 +21,7 @@ class Noted(ledger.EnergyLedger):
 
 
 def release(config, beta_s, ratio, vertical_m_s2, limit_s):
-    """Outward rotation and the ledger of a free-standing façade released under a constant a_z."""
+    """Outward rotation and energy check of a free-standing façade released under a constant a_z."""
     scene = facade.facade_scene(config, "free", beta_s, release_ratio=ratio)
     time_s = np.array([0.0, limit_s])
     columns = {"ground": np.zeros(2), "vertical": np.full(2, vertical_m_s2)}

@@ -78,7 +78,7 @@ def test_what_cannot_be_is_refused_in_a_line(case, pulse):
 
 def test_a_curve_knows_where_it_collapses(case, pulse):
     """The dense scan and the short climb cross one half at one place; a list runs its list."""
-    fewer = {"level_ratio": 0.05, "members": 7, "max_pga_g": 1.5}
+    fewer = {"level_ratio": 0.05, "realisations": 7, "max_pga_g": 1.5}
     dense = collapse_curve(case, pulse, settings=fewer)
     found = dense.summary()
     assert found["pga_safe_g"] < found["pga_collapse_g"] <= found["pga_median_g"]

@@ -1,4 +1,4 @@
-"""Collapse as a probability: shares, first crossings, what is safe, members, agreement."""
+"""Collapse as a probability: shares, first crossings, what is safe, realisations, agreement."""
 
 import numpy as np
 import pandas as pd
@@ -22,17 +22,17 @@ def runs(*pairs):
     return table.assign(status=np.where(table["collapsed"] == 1, "overturned", "ok"))
 
 
-def test_share_is_that_of_the_members_within_the_spread():
+def test_share_is_that_of_the_realisations_within_the_spread():
     table = scan(lambda g: g > 0.5)
-    share, members = probability.probability(GRID, table["collapsed"], [0.3, 0.5, 0.7], 0.02)
+    share, realisations = probability.probability(GRID, table["collapsed"], [0.3, 0.5, 0.7], 0.02)
     assert share[[0, 2]].tolist() == [0.0, 1.0]
     assert share[1] == pytest.approx(0.5, abs=0.05)
     inside = np.abs(GRID / 0.5 - 1.0) <= 0.02
-    assert members[1] == inside.sum()
+    assert realisations[1] == inside.sum()
     assert np.isnan(probability.probability(GRID, table["collapsed"], [2.0], 0.01)[0][0])
 
 
-def test_an_island_below_the_main_collapse_is_the_lowest_collapse():
+def test_a_separate_range_below_the_main_collapse_is_the_lowest_collapse():
     """Falls at 0.30 to 0.33 g, stands to 0.6 g: nothing above 0.30 g is safe."""
     found = probability.summary(
         scan(lambda g: 0.30 < g < 0.33 or g > 0.6), runs((0.2, 0), (0.4, 0), (0.7, 1)), (), 0.01
@@ -64,14 +64,14 @@ def test_a_facade_that_never_fell_is_a_bound_and_failed_runs_say_nothing():
     assert probability.brackets(blank, found) == [(3.0, np.inf, 1.0)]
 
 
-def test_members_of_a_curve_follow_its_probability():
-    """A linear rise of probability gives members spread evenly, of total weight one."""
+def test_realisations_of_a_curve_follow_its_probability():
+    """A linear rise of probability gives realisations spread evenly, of total weight one."""
     table = pd.DataFrame({"pga_g": GRID, "probability": np.clip((GRID - 0.4) / 0.2, 0, 1)})
-    members = probability.brackets(table.assign(members=9), {}, count=10)
-    low, high, weight = np.array(members).T
+    realisations = probability.brackets(table.assign(realisations=9), {}, count=10)
+    low, high, weight = np.array(realisations).T
     assert weight.sum() == pytest.approx(1.0)
     assert 0.5 * (low + high) == pytest.approx(0.4 + 0.2 * (np.arange(10) + 0.5) / 10, abs=1e-3)
-    half = table.assign(members=9, probability=0.5 * table["probability"])
+    half = table.assign(realisations=9, probability=0.5 * table["probability"])
     assert sum(w for _, high, w in probability.brackets(half, {}) if np.isinf(high)) == 0.5
 
 
@@ -85,9 +85,11 @@ def test_single_runs_stand_for_the_amplitudes_nearest_to_them():
         assert found[f"pga_{name}_g"] == pytest.approx(expected, rel=1e-4)
     table = probability.single_runs(probability.outcomes(sparse), 0.01)
     assert table["probability_yade"].iloc[[0, -1]].tolist() == [0.0, 1.0]
-    at = table.set_index("pga_g")["members_yade"]
+    at = table.set_index("pga_g")["realisations_yade"]
     assert (at[0.2], at[0.399], at[0.401]) == (1, 2, 2)  # 0.41 lies 2 % off
-    weights = np.array(probability.brackets(table.assign(members=np.nan, probability=np.nan), {}))
+    weights = np.array(
+        probability.brackets(table.assign(realisations=np.nan, probability=np.nan), {})
+    )
     assert weights[:, 2].sum() == pytest.approx(1.0)
     assert np.all(weights[:, 0] < 0.41)
     assert np.all(weights[:, 1] > 0.39)
@@ -100,18 +102,26 @@ def test_two_distant_runs_meet_at_the_geometric_middle():
 
 
 def test_disagreement_is_beyond_the_scatter_of_both():
-    """Eleven members that all stand where all planar ones fall disagree; one of 11 does not."""
+    """Eleven realisations that stand where all planar ones fall disagree; one of 11 does not."""
     dense = scan(lambda g: g > 0.5)
-    members = [runs(*[(g, int(i < fell)) for i in range(11)]) for g, fell in ((0.7, 0), (0.8, 10))]
-    table = probability.beside(dense, pd.concat(members), 0.01)
-    levels = table[table["members_yade"].notna()].set_index("pga_g")
+    realisations = [
+        runs(*[(g, int(i < fell)) for i in range(11)]) for g, fell in ((0.7, 0), (0.8, 10))
+    ]
+    table = probability.compared(dense, pd.concat(realisations), 0.01)
+    levels = table[table["realisations_yade"].notna()].set_index("pga_g")
     assert levels["agrees"].to_dict() == {0.7: 0.0, 0.8: 1.0}
     assert levels.loc[0.8, "probability_yade"] == pytest.approx(10 / 11)
 
 
 def test_the_plan_goes_where_outcomes_change():
-    """Both sides of the lowest collapse, its island and the gap above; levels of 10, 50, 90 %."""
-    ida = {"start_g": 0.1, "growth": 1.35, "max_pga_g": 3.0, "max_islands": 4, "confirm": "full"}
+    """Both sides of the lowest collapse, the range and the gap above; levels of 10, 50, 90 %."""
+    ida = {
+        "start_g": 0.1,
+        "growth": 1.35,
+        "max_pga_g": 3.0,
+        "max_collapse_ranges": 4,
+        "confirm": "full",
+    }
     ensemble = {"percentiles": [10.0, 90.0], "amplitude_spread": 0.01, "enabled": "auto"}
     table = scan(lambda g: 0.30 < g < 0.40 or g > 0.6)
     found = plan(table, ida, ensemble)
@@ -119,7 +129,7 @@ def test_the_plan_goes_where_outcomes_change():
     lowest = table.loc[table["collapsed"] == 1, "pga_g"].min()
     assert np.abs(runs_g / lowest - 1.0).min() < 1e-3
     assert np.abs(runs_g / (0.97 * lowest) - 1.0).min() < 1e-3
-    assert ((runs_g > 0.32) & (runs_g < 0.38)).any()  # in the island
+    assert ((runs_g > 0.32) & (runs_g < 0.38)).any()  # in the separate range
     assert ((runs_g > 0.45) & (runs_g < 0.55)).any()  # in the gap above it
     assert found["levels"] == pytest.approx([0.30], rel=0.01)  # 10, 50 and 90 % lie together
     slow = table.assign(collapsed=(np.sin(1e4 * GRID) < (GRID - 0.5) * 5).astype(int))

@@ -1,4 +1,4 @@
-"""Perturbed ensembles: members, where they are run, bands."""
+"""Perturbed ensembles: realisations, where they are run, bands."""
 
 import numpy as np
 import pandas as pd
@@ -12,18 +12,18 @@ SETTINGS = resolved()["ensemble"]
 NUMERICS = resolved()["numerics"]
 
 
-def table(pga_g, capacity, members):
+def table(pga_g, capacity, realisations):
     """Ensemble of façades whose capacities are known; d/b grows linearly up to collapse."""
     rows = [
         {
             "pga_g": g,
-            "member": i,
-            "collapsed": int(g * members[i] >= capacity),
-            "d_over_b": min(1.0, 0.8 * g * members[i] / capacity),
-            "status": "overturned" if g * members[i] >= capacity else "ok",
+            "realisation": i,
+            "collapsed": int(g * realisations[i] >= capacity),
+            "d_over_b": min(1.0, 0.8 * g * realisations[i] / capacity),
+            "status": "overturned" if g * realisations[i] >= capacity else "ok",
         }
         for g in pga_g
-        for i in range(len(members))
+        for i in range(len(realisations))
     ]
     return pd.DataFrame(rows)
 
@@ -40,37 +40,37 @@ def test_bands_of_a_known_distribution_of_capacities():
     assert [low, middle, high] == pytest.approx(0.6 * np.array([0.92, 1.0, 1.08]), rel=1e-3)
 
 
-def test_failed_members_do_not_count():
+def test_failed_realisations_do_not_count():
     rows = table([0.3, 0.5], 0.4, np.ones(10))
     spoilt = rows.copy()
     spoilt.loc[[0, 1, 2], ["status", "d_over_b", "collapsed"]] = ["failed", np.nan, np.nan]
     got, whole = ensemble.bands(spoilt), ensemble.bands(rows)
-    assert got["members"].tolist() == [7, 10]
+    assert got["realisations"].tolist() == [7, 10]
     assert got["probability"].tolist() == whole["probability"].tolist() == [0.0, 1.0]
     assert ensemble.bands([]).empty
 
 
-def test_members_are_seeded_nested_and_within_their_spread():
-    few, many = (perturb.draw_members({**SETTINGS, "members": n}) for n in (5, 40))
+def test_realisations_are_seeded_nested_and_within_their_spread():
+    few, many = (perturb.draw_realisations({**SETTINGS, "realisations": n}) for n in (5, 40))
     assert few == many[:5]
-    assert many != perturb.draw_members({**SETTINGS, "members": 40, "seed": 7})
+    assert many != perturb.draw_realisations({**SETTINGS, "realisations": 40, "seed": 7})
     amplitudes = np.array([m.amplitude_factor for m in many])
     assert np.all(np.abs(amplitudes - 1.0) <= SETTINGS["amplitude_spread"])
     assert amplitudes.std() == pytest.approx(SETTINGS["amplitude_spread"] / np.sqrt(3), rel=0.25)
     assert all(0.9 <= m.step_factor <= 1.0 for m in many)  # never beyond the stated step
     assert {m.extra_nodes for m in many} == {0, 1, 2}
-    only = perturb.draw_members({**SETTINGS, "perturb": ["amplitude"]})
+    only = perturb.draw_realisations({**SETTINGS, "perturb": ["amplitude"]})
     assert {(m.step_factor, m.extra_nodes) for m in only} == {(1.0, 0)}
 
 
 def test_perturbed_numerics_change_step_and_nodes_only():
-    member = perturb.Member(1, 1.0, 0.95, 2)
-    out = perturb.perturbed_numerics(NUMERICS, member)
+    realisation = perturb.Realisation(1, 1.0, 0.95, 2)
+    out = perturb.perturbed_numerics(NUMERICS, realisation)
     changed = {k for k in NUMERICS if out[k] != NUMERICS[k]}
     assert changed == {"nodes_thickness", "nodes_height", "nodes_per_block", "step_fraction"}
     assert out["step_fraction"] == pytest.approx(0.95 * NUMERICS["step_fraction"])
     bricks = {**NUMERICS, "nodes_height": None}  # W3 has no nodes up a wall
-    assert perturb.perturbed_numerics(bricks, member) == {**out, "nodes_height": None}
+    assert perturb.perturbed_numerics(bricks, realisation) == {**out, "nodes_height": None}
 
 
 def test_sensitivity_is_measured_from_half_the_collapse_intensity():
@@ -104,7 +104,7 @@ def test_search_closes_in_on_a_threshold(threshold):
     assert runs < 25
 
 
-def test_search_finds_the_gap_above_an_island_and_leaves_failures():
+def test_search_finds_the_gap_above_a_separate_range_and_leaves_failures():
     def falls(g):
         return 0.30 < g < 0.33 or g > 0.36
 
@@ -118,10 +118,11 @@ def test_search_finds_the_gap_above_an_island_and_leaves_failures():
     assert all(g > 0.3119 for g in set(searched(lambda g: True, done)[0]) - set(done))
 
 
-def test_more_members_are_needed_where_the_spread_is_wide():
+def test_more_realisations_are_needed_where_the_spread_is_wide():
     rng = np.random.default_rng(0)
     narrow, wide = (
-        ensemble.members_needed(0.4 + s * rng.standard_normal(400), 0.05, 1) for s in (0.01, 0.15)
+        ensemble.realisations_needed(0.4 + s * rng.standard_normal(400), 0.05, 1)
+        for s in (0.01, 0.15)
     )
     assert narrow == 3
     # the median of n normal values has a deviation of 1.2533 σ/√n; 90 % within 1.645 of it

@@ -7,7 +7,7 @@ from rocking.collapse import search
 from rocking.collapse.quick import crossings
 from rocking.records import Record
 
-SETTINGS = {"level_ratio": 0.02, "beyond": 1.35, "max_pga_g": 3.0, "members": 7}
+SETTINGS = {"level_ratio": 0.02, "beyond": 1.35, "max_pga_g": 3.0, "realisations": 7}
 
 
 def case(model):

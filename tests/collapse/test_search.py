@@ -7,7 +7,7 @@ from rocking.collapse import search
 from yade_scripts.studies.search import drive
 
 SETTINGS = {"level_ratio": 0.02, "beyond": 1.35, "max_pga_g": 2.0}
-SETTINGS |= {"members": 6, "amplitude_spread": 0.01, "fine_step": 0.002}
+SETTINGS |= {"realisations": 6, "amplitude_spread": 0.01, "fine_step": 0.002}
 
 
 def searched(strategy, falls):
@@ -23,14 +23,14 @@ def searched(strategy, falls):
     return np.sort(seen), found
 
 
-def island(g):
+def separate_range(g):
     return 0.30 < g < 0.33 or g > 0.5
 
 
 def test_a_scan_sees_every_change_of_outcome_finely():
-    """An island wider than a level is found, and both its edges within a sixth of the window."""
-    pga_g, _ = searched(search.scan(0.1, SETTINGS), island)
-    fell = np.array([island(g) for g in pga_g])
+    """A separate range wider than a level is found, its edges within a sixth of the window."""
+    pga_g, _ = searched(search.scan(0.1, SETTINGS), separate_range)
+    fell = np.array([separate_range(g) for g in pga_g])
     assert np.count_nonzero(np.diff(fell)) == 3
     for edge in (0.30, 0.33, 0.5):
         low, high = pga_g[pga_g <= edge].max(), pga_g[pga_g > edge].min()
@@ -55,18 +55,18 @@ def test_a_dense_search_ends_where_all_within_its_window_fall():
     asked = []
 
     def run(ask):
-        asked.append((ask.members, np.array(ask.pga_g)))
-        return ["overturned" if island(g) else "ok" for g in ask.pga_g]
+        asked.append((ask.realisations, np.array(ask.pga_g)))
+        return ["overturned" if separate_range(g) else "ok" for g in ask.pga_g]
 
     drive(search.dense(0.1, SETTINGS), run)
-    fine = np.concatenate([pga_g for members, pga_g in asked if members])
+    fine = np.concatenate([pga_g for realisations, pga_g in asked if realisations])
     assert np.diff(np.log(fine)).max() == pytest.approx(np.log(1.002))
     assert fine.min() < 0.30
     assert 0.30 * 1.01 / 0.99 < fine.max() < 0.33
 
 
 def test_crossings_of_a_threshold_are_the_threshold():
-    """Every member above falls: 10 and 50 % are crossed within half a window of it."""
+    """Every realisation above falls: 10 and 50 % are crossed within half a window of it."""
     for ratio in (1.03, 1.12):
         _, found = searched(search.crossings(0.1, 2.0, ratio), lambda g: g > 0.4)
         assert found == pytest.approx((0.4, 0.4), rel=search.SPREAD)
@@ -75,7 +75,7 @@ def test_crossings_of_a_threshold_are_the_threshold():
 
 
 def test_a_short_climb_looks_below_its_first_fall():
-    """An island that lies between the levels of the climb's last two steps is found."""
+    """A separate range that lies between the levels of the climb's last two steps is found."""
     assert not any(0.30 < 0.1 * 1.12**k < 0.31 for k in range(20))
     _, found = searched(search.crossings(0.1, 2.0, 1.12), lambda g: 0.295 < g < 0.311 or g > 0.313)
     assert found[0] < 0.30

@@ -180,7 +180,7 @@ def test_worth_of_a_roof_is_the_static_one():
     """
     config = resolved(numerics={**FEW, "after_motion_s": 0.5})
     config["ida"] |= {"level_ratio": 0.02, "beyond": 1.03, "max_pga_g": 1.0}
-    config["ensemble"] |= {"members": 2, "amplitude_spread": 0.02}
+    config["ensemble"] |= {"realisations": 2, "amplitude_spread": 0.02}
     case = Case({**config, "model": "W1", "beta_s": BETA_S})
     f = config["facade"]
     h, b = f["height_m"], f["thickness_m"]
@@ -220,7 +220,7 @@ def test_what_yade_confirms_of_a_roof():
 @pytest.mark.parametrize(
     ("given", "target", "message"),
     [
-        ({"models": ["W3"]}, "restraint", "models.*planar twin"),
+        ({"models": ["W3"]}, "restraint", "models.*planar counterpart"),
         ({"models": ["W1"], "facade": {"sides": "two"}}, "restraint", "sides = two"),
         ({"strengthening": {"heights_m": [6.0, 7.0]}}, "strengthening", "height_m = 7: expected"),
         ({"strengthening": {"elongation": 1e-4}}, "strengthening", "elongation.*strain at yield"),

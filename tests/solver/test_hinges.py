@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from rocking.assessment.battery import weakest_hinge
+from rocking.assessment.code_checks import weakest_hinge
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.solver.bars import of_scene

@@ -183,18 +183,18 @@ def test_impossible_ties(facade, models, message):
 
 
 def searched(shares, n=61):
-    """Table of a search at two heights, by shares of members that fell."""
+    """Table of a search at two heights, by shares of realisations that fell."""
     rows = []
     for height, column in shares.items():
         for k, share in enumerate(column):
             band = binomtest(round(share * n), n).proportion_ci(0.95, "wilson")
             rows.append((height, 10.0 * k, round(share * n), n, share, band.low, band.high))
-    names = ["height_m", "force_kn", "fell", "members", "probability", "low", "high"]
+    names = ["height_m", "force_kn", "fell", "realisations", "probability", "low", "high"]
     return pd.DataFrame(rows, columns=names)
 
 
 def test_the_least_tie_is_the_weakest_from_which_all_hold():
-    """An island of collapse above a force that holds counts; so does a height that never holds."""
+    """An range of collapse above a force that holds counts; so does a height that never holds."""
     table = searched({3.0: [1.0, 0.0, 0.5, 0.05, 0.0, 0.0], 6.0: [1.0, 1.0, 1.0, 1.0, 1.0, 0.9]})
     found = strengthening.least(table, 0.1).set_index("height_m")
     assert found.loc[3.0, "force_kn"] == 30.0
@@ -225,7 +225,7 @@ def test_search_finds_the_static_answer():
         "heights_m": [z],
         "forces_kn": [6.2, 7.4],
         "levels": 6,
-        "members": 5,
+        "realisations": 5,
     }
     weight = scene.blocks[1].mass_kg * G
     turn = settings["yield_mpa"] / 2e5 * settings["length_m"] / z

@@ -124,10 +124,10 @@ def test_the_ledger_counts_the_inertia_along_z(in_engine):
 @pytest.mark.parametrize("model", ["W1", "W2", "W2m"])
 def test_yade_agrees_with_the_planar_solver(in_engine, model):
     """Within 1 %, in the direction that mirrors the record, where it moves d/b by more."""
-    config, planar = case(registry.model(model).driven)
+    config, planar = case(registry.model(model).one_way_model)
     time_s, columns = motions(**BURST)
     carried = None
-    if registry.model(model).massive:
+    if registry.model(model).two_way:
         job = {**config, "return_wall": {**config["return_wall"], **MASS}}
         carried = carried_masses(job, build_scene({**job, "model": "W2", "beta_s": BETA_S}))
     floors = [columns[f"floor{j}"] for j in range(1, 5)] if model == "W2" else ()

@@ -29,7 +29,7 @@ def test_the_driven_loss_is_that_of_motion_and_assumption():
     found = (
         assumptions.losses(capacity(W1=0.4, W2=0.14, W2m=0.2)).set_index("measure").loc["median"]
     )
-    assert found["loss_driven"] == pytest.approx(0.65)
+    assert found["loss_one_way"] == pytest.approx(0.65)
     assert found["loss_two_way"] == pytest.approx(0.5)
     assert found["assumption"] == pytest.approx(0.15)
     assert assumptions.losses(capacity(W1=0.4, W2=0.14)).empty
@@ -37,11 +37,11 @@ def test_the_driven_loss_is_that_of_motion_and_assumption():
 
 def test_a_substitute_that_stands_more_is_unsafe():
     """Outside the reference's own scatter; inside it neither is stronger."""
-    table = assumptions.beside(capacity(W2m=0.2, W2=0.14, W1=0.4, W2cm=0.201), "W2m")
+    table = assumptions.compared(capacity(W2m=0.2, W2=0.14, W1=0.4, W2cm=0.201), "W2m")
     side = dict(zip(table["model"], table["side"], strict=True))
     assert side == {"W2m": "", "W2": "safe", "W1": "unsafe", "W2cm": "even"}
     assert table["ratio_median"].tolist() == pytest.approx([1.0, 0.7, 2.0, 1.005])
-    blank = assumptions.beside(capacity(W2=0.14), "W2m")
+    blank = assumptions.compared(capacity(W2=0.14), "W2m")
     assert blank["ratio_median"].isna().all()
     assert blank["side"].tolist() == [""]
 
@@ -49,7 +49,9 @@ def test_a_substitute_that_stands_more_is_unsafe():
 def test_a_curve_of_probabilities_alone():
     """Crossings by straight lines; lowest amplitude at which any fell, first at which all did."""
     table = pd.DataFrame({"pga_g": [0.4, 0.1, 0.3, 0.2], "probability": [1.0, 0.0, 0.8, 0.2]})
-    found = assumptions.given(table.assign(members=5, members_yade=np.nan, probability_yade=np.nan))
+    found = assumptions.given(
+        table.assign(realisations=5, realisations_yade=np.nan, probability_yade=np.nan)
+    )
     assert found["pga_collapse_g"] == 0.2
     assert found["pga_p10_g"] == pytest.approx(0.15)
     assert found["pga_median_g"] == pytest.approx(0.25)

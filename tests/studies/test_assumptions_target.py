@@ -18,7 +18,7 @@ REDUCED = [
     "return_wall={building_mass_kg: 66000}",
     "numerics={after_motion_s: 0.1}",
     "ida={level_ratio: 0.1}",
-    "ensemble={members: 3, amplitude_spread: 0.05}",
+    "ensemble={realisations: 3, amplitude_spread: 0.05}",
     "assumptions={mass_ratios: [0.001, 0.3], periods_s: [0.27], damping_ratios: [],"
     " level_ratio: 0.1}",
 ]
@@ -53,14 +53,14 @@ def test_the_scenario_plans_every_chart(tmp_path):
 
 @pytest.mark.slow
 def test_a_light_facade_cannot_push_its_building(tmp_path):
-    """Through the rules: at a thousandth of the building's mass the driven model has no error.
+    """Through the rules: at a thousandth of the building's mass W2 has no error.
 
     A complete building's curves join those of the run's records, and no others do.
     """
     rows = ("0.20,0,1", "0.22,0.5,2", "0.25,1,3")
     given = [f"CB,{record},neg,{row}" for record in ("RRS228", "elsewhere") for row in rows]
     (tmp_path / "cb.csv").write_text(
-        "\n".join(["model,record,direction,pga_g,probability,members", *given, ""])
+        "\n".join(["model,record,direction,pga_g,probability,realisations", *given, ""])
     )
     options = [*REDUCED[:-1], REDUCED[-1].replace("{", "{other_curves: [cb.csv], ")]
     done = snakemake(

@@ -184,22 +184,22 @@ rule figure_speed_accuracy:
         "../scripts/accuracy/figure_speed_accuracy.py"
 
 
-rule ensemble_members:
+rule ensemble_realisations:
     input:
         ensembles=of_run(rules.ida_ensemble.output.ensemble, **ACCURACY_CURVES),
         scenes=accuracy_scenes,
         motions=of_run(
             rules.floor_motions.output[0], record=RUNS.named("accuracy.records")
         ),
-        modules=code("accuracy/table_ensemble_members"),
+        modules=code("accuracy/table_ensemble_realisations"),
     output:
-        results("tables/ensemble_members.csv"),
+        results("tables/ensemble_realisations.csv"),
     log:
-        logs("ensemble_members"),
+        logs("ensemble_realisations"),
     params:
         records=lambda w: RUNS.named("accuracy.records")(w.run),
     script:
-        "../scripts/accuracy/table_ensemble_members.py"
+        "../scripts/accuracy/table_ensemble_realisations.py"
 
 
 rule figure_chaos:
@@ -290,7 +290,7 @@ rule accuracy:
             rules.speed_accuracy.output.summary,
             rules.stability.output.trials,
             rules.table_energy_balance.output,
-            rules.ensemble_members.output,
+            rules.ensemble_realisations.output,
             rules.figure_speed_accuracy.output.png,
             rules.figure_stability.output.png,
             rules.figure_energy_balance.output.png,

@@ -1,4 +1,4 @@
-# What the driven return walls are worth, beside every other assumption: models side by side, a map over
+# What the one-way coupled return walls are worth, beside every other assumption: models side by side, a map over
 # buildings, a tornado chart. Ask for `assumptions`; config/scenarios/assumptions.yaml has the runs.
 ASSUMPTIONS = RUNS.key("assumptions")
 
@@ -116,7 +116,11 @@ rule figure_assumptions_map:
         facts=of_run(rules.record.output.facts),
         modules=code("assumptions/figure_assumptions_map"),
     output:
-        **figure("assumptions_map", "Assumptions", "error of driven walls, by building"),
+        **figure(
+            "assumptions_map",
+            "Assumptions",
+            "error of one-way coupled walls, by building",
+        ),
     log:
         logs("figure_assumptions_map"),
     params:

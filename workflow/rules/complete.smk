@@ -84,7 +84,7 @@ def two_way(model):
     """Name of the reduced model with the same joint whose walls answer the façade."""
     how = ("floors", COMPLETE[model].bonded, True)
     return next(
-        m.name for m in MODELS.values() if (m.walls, m.bonded, m.massive) == how
+        m.name for m in MODELS.values() if (m.walls, m.bonded, m.two_way) == how
     )
 
 
@@ -155,7 +155,7 @@ rule complete_plan:
     params:
         spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
         step=lambda w: complete_settings(w.run)["level_ratio"],
-        most=lambda w: RUNS.cfg(w)["ida"]["max_islands"],
+        most=lambda w: RUNS.cfg(w)["ida"]["max_collapse_ranges"],
     script:
         "../scripts/complete/complete_plan.py"
 

@@ -4,7 +4,7 @@
 def mass_of_walls(wildcards):
     """File with the building's mass, where a model's walls carry it and none is stated."""
     stated = RUNS.cfg(wildcards)["return_wall"]["building_mass_kg"]
-    needed = MODELS[wildcards.model].massive and stated is None
+    needed = MODELS[wildcards.model].two_way and stated is None
     return [of_run(rules.building_fit.output[0])(wildcards)] if needed else []
 
 

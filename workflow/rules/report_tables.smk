@@ -74,7 +74,7 @@ REPORT_TABLES = {
         "least ties",
         "Least force at which a row of ties has to yield so that the collapse probability at the"
         " stated intensity is at most the accepted one, by height of the row, with its interval;"
-        " share of YADE's members that fell where it was confirmed. Blank: no tie tried holds.",
+        " share of YADE's realisations that fell where it was confirmed. Blank: no tie tried holds.",
     ),
     "claims": (
         "Beside the study",

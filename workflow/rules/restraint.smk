@@ -1,4 +1,4 @@
-# What a roof's load and friction are worth: collapse PGA by planar scans, YADE's members on them.
+# What a roof's load and friction are worth: collapse PGA by planar scans, YADE's realisations on them.
 
 
 rule restrain:

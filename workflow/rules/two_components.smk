@@ -3,7 +3,7 @@ from rocking.records.table import second_component as mate
 
 
 def one_block(run):
-    """The run's models with dry, driven walls and one block."""
+    """The run's models with dry, one-way coupled walls and one block."""
     resolved = RUNS.settings[run]
     for key in ("hinges_m", "courses", "ties", "floors"):
         if given := resolved["facade"][key]:

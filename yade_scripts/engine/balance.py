@@ -17,7 +17,7 @@ At every whole step, with the mean v of the velocities half a step before and af
 
 Each term follows from its own law, velocities and positions from the integrator, so the
 residual is the error of the time integration and of the books. Python at every step makes such
-a run some ten times slower; for a run's own check see `ledger`.
+a run some ten times slower; for a run's own check see `energy_check`.
 """
 
 from dataclasses import dataclass

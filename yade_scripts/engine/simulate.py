@@ -207,7 +207,7 @@ def run(
         See `adapter.build`.
     setup : callable, optional
         Called with the `Built` scene before the first step (recorders, other engines).
-    check : ledger.EnergyLedger, optional
+    check : energy_check.EnergyCheck, optional
         Sampled in the same call from YADE as the monitor: such a call costs as much as the
         Python in it.
     compensate_lag : bool

@@ -103,12 +103,12 @@ def facade_scene(
     facade, numerics = config["facade"], config["numerics"]
     h, b, width = facade["height_m"], facade["thickness_m"], facade["width_m"]
     shape, raised = shape_of(facade), facade.get("base_height_m", 0.0)
-    if raised and kind.massive:
+    if raised and kind.two_way:
         raise ValueError(
             f"facade.base_height_m = {raised:g}: expected 0 (m) with model {model}, whose masses "
             "are not driven"
         )
-    if two_components and (planar or kind.massive or shape.hinges_m):
+    if two_components and (planar or kind.two_way or shape.hinges_m):
         raise ValueError(f"{model}: two components need a full scene, one block, driven supports")
     tilt = math.radians(facade["tilt_deg"])
     jkn_base, jkn_back = joint_stiffness(config)
@@ -126,7 +126,7 @@ def facade_scene(
             1.0,
             (1.0, 1.0, 1.0),
             free="",
-            motion=None if kind.massive else ground,
+            motion=None if kind.two_way else ground,
         )
     ]
     nodes = NodeList()
@@ -190,7 +190,7 @@ def facade_scene(
         links=[*links, *springs],
         ties=facade_ties(facade.get("ties", ()), walls, blocks, shape),
         floors=floors,
-        shaking=GROUND if kind.massive else None,
+        shaking=GROUND if kind.two_way else None,
         notes={
             **({"motions": motions} if motions else {}),
             **({"watched": tops} if tops else {}),
@@ -299,7 +299,7 @@ def _spread(line_xyz, areas, columns, column_weights, gap_m=0.0):
 
 
 def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, motions, shape):
-    """Append the return walls, driven or massive, and the back joints; return the links."""
+    """Append return walls, one-way or two-way coupled, and back joints; return the links."""
     facade, wall, numerics = config["facade"], config["return_wall"], config["numerics"]
     h, width = facade["height_m"], facade["width_m"]
     total = wall["count"] * wall["thickness_m"]
@@ -310,10 +310,10 @@ def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, mot
     points, weights = gauss_lobatto(
         1 + math.ceil((nodes_up - 1) / parts) if parts > 1 else nodes_up
     )
-    apart = kind.massive and wall["motion"] != "top"  # else each block is a mass of the chain
+    apart = kind.two_way and wall["motion"] != "top"  # else each block is a mass of the chain
     hanging = Hanging(config, blocks, nodes, wall["count"], PIECE_M) if apart else None
     mass, motion, own = 1.0, None, []
-    if kind.massive:
+    if kind.two_way:
         light = facade["density_kg_m3"] * total * PIECE_M * h / count
         mass = light if hanging else building_mass(config) / count
     raised = facade.get("base_height_m", 0.0)
@@ -329,7 +329,7 @@ def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, mot
             low, tall = 0.0, h
         middle = low + 0.5 * tall
         name = f"{WALL} {j}"
-        if not kind.massive:
+        if not kind.two_way:
             motion = blocks[0].motion
             if kind.chain:
                 motion = motion_of(wall["motion"], raised + middle, whole, masses, motions)
@@ -340,7 +340,7 @@ def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, mot
                 (total, h, tall),
                 mass,
                 (1.0, 1.0, 1.0),
-                free="y" if kind.massive else "",
+                free="y" if kind.two_way else "",
                 motion=motion,
             )
         )
@@ -374,7 +374,7 @@ def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, mot
             )
     if hanging:
         return hanging.finish(own)
-    if not kind.massive:
+    if not kind.two_way:
         return []
     _, stiffness, damping = chain_matrices(config["smdof"], building_mass(config))
     return chain_links(stiffness, damping, own, 0, [blocks[i].centre_m[2] for i in own])

@@ -53,8 +53,8 @@ UP, DOWN, BACK = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0), (0.0, -1.0, 0.0)
 GAUSS = 0.5 / math.sqrt(3.0)
 
 
-def interlocking_scene(config, beta_s, *, massive=False):
-    """Build the scene of W3, or of W3m if `massive`.
+def interlocking_scene(config, beta_s, *, two_way=False):
+    """Build the scene of W3, or of W3m if `two_way`.
 
     Parameters
     ----------
@@ -76,14 +76,14 @@ def interlocking_scene(config, beta_s, *, massive=False):
         If the courses do not fill the height, the overlap does not leave a half brick,
         or a rule is unknown.
     """
-    return _Assembly(config, beta_s, massive).scene()
+    return _Assembly(config, beta_s, two_way).scene()
 
 
 class _Assembly:
     """Collects blocks and joints of W3; one instance builds one scene."""
 
-    def __init__(self, config, beta_s, massive):
-        self.config, self.beta, self.massive = config, beta_s, massive
+    def __init__(self, config, beta_s, two_way):
+        self.config, self.beta, self.two_way = config, beta_s, two_way
         facade, wall, w3 = config["facade"], config["return_wall"], config["w3"]
         self.h, self.b = facade["height_m"], facade["thickness_m"]
         self.course, self.v, self.length = (
@@ -111,7 +111,7 @@ class _Assembly:
         self.split = w3["lower_courses"] if w3["header_joint"] == "study" else 0
         if self.split:
             split_bricks.lowest_edge(self.course, self.v, self.split_inclination)
-            if massive:
+            if two_way:
                 raise ValueError(
                     "w3.header_joint = 'study': expected another rule for W3m, whose bricks hang "
                     "on the building's masses and cannot be cut"
@@ -135,7 +135,7 @@ class _Assembly:
         """Assemble everything."""
         self._facade()
         links = []
-        if self.massive:
+        if self.two_way:
             self.hanging = Hanging(self.config, self.blocks, self.nodes, self.walls, self.length)
         for wall, x in enumerate(self.x, 1):
             self._wall(f"wall {wall}" if self.walls > 1 else "wall", x)
@@ -159,7 +159,7 @@ class _Assembly:
             reference=BASE,
             thickness_m=self.b,
             links=links,
-            shaking=GROUND if self.massive else None,
+            shaking=GROUND if self.two_way else None,
             notes=notes,
         )
 
@@ -180,7 +180,7 @@ class _Assembly:
                 1.0,
                 (1.0, 1.0, 1.0),
                 free="",
-                motion=None if self.massive else GROUND,
+                motion=None if self.two_way else GROUND,
             ),
             Block(
                 FACADE,
@@ -264,7 +264,7 @@ class _Assembly:
             own = box_inertia(m, (self.t, length, self.course))
             dy, dz = y - centre[1], z - centre[2]
             inertia += np.array(own) + m * np.array([dy**2 + dz**2, dz**2, dy**2])
-        motion = None if self.massive else self._motion(centre[2])
+        motion = None if self.two_way else self._motion(centre[2])
         self.blocks.append(
             Block(
                 f"{wall} brick {course}",
@@ -272,7 +272,7 @@ class _Assembly:
                 (self.t, self.length, self.course),
                 float(masses.sum()),
                 tuple(inertia),
-                free="yzX" if self.massive else "zX",
+                free="yzX" if self.two_way else "zX",
                 motion=motion,
             )
         )

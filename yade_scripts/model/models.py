@@ -32,7 +32,7 @@ def build_scene(job):
     """
     kind = registry.model(job["model"])
     if kind.walls == "bricks":
-        return interlocking.interlocking_scene(job, job["beta_s"], massive=kind.massive)
+        return interlocking.interlocking_scene(job, job["beta_s"], two_way=kind.two_way)
     if count := job.get("width_nodes"):
         return facade.facade_scene(
             job,

@@ -26,9 +26,9 @@ class Model:
         In figures.
     static : str
         Line of its pushover curve in Figure 9; empty where the model has none of its own.
-    massive : bool
+    two_way : bool
         The return walls carry the masses of the chain, joined by its springs and dashpots, and
-        feel the façade; otherwise they are driven, whatever it does to them.
+        feel the façade (two-way coupling); otherwise their motion is prescribed (one-way).
     """
 
     name: str
@@ -38,7 +38,7 @@ class Model:
     colour: str = "0.4"
     marker: str = "o"
     static: str = ""
-    massive: bool = False
+    two_way: bool = False
 
     @property
     def chain(self):
@@ -51,7 +51,7 @@ class Model:
         return self.walls != "bricks"
 
     @property
-    def twin(self):
+    def planar(self):
         """Whether the compiled planar solver can stand in for YADE, whatever the façade has."""
         return self.single_block and self.scanned
 
@@ -67,26 +67,26 @@ class Model:
 
     @property
     def climb_ratio(self):
-        """From one amplitude of a short climb to the next: floors make narrower islands."""
+        """From one amplitude of a short climb to the next: floors make narrower ranges."""
         return 1.03 if self.walls == "floors" else 1.12
 
     @property
-    def driven(self):
-        """Name of the model with the same walls and joint, but driven whatever the façade does."""
+    def one_way_model(self):
+        """Name of the model with the same walls and joint, one-way coupled."""
         same = (m for m in MODELS.values() if (m.walls, m.bonded) == (self.walls, self.bonded))
-        return next(m.name for m in same if not m.massive)
+        return next(m.name for m in same if not m.two_way)
 
     @property
-    def two_way(self):
+    def two_way_model(self):
         """Name of the model with the same walls and joint whose walls feel the façade."""
         same = (m for m in MODELS.values() if (m.walls, m.bonded) == (self.walls, self.bonded))
-        return next(m.name for m in same if m.massive)
+        return next(m.name for m in same if m.two_way)
 
     @property
     def plain(self):
-        """Name of the driven model with the same walls, joint dry: its convergence is theirs."""
+        """Name of the one-way coupled, dry model with the same walls: its convergence is theirs."""
         same = (m for m in MODELS.values() if m.walls == self.walls)
-        return next(m.name for m in same if not (m.bonded or m.massive))
+        return next(m.name for m in same if not (m.bonded or m.two_way))
 
 
 MODELS = {
@@ -98,9 +98,9 @@ MODELS = {
         Model("W2", "floors", False, "a block a floor, floor motions", "#D55E00", "^"),
         Model("W2c", "floors", True, "W2 with a bonded joint", "#E69F00", "D"),
         Model("W3", "bricks", False, "interlocking bricks, floor motions", "#009E73", "v", "--"),
-        Model("W2m", "floors", False, "W2 with the building's mass", "#CC79A7", "<", massive=True),
-        Model("W3m", "bricks", False, "W3 with the building's mass", "#7A5195", "P", massive=True),
-        Model("W2cm", "floors", True, "W2c with the building's mass", "#B5A21E", ">", massive=True),
+        Model("W2m", "floors", False, "W2 with the building's mass", "#CC79A7", "<", two_way=True),
+        Model("W3m", "bricks", False, "W3 with the building's mass", "#7A5195", "P", two_way=True),
+        Model("W2cm", "floors", True, "W2c with the building's mass", "#B5A21E", ">", two_way=True),
     )
 }
 # The complete building has an assembly, a study and rules of its own (`building.complete`)

@@ -29,7 +29,7 @@ COLUMNS = {
     "record": "",
     "direction": "",
     "pga_g": ".4f",
-    "member": "d",
+    "realisation": "d",
     "amplitude_factor": ".9f",
     **RUN_COLUMNS,
 }
@@ -69,7 +69,7 @@ def read_curve(path):
 
 
 class Runner:
-    """Runs members of one model, record and direction; finished ones come from the journal."""
+    """Runs realisations of one model, record and direction; finished ones come from the journal."""
 
     def __init__(self, job, time_s, columns, record, direction, journal, say, before=None):
         """Keep what every run shares; see `ida.analyse`, and `models.after` for `before`."""
@@ -96,12 +96,12 @@ class Runner:
             )
         return self.scenes[extra_nodes]
 
-    def run(self, pga_g, member):
-        """Row of one member at one intensity (contract of the ensemble table)."""
-        numerics = perturb.perturbed_numerics(models.numerics(self.job), member)
-        scene, base = self.scene(member.extra_nodes, numerics)
+    def run(self, pga_g, realisation):
+        """Row of one realisation at one intensity (contract of the ensemble table)."""
+        numerics = perturb.perturbed_numerics(models.numerics(self.job), realisation)
+        scene, base = self.scene(realisation.extra_nodes, numerics)
         ground = self.columns["ground"]
-        factor = member.amplitude_factor * amplitude(ground, self.direction, pga_g)
+        factor = realisation.amplitude_factor * amplitude(ground, self.direction, pga_g)
         key = run_key(base, numerics, factor)
         row = self.journal.get(key)
         if row is None:
@@ -117,7 +117,11 @@ class Runner:
         else:
             self.reused += 1
         self.count += 1
-        return {**row, "member": member.number, "amplitude_factor": member.amplitude_factor}
+        return {
+            **row,
+            "realisation": realisation.number,
+            "amplitude_factor": realisation.amplitude_factor,
+        }
 
 
 def measure_sensitivity(runner, status, d_over_b, settings):
@@ -131,7 +135,7 @@ def measure_sensitivity(runner, status, d_over_b, settings):
     rows: list[dict] = []
     size = settings["sensitivity_perturbation"]
     for g in perturb.probe_intensities(status):
-        row = runner.run(g, perturb.Member(0, 1.0 + size))
+        row = runner.run(g, perturb.Realisation(0, 1.0 + size))
         value = math.nan if row["d_over_b"] is None else row["d_over_b"]
         change = perturb.sensitivity(d_over_b[g], value)
         rows.append(
@@ -152,9 +156,9 @@ def measure_sensitivity(runner, status, d_over_b, settings):
     return rows
 
 
-def run_members(runner, pga_g, members):
-    """Rows of every member at one intensity, and the share that collapsed."""
-    rows = [runner.run(pga_g, member) for member in members]
+def run_realisations(runner, pga_g, realisations):
+    """Rows of every realisation at one intensity, and the share that collapsed."""
+    rows = [runner.run(pga_g, realisation) for realisation in realisations]
     outcome = [r["collapsed"] for r in rows if r["status"] != simulate.FAILED]
     share = float(np.mean(outcome)) if outcome else float("nan")
     runner.say(f"ensemble of {len(rows)} at {pga_g:.3f} g: {100 * share:.0f} % collapse")
@@ -173,34 +177,36 @@ def analyse(runner, status, d_over_b, plan=None):
         return [], []
     if plan is not None:
         wanted = plan if runner.job["model"] in settings["models"] else []
-        members = perturb.draw_members(settings)
-        return [row for g in wanted for row in run_members(runner, g, members)[0]], []
+        realisations = perturb.draw_realisations(settings)
+        return [row for g in wanted for row in run_realisations(runner, g, realisations)[0]], []
     if runner.job["model"] not in settings["models"]:
         return [], measure_sensitivity(runner, status, d_over_b, settings)
     rows: list[dict] = []
     if settings["enabled"] == "on":
         first = min((g for g, s in status.items() if s == "overturned"), default=math.inf)
-        members = perturb.draw_members(settings)
+        realisations = perturb.draw_realisations(settings)
         for g in sorted(g for g in status if g < first):
-            rows += run_members(runner, g, members)[0]
+            rows += run_realisations(runner, g, realisations)[0]
     return rows + search_band(runner, status, settings, ida), []
 
 
 def search_band(runner, status, settings, ida):
-    """Rows of single members, each at an amplitude of its own, until the collapse band is known."""
+    """Rows of realisations, each at an amplitude of its own, until the collapse band is known."""
     rows: list[dict] = []
-    members = iter(perturb.draw_members({**settings, "members": settings["max_runs"]}))
+    realisations = iter(
+        perturb.draw_realisations({**settings, "realisations": settings["max_runs"]})
+    )
 
     def following(done):
         return next_amplitude(done, settings, ida) if len(rows) < settings["max_runs"] else None
 
     def run(ask):
         (g,) = ask.pga_g
-        rows.append(runner.run(g, replace(next(members), amplitude_factor=1.0)))
+        rows.append(runner.run(g, replace(next(realisations), amplitude_factor=1.0)))
         return [rows[-1]["status"]]
 
     drive(one_by_one(following, status), run)
-    runner.say(f"{len(rows)} members at amplitudes of their own")
+    runner.say(f"{len(rows)} realisations at amplitudes of their own")
     return rows
 
 
@@ -226,7 +232,7 @@ def main(arguments=None):
     if runner.reused:
         say(f"{runner.reused} of {runner.count} runs taken from earlier work")
     sensitivity_rows.sort(key=lambda r: r["pga_g"])
-    rows.sort(key=lambda r: (r["pga_g"], r["member"]))
+    rows.sort(key=lambda r: (r["pga_g"], r["realisation"]))
     write_atomic(args.sensitivity, to_csv(sensitivity_rows, SENSITIVITY_COLUMNS))
     write_atomic(args.output, to_csv(rows, COLUMNS))
     return 0

@@ -11,8 +11,9 @@ The run is that of the analyses (step, ledger, stop rules), sampled every SAMPLE
     base_y_n, base_z_n, walls_y_n, walls_z_n  contacts' force on the façade (half of it in W3's
                             half model), outward and upward; without the dashpots' shear
     ties_y_n, floors_y_n    pull of its ties, and of its floors, on it, where it has any
-    input_j                 in the frame of the base, work of inertia forces and driven walls (see
-                            `ledger`) since the start
+    input_j                 in the frame of the base, work of inertia forces and one-way coupled
+    walls (see
+                            `energy_check`) since the start
     kinetic_j, potential_j, elastic_j  of the free blocks and of the contacts' springs
     lost_j                  input − stored: dashpots, friction, broken bonds, the samples' error
 """
@@ -21,7 +22,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from yade_scripts.engine import adapter, balance, ledger, loop
+from yade_scripts.engine import adapter, balance, energy_check, loop
 from yade_scripts.files import write_atomic
 from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import amplitude
@@ -38,7 +39,7 @@ class Probe:
     """Contact forces on the façade and energies at every sample; `attach` is a run's `setup`."""
 
     def __init__(self, scene, check):
-        """Prepare for a scene whose run has the ledger `check` beside it."""
+        """Prepare for a scene whose run has the energy check `check` beside it."""
         self.books, self.check, self.scene = balance.EnergyBalance(scene), check, scene
         self.rows: list[tuple] = []
         self.start = None
@@ -53,7 +54,7 @@ class Probe:
         loop.between(self, round(SAMPLE_S / built.omega.dt), first=1)
 
     def __call__(self):
-        """Take a sample; the ledger's comes after it, so bring that up to the same instant."""
+        """Take a sample; the energy check comes after it, so bring that up to the same instant."""
         self.check()
         c = self.books.contacts()
         sign = np.isin(c.b, self.facade).astype(float) - np.isin(c.a, self.facade)
@@ -93,7 +94,7 @@ def trace(job, time_s, columns, factor):
     scene, numerics = models.build_scene(job), models.numerics(job)
     case = shaking.prepare(scene, numerics, time_s, columns, factor)
     case = replace(case, sample_s=SAMPLE_S)
-    check = ledger.EnergyLedger(case.scene, case.motions)
+    check = energy_check.EnergyCheck(case.scene, case.motions)
     probe = Probe(scene, check)
     history = case.checked(check, setup=probe.attach)
     values = {

@@ -78,7 +78,7 @@ def analyse(job, time_s, columns, record, direction, journal, say, renew=None, p
     """Curve of a case file, by a plan's list of intensities or its own; see `next_listed`.
 
     A case that holds a whole scene, such as the complete building, whose run takes a minute where
-    a planar one takes a millisecond, has a plan with start_g and islands; see `next_level`.
+    a planar one takes a millisecond, has a plan with start_g and ranges; see `next_level`.
     """
     plan = plan or {}
     if "scene" in job:
@@ -87,8 +87,8 @@ def analyse(job, time_s, columns, record, direction, journal, say, renew=None, p
     else:
         scene, numerics = models.build_scene(job), models.numerics(job)
     if "start_g" in plan:
-        own, start, islands = job["complete"], plan["start_g"], plan["islands"]
-        strategy = one_by_one(lambda done: next_level(done, own, start, islands))
+        own, start, ranges = job["complete"], plan["start_g"], plan["ranges"]
+        strategy = one_by_one(lambda done: next_level(done, own, start, ranges))
     else:
         strategy = one_by_one(lambda done: next_listed(done, job["ida"], plan.get("runs")))
     return curve(

@@ -1,4 +1,4 @@
-"""Perturbed ensembles: their members, and where they are needed.
+"""Perturbed ensembles: their realisations, and where they are needed.
 
 Pure functions; `ensemble` runs what they ask for. Near collapse, and with
 floor motions that differ up the height, a relative change of amplitude of one
@@ -11,13 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 
 NODE_KEYS = ("nodes_thickness", "nodes_height", "nodes_per_block")
-STEP_SPREAD = 0.1  # members step at 0.9 to 1 of the stated step: never beyond the critical one
-NODE_CHOICES = 3  # members use the stated number of nodes, or one or two more
+STEP_SPREAD = 0.1  # realisations step at 0.9 to 1 of the stated step: never beyond the critical one
+NODE_CHOICES = 3  # realisations use the stated number of nodes, or one or two more
 NEAR_COLLAPSE = 0.5  # share of the collapse intensity from which sensitivity is measured
 
 
 @dataclass(frozen=True)
-class Member:
+class Realisation:
     """One perturbed run: factors on amplitude and step, and nodes added along each edge."""
 
     number: int
@@ -26,26 +26,26 @@ class Member:
     extra_nodes: int = 0
 
 
-def draw_members(settings):
-    """Members of an ensemble, from the stated seed.
+def draw_realisations(settings):
+    """Realisations of an ensemble, from the stated seed.
 
     Amplitude factors are uniform in 1 ± amplitude_spread, step factors uniform in
     0.9 to 1, added nodes 0, 1 or 2; what `perturb` does not name stays as it is.
-    An ensemble of more members begins with the members of a smaller one.
+    An ensemble of more realisations begins with the realisations of a smaller one.
 
     Parameters
     ----------
     settings : dict
-        Section ensemble: members, amplitude_spread, seed, perturb.
+        Section ensemble: realisations, amplitude_spread, seed, perturb.
 
     Returns
     -------
-    list of Member
+    list of Realisation
     """
-    u = np.random.default_rng(settings["seed"]).random((settings["members"], 3))
+    u = np.random.default_rng(settings["seed"]).random((settings["realisations"], 3))
     spread, vary = settings["amplitude_spread"], settings["perturb"]
     return [
-        Member(
+        Realisation(
             number + 1,
             1.0 + spread * (2.0 * float(a) - 1.0) if "amplitude" in vary else 1.0,
             1.0 - STEP_SPREAD * float(s) if "step" in vary else 1.0,
@@ -55,13 +55,13 @@ def draw_members(settings):
     ]
 
 
-def perturbed_numerics(numerics, member):
-    """Section numerics of a member: its step and its nodes; what a model has none of stays null."""
+def perturbed_numerics(numerics, realisation):
+    """Section numerics of a realisation: its step and nodes; null stays where a model has none."""
     out = dict(numerics)
     for key in (key for key in NODE_KEYS if numerics[key] is not None):
-        out[key] = numerics[key] + member.extra_nodes
+        out[key] = numerics[key] + realisation.extra_nodes
     for key in (key for key in ("step_fraction", "step_s") if numerics[key] is not None):
-        out[key] = numerics[key] * member.step_factor
+        out[key] = numerics[key] * realisation.step_factor
     return out
 
 

@@ -14,7 +14,7 @@ The list has `cases`, a list or by name, each with::
     before     {motion, pga_g, pause_s}: a shock before it, in the same direction, or none
     pga_g      intensities [g]
     about      columns that a row begins with, or by intensity a list of them
-    members    true: the members of section ensemble at every intensity
+    realisations    true: the realisations of section ensemble at every intensity
 
 What a case leaves out, the command line says for all. `ahead` and `beside` of the list have the
 format of the columns of `about`, before those that name a run and after them.
@@ -27,14 +27,14 @@ from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.studies import command, perturb
-from yade_scripts.studies.ensemble import Runner, run_members
+from yade_scripts.studies.ensemble import Runner, run_realisations
 from yade_scripts.studies.journal import Journal
 from yade_scripts.studies.tables import RUN_COLUMNS, to_csv
 
 GIVEN = ("scene", "motion", "second", "record", "direction")
 KEY = {"model": "", "record": "", "direction": "", "pga_g": ".4f"}
-MEMBER = {"member": "d", "amplitude_factor": ".9f"}
-ALONE = perturb.Member(0, 1.0)
+REALISATION = {"realisation": "d", "amplitude_factor": ".9f"}
+ALONE = perturb.Realisation(0, 1.0)
 
 
 def read_motion(given):
@@ -68,8 +68,8 @@ def run_case(case, journal, say):
     about = case.get("about", {})
     for k, pga_g in enumerate(case["pga_g"]):
         own = about[k] if isinstance(about, list) else about
-        if case.get("members"):
-            found, _ = run_members(runner, pga_g, perturb.draw_members(job["ensemble"]))
+        if case.get("realisations"):
+            found, _ = run_realisations(runner, pga_g, perturb.draw_realisations(job["ensemble"]))
         else:
             found = [runner.run(pga_g, ALONE)]
             say(f"{pga_g:.4g} g {found[0]['status']}")
@@ -105,8 +105,8 @@ def main(arguments=None):
     journal, rows = Journal(args.journal), []
     for case in cases:
         rows += run_case(case, journal, command.teller(f"{case['record']} {case['direction']}"))
-    members = MEMBER if any(case.get("members") for case in cases) else {}
+    realisations = REALISATION if any(case.get("realisations") for case in cases) else {}
     own = listed.get("ahead", {})
-    columns = {**own, **KEY, **own, **listed.get("beside", {}), **members, **RUN_COLUMNS}
+    columns = {**own, **KEY, **own, **listed.get("beside", {}), **realisations, **RUN_COLUMNS}
     write_atomic(args.output, to_csv(rows, columns))
     return 0

@@ -23,12 +23,13 @@ class Ask(NamedTuple):
     ----------
     pga_g : sequence of float
         Ascending.
-    members : bool
-        Each is a member of an ensemble, with nodes and step of its own, where a solver varies them.
+    realisations : bool
+        Each is a realisation of an ensemble, with nodes and step of its own, where a solver varies
+        them.
     """
 
     pga_g: Sequence[float]
-    members: bool = False
+    realisations: bool = False
 
 
 def drive(strategy, run):
@@ -103,13 +104,13 @@ def climb_sequence(settings):
 # levels about the collapse of a cheaper model
 
 
-def next_level(done, settings, start_g, islands=()):
+def next_level(done, settings, start_g, ranges=()):
     """Return the next PGA of an expensive curve [g], or None when it is complete.
 
     Levels lie at start·(1 + ratio)^k, so the same curve asks for the same levels whatever was run
     before it. From the start, a cheap model's lowest collapse, the curve climbs in strides of two
     levels until something falls. Below the lowest that fell, levels must stand so many times in a
-    row; above, they must fall so many times in a row, and the cheap model's islands in between are
+    row; above, they must fall so many times in a row, and the cheap model's ranges in between are
     looked at: near collapse a façade may fall, stand and fall again.
 
     Parameters
@@ -119,7 +120,7 @@ def next_level(done, settings, start_g, islands=()):
     settings : dict
         level_ratio, below, beyond, max_runs, max_pga_g.
     start_g : float
-    islands : sequence of float
+    ranges : sequence of float
         Intensities to run beside the levels, where they lie between the lowest fall and the end.
     """
     ratio, limit = 1.0 + settings["level_ratio"], settings["max_pga_g"]
@@ -141,7 +142,7 @@ def next_level(done, settings, start_g, islands=()):
         g = level(k)
         if g not in done and g >= 10**-DIGITS:
             return g
-    for g in sorted(round(v, DIGITS) for v in islands):
+    for g in sorted(round(v, DIGITS) for v in ranges):
         if lowest < g < max(done) and g not in done:
             return g
     k, row = nearest + 1, 0

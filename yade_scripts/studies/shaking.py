@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from yade_scripts.engine import adapter, ledger, simulate
+from yade_scripts.engine import adapter, energy_check, simulate
 from yade_scripts.model import models
 from yade_scripts.model.motion import amplitude
 from yade_scripts.studies.tables import run_row
@@ -49,8 +49,8 @@ class Shaking:
         )
 
     def checked(self, check=None, **how):
-        """Run it with the energy ledger beside it: energy from nowhere is never a collapse."""
-        check = check or ledger.EnergyLedger(self.scene, self.motions)
+        """Run it with the energy check beside it: energy from nowhere is never a collapse."""
+        check = check or energy_check.EnergyCheck(self.scene, self.motions)
         history = self.run(check=check, **how)
         if check.reason and history.status != simulate.FAILED:
             history.status, history.reason = simulate.FAILED, check.reason
@@ -60,8 +60,8 @@ class Shaking:
     def retried(self):
         """Run it, checked; a numerical failure is retried once at half the step.
 
-        The retry is sampled more often too: the ledger's integral over samples may have missed
-        the push of a short impact, which looks like energy from nowhere whatever the step.
+        The retry is sampled more often too: the energy check's integral over samples may have
+        missed the push of a short impact, which looks like energy from nowhere whatever the step.
         """
         history = self.checked()
         if history.status == simulate.FAILED and self.retry:

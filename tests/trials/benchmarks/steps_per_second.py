@@ -28,7 +28,7 @@ import json, sys, time
 sys.path.insert(0, sys.argv[1])
 import numpy as np
 from dataclasses import replace
-from yade_scripts.engine import adapter, ledger
+from yade_scripts.engine import adapter, energy_check
 from yade_scripts.model import models
 from yade_scripts.studies import shaking
 job = json.load(sys.stdin)
@@ -43,7 +43,7 @@ case = shaking.prepare(scene, numerics, time_s, columns, 9.80665 * job["pga_g"])
 begun = []
 case = replace(case, rules=replace(case.rules, limit_s=job["limit_s"]))
 began = lambda built: begun.append(time.process_time())
-history = case.run(setup=began, check=ledger.EnergyLedger(case.scene, case.motions))
+history = case.run(setup=began, check=energy_check.EnergyCheck(case.scene, case.motions))
 rate = history.steps / (time.process_time() - begun[0])
 print("RESULT" + json.dumps([rate, history.peak_d_over_b, history.dt_s]))
 """

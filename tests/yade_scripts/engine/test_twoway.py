@@ -70,7 +70,7 @@ def test_links_bound_the_step():
     assert critical_step(chain_scene(smdof)) == pytest.approx(expected, rel=1e-9)
 
 
-def test_a_massive_wall_needs_a_mass():
+def test_a_two_way_wall_needs_a_mass():
     """One line that names the key; W3m also when its bricks weigh more than the building."""
     for model, mass in (("W2m", None), ("W3m", None), ("W3m", 1000.0)):
         job = {**resolved(return_wall={"building_mass_kg": mass}), "model": model, "beta_s": 0.002}
@@ -128,7 +128,7 @@ def test_a_very_heavy_building_is_a_driven_one():
 @pytest.mark.yade
 @pytest.mark.parametrize(("model", "rule"), [("W2", "middle"), ("W3", "top")])
 def test_limit_of_a_heavy_building_by_every_rule(model, rule):
-    """The massive model at 1e9 kg within 0.5 % of the driven one, whichever way walls follow."""
+    """The two-way model at 1e9 kg within 0.5 % of the driven one, whichever way walls follow."""
     driven, heavy = shaken([(model, None), (f"{model}m", 1e9)], rule, 2.2 if model == "W3" else 1.0)
     assert driven > 0.05
     assert heavy == pytest.approx(driven, rel=0.005)
@@ -161,8 +161,8 @@ def test_floors_on_masses_that_feel_them():
 
 
 @pytest.mark.yade
-def test_medians_of_members_agree_with_the_planar_solver():
-    """W2m on the way to collapse, members within ± 1 % of amplitude: medians within 5 %."""
+def test_medians_of_realisations_agree_with_the_planar_solver():
+    """W2m on the way to collapse, realisations within ± 1 % of amplitude: medians within 5 %."""
     factors = 1.6 * np.linspace(0.99, 1.01, 5)
     planar = planar_peaks(factors, "top")
     yade = shaken([("W2m", MASS_KG, factor) for factor in factors.tolist()], "top")

@@ -19,7 +19,7 @@ def test_names_colours_and_markers_are_distinct_and_every_bonded_model_has_a_dry
     for name, model in registry.MODELS.items():
         assert name == model.name
         assert not registry.MODELS[model.plain].bonded
-        assert not registry.MODELS[model.driven].massive
+        assert not registry.MODELS[model.one_way_model].two_way
 
 
 def test_an_unknown_model_is_refused_with_the_known_ones():

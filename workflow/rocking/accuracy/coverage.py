@@ -61,7 +61,7 @@ def scan(job, motion_path, direction, settings, start_g):
 
     def run(ask):
         found = outcomes(job, motion_path, direction, ask.pga_g, nodes=nodes, tolerance=tolerance)
-        level = int(not ask.members)
+        level = int(not ask.realisations)
         table = pd.DataFrame({"pga_g": ask.pga_g, "level": level, "d_over_b": found.d_over_b})
         parts.append(table.assign(status=found.status))
         return found.status
@@ -88,7 +88,7 @@ def coverage(pga_g, share, low_g, high_g):
     running, pooled : float
         With F the largest share up to an amplitude, whose crossings of 10 and 90 % are what
         "first reached" means; and with F the non-decreasing sequence nearest to the shares in
-        least squares, which spreads islands of collapse over what stands above them.
+        least squares, which spreads ranges of collapse over what stands above them.
     """
     pga_g, share = np.asarray(pga_g, float), np.asarray(share, float)
     at = [math.inf if math.isnan(g) else g for g in (low_g, high_g)]

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from rocking.assessment.battery import CHECKS
+from rocking.assessment.code_checks import CHECKS
 from rocking.assessment.document import Heading, Paragraph, Table
 from rocking.assessment.sources import FORMULAS
 from rocking.assessment.values import values

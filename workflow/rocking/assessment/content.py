@@ -1,8 +1,8 @@
 """What the assessment report says: its first page, the checks, the dynamic answers, an appendix."""
 
 from rocking.assessment import appendix, drawings, pictures, verdict
-from rocking.assessment.battery import CHECKS
 from rocking.assessment.checks import LEAST_KNOWN, confidence
+from rocking.assessment.code_checks import CHECKS
 from rocking.assessment.document import Heading, List, PageBreak, Paragraph, Picture, Table
 from rocking.assessment.verdict import g3, per_cent
 

@@ -5,9 +5,9 @@ not exceed d_SLV (d_SLC), with d0, d_SLV and d_SLC those of the capacity curve. 
 those of `selection`; the model follows the façade block by block. Displacements are those of the
 top relative to the base, and so are the limits; d/b is cut off at 1, where a façade has fallen.
 
-Near collapse a history turns on its last digits. So every motion is run as members too, which
-differ in amplitude, node layout and step, and the verdict is drawn over and over with one member of
-each motion.
+Near collapse a history turns on its last digits. So every motion is run as realisations too, which
+differ in amplitude, node layout and step, and the verdict is drawn over and over with one
+realisation of each motion.
 """
 
 from typing import NamedTuple
@@ -21,7 +21,7 @@ from yade_scripts.model.shape import shape_of
 
 DRAWS = 2000
 FIRM = 0.95  # share of the draws that agree with a verdict that does not hang on the numerics
-COLUMNS = ["model", "record", "direction", "member", "pga_g", "d_over_b", "d_m", "status"]
+COLUMNS = ["model", "record", "direction", "realisation", "pga_g", "d_over_b", "d_m", "status"]
 
 
 class Limits(NamedTuple):
@@ -43,7 +43,7 @@ def width_of(facade):
     return shape_of(facade).overturning_m
 
 
-def histories(job, record, direction, pga_g, members):
+def histories(job, record, direction, pga_g, realisations):
     """Largest displacements of one model under one motion at some intensities.
 
     Parameters
@@ -53,23 +53,23 @@ def histories(job, record, direction, pga_g, members):
     record : rocking.records.Record
     direction : str
     pga_g : sequence of float
-    members : int
+    realisations : int
         Perturbed ones beside the first, within ± `ensemble.amplitude_spread`.
 
     Returns
     -------
     DataFrame
-        See COLUMNS; member 0 is the one as it is.
+        See COLUMNS; realisation 0 is the one as it is.
     """
     screen = Screen(job, *floor_columns(record, job["smdof"]), direction)
     spread, b = job["ensemble"]["amplitude_spread"], width_of(job["facade"])
     parts = []
     for level in pga_g:
         own = screen.run([level], scatter=False)
-        if members:
-            factors = np.linspace(1.0 - spread, 1.0 + spread, members)
+        if realisations:
+            factors = np.linspace(1.0 - spread, 1.0 + spread, realisations)
             own = pd.concat([own, screen.run(level * factors, scatter=True)], ignore_index=True)
-        own["member"] = np.arange(len(own))
+        own["realisation"] = np.arange(len(own))
         own["pga_g"] = level
         parts.append(own)
     found = pd.concat(parts, ignore_index=True)
@@ -92,7 +92,7 @@ def verdict(table, limits, seed):
         Histories of one model at one intensity; failed ones are left out and counted.
     limits : Limits
     seed : int
-        Of the draws of one member a motion.
+        Of the draws of one realisation a motion.
 
     Returns
     -------
@@ -103,7 +103,7 @@ def verdict(table, limits, seed):
     failed = table["status"] == "failed"
     kept = table[~failed].copy()
     kept["over"] = exceeds(kept, limits)
-    first = kept[kept["member"] == 0]
+    first = kept[kept["realisation"] == 0]
     mean, over = float(first["d_m"].mean()), int(first["over"].sum())
     slv = over == 0 and mean <= limits.slv_m
     rng = np.random.default_rng(seed)

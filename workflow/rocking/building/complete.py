@@ -13,7 +13,7 @@ from rocking.calibration.beta import beta_for
 from yade_scripts.model import stiffness
 from yade_scripts.model.building import complete
 from yade_scripts.model.registry import COMPLETE
-from yade_scripts.studies.perturb import Member, perturbed_numerics
+from yade_scripts.studies.perturb import Realisation, perturbed_numerics
 
 from .case import build_model, read_plan, real_brick, real_joints, translation_mode
 from .history import mass_damping_rate
@@ -77,7 +77,7 @@ def scene_of(config, job, model, coarsening=None, back_joint=None, extra_nodes=0
     job : Job
         Inputs plan, fit and law.
     extra_nodes : int
-        Added to the nodes along every edge and up every course, as members of a scan do.
+        Added to the nodes along every edge and up every course, as realisations of a scan do.
 
     Returns
     -------
@@ -85,7 +85,7 @@ def scene_of(config, job, model, coarsening=None, back_joint=None, extra_nodes=0
     """
     load = json.loads(Path(job.input.fit).read_text())["floor_load_kg_m2"]
     beta = beta_for(config, job.input.law)
-    numerics = perturbed_numerics(config["numerics"], Member(0, 1.0, extra_nodes=extra_nodes))
+    numerics = perturbed_numerics(config["numerics"], Realisation(0, 1.0, extra_nodes=extra_nodes))
     own = config["complete"]
     own = {**own, "nodes_per_course": own["nodes_per_course"] + extra_nodes}
     config = {**config, "numerics": numerics, "complete": own}

@@ -1,4 +1,4 @@
-"""The complete building by few coordinates: a planar twin that runs hundreds of times as fast.
+"""The complete building by few coordinates, which runs hundreds of times as fast in its plane.
 
 Everything behind the crack is linear, so its lowest modes and the deformations that its ends
 suffer under unit forces stand for all of it (Rubin 1975, component modes with residual
@@ -128,7 +128,8 @@ class ReducedScan(Scan):
     Parameters
     ----------
     scenes : sequence of Scene
-        The building in every layout of nodes that members use; all have the bricks of the first.
+        The building in every layout of nodes that realisations use; all have the bricks of the
+        first.
     modes : int
     numerics : dict
         Section numerics of its scene file.

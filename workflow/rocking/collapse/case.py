@@ -124,7 +124,7 @@ class Case:
         if mass_kg is not None:
             scene["return_wall"]["building_mass_kg"] = mass_kg
         if scene["facade"]["hinges_m"] == WEAKEST:
-            from rocking.assessment.battery import weakest_hinge  # slow to load, rarely needed
+            from rocking.assessment.code_checks import weakest_hinge  # slow to load, rarely needed
 
             scene["facade"]["hinges_m"] = [weakest_hinge(scene["facade"])]
         scene["beta_s"] = beta_for(scene, law)
@@ -188,7 +188,7 @@ class Case:
             In one line.
         """
         mass = self["return_wall"]["building_mass_kg"]
-        if self.kind.massive and not (mass and mass > 0.0):
+        if self.kind.two_way and not (mass and mass > 0.0):
             raise ValueError(
                 f"return_wall.building_mass_kg = {mass}: expected the mass (kg) of the building "
                 f"behind the façade, with model {self.model}"

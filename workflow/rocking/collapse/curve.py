@@ -54,7 +54,7 @@ class Curve:
 
     @cached_property
     def probability(self):
-        """Collapse probability by intensity: pga_g, probability, members."""
+        """Collapse probability by intensity: pga_g, probability, realisations."""
         return probability.from_scan(self.table, self.spread)
 
     def summary(self):
@@ -80,8 +80,8 @@ def collapse_curve(
         A name of `search.SEARCHES`: "scan", "climb", "crossings" or "list".
     settings : dict, optional
         What differs from the case's sections ida and ensemble (level_ratio, beyond, max_pga_g,
-        members, amplitude_spread); from_g, where a climb begins; of a list, pga_g, and scatter to
-        run them as members.
+        realisations, amplitude_spread); from_g, where a climb begins; of a list, pga_g, and scatter
+        to run them as realisations.
     options
         Of the solver, see `Screen` and `yade.YadeRuns`.
 

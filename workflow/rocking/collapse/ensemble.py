@@ -1,6 +1,6 @@
-"""Statistics of perturbed ensembles: bands of d/b, share of collapses, members needed.
+"""Statistics of perturbed ensembles: bands of d/b, share of collapses, realisations needed.
 
-An ensemble table has one row a member and intensity (columns pga_g, member,
+An ensemble table has one row a realisation and intensity (columns pga_g, realisation,
 d_over_b, collapsed, status). Failed runs say nothing about the façade and are
 left out; an overturned run counts as d/b = 1.
 """
@@ -33,11 +33,12 @@ def bands(ensemble_rows, percentiles=(10.0, 90.0)):
     Returns
     -------
     DataFrame
-        pga_g, members, probability, d_over_b_low, d_over_b_median, d_over_b_high; ascending PGA.
+        pga_g, realisations, probability, d_over_b_low, d_over_b_median, d_over_b_high; ascending
+        PGA.
     """
     columns = [
         "pga_g",
-        "members",
+        "realisations",
         "probability",
         "d_over_b_low",
         "d_over_b_median",
@@ -53,8 +54,8 @@ def bands(ensemble_rows, percentiles=(10.0, 90.0)):
     return pd.DataFrame(out, columns=columns)
 
 
-def members_needed(values, tolerance, seed, limit=201):
-    """Smallest odd number of members whose median stays within ± tolerance in 90 % of draws.
+def realisations_needed(values, tolerance, seed, limit=201):
+    """Smallest odd number of realisations whose median stays within ± tolerance in 90 % of draws.
 
     Returns
     -------

@@ -4,27 +4,27 @@ import itertools
 
 import numpy as np
 
-from rocking.collapse.probability import first_crossing, from_scan, islands
+from rocking.collapse.probability import collapse_ranges, first_crossing, from_scan
 from yade_scripts.studies.search import DIGITS, climb_sequence
 
 BELOW = 0.97  # of the lowest collapse: the side where nothing falls
-NARROW = 1.03  # p90 over p10 up to which one level of members says all
+NARROW = 1.03  # p90 over p10 up to which one level of realisations says all
 
 
 def plan(scan, settings, ensemble):
     """Intensities of single runs and of ensembles in YADE [g].
 
     Single runs: the climb up to the first crossing of 50 %, both sides of the lowest collapse, the
-    middle of each island and of the gap above it, and the amplitude from which all collapse.
-    Ensembles: where the probability first crosses the lower percentile, one half and the upper one;
-    one half alone where these lie together.
+    middle of each range of collapse and of the gap above it, and the amplitude from which all
+    collapse. Ensembles: where the probability first crosses the lower percentile, one half and the
+    upper one; one half alone where these lie together.
 
     Parameters
     ----------
     scan : DataFrame
         Of `Screen.scan`.
     settings : dict
-        Section ida with a number for start_g: growth, max_pga_g, max_islands, confirm.
+        Section ida with a number for start_g: growth, max_pga_g, max_collapse_ranges, confirm.
     ensemble : dict
         Section ensemble: enabled, percentiles, amplitude_spread.
 
@@ -46,8 +46,8 @@ def plan(scan, settings, ensemble):
     runs = [BELOW * lowest, lowest]
     if full:
         runs += [g for g in climb if not g >= middle]
-        gaps = itertools.pairwise(islands(pga_g, share))
-        for (a, b), (c, _) in itertools.islice(gaps, settings["max_islands"]):
+        gaps = itertools.pairwise(collapse_ranges(pga_g, share))
+        for (a, b), (c, _) in itertools.islice(gaps, settings["max_collapse_ranges"]):
             runs += [0.5 * (a + b), 0.5 * (b + c)]
         standing = scan.loc[scan["status"] == "ok", "pga_g"].max()
         runs += [g for g in climb if g > standing][:1]

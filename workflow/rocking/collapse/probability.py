@@ -2,10 +2,10 @@
 
 Near collapse a façade stands at one amplitude, falls at the next and stands again, so a curve
 has no single collapse intensity. Its collapse probability at an amplitude is the share of
-members that fall within ± `spread` of it, members that differ in amplitude, node layout and step
-together. That is numerical scatter of one façade under one motion; it says nothing of materials
-or of other motions. A façade that never fell has no crossing: blank, and its largest intensity
-a lower bound.
+realisations that fall within ± `spread` of it, realisations that differ in amplitude, node layout
+and step together. That is numerical scatter of one façade under one motion; it says nothing of
+materials or of other motions. A façade that never fell has no crossing: blank, and its largest
+intensity a lower bound.
 """
 
 import math
@@ -21,18 +21,18 @@ COLUMNS = [
     *("reversals", "runs_planar", "runs_yade", "disagreements"),
 ]
 PROBABILITY_COLUMNS = [
-    *(*KEY, "pga_g", "probability", "members"),
-    *("probability_yade", "members_yade", "agrees"),
+    *(*KEY, "pga_g", "probability", "realisations"),
+    *("probability_yade", "realisations_yade", "agrees"),
 ]
 
 
 def probability(pga_g, collapsed, at_g, spread):
-    """Share of members that collapsed within ± spread of each amplitude.
+    """Share of realisations that collapsed within ± spread of each amplitude.
 
     Parameters
     ----------
     pga_g, collapsed : array_like, shape (n,)
-        Members by ascending amplitude; collapsed 0 or 1.
+        Realisations by ascending amplitude; collapsed 0 or 1.
     at_g : array_like, shape (m,)
     spread : float
         Half width relative to the amplitude.
@@ -40,16 +40,18 @@ def probability(pga_g, collapsed, at_g, spread):
     Returns
     -------
     share : ndarray, shape (m,)
-        NaN where no member lies.
-    members : ndarray of int, shape (m,)
+        NaN where no realisation lies.
+    realisations : ndarray of int, shape (m,)
     """
     pga_g, at_g = np.asarray(pga_g, float), np.asarray(at_g, float)
     total = np.concatenate(([0.0], np.cumsum(np.asarray(collapsed, float))))
     first = np.searchsorted(pga_g, at_g * (1.0 - spread) * (1.0 - 1e-12), side="left")
     last = np.searchsorted(pga_g, at_g * (1.0 + spread) * (1.0 + 1e-12), side="right")
-    members = last - first
+    realisations = last - first
     with np.errstate(invalid="ignore", divide="ignore"):
-        return np.where(members > 0, (total[last] - total[first]) / members, np.nan), members
+        return np.where(
+            realisations > 0, (total[last] - total[first]) / realisations, np.nan
+        ), realisations
 
 
 def single_runs(runs, spread):
@@ -67,7 +69,8 @@ def single_runs(runs, spread):
     Returns
     -------
     DataFrame
-        pga_g, probability_yade, members_yade (runs within ± spread, 0 between two distant ones).
+        pga_g, probability_yade, realisations_yade (runs within ± spread, 0 between two distant
+        ones).
     """
     pga_g, collapsed = runs["pga_g"].to_numpy(float), runs["collapsed"].to_numpy(float)
     edge = np.sqrt(pga_g[1:] * pga_g[:-1])
@@ -79,9 +82,9 @@ def single_runs(runs, spread):
     fallen = np.concatenate(([0.0], np.cumsum(collapsed * np.diff(edge))))
     low, high = np.log(at * (1.0 - spread)), np.log(at * (1.0 + spread))
     share = (np.interp(high, edge, fallen) - np.interp(low, edge, fallen)) / (high - low)
-    _, members = probability(pga_g, collapsed, at, spread)
+    _, realisations = probability(pga_g, collapsed, at, spread)
     share = np.clip(share.round(9), 0.0, 1.0)
-    return pd.DataFrame({"pga_g": at, "probability_yade": share, "members_yade": members})
+    return pd.DataFrame({"pga_g": at, "probability_yade": share, "realisations_yade": realisations})
 
 
 def first_crossing(pga_g, share, level):
@@ -111,29 +114,31 @@ def from_scan(scan, spread):
     Parameters
     ----------
     scan : DataFrame
-        pga_g, status, collapsed; failed members say nothing and are left out.
+        pga_g, status, collapsed; failed realisations say nothing and are left out.
     spread : float
 
     Returns
     -------
     DataFrame
-        pga_g, probability, members.
+        pga_g, probability, realisations.
     """
     valid = scan[scan["status"] != "failed"].sort_values("pga_g", ignore_index=True)
-    share, members = probability(valid["pga_g"], valid["collapsed"], valid["pga_g"], spread)
-    return pd.DataFrame({"pga_g": valid["pga_g"], "probability": share, "members": members})
+    share, realisations = probability(valid["pga_g"], valid["collapsed"], valid["pga_g"], spread)
+    return pd.DataFrame(
+        {"pga_g": valid["pga_g"], "probability": share, "realisations": realisations}
+    )
 
 
-def summary(scan, curve, members, spread):
+def summary(scan, curve, realisations, spread):
     """Collapse intensities of one curve, from all that was run for it.
 
     Parameters
     ----------
     scan : DataFrame or None
-        Outcomes of the planar solver; None for a model without a planar twin.
-    curve, members : DataFrame
-        YADE's runs and the members of its ensembles: pga_g, status, collapsed (and, of members,
-        amplitude_factor).
+        Outcomes of the planar solver; None for a model without a planar counterpart.
+    curve, realisations : DataFrame
+        YADE's runs and the realisations of its ensembles: pga_g, status, collapsed (and, of
+        realisations, amplitude_factor).
     spread : float
 
     Returns
@@ -143,7 +148,7 @@ def summary(scan, curve, members, spread):
         below, in either method; lowest that fell; first crossings of 10, 50 and 90 %; amplitude
         from which all collapse; largest that was run.
     """
-    own = [table for table in (curve, members) if len(table)]
+    own = [table for table in (curve, realisations) if len(table)]
     every = outcomes(*own) if scan is None else outcomes(*own, scan)
     dense = every if scan is None else outcomes(scan)
     fell, stood = every[every["collapsed"] == 1]["pga_g"], every[every["collapsed"] == 0]["pga_g"]
@@ -151,7 +156,7 @@ def summary(scan, curve, members, spread):
     highest = stood.max() if len(stood) else np.nan
     at_g = dense["pga_g"]
     share, _ = probability(at_g, dense["collapsed"], at_g, spread)
-    if scan is None and len(members) and len(every):
+    if scan is None and len(realisations) and len(every):
         at_g, share = single_runs(every, spread)[["pga_g", "probability_yade"]].to_numpy().T
     low, middle, high = (first_crossing(at_g, share, level) for level in LEVELS)
     above = every["pga_g"][every["pga_g"] > highest]
@@ -165,7 +170,7 @@ def summary(scan, curve, members, spread):
         "pga_max_g": every["pga_g"].max(),
         "reversals": reversals(dense["collapsed"]),
         "runs_planar": 0 if scan is None else len(scan),
-        "runs_yade": len(curve) + len(members),
+        "runs_yade": len(curve) + len(realisations),
     }
 
 
@@ -182,9 +187,9 @@ def outcomes(*tables):
 def brackets(table, row, count=10):
     """Collapse of one curve as intervals of equal weight, for a likelihood.
 
-    A curve whose probability is known counts as `count` members: the k-th collapses where the
+    A curve whose probability is known counts as `count` realisations: the k-th collapses where the
     probability first reaches (k − ½)/count, between that amplitude and the one before; where it
-    never does, above the largest. A curve without one counts as one member, between what
+    never does, above the largest. A curve without one counts as one realisation, between what
     is safe and what collapsed.
 
     Parameters
@@ -198,10 +203,10 @@ def brackets(table, row, count=10):
     Returns
     -------
     list of (low, high, weight)
-        [g]; high = ∞ where the member never collapsed. Empty where every run failed.
+        [g]; high = ∞ where the realisation never collapsed. Empty where every run failed.
     """
-    by = "" if table["members"].notna().any() else "_yade"
-    dense = table[table[f"members{by}"].notna()]
+    by = "" if table["realisations"].notna().any() else "_yade"
+    dense = table[table[f"realisations{by}"].notna()]
     if not len(dense):
         known = {k: float(row[f"pga_{k}_g"]) for k in ("safe", "collapse", "max")}
         if math.isfinite(known["collapse"]):
@@ -216,7 +221,7 @@ def brackets(table, row, count=10):
     return out
 
 
-def islands(pga_g, share):
+def collapse_ranges(pga_g, share):
     """Intervals of amplitude in which a majority collapses, ascending.
 
     Returns
@@ -230,12 +235,13 @@ def islands(pga_g, share):
     return [(float(pga_g[a]), float(pga_g[b - 1])) for a, b in edges.reshape(-1, 2)]
 
 
-def beside(scan, ensemble, spread, error=0.01):
+def compared(scan, ensemble, spread, error=0.01):
     """Collapse probability against amplitude by both methods, and whether they agree.
 
     At the scan's amplitudes the planar probability; at the levels of YADE's ensemble the share of
-    its members too. The two agree unless an exact test (Fisher) of the two shares, of YADE's
-    members and of the planar ones within ± spread, rejects with a probability of error `error`.
+    its realisations too. The two agree unless an exact test (Fisher) of the two shares, of YADE's
+    realisations and of the planar ones within ± spread, rejects with a probability of error
+    `error`.
 
     Parameters
     ----------
@@ -246,25 +252,25 @@ def beside(scan, ensemble, spread, error=0.01):
     Returns
     -------
     DataFrame
-        pga_g, probability, members, probability_yade, members_yade, agrees; blank where a method
-        says nothing.
+        pga_g, probability, realisations, probability_yade, realisations_yade, agrees; blank where a
+        method says nothing.
     """
     from scipy.stats import fisher_exact  # slow to load, and a plan needs none
 
-    dense = pd.DataFrame(columns=["pga_g", "probability", "members"])
+    dense = pd.DataFrame(columns=["pga_g", "probability", "realisations"])
     if scan is not None:
         dense = from_scan(scan, spread)
         valid = scan[scan["status"] != "failed"].sort_values("pga_g")
     rows = []
-    valid_members = ensemble[ensemble["status"] != "failed"] if len(ensemble) else ensemble
-    for pga_g, group in valid_members.groupby("pga_g") if len(valid_members) else ():
+    valid_realisations = ensemble[ensemble["status"] != "failed"] if len(ensemble) else ensemble
+    for pga_g, group in valid_realisations.groupby("pga_g") if len(valid_realisations) else ():
         fell, own = int(group["collapsed"].sum()), len(group)
-        row = {"pga_g": pga_g, "probability_yade": fell / own, "members_yade": own}
+        row = {"pga_g": pga_g, "probability_yade": fell / own, "realisations_yade": own}
         if scan is not None:
             (share,), (count,) = probability(valid["pga_g"], valid["collapsed"], [pga_g], spread)
             planar = round(share * count) if count else 0
             p = fisher_exact([[fell, own - fell], [planar, count - planar]])[1] if count else 1.0
-            row |= {"probability": share, "members": count, "agrees": int(p >= error)}
+            row |= {"probability": share, "realisations": count, "agrees": int(p >= error)}
         rows.append(row)
     both = [dense, *([pd.DataFrame(rows)] if rows else [])]
     table = pd.concat([part for part in both if len(part)] or both)

@@ -6,8 +6,8 @@ for runs of minutes stand). Nothing here knows a façade, a motion or a solver.
     list       stated intensities
     first      the lowest of ascending levels that falls
     climb      levels up to where all have fallen over a factor
-    scan       a climb, then members about every change of outcome: the dense scan
-    crossings  where 10 and 50 % of the members first collapse: a short climb for many curves
+    scan       a climb, then realisations about every change of outcome: the dense scan
+    crossings  where 10 and 50 % of the realisations first collapse: a short climb for many curves
     dense      a climb, then equal steps from below its lowest fall to where all fall
     neighbour  the lowest level that falls, from a guess up or down
     around     levels about the collapse of a cheaper model (`next_level`)
@@ -24,7 +24,7 @@ from yade_scripts.studies.search import Ask, next_amplitude, next_level, one_by_
 BLOCK = 32  # amplitudes between two looks at whether the façade has fallen for good
 MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change
 BELOW_FIRST = 1.03  # ratio of the levels below the first fall of a short climb
-SPREAD = 0.03  # half width of the window over which its members count
+SPREAD = 0.03  # half width of the window over which its realisations count
 MEMBERS = 6  # in that window
 CHUNK = 6  # its amplitudes between two looks
 LEVELS = (0.10, 0.50)
@@ -37,9 +37,9 @@ class Seen:
         """Nothing is known."""
         self.pga_g, self.status = np.zeros(0), np.zeros(0, object)
 
-    def ask(self, pga_g, members=False):
+    def ask(self, pga_g, realisations=False):
         """Ask for amplitudes and remember what they did; for `yield from`."""
-        status = yield Ask(pga_g, members)
+        status = yield Ask(pga_g, realisations)
         self.pga_g = np.append(self.pga_g, pga_g)
         self.status = np.append(self.status, np.asarray(status, object))
 
@@ -49,9 +49,9 @@ class Seen:
         return self.status == "overturned"
 
 
-def listed(pga_g, members=False):
-    """Ask for stated intensities, all at once; as members each has nodes and step of its own."""
-    yield Ask(np.sort(np.asarray(pga_g, float)), members)
+def listed(pga_g, realisations=False):
+    """Ask for stated intensities, all at once; realisations have nodes and step of their own."""
+    yield Ask(np.sort(np.asarray(pga_g, float)), realisations)
 
 
 def rising(low, high, ratio):
@@ -104,12 +104,12 @@ def climb(start_g, settings, block=BLOCK):
 def scan(start_g, settings, block=BLOCK):
     """Ask for a `climb`, then for finer amplitudes wherever outcomes may change.
 
-    The second pass has `members` amplitudes within ± `amplitude_spread` of any.
+    The second pass has `realisations` amplitudes within ± `amplitude_spread` of any.
 
     Parameters
     ----------
     start_g, settings, block
-        As of `climb`; settings has members and amplitude_spread too.
+        As of `climb`; settings has realisations and amplitude_spread too.
     """
     seen = yield from climb(start_g, settings, block)
     if not seen.fell.any():
@@ -117,9 +117,9 @@ def scan(start_g, settings, block=BLOCK):
     fallen, standing = seen.pga_g[seen.fell], seen.pga_g[~seen.fell]
     low = (1.0 - MARGIN) * fallen.min()
     high = (1.0 + MARGIN) * max(standing.max(initial=0.0), fallen.min())
-    fine = 1.0 + 2.0 * settings["amplitude_spread"] / settings["members"]
+    fine = 1.0 + 2.0 * settings["amplitude_spread"] / settings["realisations"]
     count = math.ceil(math.log(high / low) / math.log(fine))
-    yield Ask(low * fine ** np.arange(count + 1), members=True)
+    yield Ask(low * fine ** np.arange(count + 1), realisations=True)
 
 
 def dense(start_g, settings, block=16):
@@ -141,7 +141,7 @@ def dense(start_g, settings, block=16):
     at = seen.pga_g[seen.fell].min() * (1.0 - spread) ** 2 / ratio
     while at < last:
         more = at * step ** np.arange(block)
-        yield from seen.ask(more[more <= last], members=True)
+        yield from seen.ask(more[more <= last], realisations=True)
         at *= step**block
         order = np.argsort(seen.pga_g, kind="stable")
         pga_g = seen.pga_g[order]
@@ -152,10 +152,10 @@ def dense(start_g, settings, block=16):
 
 
 def crossings(start_g, max_pga_g, ratio):
-    """Find where 10 and 50 % of the members first collapse, for many curves.
+    """Find where 10 and 50 % of the realisations first collapse, for many curves.
 
     It climbs at `ratio` to a first collapse, looks for a lower one at `BELOW_FIRST` over two of its
-    steps below, and runs members from there up to the crossing of one half.
+    steps below, and runs realisations from there up to the crossing of one half.
 
     Parameters
     ----------
@@ -176,7 +176,7 @@ def crossings(start_g, max_pga_g, ratio):
     fine = 1.0 + 2.0 * SPREAD / MEMBERS
     low, k, seen, found = lowest / BELOW_FIRST * (1.0 - SPREAD), 0, Seen(), (math.nan,) * 2
     while low * fine**k <= max_pga_g * (1.0 + SPREAD):
-        yield from seen.ask(low * fine ** np.arange(k, k + CHUNK), members=True)
+        yield from seen.ask(low * fine ** np.arange(k, k + CHUNK), realisations=True)
         k += CHUNK
         valid = seen.status != "failed"
         pga_g = seen.pga_g[valid]
@@ -218,9 +218,9 @@ def neighbour(level, max_pga_g, guess=0):
     return None
 
 
-def around(start_g, settings, islands=()):
+def around(start_g, settings, ranges=()):
     """Ask for levels about the collapse of a cheaper model, one at a time; see `next_level`."""
-    return one_by_one(lambda done: next_level(done, settings, start_g, islands))
+    return one_by_one(lambda done: next_level(done, settings, start_g, ranges))
 
 
 def band(known, settings, ida):

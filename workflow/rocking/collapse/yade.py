@@ -89,8 +89,8 @@ class YadeRuns:
                 "pause_s": motion.pause_s,
             }
 
-    def run(self, pga_g, members=False):
-        """Outcomes at some amplitudes; members are run with the scene's own nodes and step."""
+    def run(self, pga_g, realisations=False):
+        """Outcomes at some amplitudes; realisations are run with the scene's own nodes and step."""
         listed = {"cases": [{**self.case, "pga_g": [float(g) for g in pga_g]}]}
         listed["ahead"] = {"pga_g": ".17g"}
         (self.folder / "runs.json").write_text(json.dumps(listed))
@@ -104,7 +104,7 @@ class YadeRuns:
         parts = []
 
         def run(ask):
-            parts.append(self.run(ask.pga_g, ask.members))
+            parts.append(self.run(ask.pga_g, ask.realisations))
             return parts[-1]["status"].to_numpy()
 
         found = drive(strategy, run)

@@ -115,7 +115,7 @@ def _check_shape(resolved: Mapping) -> None:
         kind = registry.model(name)
         if not kind.single_block:
             raise ConfigError(f"models = {name}: expected a façade of one block with a shape")
-        if kind.massive and facade["base_height_m"]:
+        if kind.two_way and facade["base_height_m"]:
             raise ConfigError(
                 f"facade.base_height_m = {show(facade['base_height_m'])}: expected 0 (m) with "
                 f"{name}, whose masses are not driven"
@@ -146,7 +146,7 @@ def _check_hinges(resolved: Mapping) -> None:
         raise ConfigError(f"facade.courses = {courses}: expected 0 with facade.hinges_m")
     for name in resolved["models"]:
         kind = registry.model(name)
-        if not kind.twin or kind.massive or kind.bonded:
+        if not kind.planar or kind.two_way or kind.bonded:
             raise ConfigError(
                 f"models = {name}: expected W1 or W2, dry and driven, with facade.{given}"
             )

@@ -47,7 +47,7 @@ def check_standing(resolved: Mapping) -> None:
     if not any(kind.single_block and not kind.bonded for kind in models):
         return
     if resolved["facade"]["hinges_m"] == WEAKEST:
-        from rocking.assessment.battery import weakest_hinge  # loads SciPy, seldom needed
+        from rocking.assessment.code_checks import weakest_hinge  # loads SciPy, seldom needed
 
         resolved = _with(resolved, {"hinges_m": [weakest_hinge(resolved["facade"])]})
     if stands(resolved):

@@ -90,7 +90,7 @@ def outcomes(job, motion_path, direction, pga_g, *, nodes, tolerance):
 
 
 def ensemble_peaks(job, motion_path, direction, pga_g, factors, *, nodes=17, dt_s=4e-4):
-    """Largest d/b of every member of an ensemble of amplitude factors, 1 where it overturns.
+    """Largest d/b of every realisation of an ensemble of amplitude factors, 1 where it overturns.
 
     Returns
     -------

@@ -237,7 +237,7 @@ class Runs:
 
     def planar(self, run) -> list[str]:
         """Models that the compiled planar solver stands in for."""
-        return [model for model in self.settings[run]["models"] if MODELS[model].twin]
+        return [model for model in self.settings[run]["models"] if MODELS[model].planar]
 
     def known_runs(self, job):
         """Number of YADE's runs in a curve's job where its strategy fixes it, else None."""

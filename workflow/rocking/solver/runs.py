@@ -271,7 +271,9 @@ def _loop(planar):
 def _set_up(planar, motions, numerics, factors, carried, step_s):
     carried = carried or NO_BODIES
     if isinstance(planar, Stack) and carried.mass_kg.size:
-        raise ValueError("planar solver: a façade with hinges stands before driven walls only")
+        raise ValueError(
+            "planar solver: a façade with hinges stands before one-way coupled walls only"
+        )
     wanted = int(planar.support.max(initial=-1)) + 1
     if isinstance(planar, Stack):
         wanted = max(wanted, int(planar.guide.max()) + 1)

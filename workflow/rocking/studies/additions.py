@@ -23,11 +23,12 @@ def planar_models(resolved, target):
     Raises
     ------
     ConfigError
-        Where no model has a planar twin, or the façade cannot have a tie or floor that is tried.
+        Where no model has a planar counterpart, or the façade cannot have a tie or floor that is
+        tried.
     """
-    models = [model for model in resolved["models"] if MODELS[model].twin]
+    models = [model for model in resolved["models"] if MODELS[model].planar]
     if not models:
-        raise ConfigError(f"models = {resolved['models']}: expected one with a planar twin")
+        raise ConfigError(f"models = {resolved['models']}: expected one with a planar counterpart")
     settings, height = resolved[target], resolved["facade"]["height_m"]
     if target == "restraint":
         trials = [restraint.roof(height, settings["loads_kn"][0], 0.0)]

@@ -41,7 +41,7 @@ def variants(case, stage):
     length = wall["length_m"] or 0.5 * case["facade"]["height_m"]
 
     def two_way(mass_kg):
-        return {"model": case.kind.two_way, "return_wall.building_mass_kg": mass_kg}
+        return {"model": case.kind.two_way_model, "return_wall.building_mass_kg": mass_kg}
 
     def friction(degrees):
         sections = ("facade", "return_wall", *(["w3"] if bricks else []))
@@ -130,7 +130,7 @@ def collapse(case, motion, directions, stage, law, surrogate=None):
 
 
 def buildings(case, settings):
-    """W2 driven and two-way before many buildings: periods, dampings, mass ratios.
+    """W2 one-way and two-way before many buildings: periods, dampings, mass ratios.
 
     Returns
     -------
@@ -147,7 +147,7 @@ def buildings(case, settings):
         Variant(
             "building",
             changes={
-                "model": case.kind.two_way if ratio else case.model,
+                "model": case.kind.two_way_model if ratio else case.model,
                 "smdof.period_s": period,
                 "smdof.damping_ratio": damping,
                 "return_wall.building_mass_kg": own_mass / (ratio or 1.0),
@@ -191,7 +191,7 @@ def given(table):
     fell, stood = pga_g[share > 0.0], pga_g[share < 1.0]
     above = pga_g[pga_g > (stood.max() if stood.size else 0.0)]
     crossings = [probability.first_crossing(pga_g, share, level) for level in probability.LEVELS]
-    runs = table["members"].fillna(table["members_yade"]).fillna(1.0).sum()
+    runs = table["realisations"].fillna(table["realisations_yade"]).fillna(1.0).sum()
     return {
         "pga_collapse_g": fell.min() if fell.size else np.nan,
         **dict(zip(("pga_p10_g", "pga_median_g", "pga_p90_g"), crossings, strict=True)),
@@ -201,7 +201,7 @@ def given(table):
     }
 
 
-def beside(capacity, reference):
+def compared(capacity, reference):
     """Add what each model stands over what the reference stands, by measure.
 
     Parameters
@@ -241,7 +241,7 @@ def losses(capacity):
     Returns
     -------
     DataFrame
-        record, direction, measure, pga_w1_g, pga_w2_g, pga_w2m_g, loss_driven, loss_two_way,
+        record, direction, measure, pga_w1_g, pga_w2_g, pga_w2m_g, loss_one_way, loss_two_way,
         assumption; curves of which all three are known.
     """
     rows = []
@@ -254,12 +254,12 @@ def losses(capacity):
         wide = wide[["W1", "W2", "W2m"]].dropna().reset_index()
         wide.columns = [*KEY, "pga_w1_g", "pga_w2_g", "pga_w2m_g"]
         wide.insert(2, "measure", measure)
-        wide["loss_driven"] = 1.0 - wide["pga_w2_g"] / wide["pga_w1_g"]
+        wide["loss_one_way"] = 1.0 - wide["pga_w2_g"] / wide["pga_w1_g"]
         wide["loss_two_way"] = 1.0 - wide["pga_w2m_g"] / wide["pga_w1_g"]
-        wide["assumption"] = wide["loss_driven"] - wide["loss_two_way"]
+        wide["assumption"] = wide["loss_one_way"] - wide["loss_two_way"]
         rows.append(wide)
     columns = [*KEY, "measure", "pga_w1_g", "pga_w2_g", "pga_w2m_g"]
-    columns += ["loss_driven", "loss_two_way", "assumption"]
+    columns += ["loss_one_way", "loss_two_way", "assumption"]
     return pd.concat(rows) if rows else pd.DataFrame(columns=columns)
 
 

@@ -202,7 +202,7 @@ def _largest_reduction(capacity):
 
 
 def _assumption(capacity):
-    """Reduction by driven walls less that by walls that feel the façade, in points of W1."""
+    """Reduction by one-way coupled walls less that by two-way coupled ones, in points of W1."""
     if not {"W1", "W2", "W2m"} <= set(capacity):
         return None
     known = capacity[["W1", "W2", "W2m"]].dropna()

@@ -29,7 +29,7 @@ def table(case, motion, direction, settings):
     Parameters
     ----------
     case : Case
-        Of a model with a planar twin.
+        Of a model with a planar counterpart.
     motion, direction
         See `collapse_curve`.
     settings : dict
@@ -59,7 +59,7 @@ def to_confirm(case, found):
     Returns
     -------
     list of dict
-        As of the study `runs`, members of an ensemble each; none beyond what was scanned.
+        As of the study `runs`, realisations of an ensemble each; none beyond what was scanned.
     """
     most = found[found["load_kn"] == found["load_kn"].max()]
     height = case["facade"]["height_m"]
@@ -70,7 +70,7 @@ def to_confirm(case, found):
             "changes": {
                 "facade": case.varied(roof(height, row.load_kn, row.friction))["facade"],
             },
-            "members": True,
+            "realisations": True,
         }
         for row in most.iloc[[0, -1]].itertuples()
         for pga_g in (BELOW * row.pga_p10_g, ABOVE * row.pga_p90_g)

@@ -1,6 +1,6 @@
 """The least tie that keeps a façade standing at a stated intensity, by the planar solver.
 
-At a height and a force of the tie the collapse probability is the share that falls of members
+At a height and a force of the tie the collapse probability is the share that falls of realisations
 that differ in amplitude, node layout and step, as near collapse elsewhere. It does not fall
 steadily with the force: a stronger tie changes the rhythm of the rocking. So every force is
 tried, and the least tie is the weakest from which on all stronger ones hold.
@@ -57,10 +57,10 @@ def tie(settings, height_m, force_kn):
     return Variant("tie", added={"facade.ties": rows}, about=about)
 
 
-def members(case, motion, direction, settings):
-    """How many of the members fell at the stated intensity, and of how many; failed ones apart."""
+def realisations(case, motion, direction, settings):
+    """How many realisations fell at the stated intensity, and of how many; failed ones apart."""
     spread = case["ensemble"]["amplitude_spread"]
-    pga_g = settings["pga_g"] * np.linspace(1.0 - spread, 1.0 + spread, settings["members"])
+    pga_g = settings["pga_g"] * np.linspace(1.0 - spread, 1.0 + spread, settings["realisations"])
     how = {"pga_g": pga_g, "scatter": True}
     found = collapse_curve(case, motion, direction, search="list", settings=how)
     valid = found.table[found.status != "failed"]
@@ -73,7 +73,7 @@ def search(case, motion, direction, settings):
     Parameters
     ----------
     case : Case
-        Of a model with a planar twin.
+        Of a model with a planar counterpart.
     motion, direction
         See `collapse_curve`.
     settings : dict
@@ -82,7 +82,7 @@ def search(case, motion, direction, settings):
     Returns
     -------
     DataFrame
-        height_m, force_kn, fell, members, probability, low, high (Wilson, 95 %); by height and
+        height_m, force_kn, fell, realisations, probability, low, high (Wilson, 95 %); by height and
         force.
     """
     rows: list[tuple] = []
@@ -93,13 +93,13 @@ def search(case, motion, direction, settings):
                 fell, n = bare
             else:
                 tied = case.varied(tie(settings, height, force))
-                fell, n = members(tied, motion, direction, settings)
+                fell, n = realisations(tied, motion, direction, settings)
                 bare = bare or (fell, n)
             band = binomtest(fell, n).proportion_ci(CONFIDENCE, "wilson") if n else None
             low, high = (band.low, band.high) if band else (np.nan, np.nan)
             share = fell / n if n else np.nan
             rows.append((height, force, fell, n, share, low, high))
-    names = ["height_m", "force_kn", "fell", "members", "probability", "low", "high"]
+    names = ["height_m", "force_kn", "fell", "realisations", "probability", "low", "high"]
     return pd.DataFrame(rows, columns=names)
 
 
@@ -150,13 +150,13 @@ def weakest(table, choice):
 
 
 def to_confirm(case, table, choice, settings):
-    """Cases for YADE's study `runs`: the ties of `weakest`, members of an ensemble each."""
+    """Cases for YADE's study `runs`: the ties of `weakest`, realisations of an ensemble each."""
     return [
         {
             "about": {"height_m": round(z, 6), "force_kn": round(force, 6)},
             "pga_g": [settings["pga_g"]],
             "changes": {"facade": case.varied(tie(settings, z, force))["facade"]},
-            "members": True,
+            "realisations": True,
         }
         for z, force in weakest(table, choice)
     ]

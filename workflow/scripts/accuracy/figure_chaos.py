@@ -1,4 +1,4 @@
-"""Perturbed ensembles: d/b of every member with median and band, and the share that collapses.
+"""Perturbed ensembles: d/b of every realisation with median and band, and the share that collapses.
 
 Behind the shares stands the collapse probability of the dense scan, where there is one; below, the
 level where it first reaches one half.
@@ -35,7 +35,9 @@ def main(job):
         colour = MODELS[model].colour
         band = bands(table, percentiles)
         stood = table[table["status"] == "ok"]
-        top.plot(stood["pga_g"], stood["d_over_b"], ".", color=style.GREY, ms=3, label="member")
+        top.plot(
+            stood["pga_g"], stood["d_over_b"], ".", color=style.GREY, ms=3, label="realisation"
+        )
         top.fill_between(
             band["pga_g"],
             band["d_over_b_low"],
@@ -48,7 +50,11 @@ def main(job):
         top.plot(band["pga_g"], band["d_over_b_median"], "o-", color=colour, label="median")
         top.set_title(f"{model} {record} {'+' if direction == 'pos' else '−'}")
         bottom.plot(
-            band["pga_g"], band["probability"], "o", color=colour, label="YADE, share of members"
+            band["pga_g"],
+            band["probability"],
+            "o",
+            color=colour,
+            label="YADE, share of realisations",
         )
         known = band
         if scan := scans.get((model, record, direction)):
@@ -68,7 +74,7 @@ def main(job):
         lines, labels = ([*upper, *lower] for upper, lower in zip(*found, strict=True))
         figure.legend(lines, labels, loc="outside right upper", fontsize=7)
     axes[0, 0].set(ylabel="peak d/b (-)", ylim=(0.0, 1.05))
-    axes[1, 0].set(ylabel="collapsed members (-)", ylim=(-0.03, 1.03))
+    axes[1, 0].set(ylabel="collapsed realisations (-)", ylim=(-0.03, 1.03))
     style.save(figure, job.output, job.input.facts)
 
 

@@ -2,7 +2,7 @@
 
 import json
 
-from rocking.assessment.battery import failing_pga, mechanism_of, pulse_share
+from rocking.assessment.code_checks import failing_pga, mechanism_of, pulse_share
 from rocking.records import load, measures
 from rocking.runtime.script import run
 from rocking.tables import write_table

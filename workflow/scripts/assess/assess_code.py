@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pandas as pd
 from rocking.assessment import site
-from rocking.assessment.battery import battery, governing, least
+from rocking.assessment.code_checks import code_checks, governing, least
 from rocking.assessment.demand import floor_demand
 from rocking.assessment.family import Family, ties_of
 from rocking.records import G_M_S2, load
@@ -36,7 +36,7 @@ def checked(settings, demand, name, added_n=0.0):
     known = {one.name: one for one in Family(facade, wall, own, added_n).all()}
     if name not in known:
         return None, {}
-    return known[name], battery(known[name], facade, chain, own, demand)
+    return known[name], code_checks(known[name], facade, chain, own, demand)
 
 
 def sensitivity(settings, demand, name):
@@ -102,7 +102,9 @@ def mechanisms(settings, demand, ranked):
         max(z for z in family.levels() if z < facade["height_m"]), facade["height_m"]
     )
     chain = settings["smdof"]
-    rows.append(mechanism_row(held, battery(held, facade, chain, own, demand), np.nan, "top held"))
+    rows.append(
+        mechanism_row(held, code_checks(held, facade, chain, own, demand), np.nan, "top held")
+    )
     return pd.DataFrame(rows)
 
 

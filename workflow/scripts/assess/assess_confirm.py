@@ -28,7 +28,7 @@ def main(job):
     for which in ("worst", "nearest"):
         if found is None:
             break
-        own = table[(table["record"] == found[which]) & (table["member"] == 0)]
+        own = table[(table["record"] == found[which]) & (table["realisation"] == 0)]
         row = own.sort_values("d_m").iloc[-1]
         record = load(row["record"], job.params.table, **how)
         time_s, columns = floor_columns(record, scene["smdof"])

@@ -4,7 +4,7 @@ import json
 from pathlib import Path
 
 import pandas as pd
-from rocking.assessment.battery import mechanism_of
+from rocking.assessment.code_checks import mechanism_of
 from rocking.assessment.dynamic_check import COLUMNS, histories, limits_of, verdict
 from rocking.records import load
 from rocking.runtime.script import run
@@ -20,8 +20,8 @@ def main(job):
     for row in motions.itertuples():
         record = load(row.record, job.params.table, **how)
         for direction in settings["directions"]:
-            members = settings["assessment"]["dynamic_members"]
-            parts.append(histories(scene, record, direction, [row.pga_g], members))
+            realisations = settings["assessment"]["dynamic_realisations"]
+            parts.append(histories(scene, record, direction, [row.pga_g], realisations))
     if not parts:
         write_table([], job.output.histories, COLUMNS)
         write_table([], job.output.verdict, ["model"])

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 from rocking.assessment import selection
-from rocking.assessment.battery import battery, least, mechanism_of
 from rocking.assessment.checks import LEAST_KNOWN
+from rocking.assessment.code_checks import code_checks, least, mechanism_of
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.dynamic_check import histories, limits_of, verdict
 from rocking.records import G_M_S2, load
@@ -43,7 +43,9 @@ def main(job):
         target = np.array([demand.acceleration(t) for t in period_s])
         given = (list(stations), list(stations.values()), spectra, period_s, target)
         chosen = selection.choose(*given, own["motions"], own["motion_factors"])
-        found = {fc: battery(whole, facade, chain, own, demand, fc) for fc in (1.0, LEAST_KNOWN)}
+        found = {
+            fc: code_checks(whole, facade, chain, own, demand, fc) for fc in (1.0, LEAST_KNOWN)
+        }
         row = {"ag_g": ag_g, "pga_g": demand.pga_g, "fits": int(chosen.fits)}
         row |= {
             f"kinematic_{name}": int(least(found[fc]) >= demand.pga_g)

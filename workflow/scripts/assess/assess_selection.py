@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pandas as pd
 from rocking.assessment import selection, site
-from rocking.assessment.battery import battery, mechanism_of
+from rocking.assessment.code_checks import code_checks, mechanism_of
 from rocking.records import G_M_S2, load
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
@@ -22,7 +22,7 @@ def longest_period(settings, demand):
     if own["match_high_s"] is not None:
         return own["match_high_s"]
     whole = mechanism_of(settings["facade"], settings["return_wall"], own)
-    found = battery(whole, settings["facade"], settings["smdof"], own, demand)
+    found = code_checks(whole, settings["facade"], settings["smdof"], own, demand)
     slc = next(v for s, _, v, _ in found["slc_height"].steps if s == "T_SLC")
     return float(np.clip(slc, SHORTEST_HIGH_S, LONGEST_HIGH_S))
 

@@ -5,7 +5,7 @@ import json
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from rocking.assessment.battery import CHECKS
+from rocking.assessment.code_checks import CHECKS
 from rocking.assessment.comparison import compare
 from rocking.figures import style
 from rocking.runtime.script import run

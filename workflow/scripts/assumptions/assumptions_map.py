@@ -1,4 +1,4 @@
-"""Collapse of W2, driven and two-way, under one record and before many buildings."""
+"""Collapse of W2, one-way and two-way, under one record and before many buildings."""
 
 from rocking import Case, Motion, collapse_curve
 from rocking.records import read_csv

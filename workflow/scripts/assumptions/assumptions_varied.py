@@ -1,4 +1,4 @@
-"""Collapse of a driven model under one record, one assumption after the other at another level."""
+"""Collapse of a model under one record, one assumption after the other at another level."""
 
 import json
 from pathlib import Path

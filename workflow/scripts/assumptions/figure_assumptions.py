@@ -40,7 +40,9 @@ def main(job):
             colour = kinds[name].colour
             axis.plot(part["pga_g"], share, color=colour, lw=0.8)
             axis.fill_between(part["pga_g"], base, share, color=colour, alpha=0.35, lw=0)
-            if part["members"].fillna(part["members_yade"]).fillna(1.0).max() < 3:  # single runs
+            if (
+                part["realisations"].fillna(part["realisations_yade"]).fillna(1.0).max() < 3
+            ):  # single runs
                 axis.plot(part["pga_g"], share, ls="", marker=kinds[name].marker, ms=3, c=colour)
         axis.set_title(f"{title[record]}, {style.SIGNS[direction]}", loc="left")
         first = mine[mine["probability"] > 0].groupby("model")["pga_g"].min()

@@ -1,4 +1,4 @@
-"""Map of the driven model's error over mass ratio and T1, and what the building's damping adds."""
+"""Map of the error of one-way coupling over mass ratio and T1, and what damping adds."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -39,7 +39,7 @@ def main(job):
     for axis, (measure, words) in zip(axes, MEASURES.items(), strict=False):
         image = panel(axis, own[own["measure"] == measure], words)
     axes[0].set_ylabel("T1 of the building [s]")
-    figure.colorbar(image, ax=axes[:2], label="driven over two-way [-]", shrink=0.9)
+    figure.colorbar(image, ax=axes[:2], label="one-way over two-way [-]", shrink=0.9)
     axis = axes[2]
     part = table[
         np.isclose(table["period_s"], p.smdof["period_s"]) & (table["measure"] == "median")

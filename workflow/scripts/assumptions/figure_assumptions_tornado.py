@@ -1,4 +1,4 @@
-"""Tornado chart of a driven model: what each assumption moves, sorted, a panel a record."""
+"""Tornado chart of a model: what each assumption moves, sorted, a panel a record."""
 
 import json
 from pathlib import Path

@@ -46,7 +46,7 @@ def curves(job, records):
         yield key, "YADE", len(curve), cpu_s(folder, "ida", key), found, dense
     for path in job.input.others:
         whole = pd.read_csv(path)
-        missing = {*probability.KEY, "pga_g", "probability", "members"} - set(whole.columns)
+        missing = {*probability.KEY, "pga_g", "probability", "realisations"} - set(whole.columns)
         if missing:
             raise ValueError(f"{path}: missing column(s) {', '.join(sorted(missing))}")
         measured = Path(path).parent.parent / "benchmarks"
@@ -67,17 +67,18 @@ def main(job):
         columns = [c for c in probability.PROBABILITY_COLUMNS if c in dense or c in named]
         parts.append(dense.assign(**named)[columns])
     table = pd.DataFrame(rows)
-    beside = assumptions.beside(table, job.params.reference)
+    beside = assumptions.compared(table, job.params.reference)
     write_table(beside[COLUMNS], job.output.table, digits="%.4f")
     dense = pd.concat(parts).reindex(columns=probability.PROBABILITY_COLUMNS)
     write_table(dense, job.output.probability, digits="%.4f")
     write_table(assumptions.losses(table), job.output.losses, digits="%.4f")
-    # every driven model over its own massive twin, then every model over the reference
+    # every one-way coupled model over its own two-way counterpart, then every model over the
+    # reference
     pairs = []
     for model in table["model"].unique():
         kind = MODELS.get(model)
-        if kind is not None and kind.massive and kind.driven in set(table["model"]):
-            pairs.append(assumptions.beside(table, model).query("model == @kind.driven"))
+        if kind is not None and kind.two_way and kind.one_way_model in set(table["model"]):
+            pairs.append(assumptions.compared(table, model).query("model == @kind.one_way_model"))
     pairs.append(beside[beside["model"] != job.params.reference])
     whole = pd.concat(pairs).drop_duplicates(["model", "reference", *assumptions.KEY])
     ratios = assumptions.spread_of(whole, RATIOS, ["model", "reference"])

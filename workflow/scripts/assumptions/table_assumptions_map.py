@@ -1,4 +1,4 @@
-"""Error of the driven model before many buildings: ratios driven over two-way, all records."""
+"""Error of one-way coupling before many buildings: ratios to two-way coupling, all records."""
 
 import pandas as pd
 from rocking.runtime.script import run

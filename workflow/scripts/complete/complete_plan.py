@@ -1,7 +1,7 @@
-"""Where YADE begins a curve of the complete building, and its islands: from the reduction's scan.
+"""Where YADE begins a curve of the complete building and where it looks, by the reduction's scan.
 
-It begins inside the scan's first island of collapse and not at its edge, which the reduction
-places to a per cent or two only; of further islands it runs the middle, and that of the gap
+It begins inside the scan's first range of collapse and not at its edge, which the reduction
+places to a per cent or two only; of further ranges it runs the middle, and that of the gap
 below each.
 """
 
@@ -10,7 +10,7 @@ import json
 from pathlib import Path
 
 import pandas as pd
-from rocking.collapse.probability import from_scan, islands
+from rocking.collapse.probability import collapse_ranges, from_scan
 from rocking.runtime.script import run
 
 from yade_scripts.studies.search import DIGITS
@@ -19,7 +19,7 @@ from yade_scripts.studies.search import DIGITS
 def main(job):
     scan, most = pd.read_csv(job.input.scan), job.params.most
     table = from_scan(scan, job.params.spread)
-    found = islands(table["pga_g"].to_numpy(), table["probability"].to_numpy())
+    found = collapse_ranges(table["pga_g"].to_numpy(), table["probability"].to_numpy())
     start = scan["pga_g"].max()
     if found:
         low, high = found[0]
@@ -29,7 +29,7 @@ def main(job):
         for (_, b), (c, d) in itertools.islice(itertools.pairwise(found), most)
         for one, two in ((b, c), (c, d))
     ]
-    plan = {"start_g": round(float(start), DIGITS), "islands": [round(g, DIGITS) for g in between]}
+    plan = {"start_g": round(float(start), DIGITS), "ranges": [round(g, DIGITS) for g in between]}
     Path(job.output[0]).write_text(json.dumps(plan, sort_keys=True) + "\n")
 
 

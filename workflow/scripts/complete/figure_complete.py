@@ -9,7 +9,7 @@ from rocking.runtime.script import run
 
 from yade_scripts.model.registry import COMPLETE, MODELS
 
-SPREAD = 0.01  # of the scans' members
+SPREAD = 0.01  # of the scans' realisations
 KINDS = {**MODELS, **COMPLETE}
 LINES = {False: "-", True: ":"}
 

@@ -1,7 +1,7 @@
 """Collapse of the complete building's curves, in the form of the other models' tables.
 
-The planar columns are the scan by the building's reduction; a level that YADE ran is its one member
-there, and disagrees where the scan's outcomes within the spread are all the other way.
+The planar columns are the scan by the building's reduction; a level that YADE ran is its one
+realisation there, and disagrees where the scan's outcomes within the spread are all the other way.
 """
 
 import pandas as pd
@@ -19,7 +19,7 @@ def main(job):
         curve = curves.get(key, pd.DataFrame())
         named = dict(zip(probability.KEY, key, strict=True))
         row = named | probability.summary(scan, curve, pd.DataFrame(), spread)
-        table = probability.beside(scan, curve, spread)
+        table = probability.compared(scan, curve, spread)
         lone = (table["probability_yade"] - table["probability"]).abs() == 1.0
         rows.append(row | {"disagreements": int(lone.sum())})
         parts.append(table.assign(**named)[probability.PROBABILITY_COLUMNS])

@@ -82,7 +82,7 @@ def draw_curve(axis, curve, top, joined):
 def draw_probability(axis, table, row):
     """Collapse probability: a line, of the scan or, without one, of YADE's runs; else symbols."""
     kind = MODELS[row["model"]]
-    dense = table[table["members"].notna() & table["probability_yade"].isna()]
+    dense = table[table["realisations"].notna() & table["probability_yade"].isna()]
     known = dense["probability"]
     if len(dense):
         symbol = {"color": kind.colour, "mfc": "none"}

@@ -19,13 +19,13 @@ def main(job):
     spread, none = job.params.spread, pd.DataFrame()
     rows, parts = [], []
     for key in map(tuple, job.params.curves):
-        scan, curve, members = scans.get(key), curves.get(key, none), ensembles.get(key, none)
+        scan, curve, realisations = scans.get(key), curves.get(key, none), ensembles.get(key, none)
         named = dict(zip(probability.KEY, key, strict=True))
-        row = named | probability.summary(scan, curve, members, spread)
-        if scan is None and len(members):
-            table = probability.single_runs(probability.outcomes(curve, members), spread)
+        row = named | probability.summary(scan, curve, realisations, spread)
+        if scan is None and len(realisations):
+            table = probability.single_runs(probability.outcomes(curve, realisations), spread)
         else:
-            table = probability.beside(scan, members, spread)
+            table = probability.compared(scan, realisations, spread)
         table = table.assign(**named).reindex(columns=probability.PROBABILITY_COLUMNS)
         row["disagreements"] = int((table["agrees"] == 0).sum())
         rows.append(row)

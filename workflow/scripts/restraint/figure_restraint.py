@@ -1,4 +1,4 @@
-"""Collapse PGA against the friction of a loaded roof, one panel a model, YADE's members on it."""
+"""Collapse PGA against the friction of a loaded roof, a panel a model, with YADE's runs."""
 
 import json
 from pathlib import Path

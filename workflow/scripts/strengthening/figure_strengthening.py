@@ -34,7 +34,7 @@ def main(job):
             label=f"tie at {height:.2f} m ({share:.0%} of the height)",
         )  # fmt: skip
     for force, part in yade[yade["status"] != "failed"].groupby("force_kn"):
-        label = f"YADE, {len(part)} members" if force == yade["force_kn"].max() else None
+        label = f"YADE, {len(part)} realisations" if force == yade["force_kn"].max() else None
         left.plot(
             place(force, first), part["collapsed"].mean(), "k*", ms=9, mfc="none", label=label
         )

@@ -1,4 +1,4 @@
-"""Least tie of every curve and height, and what YADE's members say of the confirmed one."""
+"""Least tie of every curve and height, and what YADE's realisations say of the confirmed one."""
 
 import json
 
@@ -9,7 +9,7 @@ from rocking.tables import write_table
 
 
 def confirmed(table, force_kn):
-    """Share of YADE's members that fell at a force, and their number."""
+    """Share of YADE's realisations that fell at a force, and their number."""
     mine = table[np.isclose(table["force_kn"], force_kn, rtol=1e-4)]
     mine = mine[mine["status"] != "failed"]
     return (mine["collapsed"].mean() if len(mine) else np.nan), len(mine)
@@ -22,8 +22,8 @@ def main(job):
         yade = pd.read_csv(yade_path)
         for row in pd.read_csv(path).to_dict("records"):
             here = yade[np.isclose(yade["height_m"], row["height_m"], rtol=1e-4)]
-            share, members = confirmed(here, row["force_kn"])
-            rows.append({**row, "probability_yade": share, "members_yade": members})
+            share, realisations = confirmed(here, row["force_kn"])
+            rows.append({**row, "probability_yade": share, "realisations_yade": realisations})
     table = pd.DataFrame(rows)
     table.insert(3, "pga_g", settings["pga_g"])
     table.insert(4, "accepted", settings["probability"])

@@ -8,7 +8,7 @@ blocks
 
 changes by the work of three things only: the inertia forces −m a_g and, under a vertical
 motion, −m a_z, whatever moves
-relative to the base (driven return walls, bricks guided along y), and the contacts, which
+relative to the base (one-way coupled return walls, bricks guided along y), and the contacts, which
 store and dissipate. Contacts cannot give more than they were given, so at every sample
 
     E(t) − E(0) − ∫ Σ −m a_g (v − v_g) − m a_z v_z dt − ∫ Σ_j −F_j (v_j − v_g) dt ≤ 0
@@ -33,7 +33,7 @@ DRIVE = "InterpolatingDirectedForceEngine"  # moves the supports
 TOLERANCE = 0.1  # of the energy that overturns the façade
 
 
-class EnergyLedger:
+class EnergyCheck:
     """Adds up the energy of a scene's free blocks; stops the run when it is too much.
 
     Pass it to `simulate.run` as `check`, then read `reason` after the run.
@@ -49,7 +49,7 @@ class EnergyLedger:
     """
 
     def __init__(self, scene, motions):
-        """Prepare the ledger of a run."""
+        """Prepare the energy check of a run."""
         self.scene, self.motions = scene, motions
         self.reason, self.excess, self.energy = "", 0.0, 0.0
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from rocking.assessment.battery import CHECKS, battery, failing_pga, governing, least
 from rocking.assessment.checks import LEAST_KNOWN
+from rocking.assessment.code_checks import CHECKS, code_checks, failing_pga, governing, least
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.family import Family
 from rocking.configuration import config
@@ -25,7 +25,7 @@ def family():
 
 def test_the_less_of_ground_and_floor_governs():
     """Before a soft building the floor asks for more than the ground; both stand in the table."""
-    found = battery(family().part(0.0, "whole"), FACADE, CHAIN, OWN, DEMAND)
+    found = code_checks(family().part(0.0, "whole"), FACADE, CHAIN, OWN, DEMAND)
     ground, floor = found["slv_ground"].failing_pga_g, found["slv_height"].failing_pga_g
     assert floor < 0.95 * ground
     assert least(found) == floor
@@ -43,8 +43,8 @@ def test_mechanisms_come_the_weakest_first_and_off_the_ground_none_is_checked_on
 def test_confidence_is_level_one_unless_the_hinge_crushes():
     known = {**OWN, "confidence_factor": 1.0}
     whole = family().part(0.0, "whole")
-    without = battery(whole, FACADE, CHAIN, known, DEMAND)
-    crushing = battery(whole, FACADE, CHAIN, {**known, "hinge_inset_m": 1e-9}, DEMAND)
+    without = code_checks(whole, FACADE, CHAIN, known, DEMAND)
+    crushing = code_checks(whole, FACADE, CHAIN, {**known, "hinge_inset_m": 1e-9}, DEMAND)
     ratio = crushing["linear_ground"].capacity / without["linear_ground"].capacity
     assert ratio == pytest.approx(LEAST_KNOWN)
 

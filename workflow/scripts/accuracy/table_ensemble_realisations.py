@@ -1,11 +1,11 @@
-"""Members that a stable median needs, and the planar solver's median where they spread."""
+"""Realisations that a stable median needs, and the planar solver's median where they spread."""
 
 import json
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
-from rocking.collapse.ensemble import members_needed
+from rocking.collapse.ensemble import realisations_needed
 from rocking.reference.facade import ensemble_peaks
 from rocking.runtime.script import run
 from rocking.tables import write_table
@@ -15,7 +15,7 @@ LEVELS = 2
 
 
 def compare(scenes, motions, table):
-    """Planar median by PGA: where the spread is widest and most members stand, at most LEVELS."""
+    """Planar median by PGA: where the spread is widest and most stand, at most LEVELS."""
     stood = table.groupby("pga_g")["collapsed"].mean()
     usable = table[table["pga_g"].isin(stood.index[stood < 0.3])]
     spread = usable.groupby("pga_g")["d_over_b"].std().nlargest(LEVELS)
@@ -55,10 +55,12 @@ def main(job):
                     "record": first["record"],
                     "direction": first["direction"],
                     "pga_g": pga_g,
-                    "members": len(values),
+                    "realisations": len(values),
                     "d_over_b_median": values.median(),
                     "d_over_b_std": values.std(),
-                    "members_needed": members_needed(values, TOLERANCE, 1) if len(values) else None,
+                    "realisations_needed": realisations_needed(values, TOLERANCE, 1)
+                    if len(values)
+                    else None,
                     "d_over_b_median_reference": reference.get(pga_g),
                 }
             )
@@ -67,10 +69,10 @@ def main(job):
         "record",
         "direction",
         "pga_g",
-        "members",
+        "realisations",
         "d_over_b_median",
         "d_over_b_std",
-        "members_needed",
+        "realisations_needed",
         "d_over_b_median_reference",
     ]
     write_table(rows, job.output[0], columns)

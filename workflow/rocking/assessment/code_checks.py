@@ -67,7 +67,7 @@ def damaged(settings, chain):
     return factor, chain["damping_ratio"] if damping is None else damping
 
 
-def battery(candidate, facade, chain, settings, demand, confidence_factor=None):
+def code_checks(candidate, facade, chain, settings, demand, confidence_factor=None):
     """Every check of one mechanism under one demand, but the oscillator's.
 
     Parameters
@@ -130,7 +130,7 @@ def battery(candidate, facade, chain, settings, demand, confidence_factor=None):
 
 
 def least(found, limit="slv"):
-    """PGA at which the non-linear check of a `battery` fails, of ground and floor the less [g]."""
+    """PGA at which the non-linear check fails, of ground and floor the less [g]."""
     keys = (f"{limit}_ground", f"{limit}_height")
     return min(found[key].failing_pga_g for key in keys if key in found)
 
@@ -144,7 +144,7 @@ def governing(candidates, facade, chain, settings, demand, confidence_factor=Non
     """
     rows = []
     for one in candidates:
-        found = battery(one, facade, chain, settings, demand, confidence_factor)
+        found = code_checks(one, facade, chain, settings, demand, confidence_factor)
         rows.append((least(found), one, found))
     return sorted(rows, key=lambda row: row[0])
 
@@ -167,11 +167,11 @@ def failing_pga(whole, facade, chain, settings, record, directions, max_pga_g):
     list of (direction, key, pga_g)
     """
     demand = RecordDemand(record.acceleration_m_s2, record.dt_s)
-    own = battery(whole, facade, chain, settings, demand, 1.0)
+    own = code_checks(whole, facade, chain, settings, demand, 1.0)
     alike = {key: check.failing_pga_g for key, check in own.items() if key in CHECKS}
     for limit in ("slv", "slc"):  # whoever applies both takes the larger demand
         alike[f"{limit}_both"] = least(own, limit)
-    known = battery(whole, facade, chain, settings, demand, checks.LEAST_KNOWN)
+    known = code_checks(whole, facade, chain, settings, demand, checks.LEAST_KNOWN)
     alike["slv_both_fc"] = least(known)
     old = floor_demand(demand, whole.place, chain, modes="all", bounded=False)
     for limit in checks.LIMITS:
