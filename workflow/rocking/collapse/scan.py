@@ -1,4 +1,4 @@
-"""The dense scan of an incremental dynamic analysis: every island of collapse, with its scatter."""
+"""The dense scan of an incremental dynamic analysis: every range of collapse, with its scatter."""
 
 import numpy as np
 import pandas as pd
@@ -17,13 +17,13 @@ from yade_scripts.studies.perturb import (
     NODE_CHOICES,
     NODE_KEYS,
     STEP_SPREAD,
-    Member,
+    Realisation,
     perturbed_numerics,
 )
 from yade_scripts.studies.search import drive
 
 NODES = 17  # along every edge: within 1 % of its converged answer where YADE needs more
-STEPS = 4  # different steps of the members
+STEPS = 4  # different steps of the realisations
 SHORTER = tuple(1.0 - STEP_SPREAD * k / STEPS for k in range(STEPS))
 LAYOUTS_SHORTER = tuple(1.0 - 0.03 * k for k in range(NODE_CHOICES))  # of long steps
 BRICKS_STEP = 0.5  # of W3's stable step, which its bricks decide: 0.24 ms
@@ -41,11 +41,11 @@ class Scan:
     ground : ndarray, shape (nt,)
         Acceleration of the ground for a factor of one [m/s²].
     planes : list of Planar
-        The scene in every layout of nodes that members use.
+        The scene in every layout of nodes that realisations use.
     steps_s : list of float
         Their time steps.
     shorter : tuple of float
-        Of those steps, one member after the other.
+        Of those steps, one realisation after the other.
     carried : Bodies or None
     motions : Motions
     static_g : float
@@ -118,7 +118,7 @@ class Scan:
         parts: list[pd.DataFrame] = []
 
         def run(ask):
-            parts.append(self.run(ask.pga_g, ask.members))
+            parts.append(self.run(ask.pga_g, ask.realisations))
             return parts[-1]["status"].to_numpy()
 
         found = drive(strategy, run)
@@ -156,14 +156,14 @@ class Screen(Scan):
     """
 
     def __init__(self, job, time_s, columns, direction, fraction=None, before=None):
-        """Prepare the scene in every layout of nodes that members use."""
+        """Prepare the scene in every layout of nodes that realisations use."""
         self.numerics, self.direction, self.ground = job["numerics"], direction, columns["ground"]
         kind = registry.model(job["model"])
         bricks = not kind.single_block  # their scene holds the masses that carry them
         courses = job["facade"].get("courses", 0)
         self.planes = []
         for numerics in layouts(job["numerics"], COURSES_NODES if courses else {}):
-            name = job["model"] if bricks else kind.driven
+            name = job["model"] if bricks else kind.one_way
             scene = models.build_scene({**job, "model": name, "numerics": numerics})
             self.planes.append(prepare(scene))
         usual = BRICKS_STEP if bricks else COURSES_STEP if courses else STEP_FRACTION
@@ -171,14 +171,14 @@ class Screen(Scan):
         if fraction:
             self.shorter = LAYOUTS_SHORTER
         self.steps_s = [share * stable_step(plane) for plane in self.planes]
-        self.carried = carried_masses(job, scene) if kind.massive and not bricks else None
-        self.scene, self.massive = scene, kind.massive
+        self.carried = carried_masses(job, scene) if kind.two_way and not bricks else None
+        self.scene, self.two_way = scene, kind.two_way
         self.time_s, self.columns, self.before = time_s, columns, before
         self.motions = self._motions(time_s, columns)
         self.static_g = models.static_multiplier(job)
 
     def _motions(self, time_s, columns):
-        if self.massive:
+        if self.two_way:
             return Motions(time_s, columns["ground"], (), columns.get(VERTICAL))
         return driving(self.scene, time_s, columns)
 
@@ -211,9 +211,9 @@ def scan_settings(job):
     Returns
     -------
     dict
-        Section ida, and members and amplitude_spread of section ensemble.
+        Section ida, and realisations and amplitude_spread of section ensemble.
     """
-    ensemble = {key: job["ensemble"][key] for key in ("members", "amplitude_spread")}
+    ensemble = {key: job["ensemble"][key] for key in ("realisations", "amplitude_spread")}
     own = {} if registry.model(job["model"]).single_block else job["w3"]["scan"]
     return {**job["ida"], **ensemble, **own}
 
@@ -227,9 +227,11 @@ def driving(scene, time_s, columns):
 
 
 def layouts(numerics, nodes=None):
-    """Section numerics in every layout of nodes that members use."""
+    """Section numerics in every layout of nodes that realisations use."""
     nodes = {**numerics, **dict.fromkeys(NODE_KEYS, NODES), **(nodes or {})}
-    return [perturbed_numerics(nodes, Member(0, 1.0, extra_nodes=n)) for n in range(NODE_CHOICES)]
+    return [
+        perturbed_numerics(nodes, Realisation(0, 1.0, extra_nodes=n)) for n in range(NODE_CHOICES)
+    ]
 
 
 def carried_masses(job, scene):
@@ -240,7 +242,7 @@ def carried_masses(job, scene):
     job : dict
         Sections smdof, return_wall.
     scene : Scene
-        The driven twin, whose motions say where each wall hangs.
+        The one-way counterpart, whose motions say where each wall hangs.
     """
     chain, mass = job["smdof"], job["return_wall"]["building_mass_kg"]
     shear = shear_chain(chain["n_dof"], chain["period_s"], mass)
