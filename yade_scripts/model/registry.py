@@ -29,6 +29,8 @@ class Model:
     two_way : bool
         The return walls carry the masses of the chain, joined by its springs and dashpots, and
         feel the façade (two-way coupling); otherwise their motion is prescribed (one-way).
+    cost : float
+        Time of a run in YADE over that of W1; two-way models count as their one-way ones.
     """
 
     name: str
@@ -39,11 +41,26 @@ class Model:
     marker: str = "o"
     static: str = ""
     two_way: bool = False
+    cost: float = 1.0
 
     @property
     def chain(self):
         """Whether its return walls belong to the floors of the chain."""
         return self.walls in ("floors", "bricks")
+
+    @property
+    def nodes_up(self):
+        """Key of section numerics with the nodes up a return wall's block."""
+        return "nodes_per_block" if self.walls == "floors" else "nodes_height"
+
+    @property
+    def moved(self):
+        """How the return walls move, in words."""
+        if not self.chain:
+            return "the walls move with the ground"
+        if self.two_way:
+            return f"as {self.one_way_model}, but the façade pushes the building's mass"
+        return "they move with the building's floors, which the façade cannot push"
 
     @property
     def single_block(self):
@@ -94,10 +111,19 @@ MODELS = {
     for model in (
         Model("free", "none", meaning="no return walls", static="-."),
         Model("W1", "one", False, "one block, ground motion", "#0072B2", "o", "-"),
-        Model("W1c", "one", True, "W1 with a bonded joint", "#56B4E9", "s", ":"),
-        Model("W2", "floors", False, "a block a floor, floor motions", "#D55E00", "^"),
-        Model("W2c", "floors", True, "W2 with a bonded joint", "#E69F00", "D"),
-        Model("W3", "bricks", False, "interlocking bricks, floor motions", "#009E73", "v", "--"),
+        Model("W1c", "one", True, "W1 with a bonded joint", "#56B4E9", "s", ":", cost=7.0),
+        Model("W2", "floors", False, "a block a floor, floor motions", "#D55E00", "^", cost=2.3),
+        Model("W2c", "floors", True, "W2 with a bonded joint", "#E69F00", "D", cost=9.0),
+        Model(
+            "W3",
+            "bricks",
+            False,
+            "interlocking bricks, floor motions",
+            "#009E73",
+            "v",
+            "--",
+            cost=18.0,
+        ),
         Model("W2m", "floors", False, "W2 with the building's mass", "#CC79A7", "<", two_way=True),
         Model("W3m", "bricks", False, "W3 with the building's mass", "#7A5195", "P", two_way=True),
         Model("W2cm", "floors", True, "W2c with the building's mass", "#B5A21E", ">", two_way=True),
@@ -114,6 +140,11 @@ COMPLETE = {
 WITH_WALLS = tuple(name for name, model in MODELS.items() if model.walls != "none")
 PLANAR = tuple(n for n in WITH_WALLS if MODELS[n].single_block and MODELS[n].plain == n)
 PUSHED = tuple(name for name, model in MODELS.items() if model.static)
+
+
+def cost(name):
+    """Time of a run of a model in YADE over that of W1; 1 for what is no model."""
+    return MODELS[MODELS[name].one_way_model].cost if name in MODELS else 1.0
 
 
 def model(name):

@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 
 from rocking.accuracy.histories import REPORTING
+from yade_scripts.model import registry
 
 ADAPTIVE = "SciPy planar"
 COMPILED = "compiled planar"
@@ -74,8 +75,7 @@ def plan_runs(drawn, settings, scenes):
 def chosen_pair(scene):
     """Nodes a return wall and step over the critical one of a scene file."""
     numerics = scene["numerics"]
-    nodes = numerics["nodes_per_block" if scene["model"].startswith("W2") else "nodes_height"]
-    return nodes, numerics["step_fraction"]
+    return numerics[registry.model(scene["model"]).nodes_up], numerics["step_fraction"]
 
 
 def errors(runs, histories, defaults):

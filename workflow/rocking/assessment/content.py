@@ -5,17 +5,13 @@ from rocking.assessment.checks import LEAST_KNOWN, confidence
 from rocking.assessment.code_checks import CHECKS
 from rocking.assessment.document import Heading, List, PageBreak, Paragraph, Picture, Table
 from rocking.assessment.verdict import g3, per_cent
+from yade_scripts.model.registry import MODELS
 
 SHOWN = (
     *("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height"),
     *("en_sd_ground", "en_sd_height", "en_nc_ground", "en_nc_height"),
     *("parts_ground", "parts_height", "parts_slow", "housner"),
 )
-MEANING = {
-    "W1": "the walls move with the ground",
-    "W2": "they move with the building's floors, which the façade cannot push",
-    "W2m": "as W2, but the façade pushes the building's mass",
-}
 
 
 def with_unit(value, unit):
@@ -68,7 +64,7 @@ def _rests_on(data):
     """Lines: demand, models, and what is left out."""
     f, t = data.config["facade"], data.tables
     demand = t["code_checks"]["pga_demand_g"].iloc[0]
-    meanings = "; ".join(f"{m}: {MEANING[m]}" for m in t["dynamic"]["model"])
+    meanings = "; ".join(f"{m}: {MODELS[m].moved}" for m in t["dynamic"]["model"])
     return [
         f"The demand is {data.demand_said}, a PGA of {g3(demand)} g.",
         f"The façade is rigid blocks of {f['density_kg_m3']:g} kg/m³ on dry joints; it does not "

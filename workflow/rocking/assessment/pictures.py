@@ -2,7 +2,11 @@
 
 import numpy as np
 
-LINES = {"W1": ("-", "0.0"), "W2": ("--", "0.35"), "W2m": ("-.", "0.5")}
+from yade_scripts.model.registry import MODELS
+
+LOOKS = (("-", "0.0"), ("--", "0.35"), ("-.", "0.5"))  # line and grey
+DRY = [name for name, model in MODELS.items() if model.planar and not model.bonded]
+LINES = dict(zip(DRY, LOOKS, strict=True))
 
 
 def capacity(curves):

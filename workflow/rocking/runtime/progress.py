@@ -14,11 +14,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from yade_scripts.model import registry
+
 INTERVAL_S = 60.0
 LOOK_S = 2.0
-# Seconds a job of W1 usually takes on two slow cores, and how many times that the other models
-# take: means of whole jobs for W1, W2 and the building, from steps a second for the rest. Their
-# ratios matter, not their size: that is measured as the first jobs finish.
+# Seconds a job of W1 usually takes on two slow cores; a model's `cost` says how many times that it
+# takes. Ratios matter, not their size: that is measured as the first jobs finish.
 USUAL_S = {
     "ida": 7.0,
     "ida_ensemble": 28.0,
@@ -41,7 +42,6 @@ USUAL_S = {
     "complete_history": 25.0,
     "complete_frames": 30.0,
 }
-MODELS = {"W1": 1.0, "W2": 2.3, "W1c": 7.0, "W2c": 9.0, "W3": 18.0}
 SHORT_S = 2.0  # a table or a figure
 USUAL_RUNS = {"ida": 16, "ida_ensemble": 50}
 PRIOR = 3  # the usual time counts as much as this many measured ones
@@ -88,7 +88,7 @@ class Task:
         """Seconds that such a job usually takes."""
         if self.rule not in USUAL_S:
             return SHORT_S
-        return USUAL_S[self.rule] * MODELS.get(self.model, 1.0)
+        return USUAL_S[self.rule] * registry.cost(self.model)
 
     @property
     def share(self):

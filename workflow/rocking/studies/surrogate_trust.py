@@ -8,7 +8,8 @@ the half that may choose a kind of surrogate; the other half reports (`HALVES`).
 import numpy as np
 import pandas as pd
 
-from rocking.collapse.probability import first_crossing, from_scan
+from rocking.collapse.curve import collapse_curve
+from rocking.collapse.ratios import Ratios
 
 HALVES = ("choosing", "reporting")
 COLUMNS = [
@@ -23,18 +24,19 @@ SCATTER = [
     *("record", "model", "direction", "pulses", "draws", "n_censored"),
     *("pga_p10_g", "pga_median_g", "pga_p90_g", "scatter", "recorded_g", "share_below"),
 ]
+NEAR = 1.2  # ratios up to this, or down to its inverse, are near
 DISTINCT = 1.1  # directions whose collapse differs by less have no weak side
 
 
-def outcome(table, level_ratio):
-    """Lowest collapse, half-probability collapse and largest amplitude of a scan [g].
+def outcome(case, motion, direction, level_ratio):
+    """Lowest collapse, half-probability collapse and largest amplitude of a climb [g].
 
     The probability at an amplitude is the share that falls within two levels of it.
 
     Parameters
     ----------
-    table : DataFrame
-        Of `rocking.collapse.scan.Screen.climb`.
+    case, motion, direction
+        As of `collapse_curve`.
     level_ratio : float
 
     Returns
@@ -42,11 +44,12 @@ def outcome(table, level_ratio):
     dict
         NaN where nothing fell.
     """
-    spread = from_scan(table, (1.0 + level_ratio) ** 2 - 1.0)
+    how = {"level_ratio": level_ratio, "amplitude_spread": (1.0 + level_ratio) ** 2 - 1.0}
+    found = collapse_curve(case, motion, direction, search="climb", settings=how).summary()
     return {
-        "pga_collapse_g": table.loc[table["collapsed"] == 1, "pga_g"].min(),
-        "pga_half_g": first_crossing(spread["pga_g"], spread["probability"], 0.5),
-        "pga_max_g": table["pga_g"].max(),
+        "pga_collapse_g": found["pga_collapse_g"],
+        "pga_half_g": found["pga_median_g"],
+        "pga_max_g": found["pga_max_g"],
     }
 
 
@@ -98,7 +101,7 @@ def summary(table):
     parts = [("all", found), *((half, found[found["half"] == half]) for half in HALVES)]
     for half, of_half in parts:
         for (model, pulses), group in of_half.groupby(["model", "pulses"], sort=False):
-            log = np.log(group["ratio"].dropna().to_numpy())
+            spread = Ratios(group["ratio"])
             wide = group.pivot_table(
                 index=["record", "draw"], columns="direction", values=["recorded_g", "pga_half_g"]
             )
@@ -116,22 +119,19 @@ def summary(table):
                     "side_recorded": np.median(np.abs(real)),
                     "side_surrogate": np.median(np.abs(made)),
                 }
-            ends = np.percentile(log, [10, 50, 90]) if log.size else np.full(3, np.nan)
-            low, middle, high = np.exp(ends)
+            low, middle, high = spread.percentiles([10, 50, 90], log=True)
             rows.append(
                 {
                     "half": half,
                     "model": model,
                     "pulses": pulses,
-                    "n": len(group),
-                    "n_censored": len(group) - log.size,
+                    "n": spread.n,
+                    "n_censored": spread.n_censored,
                     "ratio_median": middle,
                     "ratio_p10": low,
                     "ratio_p90": high,
-                    "scatter": log.std(ddof=1) if log.size > 1 else np.nan,
-                    "within_20_percent": np.mean(np.abs(log) <= np.log(1.2))
-                    if log.size
-                    else np.nan,
+                    "scatter": spread.scatter,
+                    "within_20_percent": spread.share(NEAR**-1 * (1.0 - 1e-12), NEAR),
                     **sides,
                 }
             )

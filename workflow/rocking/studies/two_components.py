@@ -9,6 +9,7 @@ import numpy as np
 import pandas as pd
 
 from rocking.collapse import search
+from rocking.collapse.ratios import Ratios
 from rocking.solver import spatial
 from rocking.solver.plane import prepare
 from rocking.solver.runs import STEP_FRACTION, Motions, peaks, stable_step
@@ -153,9 +154,9 @@ def summary(table):
             "d/b at half": part["d_one"] / part["d_two"],
         }
         for name, ratio in ratios.items():
-            ratio = ratio.dropna()
-            low, middle, high = np.percentile(ratio, [10, 50, 90]) if len(ratio) else 3 * [np.nan]
-            least = ratio.min() if len(ratio) else np.nan
-            rows.append((model, name, len(ratio), middle, low, high, least, (ratio < 0.95).mean()))
+            found = Ratios(ratio)
+            ends = found.percentiles([50, 10, 90, 0])
+            below = found.share(high=np.nextafter(0.95, 0.0))
+            rows.append((model, name, found.known.size, *ends, below))
     names = ["model", "compared", "curves", "median", "p10", "p90", "lowest", "below_095"]
     return pd.DataFrame(rows, columns=names)

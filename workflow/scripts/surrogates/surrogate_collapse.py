@@ -4,14 +4,11 @@ Of a record without a file there are surrogates alone, by its parameters.
 """
 
 import itertools
-import json
 import sys
-from pathlib import Path
 
 import pandas as pd
-from rocking.collapse.scan import Screen
+from rocking import Case, Motion
 from rocking.records import RecordError, load, measures, read_csv
-from rocking.records.floors import floor_columns
 from rocking.records.pulses import pulse_spec
 from rocking.records.surrogate import generate
 from rocking.runtime.script import run
@@ -48,17 +45,14 @@ def motions(record, p):
 
 def main(job):
     p = job.params
-    record = read_csv(job.input.record)
-    scenes = [json.loads(Path(path).read_text()) for path in job.input.scenes]
+    record, ratio = read_csv(job.input.record), p.surrogates["level_ratio"]
+    cases = [Case.read(path) for path in job.input.scenes]
     rows = []
     for *what, motion in motions(record, p):
-        floors = floor_columns(motion, p.smdof)
-        for scene in scenes:
-            ratio = p.surrogates["level_ratio"]
+        for case in cases:
             for direction in p.directions:
-                screen = Screen(scene, *floors, direction)
-                found = outcome(screen.climb({**scene["ida"], "level_ratio": ratio}), ratio)
-                own = (record.name, p.station, scene["model"], direction, *what)
+                found = outcome(case, Motion(motion), direction, ratio)
+                own = (record.name, p.station, case.model, direction, *what)
                 rows.append(dict(zip(COLUMNS, own, strict=False)) | found)
     table = pd.DataFrame(rows, columns=COLUMNS)
     for name in ("pulses", "pulses_kept"):
