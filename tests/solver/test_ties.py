@@ -206,6 +206,84 @@ def test_the_least_tie_is_the_weakest_from_which_all_hold():
     assert strengthening.best(strengthening.least(table[table["height_m"] == 6.0], 0.1)) is None
 
 
+def search_of(falls, settings, monkeypatch, kept=None):
+    """Table of a search where `falls(force)` of each tie's realisations fall, and the ties tried."""
+    tried = []
+
+    def realisations(case, motion, direction, given):
+        rows = case["facade"]["ties"]
+        force = rows[-1]["force"] if rows else 0.0
+        tried.append(force)
+        n = given["realisations"]
+        return round(falls(force) * n), n
+
+    monkeypatch.setattr(strengthening, "realisations", realisations)
+    monkeypatch.setattr(
+        strengthening, "row_of_rods", lambda _, z, force: {"height_m": z, "force": force}
+    )
+    config, _ = tied(numerics=FEW)
+    case = Case({**config, "model": "W1", "beta_s": BETA_S})
+    case = Case({**case.scene, "facade": {**case["facade"], "ties": []}})
+    return strengthening.search(case, None, "pos", settings, kept), tried
+
+
+SEARCH = {"probability": 0.1, "realisations": 61, "levels": 25, "forces_kn": [2.0, 100.0]}
+SEARCH |= {"heights_m": [3.0, 6.0]}
+
+
+def test_the_search_goes_down_from_the_strongest_to_the_first_that_fails(monkeypatch):
+    """An island of collapse at 20 to 30 kN: whatever holds below it cannot be the least tie."""
+
+    def falls(force):
+        return float(force < 5.0 or 20.0 < force < 30.0)
+
+    table, tried = search_of(falls, SEARCH, monkeypatch)
+    found = strengthening.least(table, 0.1)
+    forces = strengthening.trial_forces(SEARCH, 25)
+    assert found["force_kn"].tolist() == [forces[forces > 30.0].min()] * 2
+    weakest = max(f for f in forces if 20.0 < f < 30.0)
+    assert min(f for f in tried if f) == weakest
+    assert len(tried) == 1 + 2 * (1 + int((forces > 30.0).sum()))
+
+
+def test_what_was_found_is_kept_and_taken_up_again(monkeypatch, tmp_path):
+    path = tmp_path / "kept.jsonl"
+    first, _ = search_of(lambda f: f < 9.0, SEARCH, monkeypatch, strengthening.Kept(path, "a"))
+    path.write_text(path.read_text() + '{"key": "a", "height')  # broken off
+    again, tried = search_of(lambda f: 1.0, SEARCH, monkeypatch, strengthening.Kept(path, "a"))
+    assert tried == []
+    assert again.equals(first)
+    _, tried = search_of(lambda f: 1.0, SEARCH, monkeypatch, strengthening.Kept(path, "b"))
+    assert tried != []
+
+
+def test_realisations_end_where_they_have_decided(monkeypatch):
+    """Of 61 at 0.1: all fall, 16 do; none falls, 46 do (35 are enough); some fall, all 61."""
+
+    class Found:
+        def __init__(self, status):
+            self.status = np.array(status, object)
+
+    def outcome(which):
+        def curve(case, motion, direction, search, settings):
+            n = settings["pga_g"].size
+            status = ["ok"] * n
+            if which == "all":
+                status = ["overturned"] * n
+            elif which == "some":
+                status[0] = "overturned"
+            return Found(status)
+
+        return curve
+
+    case = {"ensemble": {"amplitude_spread": 0.01}}
+    settings = {"probability": 0.1, "pga_g": 0.4, "realisations": 61}
+    assert strengthening.enough(0.1) == 35
+    for which, expected in (("all", (16, 16)), ("none", (0, 46)), ("some", (4, 61))):
+        monkeypatch.setattr(strengthening, "collapse_curve", outcome(which))
+        assert strengthening.realisations(case, None, "pos", settings) == expected
+
+
 def test_search_finds_the_static_answer():
     """A long slow push: the least tie at z is that of moments about the middle of the pressed toe.
 

@@ -32,6 +32,7 @@ rule strengthen:
         benchmarks("strengthen_{model}_{record}_{direction}")
     params:
         settings=RUNS.params_of("strengthening"),
+        kept=results("cache/strengthening/{model}_{record}_{direction}_planar.jsonl"),
     script:
         "../scripts/strengthening/strengthen.py"
 

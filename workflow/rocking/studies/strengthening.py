@@ -2,11 +2,19 @@
 
 At a height and a force of the tie the collapse probability is the share that falls of realisations
 that differ in amplitude, node layout and step, as near collapse elsewhere. It does not fall
-steadily with the force: a stronger tie changes the rhythm of the rocking. So every force is
-tried, and the least tie is the weakest from which on all stronger ones hold.
+steadily with the force: a stronger tie changes the rhythm of the rocking. So the least tie is the
+weakest from which on all stronger ones that were tried hold.
+
+That decides which need be tried. Each height goes down from the strongest tie and ends at the
+first that certainly does not hold: what lies below cannot be the least. A tie's realisations come
+in four parts that each span the amplitudes, and end as soon as they have decided: more have fallen
+than may of all, or none of so many that the interval's upper end is within what is accepted.
 """
 
+import hashlib
+import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -16,6 +24,9 @@ from rocking.collapse.case import Variant
 from rocking.collapse.curve import collapse_curve
 
 CONFIDENCE = 0.95
+NORMAL_95 = 1.959964  # two-sided
+PARTS = 4  # in which a tie's realisations come
+CHART = {"level_ratio": 0.03, "realisations": 7}  # of the scans behind the chart of intensities
 AHEAD = {"height_m": ".6g", "force_kn": ".6g"}  # columns of YADE's table
 ROD_KEYS = ("count", "length_m", "yield_mpa", "elongation", "slack_mm")
 
@@ -57,18 +68,96 @@ def tie(settings, height_m, force_kn):
     return Variant("tie", added={"facade.ties": rows}, about=about)
 
 
+def enough(probability):
+    """Realisations of which none may fall for Wilson's 95 % interval to end at `probability`."""
+    return math.ceil(NORMAL_95**2 * (1.0 - probability) / probability)
+
+
+def most_histories(settings, height_m):
+    """Histories that a search takes at most, and at least if every tie holds at once."""
+    ties = settings["levels"] * len(trial_heights(settings, height_m))
+    few = min(enough(settings["probability"]), settings["realisations"])
+    return (ties + 1) * settings["realisations"], (ties + 1) * few
+
+
 def realisations(case, motion, direction, settings):
     """How many realisations fell at the stated intensity, and of how many; failed ones apart."""
-    spread = case["ensemble"]["amplitude_spread"]
+    spread, probability = case["ensemble"]["amplitude_spread"], settings["probability"]
     pga_g = settings["pga_g"] * np.linspace(1.0 - spread, 1.0 + spread, settings["realisations"])
-    how = {"pga_g": pga_g, "scatter": True}
-    found = collapse_curve(case, motion, direction, search="list", settings=how)
-    valid = found.table[found.status != "failed"]
-    return int(valid["collapsed"].sum()), len(valid)
+    fell = valid = 0
+    for k in range(PARTS):
+        how = {"pga_g": pga_g[k::PARTS], "scatter": True}
+        if not how["pga_g"].size:
+            continue
+        found = collapse_curve(case, motion, direction, search="list", settings=how)
+        fell += int((found.status == "overturned").sum())
+        valid += int((found.status != "failed").sum())
+        if fell > probability * settings["realisations"]:
+            break
+        if fell == 0 and valid >= enough(probability):
+            break
+    return fell, valid
 
 
-def search(case, motion, direction, settings):
+class Kept:
+    """Results of finished ties in a file, a line each, so that a broken search goes on.
+
+    Parameters
+    ----------
+    path : path or None
+        None keeps nothing.
+    key : str
+        Of what the results depend on; others in the file are left alone.
+    """
+
+    def __init__(self, path, key):
+        """Read what is there."""
+        self.path, self.key, self.known = path and Path(path), key, {}
+        if self.path and self.path.is_file():
+            for line in self.path.read_text("utf-8").splitlines():
+                try:
+                    row = json.loads(line)
+                    if row["key"] == key:
+                        self.known[row["height_m"], row["force_kn"]] = (
+                            row["fell"],
+                            row["realisations"],
+                        )
+                except (ValueError, KeyError, TypeError):
+                    continue  # a line that was not written to its end
+
+    def get(self, height_m, force_kn):
+        """What is known of a tie, (fell, realisations), or None."""
+        return self.known.get((round(height_m, 6), round(float(force_kn), 6)))
+
+    def put(self, height_m, force_kn, fell, count):
+        """Keep what was found."""
+        place = round(height_m, 6), round(float(force_kn), 6)
+        self.known[place] = fell, count
+        if self.path is None:
+            return
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        names = ("key", "height_m", "force_kn", "fell", "realisations")
+        row = dict(zip(names, (self.key, *place, fell, count), strict=True))
+        with self.path.open("a", encoding="utf-8") as handle:
+            handle.write(json.dumps(row) + "\n")
+
+
+def key_of(case, motion, direction, settings, code=""):
+    """Key of everything that a search's results depend on; `code` stands for the programs."""
+    time_s, columns = motion.columns(case)
+    parts = [case.to_json(), direction, json.dumps(settings, sort_keys=True), code]
+    digest = hashlib.sha256("\n".join(parts).encode())
+    digest.update(np.ascontiguousarray(time_s).tobytes())
+    for name in sorted(columns):
+        digest.update(np.ascontiguousarray(columns[name]).tobytes())
+    return digest.hexdigest()[:16]
+
+
+def search(case, motion, direction, settings, kept=None, say=lambda text: None):
     """Collapse probability at the stated intensity, by height and force of the row.
+
+    Without a tie, then at each height from the strongest down to the first that certainly does
+    not hold (the lower end of its interval is above what is accepted).
 
     Parameters
     ----------
@@ -78,6 +167,9 @@ def search(case, motion, direction, settings):
         See `collapse_curve`.
     settings : dict
         Section strengthening.
+    kept : Kept, optional
+    say : callable
+        Receives a line a tie.
 
     Returns
     -------
@@ -85,22 +177,34 @@ def search(case, motion, direction, settings):
         height_m, force_kn, fell, realisations, probability, low, high (Wilson, 95 %); by height and
         force.
     """
+    kept = kept or Kept(None, "")
+    heights = trial_heights(settings, case["facade"]["height_m"])
+    none, *forces = trial_forces(settings, settings["levels"])
+
+    def tried(height, force):
+        if (known := kept.get(height, force)) is None:
+            known = realisations(
+                case.varied(tie(settings, height, force)), motion, direction, settings
+            )
+            kept.put(height, force, *known)
+            say(f"tie of {force:.3g} kN at {height:.2f} m: {known[0]} of {known[1]} fell")
+        fell, n = known
+        band = binomtest(fell, n).proportion_ci(CONFIDENCE, "wilson") if n else None
+        low, high = (band.low, band.high) if band else (np.nan, np.nan)
+        return height, force, fell, n, fell / n if n else np.nan, low, high
+
+    bare = tried(heights[0], none)
     rows: list[tuple] = []
-    bare: tuple | None = None
-    for height in trial_heights(settings, case["facade"]["height_m"]):
-        for force in trial_forces(settings, settings["levels"]):
-            if force == 0.0 and bare:
-                fell, n = bare
-            else:
-                tied = case.varied(tie(settings, height, force))
-                fell, n = realisations(tied, motion, direction, settings)
-                bare = bare or (fell, n)
-            band = binomtest(fell, n).proportion_ci(CONFIDENCE, "wilson") if n else None
-            low, high = (band.low, band.high) if band else (np.nan, np.nan)
-            share = fell / n if n else np.nan
-            rows.append((height, force, fell, n, share, low, high))
+    for number, height in enumerate(heights, 1):
+        say(f"height {number} of {len(heights)}: {height:.2f} m")
+        rows.append((height, *bare[1:]))
+        for force in forces[::-1]:
+            rows.append(tried(height, force))
+            lower_end = rows[-1][-2]
+            if not lower_end <= settings["probability"]:
+                break
     names = ["height_m", "force_kn", "fell", "realisations", "probability", "low", "high"]
-    return pd.DataFrame(rows, columns=names)
+    return pd.DataFrame(rows, columns=names).sort_values(names[:2], ignore_index=True)
 
 
 def least(table, probability):
@@ -174,7 +278,7 @@ def curve(case, motion, direction, settings, height_m):
     rows = []
     for force in trial_forces(settings, settings["curve_levels"]):
         variant = tie(settings, height_m, force)
-        found = collapse_curve(case.varied(variant), motion, direction).summary()
+        found = collapse_curve(case.varied(variant), motion, direction, settings=CHART).summary()
         rows.append({**variant.about, **found})
     names = ("safe", "collapse", "p10", "median", "p90", "all", "max")
     return pd.DataFrame(rows)[["height_m", "force_kn", *(f"pga_{name}_g" for name in names)]]
