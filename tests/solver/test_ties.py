@@ -207,7 +207,7 @@ def test_the_least_tie_is_the_weakest_from_which_all_hold():
 
 
 def search_of(falls, settings, monkeypatch, kept=None):
-    """Table of a search where `falls(force)` of each tie's realisations fall, and the ties tried."""
+    """Table of a search where a share `falls(force)` of each tie falls, and the ties tried."""
     tried = []
 
     def realisations(case, motion, direction, given):
