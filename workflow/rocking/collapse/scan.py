@@ -163,7 +163,7 @@ class Screen(Scan):
         courses = job["facade"].get("courses", 0)
         self.planes = []
         for numerics in layouts(job["numerics"], COURSES_NODES if courses else {}):
-            name = job["model"] if bricks else kind.one_way
+            name = job["model"] if bricks else kind.one_way_model
             scene = models.build_scene({**job, "model": name, "numerics": numerics})
             self.planes.append(prepare(scene))
         usual = BRICKS_STEP if bricks else COURSES_STEP if courses else STEP_FRACTION
