@@ -221,7 +221,7 @@ def test_what_yade_confirms_of_a_roof():
     ("given", "target", "message"),
     [
         ({"models": ["W3"]}, "restraint", "models.*planar counterpart"),
-        ({"models": ["W1"], "facade": {"sides": "two"}}, "restraint", "sides = two"),
+        ({"models": ["W1"], "facade": {"sides": "two"}}, "strengthening", "sides = two"),
         ({"strengthening": {"heights_m": [6.0, 7.0]}}, "strengthening", "height_m = 7: expected"),
         ({"strengthening": {"elongation": 1e-4}}, "strengthening", "elongation.*strain at yield"),
     ],

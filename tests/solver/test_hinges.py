@@ -14,6 +14,7 @@ from test_ties import BETA_S, FEW, G, pulses
 from yade_process import in_yade
 
 from yade_scripts.model.facade import facade_scene
+from yade_scripts.model.scene import observed_at
 from yade_scripts.model.stiffness import assemble
 
 HELD = {**ROOF, "friction": 0.0, "anchor_kn": 1000.0, "stiffness_kn_m": 1e6}
@@ -163,3 +164,103 @@ def test_impossible_hinges(facade, models, message):
     """One line with key, value and what was expected."""
     with pytest.raises(ConfigError, match=message):
         configuration.resolve({"facade": facade, "models": models})
+
+
+LEVEL = {**HELD, "load_kn": 30.0, "arm_m": None, "bearing": "flat", "stiffness_kn_m": 2e5}
+SPANNING = {  # the floor at the top of a free-standing wall, and the arm of its load
+    "on a point": ({"arm_m": None, "bearing": "point"}, 0.5),
+    "level, on an edge of the turning top": ({"arm_m": None, "bearing": "flat"}, 1.0),
+}
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.parametrize("name", SPANNING)
+def test_a_wall_that_spans(name, side):
+    """Held by the ground alone, either way: λ of bending with the load at s = b/2 or b."""
+    bearing, share = SPANNING[name]
+    roof = {**LEVEL, **bearing}
+    facade = {"e_mpa": 1e5, "hinges_m": [3.6], "sides": "two"}
+    config, scene = floored(roof, facade=facade, numerics=FEW, models=["W1"])
+    f = config["facade"]
+    bent = multipliers(f, 3.6, 30e3, share * f["thickness_m"], 1e6)[0]
+    for part, status in ((0.99, "ok"), (1.01, "overturned")):
+        t, pull = slow(part * G * bent)
+        got = history(prepare(scene), Motions(t, side * pull), config["numerics"], sample_s=0.01)
+        assert got.status == status
+
+
+def test_the_weakest_hinge_under_a_level_load():
+    """It minimises the closed form with the load on the edge."""
+    facade = {"hinges_m": "weakest", "sides": "two"}
+    config, _ = floored(LEVEL, facade=facade, build=False, models=["W1"])
+    f = config["facade"]
+    heights = np.linspace(0.05, 0.95, 1801) * f["height_m"]
+    found = [multipliers(f, z, 30e3, f["thickness_m"], 1e6)[0] for z in heights]
+    assert weakest_hinge(f) == pytest.approx(heights[np.argmin(found)], rel=0.01)
+
+
+def spanning(height_m=5.2):
+    """A wall of two pieces under a level load, watched at a height."""
+    facade = {"hinges_m": [3.6], "sides": "two"}
+    config, scene = floored(LEVEL, facade=facade, numerics=FEW, models=["W1"])
+    return config, observed_at(scene, height_m)
+
+
+def test_a_level_load_at_rest_and_its_matrices():
+    """It lies still from the start, weighs P, moves along z alone; K and C by both routes."""
+    config, scene = spanning()
+    plane = prepare(scene)
+    t = np.linspace(0.0, 1.0, 101)
+    got = history(plane, Motions(t, 0.0 * t), config["numerics"], sample_s=0.01)
+    assert np.abs(got.d_m).max() < 1e-8
+    mass, k, c, block = stack_matrices(plane)
+    assert mass[block == 2] == pytest.approx([30e3 / scene.gravity_m_s2])
+    for one, other in zip((k, c), assemble(scene).dense(), strict=True):
+        assert one == pytest.approx(other, rel=1e-9, abs=1e-9 * np.abs(other).max())
+
+
+def test_observed_at_a_height():
+    """d is that of the piece at the height, whatever else moves; above the top there is none."""
+    t, ground = pulses(1.0)
+    found = []
+    for z in (2.0, 3.6, 6.4):
+        config, scene = spanning(z)
+        got = history(prepare(scene), Motions(t, ground), config["numerics"], sample_s=0.0)
+        found.append(np.abs(got.d_m).max())
+    lower, hinge, top = found
+    assert 0.5 * hinge < lower < 0.7 * hinge  # a rigid piece that turns about its foot: 2/3.6
+    assert top < 0.1 * hinge
+    with pytest.raises(ValueError, match="height_m = 7: expected a height of the façade"):
+        spanning(7.0)
+
+
+@pytest.mark.yade
+def test_yade_and_the_compiled_solver_on_a_wall_that_spans():
+    """Joints opening but little: the watched point within 0.1 %, and YADE's energy closes."""
+    config, scene = spanning()
+    own = {**config, "observed_m": scene.monitor_point_m[2]}
+    t, ground = pulses(1.0)
+    planar = history(prepare(scene), Motions(t, ground), config["numerics"], sample_s=0.01)
+    got = in_yade(
+        "accuracy_cases", "balanced", config=own, model="W1", beta_s=BETA_S, fraction=0.1,
+        time_s=t.tolist(), columns={"ground": ground.tolist()},
+    )  # fmt: skip
+    assert got["status"] == planar.status == "ok"
+    assert got["peak"] == pytest.approx(planar.peak_d_over_b, rel=1e-3)
+    assert got["residual"] < 2e-3 * got["overturning"]
+
+
+@pytest.mark.parametrize(
+    ("floor", "facade", "message"),
+    [
+        ({"arm_m": 0.1, "bearing": "point"}, {}, "arm_m = 0.1: expected null, the middle"),
+        ({"height_m": 3.0}, {}, "bearing = flat: expected height_m = facade.height_m = 6.48"),
+        ({}, {"gable_height_m": 1.0, "hinges_m": []}, "bearing = flat: expected a plain upright"),
+        ({}, {"ties": [{"height_m": 3.0}]}, "sides = two: expected no facade.ties"),
+    ],
+)
+def test_impossible_bearings(floor, facade, message):
+    """One line with key, value and what was expected."""
+    own = {"sides": "two", "hinges_m": [3.6], "floors": [{**LEVEL, **floor}], **facade}
+    with pytest.raises(ConfigError, match=message):
+        configuration.resolve({"models": ["W1"], "facade": own})

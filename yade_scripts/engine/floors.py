@@ -11,7 +11,7 @@ stays vertical. The spheres have mask 0, so no collider finds them.
 
 from yade_scripts.engine import members as parts
 
-REACH_M, RADIUS_M = 1e3, 1e-3
+REACH_M, RADIUS_M = 1e3, 1e-5  # the contact shears a radius above the point
 NO_STIFFNESS = 1e-6  # N/m along the vertical
 
 

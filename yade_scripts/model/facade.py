@@ -29,7 +29,7 @@ from yade_scripts.model import registry
 from yade_scripts.model.base import base_jkn, shares
 from yade_scripts.model.chain import chain_links, chain_matrices
 from yade_scripts.model.floor_motions import GROUND
-from yade_scripts.model.floors import facade_floors, loaded
+from yade_scripts.model.floors import facade_floors, level_loads, loaded
 from yade_scripts.model.hinges import hinge_stiffness, pieces
 from yade_scripts.model.motion import along
 from yade_scripts.model.panels import Hanging, building_mass
@@ -44,6 +44,7 @@ BASE = "base"
 FACADE = "façade"
 WALL = "return wall"
 MIDDLE = np.array([0.0]), np.array([1.0])  # the column of nodes of a planar scene
+NO_SHEAR = 1e-6  # jks/jkn of a joint that slides freely
 PIECE_M = 0.25  # depth of wall that moves with the contact, where the masses are elsewhere
 
 
@@ -176,6 +177,13 @@ def facade_scene(
             for name, mix in list(motions.items())
         }
     walls = [i for i, block in enumerate(blocks) if block.name.startswith(WALL)]
+
+    def lay(above, below, name, jkn):
+        joint = (name, jkn)
+        given = {"planar": planar, "height_m": shape.height_m, "joint": joint, "slides": True}
+        add_base(config, beta_s, nodes, above, below, **given)
+
+    level_loads(facade, shape, blocks, walls, lay)
     floors, springs = facade_floors(
         facade.get("floors", ()), walls, blocks, shape, config["smdof"]["damping_ratio"]
     )
@@ -211,6 +219,7 @@ def add_base(
     columns=None,
     height_m=0.0,
     joint=None,
+    slides=False,
 ):
     """Add the joint between a façade's base and the ground, or between two of its pieces.
 
@@ -232,6 +241,8 @@ def add_base(
         Of the joint above the base.
     joint : (str, float) or None
         Its name and jkn [Pa/m]; None for the base's own.
+    slides : bool
+        It transmits no shear.
     """
     section = config["facade"]
     b, width = section["thickness_m"], section["width_m"]
@@ -255,9 +266,9 @@ def add_base(
         (0, 0, 1),
         areas,
         jkn,
-        section["shear_stiffness_ratio"] * jkn,
+        (NO_SHEAR if slides else section["shear_stiffness_ratio"]) * jkn,
         beta_s=beta_s,
-        friction_rad=math.radians(section["friction_deg"]),
+        friction_rad=0.0 if slides else math.radians(section["friction_deg"]),
         gap_m=gaps,
     )
 

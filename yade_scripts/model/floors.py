@@ -8,7 +8,11 @@ behind, whose motion it has, by a spring k that slides at
 with F_a what anchors hold beside friction. P is a dead load that goes where its point goes; its
 vertical inertia is left out. With a mass m of its own the floor moves along y on a spring
 m (2π/T)² and a dashpot 2 ζ m (2π/T) against that wall, and it is this mass that F joins to the
-façade.
+façade. Of a free-standing façade the base stands for the wall.
+
+A load with a flat bearing is a block that lies on the whole thickness of the top and stays level:
+it moves along z alone, with its mass P/g, and along y with what holds it. Where the top turns
+under it, it bears on one edge. Its nodes have no friction, since F is what holds.
 """
 
 import math
@@ -52,14 +56,70 @@ def place_of(row, shape):
     )
 
 
+def is_flat(row):
+    """Whether the load of a floor lies on the whole thickness and stays level."""
+    return row.get("bearing") == "flat"
+
+
+def lever_of(row, thickness_m):
+    """Arm s of a load in a mechanism that turns the top inward, from the inner face [m].
+
+    What stays level then bears on the outer edge.
+    """
+    if is_flat(row):
+        return thickness_m
+    return 0.5 * thickness_m if row["arm_m"] is None else row["arm_m"]
+
+
+def level_loads(section, shape, blocks, walls, add_joint):
+    """Append the blocks of loads with a flat bearing, at rest on the façade's top.
+
+    Parameters
+    ----------
+    section : dict
+        Section facade.
+    shape : Shape
+    blocks : list of Block
+    walls : sequence of int
+        Return walls' blocks; empty: the base carries the floors.
+    add_joint : callable
+        Adds the joint between two blocks: index of the upper and the lower one, name, jkn [Pa/m].
+    """
+    top = 1 + len(shape.hinges_m)
+    upper = shape.height_m - max([0.0, *shape.hinges_m])
+    jkn = section["base_stiffness_pa_m"] or section["e_mpa"] * 1e6 / (0.5 * upper)
+    size = (shape.width_m, shape.thickness_m, DEPTH_M)
+    for number, row in enumerate(section.get("floors", ()), 1):
+        if not (is_flat(row) and row["load_kn"] > 0.0):
+            continue
+        load = 1e3 * row["load_kn"]
+        carrier = wall_behind(f"floors[{number}].height_m", row["height_m"], walls, blocks)
+        sunk = load / (jkn * shape.thickness_m * shape.width_m) - blocks[top].displacement_m[2]
+        blocks.append(
+            Block(
+                f"load {number}",
+                (0.0, 0.5 * shape.thickness_m, shape.height_m + 0.5 * DEPTH_M),
+                size,
+                load / GRAVITY_M_S2,
+                (1.0, 1.0, 1.0),
+                free="z",
+                motion=blocks[carrier].motion,
+                displacement_m=(0.0, 0.0, -sunk),
+            )
+        )
+        add_joint(len(blocks) - 1, top, f"bearing {number}", jkn)
+
+
 def wall_behind(what, height_m, walls, blocks):
-    """Index of the return wall at a height of the façade, the lower of two.
+    """Index of the return wall at a height of the façade, the lower of two; without any the base.
 
     Raises
     ------
     ValueError
         One line that begins with `what`, if there is none.
     """
+    if not walls:
+        return 0
     for i in walls:
         if abs(height_m - blocks[i].centre_m[2]) <= 0.5 * blocks[i].size_m[2] + 1e-9:
             return i
@@ -75,9 +135,9 @@ def facade_floors(rows, walls, blocks, shape, damping_ratio):
     ----------
     rows : list of dict
         Section facade.floors: height_m, load_kn, arm_m, friction, anchor_kn, stiffness_kn_m,
-        mass_t, period_s.
+        mass_t, period_s, bearing.
     walls : sequence of int
-        Indices of the return walls' blocks.
+        Indices of the return walls' blocks; empty: the base carries the floors.
     blocks : list of Block
         Block 1 and those after it are the façade's, as `shape` numbers its pieces.
     shape : Shape
@@ -113,7 +173,7 @@ def facade_floors(rows, walls, blocks, shape, damping_ratio):
                 1 + shape.piece_at(z),
                 carrier,
                 place_of(row, shape),
-                1e3 * row["load_kn"],
+                0.0 if is_flat(row) else 1e3 * row["load_kn"],
                 1e3 * row["stiffness_kn_m"],
                 capacity_n(row),
             )

@@ -9,6 +9,7 @@ from yade_scripts.model import facade, interlocking, registry
 from yade_scripts.model.floor_motions import VERTICAL
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.motion import along
+from yade_scripts.model.scene import observed_at
 from yade_scripts.model.shape import is_plain, shape_of
 
 
@@ -19,7 +20,7 @@ def build_scene(job):
     ----------
     job : dict
         A scene file: model, beta_s and the configuration's sections; with `width_nodes` the
-        full scene under two components.
+        full scene under two components, with `observed_m` that height for d.
 
     Returns
     -------
@@ -28,8 +29,14 @@ def build_scene(job):
     Raises
     ------
     ValueError
-        For an unknown model.
+        For an unknown model, or a height that the façade has not.
     """
+    scene = _assembled(job)
+    height = job.get("observed_m")
+    return scene if height is None else observed_at(scene, height)
+
+
+def _assembled(job):
     kind = registry.model(job["model"])
     if kind.walls == "bricks":
         return interlocking.interlocking_scene(job, job["beta_s"], two_way=kind.two_way)

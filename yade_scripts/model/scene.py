@@ -12,7 +12,7 @@ is kn·penetration + β·kn·(its rate), never tensile unless the node is bonded
 
 import json
 import math
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -322,6 +322,23 @@ class NodeList:
             shape = (0, 3) if key in ("position_m", "normal") else (0,)
             columns[key] = np.concatenate(parts).astype(dtype) if parts else np.zeros(shape, dtype)
         return Nodes(**columns)
+
+
+def observed_at(scene, height_m):
+    """The scene with d measured at a height of the façade, at the middle of its thickness.
+
+    Raises
+    ------
+    ValueError
+        One line, if no piece of the façade is at that height.
+    """
+    for name, _ in sorted(scene.watched, key=lambda part: part[1][2]):
+        block = scene.blocks[scene.index(name)]
+        if abs(height_m - block.centre_m[2]) <= 0.5 * block.size_m[2] + 1e-9:
+            notes = {key: value for key, value in scene.notes.items() if key != "watched"}
+            point = (0.0, block.centre_m[1], float(height_m))
+            return replace(scene, monitor=name, monitor_point_m=point, notes=notes)
+    raise ValueError(f"height_m = {height_m:g}: expected a height of the façade (m)")
 
 
 def from_dict(data):

@@ -13,13 +13,15 @@ The tests file holds a list; each test is one run::
     beta_s   β [s]
     motion   path of a motion file with columns time_s, ground_m_s2
     factor   on the motion; its sign is the direction
+
+and may have `observed_m`, the height of d above the base; without it d is the top's.
 """
 
 import sys
 
 from yade_scripts.engine import adapter
 from yade_scripts.files import read_json, write_atomic
-from yade_scripts.model import facade, floor_motions
+from yade_scripts.model import floor_motions, models
 from yade_scripts.studies import command, shaking
 from yade_scripts.studies.tables import archive
 
@@ -54,8 +56,8 @@ def run_test(test):
         wall starts at h·sin φ.
     """
     time_s, columns = floor_motions.read(test["motion"])
-    scene = facade.facade_scene(test["config"], test["model"], test["beta_s"])
-    numerics = test["config"]["numerics"]
+    own = {key: test[key] for key in ("model", "beta_s", "observed_m") if key in test}
+    scene, numerics = models.build_scene({**test["config"], **own}), test["config"]["numerics"]
     return shaking.prepare(scene, numerics, time_s, columns, test["factor"]).retried()
 
 

@@ -9,6 +9,7 @@ from rocking.assessment.demand import RecordDemand, floor_demand
 from rocking.assessment.family import Family
 from rocking.mechanics.closed_forms import G_M_S2
 from rocking.mechanics.rocking_block import overturning_pga
+from yade_scripts.model.floors import lever_of
 from yade_scripts.model.motion import SIGNS
 from yade_scripts.model.shape import refuse
 
@@ -50,7 +51,7 @@ def weakest_hinge(section):
     loads = [1e3 * row["load_kn"] for row in section["floors"]]
     refuse({**section, "hinges_m": (), "courses": 0}, "the weakest hinge")
     h, b = section["height_m"], section["thickness_m"]
-    arms = [0.5 * b if row["arm_m"] is None else row["arm_m"] for row in section["floors"]]
+    arms = [lever_of(row, b) for row in section["floors"]]
     total = sum(loads)
     arm = sum(p * s for p, s in zip(loads, arms, strict=True)) / total if total else 0.0
     weight = section["density_kg_m3"] * G_M_S2 * h * b * section["width_m"]

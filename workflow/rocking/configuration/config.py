@@ -81,7 +81,10 @@ def check(resolved: Mapping) -> None:
     ConfigError
         In one line with the key, its value and what was expected.
     """
+    alone = resolved["facade"]["sides"] == "two"
     for path, schema in config_schema.leaves(config_schema.whole()):
+        if alone and path.startswith("return_wall."):
+            continue  # there is none
         value = _at(resolved, path)
         for word in ("below", "at_most"):
             limit = _at(resolved, schema[word]) if word in schema else None

@@ -77,10 +77,14 @@ def _check_bars(resolved: Mapping) -> None:
                 f"{where}.height_m = {show(row['height_m'])}: expected at most facade.height_m = "
                 f"{show(facade['height_m'])} (m)"
             )
-        if facade["sides"] == "two" or several:
-            what = f"models = {show(several)}" if several else "facade.sides = two"
+        if several:
             raise ConfigError(
-                f"{what}: expected no facade.{key}, or a façade of one block on walls"
+                f"models = {show(several)}: expected no facade.{key}, or a façade of one block"
+            )
+        if facade["sides"] == "two" and key == "ties":
+            raise ConfigError(
+                "facade.sides = two: expected no facade.ties, which need return walls; a floor's "
+                "anchor_kn holds to the ground"
             )
         if key == "ties" and row["elongation"] * row["e_mpa"] < row["yield_mpa"]:
             raise ConfigError(
@@ -89,6 +93,7 @@ def _check_bars(resolved: Mapping) -> None:
             )
         if key == "floors":
             _check_floor(where, row, shape_of({**facade, "hinges_m": ()}))
+            _check_bearing(where, row, resolved)
 
 
 def _check_floor(where: str, row: Mapping, shape: Shape) -> None:
@@ -104,6 +109,28 @@ def _check_floor(where: str, row: Mapping, shape: Shape) -> None:
         raise ConfigError(
             f"{where}.mass_t = {show(row['mass_t'])}: expected friction or anchor_kn (kN) that "
             "joins it to the façade"
+        )
+
+
+def _check_bearing(where: str, row: Mapping, resolved: Mapping) -> None:
+    """Refuse a level load that does not lie on a plain top, or rests where nothing holds it."""
+    facade = resolved["facade"]
+    if facade["sides"] == "two" and facade["hinges_m"] and row["arm_m"] is not None:
+        raise ConfigError(
+            f"{where}.arm_m = {show(row['arm_m'])}: expected null, the middle, with hinges and "
+            "facade.sides = two, since the pieces start upright"
+        )
+    if row["bearing"] != "flat":
+        return
+    if row["height_m"] != facade["height_m"] or row["arm_m"] is not None or row["mass_t"]:
+        raise ConfigError(
+            f"{where}.bearing = flat: expected height_m = facade.height_m = "
+            f"{show(facade['height_m'])} (m), arm_m = null and mass_t = 0"
+        )
+    massive = [name for name in resolved["models"] if registry.model(name).two_way]
+    if massive or facade["tilt_deg"] or facade["courses"] or not is_plain(facade):
+        raise ConfigError(
+            f"{where}.bearing = flat: expected a plain upright façade before driven walls or none"
         )
 
 
@@ -150,10 +177,10 @@ def _check_hinges(resolved: Mapping) -> None:
             raise ConfigError(
                 f"models = {name}: expected W1 or W2, dry and driven, with facade.{given}"
             )
-    if facade["sides"] == "two" or facade["tilt_deg"] or not is_plain(facade):
-        raise ConfigError(
-            f"facade.{given}: expected a plain upright façade on the ground, before walls"
-        )
+    if facade["tilt_deg"] or not is_plain(facade):
+        raise ConfigError(f"facade.{given}: expected a plain upright façade on the ground")
+    if courses and facade["sides"] == "two":
+        raise ConfigError(f"facade.courses = {courses}: expected 0 with facade.sides = two")
     if courses:
         return
     if heights != WEAKEST:
