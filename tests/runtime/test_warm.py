@@ -22,9 +22,11 @@ told = {"name": __name__, "argv": sys.argv, "folder": os.getcwd(), "parent": os.
 
 SNAKEFILE = """
 from rocking.runtime import warm
+from rocking.runtime.way_back import left_out_if_unknown
 
 onstart:
-    warm.serve(workflow)
+    with left_out_if_unknown("a server of scripts"):
+        warm.serve(workflow)
 
 rule all:
     input: expand("{{n}}.json", n=[1, 2, 3, 4])
@@ -66,6 +68,25 @@ def test_snakemake_starts_many_scripts_from_one_server(tmp_path):
         assert len(t["argv"]) == 1
         assert t["argv"][0].endswith("tell.py")
     assert (tmp_path / "1.tsv").read_text().startswith("s\t")
+
+
+OTHER = """
+from snakemake.script import PythonScript
+
+known = PythonScript.execute_script
+PythonScript.execute_script = lambda self, fname, **more: known(self, fname, **more)
+"""
+
+
+def test_in_another_release_scripts_start_as_snakemake_starts_them(tmp_path):
+    """It has other parameters: a line says so, and every script is a process of its own."""
+    (tmp_path / "tell.py").write_text(TELL + 'json.dump(told, open(snakemake.output[0], "w"))\n')
+    (tmp_path / "Snakefile").write_text(OTHER + SNAKEFILE.format(modules=["tell.py"]))
+    done = snakemake(tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert "warning: without a server of scripts: Snakemake differs here" in done.stderr
+    told = [json.loads((tmp_path / f"{n}.json").read_text()) for n in (1, 2, 3, 4)]
+    assert not any(one["loaded"] for one in told)
 
 
 def test_a_script_s_end_is_its_own(tmp_path, monkeypatch):

@@ -26,6 +26,7 @@ from rocking.records import RecordError, read_table
 from rocking.records.check import check_runs
 from rocking.runtime import file_times, first_page, interrupts, progress
 from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
+from rocking.runtime.way_back import left_out_if_unknown
 from rocking.runs import Curve, Runs
 from yade_scripts.engine import lifeline
 from yade_scripts.model.registry import COMPLETE, MODELS, PLANAR, PUSHED, WITH_WALLS
@@ -149,7 +150,8 @@ localrules:
 
 
 onstart:
-    interrupts.heed(workflow.scheduler)
+    with left_out_if_unknown("own handling of interrupts"):
+        interrupts.heed(workflow.scheduler)
     try:
         try:
             run_lock.hold()
@@ -162,13 +164,18 @@ onstart:
                 )
         except (run_lock.Busy, ValueError, OSError) as error:
             stop(error)
-        scheduling.choose_at_ends_only(workflow)
-        tasks = progress.tasks_of(workflow, RUNS.known_runs)
-        # none on a cluster, which has no such number
-        cores = workflow.resource_settings.cores
-        print(progress.opening(tasks, list(RUNS.settings), cores), file=sys.stderr)
-        progress.Progress(tasks).watch()
-        warm.serve(workflow)
+        with left_out_if_unknown("choosing jobs at ends only"):
+            scheduling.choose_at_ends_only(workflow)
+        with left_out_if_unknown("lines of progress"):
+            tasks = progress.tasks_of(workflow, RUNS.known_runs)
+            # none on a cluster, which has no such number
+            cores = workflow.resource_settings.cores
+            print(
+                progress.opening(tasks, list(RUNS.settings), cores), file=sys.stderr
+            )
+            progress.Progress(tasks).watch()
+        with left_out_if_unknown("a server of scripts"):
+            warm.serve(workflow)
     except KeyboardInterrupt:
         sys.exit(STOPPED)
 

@@ -20,6 +20,7 @@ def heed(scheduler):
     scheduler : snakemake.scheduling.job_scheduler.JobScheduler
         Upon SIGTERM its running jobs end, and no other begins.
     """
+    end = scheduler.exit_gracefully
     came: queue.SimpleQueue = queue.SimpleQueue()  # may be put to whatever a signal interrupted
     main = threading.get_ident()
     dropped = sys.unraisablehook
@@ -27,7 +28,7 @@ def heed(scheduler):
     def watch():
         for number in iter(came.get, None):
             if number == signal.SIGTERM:
-                scheduler.exit_gracefully()
+                end()
             else:
                 signal.pthread_kill(main, number)
 

@@ -19,6 +19,7 @@ from multiprocessing.connection import wait
 from pathlib import Path
 
 from rocking.runtime import stamps
+from rocking.runtime.way_back import expect_parameters, left_out_if_unknown
 from yade_scripts import sources
 
 FEWEST = 3  # scripts; below, starting the server costs more than it saves
@@ -147,10 +148,16 @@ def serve(workflow):
     ----------
     workflow : snakemake.workflow.Workflow
         With its DAG, as it is in `onstart`.
+
+    Raises
+    ------
+    ImportError, AttributeError, TypeError
+        In a release of Snakemake that starts scripts in another way; nothing is changed then.
     """
     from snakemake.benchmark import benchmarked
     from snakemake.script import PythonScript
 
+    expect_parameters(PythonScript.execute_script, "self", "fname", "edit")
     due = [job for job in workflow.dag.needrun_jobs() if job.rule.script]
     if len(due) < FEWEST:
         return
@@ -162,9 +169,13 @@ def serve(workflow):
         return
 
     def execute_script(self, fname, edit=False):
-        plain = not (self.container_img or self.conda_env or self.env_modules)
-        current = is_current(stamps.files(_modules(self)), server.began_s)
-        if not (plain and current and self.threads == 1):
+        try:
+            plain = not (self.container_img or self.conda_env or self.env_modules)
+            current = is_current(stamps.files(_modules(self)), server.began_s)
+            suits = plain and current and self.threads == 1 and hasattr(self, "bench_record")
+        except AttributeError:  # another Snakemake
+            suits = False
+        if not suits:
             return cold(self, fname, edit)
 
         def watched(pid):
@@ -190,10 +201,12 @@ def serve_when_due(workflow):
     from snakemake.script import PythonScript
 
     cold = PythonScript.execute_script
+    expect_parameters(cold, "self", "fname", "edit")
 
     def execute_first(self, fname, edit=False):
         PythonScript.execute_script = cold
-        serve(workflow)
+        with left_out_if_unknown("a server of scripts"):
+            serve(workflow)
         return self.execute_script(fname, edit)
 
     PythonScript.execute_script = execute_first
