@@ -78,12 +78,6 @@ class Model:
         return self.walls != "none"
 
     @property
-    def cost(self):
-        """Processor time of a curve in YADE over that of W1, from steps a second: for estimates."""
-        walls = {"floors": 2.3, "bricks": 18.0}.get(self.walls, 1.0)
-        return walls + (6.3 if self.bonded else 0.0)
-
-    @property
     def climb_from(self):
         """Share of b/h from which a short climb looks for a first collapse."""
         return 0.5 if self.chain else 0.7
