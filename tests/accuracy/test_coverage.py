@@ -75,7 +75,7 @@ def test_the_scan_finds_both_sides_of_a_pulse(tmp_path):
     pd.DataFrame({"time_s": t, "ground_m_s2": ground}).to_csv(path, index=False)
     job = {**resolved(), "model": "W1", "beta_s": 0.00276}
     settings = {**job["ida"], "reference_nodes": 5, "reference_tolerance": 1e-5}
-    settings |= {"level_ratio": 0.05, "reference_step": 0.01, "max_pga_g": 2.0}
+    settings |= {"level_ratio": 0.05, "reference_scan_step": 0.01, "max_pga_g": 2.0}
     settings["amplitude_spread"] = 0.03
     table = coverage.scan(job, path, "neg", settings, 0.025)
     coarse = table[table["level"] == 1]

@@ -29,7 +29,7 @@ from pathlib import Path
 import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
-PLAN = Path(__file__).with_suffix(".yaml")
+PLAN = "tests/trials/freeze.yaml"
 SNAKEMAKE = Path(sys.executable).with_name("snakemake")
 KINDS = {".csv", ".json", ".yaml", ".txt", ".xml", ".md", ".tsv"}
 LEFT_OUT = {"logs", "benchmarks", "cache", "figures", "report"}  # folders of a run
@@ -52,7 +52,7 @@ def merged(below, above):
     return {k: merged(below.get(k), above.get(k, below.get(k))) for k in {**below, **above}}
 
 
-def run(tree, output, only=(), cores=2):
+def run(tree, output, only=(), cores=2, plan=None):
     """Run the trials of freeze.yaml on a checkout; return the names of those that failed.
 
     Parameters
@@ -65,8 +65,11 @@ def run(tree, output, only=(), cores=2):
         Names of trials; all where there are none.
     cores : int
         Jobs at a time; no table depends on it.
+    plan : Path, optional
+        The trials; those of the checkout, whose names of keys they have, or else of this one.
     """
-    plan = yaml.safe_load(PLAN.read_text())
+    own = tree / PLAN
+    plan = yaml.safe_load((plan or (own if own.exists() else ROOT / PLAN)).read_text())
     if unknown := set(only) - set(plan["trials"]):
         sys.exit(f"error: {', '.join(sorted(unknown))}: expected of {', '.join(plan['trials'])}")
     work = output / "work"
@@ -223,6 +226,7 @@ def main():
     runs.add_argument("--output", type=Path, required=True)
     runs.add_argument("--only", nargs="+", default=[], help="names of trials")
     runs.add_argument("--cores", type=int, default=2)
+    runs.add_argument("--plan", type=Path, help="trials (default: those of the checkout)")
     held = commands.add_parser("compare", help="print what differs")
     held.add_argument("old", type=Path)
     held.add_argument("new", type=Path)
@@ -234,14 +238,14 @@ def main():
         sys.exit(1 if lines else 0)
     output = given.output.resolve()
     if given.revision is None:
-        failed = run(given.tree.resolve(), output, given.only, given.cores)
+        failed = run(given.tree.resolve(), output, given.only, given.cores, given.plan)
     else:
         with tempfile.TemporaryDirectory() as folder:
             tree = Path(folder, "tree")
             git = ["git", "-C", str(ROOT), "worktree"]
             subprocess.run([*git, "add", "--detach", str(tree), given.revision], check=True)
             try:
-                failed = run(tree, output, given.only, given.cores)
+                failed = run(tree, output, given.only, given.cores, given.plan)
             finally:
                 subprocess.run([*git, "remove", "--force", str(tree)], check=True)
     sys.exit(f"failed: {', '.join(failed)}" if failed else 0)

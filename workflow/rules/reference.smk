@@ -25,7 +25,11 @@ rule reference_scan:
         record=lambda w: w.record,
         accuracy=lambda w: {
             key: RUNS.cfg(w)["accuracy"][key]
-            for key in ("reference_nodes", "reference_tolerance", "reference_step")
+            for key in (
+                "reference_nodes",
+                "reference_tolerance",
+                "reference_scan_step",
+            )
         },
     script:
         "../scripts/reference/reference_scan.py"

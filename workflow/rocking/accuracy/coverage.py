@@ -2,7 +2,7 @@
 
 The reference solver (`rocking.reference`) shares no code with the compiled one. Its
 search is `collapse.search.dense`, from half the lowest collapse that the workflow found, with
-`accuracy.reference_step` for the fine steps. The dense probability at an amplitude
+`accuracy.reference_scan_step` for the fine steps. The dense probability at an amplitude
 is the share of its histories within that spread that fall; nodes and tolerance are the same.
 """
 
@@ -44,7 +44,7 @@ def scan(job, motion_path, direction, settings, start_g):
         Floor motions.
     direction : str
     settings : dict
-        level_ratio, beyond, max_pga_g, reference_step, reference_nodes, reference_tolerance,
+        level_ratio, beyond, max_pga_g, reference_scan_step, reference_nodes, reference_tolerance,
         amplitude_spread.
     start_g : float
         Lowest amplitude.
@@ -66,7 +66,7 @@ def scan(job, motion_path, direction, settings, start_g):
         parts.append(table.assign(status=found.status))
         return found.status
 
-    drive(search.dense(start_g, {**settings, "fine_step": settings["reference_step"]}), run)
+    drive(search.dense(start_g, {**settings, "fine_step": settings["reference_scan_step"]}), run)
     table = pd.concat(parts).sort_values("pga_g", ignore_index=True)
     return table.assign(collapsed=(table["status"] == "overturned").astype(int))
 
