@@ -101,7 +101,7 @@ class Camera:
         rows: dict = {}
         for k, (one, two) in enumerate(found.keys):
             ends = self.block_of.get(found.a[k], -1), self.block_of.get(found.b[k], -1)
-            on = min((end for end in ends if end >= 0), key=self.rank.__getitem__)
+            on = min((end for end in ends if end >= 0), key=lambda end: self.rank[end])
             force = found.force[k] if on == ends[1] else -found.force[k]
             node = self.books.bond_of.get(one, self.books.bond_of.get(two, (one, two)))
             rows.setdefault((node, on), []).append((found.point[k], force))
