@@ -46,6 +46,31 @@ def test_a_separate_range_below_the_main_collapse_is_the_lowest_collapse():
     assert (found["runs_planar"], found["runs_yade"]) == (len(GRID), 3)
 
 
+def test_what_may_hide_below_the_safe_amplitude():
+    """Scatter from 0.4 g on, so many histories a window, none fell: Clopper and Pearson."""
+    for count in (20, 29, 100):
+        pga_g = 0.1 * np.exp(probability.WINDOW * np.arange(0.0, 230.0, 1.0 / count))
+        rng = np.random.default_rng(count)
+        reached = np.where(pga_g < 0.4, pga_g / 2.0, 0.4 + 0.3 * rng.random(pga_g.size))
+        table = pd.DataFrame({"pga_g": pga_g, "status": "ok", "collapsed": 0, "d_over_b": reached})
+        bound = probability.summary(table, (), (), 0.01)["safe_bound"]
+        assert (1.0 - bound) ** count == pytest.approx(0.05, rel=0.3)
+        smooth = probability.summary(table.assign(d_over_b=pga_g), (), (), 0.01)
+        assert np.isnan(smooth["safe_bound"])
+
+
+def test_a_lowest_collapse_says_on_how_many_histories_it_rests():
+    table = scan(lambda g: g > 0.5)
+    table.loc[table["pga_g"].sub(0.3).abs().idxmin(), ["status", "collapsed"]] = "overturned", 1
+    found = probability.summary(table, (), (), 0.01)
+    assert found["pga_collapse_g"] == pytest.approx(0.3, rel=0.002)
+    assert found["collapse_fell"] == 1
+    assert found["collapse_realisations"] == np.count_nonzero(np.abs(GRID / 0.3 - 1.0) <= 0.011)
+    assert found["pga_p10_g"] > 0.45
+    many = probability.summary(scan(lambda g: g > 0.5), (), (), 0.01)
+    assert 4 <= many["collapse_fell"] < many["collapse_realisations"]
+
+
 def test_a_collapse_in_yade_alone_is_not_safe():
     """The engine that confirms has the last word on what is safe."""
     found = probability.summary(scan(lambda g: g > 0.6), runs((0.45, 1)), (), 0.01)

@@ -7,7 +7,7 @@ from rocking.collapse import search
 from yade_scripts.studies.search import drive
 
 SETTINGS = {"level_ratio": 0.02, "beyond": 1.35, "max_pga_g": 2.0}
-SETTINGS |= {"realisations": 6, "amplitude_spread": 0.01, "fine_step": 0.002}
+SETTINGS |= {"realisations": 6, "amplitude_spread": 0.01, "fine_step": 0.002, "power": 0.0}
 
 
 def searched(strategy, falls):
@@ -46,8 +46,77 @@ def test_a_façade_that_never_falls_is_climbed_to_the_end_and_no_further():
 
 
 def test_a_façade_that_falls_at_once_is_scanned_below_the_start():
-    pga_g, _ = searched(search.scan(0.4, SETTINGS), lambda g: g > 0.36)
-    assert pga_g.min() == pytest.approx(0.85 * 0.4)
+    """Down to where it stands over a tenth, however far below the start that is."""
+    for threshold in (0.36, 0.01):
+        pga_g, _ = searched(search.scan(0.4, SETTINGS), lambda g, at=threshold: g > at)
+        assert pga_g.min() < threshold / 1.1
+        low, high = pga_g[pga_g <= threshold].max(), pga_g[pga_g > threshold].min()
+        assert high / low <= 1.0 + 2.0 * 0.01 / 6.0 + 1e-12
+
+
+def test_a_façade_that_falls_at_any_amplitude_ends_the_scan():
+    pga_g, _ = searched(search.scan(0.4, SETTINGS), lambda g: True)
+    assert 0.0 < pga_g.min() < search.LEAST_G
+
+
+def chaotic(seed, share, at_g=0.3, ratio=1.01):
+    """Outcomes of a façade that falls above 0.5 g, and for a share of histories in one window.
+
+    Below 0.25 g its answers follow one branch; above they scatter.
+    """
+    rng = np.random.default_rng(seed)
+
+    def run(ask):
+        g = np.asarray(ask.pga_g)
+        d_over_b = np.where(g < 0.25, g / 0.5, 0.3 + 0.5 * rng.random(g.size))
+        fell = (g > 0.5) | ((g > at_g) & (g < at_g * ratio) & (rng.random(g.size) < share))
+        status = np.where(fell, "overturned", "ok")
+        return search.Answer(status, np.where(fell, 1.0, d_over_b))
+
+    return run
+
+
+def lowest_fall(settings, run):
+    """Lowest amplitude that falls, and how many were run."""
+    seen = []
+
+    def recorded(ask):
+        answer = run(ask)
+        seen.extend(zip(ask.pga_g, answer.status, strict=True))
+        return answer
+
+    drive(search.scan(0.1, settings), recorded)
+    return min(g for g, status in seen if status == "overturned"), len(seen)
+
+
+def test_the_stated_power_is_reached_and_not_without_its_realisations():
+    """Ranges of 10 % over 1 % of amplitude, 20 to 40 % below the collapse, in 300 curves."""
+    places = 0.3 * (1.0 + 0.3 * np.random.default_rng(1).random(300))
+    found = {
+        power: np.mean(
+            [
+                lowest_fall({**SETTINGS, "power": power}, chaotic(k, 0.1, at))[0] < 0.45
+                for k, at in enumerate(places)
+            ]
+        )
+        for power in (0.0, 0.8, 0.95)
+    }
+    assert found[0.95] > 0.95 - 2.0 * np.sqrt(0.95 * 0.05 / 300)
+    assert 0.8 - 2.0 * np.sqrt(0.8 * 0.2 / 300) < found[0.8] < found[0.95]
+    assert found[0.0] < 0.2
+
+
+def test_one_branch_costs_no_realisations_beyond_those_of_the_window():
+    def smooth(ask):
+        g = np.asarray(ask.pga_g)
+        status = np.where(g > 0.5, "overturned", "ok")
+        return search.Answer(status, np.minimum(1.0, (g / 0.5) ** 2))
+
+    lowest, runs = lowest_fall({**SETTINGS, "power": 0.95}, smooth)
+    few = lowest_fall(SETTINGS, smooth)[1]
+    calm = 0.5 * np.sqrt(search.CALM)
+    assert lowest == pytest.approx(0.5, rel=0.01)
+    assert runs - few <= np.log(0.85 * 0.5 / calm) / np.log(1.0 + 0.02 / 6.0) + 20
 
 
 def test_a_dense_search_ends_where_all_within_its_window_fall():

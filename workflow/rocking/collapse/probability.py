@@ -14,11 +14,15 @@ import numpy as np
 import pandas as pd
 
 LEVELS = (0.10, 0.50, 0.90)
+WINDOW = math.log(1.01)  # of amplitude, in which what is left unseen is counted
+CALM = 0.3  # d/b below which nothing that falls hides
+SCATTER, FEW = 0.03, 5  # of d/b about one branch; histories that tell it
 KEY = ["model", "record", "direction"]
 COLUMNS = [
     *KEY,
     *(f"pga_{name}_g" for name in ("safe", "collapse", "median", "p10", "p90", "all", "max")),
     *("reversals", "runs_planar", "runs_yade", "disagreements"),
+    *("collapse_fell", "collapse_realisations", "safe_bound"),
 ]
 PROBABILITY_COLUMNS = [
     *(*KEY, "pga_g", "probability", "realisations"),
@@ -52,6 +56,48 @@ def probability(pga_g, collapsed, at_g, spread):
         return np.where(
             realisations > 0, (total[last] - total[first]) / realisations, np.nan
         ), realisations
+
+
+def windows(low_g, high_g):
+    """Lower ends of windows of the width ln(1.01) between two amplitudes, from the lower up [g]."""
+    return low_g * np.exp(WINDOW * np.arange(math.floor(math.log(high_g / low_g) / WINDOW + 1e-9)))
+
+
+def doubtful(pga_g, d_over_b, low_g):
+    """Windows of amplitude in which a fall could hide among what stood.
+
+    One could if a peak d/b in it or within one window's width beside it is at least `CALM`, and the
+    peaks there scatter by more than `SCATTER` about a straight line in ln amplitude: where a
+    façade's answers follow one branch, neighbours say what it does between them. Where too few were
+    run to tell, or d/b is not known, one could.
+
+    Parameters
+    ----------
+    pga_g, d_over_b : array_like, shape (n,)
+        Of histories that stood, by ascending amplitude.
+    low_g : array_like, shape (m,)
+        Of `windows`.
+
+    Returns
+    -------
+    ndarray of bool, shape (m,)
+    """
+    at, d_over_b = np.log(np.asarray(pga_g, float)), np.asarray(d_over_b, float)
+    low = np.log(np.asarray(low_g, float))
+    ends = np.searchsorted(at, low - WINDOW), np.searchsorted(at, low + 2.0 * WINDOW)
+    found = np.zeros(low.size, bool)
+    for k, (i, j) in enumerate(zip(*ends, strict=True)):
+        near = d_over_b[max(i - 1, 0) : j + 1]
+        if near.size and near.max() < CALM:
+            continue
+        x, y = at[i:j], d_over_b[i:j]
+        if y.size < FEW or np.isnan(y).any():
+            found[k] = True
+            continue
+        x = x - x.mean()
+        line = y.mean() + x * (x @ y) / max(x @ x, 1e-30)
+        found[k] = np.abs(y - line).max() > SCATTER
+    return found
 
 
 def single_runs(runs, spread):
@@ -146,7 +192,8 @@ def summary(scan, curve, realisations, spread):
     dict
         See COLUMNS: highest amplitude that stood with nothing falling within + spread of it or
         below, in either method; lowest that fell; first crossings of 10, 50 and 90 %; amplitude
-        from which all collapse; largest that was run.
+        from which all collapse; largest that was run; how many fell, of how many, within ± spread
+        of the lowest that fell; what may hide below the safe one (`unseen`).
     """
     own = [table for table in (curve, realisations) if len(table)]
     every = outcomes(*own) if scan is None else outcomes(*own, scan)
@@ -160,8 +207,10 @@ def summary(scan, curve, realisations, spread):
         at_g, share = single_runs(every, spread)[["pga_g", "probability_yade"]].to_numpy().T
     low, middle, high = (first_crossing(at_g, share, level) for level in LEVELS)
     above = every["pga_g"][every["pga_g"] > highest]
+    safe = stood[~(stood * (1.0 + spread) >= lowest)].max()
+    beside, realisations_beside = probability(every["pga_g"], every["collapsed"], [lowest], spread)
     return {
-        "pga_safe_g": stood[~(stood * (1.0 + spread) >= lowest)].max(),
+        "pga_safe_g": safe,
         "pga_collapse_g": lowest,
         "pga_median_g": middle,
         "pga_p10_g": low,
@@ -171,16 +220,49 @@ def summary(scan, curve, realisations, spread):
         "reversals": reversals(dense["collapsed"]),
         "runs_planar": 0 if scan is None else len(scan),
         "runs_yade": len(curve) + len(realisations),
+        "collapse_fell": round(float(beside[0] * realisations_beside[0])) if len(fell) else np.nan,
+        "collapse_realisations": int(realisations_beside[0]) if len(fell) else np.nan,
+        "safe_bound": unseen(every, dense["pga_g"].min(), np.fmin(lowest, every["pga_g"].max())),
     }
 
 
+def unseen(runs, low_g, high_g, confidence=0.95):
+    """Collapse probability that may hide in 1 % of amplitude below the lowest fall: an upper bound.
+
+    Of n histories in a window that all stood the bound is 1 − (1 − confidence)^(1/n) (Clopper and
+    Pearson, 1934); returned is that of the `doubtful` window with the fewest.
+
+    Parameters
+    ----------
+    runs : DataFrame
+        Of `outcomes`.
+    low_g, high_g : float
+        Where the windows begin and end [g]; nothing fell between.
+
+    Returns
+    -------
+    float
+        NaN where no window is doubtful.
+    """
+    stood = runs[(runs["collapsed"] == 0) & (runs["pga_g"] < high_g)]
+    if not len(stood) or not low_g < high_g:
+        return np.nan
+    low, pga_g = windows(low_g, high_g), stood["pga_g"].to_numpy()
+    counts = np.diff(np.searchsorted(pga_g, np.append(low, low[-1:] * math.exp(WINDOW))))
+    counts = counts[doubtful(pga_g, stood["d_over_b"], low)]
+    if not counts.size:
+        return np.nan
+    return 1.0 - (1.0 - confidence) ** (1.0 / counts.min()) if counts.min() else 1.0
+
+
 def outcomes(*tables):
-    """Amplitude and outcome of every run that did not fail, by ascending amplitude."""
+    """Amplitude, outcome and d/b of every run that did not fail, by ascending amplitude."""
     parts = []
     for table in tables:
         valid = table[table["status"] != "failed"]
         pga_g = valid["pga_g"] * valid.get("amplitude_factor", 1.0)
-        parts.append(pd.DataFrame({"pga_g": pga_g, "collapsed": valid["collapsed"].astype(int)}))
+        part = pd.DataFrame({"pga_g": pga_g, "collapsed": valid["collapsed"].astype(int)})
+        parts.append(part.assign(d_over_b=valid.get("d_over_b", np.nan)))
     return pd.concat(parts).sort_values("pga_g", ignore_index=True)
 
 

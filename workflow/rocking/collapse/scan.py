@@ -5,6 +5,7 @@ import pandas as pd
 
 from rocking.collapse import search
 from rocking.collapse.probability import summary
+from rocking.collapse.search import Answer
 from rocking.solver.inputs import Bodies
 from rocking.solver.plane import moving_supports, prepare
 from rocking.solver.runs import STEP_FRACTION, Motions, Peaks, bodies, peaks, stable_step
@@ -119,7 +120,7 @@ class Scan:
 
         def run(ask):
             parts.append(self.run(ask.pga_g, ask.realisations))
-            return parts[-1]["status"].to_numpy()
+            return Answer(parts[-1]["status"].to_numpy(), parts[-1]["d_over_b"].to_numpy(float))
 
         found = drive(strategy, run)
         return pd.concat(parts).sort_values("pga_g", ignore_index=True), found

@@ -6,7 +6,8 @@ for runs of minutes stand). Nothing here knows a façade, a motion or a solver.
     list       stated intensities
     first      the lowest of ascending levels that falls
     climb      levels up to where all have fallen over a factor
-    scan       a climb, then realisations about every change of outcome: the dense scan
+    scan       a climb, realisations about every change of outcome, and more below the lowest fall
+               until what could hide there would have been found: the dense scan
     crossings  where 10 and 50 % of the realisations first collapse: a short climb for many curves
     dense      a climb, then equal steps from below its lowest fall to where all fall
     neighbour  the lowest level that falls, from a guess up or down
@@ -15,14 +16,26 @@ for runs of minutes stand). Nothing here knows a façade, a motion or a solver.
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
-from rocking.collapse.probability import first_crossing, probability
+from rocking.collapse.probability import (
+    CALM,
+    WINDOW,
+    doubtful,
+    first_crossing,
+    probability,
+    windows,
+)
 from yade_scripts.studies.search import Ask, next_amplitude, next_level, one_by_one
 
 BLOCK = 32  # amplitudes between two looks at whether the façade has fallen for good
 MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change
+CALM_RATIO = 1.1  # a scan begins where a façade stays below d/b of CALM over a range this wide
+LEAST_G = 1e-4  # no façade that stands by itself falls below
+HIDDEN = 0.1  # probability of collapse in the ranges that a search finds with its power
+AT_ONCE = 8  # windows that get more realisations between two looks
 BELOW_FIRST = 1.03  # ratio of the levels below the first fall of a short climb
 SPREAD = 0.03  # half width of the window over which its realisations count
 MEMBERS = 6  # in that window
@@ -30,18 +43,40 @@ CHUNK = 6  # its amplitudes between two looks
 LEVELS = (0.10, 0.50)
 
 
+class Answer(NamedTuple):
+    """What a search may be sent in place of a status each: that, and peak d/b.
+
+    Attributes
+    ----------
+    status : sequence of str
+    d_over_b : sequence of float
+        At most 1; NaN where a history failed.
+    """
+
+    status: object
+    d_over_b: object
+
+
 class Seen:
-    """Amplitudes that a search has asked for, and their outcomes."""
+    """Amplitudes that a search has asked for, and their outcomes; d/b is NaN where unknown."""
 
     def __init__(self):
         """Nothing is known."""
         self.pga_g, self.status = np.zeros(0), np.zeros(0, object)
+        self.d_over_b = np.zeros(0)
 
     def ask(self, pga_g, realisations=False):
-        """Ask for amplitudes and remember what they did; for `yield from`."""
-        status = yield Ask(pga_g, realisations)
+        """Ask for amplitudes and rerealisation what they did; for `yield from`."""
+        answer = yield Ask(pga_g, realisations)
+        if not isinstance(answer, Answer):
+            answer = Answer(answer, np.full(len(pga_g), np.nan))
         self.pga_g = np.append(self.pga_g, pga_g)
-        self.status = np.append(self.status, np.asarray(status, object))
+        self.status = np.append(self.status, np.asarray(answer.status, object))
+        self.d_over_b = np.append(self.d_over_b, answer.d_over_b)
+
+    def reaches(self, d_over_b):
+        """Mask of the amplitudes that fell or came so far."""
+        return self.fell | (self.d_over_b >= d_over_b)
 
     @property
     def fell(self):
@@ -75,6 +110,7 @@ def climb(start_g, settings, block=BLOCK):
     """Ask for levels from `start_g` up, at steps of `level_ratio`.
 
     It ends when the façade has fallen at every level over a factor `beyond`, or at `max_pga_g`.
+    Where it falls at the start or comes near, levels below follow until it stays below `CALM`.
 
     Parameters
     ----------
@@ -98,28 +134,75 @@ def climb(start_g, settings, block=BLOCK):
         yield from seen.ask(levels[at : at + block])
         if seen.pga_g.size >= run and seen.fell[-run:].all():
             break
+    calm, low = math.ceil(math.log(CALM_RATIO) / math.log(ratio)), start
+    while low > LEAST_G and seen.reaches(CALM)[np.argsort(seen.pga_g)[:calm]].any():
+        yield from seen.ask(low * ratio ** np.arange(-block, 0.0))
+        low *= ratio**-block
     return seen
 
 
 def scan(start_g, settings, block=BLOCK):
-    """Ask for a `climb`, then for finer amplitudes wherever outcomes may change.
+    """Ask for a `climb`, then for finer amplitudes wherever outcomes may change, then `below`.
 
-    The second pass has `realisations` amplitudes within ± `amplitude_spread` of any.
+    The second pass has `realisations` amplitudes within ± `amplitude_spread` of any, from where the
+    climb comes beyond `CALM`.
 
     Parameters
     ----------
     start_g, settings, block
-        As of `climb`; settings has realisations and amplitude_spread too.
+        As of `climb`; settings has realisations, amplitude_spread and power too.
     """
     seen = yield from climb(start_g, settings, block)
-    if not seen.fell.any():
+    power, standing = settings["power"], seen.pga_g[~seen.fell]
+    near = seen.pga_g[seen.reaches(CALM if power else 1.0)]
+    if not near.size:
         return
-    fallen, standing = seen.pga_g[seen.fell], seen.pga_g[~seen.fell]
-    low = (1.0 - MARGIN) * fallen.min()
-    high = (1.0 + MARGIN) * max(standing.max(initial=0.0), fallen.min())
+    # windows below the first level beyond need neighbours too
+    low = near.min() / (1.0 + settings["level_ratio"]) * math.exp(-3.0 * WINDOW)
+    high = settings["max_pga_g"]
+    if seen.fell.any():
+        first = seen.pga_g[seen.fell].min()
+        low = min(low, (1.0 - MARGIN) * first)
+        high = (1.0 + MARGIN) * max(standing.max(initial=0.0), first)
     fine = 1.0 + 2.0 * settings["amplitude_spread"] / settings["realisations"]
     count = math.ceil(math.log(high / low) / math.log(fine))
-    yield Ask(low * fine ** np.arange(count + 1), realisations=True)
+    yield from seen.ask(low * fine ** np.arange(count + 1), realisations=True)
+    if power:
+        yield from below(seen, power)
+
+
+def needed(power):
+    """How many in a window find a range of probability p = `HIDDEN`: 1 − (1 − p)ⁿ ≥ power."""
+    return math.ceil(math.log1p(-power) / math.log1p(-HIDDEN))
+
+
+def below(seen, power):
+    """Ask for realisations below the lowest fall until what could hide there would have been found.
+
+    Windows of amplitude that are `doubtful`, from the lowest up, get so many realisations that in a
+    range as wide, of the probability `HIDDEN`, one falls with a probability `power`. It ends below
+    the lowest fall, that of these realisations included.
+
+    Parameters
+    ----------
+    seen : Seen
+    power : float
+    """
+    wanted = needed(power)
+    while True:
+        lowest = seen.pga_g[seen.fell].min(initial=seen.pga_g.max())
+        low = windows(seen.pga_g.min(), lowest)
+        edges = np.append(low, low[-1:] * math.exp(WINDOW))
+        there = np.diff(np.searchsorted(np.sort(seen.pga_g), edges))
+        stood = np.flatnonzero(seen.status == "ok")
+        stood = stood[np.argsort(seen.pga_g[stood], kind="stable")]
+        doubt = doubtful(seen.pga_g[stood], seen.d_over_b[stood], low)
+        few = np.flatnonzero(doubt & (there < wanted))[:AT_ONCE]
+        if not few.size:
+            return
+        places = [(np.arange(n) + 0.5) / n for n in wanted - there[few]]
+        realisations = [low[k] * np.exp(WINDOW * part) for k, part in zip(few, places, strict=True)]
+        yield from seen.ask(np.concatenate(realisations), realisations=True)
 
 
 def dense(start_g, settings, block=16):

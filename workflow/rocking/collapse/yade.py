@@ -12,6 +12,7 @@ import numpy as np
 import pandas as pd
 
 from rocking.collapse.curve import History
+from rocking.collapse.search import Answer
 from yade_scripts.model import floor_motions, models
 from yade_scripts.studies.search import drive
 
@@ -105,7 +106,7 @@ class YadeRuns:
 
         def run(ask):
             parts.append(self.run(ask.pga_g, ask.realisations))
-            return parts[-1]["status"].to_numpy()
+            return Answer(parts[-1]["status"].to_numpy(), parts[-1]["d_over_b"].to_numpy(float))
 
         found = drive(strategy, run)
         return pd.concat(parts).sort_values("pga_g", ignore_index=True), found

@@ -16,7 +16,8 @@ from rocking.runtime.script import run
 from rocking.tables import write_table
 
 LARGE_FACTOR = 5.0  # beyond it a scaled record is hardly a stronger earthquake's motion
-SHOWN = ("model", "record", "direction", "pga_safe_g", "pga_collapse_g")
+SHOWN = ("model", "record", "direction", "pga_safe_g", "safe_bound", "pga_collapse_g")
+SHOWN += ("collapse_fell", "collapse_realisations")
 BANDS = ("pga_median_g", "pga_p10_g", "pga_p90_g")
 BEHIND = ("runs_yade", "runs_planar")  # runs that stand behind a row
 
@@ -53,6 +54,19 @@ def cautions(records, runs, collapse, factors):
     never = int(collapse["pga_collapse_g"].isna().sum())
     if never:
         said.append(f"{never} of {len(collapse)} curves never collapsed: blank, not strong.")
+    if "collapse_fell" in collapse:
+        alone = collapse["collapse_fell"] == 1
+        if alone.any():
+            said.append(
+                f"The lowest collapse of {int(alone.sum())} of {len(collapse)} curves is that of "
+                "one history alone; see there the PGA at which a tenth falls."
+            )
+        hidden = collapse["safe_bound"].max()
+        if hidden > 0.0:
+            said.append(
+                f"Where a curve is called safe, up to {100.0 * hidden:.0f} % may still collapse "
+                "within 1 % of some amplitude (95 % confidence)."
+            )
     if "disagreements" in collapse and (odd := int(collapse["disagreements"].sum())):
         said.append(f"At {odd} intensities YADE and the planar solver disagree on the collapse.")
     if set(BANDS[1:]) <= set(collapse):
