@@ -42,7 +42,8 @@ def table(case, motion, direction, settings):
     """
     rows = []
     for variant in variants(case["facade"]["height_m"], settings):
-        found = collapse_curve(case.varied(variant), motion, direction).summary()
+        how = {"power": 0.0}  # nothing is called safe here
+        found = collapse_curve(case.varied(variant), motion, direction, settings=how).summary()
         rows.append({**variant.about, **{name: found[name] for name in INTENSITIES}})
     return pd.DataFrame(rows)
 
