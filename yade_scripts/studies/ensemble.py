@@ -73,7 +73,8 @@ class Runner:
 
     def __init__(self, job, time_s, columns, record, direction, journal, say, before=None):
         """Keep what every run shares; see `ida.analyse`, and `models.after` for `before`."""
-        self.before, self.first = before, ()
+        self.before = before
+        self.first: tuple = ()
         if before is not None:
             first_s, first, pause_s = before
             moved = b"".join(values.tobytes() for values in (first_s, *first.values()))

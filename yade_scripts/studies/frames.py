@@ -12,6 +12,7 @@ velocities of the blocks and the forces of their contacts are kept too.
 import json
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -44,7 +45,7 @@ class Camera:
     def __init__(self, scene, contacts=False):
         """Prepare for a scene; `attach` is the `setup` of `simulate.run`."""
         self.scene, self.rows, self.times = scene, [], []
-        self.books = balance.EnergyBalance(scene) if contacts else None
+        self.books: Any = balance.EnergyBalance(scene) if contacts else None
         self.velocities: list = []
         self.contacts: list = []
 
@@ -105,11 +106,11 @@ class Camera:
             force = found.force[k] if on == ends[1] else -found.force[k]
             node = self.books.bond_of.get(one, self.books.bond_of.get(two, (one, two)))
             rows.setdefault((node, on), []).append((found.point[k], force))
-        table = [
+        acting = [
             (*np.mean([p for p, _ in parts], axis=0), *np.sum([f for _, f in parts], axis=0), on)
             for (_, on), parts in rows.items()
         ]
-        table = np.round(np.array(table, float).reshape(-1, 7), 6)
+        table = np.round(np.array(acting, float).reshape(-1, 7), 6)
         return table[np.any(table[:, 3:6] != 0.0, axis=1)]
 
     def write(self, path, history, **facts):

@@ -8,8 +8,7 @@ many at once stand in `rocking.collapse.search`, which names them all.
 
 import itertools
 import math
-from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 DIGITS = 4  # intensities are rounded to 1e-4 g so that tables and caches agree
 FINE = 0.2  # of the window of an ensemble: distance between its amplitudes where outcomes change
@@ -28,7 +27,7 @@ class Ask(NamedTuple):
         them.
     """
 
-    pga_g: Sequence[float]
+    pga_g: Any
     realisations: bool = False
 
 

@@ -179,7 +179,7 @@ def _dynamic_check(data, folder):
         ),
     ]
     if len(yade):
-        rows = [
+        confirmed = [
             (
                 f"{r.model}, {r.record} {r.direction}",
                 {"worst": "the largest", "nearest": "nearest to d_SLV"}[r.which],
@@ -192,7 +192,7 @@ def _dynamic_check(data, folder):
             Table(
                 "Confirmed by YADE, the discrete element program: two histories a model.",
                 ("history", "", "planar solver", "YADE"),
-                rows,
+                confirmed,
                 (0.36, 0.22, 0.2, 0.22),
                 f"{folder}/dynamic_check_*_yade.csv",
             )

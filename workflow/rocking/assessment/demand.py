@@ -7,6 +7,7 @@ capacity/demand.
 
 import math
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -159,7 +160,7 @@ class FloorDemand:
         what earlier versions of this project took the code to say.
     """
 
-    ground: object
+    ground: Any
     period_s: tuple
     share: tuple
     damping_ratio: float = REFERENCE

@@ -61,7 +61,8 @@ def histories(job, record, direction, pga_g, realisations):
     DataFrame
         See COLUMNS; realisation 0 is the one as it is.
     """
-    screen = Screen(job, *floor_columns(record, job["smdof"]), direction)
+    time_s, columns = floor_columns(record, job["smdof"])
+    screen = Screen(job, time_s, columns, direction)
     spread, b = job["ensemble"]["amplitude_spread"], width_of(job["facade"])
     parts = []
     for level in pga_g:

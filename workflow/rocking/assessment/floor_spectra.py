@@ -9,7 +9,7 @@ from smdof.chain import floor_motions
 from smdof.spectra import response_spectrum
 
 PERIOD_RATIOS = np.geomspace(0.1, 8.0, 20)  # T over T1
-VARIANTS = {  # keywords of `floor_demand`
+VARIANTS: dict[str, dict] = {  # keywords of `floor_demand`
     "first mode": {},
     "all modes": {"modes": "all"},
     "all modes, without the ground's bound": {"modes": "all", "bounded": False},

@@ -110,7 +110,7 @@ def given_keys(given, resolved, first):
 
 def dotted(part, above=""):
     """Values of nested mappings by dotted key; lists are values."""
-    found = {}
+    found: dict = {}
     for key, value in part.items():
         if isinstance(value, Mapping):
             found |= dotted(value, f"{above}{key}.")

@@ -124,7 +124,8 @@ def run_by(solver, case, motion, direction, **options):
         if not case.kind.scanned:
             raise ValueError(f"model {case.model}: expected return walls, for the planar solver")
         before = motion.before(case, direction)
-        return Screen(case.scene, *motion.columns(case), direction, before=before, **options)
+        time_s, columns = motion.columns(case)
+        return Screen(case.scene, time_s, columns, direction, before=before, **options)
     if solver == "yade":
         from rocking.collapse.yade import YadeRuns  # starts YADE's own Python
 

@@ -201,9 +201,12 @@ class Screen(Scan):
             found.append(
                 peaks(plane, motions, self.numerics, factor, carried=self.carried, step_s=step_s)
             )
-        columns = zip(*(vars(one).values() for one in found), strict=True)
-        *arrays, step = columns
-        return Peaks(*map(np.concatenate, arrays), step[0])
+        whole = {
+            name: np.concatenate([getattr(one, name) for one in found])
+            for name in vars(found[0])
+            if name != "step_s"
+        }
+        return Peaks(**whole, step_s=found[0].step_s)
 
 
 def scan_settings(job):

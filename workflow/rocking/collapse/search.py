@@ -16,6 +16,7 @@ for runs of minutes stand). Nothing here knows a façade, a motion or a solver.
 """
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -311,7 +312,7 @@ def band(known, settings, ida):
     return one_by_one(lambda done: next_amplitude(done, settings, ida), known)
 
 
-SEARCHES = {
+SEARCHES: dict[str, Callable] = {
     "list": listed,
     "first": first,
     "climb": climb,

@@ -76,7 +76,7 @@ class YadeRuns:
         self.folder = Path(self._folder.name)
         (self.folder / "case.json").write_text(case.to_json())
         _write(self.folder / "motion.csv", *motion.columns(case))
-        self.case = {
+        self.case: dict = {
             "scene": "case.json",
             "motion": "motion.csv",
             "record": motion.name or "motion",
@@ -92,7 +92,7 @@ class YadeRuns:
 
     def run(self, pga_g, realisations=False):
         """Outcomes at some amplitudes; realisations are run with the scene's own nodes and step."""
-        listed = {"cases": [{**self.case, "pga_g": [float(g) for g in pga_g]}]}
+        listed: dict = {"cases": [{**self.case, "pga_g": [float(g) for g in pga_g]}]}
         listed["ahead"] = {"pga_g": ".17g"}
         (self.folder / "runs.json").write_text(json.dumps(listed))
         words = ("--list", "runs.json", "--journal", "journal.jsonl", "--output", "runs.csv")

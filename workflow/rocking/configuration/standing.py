@@ -29,9 +29,13 @@ from yade_scripts.model.ties import rod
 ANGLES = np.geomspace(1e-6, 1.0, 200)  # over the rotation at which the weight passes the toe
 UNITS = {"height_m": "m", "tilt_deg": "°"}
 HEIGHTS = ("height_m", "gable_height_m", "parapet_height_m")  # what grows with the façade
-LISTS = {"ties": ("height_m",), "floors": ("height_m",), "thickness_steps": ("z_m",)}
+LISTS = {
+    "ties": ("height_m",),
+    "floors": ("height_m",),
+    "thickness_steps": ("z_m",),
+    "openings": ("z_m", "height_m"),
+}
 WEAKEST = "weakest"  # of facade.hinges_m
-LISTS["openings"] = ("z_m", "height_m")
 
 
 def check_standing(resolved: Mapping) -> None:

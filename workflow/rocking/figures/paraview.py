@@ -38,7 +38,8 @@ def blocks(frames, frame, walls, config):
     moved, rates = (np.array(frames[key][frame], float) for key in ("moved", "velocity"))
     base = [i for i, b in enumerate(frames["blocks"]) if b["name"] == "base"]
     shown = [*boxes(frames, walls, config), *_of_base(frames, base, config)]
-    places, shifts, velocities, cells = [], [], [], []
+    places: list[np.ndarray] = []
+    shifts, velocities, cells = [], [], []
     for centre, size, i in shown:
         block = frames["blocks"][i]
         pivot, (dy, dz, angle) = np.array(block["centre_m"]), moved[i]

@@ -81,14 +81,14 @@ def to_confirm(case, first, second, table, pause_s):
     """
     stood = table[(table["fell_first"] == 0) & table["pga_median_g"].notna()]
     chosen = stood.iloc[sorted({0, len(stood) - 1})] if len(stood) else stood
-    cases = []
+    cases: list[dict] = []
     for row in chosen.to_dict("records"):
         shock = {"first": first, "first_pga_g": row["first_pga_g"], "pause_s": pause_s}
         levels = [BELOW * row["pga_p10_g"], ABOVE * row["pga_median_g"]]
         shaken = second.varied(Variant(motion=shock))
         how = {"pga_g": [round(g, 4) for g in levels]}
         planar = collapse_curve(case, shaken, row["direction"], search="list", settings=how).table
-        about = [
+        about: list[dict] = [
             {"first_pga_g": row["first_pga_g"], "d_over_b_planar": d, "status_planar": status}
             for d, status in zip(planar["d_over_b"], planar["status"], strict=True)
         ]
