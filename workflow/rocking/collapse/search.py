@@ -17,7 +17,7 @@ for runs of minutes stand). Nothing here knows a façade, a motion or a solver.
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -54,8 +54,8 @@ class Answer(NamedTuple):
         At most 1; NaN where a history failed.
     """
 
-    status: object
-    d_over_b: object
+    status: Any
+    d_over_b: Any
 
 
 class Seen:
@@ -67,7 +67,7 @@ class Seen:
         self.d_over_b = np.zeros(0)
 
     def ask(self, pga_g, realisations=False):
-        """Ask for amplitudes and rerealisation what they did; for `yield from`."""
+        """Ask for amplitudes and remember what they did; for `yield from`."""
         answer = yield Ask(pga_g, realisations)
         if not isinstance(answer, Answer):
             answer = Answer(answer, np.full(len(pga_g), np.nan))
