@@ -1,0 +1,177 @@
+"""Experiments: how parameters follow from a specimen, its runs, and a reduced target."""
+
+import math
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+import yaml
+from rocking.configuration.config import ConfigError
+from rocking.studies import validation
+from rocking.studies.validation import ALONE, SEQUENCE
+
+ROOT = Path(__file__).resolve().parents[2]
+US1 = ROOT / "config" / "experiments" / "us1"
+BLOCKS = ROOT / "config" / "experiments" / "limestone"
+FEW = {"numerics.nodes_thickness": 3}
+
+
+def test_the_modulus_gives_the_period():
+    """T of the assembled wall is the stated one; without springs of its own E grows with 1/T²."""
+    specimen = validation.read(US1).specimen
+    found = validation.case(specimen, FEW)
+    assert 2.0 * math.pi / validation.first_frequency(found) == pytest.approx(0.091, rel=1e-8)
+    assert found["beta_s"] == pytest.approx(0.05 * 0.091 / math.pi, rel=1e-8)
+    free = {**specimen, "first_period_s": None}
+    free["sections"] = {**specimen["sections"], "facade": {**specimen["sections"]["facade"]}}
+    free["sections"]["facade"] |= {"floors": [], "hinges_m": []}
+    own = validation.case(free, FEW)
+    one, four = (validation.modulus_for(own, period) for period in (0.2, 0.1))
+    assert four == pytest.approx(4.0 * one, rel=1e-6)
+    with pytest.raises(ConfigError, match=r"first_period_s = 0.001: expected one that some E"):
+        validation.modulus_for(found, 0.001)
+
+
+def test_bounce_of_a_block():
+    """β = 2ζ/ω, ω = √(E/ρ)/h: 3 GPa, 2238 kg/m³ and 0.4 m give 2894.5 rad/s."""
+    specimen = validation.read(BLOCKS).specimen
+    found = validation.case(specimen, {"damping": {"bounce": 0.5}}, height_m=0.4)
+    assert found["beta_s"] == pytest.approx(1.0 / 2894.5, rel=1e-4)
+    assert validation.case(specimen, {"damping": {"beta_s": 0.002}})["beta_s"] == 0.002
+    with pytest.raises(ConfigError, match="damping.eq5: expected beta_s, first_mode or bounce"):
+        validation.case(specimen, {"damping": {"eq5": 1}})
+
+
+def test_changes_of_a_variant():
+    """Every floor, a section's key; the weakest hinge rises as the load shrinks."""
+    specimen = validation.read(US1).specimen
+    heavy = validation.case(specimen, {**FEW, "floors.load_kn": 27.1, "facade.friction_deg": 20})
+    assert heavy["facade"]["floors"][0]["load_kn"] == 27.1
+    assert heavy["facade"]["friction_deg"] == 20.0
+    light = validation.case(specimen, FEW)
+    assert light["facade"]["floors"][0]["load_kn"] == 10.35
+    assert 0.5 * 2.58 < heavy["facade"]["hinges_m"][0] < light["facade"]["hinges_m"][0]
+
+
+def test_runs_that_follow_each_other():
+    """Spans hold the runs' own peaks, from where each began; what was not reached has none."""
+    t = np.linspace(0.0, 1.0, 201)
+    pulse = np.sin(2.0 * np.pi * t)
+    time_s, ground, spans = validation.one_after_another([(t, pulse), (t, 3.0 * pulse)])
+    assert spans[1][0] == pytest.approx(spans[0][1])
+    ends = [np.abs(ground[(time_s >= a) & (time_s < b)]).max() for a, b in spans]
+    assert ends == pytest.approx([1.0, 3.0])
+    drift = np.where(time_s < spans[1][0], 0.0, 5.0)
+    assert validation.peaks_of_spans(time_s, ground + drift, spans) == pytest.approx([1.0, 3.0])
+    short = time_s < spans[1][0] + 0.5
+    found = validation.peaks_of_spans(time_s[short], ground[short], spans)
+    assert found[0] == pytest.approx(1.0)
+    assert math.isnan(found[1])
+
+
+def test_ratios():
+    """Geometric mean and scatter; a fall fails the goal, whatever the others did."""
+    assert validation.geometric([2.0, 0.5]) == pytest.approx(
+        [1.0, math.exp(math.sqrt(2) * math.log(2))]
+    )
+    experiment = validation.read(US1)
+    rows = [(7, 1.2, "ok"), (24, 29.0, "ok"), (6, 99.0, "ok")]
+    table = pd.DataFrame(rows, columns=["run", "peak_mm", "status"]).assign(
+        variant="v", how=ALONE, solver="s"
+    )
+    table = table.merge(experiment.measured, on="run")
+    first, other = validation.summary(experiment, table).to_dict("records")
+    assert (first["runs"], first["fell"], first["goal_met"]) == (2, 0, 1)
+    ratio = [1.2 / 1.236, 29.0 / 29.482]
+    assert first["mean"] == pytest.approx(math.sqrt(ratio[0] * ratio[1]))
+    assert other["solver"] == "3DEC"
+    assert other["runs"] == 11
+    table.loc[table["run"] == 24, ["peak_mm", "status"]] = (np.nan, "overturned")
+    fallen = validation.summary(experiment, table).to_dict("records")[0]
+    assert (fallen["fell"], fallen["goal_met"]) == (1, 0)
+
+
+def test_amplitudes_of_a_run_have_a_seed():
+    """The same seed, the same factors, all within the band; the first two are the run's own."""
+    found = validation.factors(3, 4, 50, 0.1)
+    assert np.array_equal(found, validation.factors(3, 4, 50, 0.1))
+    assert found[:, 0] == pytest.approx(1.0)
+    assert np.abs(found[:, 2:] - 1.0).max() < 0.1 < np.abs(found[:, 2:] - 1.0).max() + 0.02
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "message"),
+    [
+        ("kind", "pendulum", r"specimen.yaml: kind = pendulum: expected shake_table or"),
+        ("damping", None, r"specimen.yaml: expected damping"),
+    ],
+)
+def test_faulty_specimens(tmp_path, key, value, message):
+    """One line with the file and what was expected."""
+    folder = tmp_path / "own"
+    shutil.copytree(US1, folder)
+    specimen = yaml.safe_load((folder / "specimen.yaml").read_text("utf-8"))
+    if value is None:
+        del specimen[key]
+    else:
+        specimen[key] = value
+    (folder / "specimen.yaml").write_text(yaml.safe_dump(specimen))
+    with pytest.raises(ConfigError, match=message):
+        validation.read(folder)
+
+
+def test_faulty_tables(tmp_path):
+    """A run that was measured but not made, and a column that is missing."""
+    folder = tmp_path / "own"
+    shutil.copytree(US1, folder)
+    (folder / "measured.csv").write_text("run,measured_mm\n99,1.0\n")
+    with pytest.raises(ConfigError, match="measured.csv: run 99: expected one of runs.csv"):
+        validation.read(folder)
+    (folder / "runs.csv").write_text("run,record\n1,A\n")
+    with pytest.raises(ConfigError, match="runs.csv: expected columns pga_g"):
+        validation.read(folder)
+
+
+@pytest.mark.yade
+def test_the_target_in_a_reduced_form(tmp_path):
+    """Two short runs by both solvers: within 0.5 %, and the second finds the wall whole."""
+    folder, tables = tmp_path / "own", tmp_path / "tables"
+    shutil.copytree(US1, folder)
+    tables.mkdir()
+    specimen = yaml.safe_load((folder / "specimen.yaml").read_text("utf-8"))
+    specimen["variants"] = {"light": FEW}
+    (folder / "specimen.yaml").write_text(yaml.safe_dump(specimen))
+    (folder / "runs.csv").write_text("run,record,pga_g\n1,HU12,0.1\n2,HU12,0.1\n")
+    (folder / "measured.csv").write_text("run,measured_mm,another_mm\n1,0.3,0.2\n2,0.3,\n")
+    t = np.linspace(0.0, 0.6, 121)
+    speed = 0.05 * np.sin(2.0 * np.pi * 3.0 * t) * np.sin(np.pi * t / 0.6) ** 2
+    for number in (1, 2):
+        path = tables / specimen["motions"]["files"].format(run=number)
+        np.savetxt(path, np.column_stack((t, speed)))
+    settings = f"{{experiments: [{folder}], motions_folder: {tables}, members: 2}}"
+    done = subprocess.run(
+        [
+            str(Path(sys.executable).with_name("snakemake")),
+            *("--snakefile", str(ROOT / "workflow/Snakefile"), "--cores", "1", "--nolock"),
+            *("--config", "run=small", f"validation={settings}", "--", "validation"),
+        ],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        timeout=900,
+    )
+    assert done.returncode == 0, done.stderr[-2000:]
+    assert (tmp_path / "results/small/figures/validation_shake_table_own.png").stat().st_size > 0
+    table = pd.read_csv(tmp_path / "results/small/validation/own/shake_table.csv")
+    assert (table["status"] == "ok").all()
+    assert (table["source"] == "file").all()
+    peaks = table.set_index(["solver", "how", "run"])["peak_mm"]
+    assert len(peaks) == 8
+    expected = peaks["planar", ALONE, 1]
+    assert expected > 0.1
+    assert peaks.to_numpy() == pytest.approx(np.full(8, expected), rel=5e-3)
+    assert peaks["planar", SEQUENCE, 2] == pytest.approx(expected, rel=1e-3)

@@ -1,0 +1,315 @@
+"""Experiments: walls that others tested, run by both solvers and set against what they measured.
+
+An experiment is a folder of three files: `specimen.yaml` (the wall, and how its parameters follow
+from it), `runs.csv` (what it went through, in order) and `measured.csv`. docs/validation.md says
+what stands in them.
+"""
+
+import copy
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import yaml
+
+from rocking.configuration.config import ConfigError, resolve
+from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
+
+SECTIONS = ("facade", "return_wall", "smdof", "numerics")
+KINDS = ("shake_table", "free_rocking")
+KEYS = ("title", "source", "kind", "model", "sections", "damping", "observed", "variants")
+UNITS = {"m/s": None, "m/s2": 1.0, "g": STANDARD_GRAVITY_M_S2}  # of motions; m/s is differentiated
+MODULUS_MPA = (1.0, 1e7)  # between which E is sought
+QUIET_S = 2.0  # between runs that follow each other on the same wall
+NUDGE = 1e-4  # of amplitude: a peak that it moves by more than ten times as much does not repeat
+STILL = 10.0 * NUDGE
+ALONE, SEQUENCE = "alone", "in sequence"
+PERCENTILES = (10, 50, 90)
+
+
+@dataclass(frozen=True)
+class Experiment:
+    """What the three files say.
+
+    Attributes
+    ----------
+    name : str
+        Of the folder.
+    specimen : dict
+    runs, measured : DataFrame
+        Both with a column `run`; `measured` has `measured_<unit>` and maybe `another_<unit>`.
+    """
+
+    name: str
+    specimen: dict
+    runs: pd.DataFrame
+    measured: pd.DataFrame
+
+    @property
+    def unit(self):
+        """Unit of what was measured, as in the columns' names."""
+        return self.specimen["observed"]["unit"]
+
+
+def read(folder):
+    """Read an experiment.
+
+    Raises
+    ------
+    ConfigError
+        One line with the file, its key and what was expected.
+    """
+    folder = Path(folder)
+    path = folder / "specimen.yaml"
+    specimen = yaml.safe_load(path.read_text("utf-8"))
+    missing = [key for key in KEYS if key not in specimen]
+    if missing:
+        raise ConfigError(f"{path}: expected {', '.join(missing)}")
+    if specimen["kind"] not in KINDS:
+        raise ConfigError(f"{path}: kind = {specimen['kind']}: expected {' or '.join(KINDS)}")
+    tables = []
+    own = {"shake_table": ("record", "pga_g"), "free_rocking": ("height_m",)}[specimen["kind"]]
+    for name, columns in (
+        ("runs", own),
+        ("measured", (f"measured_{specimen['observed']['unit']}",)),
+    ):
+        table = pd.read_csv(folder / f"{name}.csv", comment="#")
+        absent = [column for column in ("run", *columns) if column not in table]
+        if absent:
+            raise ConfigError(f"{folder / name}.csv: expected columns {', '.join(absent)}")
+        tables.append(table)
+    strangers = sorted({*tables[1]["run"]} - {*tables[0]["run"]})
+    if strangers:
+        raise ConfigError(f"{folder}/measured.csv: run {strangers[0]}: expected one of runs.csv")
+    return Experiment(folder.name, specimen, *tables)
+
+
+def case(specimen, changes=(), height_m=None):
+    """A variant of a specimen as a scene file, its parameters found.
+
+    Parameters
+    ----------
+    specimen : dict
+    changes : mapping
+        By dotted key of a section ("facade.friction_deg"), of every floor ("floors.load_kn"), or
+        "damping".
+    height_m : float or None
+        Of a block, where they differ from run to run.
+
+    Returns
+    -------
+    dict
+        Sections, model, beta_s and observed_m, see `models.build_scene`.
+    """
+    from rocking.assessment.code_checks import weakest_hinge
+
+    given, changes = copy.deepcopy(specimen["sections"]), dict(changes)
+    damping = changes.pop("damping", specimen["damping"])
+    for path, value in changes.items():
+        section, _, key = path.partition(".")
+        rows = given["facade"]["floors"] if section == "floors" else [given.setdefault(section, {})]
+        for row in rows:
+            row[key] = value
+    if height_m is not None:
+        given["facade"]["height_m"] = height_m
+    resolved = resolve({**given, "models": ["W1"]})
+    found = {key: resolved[key] for key in SECTIONS}
+    facade = found["facade"]
+    if facade["hinges_m"] == "weakest":
+        facade["hinges_m"] = [weakest_hinge(facade)]
+    found |= {"model": specimen["model"], "beta_s": 0.0}
+    found["observed_m"] = specimen["observed"].get("height_m")
+    if period := specimen.get("first_period_s"):
+        facade["e_mpa"] = modulus_for(found, period)
+    found["beta_s"] = beta_for(found, damping)
+    return found
+
+
+def first_frequency(job):
+    """Lowest circular frequency of an assembled case, every joint closed [rad/s]."""
+    from yade_scripts.model.models import build_scene
+    from yade_scripts.model.stiffness import modes
+
+    return float(modes(build_scene(job))[0][0])
+
+
+def modulus_for(job, period_s):
+    """E [MPa] with which the assembled case has a first period.
+
+    Raises
+    ------
+    ConfigError
+        If no E has it, as where the floors' springs alone are too soft.
+    """
+    from scipy.optimize import brentq
+
+    def excess(log_e):
+        facade = {**job["facade"], "e_mpa": math.exp(log_e)}
+        return math.log(2.0 * math.pi / first_frequency({**job, "facade": facade}) / period_s)
+
+    low, high = (math.log(e) for e in MODULUS_MPA)
+    if not excess(low) > 0.0 > excess(high):
+        raise ConfigError(f"first_period_s = {period_s:g}: expected one that some E gives (s)")
+    return float(math.exp(brentq(excess, low, high, xtol=1e-10)))
+
+
+def bounce_frequency(job):
+    """Circular frequency √(jkn/(ρh)) of the wall's bounce on its base [rad/s]."""
+    from yade_scripts.model.facade import joint_stiffness
+
+    facade = job["facade"]
+    return math.sqrt(joint_stiffness(job)[0] / (facade["density_kg_m3"] * facade["height_m"]))
+
+
+def beta_for(job, damping):
+    """β [s] of two-sided joints: stated, or 2ζ/ω of the first mode or of the bounce on the base.
+
+    The laws of β describe impacts on return walls, which these joints do not have.
+
+    Parameters
+    ----------
+    job : dict
+    damping : dict
+        One of `beta_s`, `first_mode` and `bounce`; the latter two are ζ.
+    """
+    ((key, value),) = damping.items()
+    if key == "beta_s":
+        return float(value)
+    omega = {"first_mode": first_frequency, "bounce": bounce_frequency}
+    if key not in omega:
+        raise ConfigError(f"damping.{key}: expected beta_s, first_mode or bounce")
+    return 2.0 * float(value) / omega[key](job)
+
+
+def cases(experiment):
+    """Cases of an experiment by variant; of free rocking by variant and run."""
+    variants = experiment.specimen["variants"].items()
+    if experiment.specimen["kind"] == "shake_table":
+        return {name: case(experiment.specimen, changes) for name, changes in variants}
+    heights = dict(zip(experiment.runs["run"], experiment.runs["height_m"], strict=True))
+    return {
+        f"{name}|{run}": case(experiment.specimen, changes, height_m)
+        for name, changes in variants
+        for run, height_m in heights.items()
+    }
+
+
+def motion(experiment, run, folder, table):
+    """Table motion of a run.
+
+    Parameters
+    ----------
+    experiment : Experiment
+    run : Series
+        Row of `runs`.
+    folder : str or None
+        Where the motions lie that are not part of the project.
+    table : str
+        Records table of the stand-ins.
+
+    Returns
+    -------
+    time_s, acceleration_m_s2 : ndarray
+    source : str
+        "file" or the stand-in's name.
+    """
+    from rocking.records import load
+
+    about = experiment.specimen["motions"]
+    path = Path(folder or "") / about["files"].format(run=int(run["run"]))
+    if folder and path.is_file():
+        time_s, value = np.loadtxt(path, unpack=True)
+        unit = UNITS[about["unit"]]
+        return time_s, np.gradient(value, time_s) if unit is None else unit * value, "file"
+    name = about["stand_in"][run["record"]]
+    record = load(name, table)
+    ground = record.acceleration_m_s2
+    size = run["pga_g"] * STANDARD_GRAVITY_M_S2 / np.abs(ground).max()
+    return record.time_s, size * ground, name
+
+
+def one_after_another(motions):
+    """Motions end to end on one time axis, QUIET_S apart, and where each begins and ends.
+
+    Parameters
+    ----------
+    motions : list of (time_s, acceleration_m_s2)
+
+    Returns
+    -------
+    time_s, acceleration_m_s2 : ndarray
+    spans : list of (float, float)
+    """
+    step = min(float(np.diff(t).min()) for t, _ in motions)
+    parts, spans, begin = [], [], 0.0
+    for t, a in motions:
+        grid = np.arange(0.0, t[-1] - t[0] + QUIET_S, step)
+        parts.append(np.interp(grid, t - t[0], a, right=0.0))
+        spans.append((begin, begin + step * len(grid)))
+        begin = spans[-1][1]
+    whole = np.concatenate(parts)
+    return step * np.arange(len(whole)), whole, spans
+
+
+def peaks_of_spans(time_s, d, spans):
+    """Largest |d| from where a span begins, of each; nan of those that the history did not reach.
+
+    A history ends when the wall falls: what it was doing then is no peak either.
+    """
+    found = []
+    for begin, end in spans:
+        inside = (time_s >= begin) & (time_s < end)
+        reached = inside.any() and time_s[-1] >= end - QUIET_S
+        found.append(np.abs(d[inside] - d[inside][0]).max() if reached else math.nan)
+    return found
+
+
+def factors(seed, runs, members, band):
+    """Amplitude factors: as it was, nudged, and `members` drawn evenly from 1 ± band, by run."""
+    drawn = np.random.default_rng(seed).uniform(1.0 - band, 1.0 + band, (runs, members))
+    return np.column_stack([np.ones(runs), np.full(runs, 1.0 + NUDGE), drawn])
+
+
+def geometric(ratio):
+    """Geometric mean of ratios and their scatter, e to the standard deviation of ln ratio."""
+    logs = np.log(np.asarray(ratio, float))
+    logs = logs[np.isfinite(logs)]
+    scatter = np.exp(logs.std(ddof=1)) if len(logs) > 1 else math.nan
+    return (np.exp(logs.mean()) if len(logs) else math.nan), scatter
+
+
+def summary(experiment, table):
+    """Ratio of computed over measured by variant, solver and how, and the other code's.
+
+    Parameters
+    ----------
+    experiment : Experiment
+        Of a shake table.
+    table : DataFrame
+        Columns run, variant, how, solver, peak_<unit>, measured_<unit>, status.
+
+    Returns
+    -------
+    DataFrame
+        variant, how, solver, runs, fell, mean, scatter, goal_met.
+    """
+    goal, unit = experiment.specimen["goal"], experiment.unit
+    late = table[table["run"] >= goal["from_run"]]
+    rows = []
+    for key, part in late.groupby(["variant", "how", "solver"], sort=False):
+        mean, scatter = geometric(part[f"peak_{unit}"] / part[f"measured_{unit}"])
+        fell = int((part["status"] != "ok").sum())
+        low, high = goal["mean"]
+        met = fell == 0 and low <= mean <= high and scatter <= goal["scatter"]
+        rows.append((*key, len(part), fell, mean, scatter, int(met)))
+    another = f"another_{unit}"
+    if another in experiment.measured:
+        part = experiment.measured
+        part = part[(part["run"] >= goal["from_run"]) & part[another].notna()]
+        mean, scatter = geometric(part[another] / part[f"measured_{unit}"])
+        name = experiment.specimen["another"]
+        rows.append((name, ALONE, name, len(part), 0, mean, scatter, ""))
+    names = ["variant", "how", "solver", "runs", "fell", "mean", "scatter", "goal_met"]
+    return pd.DataFrame(rows, columns=names)

@@ -1,0 +1,181 @@
+# Walls that were tested, by both solvers, against what was measured: ask for `validation`.
+
+EXPERIMENT = "validation/{experiment}"
+EXPERIMENT_FILES = "specimen.yaml", "runs.csv", "measured.csv"
+
+
+def experiment_folders(run):
+    """Folder of each experiment of a run, by its name."""
+    paths = map(RUNS.beside, RUNS.settings[run]["validation"]["experiments"])
+    return {Path(path).name: path for path in paths}
+
+
+def experiment_files(wildcards):
+    """The three files of an experiment."""
+    folder = experiment_folders(wildcards.run)[wildcards.experiment]
+    return [f"{folder}/{name}" for name in EXPERIMENT_FILES]
+
+
+def held_against(run):
+    """What `validation` makes for one run; a folder of no experiment ends the workflow."""
+    from rocking.studies.validation import read  # slow to load
+
+    made = []
+    for name, folder in experiment_folders(run).items():
+        try:
+            kind = read(folder).specimen["kind"]
+        except (configuration.ConfigError, OSError) as error:
+            stop(f"validation.experiments: {error}")
+        own = f"{RESULTS}/{run}/validation/{name}/{kind}.csv"
+        made += [own, f"{RESULTS}/{run}/figures/validation_{kind}_{name}.png"]
+    return made
+
+
+wildcard_constraints:
+    experiment="[A-Za-z0-9_.-]+",
+
+
+rule validation_cases:
+    input:
+        files=experiment_files,
+        modules=code("validation/validation_cases"),
+    output:
+        cases=results(EXPERIMENT + "/cases.json"),
+        tests=results(EXPERIMENT + "/tests.json"),
+        motions=directory(results(EXPERIMENT + "/motions")),
+    log:
+        logs("validation_cases_{experiment}"),
+    params:
+        table=RUNS.beside("config/suites/recorded_suite.tsv"),
+        settings=RUNS.params_of("validation"),
+    script:
+        "../scripts/validation/validation_cases.py"
+
+
+rule validation_planar:
+    input:
+        cases=rules.validation_cases.output.cases,
+        motions=rules.validation_cases.output.motions,
+        modules=code("validation/validation_planar"),
+    output:
+        results(EXPERIMENT + "/planar.csv"),
+    log:
+        logs("validation_planar_{experiment}"),
+    benchmark:
+        benchmarks("validation_planar_{experiment}")
+    params:
+        settings=RUNS.params_of("validation", "seed"),
+    script:
+        "../scripts/validation/validation_planar.py"
+
+
+use rule shake_table as validation_yade with:
+    input:
+        tests=rules.validation_cases.output.tests,
+        motions=rules.validation_cases.output.motions,
+        yade=ancient(rules.yade_check.output[0]),
+        modules=study_code("shake_table"),
+    output:
+        results(EXPERIMENT + "/histories.npz"),
+    log:
+        logs("validation_yade_{experiment}"),
+    benchmark:
+        benchmarks("validation_yade_{experiment}")
+
+
+rule validation_shake_table:
+    input:
+        files=experiment_files,
+        cases=rules.validation_cases.output.cases,
+        planar=rules.validation_planar.output[0],
+        histories=rules.validation_yade.output[0],
+        modules=code("validation/validation_shake_table"),
+    output:
+        table=results(EXPERIMENT + "/shake_table.csv"),
+        summary=results(EXPERIMENT + "/summary.csv"),
+    log:
+        logs("validation_shake_table_{experiment}"),
+    script:
+        "../scripts/validation/validation_shake_table.py"
+
+
+rule figure_shake_table:
+    input:
+        files=experiment_files,
+        table=rules.validation_shake_table.output.table,
+        modules=code("validation/figure_shake_table"),
+    output:
+        **figure(
+            "validation_shake_table_{experiment}",
+            "Held against experiments",
+            "{experiment}",
+            about="validation",
+        ),
+    log:
+        logs("figure_shake_table_{experiment}"),
+    params:
+        settings=RUNS.params_of("validation"),
+    script:
+        "../scripts/validation/figure_shake_table.py"
+
+
+rule validation_rocking_cases:
+    input:
+        files=experiment_files,
+        modules=code("validation/validation_rocking_cases"),
+    output:
+        results(EXPERIMENT + "/rocking_cases.json"),
+    log:
+        logs("validation_rocking_cases_{experiment}"),
+    script:
+        "../scripts/validation/validation_rocking_cases.py"
+
+
+use rule free_rocking as validation_rocking_yade with:
+    input:
+        cases=rules.validation_rocking_cases.output[0],
+        yade=ancient(rules.yade_check.output[0]),
+        modules=study_code("free_rocking"),
+    output:
+        results(EXPERIMENT + "/rocking_histories.npz"),
+    log:
+        logs("validation_rocking_yade_{experiment}"),
+    benchmark:
+        benchmarks("validation_rocking_yade_{experiment}")
+
+
+rule validation_rocking:
+    input:
+        files=experiment_files,
+        cases=rules.validation_rocking_cases.output[0],
+        histories=rules.validation_rocking_yade.output[0],
+        modules=code("validation/validation_rocking"),
+    output:
+        results(EXPERIMENT + "/free_rocking.csv"),
+    log:
+        logs("validation_rocking_{experiment}"),
+    script:
+        "../scripts/validation/validation_rocking.py"
+
+
+rule figure_free_rocking:
+    input:
+        files=experiment_files,
+        table=rules.validation_rocking.output[0],
+        modules=code("validation/figure_free_rocking"),
+    output:
+        **figure(
+            "validation_free_rocking_{experiment}",
+            "Held against experiments",
+            "{experiment}",
+            about="validation",
+        ),
+    log:
+        logs("figure_free_rocking_{experiment}"),
+    script:
+        "../scripts/validation/figure_free_rocking.py"
+
+
+rule validation:
+    input:
+        lambda w: [path for run in RUNS.settings for path in held_against(run)],

@@ -1,0 +1,36 @@
+"""Ratio of angular speeds at the first impact by height of the block: measured and computed."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import pandas as pd
+from rocking.figures import style
+from rocking.runtime.script import run
+from rocking.studies import validation
+
+
+def main(job):
+    experiment = validation.read(Path(job.input.files[0]).parent)
+    table = pd.read_csv(job.input.table)
+    trials = experiment.measured.merge(experiment.runs, on="run")
+    once = table.drop_duplicates("run")
+    figure, axis = plt.subplots(figsize=(7.0, 4.0), layout="constrained")
+    axis.plot(trials["height_m"], trials["measured_-"], ".", c="0.7", ms=3, label="trials")
+    spread = once["median"] - once["p25"], once["p75"] - once["median"]
+    axis.errorbar(once["height_m"], once["median"], yerr=spread, fmt="ko", ms=4, lw=1.0, capsize=3,
+                  label="measured, median and quartiles")  # fmt: skip
+    axis.plot(once["height_m"], once["housner"], "k--", lw=1.0, label="Housner, edges alone")
+    for (variant, part), (colour, line, marker) in zip(
+        table.groupby("variant", sort=False), style.LOOKS, strict=False
+    ):
+        plane, yade = (part[part["solver"] == s] for s in ("planar", "YADE"))
+        axis.plot(plane["height_m"], plane["ratio"], ls=line, c=colour, label=f"planar, {variant}")
+        axis.plot(yade["height_m"], yade["ratio"], marker, c=colour, ms=4, mfc="none",
+                  label=f"YADE, {variant}")  # fmt: skip
+    axis.set(xlabel="height [m]", ylabel=f"{experiment.specimen['observed']['quantity']} [-]")
+    axis.legend(fontsize=7, ncols=2, loc="lower right")
+    axis.set_title(experiment.specimen["title"], fontsize=9)
+    style.save(figure, job.output)
+
+
+run(main, globals())

@@ -1,0 +1,40 @@
+"""Cases of a shake-table experiment: parameters of every variant, motions, and what YADE runs."""
+
+import json
+import os
+from pathlib import Path
+
+from rocking.runtime.script import run
+from rocking.studies import validation
+
+from yade_scripts.model.floor_motions import write
+
+
+def main(job):
+    settings = json.loads(job.params.settings)["validation"]
+    experiment = validation.read(Path(job.input.files[0]).parent)
+    os.makedirs(job.output.motions, exist_ok=True)
+    rows, motions = [], []
+    for _, row in experiment.runs.iterrows():
+        where = settings["motions_folder"], job.params.table
+        time_s, ground, source = validation.motion(experiment, row, *where)
+        path = os.path.join(job.output.motions, f"{row['run']}.csv")
+        write(path, time_s, ground)
+        motions.append((time_s, ground))
+        rows.append({**row.to_dict(), "motion": path, "source": source})
+    whole = os.path.join(job.output.motions, "sequence.csv")
+    time_s, ground, spans = validation.one_after_another(motions)
+    write(whole, time_s, ground)
+    found = validation.cases(experiment)
+    tests = []
+    for name in list(found)[: settings["main_variants"]]:
+        case = {key: found[name][key] for key in ("model", "beta_s", "observed_m")}
+        case |= {"config": {key: found[name][key] for key in validation.SECTIONS}, "factor": 1.0}
+        tests += [{**case, "id": f"{name}|{r['run']}", "motion": r["motion"]} for r in rows]
+        tests.append({**case, "id": f"{name}|sequence", "motion": whole})
+    about = {"variants": found, "runs": rows, "sequence": whole, "spans": spans}
+    for path, data in ((job.output.cases, about), (job.output.tests, tests)):
+        Path(path).write_text(json.dumps(data, indent=1, sort_keys=False) + "\n")
+
+
+run(main, globals())

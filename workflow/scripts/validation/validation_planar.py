@@ -1,0 +1,51 @@
+"""Every variant and run of a shake-table experiment by the planar solver, amplitudes in a band."""
+
+import json
+import math
+from pathlib import Path
+
+from rocking.runtime.script import run
+from rocking.solver import Motions, history, peaks, prepare
+from rocking.studies.validation import ALONE, SEQUENCE, factors, peaks_of_spans
+from rocking.tables import write_table
+
+from yade_scripts.model.floor_motions import read
+from yade_scripts.model.models import build_scene
+
+SAMPLE_S = 0.001  # of the sequence
+
+
+def main(job):
+    about = json.loads(Path(job.input.cases).read_text())
+    settings = json.loads(job.params.settings)
+    runs = about["runs"]
+    several = settings["validation"]["members"], settings["validation"]["band"]
+    drawn = factors(settings["seed"], len(runs), *several)
+    motions = [Motions(*table) for table in (ground(r["motion"]) for r in runs)]
+    whole, rows = Motions(*ground(about["sequence"])), []
+    for number, (variant, case) in enumerate(about["variants"].items()):
+        count = None if number < settings["validation"]["main_variants"] else 2
+        plane, numerics = prepare(build_scene(case)), case["numerics"]
+        mm = 1e3 * plane.thickness_m
+        for r, motion, own in zip(runs, motions, drawn[:, :count], strict=True):
+            found = peaks(plane, motion, numerics, own)
+            for factor, d, fell, failed in zip(
+                own, found.d_over_b, found.overturned, found.failed, strict=True
+            ):
+                status = "failed" if failed else "overturned" if fell else "ok"
+                peak = mm * d if status == "ok" else math.nan
+                rows.append((variant, r["run"], ALONE, factor, peak, status))
+        d = history(plane, whole, {**numerics, "quiet_ratio": 0.0}, sample_s=SAMPLE_S)
+        for r, peak in zip(runs, peaks_of_spans(d.time_s, d.d_m, about["spans"]), strict=True):
+            status = "ok" if math.isfinite(peak) else d.status
+            rows.append((variant, r["run"], SEQUENCE, 1.0, 1e3 * peak, status))
+    names = ["variant", "run", "how", "factor", "peak_mm", "status"]
+    write_table(rows, job.output[0], names, "%.9g")
+
+
+def ground(path):
+    time_s, columns = read(path)
+    return time_s, columns["ground"]
+
+
+run(main, globals())
