@@ -66,11 +66,14 @@ def test_runs_that_follow_each_other():
     ends = [np.abs(ground[(time_s >= a) & (time_s < b)]).max() for a, b in spans]
     assert ends == pytest.approx([1.0, 3.0])
     drift = np.where(time_s < spans[1][0], 0.0, 5.0)
-    assert validation.peaks_of_spans(time_s, ground + drift, spans) == pytest.approx([1.0, 3.0])
-    short = time_s < spans[1][0] + 0.5
-    found = validation.peaks_of_spans(time_s[short], ground[short], spans)
-    assert found[0] == pytest.approx(1.0)
-    assert math.isnan(found[1])
+    found = validation.peaks_of_spans(time_s, ground + drift, spans, "ok")
+    assert found == pytest.approx([1.0, 3.0])
+    short = time_s < spans[1][0] + 1.5
+    cut = time_s[short], ground[short], spans
+    assert validation.peaks_of_spans(*cut, "ok") == pytest.approx([1.0, 3.0])
+    fell = validation.peaks_of_spans(*cut, "overturned")
+    assert fell[0] == pytest.approx(1.0)
+    assert math.isnan(fell[1])
 
 
 def test_ratios():

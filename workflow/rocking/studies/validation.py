@@ -253,16 +253,21 @@ def one_after_another(motions):
     return step * np.arange(len(whole)), whole, spans
 
 
-def peaks_of_spans(time_s, d, spans):
-    """Largest |d| from where a span begins, of each; nan of those that the history did not reach.
+def peaks_of_spans(time_s, d, spans, status):
+    """Largest |d| of each span from where it begins; nan from the one in which the wall fell on.
 
-    A history ends when the wall falls: what it was doing then is no peak either.
+    Parameters
+    ----------
+    time_s, d : ndarray
+        Of a history; one that came to rest ("ok") may end before its last span does.
+    spans : list of (float, float)
+    status : str
     """
     found = []
     for begin, end in spans:
         inside = (time_s >= begin) & (time_s < end)
-        reached = inside.any() and time_s[-1] >= end - QUIET_S
-        found.append(np.abs(d[inside] - d[inside][0]).max() if reached else math.nan)
+        whole = inside.any() and (status == "ok" or time_s[-1] >= end)
+        found.append(np.abs(d[inside] - d[inside][0]).max() if whole else math.nan)
     return found
 
 

@@ -36,7 +36,8 @@ def main(job):
                 peak = mm * d if status == "ok" else math.nan
                 rows.append((variant, r["run"], ALONE, factor, peak, status))
         d = history(plane, whole, {**numerics, "quiet_ratio": 0.0}, sample_s=SAMPLE_S)
-        for r, peak in zip(runs, peaks_of_spans(d.time_s, d.d_m, about["spans"]), strict=True):
+        found = peaks_of_spans(d.time_s, d.d_m, about["spans"], d.status)
+        for r, peak in zip(runs, found, strict=True):
             status = "ok" if math.isfinite(peak) else d.status
             rows.append((variant, r["run"], SEQUENCE, 1.0, 1e3 * peak, status))
     names = ["variant", "run", "how", "factor", "peak_mm", "status"]
