@@ -1,6 +1,8 @@
 # What runs share (rocking/runs/shared.py), in each run's folder too. A link is dated like what it is
 # a link to: where code or the link is newer, nothing follows.
-LINK = "(ln -f {input:q} {params.folder:q}/ || cp -p {input:q} {params.folder:q}/) 2> {log:q}"
+# Snakemake dates the outputs of a job one after the other, and so what they are links to. Of several files
+# the first alone is an input, or a tick of the clock between two would make an output older than an input.
+LINK = "(ln -f {params.files:q} {params.folder:q}/ || cp -p {params.files:q} {params.folder:q}/) 2> {log:q}"
 SHARED_FILES = (
     rules.record.output,
     rules.figure_record.output,
@@ -33,13 +35,14 @@ rule shared_files:
 
 rule own_record:
     input:
-        of_run(rules.record.output),
+        of_run(rules.record.output.record),
     output:
         record=results("records/{record}.csv"),
         facts=results("records/{record}.json"),
     log:
         logs("own_record_{record}"),
     params:
+        files=of_run(rules.record.output),
         folder=lambda w, output: Path(output[0]).parent,
     shell:
         LINK
@@ -52,11 +55,14 @@ use rule own_record as own_floor_motions with:
         results("smdof/{record}_{n}dof.csv"),
     log:
         logs("own_floor_motions_{record}_{n}"),
+    params:
+        files=of_run(rules.floor_motions.output),
+        folder=lambda w, output: Path(output[0]).parent,
 
 
 use rule own_record as own_figure with:
     input:
-        lambda w: of_run(PICTURES[w.picture])(w),
+        lambda w: of_run(PICTURES[w.picture].png)(w),
     output:
         results("figures/{picture}_{record}.png"),
         results("figures/{picture}_{record}.pdf"),
@@ -64,3 +70,6 @@ use rule own_record as own_figure with:
         logs("own_figure_{picture}_{record}"),
     wildcard_constraints:
         picture="record|floor_motions",
+    params:
+        files=lambda w: of_run(PICTURES[w.picture])(w),
+        folder=lambda w, output: Path(output[0]).parent,
