@@ -39,6 +39,7 @@ def test_a_separate_range_below_the_main_collapse_is_the_lowest_collapse():
     )
     assert found["pga_collapse_g"] == pytest.approx(0.30, rel=0.003)
     assert 0.29 < found["pga_safe_g"] < 0.30
+    assert found["pga_safe_g"] * 1.01 < found["pga_collapse_g"]  # nothing fell within the spread
     for name in ("p10", "median", "p90"):
         assert found[f"pga_{name}_g"] == pytest.approx(0.30, rel=0.012)
     assert found["pga_all_g"] == pytest.approx(0.60, rel=0.003)

@@ -119,6 +119,23 @@ def test_one_branch_costs_no_realisations_beyond_those_of_the_window():
     assert runs - few <= np.log(0.85 * 0.5 / calm) / np.log(1.0 + 0.02 / 6.0) + 20
 
 
+def test_a_climb_goes_on_until_all_have_fallen_over_the_stated_factor():
+    """Also where a block of levels, all fallen, is shorter than that factor."""
+    fine = {**SETTINGS, "level_ratio": 0.002}
+    pga_g, _ = searched(search.climb(0.4, fine), lambda g: g < 0.45 or g > 0.5)
+    assert pga_g[-1] >= 1.35 * 0.5
+
+
+def test_a_short_climb_looks_two_of_its_steps_below_its_first_fall():
+    """Levels 0.248, 0.277 (stand) and 0.311 g (falls): what falls at 0.26 to 0.27 g is found."""
+    for low, high in ((0.26, 0.27), (0.285, 0.30)):
+        rule = lambda g, low=low, high=high: low < g < high or g > 0.31  # noqa: E731
+        assert not rule(0.1 * 1.12**8) | rule(0.1 * 1.12**9)
+        assert rule(0.1 * 1.12**10)
+        _, found = searched(search.crossings(0.1, 2.0, 1.12), rule)
+        assert found[0] == pytest.approx(low, rel=search.SPREAD)
+
+
 def test_a_dense_search_ends_where_all_within_its_window_fall():
     """Fine steps from below the first fall of the climb to one window past the lowest fall."""
     asked = []

@@ -115,3 +115,7 @@ def test_a_floor_with_a_mass_stands_on_its_own_spring():
     module.advance(bars, memory, 5e-5, 1e-4)
     assert memory.speed_m_s[0] == pytest.approx(5e-5 * memory.rate_m_s2[0])
     assert memory.place_m[0] == pytest.approx(1e-4 * memory.speed_m_s[0])
+    rate, speed = memory.rate_m_s2[0], memory.speed_m_s[0]
+    *_, spent, _ = act(bars, support=0.01, speed=0.2, memory=memory)
+    past = speed + 5e-5 * rate - 0.2  # speeds lag half a step
+    assert spent == pytest.approx(2.0 * zeta * 1500.0 * omega * past**2 * 1e-4)

@@ -74,6 +74,8 @@ def test_walls_that_carry_the_building_have_its_mass_period_and_damping():
         c += link.dashpot_ns_m * np.outer(row, row)
     values, vectors = np.linalg.eigh(k / mass[0])
     assert 2.0 * math.pi / math.sqrt(values[0]) == pytest.approx(0.35, rel=1e-6)
+    first = np.abs(vectors[:, 0])
+    assert np.all(np.diff(first) > 0.0)  # the top moves most
     modal = vectors.T @ (c / mass[0]) @ vectors
     assert np.diag(modal) / (2.0 * np.sqrt(values)) == pytest.approx(0.04, rel=1e-6)
     assert np.abs(modal - np.diag(np.diag(modal))).max() < 1e-6 * modal.max()
