@@ -22,7 +22,8 @@ def static_curves(axis, table):
     axis.set(xlabel="top displacement over thickness d/b [-]", ylabel="static multiplier λ [-]")
     axis.set_xlim(0.0, 0.85)
     axis.set_ylim(0.0, None)
-    axis.legend(fontsize=6.5, frameon=False)
+    axis.set_title("the study's façade", loc="left")
+    axis.legend(fontsize=6.5, frameon=False, loc="upper right")
 
 
 def collapses(axis, table):
@@ -38,7 +39,7 @@ def collapses(axis, table):
     axis.set(xlabel="collapse PGA, stack of courses [g]", ylabel="collapse PGA, rigid block [g]")
     axis.set_xlim(ends)
     axis.set_ylim(ends)
-    axis.set_aspect("equal")
+    axis.set_title("half collapse", loc="left")
 
 
 def main(job):
