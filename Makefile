@@ -1,6 +1,7 @@
 # make setup   what is missing: YADE from Debian's packages, a virtual environment with pinned packages
 # make run     the main job (sets up first)
 # make test    the tests and linters (sets up first)
+# make quick   the tests that need neither YADE nor more than a second or two each
 # make docs    the documentation site, build/site/index.html; a warning is an error
 # make gallery the pictures of docs/gallery.md again, by its commands
 # make study   docs/study.md again: the study row by row beside a run of all its stages
@@ -13,7 +14,7 @@
 CORES ?= $(shell nproc)
 SNAKEMAKE = .venv/bin/snakemake --cores $(CORES)
 RUN ?= main
-.PHONY: setup run test lint docs gallery study freeze mutations faults slurm load audit
+.PHONY: setup run test quick lint docs gallery study freeze mutations faults slurm load audit
 
 setup:
 	@bash tools/setup.sh
@@ -23,6 +24,9 @@ run: setup
 
 test: setup lint docs
 	.venv/bin/python -m pytest $(ARGS)
+
+quick: setup
+	.venv/bin/python -m pytest -m "not yade and not slow" $(ARGS)
 
 lint: setup
 	.venv/bin/ruff check .

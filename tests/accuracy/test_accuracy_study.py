@@ -39,6 +39,7 @@ def solver(model, cycle):
     return histories.Solver({**resolved(), "model": model, "beta_s": 0.00276}, *cycle[1:], "pos")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", ["W1", "W2"])
 def test_the_reference_is_what_the_adaptive_solver_converges_to(model, cycle):
     """Two independent schemes and codes; a single cycle repeats."""

@@ -10,6 +10,8 @@ from rocking.configuration import config
 from rocking.records import Record, write_csv
 from run_script import script
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parents[2]
 PLAN = ROOT / "config" / "buildings" / "example_three_storeys.yaml"
 

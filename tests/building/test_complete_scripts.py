@@ -9,6 +9,8 @@ import pytest
 from rocking.collapse import probability
 from run_script import script
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parents[2]
 
 

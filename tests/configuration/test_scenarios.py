@@ -171,6 +171,7 @@ def toy(tmp_path_factory):
     return folder
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("command", "expected"), list(zip(COMMANDS, EXPECTED, strict=True)))
 def test_command_lines_of_the_page_reach_the_runs(toy, command, expected):
     words = [sys.executable, "-m", *shlex.split(command)]

@@ -74,6 +74,7 @@ def left_alone(config, seconds=40.0):
     return found.status, found.peak_d_over_b
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "facade",
     [

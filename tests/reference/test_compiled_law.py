@@ -71,6 +71,7 @@ def test_compiled_rates_are_those_of_the_law():
     assert np.all(seen > 50)
 
 
+@pytest.mark.slow
 def test_a_history_is_that_of_scipys_integrator():
     """Released wall through two rebounds: SciPy's RK45 on the plain law, friction returned at 1 ms.
 

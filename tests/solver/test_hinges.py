@@ -52,6 +52,7 @@ CAPACITIES = {  # hinge, the floor that holds, which mechanism
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CAPACITIES)
 def test_static_capacity(name):
     """The multiplier of the mechanism that governs: a push at 0.99 of it is borne, 1.01 fells."""
@@ -71,6 +72,7 @@ def test_static_capacity(name):
         assert got.status == status
 
 
+@pytest.mark.slow
 def test_the_weakest_hinge():
     """It minimises the closed form, and no height is worse under a push."""
     roof = {**HELD, "load_kn": 40.0, "arm_m": 0.1}

@@ -144,6 +144,7 @@ def test_error_falls_with_the_square_of_the_step():
     assert np.log2(mean[0] / mean[2]) / 2.0 > 1.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("beta_s", [0.0, BETA_S])
 def test_energy_balance_with_the_chain_inside(beta_s):
     """Input = stored in block, nodes and chain + taken by dashpots, friction and the chain's own.

@@ -284,6 +284,7 @@ def test_realisations_end_where_they_have_decided(monkeypatch):
         assert strengthening.realisations(case, None, "pos", settings) == expected
 
 
+@pytest.mark.slow
 def test_search_finds_the_static_answer():
     """A long slow push: the least tie at z is that of moments about the middle of the pressed toe.
 

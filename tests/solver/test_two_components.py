@@ -50,6 +50,7 @@ def both(config, model, t, columns, step_fraction=spatial.STEP_FRACTION, **how):
     return spatial.history(block, motions, config["numerics"], **how)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", ["W1", "W2"])
 def test_one_component_is_the_plane(model):
     """Without motion along the façade: the planar scene's d/b within 0.1 %, and no twist."""

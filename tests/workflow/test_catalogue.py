@@ -61,12 +61,14 @@ def test_the_trial_configuration_runs(folder):
     assert (folder / "results/test/figures/fig09_ida.png").stat().st_size > 10_000
 
 
+@pytest.mark.slow
 def test_the_whole_trial_plans_its_jobs(folder):
     done = snakemake(folder, "--snakefile", str(SNAKEFILE), "-n")
     assert done.returncode == 0, done.stderr
     assert "ida_ensemble" in done.stdout + done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.yade
 def test_another_workflow_may_use_this_one_as_a_module(folder):
     """As a deployment does: own folder, own configuration, all rules, the main job as target."""

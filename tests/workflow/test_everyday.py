@@ -16,6 +16,8 @@ from rocking.records import read_table
 from rocking.records.check import check_records
 from rocking.runtime import results_folder
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
 PATHS = os.pathsep.join([str(ROOT), str(ROOT / "workflow")])

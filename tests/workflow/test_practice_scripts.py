@@ -14,6 +14,8 @@ from run_script import script
 from smdof.chain import floor_motions
 from yade_scripts.model.motion import Motion
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).resolve().parents[2]
 OUTPUTS = ("fragility", "measures", "sufficiency", "brackets", "curves")
 HEAD = "model,record,direction,pga_g,d_over_b,collapsed,status,dt_s,steps,wall_s\n"

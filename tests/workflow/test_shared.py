@@ -66,6 +66,7 @@ def snakemake(folder, *words):
     return done.stdout + done.stderr
 
 
+@pytest.mark.slow
 def test_a_motion_is_made_once_and_stands_in_every_run(tmp_path):
     """Two runs have the same file, the third its own chain; alone, a run finds all there."""
     (tmp_path / "study.yaml").write_text(yaml.safe_dump(STUDY))
@@ -127,6 +128,7 @@ def test_the_profile_of_a_portfolio_names_rules_and_limits_each_group_to_one_job
     assert profile["set-resource-scopes"] == {"slot": "local"}
 
 
+@pytest.mark.slow
 def test_what_was_submitted_runs_its_jobs_itself(tmp_path):
     """As SLURM's plugin starts a group; it would start each job anew by srun, which fails here."""
     (tmp_path / "srun").write_text("#!/bin/sh\nexit 1\n")

@@ -131,6 +131,7 @@ PAGES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "words"), PAGES, ids=[shlex.join(w)[:60] for _, w in PAGES])
 def test_command_of_a_page_plans_jobs(clone, name, words):
     """Each Snakemake command of the pages is accepted and finds its jobs."""

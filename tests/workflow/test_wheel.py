@@ -7,6 +7,8 @@ import sys
 import zipfile
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGES = {"smdof": "smdof", "yade_scripts": "yade_scripts", "rocking": "workflow/rocking"}
 IMPORT = """
@@ -17,6 +19,7 @@ for name in sys.argv[2:]:
 """
 
 
+@pytest.mark.slow
 def test_every_module_imports_from_a_wheel(tmp_path):
     source, modules, skip = tmp_path / "source", [], shutil.ignore_patterns("__pycache__", "*.nb*")
     for package, folder in PACKAGES.items():

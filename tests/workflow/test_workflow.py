@@ -55,6 +55,7 @@ def test_dry_run_of_the_main_job(folder):
     assert any(line.split() == ["ida", "16"] for line in (done.stdout + done.stderr).splitlines())
 
 
+@pytest.mark.slow
 def test_a_rule_s_code_is_found_in_a_new_folder(tmp_path):
     """Stamps are made while Snakemake plans, in whatever order it comes to the rules."""
     named = ("figures/record_RRS228.png", "smdof/RRS228_4dof.csv", "scenes/W1.json")
@@ -62,6 +63,7 @@ def test_a_rule_s_code_is_found_in_a_new_folder(tmp_path):
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "told"),
     [
@@ -83,6 +85,7 @@ def test_bad_configuration_is_one_line(folder, words, told):
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("content", "told"),
     [
