@@ -1,7 +1,5 @@
 # The building as an assembly of bricks: modes, time histories, equal chains, explicit check.
 # Not part of the main job; ask for `building`, or for any file below.
-from yade_scripts.model.gravity import GRAVITY_M_S2
-
 BRICK_MODEL = (
     "brick_length_m",
     "brick_height_m",
@@ -58,11 +56,6 @@ def is_case_study(run):
 def sizes(key):
     """Brick sizes of a key of the section, as they stand in names of files."""
     return lambda run: [f"{size:g}" for size in RUNS.settings[run]["building"][key]]
-
-
-def explicit_size(run):
-    """Brick size of the explicit run."""
-    return f"{RUNS.settings[run]['building']['explicit_coarsening']:g}"
 
 
 rule building_fit:
@@ -282,121 +275,7 @@ rule fig03_wme:
         "../scripts/building/fig03_wme.py"
 
 
-rule building_explicit_scene:
-    input:
-        plan=plan_file("building.plan"),
-        fit=rules.building_fit.output[0],
-        modules=code("building/building_explicit_scene"),
-    output:
-        results("building/explicit_scene_{coarsening}.json"),
-    log:
-        logs("building_explicit_scene_{coarsening}"),
-    params:
-        building=building_settings(
-            *BRICK_MODEL,
-            "damping_ratio",
-            "explicit_step_fraction",
-            "explicit_duration_s",
-        ),
-    script:
-        "../scripts/building/building_explicit_scene.py"
-
-
-# The drawing's building under the record, with its dead load applied at once or left out.
-rule building_explicit:
-    input:
-        scene=of_run(rules.building_explicit_scene.output[0], coarsening=explicit_size),
-        record=rules.own_record.output.record,
-        yade=rules.yade_check.output[0],
-        modules=study_code("explicit_building"),
-    output:
-        history=results("building/explicit_{load}_{record}.csv"),
-        cost=results("building/explicit_{load}_{record}.json"),
-    log:
-        logs("building_explicit_{load}_{record}"),
-    benchmark:
-        benchmarks("building_explicit_{load}_{record}")
-    wildcard_constraints:
-        load="plain|loaded",
-    params:
-        yade=YADE,
-        gravity=lambda w: {"plain": 0.0, "loaded": GRAVITY_M_S2}[w.load],
-    shell:
-        "{params.yade} explicit_building --scene {input.scene:q} --motion {input.record:q}"
-        " --gravity {params.gravity} --output {output.history:q} --cost {output.cost:q}"
-        " 2> {log:q}"
-
-
-rule table_building_explicit:
-    input:
-        plan=plan_file("building.plan"),
-        fit=rules.building_fit.output[0],
-        scene=of_run(rules.building_explicit_scene.output[0], coarsening=explicit_size),
-        plain=of_run(rules.building_explicit.output.history, load="plain"),
-        loaded=of_run(rules.building_explicit.output.history, load="loaded"),
-        record=rules.own_record.output.record,
-        facts=rules.own_record.output.facts,
-        modules=code("building/table_building_explicit"),
-    output:
-        **figure(
-            "fig03_rattling_{record}",
-            "Building",
-            "explicit and modal, rattling",
-            about="fig03_rattling",
-            record="{record}",
-        ),
-        table=results("tables/building_explicit_{record}.csv"),
-    log:
-        logs("table_building_explicit_{record}"),
-    params:
-        building=building_settings(*BRICK_MODEL),
-    script:
-        "../scripts/building/table_building_explicit.py"
-
-
-rule building_explicit_cost:
-    input:
-        scene=rules.building_explicit_scene.output[0],
-        record=of_run(
-            rules.own_record.output.record,
-            record=lambda run: RUNS.named("building.wme_records")(run)[0],
-        ),
-        yade=rules.yade_check.output[0],
-        modules=study_code("explicit_building"),
-    output:
-        history=temp(results("building/explicit_cost_{coarsening}.csv")),
-        cost=results("building/explicit_cost_{coarsening}.json"),
-    log:
-        logs("building_explicit_cost_{coarsening}"),
-    params:
-        yade=YADE,
-        steps=lambda w: RUNS.cfg(w)["building"]["explicit_cost_steps"],
-    shell:
-        "{params.yade} explicit_building --scene {input.scene:q} --motion {input.record:q}"
-        " --steps {params.steps} --output {output.history:q} --cost {output.cost:q}"
-        " 2> {log:q}"
-
-
-rule table_building_explicit_cost:
-    input:
-        cost=of_run(
-            rules.building_explicit_cost.output.cost,
-            coarsening=sizes("explicit_convergence"),
-        ),
-        modules=code("building/table_building_explicit_cost"),
-    output:
-        shown(
-            results("tables/building_explicit_cost.csv"),
-            "fig03_cost",
-            "Building",
-            "cost of the explicit run (CSV)",
-        ),
-    log:
-        logs("table_building_explicit_cost"),
-    params:
-        coarsenings=lambda w: RUNS.cfg(w)["building"]["explicit_convergence"],
-    script:
-        "../scripts/building/table_building_explicit_cost.py"
+include: "building_explicit.smk"
 
 
 rule table_claims_building:
