@@ -22,7 +22,7 @@ def plan(scan, settings, ensemble):
     Parameters
     ----------
     scan : DataFrame
-        Of `Screen.scan`.
+        Of a dense scan, `Curve.table`.
     settings : dict
         Section ida with a number for start_g: growth, max_pga_g, max_collapse_ranges, confirm.
     ensemble : dict

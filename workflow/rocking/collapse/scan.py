@@ -4,7 +4,6 @@ import numpy as np
 import pandas as pd
 
 from rocking.collapse import search
-from rocking.collapse.probability import summary
 from rocking.collapse.search import Answer
 from rocking.solver.inputs import Bodies
 from rocking.solver.plane import moving_supports, prepare
@@ -125,19 +124,6 @@ class Scan:
         found = drive(strategy, run)
         return pd.concat(parts).sort_values("pga_g", ignore_index=True), found
 
-    def climb(self, settings):
-        """Outcomes of `search.climb` from half the static capacity up."""
-        return self.seen(search.climb(0.5 * self.static_g, settings))[0]
-
-    def scan(self, settings):
-        """Outcomes of `search.scan`, the dense scan, from half the static capacity up."""
-        return self.seen(search.scan(0.5 * self.static_g, settings))[0]
-
-    def intensities(self, settings):
-        """Collapse intensities of a `scan`: `collapse.summary`, without a run in YADE."""
-        none = pd.DataFrame()
-        return summary(self.scan(settings), none, none, settings["amplitude_spread"])
-
 
 class Screen(Scan):
     """Outcomes of one model, record and direction.
@@ -210,7 +196,7 @@ class Screen(Scan):
 
 
 def scan_settings(job):
-    """What `Screen.scan` takes of a scene file; W3, of more than twenty blocks, has its own steps.
+    """What a search takes of a case file; W3, of more than twenty blocks, has its own steps.
 
     Returns
     -------

@@ -5,6 +5,7 @@ import json
 from rocking.accuracy.fidelity import choose, read_fidelity
 from rocking.building.complete import run_numerics, scene_of
 from rocking.building.reduced import ReducedScan
+from rocking.collapse import search
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
@@ -21,7 +22,8 @@ def main(job):
     screen = ReducedScan(
         layouts, own["modes"], run_numerics(config), time_s, columns["ground"], w.direction
     )
-    table = screen.scan({**job.params.settings, **own["scan"]})
+    settings = {**job.params.settings, **own["scan"]}
+    table, _ = screen.seen(search.scan(0.5 * screen.static_g, settings))
     for place, (name, value) in enumerate(
         {"model": w.complete, "record": w.record, "direction": w.direction}.items()
     ):
