@@ -67,8 +67,8 @@ def suite(dynamic):
     stations = int(dynamic["stations"].max())
     if stations < FEWEST:
         said = "; ".join(
-            f"{r.model} fell under {r.fell_at_demand:.0f} of {r.curves:.0f}, from "
-            f"{g3(r.least_pga_g)} g on"
+            f"{r.model} fell under {r.fell_at_demand:.0f} of {r.curves:.0f} (the first at "
+            f"{g3(r.least_pga_g)} g)"
             for r in dynamic.itertuples()
         )
         stations_said = f"{stations} station{'s' if stations > 1 else ''}"
@@ -125,7 +125,12 @@ def next_steps(checks, mechanisms, verdicts, knowledge):
             "rest on the kinematic check alone; tie the façade or find what the building's motion "
             "really is."
         )
-    if not verdicts.empty and (verdicts["agree"] < 0.95).any():
+    if verdicts.empty:
+        lines.append(
+            "Give motions of as many stations as the code's dynamic check wants "
+            "(assessment.motions); it was not made."
+        )
+    elif (verdicts["agree"] < 0.95).any():
         lines.append(
             "Run the dynamic check with more motions: its verdict hangs on single histories."
         )

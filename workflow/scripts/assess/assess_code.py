@@ -113,7 +113,7 @@ def spectra(records, settings, demand, share):
     chain = settings["smdof"]
     n = chain["n_dof"]
     floor = floor_demand(demand, share, chain)
-    periods = site.PERIODS_S[1:]
+    periods = site.PERIODS_S[1::2]
     exact = []
     for record in records:
         motion = floor_motions(
@@ -132,7 +132,7 @@ def spectra(records, settings, demand, share):
         scale = demand.pga_g / (np.abs(motion.ground_m_s2).max() / G_M_S2)
         dt = record.dt_s / motion.refine
         exact.append(response_spectrum(moved, dt, periods, 0.05).psa_m_s2 / G_M_S2 * scale)
-    ground = demand.pga_g * site.shapes(records)[:, 1:]
+    ground = demand.pga_g * site.shapes(records)[:, 1::2]
     table = {
         "period_s": periods,
         "ground_g": [demand.acceleration(t) for t in periods],
