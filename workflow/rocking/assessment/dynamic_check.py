@@ -43,7 +43,7 @@ def width_of(facade):
     return shape_of(facade).overturning_m
 
 
-def histories(job, record, direction, pga_g, realisations):
+def histories(job, record, direction, pga_g, realisations, fraction=None):
     """Largest displacements of one model under one motion at some intensities.
 
     Parameters
@@ -55,6 +55,8 @@ def histories(job, record, direction, pga_g, realisations):
     pga_g : sequence of float
     realisations : int
         Perturbed ones beside the first, within ± `ensemble.amplitude_spread`.
+    fraction : float or None
+        Of the stable step; None takes the dense scan's.
 
     Returns
     -------
@@ -62,7 +64,7 @@ def histories(job, record, direction, pga_g, realisations):
         See COLUMNS; realisation 0 is the one as it is.
     """
     time_s, columns = floor_columns(record, job["smdof"])
-    screen = Screen(job, time_s, columns, direction)
+    screen = Screen(job, time_s, columns, direction, fraction)
     spread, b = job["ensemble"]["amplitude_spread"], width_of(job["facade"])
     parts = []
     for level in pga_g:

@@ -48,9 +48,9 @@ class Selection:
         return low >= -BELOW - 1e-9 and high <= ABOVE + 1e-9
 
 
-def periods(low_s, high_s):
+def periods(low_s, high_s, points=POINTS):
     """Periods at which a fit is judged."""
-    return np.geomspace(low_s, high_s, POINTS)
+    return np.geomspace(low_s, high_s, points)
 
 
 def _misfit(ratio):

@@ -10,6 +10,7 @@ from rocking.assessment.checks import LEAST_KNOWN
 from rocking.assessment.code_checks import code_checks, least, mechanism_of
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.dynamic_check import histories, limits_of, verdict
+from rocking.collapse.quick import LONG_STEP
 from rocking.records import G_M_S2, load
 from rocking.runtime.script import run
 from rocking.tables import write_table
@@ -18,7 +19,7 @@ from smdof.spectra import response_spectrum
 
 LEVELS_G = (0.05, 0.10, 0.15, 0.20, 0.25, 0.30)  # a_g
 SITE = (2.5, 0.3, "B")  # F0, T_C*, subsoil
-HIGH_S = 3.0  # the motions fit from match_low_s to here
+HIGH_S, POINTS = 3.0, 20  # the motions fit from match_low_s to here
 SECTIONS = ("facade", "return_wall", "smdof", "assessment")
 
 
@@ -27,7 +28,7 @@ def main(job):
     facade, wall, chain, own = (settings[k] for k in SECTIONS)
     how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}
     records = {name: load(name, job.params.table, **how) for name in stations}
-    period_s = selection.periods(own["match_low_s"], HIGH_S)
+    period_s = selection.periods(own["match_low_s"], HIGH_S, POINTS)
     spectra = np.array(
         [
             response_spectrum(r.acceleration_m_s2, r.dt_s, period_s, 0.05).psa_m_s2 / G_M_S2
@@ -62,7 +63,9 @@ def main(job):
         scene = json.loads(Path(str(path)).read_text())
         parts = []
         for name, levels in wanted.items():
-            one = histories(scene, records[name], settings["directions"][0], levels.values(), 0)
+            one = histories(
+                scene, records[name], settings["directions"][0], levels.values(), 0, LONG_STEP
+            )
             parts.append(one.assign(ag_g=list(levels)))
         table = pd.concat(parts, ignore_index=True)
         for known in kinematic:
