@@ -1,5 +1,6 @@
 """Experiments: how parameters follow from a specimen, its runs, and a reduced target."""
 
+import json
 import math
 import shutil
 import subprocess
@@ -13,6 +14,7 @@ import yaml
 from rocking.configuration.config import ConfigError
 from rocking.studies import validation
 from rocking.studies.validation import ALONE, SEQUENCE
+from run_script import script
 
 ROOT = Path(__file__).resolve().parents[2]
 US1 = ROOT / "config" / "experiments" / "us1"
@@ -137,6 +139,25 @@ def test_faulty_tables(tmp_path):
     (folder / "runs.csv").write_text("run,record\n1,A\n")
     with pytest.raises(ConfigError, match="runs.csv: expected columns pga_g"):
         validation.read(folder)
+
+
+def test_a_folder_without_motions(tmp_path):
+    """It stops before anything runs, instead of taking stand-ins unasked."""
+    settings = {"validation": {"motions_folder": str(tmp_path), "main_variants": 1}}
+    done = script(
+        "validation_cases",
+        tmp_path,
+        checked=False,
+        input={"files": [str(US1 / "specimen.yaml")]},
+        output={"cases": "cases.json", "tests": "tests.json", "motions": "motions"},
+        params={
+            "settings": json.dumps(json.dumps(settings)),
+            "table": str(ROOT / "config/suites/recorded_suite.tsv"),
+        },
+    )
+    assert done.returncode == 1
+    assert "motions_folder = " in done.stderr
+    assert "expected files named vel_expfull" in done.stderr
 
 
 @pytest.mark.yade

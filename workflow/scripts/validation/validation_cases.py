@@ -4,6 +4,7 @@ import json
 import os
 from pathlib import Path
 
+from rocking.configuration.config import ConfigError
 from rocking.runtime.script import run
 from rocking.studies import validation
 
@@ -22,6 +23,10 @@ def main(job):
         write(path, time_s, ground)
         motions.append((time_s, ground))
         rows.append({**row.to_dict(), "motion": path, "source": source})
+    folder = settings["motions_folder"]
+    if folder and all(row["source"] != "file" for row in rows):
+        pattern = experiment.specimen["motions"]["files"]
+        raise ConfigError(f"validation.motions_folder = {folder}: expected files named {pattern}")
     whole = os.path.join(job.output.motions, "sequence.csv")
     time_s, ground, spans = validation.one_after_another(motions)
     write(whole, time_s, ground)
