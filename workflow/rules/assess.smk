@@ -1,4 +1,4 @@
-# The answer of codes of practice beside the dynamic one; a report for one façade.
+# The answer of codes of practice compared with the dynamic one; a report for one façade.
 from rocking.assessment import inputs as assessed
 
 COMPARED = results("assessment").format(run=RUNS.name)
@@ -10,7 +10,7 @@ def checked(function):
 
     def files(wildcards):
         try:
-            found = function(RUNS.cfg(wildcards), RUNS.beside)
+            found = function(RUNS.cfg(wildcards), RUNS.find_file)
         except ValueError as error:
             stop(error)
         return [] if found is None else [found]

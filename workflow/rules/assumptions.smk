@@ -1,4 +1,4 @@
-# What the one-way coupled return walls are worth, beside every other assumption: models side by side, a map over
+# What the one-way coupled return walls are worth, compared with every other assumption: models side by side, a map over
 # buildings, a tornado chart. Ask for `assumptions`; config/scenarios/assumptions.yaml has the runs.
 ASSUMPTIONS = RUNS.key("assumptions")
 
@@ -27,7 +27,7 @@ rule table_assumptions:
     input:
         scans=of_run(rules.planar_ida.output.scan, cases=RUNS.scans),
         bricks=of_run(rules.ida.output[0], cases=without_scan),
-        others=lambda w: list(map(RUNS.beside, ASSUMPTIONS(w.run)["other_curves"])),
+        others=lambda w: list(map(RUNS.find_file, ASSUMPTIONS(w.run)["other_curves"])),
         facts=of_run(rules.record.output.facts),
         modules=code("assumptions/table_assumptions"),
     output:
@@ -160,7 +160,9 @@ rule assumptions_varied:
         benchmarks("assumptions_varied_{model}_{record}")
     params:
         directions=lambda w: RUNS.cfg(w)["directions"],
-        surrogates_table=lambda w: RUNS.beside(ASSUMPTIONS(w.run)["surrogates_table"]),
+        surrogates_table=lambda w: RUNS.find_file(
+            ASSUMPTIONS(w.run)["surrogates_table"]
+        ),
         seed=lambda w: RUNS.cfg(w)["seed"],
     script:
         "../scripts/assumptions/assumptions_varied.py"

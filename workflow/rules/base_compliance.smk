@@ -1,4 +1,4 @@
-# What the base of a rigid façade is worth beside the elastic wall: ask for `base_compliance`.
+# What the base of a rigid façade is worth compared with the elastic wall: ask for `base_compliance`.
 
 
 def of_one_block(run):

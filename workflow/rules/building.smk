@@ -36,7 +36,7 @@ def plan_file(key):
     """Input function: the plan, or the list of plans, that a key names."""
 
     def found(path):
-        there = RUNS.beside(path)
+        there = RUNS.find_file(path)
         if not Path(there).exists():
             raise SystemExit(f"error: {key}: there is no file '{path}'")
         return there
@@ -49,7 +49,7 @@ def plan_file(key):
 
 
 def is_case_study(run):
-    """Whether the study's own figures belong beside the results."""
+    """Whether the study's own figures belong with the results."""
     return Path(RUNS.settings[run]["building"]["plan"]).stem.startswith("case_study")
 
 

@@ -14,7 +14,7 @@ def tested_wall(wildcards):
     """File of the tested wall, for the part that has one."""
     if wildcards.group != "free_rocking_wall":
         return []
-    return RUNS.beside(RUNS.cfg(wildcards)["calibration"]["free_rocking_wall"])
+    return RUNS.find_file(RUNS.cfg(wildcards)["calibration"]["free_rocking_wall"])
 
 
 def cases_settings(wildcards):

@@ -12,7 +12,7 @@ DRAWN_VARIANTS = [*(f"header_{rule}" for rule in DRAWN), "default"]  # of Figure
 
 
 def pushover_curves(wildcards):
-    """Capacity curves beside kinematic ones, which are known of plain façades alone."""
+    """Capacity curves compared with kinematic ones, which are known of plain façades alone."""
     RUNS.needs_plain(wildcards.run, "the kinematic curve")
     models = RUNS.cfg(wildcards)["pushover"]["models"]
     return of_run(rules.pushover_curve.output[0], pushed=models)(wildcards)

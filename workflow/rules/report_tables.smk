@@ -50,7 +50,7 @@ REPORT_TABLES = {
     ),
     "surrogate_trust": (
         "Records",
-        "surrogates beside their records",
+        "surrogates compared with their records",
         "Ratio of the collapse PGA of surrogates to that of their records, by half of the stations: its"
         " median, percentiles and scatter (standard deviation of the logarithm); share within 20 %;"
         " share of records whose weak side is that of the surrogate, and the median |ln(pos/neg)| of"
@@ -77,25 +77,25 @@ REPORT_TABLES = {
         " share of YADE's realisations that fell where it was confirmed. Blank: no tie tried holds.",
     ),
     "claims": (
-        "Beside the study",
+        "Compared with the study",
         "claims of the study",
-        "What the study says about boundary conditions beside what this run measured. Collapse"
+        "What the study says about boundary conditions compared with what this run measured. Collapse"
         " intensities are those at which half collapse, else the middle of their bracket.",
     ),
     "claims_building": (
-        "Beside the study",
+        "Compared with the study",
         "claims of the study, building",
-        "What the study's section 2 says of the building and its equivalent chain beside what this"
+        "What the study's section 2 says of the building and its equivalent chain compared with what this"
         " run measured; whose number decides stands in the column threshold.",
     ),
     "claims_calibration": (
-        "Beside the study",
+        "Compared with the study",
         "claims of the study, damping",
-        "What the study's section 3 says of damping beside what this run measured; whose number"
+        "What the study's section 3 says of damping compared with what this run measured; whose number"
         " decides stands in the column threshold.",
     ),
     "building_modes": (
-        "Beside the study",
+        "Compared with the study",
         "periods of the building",
         "Periods and effective mass ratios of the lowest modes, with the study's periods where the"
         " mode corresponds to one. Only the floor load was fitted, to the period of CBDEM along y.",
@@ -107,25 +107,25 @@ REPORT_TABLES = {
         " allows.",
     ),
     "wme": (
-        "Beside the study",
+        "Compared with the study",
         "2: weighted mean error of chains",
         "Weighted mean error (eq. 1) of equal chains against SBDEM, with Table 2 of the study.",
     ),
     "beta_fit": (
-        "Beside the study",
+        "Compared with the study",
         "best-fitting β and eq. 5",
-        "β whose rebounds come closest to the observed ones, beside eq. 5 of the study.",
+        "β whose rebounds come closest to the observed ones, compared with eq. 5 of the study.",
     ),
     "free_rocking": (
         "Calibration of the damping",
         "rebounds and e_exp",
         "Time of each of the first three impacts, the rotation |θn|/α reached after it, and e_exp"
-        " (eq. 4) beside |e_1SR| (eq. 3). A blank row is an impact without a rebound.",
+        " (eq. 4) compared with |e_1SR| (eq. 3). A blank row is an impact without a rebound.",
     ),
     "pushover": (
         "Boundary conditions",
         "static capacities",
-        "Static capacities as pushed in YADE, beside the kinematic values.",
+        "Static capacities as pushed in YADE, compared with the kinematic values.",
     ),
     "accuracy_summary": (
         "Accuracy and stability",

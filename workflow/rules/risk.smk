@@ -6,7 +6,7 @@ from rocking.risk.hazard import HazardError, stated_hazard
 def hazard(wildcards):
     """File of a run's hazard curve; what is wrong with it ends the workflow in one line."""
     try:
-        return stated_hazard(RUNS.cfg(wildcards), RUNS.beside)
+        return stated_hazard(RUNS.cfg(wildcards), RUNS.find_file)
     except HazardError as error:
         stop(error)
 

@@ -15,7 +15,7 @@ def choices(run):
 
 def shake_table(key):
     """Input function: a file of the shake-table tests."""
-    return lambda w: RUNS.beside(RUNS.cfg(w)["calibration"][f"shake_table_{key}"])
+    return lambda w: RUNS.find_file(RUNS.cfg(w)["calibration"][f"shake_table_{key}"])
 
 
 def shake_table_files(wildcards):

@@ -16,7 +16,7 @@ STUDY_TABLES = [
 
 rule study_page:
     input:
-        data=RUNS.beside("docs/study.yaml"),
+        data=RUNS.find_file("docs/study.yaml"),
         tables=STUDY_TABLES,
         modules=code("study/study_page"),
     output:

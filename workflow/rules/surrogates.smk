@@ -56,7 +56,7 @@ rule figure_surrogate_trust:
         facts=of_run(rules.record.output.facts),
         modules=code("surrogates/figure_surrogate_trust"),
     output:
-        **figure("surrogate_trust", "Records", "surrogates beside their records"),
+        **figure("surrogate_trust", "Records", "surrogates compared with their records"),
     log:
         logs("figure_surrogate_trust"),
     script:

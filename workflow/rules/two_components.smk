@@ -1,4 +1,4 @@
-# Façades in three dimensions under both horizontal components, beside the planar scene under one.
+# Façades in three dimensions under both horizontal components, compared with the planar scene under one.
 from rocking.records.table import second_component as mate
 
 
@@ -70,7 +70,9 @@ rule figure_two_components:
         facts=of_run(rules.record.output.facts),
         modules=code("two_components/figure_two_components"),
     output:
-        **figure("two_components", "Two components", "both components beside one"),
+        **figure(
+            "two_components", "Two components", "both components compared with one"
+        ),
     log:
         logs("figure_two_components"),
     script:

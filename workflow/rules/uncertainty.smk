@@ -1,4 +1,4 @@
-# Uncertainty of material and model beside that of the motion: ask for `uncertainty`.
+# Uncertainty of material and model compared with that of the motion: ask for `uncertainty`.
 from rocking.uncertainty.design import drawn_motions
 
 

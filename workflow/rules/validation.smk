@@ -6,7 +6,7 @@ EXPERIMENT_FILES = "specimen.yaml", "runs.csv", "measured.csv"
 
 def experiment_folders(run):
     """Folder of each experiment of a run, by its name."""
-    paths = map(RUNS.beside, RUNS.settings[run]["validation"]["experiments"])
+    paths = map(RUNS.find_file, RUNS.settings[run]["validation"]["experiments"])
     return {Path(path).name: path for path in paths}
 
 
@@ -46,7 +46,7 @@ rule validation_cases:
     log:
         logs("validation_cases_{experiment}"),
     params:
-        table=RUNS.beside("config/suites/recorded_suite.tsv"),
+        table=RUNS.find_file("config/suites/recorded_suite.tsv"),
         settings=RUNS.params_of("validation"),
     script:
         "../scripts/validation/validation_cases.py"

@@ -88,14 +88,14 @@ class Runs:
         """Params function: the parts of the configuration that a rule depends on, as JSON."""
         return lambda wildcards: configuration.relevant(self.cfg(wildcards), *paths)
 
-    def beside(self, path) -> str:
+    def find_file(self, path) -> str:
         """A file as given, or beside the Snakefile if it is not found there."""
         near = self.base / path
         return str(near if not Path(path).exists() and near.exists() else path)
 
     def table_path(self, run) -> str:
         """Path of a run's records table."""
-        return self.beside(self.settings[run]["records_table"])
+        return self.find_file(self.settings[run]["records_table"])
 
     def _record_names(self, run) -> list[str]:
         wanted = self.settings[run]["records"]
