@@ -71,10 +71,19 @@ rule sequence_table:
         "../scripts/sequence/sequence_table.py"
 
 
+def facts_of_both(wildcards):
+    """Sources of the run's records, and of the one that comes first."""
+    first = RUNS.cfg(wildcards)["sequence"]["first"]
+    names = [*RUNS.records[wildcards.run], *([first] if first else [])]
+    return of_run(rules.record.output.facts, record=list(dict.fromkeys(names)))(
+        wildcards
+    )
+
+
 rule figure_sequence:
     input:
         table=rules.sequence_table.output.table,
-        facts=of_run(rules.record.output.facts),
+        facts=facts_of_both,
         modules=code("sequence/figure_sequence"),
     output:
         **figure("sequence", "Records", "what a first shock leaves"),

@@ -25,7 +25,7 @@ def main(job):
         for level in levels[1:]:
             fell = int(part.loc[part["first_pga_g"] == level, "fell_first"].sum())
             if fell:
-                axis.annotate(f"{fell} fell", (at[level], 0.02), ha="center", fontsize=7)
+                axis.annotate(f"{fell}\nfell", (at[level], 0.02), ha="center", fontsize=6)
         axis.axhline(1.0, color=style.GREY, lw=0.8, zorder=0)
         axis.set_title(model, loc="left")
         axis.set_xticks(range(len(levels)), [f"{level:g}" for level in levels])
