@@ -73,6 +73,12 @@ def test_a_gable_by_hand():
     assert one.t0_s == pytest.approx(expected, rel=1e-9)
 
 
+def test_an_inset_moves_the_hinge_of_every_part():
+    """The gable's hinge 0.05 m inside: (0.15 − 0.05)/0.8 = 0.125 instead of 0.1875."""
+    one = family(GABLE, hinge_inset_m=0.05).part(6.0, "gable")
+    assert one.mechanism.multiplier() == pytest.approx(0.125, rel=1e-9)
+
+
 def test_parts_stand_above_every_sill_head_step_and_floor():
     floors = [{"height_m": 3.0, "load_kn": 20.0}]
     names = [c.name for c in family({**GABLE, "floors": floors}).all()]
