@@ -39,11 +39,6 @@ REFERENCE_ACCELERATION = 50.0  # m/s²: bound on relative acceleration between t
 PER_BOND = ("node", "matrix", "constant", "kn", "ks", "tension", "cohesion", "slope", "tie")
 
 
-def is_tie(nodes, i):
-    """Tell whether a bonded node transmits no shear (neither cohesion nor friction)."""
-    return bool(nodes.cohesion_n[i] == 0.0 and nodes.friction_rad[i] == 0.0)
-
-
 def _quaternion(vector):
     """YADE's quaternion of a rotation vector."""
     from yade.minieigenHP import Quaternion, Vector3
@@ -136,7 +131,7 @@ class _Pair:
         self.kn, self.ks = columns.kn_n_m[n], columns.ks_n_m[n]
         self.tension, self.cohesion = columns.tension_n[n], columns.cohesion_n[n]
         self.slope = np.tan(columns.friction_rad[n])
-        self.tie = np.array([is_tie(columns, i) for i in n])
+        self.tie = columns.tie[n]
         self.at = self.last = self._pose()
         self.constant[:, 1:] -= self._displacement()[:, 1:]  # slip counts from here
         self.left = 0.0

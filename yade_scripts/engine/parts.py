@@ -7,7 +7,7 @@ nodes are explained in `bonds`, welded ones in `welds`.
 
 import numpy as np
 
-from yade_scripts.engine.bonds import PRELOAD_M, is_tie
+from yade_scripts.engine.bonds import PRELOAD_M
 from yade_scripts.engine.library import EngineError
 
 LEAST_BETA_S = 1e-15  # a dashpot of exactly 0 in series with the face would become the face's
@@ -44,7 +44,7 @@ class Parts:
         self.w, self.utils, self.omega = w, utils, omega
         self.scene, self.faces, self.radius_m = scene, faces, radius_m
         self.reach_m = 4.0 * max(max(b.size_m) for b in scene.blocks)
-        self.node_body = [-1] * len(scene.nodes)
+        self.node_body, self.tie = [-1] * len(scene.nodes), scene.nodes.tie
         self.bonded: dict[int, tuple] = {}
         self.materials: dict[tuple, object] = {}
         self.rigid = w.ViscElMat(
@@ -76,7 +76,7 @@ class Parts:
     def _bond_material(self, i):
         """Half a node; the shear of a tie slips freely."""
         n = self.scene.nodes
-        friction = 0.0 if is_tie(n, i) else UNLIMITED_FRICTION
+        friction = 0.0 if self.tie[i] else UNLIMITED_FRICTION
         return self._material(0.5 * n.kn_n_m[i], 0.5 * n.ks_n_m[i], n.beta_s[i], friction)
 
     def _sphere(self, position, radius_m, material, mask):

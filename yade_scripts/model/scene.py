@@ -149,6 +149,11 @@ class Nodes:
         """Mask of the nodes that start with a strength that they may reach, shape (n,)."""
         return ((self.tension_n > 0.0) | (self.cohesion_n > 0.0)) & ~self.welded
 
+    @property
+    def tie(self):
+        """Mask of the bonded nodes that transmit no shear: neither cohesion nor friction."""
+        return self.bonded & (self.cohesion_n == 0.0) & (self.friction_rad == 0.0)
+
 
 @dataclass
 class Scene:

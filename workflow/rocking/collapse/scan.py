@@ -5,7 +5,7 @@ import pandas as pd
 
 from rocking.collapse import search
 from rocking.collapse.search import Answer
-from rocking.solver.inputs import Bodies
+from rocking.solver.carriers import Bodies
 from rocking.solver.plane import moving_supports, prepare
 from rocking.solver.runs import STEP_FRACTION, Motions, Peaks, bodies, peaks, stable_step
 from smdof.chain import shear_chain

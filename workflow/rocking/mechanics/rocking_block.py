@@ -13,7 +13,7 @@ import math
 import numpy as np
 
 from rocking.mechanics.closed_forms import G_M_S2, _positive, block, restitution_one_sided
-from rocking.solver.kernel import compiled
+from rocking.runtime.compiled import compiled
 
 STEP_S = 5e-4
 

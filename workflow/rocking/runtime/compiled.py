@@ -14,7 +14,7 @@ def compiled(function):
     files beside it as these were; here a change of any of them makes it anew.
     """
     try:
-        made: Any = njit(nogil=True, cache=True)(function)
+        made: Any = njit(nogil=True, cache=True, error_model="numpy")(function)
     except RuntimeError:  # numba found no folder for its cache
         return njit(nogil=True)(function)
     beside = sorted(Path(function.__code__.co_filename).parent.glob("*.py"))
@@ -22,3 +22,8 @@ def compiled(function):
     index = made._cache._cache_file
     index._source_stamp = (index._source_stamp, digest)
     return made
+
+
+def inlined(function):
+    """Compile into whatever calls it, so that cutting a loop into named steps costs nothing."""
+    return njit(nogil=True, forceinline=True, error_model="numpy")(function)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocking.runtime.compiled import compiled
+from rocking.runtime.compiled import compiled, inlined
 
 OK, OVERTURNED, FAILED = 0, 1, 2
 REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
@@ -30,31 +30,6 @@ class Table(NamedTuple):
     speed_m_s: np.ndarray
 
 
-class Bodies(NamedTuple):
-    """Coordinates that carry the supports: M ü + C u̇ + K u = −M r a_g + Hᵀ·contact forces.
-
-    They are the masses of a chain, or the modes of a building. Supports move by H u.
-
-    Attributes
-    ----------
-    mass_kg : ndarray, shape (n,)
-        Without masses the supports are driven.
-    k_n_m, c_n_s_m : ndarray, shape (n, n)
-    hang, lift : ndarray, shape (supports, n)
-        H: what each coordinate adds to a support's motion along y, and along z; `lift` without
-        rows where supports only move along y.
-    ground : ndarray, shape (n,)
-        r: motion of the coordinates when everything moves by one with the ground.
-    """
-
-    mass_kg: np.ndarray
-    k_n_m: np.ndarray
-    c_n_s_m: np.ndarray
-    hang: np.ndarray
-    lift: np.ndarray
-    ground: np.ndarray
-
-
 class Rules(NamedTuple):
     """When a history ends; the meaning is that of `simulate.StopRules`.
 
@@ -70,8 +45,42 @@ class Rules(NamedTuple):
     rest_time_s: float
 
 
+class Supports(NamedTuple):
+    """Motion of the supports relative to the ground, and the forces on them.
+
+    Each has an entry a support and a last one, 0, for what stands still.
+
+    Attributes
+    ----------
+    y, vy, dy : ndarray
+        Place [m], velocity [m/s] and way since the last step [m] along y.
+    z, vz, dz : ndarray
+    fy, fz : ndarray
+        Forces [N].
+    """
+
+    y: np.ndarray
+    vy: np.ndarray
+    dy: np.ndarray
+    z: np.ndarray
+    vz: np.ndarray
+    dz: np.ndarray
+    fy: np.ndarray
+    fz: np.ndarray
+
+
 @compiled
-def drive(table, factor, k, past_s, place_m, speed_m_s, gone_m):
+def standing(supports):
+    """So many supports, at rest."""
+    n = supports + 1
+    return Supports(
+        *(np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n)),
+        *(np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n)),
+    )
+
+
+@inlined
+def drive(table, factor, k, past_s, y, vy, dy):
     """Move the driven supports to step k: their place, velocity, and way since the step before.
 
     They coast after the table; `past_s` is the step, and zero at the first.
@@ -79,26 +88,15 @@ def drive(table, factor, k, past_s, place_m, speed_m_s, gone_m):
     last = table.ground_m_s2.size - 1
     row = min(k, last)
     for j in range(table.place_m.shape[1]):
-        speed_m_s[j] = factor * table.speed_m_s[row, j]
+        vy[j] = factor * table.speed_m_s[row, j]
         place = factor * table.place_m[row, j]
         if k > last:
-            place = place_m[j] + past_s * speed_m_s[j]
-        gone_m[j] = place - place_m[j] if k > 0 else 0.0
-        place_m[j] = place
+            place = y[j] + past_s * vy[j]
+        dy[j] = place - y[j] if k > 0 else 0.0
+        y[j] = place
 
 
-@compiled
-def since_closed(depth_m, rate_m_s, dt_s):
-    """Of a node that closed within this step: the share of its force, and of its slip.
-
-    The force stands for half a step on either side of now, of which the node, closed since
-    depth/rate, has been in contact for that share.
-    """
-    since = depth_m / (rate_m_s * dt_s)
-    return min(0.5 + since, 1.5), min(since, 1.0)
-
-
-@compiled
+@inlined
 def verdict(rules, motion_s, max_speed_m_s, k, dt_s, d_m, speed_m_s, shaken, moving_until_s):
     """Whether a history ends at step k: it failed, overturned, is at rest, or the record ends.
 

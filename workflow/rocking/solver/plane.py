@@ -34,7 +34,8 @@ class Planar(NamedTuple):
     place_m, kn_n_m : ndarray, shape (nodes,)
     pull_m, hold_m : ndarray, shape (nodes,)
         Strengths of a bond over kn: tension and cohesion [m].
-    bonded : ndarray of bool, shape (nodes,)
+    bonded, tie : ndarray of bool, shape (nodes,)
+        A tie is a bond that transmits no shear.
     start : ndarray, shape (6,)
         y, z [m] and rotation about x [rad] of the block, and their rates.
     mass_kg, inertia_kg_m2, gravity_m_s2, thickness_m : float
@@ -59,6 +60,7 @@ class Planar(NamedTuple):
     pull_m: np.ndarray
     hold_m: np.ndarray
     bonded: np.ndarray
+    tie: np.ndarray
     start: np.ndarray
     mass_kg: float
     inertia_kg_m2: float
@@ -145,6 +147,7 @@ def prepare(scene):
         pull_m=nodes.tension_n[order] / kn,
         hold_m=nodes.cohesion_n[order] / kn,
         bonded=nodes.bonded[order],
+        tie=nodes.tie[order],
         start=np.array(
             [
                 *block.displacement_m[1:],

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 from scipy.linalg import block_diag
 
-from .inputs import COLUMNS, FAILED, REST_RATIO, Bodies, Rules, Table
-from .kernel import march
+from .carriers import Bodies
+from .inputs import COLUMNS, FAILED, REST_RATIO, Rules, Table
+from .kernel import march_block
 from .plane import matrices
 from .stack import Stack, stack_matrices
 from .stack_kernel import march_stack
@@ -159,7 +160,7 @@ class Series:
 
 
 def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, ground=None):
-    """Masses that carry the supports and feel the block (see `kernel.Bodies`).
+    """Masses that carry the supports and feel the block (see `carriers.Bodies`).
 
     Parameters
     ----------
@@ -179,12 +180,11 @@ def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, ground=N
     ValueError
         If shapes differ or a mass is not positive.
     """
-    m = np.asarray(mass_kg, float)
-    k, c = np.array(stiffness_n_m, float), np.array(damping_n_s_m, float)
+    m, k, c = (np.array(v, float, order="C") for v in (mass_kg, stiffness_n_m, damping_n_s_m))
     if m.ndim != 1 or k.shape != (m.size,) * 2 or c.shape != k.shape or not np.all(m > 0.0):
         raise ValueError("bodies: expected n positive masses and two matrices of shape (n, n)")
-    hang = np.eye(m.size) if hang is None else np.array(hang, float)
-    lift = np.zeros((0, m.size)) if lift is None else np.array(lift, float)
+    hang = np.eye(m.size) if hang is None else np.array(hang, float, order="C")
+    lift = np.zeros((0, m.size)) if lift is None else np.array(lift, float, order="C")
     ground = np.ones(m.size) if ground is None else np.array(ground, float)
     shapes = ((0, m.size), hang.shape)
     if (
@@ -265,7 +265,7 @@ def limits(uplift_m_s2, thickness_m, motions, numerics, factors):
 
 def _loop(planar):
     """The step loop of a plane."""
-    return march_stack if isinstance(planar, Stack) else march
+    return march_stack if isinstance(planar, Stack) else march_block
 
 
 def _set_up(planar, motions, numerics, factors, carried, step_s):

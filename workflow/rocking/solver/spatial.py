@@ -24,7 +24,7 @@ from yade_scripts.model.stiffness import critical_step
 from .inputs import FAILED
 from .plane import moving_supports
 from .runs import STATUS, limits
-from .spatial_kernel import COLUMNS, Spatial, march
+from .spatial_kernel import COLUMNS, Spatial, march_spatial
 
 STEP_FRACTION = 0.2  # of the critical step
 
@@ -99,7 +99,7 @@ class Outcome(NamedTuple):
     status : str
     end_s : float
     rows : ndarray, shape (n, COLUMNS)
-        See `march`.
+        See `march_spatial`.
     """
 
     d_over_b: float
@@ -140,7 +140,7 @@ def history(spatial, motions, numerics, factor=1.0, *, sample_s=None):
     every = max(1, round((sample_s or 1.0) / p.step_s))
     count = math.ceil(rules.limit_s / p.step_s) // every + 1 if sample_s else 0
     rows = np.zeros((count, COLUMNS))
-    peak, status, end, written, twist, slid = march(
+    peak, status, end, written, twist, slid = march_spatial(
         p, across, beside, factor, rules, float(ends), float(own[2][0]), every, rows
     )
     ratio = math.nan if status == FAILED else peak / p.thickness_m

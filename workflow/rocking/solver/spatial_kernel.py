@@ -5,9 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocking.runtime.compiled import compiled
+from rocking.runtime.compiled import compiled, inlined
 
-from .inputs import drive, since_closed, verdict
+from .inputs import drive, verdict
+from .law import rub, since_closed
 
 COLUMNS = 13
 
@@ -54,7 +55,7 @@ class Spatial(NamedTuple):
     step_s: float
 
 
-@compiled
+@inlined
 def _rotation(q, out):
     w, x, y, z = q
     out[0, 0], out[0, 1], out[0, 2] = (
@@ -74,7 +75,7 @@ def _rotation(q, out):
     )
 
 
-@compiled
+@inlined
 def _spin(r, inertia, momentum, out):
     """ω = R J⁻¹ Rᵀ L."""
     for i in range(3):
@@ -85,7 +86,7 @@ def _spin(r, inertia, momentum, out):
             out[i] += r[i, k] * own / inertia[k]
 
 
-@compiled
+@inlined
 def _turned(q, spin, dt, out):
     """Quaternion after a turn by ω dt, in the frame of the ground."""
     size = math.sqrt(spin[0] ** 2 + spin[1] ** 2 + spin[2] ** 2)
@@ -119,20 +120,182 @@ def roll(q, momentum, inertia, dt, spin, matrix, other):
         q[m] = other[m] / size
 
 
-@compiled
-def _open(p, i, turn, x, us):
-    """Whether node i does not touch its plane."""
-    j, depth = p.support[i], p.level_m[i]
-    for m in range(3):
-        place = x[m] - (us[m, j] if m < 2 else 0.0)
-        for n in range(3):
-            place += turn[m, n] * p.arm_m[i, n]
-        depth -= p.normal[i, m] * place
-    return depth <= 0.0
+class Motion(NamedTuple):
+    """How the block and its supports move, and what its nodes remember.
+
+    Attributes
+    ----------
+    x, q : ndarray, shape (3,), (4,)
+        Centroid from its reference place, quaternion (w, x, y, z).
+    v, momentum : ndarray, shape (3,)
+        Velocity and angular momentum half a step back.
+    a, torque : ndarray, shape (3,)
+        Acceleration, and what turned it, at the last step.
+    turn, spin : ndarray, shape (3, 3), (3,)
+        Rotation matrix; angular velocity half a step back.
+    now_v, now_spin : ndarray, shape (3,)
+        Predicted for this step.
+    u, us, du : ndarray, shape (2, supports + 1)
+        Place, velocity and last way of the supports along x and y.
+    slip, closed : ndarray, shape (nodes, 3), (nodes,)
+    touching : ndarray of int, shape (lines,)
+        Nodes of each line at the last step.
+    """
+
+    x: np.ndarray
+    q: np.ndarray
+    v: np.ndarray
+    momentum: np.ndarray
+    a: np.ndarray
+    torque: np.ndarray
+    turn: np.ndarray
+    spin: np.ndarray
+    now_v: np.ndarray
+    now_spin: np.ndarray
+    u: np.ndarray
+    us: np.ndarray
+    du: np.ndarray
+    slip: np.ndarray
+    closed: np.ndarray
+    touching: np.ndarray
 
 
 @compiled
-def march(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows):
+def _at_rest(p, supports):
+    """The block before its motion."""
+    nodes, moving = p.level_m.size, supports + 1
+    x, q, turn = p.place_m.copy(), p.turn.copy(), np.zeros((3, 3))
+    v, momentum, a, torque = np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3)
+    u, us, du = np.zeros((2, moving)), np.zeros((2, moving)), np.zeros((2, moving))
+    slip, closed = np.zeros((nodes, 3)), np.zeros(nodes, np.bool_)
+    touching = np.zeros(p.first.size - 1, np.int64)
+    spin, now_v, now_spin = np.zeros(3), np.zeros(3), np.zeros(3)
+    return Motion(
+        x, q, v, momentum, a, torque, turn, spin, now_v, now_spin, u, us, du, slip, closed, touching
+    )
+
+
+@inlined
+def _predict(p, m, half, ahead_l):
+    """Rotation, angular velocity half a step back, and rates at the whole step."""
+    _rotation(m.q, m.turn)
+    _spin(m.turn, p.inertia_kg_m2, m.momentum, m.spin)
+    for i in range(3):
+        m.now_v[i] = m.v[i] + half * m.a[i]
+        ahead_l[i] = m.momentum[i] + half * m.torque[i]
+    _spin(m.turn, p.inertia_kg_m2, ahead_l, m.now_spin)
+
+
+@inlined
+def _gap(p, m, i, r):
+    """Penetration of node i; its arm into r."""
+    for k in range(3):
+        r[k] = m.turn[k, 0] * p.arm_m[i, 0] + m.turn[k, 1] * p.arm_m[i, 1]
+        r[k] += m.turn[k, 2] * p.arm_m[i, 2]
+    j = p.support[i]
+    depth = p.level_m[i] - p.normal[i, 0] * (m.x[0] + r[0] - m.u[0, j])
+    return depth - (p.normal[i, 1] * (m.x[1] + r[1] - m.u[1, j]) + p.normal[i, 2] * (m.x[2] + r[2]))
+
+
+@inlined
+def _past(v, spin, r, other, j, scale, out):
+    """Way of a node past its plane at these rates."""
+    out[0] = scale * (v[0] + spin[1] * r[2] - spin[2] * r[1]) - other[0, j]
+    out[1] = scale * (v[1] + spin[2] * r[0] - spin[0] * r[2]) - other[1, j]
+    out[2] = scale * (v[2] + spin[0] * r[1] - spin[1] * r[0])
+
+
+@inlined
+def _node(p, m, i, depth, r, past, dt, rel, step, force):
+    """Force of a node that touches its plane, by the law of `law.dry` with slip as a vector.
+
+    Returns energy stored and taken.
+    """
+    normal, slip, j = p.normal[i], m.slip[i], p.support[i]
+    kn, ks, beta = p.kn_n_m[i], p.ks_n_m[i], p.beta_s[i]
+    ratio = ks / kn
+    _past(m.now_v, m.now_spin, r, m.us, j, 1.0, rel)
+    _past(m.v, m.spin, r, m.du, j, past, step)
+    rate = -(normal[0] * rel[0] + normal[1] * rel[1] + normal[2] * rel[2])
+    across = normal[0] * step[0] + normal[1] * step[1] + normal[2] * step[2]
+    share, part, size = 1.0, 1.0, 0.0
+    if not m.closed[i] and rate > 0.0 and past > 0.0:
+        share, part = since_closed(depth, rate, dt)
+    m.closed[i] = True
+    for k in range(3):
+        slip[k] += part * (step[k] - across * normal[k])
+        rel[k] += rate * normal[k]  # what is left lies in the joint's plane
+        size += slip[k] ** 2
+    size = math.sqrt(size)
+    pressed = max(depth + beta * rate, 0.0)
+    _, kept, taken, sticks = rub(size, pressed, ratio, p.friction[i])
+    drag, square, stored = beta if sticks else 0.0, 0.0, depth * depth + ratio * kept * kept
+    for k in range(3):
+        if not sticks:
+            slip[k] *= kept / size
+        force[k] = share * kn * (pressed * normal[k] - ratio * (slip[k] + drag * rel[k]))
+        square += rel[k] ** 2
+    power = (pressed - depth) * rate + ratio * drag * square
+    return 0.5 * kn * stored, kn * (taken + share * dt * power)
+
+
+@inlined
+def _opened(p, m, i):
+    """Forget the slip of a node that does not touch; what it loses."""
+    lost = 0.0
+    if m.closed[i]:
+        for k in range(3):
+            lost += 0.5 * p.ks_n_m[i] * m.slip[i, k] ** 2
+            m.slip[i, k] = 0.0
+        m.closed[i] = False
+    return lost
+
+
+@inlined
+def _contact(p, m, past, dt, force, room):
+    """Forces and torque of all nodes into `force` and m.torque.
+
+    Returns energy stored, taken, and the power of the supports; `room`: four vectors to work in.
+    """
+    elastic = spent = power = 0.0
+    r, rel, step, one = room[0], room[1], room[2], room[3]
+    for g in range(p.first.size - 1):
+        low, high = p.first[g], p.first[g + 1]
+        if m.touching[g] == 0 and _gap(p, m, low, r) <= 0.0 and _gap(p, m, high - 1, r) <= 0.0:
+            continue  # penetration is linear along the line
+        m.touching[g] = 0
+        for i in range(low, high):
+            depth = _gap(p, m, i, r)
+            if depth <= 0.0:
+                spent += _opened(p, m, i)
+                continue
+            stored, taken = _node(p, m, i, depth, r, past, dt, rel, step, one)
+            elastic, spent = elastic + stored, spent + taken
+            m.touching[g] += 1
+            power += one[0] * m.us[0, p.support[i]] + one[1] * m.us[1, p.support[i]]
+            for k in range(3):
+                force[k] += one[k]
+            m.torque[0] += r[1] * one[2] - r[2] * one[1]
+            m.torque[1] += r[2] * one[0] - r[0] * one[2]
+            m.torque[2] += r[0] * one[1] - r[1] * one[0]
+    return elastic, spent, power
+
+
+@inlined
+def _kinetic(p, m, half, room):
+    """Kinetic energy at the whole step [J]."""
+    energy, ahead_l, spin = 0.0, room[0], room[1]
+    for k in range(3):
+        energy += 0.5 * p.mass_kg * (m.v[k] + half * m.a[k]) ** 2
+        ahead_l[k] = m.momentum[k] + half * m.torque[k]
+    _spin(m.turn, p.inertia_kg_m2, ahead_l, spin)
+    for k in range(3):
+        energy += 0.5 * ahead_l[k] * spin[k]
+    return energy
+
+
+@compiled
+def march_spatial(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows):
     """Advance one history until a rule ends it.
 
     Parameters
@@ -155,124 +318,46 @@ def march(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows
     peak_m, status, time_s, written, twist_rad, slid_m
         Largest |d|; largest rotation about z, and displacement of the centroid along x.
     """
-    dt, count = across.step_s, p.level_m.size
-    last, moving = across.ground_m_s2.size - 1, across.place_m.shape[1]
-    us, vs = np.zeros((2, moving + 1)), np.zeros((2, moving + 1))
-    slip, closed = np.zeros((count, 3)), np.zeros(count, np.bool_)
-    touching = np.zeros(p.first.size - 1, np.int64)  # nodes of each line at the last step
-    x, q, v, momentum = p.place_m.copy(), p.turn.copy(), np.zeros(3), np.zeros(3)
-    a, torque, pv, pw, hw = np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3)
-    force, r, u = np.zeros(3), np.zeros(3), np.zeros(3)
-    turn, middle, other = np.zeros((3, 3)), np.zeros((3, 3)), np.zeros(4)
-    du, rel, step, ahead_l = np.zeros((2, moving + 1)), np.zeros(3), np.zeros(3), np.zeros(3)
-    peak = twist = slid = spent = work = moving_until = 0.0
-    written, k, time = 0, 0, 0.0
+    dt, last = across.step_s, across.ground_m_s2.size - 1
+    m = _at_rest(p, across.place_m.shape[1])
+    force, room = np.zeros(3), np.zeros((4, 3))
+    middle, other = np.zeros((3, 3)), np.zeros(4)
+    peak = twist = slid = spent = work = moving_until = time = 0.0
+    written, k = 0, 0
     while True:
         half, past = (0.5 * dt, dt) if k > 0 else (0.0, 0.0)
         row = min(k, last)
         ax, ay = factor * beside.ground_m_s2[row], factor * across.ground_m_s2[row]
         az = abs(factor) * across.vertical_m_s2[row]
-        drive(beside, factor, k, past, us[0], vs[0], du[0])
-        drive(across, factor, k, past, us[1], vs[1], du[1])
-        _rotation(q, turn)
-        _spin(turn, p.inertia_kg_m2, momentum, hw)  # half a step back
+        drive(beside, factor, k, past, m.u[0], m.us[0], m.du[0])
+        drive(across, factor, k, past, m.u[1], m.us[1], m.du[1])
+        _predict(p, m, half, room[0])
         for i in range(3):
-            pv[i] = v[i] + half * a[i]
-            ahead_l[i] = momentum[i] + half * torque[i]
-        _spin(turn, p.inertia_kg_m2, ahead_l, pw)
-        for i in range(3):
-            force[i] = torque[i] = 0.0
-        elastic = power = 0.0
-        for g in range(p.first.size - 1):
-            low, high = p.first[g], p.first[g + 1]
-            if touching[g] == 0 and _open(p, low, turn, x, us) and _open(p, high - 1, turn, x, us):
-                continue  # penetration is linear along the line
-            touching[g] = 0
-            for i in range(low, high):
-                for m in range(3):
-                    r[m] = turn[m, 0] * p.arm_m[i, 0] + turn[m, 1] * p.arm_m[i, 1]
-                    r[m] += turn[m, 2] * p.arm_m[i, 2]
-                n0, n1, n2 = p.normal[i, 0], p.normal[i, 1], p.normal[i, 2]
-                j = p.support[i]
-                depth = p.level_m[i] - n0 * (x[0] + r[0] - us[0, j])
-                depth -= n1 * (x[1] + r[1] - us[1, j]) + n2 * (x[2] + r[2])
-                kn, ks, beta = p.kn_n_m[i], p.ks_n_m[i], p.beta_s[i]
-                if depth <= 0.0:
-                    if closed[i]:
-                        size = slip[i, 0] ** 2 + slip[i, 1] ** 2 + slip[i, 2] ** 2
-                        spent += 0.5 * ks * size
-                        closed[i] = False
-                        slip[i, 0] = slip[i, 1] = slip[i, 2] = 0.0
-                    continue
-                rel[0] = pv[0] + pw[1] * r[2] - pw[2] * r[1] - vs[0, j]
-                rel[1] = pv[1] + pw[2] * r[0] - pw[0] * r[2] - vs[1, j]
-                rel[2] = pv[2] + pw[0] * r[1] - pw[1] * r[0]
-                step[0] = past * (v[0] + hw[1] * r[2] - hw[2] * r[1]) - du[0, j]
-                step[1] = past * (v[1] + hw[2] * r[0] - hw[0] * r[2]) - du[1, j]
-                step[2] = past * (v[2] + hw[0] * r[1] - hw[1] * r[0])
-                rate = -(n0 * rel[0] + n1 * rel[1] + n2 * rel[2])
-                along_n = n0 * step[0] + n1 * step[1] + n2 * step[2]
-                share, part = 1.0, 1.0
-                if not closed[i] and rate > 0.0 and k > 0:
-                    share, part = since_closed(depth, rate, dt)
-                closed[i] = True
-                touching[g] += 1
-                normal = max(kn * (depth + beta * rate), 0.0)
-                held = 0.0
-                for m in range(3):
-                    slip[i, m] += part * (step[m] - along_n * p.normal[i, m])
-                    rel[m] += rate * p.normal[i, m]  # what is left lies in the joint's plane
-                    held += slip[i, m] ** 2
-                held = ks * math.sqrt(held)
-                most = p.friction[i] * normal
-                viscous = ks * beta
-                if held > most:
-                    back = most / held
-                    spent += most * (held - most) / ks
-                    viscous = 0.0
-                    for m in range(3):
-                        slip[i, m] *= back
-                square = 0.0
-                for m in range(3):
-                    u[m] = share * (normal * p.normal[i, m] - ks * slip[i, m] - viscous * rel[m])
-                    square += rel[m] ** 2
-                    elastic += 0.5 * ks * slip[i, m] ** 2
-                    force[m] += u[m]
-                elastic += 0.5 * kn * depth * depth
-                spent += share * dt * ((normal - kn * depth) * rate + viscous * square)
-                power += u[0] * vs[0, j] + u[1] * vs[1, j]
-                torque[0] += r[1] * u[2] - r[2] * u[1]
-                torque[1] += r[2] * u[0] - r[0] * u[2]
-                torque[2] += r[0] * u[1] - r[1] * u[0]
-        d = x[1] - p.monitor_m[1]
+            force[i] = m.torque[i] = 0.0
+        elastic, taken, power = _contact(p, m, past, dt, force, room)
+        spent += taken
+        d = m.x[1] - p.monitor_m[1]
         arm0 = arm2 = 0.0
-        for m in range(3):
-            d += turn[1, m] * p.monitor_m[m]
-            arm0 += turn[0, m] * p.monitor_m[m]
-            arm2 += turn[2, m] * p.monitor_m[m]
-        speed = pv[1] + pw[2] * arm0 - pw[0] * arm2
-        peak, slid = max(peak, abs(d)), max(slid, abs(x[0]))
-        about_z = math.atan2(turn[1, 0], turn[0, 0])
+        for i in range(3):
+            d += m.turn[1, i] * p.monitor_m[i]
+            arm0 += m.turn[0, i] * p.monitor_m[i]
+            arm2 += m.turn[2, i] * p.monitor_m[i]
+        speed = m.now_v[1] + m.now_spin[2] * arm0 - m.now_spin[0] * arm2
+        peak, slid = max(peak, abs(d)), max(slid, abs(m.x[0]))
+        about_z = math.atan2(m.turn[1, 0], m.turn[0, 0])
         twist = max(twist, abs(about_z))
-        a[0] = force[0] / p.mass_kg - ax
-        a[1] = force[1] / p.mass_kg - ay
-        a[2] = force[2] / p.mass_kg - p.gravity_m_s2 - az
-        work += dt * (power - p.mass_kg * (ax * pv[0] + ay * pv[1] + az * pv[2]))
+        m.a[0] = force[0] / p.mass_kg - ax
+        m.a[1] = force[1] / p.mass_kg - ay
+        m.a[2] = force[2] / p.mass_kg - p.gravity_m_s2 - az
+        inertia = ax * m.now_v[0] + ay * m.now_v[1] + az * m.now_v[2]
+        work += dt * (power - p.mass_kg * inertia)
         if k % every == 0 and written < rows.shape[0]:
-            kinetic = 0.0
-            for m in range(3):
-                mean = v[m] + half * a[m]
-                kinetic += 0.5 * p.mass_kg * mean**2
-                ahead_l[m] = momentum[m] + half * torque[m]
-            _spin(turn, p.inertia_kg_m2, ahead_l, pw)
-            for m in range(3):
-                kinetic += 0.5 * ahead_l[m] * pw[m]
-            rows[written, 0], rows[written, 1], rows[written, 2] = time, d, speed
-            rows[written, 3], rows[written, 4], rows[written, 5] = x[0], x[1], x[2]
-            rows[written, 6] = math.atan2(turn[2, 1], turn[2, 2])
-            rows[written, 7], rows[written, 8] = about_z, kinetic
-            rows[written, 9] = p.mass_kg * p.gravity_m_s2 * x[2]
-            rows[written, 10], rows[written, 11], rows[written, 12] = elastic, spent, work
+            out = rows[written]
+            out[0], out[1], out[2] = time, d, speed
+            out[3], out[4], out[5] = m.x[0], m.x[1], m.x[2]
+            out[6], out[7] = math.atan2(m.turn[2, 1], m.turn[2, 2]), about_z
+            out[8], out[9] = _kinetic(p, m, half, room), p.mass_kg * p.gravity_m_s2 * m.x[2]
+            out[10], out[11], out[12] = elastic, spent, work
             written += 1
         over, status, moving_until = verdict(
             rules, motion_s, max_speed_m_s, k, dt, d, speed, False, moving_until
@@ -280,11 +365,11 @@ def march(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows
         if over:
             break
         ahead = dt if k > 0 else 0.5 * dt
-        for m in range(3):
-            v[m] += ahead * a[m]
-            momentum[m] += ahead * torque[m]
-            x[m] += dt * v[m]
-        roll(q, momentum, p.inertia_kg_m2, dt, hw, middle, other)
+        for i in range(3):
+            m.v[i] += ahead * m.a[i]
+            m.momentum[i] += ahead * m.torque[i]
+            m.x[i] += dt * m.v[i]
+        roll(m.q, m.momentum, p.inertia_kg_m2, dt, m.spin, middle, other)
         k += 1
         time = k * dt
     return peak, status, time, written, twist, slid

@@ -39,7 +39,8 @@ class Stack(NamedTuple):
         The node and a point of the plane from the centroids of their blocks (of a support from
         the origin); normal from b into a.
     kn_n_m, shear_ratio, beta_s, friction : ndarray, shape (nodes,)
-    bonded : ndarray of bool, shape (nodes,)
+    bonded, tie : ndarray of bool, shape (nodes,)
+        A tie is a bond that transmits no shear.
     pull_m, hold_m : ndarray, shape (nodes,)
         Strengths of a bond over kn: tension and cohesion [m].
     rim : ndarray, shape (nodes, 2)
@@ -78,6 +79,7 @@ class Stack(NamedTuple):
     beta_s: np.ndarray
     friction: np.ndarray
     bonded: np.ndarray
+    tie: np.ndarray
     pull_m: np.ndarray
     hold_m: np.ndarray
     rim: np.ndarray
@@ -170,6 +172,7 @@ def stacked(scene, own, column, bars):
         beta_s=nodes.beta_s,
         friction=np.tan(nodes.friction_rad),
         bonded=nodes.bonded,
+        tie=nodes.tie,
         pull_m=nodes.tension_n / nodes.kn_n_m,
         hold_m=nodes.cohesion_n / nodes.kn_n_m,
         rim=rim,

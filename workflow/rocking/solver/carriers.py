@@ -1,0 +1,124 @@
+"""What carries the supports and feels the block: masses of a chain, or modes of a building."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from rocking.runtime.compiled import compiled, inlined
+
+
+class Bodies(NamedTuple):
+    """Coordinates that carry the supports: M ü + C u̇ + K u = −M r a_g + Hᵀ·contact forces.
+
+    They are the masses of a chain, or the modes of a building. Supports move by H u.
+
+    Attributes
+    ----------
+    mass_kg : ndarray, shape (n,)
+        Without masses the supports are driven.
+    k_n_m, c_n_s_m : ndarray, shape (n, n)
+    hang, lift : ndarray, shape (supports, n)
+        H: what each coordinate adds to a support's motion along y, and along z; `lift` without
+        rows where supports only move along y.
+    ground : ndarray, shape (n,)
+        r: motion of the coordinates when everything moves by one with the ground.
+    """
+
+    mass_kg: np.ndarray
+    k_n_m: np.ndarray
+    c_n_s_m: np.ndarray
+    hang: np.ndarray
+    lift: np.ndarray
+    ground: np.ndarray
+
+
+class Ride(NamedTuple):
+    """How the carriers move, and their matrices as the loop reads them.
+
+    Attributes
+    ----------
+    hang, lift : ndarray, shape (n, supports)
+        Transposed, so that the inner loop over the supports runs in parallel lanes.
+    u, v, w, a, force : ndarray, shape (n,)
+        Displacement, velocity half a step back and now, acceleration, forces of the block.
+    band : int
+        How far from the diagonal their matrices have entries: modes have none beside it.
+    """
+
+    hang: np.ndarray
+    lift: np.ndarray
+    u: np.ndarray
+    v: np.ndarray
+    w: np.ndarray
+    a: np.ndarray
+    force: np.ndarray
+    band: int
+
+
+@compiled
+def at_rest(bodies):
+    """Carriers before the motion."""
+    n, band = bodies.mass_kg.size, 0
+    for i in range(n):
+        for j in range(n):
+            if bodies.k_n_m[i, j] != 0.0 or bodies.c_n_s_m[i, j] != 0.0:
+                band = max(band, abs(i - j))
+    return Ride(
+        np.ascontiguousarray(bodies.hang.T),
+        np.ascontiguousarray(bodies.lift.T),
+        *(np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n)),
+        band,
+    )
+
+
+@inlined
+def _move(shape, ride, past_s, place, speed, way):
+    """Supports by H u along one axis."""
+    place[:] = 0.0
+    speed[:] = 0.0
+    way[:] = 0.0
+    for i in range(shape.shape[0]):
+        u, w, du = ride.u[i], ride.w[i], past_s * ride.v[i]
+        for j in range(shape.shape[1]):
+            place[j] += shape[i, j] * u
+            speed[j] += shape[i, j] * w
+            way[j] += shape[i, j] * du
+
+
+@inlined
+def carry(ride, half_s, past_s, supports):
+    """Move the supports with what carries them, velocities predicted for this step."""
+    for i in range(ride.u.size):
+        ride.w[i] = ride.v[i] + half_s * ride.a[i]
+    _move(ride.hang, ride, past_s, supports.y, supports.vy, supports.dy)
+    if ride.lift.size > 0:
+        _move(ride.lift, ride, past_s, supports.z, supports.vz, supports.dz)
+
+
+@inlined
+def accelerate(bodies, ride, supports, ground_m_s2, quiet_m_s2):
+    """Accelerations of the carriers; whether one still feels more than `quiet_m_s2`."""
+    n, lifted, shaken = ride.u.size, ride.lift.size > 0, False
+    ride.force[:] = 0.0
+    for i in range(ride.hang.shape[1]):
+        if supports.fy[i] != 0.0 or supports.fz[i] != 0.0:
+            for j in range(n):
+                ride.force[j] += bodies.hang[i, j] * supports.fy[i]
+            if lifted:
+                for j in range(n):
+                    ride.force[j] += bodies.lift[i, j] * supports.fz[i]
+    for j in range(n):
+        pull = ride.force[j]
+        for i in range(max(0, j - ride.band), min(n, j + ride.band + 1)):
+            pull -= bodies.k_n_m[j, i] * ride.u[i] + bodies.c_n_s_m[j, i] * ride.w[i]
+        ride.a[j] = pull / bodies.mass_kg[j] - bodies.ground[j] * ground_m_s2
+        shaken = shaken or abs(ride.a[j] + bodies.ground[j] * ground_m_s2) > quiet_m_s2
+    return shaken
+
+
+@inlined
+def travel(ride, ahead_s, step_s):
+    """Move the carriers on by a step."""
+    for j in range(ride.u.size):
+        ride.v[j] += ahead_s * ride.a[j]
+        ride.u[j] += step_s * ride.v[j]

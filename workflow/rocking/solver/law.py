@@ -1,0 +1,111 @@
+"""The law of a contact node, which the loops of one block, of several and in space all take.
+
+With δ > 0 the penetration, u the slip since the node closed and r = ks/kn, all forces over kn:
+
+    N = max(δ + β δ̇, 0),  |T| ≤ μ N:  T = r (u + β u̇) while |r u| ≤ μ N, else u is what μ N holds
+
+A bond acts both ways and without a limit, N = δ + β δ̇ and T = r (u + β u̇), until −δ reaches its
+tension or |r u| its cohesion + μ max(δ, 0); from then on the node is a dry one. A tie has no ks.
+"""
+
+import math
+
+from rocking.runtime.compiled import inlined
+
+
+@inlined
+def since_closed(depth_m, rate_m_s, dt_s):
+    """Of a node that closed within this step: the share of its force, and of its slip.
+
+    The force stands for half a step on either side of now, of which the node, closed since
+    depth/rate, has been in contact for that share.
+    """
+    since = depth_m / (rate_m_s * dt_s)
+    return min(0.5 + since, 1.5), min(since, 1.0)
+
+
+@inlined
+def rub(slip_m, normal_m, ratio, friction):
+    """Slip under Coulomb's limit; forces over kn.
+
+    Parameters
+    ----------
+    slip_m : float
+        With this step's, as if it stuck; in space its size.
+    normal_m, ratio, friction : float
+        Normal force, ks/kn and tan φ.
+
+    Returns
+    -------
+    shear_m, slip_m, taken_m2, sticks : float, float, float, bool
+        Force of the spring, slip that is left, what sliding took (over kn).
+    """
+    limit, held = friction * normal_m, ratio * slip_m
+    if abs(held) <= limit:
+        return held, slip_m, 0.0, True
+    shear = math.copysign(limit, held)
+    return shear, shear / ratio, limit * abs(held - shear) / ratio, False
+
+
+@inlined
+def dry(depth_m, rate_m_s, speed_m_s, slip_m, step_m, fresh, joint, dt_s):
+    """A node in contact that can only push.
+
+    Parameters
+    ----------
+    depth_m, rate_m_s : float
+        Penetration and its rate.
+    speed_m_s, slip_m, step_m : float
+        Rate of slip, slip before this step and what this one adds.
+    fresh : bool
+        It did not touch at the step before.
+    joint : tuple of 3 floats
+        β [s], ks/kn, tan φ.
+    dt_s : float
+
+    Returns
+    -------
+    normal_m, shear_m, share : float
+        Forces over kn, and the share of the step for which they count.
+    slip_m : float
+    pressed, sticks : bool
+        Whether the dashpot across and the one along the joint act.
+    stored_m2, taken_m2 : float
+        Energy stored, and taken in this step, over kn.
+    """
+    beta, ratio, friction = joint
+    share = 1.0
+    if fresh and rate_m_s > 0.0:
+        share, part = since_closed(depth_m, rate_m_s, dt_s)
+        step_m *= part
+    normal = max(depth_m + beta * rate_m_s, 0.0)
+    shear, slip, taken, sticks = rub(slip_m + step_m, normal, ratio, friction)
+    power = (normal - depth_m) * rate_m_s
+    if sticks:
+        shear += ratio * beta * speed_m_s
+        power += ratio * beta * speed_m_s * speed_m_s
+    stored = 0.5 * (depth_m * depth_m + ratio * slip * slip)
+    return normal, shear, share, slip, normal > 0.0, sticks, stored, taken + share * dt_s * power
+
+
+@inlined
+def bond_breaks(depth_m, slip_m, strength, joint):
+    """Whether a bond breaks at this penetration and slip; `strength`: tension, cohesion over kn."""
+    pull, hold = strength
+    return -depth_m >= pull or joint[1] * abs(slip_m) > hold + joint[2] * max(0.0, depth_m)
+
+
+@inlined
+def released(depth_m, slip_m, ratio):
+    """Energy that a bond with this slip loses as it breaks, over kn [m²]."""
+    return 0.5 * (ratio * slip_m * slip_m + min(depth_m, 0.0) ** 2)
+
+
+@inlined
+def bonded(depth_m, rate_m_s, speed_m_s, slip_m, joint, dt_s):
+    """A bond that holds, its slip with this step's; arguments and values as those of `dry`."""
+    beta, ratio, _ = joint
+    normal, shear = depth_m + beta * rate_m_s, ratio * (slip_m + beta * speed_m_s)
+    taken = dt_s * beta * (rate_m_s * rate_m_s + ratio * speed_m_s * speed_m_s)
+    stored = 0.5 * (depth_m * depth_m + ratio * slip_m * slip_m)
+    return normal, shear, 1.0, slip_m, True, True, stored, taken
