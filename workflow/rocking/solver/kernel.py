@@ -15,8 +15,8 @@ from .joints import block_contact, untouched
 def _solve(mass, inertia, half, own, acceleration, force, field):
     """Accelerations of the block with its dashpots at the velocity of this step.
 
-    (M + ½h C) a = f − M·(field, 0) + ½h C a⁻, since `force` has them at the velocity that the last acceleration
-    a⁻ predicts; C by its entries 00, 01, 02, 11, 12, 22.
+    (M + ½h C) a = f − M·(field, 0) + ½h C a⁻, since `force` has them at the velocity that the
+    last acceleration a⁻ predicts; C by its entries 00, 01, 02, 11, 12, 22.
     """
     c00, c01, c02, c11, c12, c22 = own
     ay, az, at = acceleration

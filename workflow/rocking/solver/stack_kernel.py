@@ -74,7 +74,7 @@ def _piled(p):
 
 @inlined
 def _come_out(p, pile, a, b):
-    """Take the debris among two blocks out of the scene with all its nodes; it stays where it is."""
+    """Take the debris among two blocks out of the scene, with all its nodes: it stays there."""
     for block in (a, b):
         if block < 0 or not p.debris[block] or not pile.moves[block].any():
             continue
