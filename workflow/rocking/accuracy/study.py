@@ -9,7 +9,7 @@ import pandas as pd
 from rocking.accuracy.histories import REPORTING
 from yade_scripts.model import registry
 
-ADAPTIVE = "SciPy planar"
+ADAPTIVE = "adaptive reference"
 COMPILED = "compiled planar"
 WITHIN = 0.01  # the error up to which a history counts as right
 TABLE_COLUMNS = (
