@@ -125,7 +125,7 @@ def test_yade_and_the_compiled_solver(facade):
     planar = history(plane, Motions(t, ground), config["numerics"], sample_s=0.01, step_s=step)
     got = in_yade(
         "accuracy_cases", "balanced", config=config, model="W1", beta_s=BETA_S,
-        fraction=0.1 if "courses" in facade else 0.05,
+        fraction=0.3 if "courses" in facade else 0.05,
         time_s=t.tolist(), columns={"ground": ground.tolist()},
     )  # fmt: skip
     assert got["status"] == planar.status == "ok"

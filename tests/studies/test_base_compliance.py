@@ -24,14 +24,14 @@ def test_static_curves():
 
 
 def test_collapse_under_a_pulse():
-    """An outward pulse: E/h falls first; the column's base within 10 % of the stack."""
+    """Half a sine outward: E/h falls far too early; the column's base within 3 % of the stack."""
     t = 0.01 * np.arange(160)
-    pulse = Record("pulse", -np.sin(2.5 * np.pi * t) * (t < 0.8), 0.01, source="file")
+    pulse = Record("pulse", -np.sin(2.0 * np.pi * t) * (t < 0.5), 0.01, source="file")
     case = Case.configured("W1", SHORT)
     table = study.collapse(case, Motion(pulse), "pos").set_index("facade")
     assert list(table.index) == ["courses", "study", "column"]
-    assert table.loc["study", "ratio"] < 0.9
-    assert table.loc["column", "ratio"] == pytest.approx(1.0, abs=0.1)
+    assert table.loc["study", "ratio"] < 0.8
+    assert table.loc["column", "ratio"] == pytest.approx(1.0, abs=0.03)
 
 
 def test_summary():
