@@ -39,8 +39,13 @@ def wall_of(job, nodes):
 
 
 def read_motion(path, model):
-    """Motion of the base and of the return walls."""
-    time_s, columns = floor_motions.read(path)
+    """Motion of the base and of the return walls, from a file of floor motions."""
+    return motion_of(*floor_motions.read(path), model)
+
+
+def motion_of(time_s, columns, model):
+    """Motion of the base and of the return walls, from what `floor_motions.read` gives."""
+    columns = dict(columns)
     vertical = columns.pop(floor_motions.VERTICAL, None)
     ground, *floors = columns.values()
     floors = np.array(floors) if registry.model(model).chain else None
@@ -77,8 +82,13 @@ class Outcomes(NamedTuple):
 
 
 def outcomes(job, motion_path, direction, pga_g, *, nodes, tolerance):
-    """`Outcomes` of one scene and motion at some amplitudes."""
+    """`Outcomes` of one scene and a file of floor motions at some amplitudes."""
     motion = read_motion(motion_path, job["model"])
+    return answers(job, motion, direction, pga_g, nodes=nodes, tolerance=tolerance)
+
+
+def answers(job, motion, direction, pga_g, *, nodes, tolerance):
+    """`Outcomes` of one scene and `Motion` at some amplitudes."""
     scales = [amplitude(motion.base_m_s2, direction, g) for g in pga_g]
     found = simulate_batch(
         wall_of(job, nodes), motion, scales, tolerance=tolerance, stop_d_over_b=1.0
