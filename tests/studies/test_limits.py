@@ -49,3 +49,12 @@ def test_every_cell_is_asked_once():
     asked = [(axis, value, b, model) for axis, value, b, model, _, _ in limits.cells()]
     assert len(asked) == len(set(asked))
     assert {axis for axis, *_ in asked} == {"height [m]", *limits.AXES}
+
+
+def test_light_walls_get_a_step_that_suits_their_mass():
+    """A history before walls of half a tonne repeats: half the step, other nodes, 1 %."""
+    light = {"return_wall": {"building_mass_kg": 500.0}}
+    found = limits.judged("W2m", light, burst(), "pos")
+    heavy = limits.judged("W2m", {"return_wall": {"building_mass_kg": 66e3}}, burst(), "pos")
+    assert found["verdict"] == "one solver", found
+    assert found["step_s"] < 0.2 * heavy["step_s"]

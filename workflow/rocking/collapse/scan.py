@@ -28,6 +28,7 @@ SHORTER = tuple(1.0 - STEP_SPREAD * k / STEPS for k in range(STEPS))
 LAYOUTS_SHORTER = tuple(1.0 - 0.03 * k for k in range(NODE_CHOICES))  # of long steps
 BRICKS_STEP = 0.5  # of W3's stable step, which its bricks decide: 0.24 ms
 COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}
+LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
 COURSES_STEP = 0.125  # of the stable step of a stack: joints that open chatter at longer ones
 
 
@@ -159,6 +160,9 @@ class Screen(Scan):
             self.shorter = LAYOUTS_SHORTER
         self.steps_s = [share * stable_step(plane) for plane in self.planes]
         self.carried = carried_masses(job, scene) if kind.two_way and not bricks else None
+        if self.carried is not None:  # light masses between stiff contacts want shorter ones
+            most = [LIGHT_STEP * stable_step(plane, self.carried) for plane in self.planes]
+            self.steps_s = list(map(min, self.steps_s, most))
         self.scene, self.two_way = scene, kind.two_way
         self.time_s, self.columns, self.before = time_s, columns, before
         self.motions = self._motions(time_s, columns)

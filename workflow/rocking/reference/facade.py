@@ -40,7 +40,8 @@ def wall_of(job, nodes):
 
 def read_motion(path, model):
     """Motion of the base and of the return walls, from a file of floor motions."""
-    return motion_of(*floor_motions.read(path), model)
+    time_s, columns = floor_motions.read(path)
+    return motion_of(time_s, columns, model)
 
 
 def motion_of(time_s, columns, model):

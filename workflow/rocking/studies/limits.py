@@ -97,12 +97,12 @@ def judged(model, changes, record, direction):
     try:
         case = Case.configured(model, changes)
         motion = Motion(record)
-        columns = motion.columns(case)
-        own = Screen(case.scene, *columns, direction)
-        half = Screen(case.scene, *columns, direction, fraction=0.5 * STEP_FRACTION)
+        time_s, columns = motion.columns(case)
+        own = Screen(case.scene, time_s, columns, direction)
+        half = Screen(case.scene, time_s, columns, direction, fraction=0.5 * STEP_FRACTION)
     except (ConfigError, ValueError) as error:
         return {"verdict": "refused", "why": str(error)}
-    step_s, steps = own.steps_s[0], math.ceil(columns[0][-1] / own.steps_s[0])
+    step_s, steps = own.steps_s[0], math.ceil(time_s[-1] / own.steps_s[0])
     found, scan_s = {"step_s": step_s, "steps": steps}, SCAN_RUNS * steps * STEP_COST_S
     if scan_s > LIMIT_S:
         why = f"a scan would take some {scan_s / 3600.0:.1f} h"
@@ -113,7 +113,8 @@ def judged(model, changes, record, direction):
     found["pga_collapse_g"] = lowest
     worst = {"verdict": "agree", "why": "", "error": 0.0}
     for share in SHARES:
-        at = _at(share * lowest, case, model, own, half, columns, direction)
+        moving = motion_of(time_s, columns, model)
+        at = _at(share * lowest, case, moving, own, half, direction)
         if ORDER.index(at["verdict"]) > ORDER.index(worst["verdict"]) or not worst.get("d_over_b"):
             worst = at
     return {**found, **worst}
@@ -122,7 +123,7 @@ def judged(model, changes, record, direction):
 ORDER = ("agree", "one solver", "does not repeat", "disagree", "too costly", "failed", "refused")
 
 
-def _at(pga_g, case, model, own, half, columns, direction):
+def _at(pga_g, case, moving, own, half, direction):
     """Verdict at one intensity."""
     value = float(own.run([pga_g], scatter=False)["d_over_b"].iloc[0])
     near = half.run([pga_g, *(pga_g * (1.0 + c) for c in CHANGES)], scatter=False)["d_over_b"]
@@ -136,9 +137,8 @@ def _at(pga_g, case, model, own, half, columns, direction):
     if gain > TRUSTED or moved > AGREE:
         why = f"{gain:.0f} times a change of amplitude; nodes and step {100.0 * moved:.1f} %"
         return {**found, "verdict": "does not repeat", "why": why}
-    if model not in PLANAR:
+    if case.model not in PLANAR:
         return {**found, "verdict": "one solver", "why": ""}
-    moving = motion_of(*columns, model)
     other = answers(case.scene, moving, direction, [pga_g], nodes=NODES, tolerance=TOLERANCE)
     error = float(value / other.d_over_b[0] - 1.0)
     if not np.isfinite(error):
