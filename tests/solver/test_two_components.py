@@ -130,7 +130,7 @@ def test_energy_balance_and_mirror():
     assert found.slid_m > 0.05
     stored = found.rows[:, 8:11].sum(axis=1)
     residual = stored - stored[0] + found.rows[:, 11] - found.rows[:, 12]
-    assert np.abs(residual).max() < 0.01 * found.rows[-1, 11]
+    assert np.abs(residual).max() < 1.5e-3 * found.rows[-1, 11]  # 7e-3 with friction's last force
     assert np.all(np.diff(found.rows[:, 11]) > -1e-6 * found.rows[-1, 11])
     mirror = {name: -v if name.startswith("along") else v for name, v in columns.items()}
     other = both(config, "W1", t, mirror, sample_s=0.01)

@@ -25,7 +25,7 @@ def since_closed(depth_m, rate_m_s, dt_s):
 
 
 @inlined
-def rub(slip_m, normal_m, ratio, friction):
+def rub(slip_m, normal_m, ratio, friction, before_m):
     """Slip under Coulomb's limit; forces over kn.
 
     Parameters
@@ -34,6 +34,8 @@ def rub(slip_m, normal_m, ratio, friction):
         With this step's, as if it stuck; in space its size.
     normal_m, ratio, friction : float
         Normal force, ks/kn and tan φ.
+    before_m : float
+        Slip at the step before, from whose force to the limit friction acts on average.
 
     Returns
     -------
@@ -44,7 +46,8 @@ def rub(slip_m, normal_m, ratio, friction):
     if abs(held) <= limit:
         return held, slip_m, 0.0, True
     shear = math.copysign(limit, held)
-    return shear, shear / ratio, limit * abs(held - shear) / ratio, False
+    mean = 0.5 * (limit + min(ratio * abs(before_m), abs(held)))
+    return shear, shear / ratio, mean * abs(held - shear) / ratio, False
 
 
 @inlined
@@ -79,7 +82,7 @@ def dry(depth_m, rate_m_s, speed_m_s, slip_m, step_m, fresh, joint, dt_s):
         share, part = since_closed(depth_m, rate_m_s, dt_s)
         step_m *= part
     normal = max(depth_m + beta * rate_m_s, 0.0)
-    shear, slip, taken, sticks = rub(slip_m + step_m, normal, ratio, friction)
+    shear, slip, taken, sticks = rub(slip_m + step_m, normal, ratio, friction, slip_m)
     power = (normal - depth_m) * rate_m_s
     if sticks:
         shear += ratio * beta * speed_m_s

@@ -218,17 +218,18 @@ def _node(p, m, i, depth, r, past, dt, rel, step, force):
     _past(m.v, m.spin, r, m.du, j, past, step)
     rate = -(normal[0] * rel[0] + normal[1] * rel[1] + normal[2] * rel[2])
     across = normal[0] * step[0] + normal[1] * step[1] + normal[2] * step[2]
-    share, part, size = 1.0, 1.0, 0.0
+    share, part, size, before = 1.0, 1.0, 0.0, 0.0
     if not m.closed[i] and rate > 0.0 and past > 0.0:
         share, part = since_closed(depth, rate, dt)
     m.closed[i] = True
     for k in range(3):
+        before += slip[k] ** 2
         slip[k] += part * (step[k] - across * normal[k])
         rel[k] += rate * normal[k]  # what is left lies in the joint's plane
         size += slip[k] ** 2
     size = math.sqrt(size)
     pressed = max(depth + beta * rate, 0.0)
-    _, kept, taken, sticks = rub(size, pressed, ratio, p.friction[i])
+    _, kept, taken, sticks = rub(size, pressed, ratio, p.friction[i], math.sqrt(before))
     drag, square, stored = beta if sticks else 0.0, 0.0, depth * depth + ratio * kept * kept
     for k in range(3):
         if not sticks:
