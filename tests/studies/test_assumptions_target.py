@@ -38,6 +38,7 @@ def snakemake(folder, *words):
     )
 
 
+@pytest.mark.slow
 def test_the_scenario_plans_every_chart(tmp_path):
     """Both runs: the map over the recorded suite, the charts of W2 and of W3."""
     scenario = str(ROOT / "config/scenarios/assumptions.yaml")

@@ -23,6 +23,7 @@ def test_static_curves():
     assert (table["lambda_wall"] < table["lambda_rigid"])[table["d_over_b"] < 0.75].all()
 
 
+@pytest.mark.slow
 def test_collapse_under_a_pulse():
     """Half a sine outward: E/h falls far too early; the column's base within 3 % of the stack."""
     t = 0.01 * np.arange(160)

@@ -29,6 +29,7 @@ def test_an_unknown_model_is_refused_with_the_known_ones():
         config.resolve({"models": ["W9"]})
 
 
+@pytest.mark.slow
 def test_adding_a_model_is_adding_a_row(monkeypatch):
     """A copy of W1 under another name builds the same scene and rocks the same, in one row."""
     row = dataclasses.replace(registry.MODELS["W1"], name="W9")
