@@ -1,7 +1,7 @@
 """Searches for collapse by name: which intensities a curve is asked for, whatever runs them.
 
 A search yields intensities and is sent their outcomes (`yade_scripts.studies.search`, where those
-for runs of minutes stand). Nothing here knows a façade, a motion or a solver.
+for runs of minutes stand). Nothing here knows a façade, a motion or a solver. By name::
 
     list       stated intensities
     first      the lowest of ascending levels that falls
