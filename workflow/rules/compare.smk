@@ -4,6 +4,8 @@ import csv
 import yaml
 from rocking.configuration.differences import differences
 
+RESOLVED = results("config.yaml")  # configuration of a finished run
+
 
 def compared():
     """Runs side by side: those of a study of several, and the finished ones that are named."""
@@ -17,18 +19,12 @@ def collapse_of(run):
     return expand(rules.ida_collapse.output.collapse, run=run)[0]
 
 
-def settings_of(run):
-    """Configuration of a finished run."""
-    return Path(expand(results("config.yaml"), run=run)[0])
-
-
 def compared_tables(wildcards):
     """Collapse tables of the runs; a finished run without one ends the workflow in one line."""
     for run in compared():
         path = Path(collapse_of(run))
-        if run not in RUNS.settings and not (
-            path.is_file() and settings_of(run).is_file()
-        ):
+        resolved = Path(RESOLVED.format(run=run))
+        if run not in RUNS.settings and not (path.is_file() and resolved.is_file()):
             there = sorted(p.parents[1].name for p in Path().glob(collapse_of("*")))
             stop(
                 f"compare: no finished run '{run}' ({path}); there are {', '.join(there) or 'none'}"
@@ -61,7 +57,7 @@ def compared_settings(wildcards):
     return differences(
         {
             run: RUNS.settings.get(run)
-            or yaml.safe_load(settings_of(run).read_text("utf-8"))
+            or yaml.safe_load(Path(RESOLVED.format(run=run)).read_text("utf-8"))
             for run in compared()
         }
     )

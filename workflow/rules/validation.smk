@@ -1,6 +1,5 @@
 # Walls that were tested, by both solvers, against what was measured: ask for `validation`.
 
-EXPERIMENT = "validation/{experiment}"
 EXPERIMENT_FILES = "specimen.yaml", "runs.csv", "measured.csv"
 
 
@@ -40,9 +39,9 @@ rule validation_cases:
         files=experiment_files,
         modules=code("validation/validation_cases"),
     output:
-        cases=results(EXPERIMENT + "/cases.json"),
-        tests=results(EXPERIMENT + "/tests.json"),
-        motions=directory(results(EXPERIMENT + "/motions")),
+        cases=results("validation/{experiment}/cases.json"),
+        tests=results("validation/{experiment}/tests.json"),
+        motions=directory(results("validation/{experiment}/motions")),
     log:
         logs("validation_cases_{experiment}"),
     params:
@@ -58,7 +57,7 @@ rule validation_planar:
         motions=rules.validation_cases.output.motions,
         modules=code("validation/validation_planar"),
     output:
-        results(EXPERIMENT + "/planar.csv"),
+        results("validation/{experiment}/planar.csv"),
     log:
         logs("validation_planar_{experiment}"),
     benchmark:
@@ -76,7 +75,7 @@ use rule shake_table as validation_yade with:
         yade=ancient(rules.yade_check.output[0]),
         modules=study_code("shake_table"),
     output:
-        results(EXPERIMENT + "/histories.npz"),
+        results("validation/{experiment}/histories.npz"),
     log:
         logs("validation_yade_{experiment}"),
     benchmark:
@@ -91,8 +90,8 @@ rule validation_shake_table:
         histories=rules.validation_yade.output[0],
         modules=code("validation/validation_shake_table"),
     output:
-        table=results(EXPERIMENT + "/shake_table.csv"),
-        summary=results(EXPERIMENT + "/summary.csv"),
+        table=results("validation/{experiment}/shake_table.csv"),
+        summary=results("validation/{experiment}/summary.csv"),
     log:
         logs("validation_shake_table_{experiment}"),
     script:
@@ -124,7 +123,7 @@ rule validation_rocking_cases:
         files=experiment_files,
         modules=code("validation/validation_rocking_cases"),
     output:
-        results(EXPERIMENT + "/rocking_cases.json"),
+        results("validation/{experiment}/rocking_cases.json"),
     log:
         logs("validation_rocking_cases_{experiment}"),
     script:
@@ -137,7 +136,7 @@ use rule free_rocking as validation_rocking_yade with:
         yade=ancient(rules.yade_check.output[0]),
         modules=study_code("free_rocking"),
     output:
-        results(EXPERIMENT + "/rocking_histories.npz"),
+        results("validation/{experiment}/rocking_histories.npz"),
     log:
         logs("validation_rocking_yade_{experiment}"),
     benchmark:
@@ -151,7 +150,7 @@ rule validation_rocking:
         histories=rules.validation_rocking_yade.output[0],
         modules=code("validation/validation_rocking"),
     output:
-        results(EXPERIMENT + "/free_rocking.csv"),
+        results("validation/{experiment}/free_rocking.csv"),
     log:
         logs("validation_rocking_{experiment}"),
     script:
