@@ -53,6 +53,7 @@ rule shake_table_tests:
         wall=shake_table("wall"),
         table=shake_table("records"),
         records=shake_table_files,
+        fidelity=FIDELITY_FILE,
         law=rules.beta_law.output.law,
         modules=code("shake_tables/calibrate_shake_table"),
     output:
@@ -137,7 +138,13 @@ rule damping_choice_scene:
         law="eq5|fitted",
     params:
         scene=RUNS.params_of(
-            "facade", "return_wall", "damping", "smdof", "numerics", "ida"
+            "facade",
+            "return_wall",
+            "damping",
+            "smdof",
+            "numerics",
+            "ida",
+            "ensemble",
         ),
     script:
         "../scripts/ida/scene.py"

@@ -5,6 +5,7 @@ import json
 import os
 
 import yaml
+from rocking.accuracy.fidelity import choose, read_fidelity
 from rocking.calibration.beta import beta_for
 from rocking.configuration.config import ConfigError, resolve
 from rocking.records import load, measures, read_table
@@ -44,6 +45,7 @@ def main(job):
     settings = json.loads(job.params.settings)["calibration"]
     with open(job.input.wall, encoding="utf-8") as handle:
         wall = resolve(yaml.safe_load(handle))
+    wall["numerics"], _ = choose(wall, "W1", read_fidelity(job.input.fidelity))
     names = list(read_table(job.input.table))
     tilts = settings["shake_table_tilt_deg"]
     if len(tilts) != len(names):
