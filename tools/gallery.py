@@ -19,8 +19,8 @@ from PIL import Image
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "gallery.md"
 ENTRY = re.compile(r"^```sh\n(?P<command>.*?)^```\n+!\[[^\]]*\]\((?P<picture>[^)]+)\)", re.M | re.S)
-WIDTH_PX, COLOURS = 900, 48
-LIMIT_BYTES = 500_000  # of all pictures together: they live in the repository
+WIDTH_PX = 900
+LIMIT_BYTES = 2_000_000  # of all pictures together: they live in the repository
 
 
 def entries(page=PAGE):
@@ -36,13 +36,13 @@ def entries(page=PAGE):
 
 
 def shrink(source, picture):
-    """Save a picture small: as wide as a page, in few colours."""
+    """Save a picture as wide as a page, in the colours it was drawn with."""
     with Image.open(source) as image:
         image = image.convert("RGB")
         height = round(image.height * WIDTH_PX / image.width)
         image = image.resize((WIDTH_PX, height), Image.Resampling.LANCZOS)
         picture.parent.mkdir(exist_ok=True)
-        image.quantize(COLOURS, dither=Image.Dither.NONE).save(picture, optimize=True)
+        image.save(picture, optimize=True)
 
 
 def main():
