@@ -48,7 +48,7 @@ def main(job):
         axis.set_ylabel(name, rotation=0, ha="right", va="center", labelpad=28)
     handles = [Patch(color=c, label=f"{v} {MARKS[v]}") for v, c in zip(ORDER, COLOURS, strict=True)]
     figure.legend(handles=handles, loc="outside lower center", ncols=4, fontsize=7)
-    style.save(figure, job.output, [job.input.facts])
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())
