@@ -5,6 +5,7 @@ from collections.abc import Mapping
 
 from rocking.assessment.family import Family
 from rocking.assessment.site import SpectrumError, pga_at, read_spectrum
+from rocking.configuration.differences import flat
 from rocking.records import RecordError
 from rocking.risk.hazard import HazardError, read_hazard
 
@@ -103,20 +104,9 @@ def given_keys(given, resolved, first):
     resolved, first : dict
         Of the run, and of the first run of the study: what differs between them was stated.
     """
-    found, others = set(dotted(given)), dotted(first)
-    found |= {key for key, value in dotted(resolved).items() if others.get(key) != value}
+    found, others = set(flat(given)), flat(first)
+    found |= {key for key, value in flat(resolved).items() if others.get(key) != value}
     return sorted(found)
-
-
-def dotted(part, above=""):
-    """Values of nested mappings by dotted key; lists are values."""
-    found: dict = {}
-    for key, value in part.items():
-        if isinstance(value, Mapping):
-            found |= dotted(value, f"{above}{key}.")
-        else:
-            found[f"{above}{key}"] = value
-    return found
 
 
 def commit_of(folder):

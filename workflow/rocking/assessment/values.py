@@ -3,8 +3,8 @@
 import json
 
 from rocking.assessment.checks import LEAST_KNOWN, confidence
-from rocking.assessment.inputs import dotted
 from rocking.calibration.beta import beta_and_range
+from rocking.configuration.differences import flat
 
 SECTIONS = (
     "facade",
@@ -71,7 +71,7 @@ def values(config, given):
     parts = {key: config[key] for key in (*ALONE, *SECTIONS)}
     known, given = _derived(config), set(given)
     rows = []
-    for key, value in dotted(parts).items():
+    for key, value in flat(parts).items():
         stated = key in given or any(key.startswith(f"{g}.") for g in given)
         if key in known and (value is None or key in OVERRULED):
             rows.append((key, known[key], DERIVED))

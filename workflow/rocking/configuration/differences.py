@@ -1,13 +1,14 @@
 """What differs between the configurations of runs."""
 
 import itertools
+from collections.abc import Mapping
 
 
 def flat(settings, prefix=""):
-    """Configuration by dotted key."""
+    """Values of nested mappings by dotted key; lists are values."""
     out: dict = {}
     for key, value in settings.items():
-        if isinstance(value, dict):
+        if isinstance(value, Mapping):
             out |= flat(value, f"{prefix}{key}.")
         else:
             out[f"{prefix}{key}"] = value
