@@ -5,329 +5,339 @@ meet one plane together, which make that fast, are left out.
 """
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
-from rocking.runtime.compiled import compiled, inlined
+from rocking.runtime.compiled import compiled
 
-from . import bars
-from .dashpots import couple, damp, solve, solve_row
-from .inputs import drive, standing, verdict
-from .law import bond_breaks, bonded, dry, released
-
-
-class Pile(NamedTuple):
-    """How the blocks of a stack move, and what their nodes remember.
-
-    Attributes
-    ----------
-    place, rates, now, acceleration : ndarray, shape (blocks, 3)
-        Of y, z and rotation: displacement, velocity half a step back and now.
-    pose : ndarray, shape (blocks, 4)
-        y, z, cosine and sine of the rotation.
-    moves : ndarray of bool, shape (blocks, 3)
-    force, own : ndarray, shape (blocks, 3), (blocks, 6)
-        Forces, and dashpots that act: 00, 01, 02, 11, 12, 22 of each block's own.
-    between : ndarray, shape (blocks, 3, 3)
-        What joins each block of a row to the next; without rows unless `Stack.in_row`.
-    slip : ndarray, shape (nodes,)
-    closed, intact, gone : ndarray of bool, shape (nodes,)
-        It touched at the last step; its bond holds; it is let go for good.
-    """
-
-    place: np.ndarray
-    rates: np.ndarray
-    now: np.ndarray
-    acceleration: np.ndarray
-    pose: np.ndarray
-    moves: np.ndarray
-    force: np.ndarray
-    own: np.ndarray
-    between: np.ndarray
-    slip: np.ndarray
-    closed: np.ndarray
-    intact: np.ndarray
-    gone: np.ndarray
+from .bars import act, advance, at_rest
+from .inputs import drive, verdict
+from .law import since_closed
 
 
 @compiled
-def _piled(p):
-    """A stack before its motion."""
-    blocks, nodes = p.mass_kg.size, p.kn_n_m.size
-    return Pile(
-        p.start[:, :3].copy(),
-        p.start[:, 3:].copy(),
-        np.zeros((blocks, 3)),
-        np.zeros((blocks, 3)),
-        np.zeros((blocks, 4)),
-        p.free.copy(),
-        np.zeros((blocks, 3)),
-        np.zeros((blocks, 6)),
-        np.zeros((blocks if p.in_row else 0, 3, 3)),
-        np.zeros(nodes),
-        np.zeros(nodes, np.bool_),
-        p.bonded.copy(),
-        np.zeros(nodes, np.bool_),
-    )
+def _solve(own, block, mass, inertia, free, force):
+    """Solve (M + C)·a = f of one block in place, for those of its freedoms that it has.
 
-
-@inlined
-def _come_out(p, pile, a, b):
-    """Take the debris among two blocks out of the scene, with all its nodes: it stays there."""
-    for block in (a, b):
-        if block < 0 or not p.debris[block] or not pile.moves[block].any():
-            continue
-        pile.moves[block, :] = False
-        pile.rates[block, :] = 0.0
-        pile.acceleration[block, :] = 0.0
-        for i in range(pile.gone.size):
-            pile.gone[i] = pile.gone[i] or p.body_a[i] == block or p.body_b[i] == block
-
-
-@inlined
-def _predict(p, pile, supports, half, dt):
-    """Velocities at the whole step; guided blocks follow their supports."""
-    for i in range(p.mass_kg.size):
-        for m in range(3):
-            pile.now[i, m] = pile.rates[i, m] + half * pile.acceleration[i, m]
-        if p.guide[i] >= 0:
-            j = p.guide[i]
-            pile.place[i, 0], pile.now[i, 0] = supports.y[j], supports.vy[j]
-            pile.rates[i, 0] = supports.dy[j] / dt
-        pile.pose[i, 0], pile.pose[i, 1] = pile.place[i, 0], pile.place[i, 1]
-        pile.pose[i, 2], pile.pose[i, 3] = math.cos(pile.place[i, 2]), math.sin(pile.place[i, 2])
-
-
-@inlined
-def _meet(p, pile, supports, i):
-    """Where node i is: normal, its arms from the centres of a and b, penetration.
-
-    The last, how far it is out of its plane, is negative within.
+    C by its entries 00, 01, 02, 11, 12, 22.
     """
-    a, b, j = p.body_a[i], p.body_b[i], p.support[i]
-    ny, nz = p.normal[i, 0], p.normal[i, 1]
-    ay, az = p.arm_a_m[i, 0], p.arm_a_m[i, 1]
-    if a >= 0:
-        cos, sin = pile.pose[a, 2], pile.pose[a, 3]
-        ay, az = cos * ay - sin * az, sin * ay + cos * az
-        py = p.centre_m[a, 0] + pile.place[a, 0] + ay
-        pz = p.centre_m[a, 1] + pile.place[a, 1] + az
-    else:
-        py, pz = ay + supports.y[j], az
-    by, bz, out = p.arm_b_m[i, 0], p.arm_b_m[i, 1], -1.0
-    if b < 0:
-        depth = -ny * (py - by - supports.y[j]) - nz * (pz - bz)
-        return ny, nz, ay, az, by, bz, depth, out
-    cos, sin = pile.pose[b, 2], pile.pose[b, 3]
-    ny, nz = cos * ny - sin * nz, sin * ny + cos * nz
-    cy, cz = cos * by - sin * bz, sin * by + cos * bz
-    by = py - p.centre_m[b, 0] - pile.place[b, 0]
-    bz = pz - p.centre_m[b, 1] - pile.place[b, 1]
-    depth = -ny * (by - cy) - nz * (bz - cz)
-    oy, oz = p.rim[i, 0], p.rim[i, 1]
-    if oy != 0.0 or oz != 0.0:
-        out = (cos * oy - sin * oz) * by + (sin * oy + cos * oz) * bz - p.rim_m[i]
-    return ny, nz, ay, az, by, bz, depth, out
+    c00, c01, c02 = own[block, 0], own[block, 1], own[block, 2]
+    c11, c12, c22 = own[block, 3], own[block, 4], own[block, 5]
+    y, z, turn = free[block, 0], free[block, 1], free[block, 2]
+    f0 = force[block, 0] if y else 0.0
+    f1 = force[block, 1] if z else 0.0
+    f2 = force[block, 2] if turn else 0.0
+    c01, c02 = c01 if y and z else 0.0, c02 if y and turn else 0.0
+    c12 = c12 if z and turn else 0.0
+    upper = 1.0 / (mass + c00)
+    l10, l20 = c01 * upper, c02 * upper
+    r12 = c12 - l10 * c02
+    middle = 1.0 / (mass + c11 - l10 * c01)
+    l21 = r12 * middle
+    f1 -= l10 * f0
+    f2 = (f2 - l20 * f0 - l21 * f1) / (inertia + c22 - l20 * c02 - l21 * r12)
+    f1 = (f1 - r12 * f2) * middle
+    force[block, 0], force[block, 1], force[block, 2] = (f0 - c01 * f1 - c02 * f2) * upper, f1, f2
 
 
-@inlined
-def _between(p, pile, supports, i, past, arms):
-    """Velocity of node i past its plane, and its way past it in the last step."""
-    a, b, j = p.body_a[i], p.body_b[i], p.support[i]
-    ay, az, by, bz = arms
-    w, v = pile.now, pile.rates
-    if a >= 0:
-        ry, rz = w[a, 0] - w[a, 2] * az, w[a, 1] + w[a, 2] * ay
-        gy, gz = past * (v[a, 0] - v[a, 2] * az), past * (v[a, 1] + v[a, 2] * ay)
-    else:
-        ry, rz, gy, gz = supports.vy[j], 0.0, supports.dy[j], 0.0
-    if b >= 0:
-        ry, rz = ry - w[b, 0] + w[b, 2] * bz, rz - w[b, 1] - w[b, 2] * by
-        gy -= past * (v[b, 0] - v[b, 2] * bz)
-        gz -= past * (v[b, 1] + v[b, 2] * by)
-    else:
-        ry, gy = ry - supports.vy[j], gy - supports.dy[j]
-    return ry, rz, gy, gz
+@compiled
+def _damp(own, block, y, z, arm, dashpot):
+    """Add a dashpot along (y, z); `arm` is its place times that direction."""
+    cy, cz, ct = dashpot * y, dashpot * z, dashpot * arm
+    own[block, 0] += cy * y
+    own[block, 1] += cy * z
+    own[block, 2] += cy * arm
+    own[block, 3] += cz * z
+    own[block, 4] += cz * arm
+    own[block, 5] += ct * arm
 
 
-@inlined
-def _push(pile, body, sign, arm, force, directions, dashpots):
-    """Add a node's force and its dashpots to a block."""
-    if body < 0:
-        return
-    (ry, rz), (fy, fz), (ny, nz, ty, tz) = arm, force, directions
-    pile.force[body, 0] += sign * fy
-    pile.force[body, 1] += sign * fz
-    pile.force[body, 2] += sign * (ry * fz - rz * fy)
-    damp(pile.own, body, ny, nz, nz * ry - ny * rz, dashpots[0])
-    damp(pile.own, body, ty, tz, tz * ry - ty * rz, dashpots[1])
+@compiled
+def _couple(between, low, y, z, arm_low, arm_high, dashpot):
+    """Add what a dashpot along (y, z) does between block `low` and the next, C of the two."""
+    one, other = (y, z, arm_low), (y, z, arm_high)
+    for m in range(3):
+        for n in range(3):
+            between[low, m, n] -= dashpot * one[m] * other[n]
 
 
-@inlined
-def _levers(arms, y, z):
-    """Of two arms about a direction."""
-    return z * arms[0] - y * arms[1], z * arms[2] - y * arms[3]
+@compiled
+def _solve_chain(own, between, mass, inertia, force):
+    """Solve (M + C)·a = f of blocks in a row in place, by blocks of 3 from the first to the last.
 
-
-@inlined
-def _contact(p, pile, supports, past, dt):
-    """Forces of all nodes on the blocks: energy stored and taken in this step, bonds that broke."""
-    elastic = spent = 0.0
-    broken = 0
-    for i in range(p.kn_n_m.size):
-        if pile.gone[i]:
-            continue
-        ny, nz, ay, az, by, bz, depth, out = _meet(p, pile, supports, i)
-        kn, slip, holds = p.kn_n_m[i], pile.slip[i], pile.intact[i]
-        if out > 0.0:
-            if not p.partial[i]:
-                _come_out(p, pile, p.body_a[i], p.body_b[i])
-            pile.gone[i] = True
-            spent += 0.5 * kn * (p.shear_ratio[i] * slip**2 + max(depth, 0.0) ** 2)
-            continue
-        if depth <= 0.0 and not holds:
-            if pile.closed[i]:
-                spent += 0.5 * kn * p.shear_ratio[i] * slip**2
-                pile.closed[i], pile.slip[i] = False, 0.0
-            continue
-        ry, rz, gy, gz = _between(p, pile, supports, i, past, (ay, az, by, bz))
-        ty, tz = -nz, ny
-        rate, speed, step = -(ny * ry + nz * rz), ty * ry + tz * rz, ty * gy + tz * gz
-        ratio = 0.0 if holds and p.tie[i] else p.shear_ratio[i]
-        joint, strength = (p.beta_s[i], ratio, p.friction[i]), (p.pull_m[i], p.hold_m[i])
-        if holds and bond_breaks(depth, slip + step, strength, joint):
-            spent += kn * released(depth, slip, ratio)
-            holds, slip, step, ratio = False, 0.0, 0.0, p.shear_ratio[i]
-            joint = p.beta_s[i], ratio, p.friction[i]
-            pile.intact[i], pile.slip[i], pile.closed[i] = False, 0.0, depth > 0.0
-            broken += 1
-        if holds:
-            found = bonded(depth, rate, speed, slip + step, joint, dt)
-        elif depth > 0.0:
-            fresh = not pile.closed[i] and past > 0.0
-            found = dry(depth, rate, speed, slip, step, fresh, joint, dt)
-            pile.closed[i] = True
-        else:
-            continue
-        normal, shear, share, pile.slip[i], pressed, sticks, stored, taken = found
-        elastic, spent = elastic + kn * stored, spent + kn * taken
-        force = share * kn * (ny * normal - ty * shear), share * kn * (nz * normal - tz * shear)
-        drag = p.beta_s[i] * kn
-        dashpots = drag if pressed else 0.0, drag * ratio if sticks else 0.0
-        directions = ny, nz, ty, tz
-        _push(pile, p.body_a[i], 1.0, (ay, az), force, directions, dashpots)
-        _push(pile, p.body_b[i], -1.0, (by, bz), force, directions, dashpots)
-        if p.in_row and p.body_a[i] >= 0 and p.body_b[i] >= 0:
-            arms = (ay, az, by, bz) if p.body_a[i] < p.body_b[i] else (by, bz, ay, az)
-            low = min(p.body_a[i], p.body_b[i])
-            couple(pile.between, low, ny, nz, *_levers(arms, ny, nz), dashpots[0])
-            couple(pile.between, low, ty, tz, *_levers(arms, ty, tz), dashpots[1])
-    return elastic, spent, broken
-
-
-@inlined
-def _pull(p, pile, dt):
-    """Forces of the links: energy stored, and taken in this step."""
-    elastic = spent = 0.0
-    for i in range(p.link_a.size):
-        a, b = p.link_a[i], p.link_b[i]
-        stretch, rate = pile.place[a, 0], pile.now[a, 0]
-        if b >= 0:
-            stretch, rate = stretch - pile.place[b, 0], rate - pile.now[b, 0]
-        pull = p.link_n_m[i] * stretch + p.link_ns_m[i] * rate
-        elastic += 0.5 * p.link_n_m[i] * stretch * stretch
-        spent += dt * p.link_ns_m[i] * rate * rate
-        pile.force[a, 0] -= pull
-        pile.own[a, 0] += p.link_ns_m[i]
-        if b >= 0:
-            pile.force[b, 0] += pull
-            pile.own[b, 0] += p.link_ns_m[i]
-    return elastic, spent
-
-
-@inlined
-def _accelerate(p, pile, push, ground, gravity, half):
-    """Accelerations, a block's own dashpots at the velocity of this step, v + ½h a."""
-    force, own = pile.force, pile.own
-    for i in range(p.mass_kg.size):
-        for m in range(6):
-            own[i, m] *= half
-        y, z, turn = pile.acceleration[i, 0], pile.acceleration[i, 1], pile.acceleration[i, 2]
-        force[i, 0] += push[i, 0] + own[i, 0] * y + own[i, 1] * z + own[i, 2] * turn
-        force[i, 1] += push[i, 1] + own[i, 1] * y + own[i, 3] * z + own[i, 4] * turn
-        force[i, 2] += push[i, 2] + own[i, 2] * y + own[i, 4] * z + own[i, 5] * turn
-        force[i, 0] -= p.mass_kg[i] * ground
-        force[i, 1] -= p.mass_kg[i] * gravity
-        if not p.in_row:
-            solve(own, i, p.mass_kg[i], p.inertia_kg_m2[i], pile.moves, force)
-    if p.in_row:
-        for i in range(p.mass_kg.size - 1):
+    C by `own`, as in `_solve`, and `between`, the part that joins each block to the next.
+    """
+    blocks = mass.size
+    inverse, back = np.zeros((blocks, 3, 3)), np.zeros((3, 3))
+    for i in range(blocks):
+        a = mass[i] + own[i, 0]
+        b, c, d = own[i, 1], own[i, 2], mass[i] + own[i, 3]
+        e, f = own[i, 4], inertia[i] + own[i, 5]
+        if i > 0:
             for m in range(3):
                 for n in range(3):
-                    pile.between[i, m, n] *= half
-                    force[i, m] += pile.between[i, m, n] * pile.acceleration[i + 1, n]
-                    force[i + 1, n] += pile.between[i, m, n] * pile.acceleration[i, m]
-        solve_row(own, pile.between, p.mass_kg, p.inertia_kg_m2, force)
-    pile.acceleration[:] = force
+                    back[m, n] = 0.0
+                    for r in range(3):
+                        back[m, n] += between[i - 1, r, m] * inverse[i - 1, r, n]
+            for m in range(3):
+                for n in range(3):
+                    force[i, m] -= back[m, n] * force[i - 1, n]
+            for r in range(3):
+                low = between[i - 1, r]
+                a, b, c = a - back[0, r] * low[0], b - back[0, r] * low[1], c - back[0, r] * low[2]
+                d, e, f = d - back[1, r] * low[1], e - back[1, r] * low[2], f - back[2, r] * low[2]
+        over = 1.0 / (a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d))
+        inverse[i, 0, 0], inverse[i, 1, 1] = over * (d * f - e * e), over * (a * f - c * c)
+        inverse[i, 2, 2] = over * (a * d - b * b)
+        inverse[i, 0, 1] = inverse[i, 1, 0] = over * (c * e - b * f)
+        inverse[i, 0, 2] = inverse[i, 2, 0] = over * (b * e - c * d)
+        inverse[i, 1, 2] = inverse[i, 2, 1] = over * (b * c - a * e)
+    for i in range(blocks - 1, -1, -1):
+        for m in range(3):
+            if i < blocks - 1:
+                for n in range(3):
+                    force[i, m] -= between[i, m, n] * force[i + 1, n]
+        y, z, turn = force[i, 0], force[i, 1], force[i, 2]
+        for m in range(3):
+            force[i, m] = inverse[i, m, 0] * y + inverse[i, m, 1] * z + inverse[i, m, 2] * turn
 
 
-@inlined
-def _farthest(p, pile):
-    """Displacement and speed of the watched point that has gone farthest."""
-    d = speed = 0.0
-    for point in range(p.watched.size):
-        i = p.watched[point]
-        my, mz = p.monitor_m[point, 0], p.monitor_m[point, 1]
-        cos, sin = pile.pose[i, 2], pile.pose[i, 3]
-        at = pile.place[i, 0] + cos * my - sin * mz - my
-        if point == 0 or not abs(at) <= abs(d):
-            d, speed = at, pile.now[i, 0] - pile.now[i, 2] * (sin * my + cos * mz)
-    return d, speed
+@compiled
+def _come_out(p, a, b, moves, v, acceleration, gone):
+    """Take the debris among two blocks out of the scene with all its nodes; whether there is any.
+
+    It stays where it is.
+    """
+    found = False
+    for block in (a, b):
+        if block < 0 or not p.debris[block] or not moves[block].any():
+            continue
+        found = True
+        moves[block, :] = False
+        v[block, :] = 0.0
+        acceleration[block, :] = 0.0
+        for i in range(gone.size):
+            gone[i] = gone[i] or p.body_a[i] == block or p.body_b[i] == block
+    return found
 
 
 @compiled
 def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, every, rows):
-    """Advance one history until a rule ends it: arguments and values as `kernel.march_block`.
+    """Advance one history until a rule ends it: as `kernel.march_block`.
 
     Supports and guided blocks are driven. A history's pose and rates are those of the first block.
     """
-    dt, count = table.step_s, table.place_m.shape[1]
-    supports, pile = standing(count), _piled(p)
-    memory, push = bars.at_rest(p.bars), np.zeros((p.mass_kg.size, 3))
-    held = (supports.y, supports.vy, supports.fy)
+    dt, blocks, count = table.step_s, p.mass_kg.size, p.kn_n_m.size
+    supports = table.place_m.shape[1]
+    su, sv, sdu = np.zeros(supports + 1), np.zeros(supports + 1), np.zeros(supports + 1)
+    sf = np.zeros(supports + 1)
+    slip, closed, gone = np.zeros(count), np.zeros(count, np.bool_), np.zeros(count, np.bool_)
+    intact, moves = p.bonded.copy(), p.free.copy()
+    memory, push = at_rest(p.bars), np.zeros((blocks, 3))
+    q, v, acceleration = p.start[:, :3].copy(), p.start[:, 3:].copy(), np.zeros((blocks, 3))
+    pose, w = np.zeros((blocks, 4)), np.zeros((blocks, 3))
+    force, own = np.zeros((blocks, 3)), np.zeros((blocks, 6))
+    between = np.zeros((blocks if p.in_row else 0, 3, 3))
     barred = p.bars.tie_k_n_m.size + p.bars.floor_k_n_m.size > 0
-    peak = moving_until = spent = time = 0.0
+    peak = moving_until = spent = 0.0
     written, broken, k = 0, 0, 0
     last = table.ground_m_s2.size - 1
+    time = 0.0
     while True:
         half, past = (0.5 * dt, dt) if k > 0 else (0.0, 0.0)
-        row = min(k, last)
-        ag = factor * table.ground_m_s2[row]
-        gravity = p.gravity_m_s2 + abs(factor) * table.vertical_m_s2[row]
-        drive(table, factor, k, past, supports.y, supports.vy, supports.dy)
-        _predict(p, pile, supports, half, dt)
-        pile.force[:] = 0.0
-        pile.own[:] = 0.0
-        pile.between[:] = 0.0
-        elastic, taken, lost = _contact(p, pile, supports, past, dt)
-        stored, dragged = _pull(p, pile, dt)
-        elastic, spent, broken = elastic + stored, spent + taken + dragged, broken + lost
+        now = min(k, last)
+        ag = factor * table.ground_m_s2[now]
+        drive(table, factor, k, past, su, sv, sdu)
+        for i in range(blocks):
+            for m in range(3):
+                w[i, m] = v[i, m] + half * acceleration[i, m]
+            if p.guide[i] >= 0:
+                q[i, 0], w[i, 0] = su[p.guide[i]], sv[p.guide[i]]
+                v[i, 0] = sdu[p.guide[i]] / dt
+            pose[i, 0], pose[i, 1] = q[i, 0], q[i, 1]
+            pose[i, 2], pose[i, 3] = math.cos(q[i, 2]), math.sin(q[i, 2])
+        force[:] = 0.0
+        own[:] = 0.0
+        between[:] = 0.0
+        elastic = 0.0
+        for i in range(count):
+            if gone[i]:
+                continue
+            a, b, j = p.body_a[i], p.body_b[i], p.support[i]
+            ny, nz = p.normal[i, 0], p.normal[i, 1]
+            # node: place, arm, velocity now and way since the last step
+            ay, az = p.arm_a_m[i, 0], p.arm_a_m[i, 1]
+            if a >= 0:
+                cos, sin = pose[a, 2], pose[a, 3]
+                ay, az = cos * ay - sin * az, sin * ay + cos * az
+                py, pz = p.centre_m[a, 0] + q[a, 0] + ay, p.centre_m[a, 1] + q[a, 1] + az
+            else:
+                py, pz = ay + su[j], az
+            by, bz = p.arm_b_m[i, 0], p.arm_b_m[i, 1]
+            if b >= 0:
+                cos, sin = pose[b, 2], pose[b, 3]
+                ny, nz = cos * ny - sin * nz, sin * ny + cos * nz
+                cy, cz = cos * by - sin * bz, sin * by + cos * bz
+                by, bz = py - p.centre_m[b, 0] - q[b, 0], pz - p.centre_m[b, 1] - q[b, 1]
+                depth = -ny * (by - cy) - nz * (bz - cz)
+                oy, oz = p.rim[i, 0], p.rim[i, 1]
+                if oy != 0.0 or oz != 0.0:
+                    out = (cos * oy - sin * oz) * by + (sin * oy + cos * oz) * bz
+                    if out > p.rim_m[i]:
+                        fell = not p.partial[i]
+                        fell = fell and _come_out(p, a, b, moves, v, acceleration, gone)
+                        gone[i] = True
+                        spent += 0.5 * p.kn_n_m[i] * p.shear_ratio[i] * slip[i] ** 2
+                        spent += 0.5 * p.kn_n_m[i] * max(depth, 0.0) ** 2
+                        continue
+            else:
+                depth = -ny * (py - by - su[j]) - nz * (pz - bz)
+            if depth <= 0.0 and not intact[i]:
+                if closed[i]:
+                    spent += 0.5 * p.kn_n_m[i] * p.shear_ratio[i] * slip[i] ** 2
+                    closed[i], slip[i] = False, 0.0
+                continue
+            if a >= 0:
+                ry, rz = w[a, 0] - w[a, 2] * az, w[a, 1] + w[a, 2] * ay
+                gy, gz = past * (v[a, 0] - v[a, 2] * az), past * (v[a, 1] + v[a, 2] * ay)
+            else:
+                ry, rz, gy, gz = sv[j], 0.0, sdu[j], 0.0
+            if b >= 0:
+                ry, rz = ry - w[b, 0] + w[b, 2] * bz, rz - w[b, 1] - w[b, 2] * by
+                gy -= past * (v[b, 0] - v[b, 2] * bz)
+                gz -= past * (v[b, 1] + v[b, 2] * by)
+            else:
+                ry, gy = ry - sv[j], gy - sdu[j]
+            kn, beta, ratio = p.kn_n_m[i], p.beta_s[i], p.shear_ratio[i]
+            ty, tz = -nz, ny
+            rate, speed, step = -(ny * ry + nz * rz), ty * ry + tz * rz, ty * gy + tz * gz
+            share, normal, sticks = 1.0, depth + beta * rate, True
+            if intact[i]:
+                if p.hold_m[i] == 0.0 and p.friction[i] == 0.0:  # a tie transmits no shear
+                    step = speed = 0.0
+                    sticks = False
+                held = ratio * abs(slip[i] + step)
+                limit = p.hold_m[i] + p.friction[i] * max(0.0, depth)
+                if -depth >= p.pull_m[i] or held > limit:
+                    spent += 0.5 * kn * (ratio * slip[i] ** 2 + min(depth, 0.0) ** 2)
+                    intact[i], slip[i], step = False, 0.0, 0.0
+                    closed[i] = depth > 0.0
+                    broken += 1
+                    if depth <= 0.0:
+                        continue
+            if intact[i]:
+                slip[i] += step
+                shear = ratio * (slip[i] + beta * speed)
+                spent += dt * kn * beta * (rate * rate + ratio * speed * speed)
+                pressed = beta * kn
+            else:
+                if not closed[i] and rate > 0.0 and k > 0:
+                    share, part = since_closed(depth, rate, dt)
+                    step *= part
+                closed[i] = True
+                normal = max(normal, 0.0)
+                limit, held = p.friction[i] * normal, ratio * (slip[i] + step)
+                sticks = abs(held) <= limit
+                if sticks:
+                    slip[i] += step
+                    shear = held + ratio * beta * speed
+                    spent += share * dt * kn * ratio * beta * speed * speed
+                else:
+                    shear = math.copysign(limit, held)
+                    mean = 0.5 * (limit + min(ratio * abs(slip[i]), abs(held)))
+                    spent += kn * mean * abs(held - shear) / ratio
+                    slip[i] = shear / ratio
+                spent += share * dt * kn * (normal - depth) * rate
+                pressed = beta * kn if normal > 0.0 else 0.0
+            elastic += 0.5 * kn * (depth * depth + ratio * slip[i] * slip[i])
+            fy = share * kn * (ny * normal - ty * shear)
+            fz = share * kn * (nz * normal - tz * shear)
+            dragged = beta * kn * ratio if sticks else 0.0
+            if a >= 0:
+                force[a, 0] += fy
+                force[a, 1] += fz
+                force[a, 2] += ay * fz - az * fy
+                _damp(own, a, ny, nz, nz * ay - ny * az, pressed)
+                _damp(own, a, ty, tz, tz * ay - ty * az, dragged)
+            if b >= 0:
+                force[b, 0] -= fy
+                force[b, 1] -= fz
+                force[b, 2] -= by * fz - bz * fy
+                _damp(own, b, ny, nz, nz * by - ny * bz, pressed)
+                _damp(own, b, ty, tz, tz * by - ty * bz, dragged)
+                if p.in_row and a >= 0:
+                    la, lb = (
+                        (nz * ay - ny * az, tz * ay - ty * az),
+                        (
+                            nz * by - ny * bz,
+                            tz * by - ty * bz,
+                        ),
+                    )
+                    if a < b:
+                        _couple(between, a, ny, nz, la[0], lb[0], pressed)
+                        _couple(between, a, ty, tz, la[1], lb[1], dragged)
+                    else:
+                        _couple(between, b, ny, nz, lb[0], la[0], pressed)
+                        _couple(between, b, ty, tz, lb[1], la[1], dragged)
+        for i in range(p.link_a.size):
+            a, b = p.link_a[i], p.link_b[i]
+            stretch, rate = q[a, 0], w[a, 0]
+            if b >= 0:
+                stretch, rate = stretch - q[b, 0], rate - w[b, 0]
+            pull = p.link_n_m[i] * stretch + p.link_ns_m[i] * rate
+            elastic += 0.5 * p.link_n_m[i] * stretch * stretch
+            spent += dt * p.link_ns_m[i] * rate * rate
+            force[a, 0] -= pull
+            own[a, 0] += p.link_ns_m[i]
+            if b >= 0:
+                force[b, 0] += pull
+                own[b, 0] += p.link_ns_m[i]
+        gravity = p.gravity_m_s2 + abs(factor) * table.vertical_m_s2[now]
         if barred:
             heavier = gravity / p.gravity_m_s2
-            found = bars.act(p.bars, memory, pile.pose, half, held, ag, heavier, push)
-            elastic, spent, broken = elastic + found[0], spent + found[1], broken + found[2]
-        _accelerate(p, pile, push, ag, gravity, half)
-        d, speed = _farthest(p, pile)
+            stored, taken, lost = act(p.bars, memory, pose, half, (su, sv, sf), ag, heavier, push)
+            elastic, spent, broken = elastic + stored, spent + taken, broken + lost
+        for i in range(blocks):
+            for m in range(6):
+                own[i, m] *= half
+            # a block's own dashpots belong to the velocity of this step, v + ½h a, not to w
+            y, z, turn = acceleration[i, 0], acceleration[i, 1], acceleration[i, 2]
+            force[i, 0] += push[i, 0] + own[i, 0] * y + own[i, 1] * z + own[i, 2] * turn
+            force[i, 1] += push[i, 1] + own[i, 1] * y + own[i, 3] * z + own[i, 4] * turn
+            force[i, 2] += push[i, 2] + own[i, 2] * y + own[i, 4] * z + own[i, 5] * turn
+            force[i, 0] -= p.mass_kg[i] * ag
+            force[i, 1] -= p.mass_kg[i] * gravity
+            if not p.in_row:
+                _solve(own, i, p.mass_kg[i], p.inertia_kg_m2[i], moves, force)
+        if p.in_row:
+            for i in range(blocks - 1):
+                for m in range(3):
+                    for n in range(3):
+                        between[i, m, n] *= half
+                        force[i, m] += between[i, m, n] * acceleration[i + 1, n]
+                        force[i + 1, n] += between[i, m, n] * acceleration[i, m]
+            _solve_chain(own, between, p.mass_kg, p.inertia_kg_m2, force)
+        for i in range(blocks):
+            for m in range(3):
+                acceleration[i, m] = force[i, m]
+        d = speed = 0.0
+        for point in range(p.watched.size):
+            i = p.watched[point]
+            my, mz = p.monitor_m[point, 0], p.monitor_m[point, 1]
+            at = q[i, 0] + pose[i, 2] * my - pose[i, 3] * mz - my
+            if point == 0 or not abs(at) <= abs(d):
+                d = at
+                speed = w[i, 0] - w[i, 2] * (pose[i, 3] * my + pose[i, 2] * mz)
         peak = max(peak, abs(d))
         if k % every == 0 and written < rows.shape[0]:
-            out = rows[written]
-            out[0], out[1], out[2], out[9], out[10] = time, d, speed, elastic, spent
+            rows[written, 0], rows[written, 1], rows[written, 2] = time, d, speed
+            rows[written, 9], rows[written, 10] = elastic, spent
             for m in range(3):
-                out[3 + m] = pile.place[0, m]
-                out[6 + m] = pile.rates[0, m] + half * pile.acceleration[0, m]
-            out[out.size - 2 * count : out.size - count] = supports.y[:-1]
-            out[out.size - count :] = supports.vy[:-1]
+                rows[written, 3 + m] = q[0, m]
+                rows[written, 6 + m] = v[0, m] + half * acceleration[0, m]
+            for j in range(supports):
+                rows[written, rows.shape[1] - 2 * supports + j] = su[j]
+                rows[written, rows.shape[1] - supports + j] = sv[j]
             written += 1
         over, status, moving_until = verdict(
             rules, motion_s, max_speed_m_s, k, dt, d, speed, False, moving_until
@@ -335,12 +345,12 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
         if over:
             break
         ahead = dt if k > 0 else 0.5 * dt
-        for i in range(p.mass_kg.size):
+        for i in range(blocks):
             for m in range(3):
-                pile.rates[i, m] += ahead * pile.acceleration[i, m]
-                pile.place[i, m] += dt * pile.rates[i, m]
+                v[i, m] += ahead * acceleration[i, m]
+                q[i, m] += dt * v[i, m]
         if barred:
-            bars.advance(p.bars, memory, ahead, dt)
+            advance(p.bars, memory, ahead, dt)
         k += 1
         time = k * dt
     return peak, status, time, written, broken
