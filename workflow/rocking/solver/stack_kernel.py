@@ -11,95 +11,9 @@ import numpy as np
 from rocking.runtime.compiled import compiled
 
 from .bars import act, advance, at_rest
+from .dashpots import couple, damp, solve, solve_row
 from .inputs import drive, verdict
 from .law import since_closed
-
-
-@compiled
-def _solve(own, block, mass, inertia, free, force):
-    """Solve (M + C)·a = f of one block in place, for those of its freedoms that it has.
-
-    C by its entries 00, 01, 02, 11, 12, 22.
-    """
-    c00, c01, c02 = own[block, 0], own[block, 1], own[block, 2]
-    c11, c12, c22 = own[block, 3], own[block, 4], own[block, 5]
-    y, z, turn = free[block, 0], free[block, 1], free[block, 2]
-    f0 = force[block, 0] if y else 0.0
-    f1 = force[block, 1] if z else 0.0
-    f2 = force[block, 2] if turn else 0.0
-    c01, c02 = c01 if y and z else 0.0, c02 if y and turn else 0.0
-    c12 = c12 if z and turn else 0.0
-    upper = 1.0 / (mass + c00)
-    l10, l20 = c01 * upper, c02 * upper
-    r12 = c12 - l10 * c02
-    middle = 1.0 / (mass + c11 - l10 * c01)
-    l21 = r12 * middle
-    f1 -= l10 * f0
-    f2 = (f2 - l20 * f0 - l21 * f1) / (inertia + c22 - l20 * c02 - l21 * r12)
-    f1 = (f1 - r12 * f2) * middle
-    force[block, 0], force[block, 1], force[block, 2] = (f0 - c01 * f1 - c02 * f2) * upper, f1, f2
-
-
-@compiled
-def _damp(own, block, y, z, arm, dashpot):
-    """Add a dashpot along (y, z); `arm` is its place times that direction."""
-    cy, cz, ct = dashpot * y, dashpot * z, dashpot * arm
-    own[block, 0] += cy * y
-    own[block, 1] += cy * z
-    own[block, 2] += cy * arm
-    own[block, 3] += cz * z
-    own[block, 4] += cz * arm
-    own[block, 5] += ct * arm
-
-
-@compiled
-def _couple(between, low, y, z, arm_low, arm_high, dashpot):
-    """Add what a dashpot along (y, z) does between block `low` and the next, C of the two."""
-    one, other = (y, z, arm_low), (y, z, arm_high)
-    for m in range(3):
-        for n in range(3):
-            between[low, m, n] -= dashpot * one[m] * other[n]
-
-
-@compiled
-def _solve_chain(own, between, mass, inertia, force):
-    """Solve (M + C)·a = f of blocks in a row in place, by blocks of 3 from the first to the last.
-
-    C by `own`, as in `_solve`, and `between`, the part that joins each block to the next.
-    """
-    blocks = mass.size
-    inverse, back = np.zeros((blocks, 3, 3)), np.zeros((3, 3))
-    for i in range(blocks):
-        a = mass[i] + own[i, 0]
-        b, c, d = own[i, 1], own[i, 2], mass[i] + own[i, 3]
-        e, f = own[i, 4], inertia[i] + own[i, 5]
-        if i > 0:
-            for m in range(3):
-                for n in range(3):
-                    back[m, n] = 0.0
-                    for r in range(3):
-                        back[m, n] += between[i - 1, r, m] * inverse[i - 1, r, n]
-            for m in range(3):
-                for n in range(3):
-                    force[i, m] -= back[m, n] * force[i - 1, n]
-            for r in range(3):
-                low = between[i - 1, r]
-                a, b, c = a - back[0, r] * low[0], b - back[0, r] * low[1], c - back[0, r] * low[2]
-                d, e, f = d - back[1, r] * low[1], e - back[1, r] * low[2], f - back[2, r] * low[2]
-        over = 1.0 / (a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d))
-        inverse[i, 0, 0], inverse[i, 1, 1] = over * (d * f - e * e), over * (a * f - c * c)
-        inverse[i, 2, 2] = over * (a * d - b * b)
-        inverse[i, 0, 1] = inverse[i, 1, 0] = over * (c * e - b * f)
-        inverse[i, 0, 2] = inverse[i, 2, 0] = over * (b * e - c * d)
-        inverse[i, 1, 2] = inverse[i, 2, 1] = over * (b * c - a * e)
-    for i in range(blocks - 1, -1, -1):
-        for m in range(3):
-            if i < blocks - 1:
-                for n in range(3):
-                    force[i, m] -= between[i, m, n] * force[i + 1, n]
-        y, z, turn = force[i, 0], force[i, 1], force[i, 2]
-        for m in range(3):
-            force[i, m] = inverse[i, m, 0] * y + inverse[i, m, 1] * z + inverse[i, m, 2] * turn
 
 
 @compiled
@@ -257,14 +171,14 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
                 force[a, 0] += fy
                 force[a, 1] += fz
                 force[a, 2] += ay * fz - az * fy
-                _damp(own, a, ny, nz, nz * ay - ny * az, pressed)
-                _damp(own, a, ty, tz, tz * ay - ty * az, dragged)
+                damp(own, a, ny, nz, nz * ay - ny * az, pressed)
+                damp(own, a, ty, tz, tz * ay - ty * az, dragged)
             if b >= 0:
                 force[b, 0] -= fy
                 force[b, 1] -= fz
                 force[b, 2] -= by * fz - bz * fy
-                _damp(own, b, ny, nz, nz * by - ny * bz, pressed)
-                _damp(own, b, ty, tz, tz * by - ty * bz, dragged)
+                damp(own, b, ny, nz, nz * by - ny * bz, pressed)
+                damp(own, b, ty, tz, tz * by - ty * bz, dragged)
                 if p.in_row and a >= 0:
                     la, lb = (
                         (nz * ay - ny * az, tz * ay - ty * az),
@@ -274,11 +188,11 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
                         ),
                     )
                     if a < b:
-                        _couple(between, a, ny, nz, la[0], lb[0], pressed)
-                        _couple(between, a, ty, tz, la[1], lb[1], dragged)
+                        couple(between, a, ny, nz, la[0], lb[0], pressed)
+                        couple(between, a, ty, tz, la[1], lb[1], dragged)
                     else:
-                        _couple(between, b, ny, nz, lb[0], la[0], pressed)
-                        _couple(between, b, ty, tz, lb[1], la[1], dragged)
+                        couple(between, b, ny, nz, lb[0], la[0], pressed)
+                        couple(between, b, ty, tz, lb[1], la[1], dragged)
         for i in range(p.link_a.size):
             a, b = p.link_a[i], p.link_b[i]
             stretch, rate = q[a, 0], w[a, 0]
@@ -308,7 +222,7 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
             force[i, 0] -= p.mass_kg[i] * ag
             force[i, 1] -= p.mass_kg[i] * gravity
             if not p.in_row:
-                _solve(own, i, p.mass_kg[i], p.inertia_kg_m2[i], moves, force)
+                solve(own, i, p.mass_kg[i], p.inertia_kg_m2[i], moves, force)
         if p.in_row:
             for i in range(blocks - 1):
                 for m in range(3):
@@ -316,7 +230,7 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
                         between[i, m, n] *= half
                         force[i, m] += between[i, m, n] * acceleration[i + 1, n]
                         force[i + 1, n] += between[i, m, n] * acceleration[i, m]
-            _solve_chain(own, between, p.mass_kg, p.inertia_kg_m2, force)
+            solve_row(own, between, p.mass_kg, p.inertia_kg_m2, force)
         for i in range(blocks):
             for m in range(3):
                 acceleration[i, m] = force[i, m]
