@@ -127,7 +127,7 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
             rate, speed, step = -(ny * ry + nz * rz), ty * ry + tz * rz, ty * gy + tz * gz
             share, normal, sticks = 1.0, depth + beta * rate, True
             if intact[i]:
-                if p.hold_m[i] == 0.0 and p.friction[i] == 0.0:  # a tie transmits no shear
+                if p.tie[i]:  # it transmits no shear
                     step = speed = 0.0
                     sticks = False
                 held = ratio * abs(slip[i] + step)
