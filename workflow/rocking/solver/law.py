@@ -1,4 +1,4 @@
-"""The law of a contact node, which the loops of one block, of several and in space all take.
+"""The law of a contact node, which the loops of one block and in space take.
 
 With δ > 0 the penetration, u the slip since the node closed and r = ks/kn, all forces over kn:
 
@@ -6,6 +6,9 @@ With δ > 0 the penetration, u the slip since the node closed and r = ks/kn, all
 
 A bond acts both ways and without a limit, N = δ + β δ̇ and T = r (u + β u̇), until −δ reaches its
 tension or |r u| its cohesion + μ max(δ, 0); from then on the node is a dry one. A tie has no ks.
+
+The loop of several blocks (`stack_kernel`) states the same law in its own lines: taken from here,
+its steps were thirteen times slower.
 """
 
 import math

@@ -1,6 +1,6 @@
 """The compiled step loop of several blocks in the plane.
 
-The law of a node and the scheme are those of `kernel`, node by node: lines of nodes that
+The law of a node (`law`) and the scheme are those of `kernel`, node by node: lines of nodes that
 meet one plane together, which make that fast, are left out.
 """
 
