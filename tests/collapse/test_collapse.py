@@ -13,7 +13,10 @@ def scan(fell):
     """Outcomes of a dense scan by a rule of amplitude."""
     fallen = np.array([bool(fell(g)) for g in GRID])
     status = np.where(fallen, "overturned", "ok")
-    return pd.DataFrame({"pga_g": GRID, "status": status, "collapsed": fallen.astype(int)})
+    reached = np.where(fallen, 1.0, 0.9 * GRID)
+    return pd.DataFrame(
+        {"pga_g": GRID, "status": status, "collapsed": fallen.astype(int), "d_over_b": reached}
+    )
 
 
 def runs(*pairs):
@@ -158,9 +161,13 @@ def test_the_plan_goes_where_outcomes_change():
     assert ((runs_g > 0.32) & (runs_g < 0.38)).any()  # in the separate range
     assert ((runs_g > 0.45) & (runs_g < 0.55)).any()  # in the gap above it
     assert found["levels"] == pytest.approx([0.30], rel=0.01)  # 10, 50 and 90 % lie together
+    assert 0.0 < found["probability"][0] < 1.0
+    slight = table.assign(d_over_b=np.where(GRID < 0.2, 0.01, table["d_over_b"]))
+    assert plan(slight, ida, ensemble)["runs"][0] == pytest.approx(0.1 * 1.35**2, abs=1e-4)
     slow = table.assign(collapsed=(np.sin(1e4 * GRID) < (GRID - 0.5) * 5).astype(int))
     slow["status"] = np.where(slow["collapsed"] == 1, "overturned", "ok")
-    assert len(plan(slow, ida, ensemble)["levels"]) == 3
+    three = plan(slow, ida, ensemble)
+    assert three["probability"] == pytest.approx([0.1, 0.5, 0.9], abs=0.12)
     few = plan(table, {**ida, "confirm": "collapse"}, ensemble)
     assert few["runs"] == pytest.approx([0.97 * lowest, lowest], abs=1e-4)
     never = plan(scan(lambda g: False), ida, ensemble)

@@ -20,6 +20,7 @@ from yade_scripts.model.motion import amplitude
 from yade_scripts.model.scene import to_json
 from yade_scripts.sources import digest
 from yade_scripts.studies import command, perturb, shaking
+from yade_scripts.studies.confirm import Confirmation, turns
 from yade_scripts.studies.journal import Journal, run_key
 from yade_scripts.studies.search import drive, next_amplitude, one_by_one
 from yade_scripts.studies.tables import RUN_COLUMNS, run_row, to_csv
@@ -166,8 +167,32 @@ def run_realisations(runner, pga_g, realisations):
     return rows, share
 
 
+def confirm(runner, plan, settings):
+    """Rows of realisations at a plan's levels, until they confirm the scan's probabilities.
+
+    Unless the scan is confirmed (`confirm.Confirmation`) all of `realisations` are run at every
+    level, in the order of `confirm.turns`.
+    """
+    realisations, rows = perturb.draw_realisations(settings), []
+    test = Confirmation(zip(plan["levels"], plan["probability"], strict=True))
+    for pga_g, number in turns(plan["levels"], len(realisations)):
+        rows.append(runner.run(pga_g, realisations[number]))
+        if rows[-1]["status"] != simulate.FAILED:
+            test.add(pga_g, rows[-1]["collapsed"])
+        if settings["stop"] == "confirmed" and test.verdict == 1:
+            break
+    told = {1: "confirm", 0: "refute", None: "neither confirm nor refute"}[test.verdict]
+    runner.say(f"{len(rows)} realisations {told} the dense scan")
+    return rows
+
+
 def analyse(runner, status, d_over_b, plan=None):
     """Run a plan's ensembles; without one search the collapse band, or measure sensitivity alone.
+
+    Parameters
+    ----------
+    plan : dict, optional
+        levels [g], and the probability that the dense scan has there.
 
     Returns
     -------
@@ -177,9 +202,8 @@ def analyse(runner, status, d_over_b, plan=None):
     if settings["enabled"] == "off":
         return [], []
     if plan is not None:
-        wanted = plan if runner.job["model"] in settings["models"] else []
-        realisations = perturb.draw_realisations(settings)
-        return [row for g in wanted for row in run_realisations(runner, g, realisations)[0]], []
+        named = runner.job["model"] in settings["models"]
+        return confirm(runner, plan, settings) if named and plan["levels"] else [], []
     if runner.job["model"] not in settings["models"]:
         return [], measure_sensitivity(runner, status, d_over_b, settings)
     rows: list[dict] = []
@@ -228,7 +252,7 @@ def main(arguments=None):
     status, d_over_b = read_curve(args.curve)
     adapter.load_yade()
     runner = Runner(job, time_s, columns, args.record, args.direction, Journal(args.journal), say)
-    plan = read_json(args.plan)["levels"] if args.plan else None
+    plan = read_json(args.plan) if args.plan else None
     rows, sensitivity_rows = analyse(runner, status, d_over_b, plan)
     if runner.reused:
         say(f"{runner.reused} of {runner.count} runs taken from earlier work")

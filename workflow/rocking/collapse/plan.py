@@ -4,20 +4,29 @@ import itertools
 
 import numpy as np
 
-from rocking.collapse.probability import collapse_ranges, first_crossing, from_scan
+from rocking.collapse.probability import (
+    collapse_ranges,
+    first_crossing,
+    from_scan,
+    outcomes,
+    probability,
+)
+from yade_scripts.studies.confirm import posterior_share
 from yade_scripts.studies.search import DIGITS, climb_sequence
 
 BELOW = 0.97  # of the lowest collapse: the side where nothing falls
+SLIGHT = 0.05  # peak d/b up to which the climb is run once: there every solver gives the same
 NARROW = 1.03  # p90 over p10 up to which one level of realisations says all
 
 
 def plan(scan, settings, ensemble):
     """Intensities of single runs and of ensembles in YADE [g].
 
-    Single runs: the climb up to the first crossing of 50 %, both sides of the lowest collapse, the
-    middle of each range of collapse and of the gap above it, and the amplitude from which all
-    collapse. Ensembles: where the probability first crosses the lower percentile, one half and the
-    upper one; one half alone where these lie together.
+    Single runs: the climb from the last level that stays below `SLIGHT` up to the first crossing
+    of 50 %, both sides of the lowest collapse, the middle of each range of collapse and of the gap
+    above it, and the amplitude from which all collapse. Ensembles: where the probability first
+    crosses the lower percentile, one half and the upper one; one half alone where these lie
+    together.
 
     Parameters
     ----------
@@ -31,15 +40,19 @@ def plan(scan, settings, ensemble):
     Returns
     -------
     dict
-        runs, levels: ascending lists of float.
+        runs, levels: ascending lists of float; probability: of the scan at each level, kept off
+        0 and 1.
     """
-    table = from_scan(scan, ensemble["amplitude_spread"])
+    spread = ensemble["amplitude_spread"]
+    table = from_scan(scan, spread)
     pga_g, share = table["pga_g"].to_numpy(), table["probability"].to_numpy()
     full = settings["confirm"] == "full"
     climb = climb_sequence(settings)
     fallen = scan.loc[scan["status"] == "overturned", "pga_g"]
+    slight = scan.loc[~(scan["d_over_b"] < SLIGHT), "pga_g"].min()
+    climb = climb[max(0, sum(g < slight for g in climb) - 1) :]
     if fallen.empty:
-        return {"runs": climb if full else climb[-1:], "levels": []}
+        return {"runs": climb if full else climb[-1:], "levels": [], "probability": []}
     lowest = float(fallen.min())
     low, high = (p / 100.0 for p in ensemble["percentiles"])
     middle = first_crossing(pga_g, share, 0.5)
@@ -58,7 +71,10 @@ def plan(scan, settings, ensemble):
     if ensemble["enabled"] == "off":
         levels = []
     limit = settings["max_pga_g"]
-    return {
-        name: sorted({round(float(g), DIGITS) for g in values if g <= limit})
-        for name, values in (("runs", runs), ("levels", levels))
-    }
+    runs, levels = (
+        sorted({round(float(g), DIGITS) for g in at if g <= limit}) for at in (runs, levels)
+    )
+    seen = outcomes(scan)
+    share, count = probability(seen["pga_g"], seen["collapsed"], levels, spread)
+    share = posterior_share(share * count, count)
+    return {"runs": runs, "levels": levels, "probability": [round(float(p), 4) for p in share]}

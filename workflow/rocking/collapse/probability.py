@@ -13,6 +13,8 @@ import math
 import numpy as np
 import pandas as pd
 
+from yade_scripts.studies.confirm import Confirmation, posterior_share
+
 LEVELS = (0.10, 0.50, 0.90)
 WINDOW = math.log(1.01)  # of amplitude, in which what is left unseen is counted
 CALM = 0.3  # d/b below which nothing that falls hides
@@ -22,7 +24,7 @@ COLUMNS = [
     *KEY,
     *(f"pga_{name}_g" for name in ("safe", "collapse", "median", "p10", "p90", "all", "max")),
     *("reversals", "runs_planar", "runs_yade", "disagreements"),
-    *("collapse_fell", "collapse_realisations", "safe_bound"),
+    *("collapse_fell", "collapse_realisations", "safe_bound", "confirmed"),
 ]
 PROBABILITY_COLUMNS = [
     *(*KEY, "pga_g", "probability", "realisations"),
@@ -222,7 +224,7 @@ def summary(scan, curve, realisations, spread):
         "runs_yade": len(curve) + len(realisations),
         "collapse_fell": round(float(beside[0] * realisations_beside[0])) if len(fell) else np.nan,
         "collapse_realisations": int(realisations_beside[0]) if len(fell) else np.nan,
-        "safe_bound": unseen(every, dense["pga_g"].min(), np.fmin(lowest, every["pga_g"].max())),
+        "safe_bound": unseen(dense, dense["pga_g"].min(), np.fmin(lowest, every["pga_g"].max())),
     }
 
 
@@ -235,7 +237,7 @@ def unseen(runs, low_g, high_g, confidence=0.95):
     Parameters
     ----------
     runs : DataFrame
-        Of `outcomes`.
+        Of `outcomes`, by one solver: between two, peaks differ where nothing hides.
     low_g, high_g : float
         Where the windows begin and end [g]; nothing fell between.
 
@@ -253,6 +255,29 @@ def unseen(runs, low_g, high_g, confidence=0.95):
     if not counts.size:
         return np.nan
     return 1.0 - (1.0 - confidence) ** (1.0 / counts.min()) if counts.min() else 1.0
+
+
+def confirmed(table):
+    """Whether YADE's realisations confirm the scan's probabilities, see `confirm.Confirmation`.
+
+    Parameters
+    ----------
+    table : DataFrame
+        Of `compared`.
+
+    Returns
+    -------
+    float
+        1: yes, 0: they refute them, NaN: open, or one of the two is missing.
+    """
+    both = table[table["probability_yade"].notna() & table["probability"].notna()]
+    count = both["realisations"].astype(float)
+    share = posterior_share(both["probability"] * count, count)
+    test = Confirmation(zip(both["pga_g"], share, strict=True))
+    fell = (both["probability_yade"] * both["realisations_yade"]).round().astype(int)
+    for pga_g, down, of in zip(both["pga_g"], fell, both["realisations_yade"], strict=True):
+        test.fell[pga_g], test.stood[pga_g] = down, int(of) - down
+    return np.nan if test.verdict is None else float(test.verdict)
 
 
 def outcomes(*tables):
