@@ -49,10 +49,10 @@ def test_other_targets_beside_the_curves_do_not_mislead(slow):
 
     Counting jobs would announce a tenth of the time; counting curves alone misses the ensembles.
     """
-    kinds = [("ida", "W1", 7), ("ida", "W2", 16), ("ida_ensemble", "W1", 28)]
-    kinds.append(("ida_ensemble", "W2", 65))
+    kinds = [("ida", "W1", 7), ("ida", "W2", 16), ("ida_ensemble", "W1", 5)]
+    kinds.append(("ida_ensemble", "W2", 12))
     jobs = [("figure", "", 2 * slow)] * 40
-    jobs += [(rule, model, seconds * slow) for _ in range(10) for rule, model, seconds in kinds]
+    jobs += [(rule, model, seconds * slow) for _ in range(30) for rule, model, seconds in kinds]
     machine = Machine(jobs, 2)
     errors = [machine.until(share) for share in (0.3, 0.5, 0.7, 0.9)]
     assert max(map(abs, errors)) < GOOD
@@ -67,7 +67,7 @@ def test_what_nobody_measured_before_is_learned():
 
 def test_one_long_job_at_the_end_is_not_shared_out():
     """Of two cores one idles at the end: what is left is the longest job, not half of it."""
-    machine = Machine([("ida", "W3", 120.0)] * 2 + [("ida_ensemble", "W3", 480.0)], 2)
+    machine = Machine([("ida", "W3", 120.0)] * 2 + [("complete_ida", "", 420.0)], 2)
     assert abs(machine.until(0.25)) < GOOD
 
 
@@ -85,12 +85,12 @@ def test_known_runs_say_how_far_a_job_is(tmp_path):
 
 def test_kept_runs_shorten_a_job_that_waits(tmp_path):
     journal = tmp_path / "a.jsonl"
-    grow(journal, 12)
+    grow(journal, 9)
     whole, resumed = (
         Progress([Task("ida", lambda: "waiting", "W1", path, None)]).left_s()
         for path in (None, journal)
     )
-    assert resumed == pytest.approx(whole / 4)  # 12 of the usual 16
+    assert resumed == pytest.approx(whole / 4)  # 9 of the usual 12
 
 
 def test_nothing_is_said_when_all_is_done():

@@ -173,12 +173,12 @@ def confirm(runner, plan, settings):
     Unless the scan is confirmed (`confirm.Confirmation`) all of `realisations` are run at every
     level, in the order of `confirm.turns`.
     """
-    realisations, rows = perturb.draw_realisations(settings), []
-    test = Confirmation(zip(plan["levels"], plan["probability"], strict=True))
-    for pga_g, number in turns(plan["levels"], len(realisations)):
-        rows.append(runner.run(pga_g, realisations[number]))
+    levels, realisations = plan["levels"], perturb.draw_realisations(settings)
+    test, rows = Confirmation(), []
+    for level, number in turns(levels, len(realisations)):
+        rows.append(runner.run(levels[level], realisations[number]))
         if rows[-1]["status"] != simulate.FAILED:
-            test.add(pga_g, rows[-1]["collapsed"])
+            test.add(plan["probability"][level][number], rows[-1]["collapsed"])
         if settings["stop"] == "confirmed" and test.verdict == 1:
             break
     told = {1: "confirm", 0: "refute", None: "neither confirm nor refute"}[test.verdict]
@@ -192,7 +192,7 @@ def analyse(runner, status, d_over_b, plan=None):
     Parameters
     ----------
     plan : dict, optional
-        levels [g], and the probability that the dense scan has there.
+        levels [g], and for every realisation the probabilities of `confirm.Confirmation`.
 
     Returns
     -------

@@ -5,18 +5,18 @@ import itertools
 import numpy as np
 
 from rocking.collapse.probability import (
+    SHIFT,
+    alternatives,
     collapse_ranges,
     first_crossing,
     from_scan,
-    outcomes,
-    probability,
 )
-from yade_scripts.studies.confirm import posterior_share
+from yade_scripts.studies import perturb
 from yade_scripts.studies.search import DIGITS, climb_sequence
 
 BELOW = 0.97  # of the lowest collapse: the side where nothing falls
 SLIGHT = 0.05  # peak d/b up to which the climb is run once: there every solver gives the same
-NARROW = 1.03  # p90 over p10 up to which one level of realisations says all
+NARROW = 1.03  # p90 over p10 up to which realisations just outside of both say all
 
 
 def plan(scan, settings, ensemble):
@@ -25,8 +25,8 @@ def plan(scan, settings, ensemble):
     Single runs: the climb from the last level that stays below `SLIGHT` up to the first crossing
     of 50 %, both sides of the lowest collapse, the middle of each range of collapse and of the gap
     above it, and the amplitude from which all collapse. Ensembles: where the probability first
-    crosses the lower percentile, one half and the upper one; one half alone where these lie
-    together.
+    crosses the lower percentile, one half and the upper one; where these lie together, just below
+    the first and above the last.
 
     Parameters
     ----------
@@ -35,13 +35,13 @@ def plan(scan, settings, ensemble):
     settings : dict
         Section ida with a number for start_g: growth, max_pga_g, max_collapse_ranges, confirm.
     ensemble : dict
-        Section ensemble: enabled, percentiles, amplitude_spread.
+        Section ensemble: enabled, percentiles, and what `perturb.draw_realisations` takes.
 
     Returns
     -------
     dict
-        runs, levels: ascending lists of float; probability: of the scan at each level, kept off
-        0 and 1.
+        runs, levels: ascending lists of float; probability: by level and realisation, those of
+        `probability.alternatives` at its own amplitude.
     """
     spread = ensemble["amplitude_spread"]
     table = from_scan(scan, spread)
@@ -67,14 +67,14 @@ def plan(scan, settings, ensemble):
     levels = [first_crossing(pga_g, share, level) for level in (low, 0.5, high)]
     levels = [g for g in levels if np.isfinite(g)]
     if len(levels) == 3 and levels[2] <= NARROW * levels[0]:
-        levels = levels[1:2]
+        beyond = SHIFT**0.25  # a shift by the whole of it shows on either side
+        levels = [levels[0] / beyond, levels[2] * beyond]
     if ensemble["enabled"] == "off":
         levels = []
     limit = settings["max_pga_g"]
     runs, levels = (
         sorted({round(float(g), DIGITS) for g in at if g <= limit}) for at in (runs, levels)
     )
-    seen = outcomes(scan)
-    share, count = probability(seen["pga_g"], seen["collapsed"], levels, spread)
-    share = posterior_share(share * count, count)
-    return {"runs": runs, "levels": levels, "probability": [round(float(p), 4) for p in share]}
+    factors = [r.amplitude_factor for r in perturb.draw_realisations(ensemble)]
+    shares = [alternatives(scan, np.multiply(g, factors), spread).round(4).tolist() for g in levels]
+    return {"runs": runs, "levels": levels, "probability": shares}

@@ -13,12 +13,13 @@ import math
 import numpy as np
 import pandas as pd
 
-from yade_scripts.studies.confirm import Confirmation, posterior_share
+from yade_scripts.studies.confirm import Confirmation
 
 LEVELS = (0.10, 0.50, 0.90)
 WINDOW = math.log(1.01)  # of amplitude, in which what is left unseen is counted
 CALM = 0.3  # d/b below which nothing that falls hides
 SCATTER, FEW = 0.03, 5  # of d/b about one branch; histories that tell it
+ODDS, SHIFT = 9.0, 1.03  # factors on p/(1 − p) and on amplitude: a scan so far off is refuted
 KEY = ["model", "record", "direction"]
 COLUMNS = [
     *KEY,
@@ -257,26 +258,57 @@ def unseen(runs, low_g, high_g, confidence=0.95):
     return 1.0 - (1.0 - confidence) ** (1.0 / counts.min()) if counts.min() else 1.0
 
 
-def confirmed(table):
+def alternatives(scan, pga_g, spread):
+    """Collapse probabilities that YADE's outcomes are held against, see `confirm.Confirmation`.
+
+    The scan's share within ± spread, kept off 0 and 1 by Jeffreys' (k + ½)/(n + 1). A façade that
+    falls more often has `ODDS` times as large a p/(1 − p), or what the scan says `SHIFT` times
+    higher up, whichever is more; one that falls less often likewise.
+
+    Parameters
+    ----------
+    scan : DataFrame
+        Of a dense scan.
+    pga_g : array_like, shape (n,)
+    spread : float
+
+    Returns
+    -------
+    ndarray, shape (n, 3)
+        Of the scan, of more often, of less often.
+    """
+    seen, pga_g = outcomes(scan), np.asarray(pga_g, float)
+
+    def said(at_g):
+        share, count = probability(seen["pga_g"], seen["collapsed"], at_g, spread)
+        return (np.where(count > 0, share, 0.0) * count + 0.5) / (count + 1.0)
+
+    p = said(pga_g)
+    more = np.maximum(ODDS * p / (1.0 - p + ODDS * p), said(pga_g * SHIFT))
+    less = np.minimum(p / (ODDS * (1.0 - p) + p), said(pga_g / SHIFT))
+    return np.column_stack((p, more, less))
+
+
+def confirmed(scan, ensemble, spread):
     """Whether YADE's realisations confirm the scan's probabilities, see `confirm.Confirmation`.
 
     Parameters
     ----------
-    table : DataFrame
-        Of `compared`.
+    scan, ensemble : DataFrame
+        Of one curve; None or empty where there is none.
+    spread : float
 
     Returns
     -------
     float
         1: yes, 0: they refute them, NaN: open, or one of the two is missing.
     """
-    both = table[table["probability_yade"].notna() & table["probability"].notna()]
-    count = both["realisations"].astype(float)
-    share = posterior_share(both["probability"] * count, count)
-    test = Confirmation(zip(both["pga_g"], share, strict=True))
-    fell = (both["probability_yade"] * both["realisations_yade"]).round().astype(int)
-    for pga_g, down, of in zip(both["pga_g"], fell, both["realisations_yade"], strict=True):
-        test.fell[pga_g], test.stood[pga_g] = down, int(of) - down
+    if scan is None or not len(ensemble):
+        return np.nan
+    test, own = Confirmation(), outcomes(ensemble)
+    rows = alternatives(scan, own["pga_g"], spread)
+    for probabilities, collapsed in zip(rows, own["collapsed"], strict=True):
+        test.add(probabilities, collapsed)
     return np.nan if test.verdict is None else float(test.verdict)
 
 

@@ -22,7 +22,7 @@ LOOK_S = 2.0
 # takes. Ratios matter, not their size: that is measured as the first jobs finish.
 USUAL_S = {
     "ida": 7.0,
-    "ida_ensemble": 28.0,
+    "ida_ensemble": 5.0,
     "reduction_ida": 16.0,
     "damping_choice_ida": 16.0,
     "pushover": 3.0,
@@ -43,7 +43,7 @@ USUAL_S = {
     "complete_frames": 30.0,
 }
 SHORT_S = 2.0  # a table or a figure
-USUAL_RUNS = {"ida": 16, "ida_ensemble": 50}
+USUAL_RUNS = {"ida": 12, "ida_ensemble": 8}
 PRIOR = 3  # the usual time counts as much as this many measured ones
 
 
@@ -93,7 +93,7 @@ class Task:
     @property
     def share(self):
         """Part of the job that earlier runs left to do."""
-        whole = self.runs or USUAL_RUNS.get(self.rule, 16)
+        whole = self.runs or USUAL_RUNS.get(self.rule, USUAL_RUNS["ida"])
         return max(1.0 - self.kept / whole, 0.1)
 
 

@@ -28,7 +28,7 @@ def main(job):
             table = probability.compared(scan, realisations, spread)
         table = table.assign(**named).reindex(columns=probability.PROBABILITY_COLUMNS)
         row["disagreements"] = int((table["agrees"] == 0).sum())
-        row["confirmed"] = probability.confirmed(table)
+        row["confirmed"] = probability.confirmed(scan, realisations, spread)
         rows.append(row)
         parts.append(table)
     table = pd.DataFrame(rows, columns=probability.COLUMNS)
