@@ -1,8 +1,10 @@
 """Searches for collapse against outcomes that are known beforehand, without any solver."""
 
 import numpy as np
+import pandas as pd
 import pytest
-from rocking.collapse import search
+from rocking.collapse import probability, search
+from rocking.tables import write_table
 
 from yade_scripts.studies.search import drive
 
@@ -104,6 +106,25 @@ def test_the_stated_power_is_reached_and_not_without_its_realisations():
     assert found[0.95] > 0.95 - 2.0 * np.sqrt(0.95 * 0.05 / 300)
     assert 0.8 - 2.0 * np.sqrt(0.8 * 0.2 / 300) < found[0.8] < found[0.95]
     assert found[0.0] < 0.2
+
+
+def test_a_table_of_the_search_says_that_its_power_was_reached(tmp_path):
+    """Levels 1 % apart, as wide as the windows that are counted, from a table of eight digits."""
+    settings = {**SETTINGS, "level_ratio": 0.01, "power": 0.95}
+    for seed in range(10):
+        rows, run = [], chaotic(seed, 0.0)
+
+        def recorded(ask, rows=rows, run=run):
+            answer = run(ask)
+            rows += zip(ask.pga_g, answer.status, answer.d_over_b, strict=True)
+            return answer
+
+        drive(search.scan(0.1, settings), recorded)
+        table = pd.DataFrame(rows, columns=["pga_g", "status", "d_over_b"])
+        table["collapsed"] = (table["status"] == "overturned").astype(int)
+        write_table(table.sort_values("pga_g"), tmp_path / "scan.csv", digits="%.8g")
+        bound = probability.summary(pd.read_csv(tmp_path / "scan.csv"), (), (), 0.01)["safe_bound"]
+        assert bound <= 1.0 - 0.05 ** (1.0 / search.needed(0.95)) + 1e-12
 
 
 def test_one_branch_costs_no_realisations_beyond_those_of_the_window():

@@ -62,8 +62,13 @@ def probability(pga_g, collapsed, at_g, spread):
 
 
 def windows(low_g, high_g):
-    """Lower ends of windows of the width ln(1.01) between two amplitudes, from the lower up [g]."""
-    return low_g * np.exp(WINDOW * np.arange(math.floor(math.log(high_g / low_g) / WINDOW + 1e-9)))
+    """Lower ends of windows of the width ln(1.01) between two amplitudes, from the lower up [g].
+
+    The first begins half a width above the lower one: levels 1 % apart lie within windows, where on
+    their edges the last digit would say in which.
+    """
+    count = math.floor(math.log(high_g / low_g) / WINDOW - 0.5 + 1e-9)
+    return low_g * np.exp(WINDOW * (0.5 + np.arange(max(count, 0))))
 
 
 def doubtful(pga_g, d_over_b, low_g):

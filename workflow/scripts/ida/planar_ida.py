@@ -21,7 +21,8 @@ def main(job):
     table = curve.table
     for place, name in enumerate(("model", "record", "direction")):
         table.insert(place, name, getattr(curve, name))
-    write_table(table, job.output.scan)
+    # so many that no amplitude is rounded into a neighbouring window of 1 %
+    write_table(table, job.output.scan, digits="%.8g")
     found = plan(table, {**case["ida"], **ida}, case["ensemble"])
     Path(job.output.plan).write_text(json.dumps(found) + "\n")
 
