@@ -70,7 +70,7 @@ def pull(scene, speed, travel, samples=250):
     motion = adapter.Motion(time, np.array([1.0, 1.0, 0.0, 0.0]) * speed / ramp)
     built = adapter.build(scene, {"push": motion}, dt)
     omega = built.omega
-    support = [b.id for b in omega.bodies if b.state.blockedDOFs == "xyzXYZ" and not b.isClump]
+    support = [b.id for b in omega.bodies if type(b.shape).__name__ == "Box"]
     rows = []
 
     def sample():
@@ -120,6 +120,18 @@ def pure_shear():
             assert np.allclose(residual[:, 2], -residual[:, 3] * np.tan(FRICTION), atol=1.0)
             assert np.isclose(residual[:, 3].mean(), -weight, atol=0.02 * weight + 1.0)
             assert len(bonds.broken) == n
+
+
+def slanted_shear():
+    """Sheared along both tangents at once, bonds break where their resultant is the cohesion."""
+    scene = bonded_scene((0, 0, 1), 3, free="z")
+    scene.blocks[0] = replace(scene.blocks[0], motion="push", motion_x="push")
+    scene.blocks[1] = replace(scene.blocks[1], motion=None)
+    table, bonds = pull(scene, 0.01, 1.2e-3)
+    pushed = np.abs(table[:, 1:3])
+    assert np.allclose(pushed[:, 0], pushed[:, 1], atol=0.01 * COHESION * AREA)
+    assert abs(np.hypot(*pushed.T).max() / (COHESION * AREA) - 1.0) < 0.01
+    assert len(bonds.broken) == 3
 
 
 def peeling():
