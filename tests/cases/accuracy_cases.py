@@ -7,7 +7,7 @@ import energy_probe
 import numpy as np
 from facade_cases import quiet
 
-from yade_scripts.engine import adapter, simulate
+from yade_scripts.engine import adapter, balance, energy_check, simulate
 from yade_scripts.model import facade
 from yade_scripts.model.stiffness import critical_step
 from yade_scripts.studies import energy, shaking, stability
@@ -28,6 +28,27 @@ def drift(config, seconds, ratio):
     step, _ = simulate.choose_step(scene, config["numerics"])
     simulate.run(scene, quiet(scene), step, rules, setup=probe.attach)
     return {"total": probe.total.tolist(), "rows": probe.rows[-1]}
+
+
+def tumbling(config, seconds):
+    """A façade that turns about all its axes without weight: energies of books and check [J]."""
+    scene = facade.facade_scene(config, "W1", 0.0, planar=False, two_components=True)
+    free = scene.index(scene.monitor)
+    flight = {"displacement_m": (0.0, 50.0, 50.0), "angular_velocity_rad_s": (1.0, 0.5, 0.8)}
+    scene.blocks[free] = replace(scene.blocks[free], **flight)
+    scene, motions = replace(scene, gravity_m_s2=1e-9), quiet(scene)
+    check = energy_check.EnergyCheck(scene, motions)
+    check.reason = "none"  # where nothing is needed to overturn, any energy would end the run
+    books = balance.EnergyBalance(scene, 0.1)
+    rules = simulate.StopRules(seconds, seconds, overturn_ratio=1e9)
+    simulate.run(scene, motions, 2e-3, rules, setup=books.attach, check=check)
+    block = scene.blocks[free]
+    spin = np.array(block.angular_velocity_rad_s)
+    return {
+        "kinetic": [row[2] for row in books.rows],
+        "check": check.energy,
+        "first": 0.5 * float(block.inertia_kg_m2 @ spin**2),
+    }
 
 
 def rest(config, model, beta_s, seconds):

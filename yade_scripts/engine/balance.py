@@ -7,7 +7,8 @@ At every whole step, with the mean v of the velocities half a step before and af
     W_in  work of whatever moves a support or guides a block, ∫ −F·v dt, F the contacts' force on
           it; in the frame of the ground also of the inertia forces, ∫ −m a_g v dt, and of those
           of a vertical motion
-    K     ½ m v² + ½ ωᵀ I ω of the free blocks, of guided ones without the motion imposed on them
+    K     ½ m v² + ½ ωᵀ R I Rᵀ ω of the free blocks, I about axes that turn with them by R; of
+          guided ones without the motion imposed on them
     U     m g Δz of the free blocks, P Δz of the loads of floors
     E     ½ kn un² + ½ |Fs|²/ks of the contacts, for bonds and links without their preloads, which
           cancel
@@ -25,7 +26,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from yade_scripts.engine import adapter, floors, loop
-from yade_scripts.engine.bonds import FACE_OFFSET_M, PRELOAD_M
+from yade_scripts.engine.bonds import FACE_OFFSET_M, PRELOAD_M, rotation
 from yade_scripts.engine.links import REACH_M
 
 COLUMNS = (
@@ -198,6 +199,8 @@ class EnergyBalance:
         """Forces and contacts at the step, and the velocities half a step before it."""
         self.speed, self.now = self._speeds(), self.contacts()
         self.place = np.array([[float(v) for v in s.pos] for s in self.states])
+        if self.omega.iter % self.period == 0:
+            self.turn = np.array([rotation(s.ori) for s in self.states]).reshape(-1, 3, 3)
         self.lifted, self.carried = self.raised(), self.raised.momentum()
 
     def _after(self):
@@ -281,7 +284,8 @@ class EnergyBalance:
     def _row(self, mean):
         """Keep the energies of the present step."""
         c = self.now
-        kinetic = 0.5 * (self.mass * mean[:, :3] ** 2 + self.inertia * mean[:, 3:] ** 2).sum()
+        spin = np.einsum("nij,ni->nj", self.turn, mean[:, 3:])
+        kinetic = 0.5 * (self.mass * mean[:, :3] ** 2 + self.inertia * spin**2).sum()
         potential = self.weight @ (self.place[:, 2] - self.height) + self.lifted
         stored = np.array([kinetic, potential, c.elastic.sum()])
         if self.start is None:

@@ -4,7 +4,7 @@ A time step that is too long for the contacts feeds energy into the façade unti
 overturns, at speeds that look harmless. In the frame of the base the energy of the free
 blocks
 
-    E = Σ ½ m |v − v_g|² + ½ ωᵀ I ω + m g Δz
+    E = Σ ½ m |v − v_g|² + ½ ωᵀ R I Rᵀ ω + m g Δz
 
 changes by the work of three things only: the inertia forces −m a_g and, under a vertical
 motion, −m a_z, whatever moves
@@ -167,6 +167,8 @@ class EnergyCheck:
 def _energy(state, mass, inertia, weight, height, x, z):
     """Energy of a block but for its motion along y [J]; x, z: its velocity past the base."""
     spin, turning = state.angVel, 0.0
+    if len(inertia) > 1:  # about axes that turn with the block
+        spin = state.ori.inverse() * spin
     for axis, about in enumerate(inertia):
         turning += about * spin[axis] ** 2
     return 0.5 * (mass * (x * x + z * z) + turning) + weight * (state.pos[2] - height)

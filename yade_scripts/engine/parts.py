@@ -161,4 +161,8 @@ class Parts:
             state.ori = turn * state.ori
         state.vel = tuple(block.velocity_m_s)
         state.angVel = tuple(block.angular_velocity_rad_s)
+        own = state.ori.inverse() * state.angVel  # a full rotation is integrated by its momentum
+        state.angMom = state.ori * minieigenHP.Vector3(
+            *(i * w for i, w in zip(block.inertia_kg_m2, own, strict=True))
+        )
         return clump, unturned

@@ -4,7 +4,14 @@ import bond_cases
 import pytest
 from yade_process import in_yade
 
-CASES = ("elastic_both_ways", "energy_is_kept", "peeling", "pure_shear", "slanted_shear", "uniform_pull")
+CASES = (
+    "elastic_both_ways",
+    "energy_is_kept",
+    "peeling",
+    "pure_shear",
+    "slanted_shear",
+    "uniform_pull",
+)
 
 
 @pytest.mark.yade
