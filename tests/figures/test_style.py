@@ -134,3 +134,23 @@ def test_the_line_on_records_is_below_all_else(tmp_path, side):
     (height, *legend), (taller, *same) = shapes
     np.testing.assert_allclose(same, legend, atol=3)
     assert height + 20 < taller < height + 120
+
+
+@pytest.mark.parametrize(
+    ("ends", "some"), [((0.03, 0.2), ["0.06", "0.1"]), ((0.2, 0.4), ["0.3"]), ((1, 1e3), ["100"])]
+)
+def test_logarithmic_axes_are_written_in_plain_numbers(axis, ends, some):
+    axis.loglog(ends, ends)
+    style.plain_numbers(axis.figure)
+    axis.figure.canvas.draw()
+    for side in (axis.xaxis, axis.yaxis):
+        said = {label.get_text() for label in side.get_ticklabels(which="both")}
+        assert set(some) <= said
+        assert not any("10^" in text for text in said)
+
+
+def test_a_logarithmic_axis_of_many_decades_keeps_powers_of_ten(axis):
+    axis.semilogy([0.0, 1.0], [1e-9, 1.0])
+    style.plain_numbers(axis.figure)
+    axis.figure.canvas.draw()
+    assert any("10^" in label.get_text() for label in axis.get_yticklabels())

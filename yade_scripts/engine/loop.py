@@ -118,6 +118,21 @@ def runner(function, period, *, at_start=True):
     )
 
 
+def from_engines(omega):
+    """Let YADE's own run, as its viewer starts it, call what `run` calls between steps.
+
+    It pauses where a run would end.
+    """
+
+    def before_step():
+        _ending.clear()
+        _visit(omega.iter)
+        if _ending:
+            omega.pause()
+
+    omega.engines = [runner(before_step, 1), *omega.engines]
+
+
 def stop():
     """End the run after the present step; for runners."""
     _ending.append(True)

@@ -3,8 +3,8 @@
     python3 yade_scripts view --scene scenes/W2.json --motion smdof/RRS228_4dof.csv
         --record RRS228 --direction neg --pga 0.2
 
-opens YADE's viewer and controller with the scene as the analyses run it; press Play. Free blocks
-are drawn as they move. Return walls and base are drawn where they start, as frames: the faces that
+opens YADE's viewer and controller with the scene as the analyses run it; press Play. Blocks that
+nothing drives are solid. Return walls and base are frames that follow their motion: the faces that
 stand for them in contact are many times larger than a wall, and hidden.
 """
 
@@ -17,11 +17,12 @@ from pathlib import Path
 if __name__ == "__main__":  # started by YADE's own program, which sets no path
     sys.path.insert(0, str(Path(sys.argv[0]).resolve().parents[2]))
 
-from yade_scripts.engine import adapter
+from yade_scripts.engine import adapter, loop
 from yade_scripts.model import models
 from yade_scripts.model.motion import amplitude
 from yade_scripts.studies import command, shaking
 
+FOLLOW_S = 0.005  # between two places of a frame
 SHOWN_M = 2.2  # of the return walls, which are longer than needed
 COLOURS = {True: (0.79, 0.51, 0.42), False: (0.68, 0.72, 0.76)}  # free, support
 
@@ -31,11 +32,19 @@ class Ready(Exception):
 
 
 def dress(scene, built):
-    """Draw the blocks: free ones solid, supports as frames; return the ids of what to hide."""
+    """Draw the blocks: free ones solid, supports as frames that follow them.
+
+    Returns
+    -------
+    frames : dict of str to int
+        YADE id of each support's frame, by the block's name.
+    hidden : list of int
+        Ids of what is not to be drawn.
+    """
     from yade import utils
 
     omega = built.omega
-    carriers = set()
+    carriers, frames, follow = set(), {}, []
     for index, block in enumerate(scene.blocks):
         body = omega.bodies[built.body[index]]
         if block.free:
@@ -51,8 +60,18 @@ def dress(scene, built):
         half[2] = half[2] if block.name == scene.reference else 0.5 * block.size_m[2]
         box = utils.box(tuple(centre), tuple(half), fixed=True, wire=True, mask=0)
         box.shape.color = COLOURS[False]
-        carriers.add(omega.bodies.append(box))
-    return [b.id for b in omega.bodies if b.shape and not b.isClump and b.id not in carriers]
+        frames[block.name] = omega.bodies.append(box)
+        support = omega.bodies[built.body[index]].state
+        follow.append((box.state, support, box.state.pos - support.pos))
+
+    def move():
+        for state, support, apart in follow:
+            state.pos = support.pos + apart
+
+    loop.between(move, round(FOLLOW_S / omega.dt))
+    carriers.update(frames.values())
+    drawn = [b.id for b in omega.bodies if b.shape and not b.isClump]
+    return frames, [i for i in drawn if i not in carriers]
 
 
 def opened(arguments):
@@ -81,7 +100,8 @@ def show(arguments):
     from yade import qt
 
     scene, built = opened(arguments)
-    hidden = dress(scene, built)
+    _, hidden = dress(scene, built)
+    loop.from_engines(built.omega)
     qt.Controller()
     view, renderer = qt.View(), qt.Renderer()
     for body in hidden:

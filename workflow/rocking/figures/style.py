@@ -10,6 +10,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D
+from matplotlib.ticker import LogFormatter, LogFormatterSciNotation
 from matplotlib.transforms import Bbox
 
 GREY = "0.65"
@@ -20,6 +21,7 @@ LOOKS = (  # colour, line and marker of curves that belong to no model
     ("#009E73", "-.", "^"),
     ("#CC79A7", ":", "D"),
 )
+PLAIN = (1e-4, 1e5)  # range of a logarithmic axis that needs no powers of ten
 MARGIN_IN = 0.05
 NAMED = 4  # records that are named one by one below a figure
 SOURCES = {
@@ -34,6 +36,27 @@ SURROGATE_NOTE = (
 )
 
 plt.style.use(Path(__file__).with_name("paper.mplstyle"))
+
+
+class PlainNumbers(LogFormatter):
+    """Labels of a logarithmic axis as numbers are written: 0.06, not 6×10⁻²."""
+
+    def __call__(self, x, pos=None):
+        """Text of one label; empty where the axis leaves it out."""
+        return f"{x:g}" if super().__call__(x, pos) else ""
+
+
+def plain_numbers(figure):
+    """Write logarithmic axes within PLAIN in plain numbers, where their script chose no other."""
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            low, high = sorted(axis.get_view_interval())
+            if low < PLAIN[0] or high > PLAIN[1]:
+                continue
+            if isinstance(axis.get_major_formatter(), LogFormatterSciNotation):
+                axis.set_major_formatter(PlainNumbers())
+            if isinstance(axis.get_minor_formatter(), LogFormatterSciNotation):
+                axis.set_minor_formatter(PlainNumbers(labelOnlyBase=False))
 
 
 def _meets(line, box):
@@ -109,6 +132,7 @@ def save(figure, output, facts=()):
         Provenance files of the records whose results it shows; what they say is added below the
         figure, which keeps its size.
     """
+    plain_numbers(figure)
     settle_legends(figure)
     box = figure.bbox_inches.extents
     if text := origins(facts, figure.get_figwidth()):

@@ -54,7 +54,6 @@ def main(job):
         mine = fallen[fallen["variant"].isin([title] if title in shown else own)]
         axis.plot(mine["run"], [1e3 * thickness(about)] * len(mine), "k*", ms=6, label="fell")
         axis.set(yscale="log", ylabel=f"{about['observed']['quantity']}\n[{experiment.unit}]")
-        axis.yaxis.set_major_formatter("{x:g}")
         axis.yaxis.label.set_size(7)
         axis.legend(fontsize=6, ncols=2, loc="upper left")
     sources = table.groupby("source", sort=False)["run"].nunique()
