@@ -2,7 +2,7 @@
 # make run     the main job (sets up first)
 # make test    the tests and linters (sets up first)
 # make quick   the tests that need neither YADE nor more than a second or two each
-# make docs    the documentation site, build/site/index.html; a warning is an error
+# make docs    the documentation site, build/site/index.html; a warning is an error. Names old pictures
 # make gallery the pictures of docs/gallery.md again, by its commands
 # make study   docs/study.md again: the study row by row beside a run of all its stages
 # make mutations  one sign, factor or unit changed at a time: do the tests notice?
@@ -37,6 +37,7 @@ lint: setup
 
 docs: setup
 	.venv/bin/python -m sphinx -q -W --keep-going -c docs -d build/doctrees . build/site
+	.venv/bin/python tools/gallery.py --old
 
 gallery: setup
 	.venv/bin/python tools/gallery.py $(ARGS)

@@ -3,11 +3,20 @@
     python tools/gallery.py                    # all; `make gallery`
     python tools/gallery.py --only fig09_ida   # one
     python tools/gallery.py --no-run           # from the results there are
+    python tools/gallery.py --results /tmp/x   # from those of a run with `--directory /tmp/x`
+    python tools/gallery.py --drawn sequence   # a picture of another page was put there by hand
+    python tools/gallery.py --old              # which pictures are older than what draws them
 
 A picture is named after the last file its command asks for; the page is the only list of both.
+`docs/pictures/drawn_by.json` holds what draws each picture, and the digest of that when it was
+drawn: of its script, and of the drawing modules that the script imports. What computes is not in
+it, nor what all figures share, else every change would make every picture old. `make docs` prints
+the list and goes on: some pictures take an hour to draw, so a change lands before they are renewed.
 """
 
 import argparse
+import hashlib
+import json
 import re
 import shlex
 import subprocess
@@ -17,10 +26,16 @@ from pathlib import Path
 from PIL import Image
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(ROOT)]
+
+from yade_scripts.sources import imports  # noqa: E402
+
 PAGE = ROOT / "docs" / "gallery.md"
+DRAWN_BY = ROOT / "docs" / "pictures" / "drawn_by.json"
 ENTRY = re.compile(r"^```sh\n(?P<command>.*?)^```\n+!\[[^\]]*\]\((?P<picture>[^)]+)\)", re.M | re.S)
 WIDTH_PX = 900
-LIMIT_BYTES = 2_000_000  # of all pictures together: they live in the repository
+LIMIT_BYTES = 3_000_000  # of all pictures together: they live in the repository
+SHARED = {"__init__.py", "style.py"}  # by all figures
 
 
 def entries(page=PAGE):
@@ -33,6 +48,49 @@ def entries(page=PAGE):
             raise ValueError(f"{page.name}: {match['picture']} stands below a command for {source}")
         found.append((match["command"], Path(source), picture))
     return found
+
+
+def digest(script):
+    """Digest of a script and of the modules of drawing that it imports itself, hex."""
+    own = {
+        path
+        for path in imports(script)
+        if (path.parent.name == "figures" or path.stem.startswith("drawing"))
+        and path.name not in SHARED
+    }
+    total = hashlib.sha256()
+    for path in (script, *sorted(own)):
+        total.update(path.name.encode() + b"\0" + path.read_bytes())
+    return total.hexdigest()
+
+
+def old(drawn_by=DRAWN_BY):
+    """Names of the pictures whose script, or module of drawing, has changed since they were drawn.
+
+    Raises
+    ------
+    ValueError
+        If a picture stands in the folder or in the file alone, or a script is gone.
+    """
+    known = json.loads(drawn_by.read_text("utf-8"))
+    there = {path.name for path in drawn_by.parent.iterdir() if path != drawn_by}
+    for name in sorted(there ^ set(known)):
+        raise ValueError(f"{name}: expected in {drawn_by.parent.name}/ and in {drawn_by.name}")
+    for name, about in known.items():
+        if not (ROOT / about["script"]).is_file():
+            raise ValueError(f"{drawn_by.name}: {name}: no script {about['script']}")
+    return [
+        name for name, about in known.items() if about["digest"] != digest(ROOT / about["script"])
+    ]
+
+
+def note(picture):
+    """Keep that a picture was drawn by today's script."""
+    known = json.loads(DRAWN_BY.read_text("utf-8"))
+    if picture.name not in known:
+        sys.exit(f"error: {DRAWN_BY.name} has no script for {picture.name}: add it")
+    known[picture.name]["digest"] = digest(ROOT / known[picture.name]["script"])
+    DRAWN_BY.write_text(json.dumps(known, indent=1, sort_keys=True) + "\n", "utf-8")
 
 
 def shrink(source, picture):
@@ -50,15 +108,30 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--only", nargs="*", help="names of pictures, without .png")
     parser.add_argument("--no-run", action="store_true", help="take the results there are")
+    parser.add_argument("--results", type=Path, help="take those in this folder")
+    parser.add_argument("--drawn", nargs="*", help="pictures that were drawn by other means")
+    parser.add_argument("--old", action="store_true", help="list old pictures, draw none")
     args = parser.parse_args()
-    for command, source, picture in entries():
+    if args.old:
+        commands = {picture.name for _, _, picture in entries()}
+        for name in old():
+            stem = Path(name).stem
+            how = f"make gallery ARGS='--only {stem}'"
+            if name not in commands:
+                how = f"the command on its page, then tools/gallery.py --drawn {stem}"
+            print(f"docs/pictures/{name} is older than what draws it; renew it: {how}")
+        return
+    for name in args.drawn or ():
+        note(next(DRAWN_BY.parent.glob(f"{name}.*")))
+    for command, source, picture in [] if args.drawn else entries():
         if args.only and picture.stem not in args.only:
             continue
-        if not args.no_run:
+        if not (args.no_run or args.results):
             print(command.strip(), file=sys.stderr)
             subprocess.run(["bash", "-euc", command], cwd=ROOT, check=True)
-        shrink(ROOT / source, picture)
-    total = sum(path.stat().st_size for path in (PAGE.parent / "pictures").iterdir())
+        shrink((args.results or ROOT) / source, picture)
+        note(picture)
+    total = sum(path.stat().st_size for path in DRAWN_BY.parent.iterdir())
     if total > LIMIT_BYTES:
         sys.exit(f"error: docs/pictures holds {total} bytes, more than {LIMIT_BYTES}")
 

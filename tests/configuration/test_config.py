@@ -10,6 +10,7 @@ import pytest
 import yaml
 from rocking.configuration import files
 from rocking.configuration import schema as config_schema
+from rocking.configuration.__main__ import main as check_yaml
 from rocking.configuration.config import (
     ConfigError,
     check_files,
@@ -263,6 +264,16 @@ def test_a_key_that_stands_twice_is_refused_with_its_line(tmp_path):
     assert "not UTF-8" in refusal([path], check_files)
     assert "No such file" in refusal([tmp_path / "absent.yaml"], check_files)
     assert "YAML" in refusal([], lambda _: files.check_text("[" * 5000, "deep.yaml"))
+
+
+def test_a_fault_in_the_yaml_is_named_before_snakemake_reads_it(tmp_path, capsys):
+    """Snakemake reads files before the workflow has a word, and names neither file nor line."""
+    path = tmp_path / "own.yaml"
+    path.write_text("facade:\n  height_m: 5\n thickness_m: 1\n")
+    assert check_yaml([str(path)]) == 1
+    assert capsys.readouterr().err.startswith(f"error: config: {path} line 3: ")
+    path.write_text("facade:\n  height_m: 5\n")
+    assert check_yaml([str(path)]) == 0
 
 
 def test_fuzzed_configurations_resolve_or_are_refused_in_one_line():
