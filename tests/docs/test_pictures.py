@@ -12,7 +12,7 @@ PICTURES = ROOT / "docs" / "pictures"
 
 
 @pytest.fixture
-def gallery(monkeypatch):
+def gallery():
     spec = importlib.util.spec_from_file_location("gallery", ROOT / "tools" / "gallery.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -26,8 +26,12 @@ def test_every_picture_says_what_draws_it(gallery):
     assert {picture.name for _, _, picture in gallery.entries()} <= set(known)
 
 
-def test_pictures_have_the_colours_they_were_drawn_with():
+def test_pictures_have_the_colours_they_were_drawn_with(gallery):
+    """Those that are older than what draws them wait to be drawn anew."""
+    waiting = gallery.old()
     for path in PICTURES.glob("*.png"):
+        if path.name in waiting:
+            continue
         with Image.open(path) as image:
             assert image.mode in ("RGB", "RGBA"), f"{path.name}: reduced to a palette"
 
