@@ -45,7 +45,7 @@ def test_the_reference_is_what_the_adaptive_solver_converges_to(model, cycle):
     """Two independent schemes and codes; a single cycle repeats."""
     compiled, pga_g = solver(model, cycle), 0.9 / STANDARD_GRAVITY_M_S2
     found = histories.judged(compiled, pga_g, LIMITS)
-    expected, end_s = peak_and_end(compiled.job, cycle[0], "pos", pga_g, nodes=25, tolerance=1e-5)
+    expected, end_s = peak_and_end(compiled.case, cycle[0], "pos", pga_g, nodes=25, tolerance=1e-5)
     assert found["repeats"] == 1
     assert 0.1 < found["d_over_b"] < 0.9
     assert found["d_over_b"] == pytest.approx(expected, rel=4e-3)

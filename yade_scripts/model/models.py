@@ -13,12 +13,12 @@ from yade_scripts.model.scene import observed_at
 from yade_scripts.model.shape import is_plain, shape_of
 
 
-def build_scene(job):
-    """Build the scene of a job.
+def build_scene(case):
+    """Build the scene of a case.
 
     Parameters
     ----------
-    job : dict
+    case : dict
         A scene file: model, beta_s and the configuration's sections; with `width_nodes` the
         full scene under two components, with `observed_m` that height for d.
 
@@ -31,36 +31,36 @@ def build_scene(job):
     ValueError
         For an unknown model, or a height that the façade has not.
     """
-    scene = _assembled(job)
-    height = job.get("observed_m")
+    scene = _assembled(case)
+    height = case.get("observed_m")
     return scene if height is None else observed_at(scene, height)
 
 
-def _assembled(job):
-    kind = registry.model(job["model"])
+def _assembled(case):
+    kind = registry.model(case["model"])
     if kind.walls == "bricks":
-        return interlocking.interlocking_scene(job, job["beta_s"], two_way=kind.two_way)
-    if count := job.get("width_nodes"):
+        return interlocking.interlocking_scene(case, case["beta_s"], two_way=kind.two_way)
+    if count := case.get("width_nodes"):
         return facade.facade_scene(
-            job,
-            job["model"],
-            job["beta_s"],
+            case,
+            case["model"],
+            case["beta_s"],
             planar=False,
             width_nodes=count,
             two_components=True,
         )
-    return facade.facade_scene(job, job["model"], job["beta_s"])
+    return facade.facade_scene(case, case["model"], case["beta_s"])
 
 
-def numerics(job):
+def numerics(case):
     """Section numerics with the step that belongs to the model."""
-    section = dict(job["numerics"])
-    if registry.model(job["model"]).walls == "bricks":
-        section["step_fraction"] = job["w3"]["step_fraction"]
+    section = dict(case["numerics"])
+    if registry.model(case["model"]).walls == "bricks":
+        section["step_fraction"] = case["w3"]["step_fraction"]
     return section
 
 
-def static_multiplier(job):
+def static_multiplier(case):
     """Static λ at which the façade starts to turn [-]: b/h, and more for W1c and W3.
 
     A façade with a shape of its own: b_g/z_g (see `shape`) for b/h.
@@ -70,9 +70,9 @@ def static_multiplier(job):
     W3: λ0 of the kinematic curve, b/h + N_w Σ F_i y_i/(W h/2) with
     F_i = μ γ t_s v h_b i at y_i = h − i·h_b above the hinge.
     """
-    section, wall = job["facade"], job["return_wall"]
+    section, wall = case["facade"], case["return_wall"]
     h, b = section["height_m"], section["thickness_m"]
-    kind = registry.model(job["model"])
+    kind = registry.model(case["model"])
     if kind.walls == "one" and kind.bonded:
         weight = section["density_kg_m3"] * GRAVITY_M_S2 * h * b * section["width_m"]
         bond = wall["count"] * wall["tension_mpa"] * 1e6 * wall["thickness_m"] * h**2 / 3.0
@@ -82,7 +82,7 @@ def static_multiplier(job):
         return b / h + bond / (0.5 * weight * h)
     if kind.walls != "bricks":
         return b / h if is_plain(section) else shape_of(section).static_multiplier
-    w3 = job["w3"]
+    w3 = case["w3"]
     course = w3["course_height_m"]
     arms = sum(i * (h - i * course) for i in range(1, round(h / course)))
     friction = math.tan(math.radians(w3["friction_deg"])) * wall["thickness_m"]

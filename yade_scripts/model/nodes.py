@@ -1,14 +1,14 @@
 """Node counts of a scene file."""
 
 
-def with_nodes(job, nodes):
+def with_nodes(case, nodes):
     """Copy of a scene file with n nodes a return wall, 2n − 1 at the base; None: its own."""
     if nodes is None:
-        return job
+        return case
     numerics = {
-        **job["numerics"],
+        **case["numerics"],
         "nodes_thickness": 2 * nodes - 1,
         "nodes_height": nodes,
         "nodes_per_block": nodes,
     }
-    return {**job, "numerics": numerics}
+    return {**case, "numerics": numerics}

@@ -20,7 +20,7 @@ TIE_N_M, TIE_BETA_S = 1e9, 2e-5  # some eight times a brick's front joint
 
 
 def building_mass(config):
-    """Mass of the building behind the façade [kg]; ValueError where the job states none."""
+    """Mass of the building behind the façade [kg]; ValueError where the case states none."""
     mass = config["return_wall"].get("building_mass_kg")
     if not mass:
         raise ValueError("return_wall.building_mass_kg: expected the building's mass (kg)")

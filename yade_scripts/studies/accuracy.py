@@ -88,7 +88,7 @@ def drive_from_python(motions):
     return setup
 
 
-def run_case(job, time_s, columns, spec):
+def run_case(case, time_s, columns, spec):
     """One run of the plan.
 
     Returns
@@ -97,24 +97,24 @@ def run_case(job, time_s, columns, spec):
     ratio : float
         Step over critical step.
     """
-    numerics = dict(job["numerics"])
+    numerics = dict(case["numerics"])
     if spec["step_fraction"]:
         numerics.update(step_fraction=spec["step_fraction"], step_s=None)
     method = spec["method"]
     if method not in METHODS:
         raise ValueError(f"plan: method '{method}': expected one of {', '.join(METHODS)}")
     scene = facade.facade_scene(
-        {**job, "numerics": numerics}, job["model"], job["beta_s"], planar=method != "full 3D"
+        {**case, "numerics": numerics}, case["model"], case["beta_s"], planar=method != "full 3D"
     )
     factor = spec["factor"] * amplitude(columns["ground"], spec["direction"], spec["pga_g"])
-    case = shaking.prepare(scene, numerics, time_s, columns, factor)
-    ratio = case.step_s / case.critical_step_s
+    shaken = shaking.prepare(scene, numerics, time_s, columns, factor)
+    ratio = shaken.step_s / shaken.critical_step_s
     if method == "Polyhedra":
-        return _polyhedra(scene, case.motions[facade.GROUND], case.step_s), ratio
-    history = case.run(
+        return _polyhedra(scene, shaken.motions[facade.GROUND], shaken.step_s), ratio
+    history = shaken.run(
         full_rotation=method == "full 3D",
         compensate_lag=method != "lag not compensated",
-        setup=drive_from_python(case.motions) if method == "python drive" else None,
+        setup=drive_from_python(shaken.motions) if method == "python drive" else None,
     )
     return history, ratio
 
@@ -156,16 +156,16 @@ def main(arguments=None):
     texts = {"plan": "what to run (JSON)", "output": "table to write (CSV)"}
     args = command.parser(__doc__, **texts).parse_args(arguments)
     plan = read_json(args.plan)
-    jobs = {m: read_json(p) for m, p in plan["scenes"].items()}
+    cases = {m: read_json(p) for m, p in plan["scenes"].items()}
     motions = {r: floor_motions.read(p) for r, p in plan["motions"].items()}
     adapter.load_yade()
     rows = []
     for spec in plan["runs"]:
         time_s, columns = motions[spec["record"]]
-        job = with_nodes(jobs[spec["model"]], spec["nodes"])
-        history, ratio = run_case(job, time_s, columns, spec)
+        case = with_nodes(cases[spec["model"]], spec["nodes"])
+        history, ratio = run_case(case, time_s, columns, spec)
         chain = registry.model(spec["model"]).chain
-        nodes = job["numerics"]["nodes_per_block" if chain else "nodes_height"]
+        nodes = case["numerics"]["nodes_per_block" if chain else "nodes_height"]
         rows.append(as_row(spec, nodes, history, ratio))
         print(to_csv(rows[-1:], COLUMNS).splitlines()[1], file=sys.stderr, flush=True)
     write_atomic(args.output, to_csv(rows, COLUMNS))

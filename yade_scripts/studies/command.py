@@ -1,4 +1,4 @@
-"""The command line that studies share: the words of a job, what they name, its progress lines."""
+"""The command line that studies share: the words of a case, what they name, its progress lines."""
 
 import argparse
 import sys
@@ -47,6 +47,6 @@ def teller(name):
     return lambda text: print(f"[{name}]", text, file=sys.stderr, flush=True)
 
 
-def speaker(job, args):
-    """Return what prints a job's progress, a line a call."""
-    return teller(f"{job['model']} {args.record} {args.direction}")
+def speaker(case, args):
+    """Return what prints a case's progress, a line a call."""
+    return teller(f"{case['model']} {args.record} {args.direction}")

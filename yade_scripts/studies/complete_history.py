@@ -77,19 +77,19 @@ def main(arguments=None):
     if (args.pga is None) == (args.collapse is None):
         raise ValueError("expected either --pga or --collapse")
     pga_g = fallen_or_highest(read_curve(args.collapse)[0]) if args.collapse else args.pga
-    job, time_s, columns = command.opened(args)
-    scene = from_dict(job["scene"])
+    case, time_s, columns = command.opened(args)
+    scene = from_dict(case["scene"])
     if args.apart:
         scene = apart(scene)
     factor = amplitude(columns["ground"], args.direction, pga_g)
-    numerics = job["numerics"]
+    numerics = case["numerics"]
     if args.until is not None:
         kept = time_s <= args.until + 1e-9
         time_s, columns = time_s[kept], {"ground": columns["ground"][kept]}
         numerics = {**numerics, "after_motion_s": 0.0}
     adapter.load_yade()
-    case = shaking.prepare(scene, numerics, time_s, columns, factor)
-    case = replace(case, rules=replace(case.rules, overturn_ratio=args.fall))
+    shaken = shaking.prepare(scene, numerics, time_s, columns, factor)
+    shaken = replace(shaken, rules=replace(shaken.rules, overturn_ratio=args.fall))
     recorder = Recorder(scene, args.every)
     camera = Camera(scene) if args.frames else None
 
@@ -99,7 +99,7 @@ def main(arguments=None):
             camera.attach(args.interval)(built)
 
     cpu = time.process_time()
-    history = case.checked(setup=setup)
+    history = shaken.checked(setup=setup)
     cpu = time.process_time() - cpu
     rows = np.array(recorder.rows)
     d_over_b = np.interp(rows[:, 0], history.time_s, history.d_m) / scene.thickness_m
@@ -119,5 +119,5 @@ def main(arguments=None):
     }
     write_atomic(args.cost, json.dumps(cost, indent=1, sort_keys=True) + "\n")
     if camera:
-        camera.write(args.frames, history, pga_g=pga_g, model=job["model"])
+        camera.write(args.frames, history, pga_g=pga_g, model=case["model"])
     return 0

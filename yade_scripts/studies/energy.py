@@ -17,12 +17,12 @@ from yade_scripts.studies.search import DIGITS, fallen_or_highest
 from yade_scripts.studies.tables import HEAD, history_csv
 
 
-def balanced_run(job, time_s, columns, factor):
+def balanced_run(case, time_s, columns, factor):
     """One run with its books.
 
     Parameters
     ----------
-    job : dict
+    case : dict
         A scene file: model, beta_s and the configuration's sections.
     time_s, columns
         See `floor_motions.read`.
@@ -36,10 +36,10 @@ def balanced_run(job, time_s, columns, factor):
     overturning_j : float
         See `Scene.overturning_energy_j`.
     """
-    scene, numerics = models.build_scene(job), models.numerics(job)
-    case = shaking.prepare(scene, numerics, time_s, columns, factor)
-    books = balance.EnergyBalance(case.scene, case.sample_s, case.motions)
-    history = case.run(setup=books.attach)
+    scene, numerics = models.build_scene(case), models.numerics(case)
+    shaken = shaking.prepare(scene, numerics, time_s, columns, factor)
+    books = balance.EnergyBalance(shaken.scene, shaken.sample_s, shaken.motions)
+    history = shaken.run(setup=books.attach)
     return history, books, scene.overturning_energy_j
 
 
@@ -50,12 +50,12 @@ def main(arguments=None):
     args = parser.parse_args(arguments)
     if not 0.0 < args.share <= 10.0:
         raise ValueError(f"--share {args.share:g}: expected a number from 0 to 10")
-    job, time_s, columns = command.opened(args)
+    case, time_s, columns = command.opened(args)
     pga_g = round(args.share * fallen_or_highest(read_curve(args.curve)[0]), DIGITS)
     factor = amplitude(columns["ground"], args.direction, pga_g)
     adapter.load_yade()
-    history, books, overturning_j = balanced_run(job, time_s, columns, factor)
-    given = job["model"], args.record, args.direction, pga_g, history.status, history.dt_s
+    history, books, overturning_j = balanced_run(case, time_s, columns, factor)
+    given = case["model"], args.record, args.direction, pga_g, history.status, history.dt_s
     facts = {**dict(zip(HEAD, given, strict=True)), "overturning_j": overturning_j}
     formats = {**HEAD, "overturning_j": ".6g", "time_s": ".6f"}
     write_atomic(args.output, history_csv(facts, balance.COLUMNS, books.rows, formats))

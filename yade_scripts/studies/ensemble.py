@@ -72,7 +72,7 @@ def read_curve(path):
 class Runner:
     """Runs realisations of one model, record and direction; finished ones come from the journal."""
 
-    def __init__(self, job, time_s, columns, record, direction, journal, say, before=None):
+    def __init__(self, case, time_s, columns, record, direction, journal, say, before=None):
         """Keep what every run shares; see `ida.analyse`, and `models.after` for `before`."""
         self.before = before
         self.first: tuple = ()
@@ -80,7 +80,7 @@ class Runner:
             first_s, first, pause_s = before
             moved = b"".join(values.tobytes() for values in (first_s, *first.values()))
             self.first = (moved, pause_s)
-        self.job, self.time_s, self.columns = job, time_s, columns
+        self.case, self.time_s, self.columns = case, time_s, columns
         self.record, self.direction, self.journal, self.say = record, direction, journal, say
         self.digest = digest(__file__)
         self.scenes, self.reused, self.count = {}, 0, 0
@@ -89,8 +89,8 @@ class Runner:
     def scene(self, extra_nodes, numerics):
         """Scene with so many extra nodes, and the hash of it and of its motions."""
         if extra_nodes not in self.scenes:
-            job = {**self.job, "numerics": numerics}
-            scene, self.columns = models.shaken(models.build_scene(job), self.columns)
+            case = {**self.case, "numerics": numerics}
+            scene, self.columns = models.shaken(models.build_scene(case), self.columns)
             motion = b"".join(self.columns[n].tobytes() for n in scene.motions)
             self.scenes[extra_nodes] = (
                 scene,
@@ -100,7 +100,7 @@ class Runner:
 
     def run(self, pga_g, realisation):
         """Row of one realisation at one intensity (contract of the ensemble table)."""
-        numerics = perturb.perturbed_numerics(models.numerics(self.job), realisation)
+        numerics = perturb.perturbed_numerics(models.numerics(self.case), realisation)
         scene, base = self.scene(realisation.extra_nodes, numerics)
         ground = self.columns["ground"]
         factor = realisation.amplitude_factor * amplitude(ground, self.direction, pga_g)
@@ -112,7 +112,7 @@ class Runner:
                 motion = models.after(self.before, *motion[:1], models.scaled(motion[1], factor))
                 factor = 1.0
             history = shaking.prepare(scene, numerics, *motion, factor).retried()
-            row = run_row(self.job["model"], self.record, self.direction, pga_g, history)
+            row = run_row(self.case["model"], self.record, self.direction, pga_g, history)
             self.journal.put(key, row, history.reason)
             if self.ceiling.reached():
                 memory.start_afresh()  # finished runs are in the journal
@@ -198,13 +198,13 @@ def analyse(runner, status, d_over_b, plan=None):
     -------
     rows, sensitivity_rows : list of dict
     """
-    settings, ida = runner.job["ensemble"], runner.job["ida"]
+    settings, ida = runner.case["ensemble"], runner.case["ida"]
     if settings["enabled"] == "off":
         return [], []
     if plan is not None:
-        named = runner.job["model"] in settings["models"]
+        named = runner.case["model"] in settings["models"]
         return confirm(runner, plan, settings) if named and plan["levels"] else [], []
-    if runner.job["model"] not in settings["models"]:
+    if runner.case["model"] not in settings["models"]:
         return [], measure_sensitivity(runner, status, d_over_b, settings)
     rows: list[dict] = []
     if settings["enabled"] == "on":
@@ -247,11 +247,11 @@ def main(arguments=None):
     )
     parser.add_argument("--plan", help="levels from the dense scan (JSON)")
     args = parser.parse_args(arguments)
-    job, time_s, columns = command.opened(args)
-    say = command.speaker(job, args)
+    case, time_s, columns = command.opened(args)
+    say = command.speaker(case, args)
     status, d_over_b = read_curve(args.curve)
     adapter.load_yade()
-    runner = Runner(job, time_s, columns, args.record, args.direction, Journal(args.journal), say)
+    runner = Runner(case, time_s, columns, args.record, args.direction, Journal(args.journal), say)
     plan = read_json(args.plan) if args.plan else None
     rows, sensitivity_rows = analyse(runner, status, d_over_b, plan)
     if runner.reused:

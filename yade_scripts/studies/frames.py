@@ -156,19 +156,19 @@ def main(arguments=None):
     if (args.pga is None) == (args.collapse is None):
         raise ValueError("expected either --pga or --collapse")
     pga_g = args.pga if args.collapse is None else collapse_intensity(args.collapse)
-    job, time_s, columns = command.opened(args)
+    case, time_s, columns = command.opened(args)
     adapter.load_yade()
-    scene, numerics = models.build_scene(job), models.numerics(job)
+    scene, numerics = models.build_scene(case), models.numerics(case)
     factor = amplitude(columns["ground"], args.direction, pga_g)
-    case = shaking.prepare(scene, numerics, time_s, columns, factor)
-    limit_s = min(case.rules.limit_s, args.until)
-    case = replace(
-        case,
-        rules=replace(case.rules, overturn_ratio=args.fall, limit_s=limit_s),
-        sample_s=min(args.interval, case.sample_s),
+    shaken = shaking.prepare(scene, numerics, time_s, columns, factor)
+    limit_s = min(shaken.rules.limit_s, args.until)
+    shaken = replace(
+        shaken,
+        rules=replace(shaken.rules, overturn_ratio=args.fall, limit_s=limit_s),
+        sample_s=min(args.interval, shaken.sample_s),
     )
     camera = Camera(scene, args.contacts)
-    history = case.run(setup=camera.attach(args.interval))
-    facts = {"model": job["model"], "record": args.record, "direction": args.direction}
+    history = shaken.run(setup=camera.attach(args.interval))
+    facts = {"model": case["model"], "record": args.record, "direction": args.direction}
     camera.write(args.output, history, pga_g=pga_g, **facts)
     return 0

@@ -73,12 +73,12 @@ class Probe:
         self.rows.append((*base, *walls, *bars, work, kinetic, potential, elastic, lost))
 
 
-def trace(job, time_s, columns, factor):
+def trace(case, time_s, columns, factor):
     """Run one history.
 
     Parameters
     ----------
-    job : dict
+    case : dict
         A scene file: model, beta_s and the configuration's sections.
     time_s, columns
         See `floor_motions.read`.
@@ -91,12 +91,12 @@ def trace(job, time_s, columns, factor):
     values : dict of str to ndarray, shape (n,)
         By column of the table, time_s first.
     """
-    scene, numerics = models.build_scene(job), models.numerics(job)
-    case = shaking.prepare(scene, numerics, time_s, columns, factor)
-    case = replace(case, sample_s=SAMPLE_S)
-    check = energy_check.EnergyCheck(case.scene, case.motions)
+    scene, numerics = models.build_scene(case), models.numerics(case)
+    shaken = shaking.prepare(scene, numerics, time_s, columns, factor)
+    shaken = replace(shaken, sample_s=SAMPLE_S)
+    check = energy_check.EnergyCheck(shaken.scene, shaken.motions)
     probe = Probe(scene, check)
-    history = case.checked(check, setup=probe.attach)
+    history = shaken.checked(check, setup=probe.attach)
     values = {
         "time_s": history.time_s,
         "d_over_b": history.d_m / scene.thickness_m,
@@ -104,8 +104,8 @@ def trace(job, time_s, columns, factor):
         "rotation_rad": history.rotation_rad,
     }
     ahead = (floor_motions.GROUND, floor_motions.VERTICAL)
-    for name in sorted(case.motions, key=lambda name: [name != first for first in ahead]):
-        motion = case.motions[name]
+    for name in sorted(shaken.motions, key=lambda name: [name != first for first in ahead]):
+        motion = shaken.motions[name]
         pulled = np.interp(history.time_s, motion.time_s, motion.acceleration_m_s2)
         values[f"{name}_m_s2"] = pulled
         values[f"{name}_m"] = motion.position(history.time_s)
@@ -127,11 +127,11 @@ def main(arguments=None):
     args = parser.parse_args(arguments)
     if not 0.0 < args.pga <= 10.0:
         raise ValueError(f"PGA of {args.pga:g} g: expected a number above 0, at most 10 (g)")
-    job, time_s, columns = command.opened(args)
+    case, time_s, columns = command.opened(args)
     adapter.load_yade()
     factor = amplitude(columns["ground"], args.direction, args.pga)
-    history, values = trace(job, time_s, columns, factor)
-    given = (job["model"], args.record, args.direction, args.pga, history.status, history.dt_s)
+    history, values = trace(case, time_s, columns, factor)
+    given = (case["model"], args.record, args.direction, args.pga, history.status, history.dt_s)
     facts = dict(zip(HEAD, given, strict=True))
     rows = zip(*(v.tolist() for v in values.values()), strict=True)
     write_atomic(args.output, history_csv(facts, values, rows, {**HEAD, "time_s": ".4f"}))

@@ -74,29 +74,29 @@ def curve(scene, numerics, time_s, columns, names, strategy, study, journal, say
     return rows
 
 
-def analyse(job, time_s, columns, record, direction, journal, say, renew=None, plan=None):
+def analyse(case, time_s, columns, record, direction, journal, say, renew=None, plan=None):
     """Curve of a case file, by a plan's list of intensities or its own; see `next_listed`.
 
     A case that holds a whole scene, such as the complete building, whose run takes a minute where
     a planar one takes a millisecond, has a plan with start_g and ranges; see `next_level`.
     """
     plan = plan or {}
-    if "scene" in job:
-        scene, numerics = from_dict(job["scene"]), job["numerics"]
+    if "scene" in case:
+        scene, numerics = from_dict(case["scene"]), case["numerics"]
         columns = {"ground": columns["ground"]}  # a building takes no other motion
     else:
-        scene, numerics = models.build_scene(job), models.numerics(job)
+        scene, numerics = models.build_scene(case), models.numerics(case)
     if "start_g" in plan:
-        own, start, ranges = job["complete"], plan["start_g"], plan["ranges"]
+        own, start, ranges = case["complete"], plan["start_g"], plan["ranges"]
         strategy = one_by_one(lambda done: next_level(done, own, start, ranges))
     else:
-        strategy = one_by_one(lambda done: next_listed(done, job["ida"], plan.get("runs")))
+        strategy = one_by_one(lambda done: next_listed(done, case["ida"], plan.get("runs")))
     return curve(
         scene,
         numerics,
         time_s,
         columns,
-        (job["model"], record, direction),
+        (case["model"], record, direction),
         strategy,
         __file__,
         journal,
@@ -110,22 +110,22 @@ def main(arguments=None):
     parser = command.parser(__doc__, *command.CURVE, "journal", output="table to write (CSV)")
     parser.add_argument("--plan", help="from the dense scan (JSON)")
     args = parser.parse_args(arguments)
-    job, time_s, columns = command.opened(args)
+    case, time_s, columns = command.opened(args)
     plan = read_json(args.plan) if args.plan else {}
-    if not math.isfinite(job.get("beta_s", 0.0)):
+    if not math.isfinite(case.get("beta_s", 0.0)):
         raise ValueError(f"{args.scene}: beta_s must be finite")
     start = plan.get("start_g", 1.0)
     if not (math.isfinite(start) and start > 0.0):
         raise ValueError(f"{args.plan}: start_g must be positive, got {start}")
     adapter.load_yade()
     rows = analyse(
-        job,
+        case,
         time_s,
         columns,
         args.record,
         args.direction,
         Journal(args.journal),
-        command.speaker(job, args),
+        command.speaker(case, args),
         memory.start_afresh,
         plan,
     )

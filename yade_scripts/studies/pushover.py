@@ -168,12 +168,12 @@ def main(arguments=None):
     parser = command.parser(__doc__, "scene", output="curve to write (CSV)")
     parser.add_argument("--forces", help="contact forces along the push to write (CSV)")
     args = parser.parse_args(arguments)
-    job = read_json(args.scene)
-    scene, settings = models.build_scene(job), job["pushover"]
+    case = read_json(args.scene)
+    scene, settings = models.build_scene(case), case["pushover"]
     adapter.load_yade()
     curve, forces, broken = push(
         scene,
-        models.numerics(job),
+        models.numerics(case),
         speed_m_s=settings["speed_m_s"],
         reach=settings["reach_d_over_b"],
         samples=settings["samples"],
@@ -183,7 +183,7 @@ def main(arguments=None):
     if args.forces:
         write_atomic(args.forces, forces_csv(scene, forces))
     print(
-        f"[{job['model']}] pushover: peak λ = {curve[:, 1].max():.4f}, "
+        f"[{case['model']}] pushover: peak λ = {curve[:, 1].max():.4f}, "
         f"{len(broken)} bonded nodes broke",
         file=sys.stderr,
     )

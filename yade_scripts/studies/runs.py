@@ -60,16 +60,16 @@ def motion_of(case):
 def run_case(case, journal, say):
     """Rows of one case."""
     scene = read_json(case["scene"]) if isinstance(case["scene"], str) else case["scene"]
-    job = {**scene, **case.get("changes", {})}
+    own = {**scene, **case.get("changes", {})}
     time_s, columns, before = motion_of(case)
     record, direction = case["record"], case["direction"]
-    runner = Runner(job, time_s, columns, record, direction, journal, say, before)
+    runner = Runner(own, time_s, columns, record, direction, journal, say, before)
     rows: list[dict] = []
     about = case.get("about", {})
     for k, pga_g in enumerate(case["pga_g"]):
         own = about[k] if isinstance(about, list) else about
         if case.get("realisations"):
-            found, _ = run_realisations(runner, pga_g, perturb.draw_realisations(job["ensemble"]))
+            found, _ = run_realisations(runner, pga_g, perturb.draw_realisations(own["ensemble"]))
         else:
             found = [runner.run(pga_g, ALONE)]
             say(f"{pga_g:.4g} g {found[0]['status']}")

@@ -125,16 +125,16 @@ def stack_scene(
     )
 
 
-def scene_of(job, name, stiffness_factor, beta_s):
+def scene_of(case, name, stiffness_factor, beta_s):
     """Scene of the map: a façade model or the stack of ten, with scaled joint stiffness."""
     if name == "stack":
         return stack_scene(10, beta_s, jkn_pa_m=1e9 * stiffness_factor)
     scaled = {
-        **job,
-        "facade": {**job["facade"], "friction_deg": 80.0, "gap_m": 0.0},
-        "return_wall": {**job["return_wall"], "friction_deg": 80.0},
+        **case,
+        "facade": {**case["facade"], "friction_deg": 80.0, "gap_m": 0.0},
+        "return_wall": {**case["return_wall"], "friction_deg": 80.0},
     }
-    scaled["facade"]["e_mpa"] = job["facade"]["e_mpa"] * stiffness_factor
+    scaled["facade"]["e_mpa"] = case["facade"]["e_mpa"] * stiffness_factor
     return facade.facade_scene(scaled, name, beta_s)
 
 
@@ -249,7 +249,7 @@ def bisect(scene, label, *, low=0.9, high=1.1, tolerance=0.01):
 
 
 def study(
-    job,
+    case,
     names=SCENES,
     beta_factors=BETA_FACTORS,
     stiffness_factors=STIFFNESS_FACTORS,
@@ -266,8 +266,8 @@ def study(
     for name in names:
         for factor in stiffness_factors:
             for multiple in beta_factors:
-                beta = multiple * job["beta_s"]
-                scene = scene_of(job, name, factor, beta)
+                beta = multiple * case["beta_s"]
+                scene = scene_of(case, name, factor, beta)
                 label = {"scene": name, "stiffness_factor": factor, "beta_s": beta}
                 ratio, more = bisect(scene, label)
                 rows += more
@@ -289,8 +289,8 @@ def main(arguments=None):
     """Parse the command line, run the study, write both tables; return the exit status."""
     texts = {"output": "every trial (CSV)", "limits": "observed limits (CSV)"}
     args = command.parser(__doc__, "scene", **texts).parse_args(arguments)
-    job = read_json(args.scene)
-    rows, limits = study(job, say=lambda text: print(text, file=sys.stderr, flush=True))
+    case = read_json(args.scene)
+    rows, limits = study(case, say=lambda text: print(text, file=sys.stderr, flush=True))
     write_atomic(args.limits, to_csv(limits, LIMIT_COLUMNS))
     write_atomic(args.output, to_csv(rows, COLUMNS))
     return 0

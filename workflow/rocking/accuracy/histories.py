@@ -53,24 +53,24 @@ class Solver:
 
     Parameters
     ----------
-    job : dict
+    case : dict
         A scene file.
     time_s, columns
         Floor motions, see `yade_scripts.model.floor_motions.read`.
     direction : str
     """
 
-    def __init__(self, job, time_s, columns, direction):
+    def __init__(self, case, time_s, columns, direction):
         """Keep the scene and its motion."""
-        self.job, self.direction, self.ground = job, direction, columns["ground"]
+        self.case, self.direction, self.ground = case, direction, columns["ground"]
         self.planes = {}
-        scene = models.build_scene(with_nodes(job, SCAN_NODES))
+        scene = models.build_scene(with_nodes(case, SCAN_NODES))
         self.motions = driving(scene, time_s, columns)
 
     def plane(self, nodes):
         """Scene with n nodes a return wall, and the stable step [s] of the scheme."""
         if nodes not in self.planes:
-            plane = prepare(models.build_scene(with_nodes(self.job, nodes)))
+            plane = prepare(models.build_scene(with_nodes(self.case, nodes)))
             self.planes[nodes] = plane, float(stable_step(plane))
         return self.planes[nodes]
 
@@ -79,7 +79,7 @@ class Solver:
         plane, stable = self.plane(nodes)
         factors = [amplitude(self.ground, self.direction, g) for g in np.atleast_1d(pga_g)]
         h = step_fraction * stable
-        return peaks(plane, self.motions, self.job["numerics"], factors, step_s=h)
+        return peaks(plane, self.motions, self.case["numerics"], factors, step_s=h)
 
     def d_over_b(self, pga_g, nodes, step_fraction):
         """Peak d/b at one intensity, 1 where the façade overturns, NaN where the run failed."""
@@ -87,7 +87,7 @@ class Solver:
 
     def lowest_collapse(self, highest_g):
         """Lowest collapse of a climb by SCAN_RATIO from half the static capacity [g]."""
-        start = 0.5 * models.static_multiplier(self.job)
+        start = 0.5 * models.static_multiplier(self.case)
         count = max(0, 1 + math.ceil(math.log(highest_g / start, SCAN_RATIO)))
         levels = np.cumprod([start, *[SCAN_RATIO] * count])
 

@@ -131,7 +131,7 @@ class Screen(Scan):
 
     Parameters
     ----------
-    job : dict
+    case : dict
         A scene file.
     time_s, columns
         Floor motions, see `yade_scripts.model.floor_motions.read`.
@@ -143,30 +143,30 @@ class Screen(Scan):
         A shock before this motion, as it shakes, and the pause after it.
     """
 
-    def __init__(self, job, time_s, columns, direction, fraction=None, before=None):
+    def __init__(self, case, time_s, columns, direction, fraction=None, before=None):
         """Prepare the scene in every layout of nodes that realisations use."""
-        self.numerics, self.direction, self.ground = job["numerics"], direction, columns["ground"]
-        kind = registry.model(job["model"])
+        self.numerics, self.direction, self.ground = case["numerics"], direction, columns["ground"]
+        kind = registry.model(case["model"])
         bricks = not kind.single_block  # their scene holds the masses that carry them
-        courses = job["facade"].get("courses", 0)
+        courses = case["facade"].get("courses", 0)
         self.planes = []
-        for numerics in layouts(job["numerics"], COURSES_NODES if courses else {}):
-            name = job["model"] if bricks else kind.one_way_model
-            scene = models.build_scene({**job, "model": name, "numerics": numerics})
+        for numerics in layouts(case["numerics"], COURSES_NODES if courses else {}):
+            name = case["model"] if bricks else kind.one_way_model
+            scene = models.build_scene({**case, "model": name, "numerics": numerics})
             self.planes.append(prepare(scene))
         usual = BRICKS_STEP if bricks else COURSES_STEP if courses else STEP_FRACTION
         share = fraction or usual
         if fraction:
             self.shorter = LAYOUTS_SHORTER
         self.steps_s = [share * stable_step(plane) for plane in self.planes]
-        self.carried = carried_masses(job, scene) if kind.two_way and not bricks else None
+        self.carried = carried_masses(case, scene) if kind.two_way and not bricks else None
         if self.carried is not None:  # light masses between stiff contacts want shorter ones
             most = [LIGHT_STEP * stable_step(plane, self.carried) for plane in self.planes]
             self.steps_s = list(map(min, self.steps_s, most))
         self.scene, self.two_way = scene, kind.two_way
         self.time_s, self.columns, self.before = time_s, columns, before
         self.motions = self._motions(time_s, columns)
-        self.static_g = models.static_multiplier(job)
+        self.static_g = models.static_multiplier(case)
 
     def _motions(self, time_s, columns):
         if self.two_way:
@@ -199,7 +199,7 @@ class Screen(Scan):
         return Peaks(**whole, step_s=found[0].step_s)
 
 
-def scan_settings(job):
+def scan_settings(case):
     """What a search takes of a case file; W3, of more than twenty blocks, has its own steps.
 
     Returns
@@ -207,9 +207,9 @@ def scan_settings(job):
     dict
         Section ida, and realisations and amplitude_spread of section ensemble.
     """
-    ensemble = {key: job["ensemble"][key] for key in ("realisations", "amplitude_spread")}
-    own = {} if registry.model(job["model"]).single_block else job["w3"]["scan"]
-    return {**job["ida"], **ensemble, **own}
+    ensemble = {key: case["ensemble"][key] for key in ("realisations", "amplitude_spread")}
+    own = {} if registry.model(case["model"]).single_block else case["w3"]["scan"]
+    return {**case["ida"], **ensemble, **own}
 
 
 def driving(scene, time_s, columns):
@@ -228,17 +228,17 @@ def layouts(numerics, nodes=None):
     ]
 
 
-def carried_masses(job, scene):
+def carried_masses(case, scene):
     """Masses, springs and dashpots of the chain that carries the return walls of a scene file.
 
     Parameters
     ----------
-    job : dict
+    case : dict
         Sections smdof, return_wall.
     scene : Scene
         The one-way counterpart, whose motions say where each wall hangs.
     """
-    chain, mass = job["smdof"], job["return_wall"]["building_mass_kg"]
+    chain, mass = case["smdof"], case["return_wall"]["building_mass_kg"]
     shear = shear_chain(chain["n_dof"], chain["period_s"], mass)
     own, stiffness = shear.matrices()
     damping = shear.damping_matrix(chain["damping_ratio"], chain["damping_model"])

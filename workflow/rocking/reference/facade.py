@@ -10,20 +10,20 @@ from yade_scripts.model.motion import amplitude
 from yade_scripts.model.shape import refuse
 
 
-def wall_of(job, nodes):
+def wall_of(case, nodes):
     """Planar wall of a scene file (model free, W1 or W2) with so many nodes along every edge."""
-    facade, wall = job["facade"], job["return_wall"]
+    facade, wall = case["facade"], case["return_wall"]
     refuse(facade, "the reference solver", held=True)
     e_pa = facade["e_mpa"] * 1e6
     jkn, edge_pa = base.parts(facade)
-    free = registry.model(job["model"]).walls == "none"
+    free = registry.model(case["model"]).walls == "none"
     return Wall(
         facade["height_m"],
         facade["thickness_m"],
         facade["width_m"],
         facade["density_kg_m3"],
         e_pa,
-        job["beta_s"],
+        case["beta_s"],
         0.0 if free else wall["count"] * wall["thickness_m"],
         base_jkn_pa_m=jkn,
         base_edge_pa=edge_pa,
@@ -33,7 +33,7 @@ def wall_of(job, nodes):
         back_friction_deg=wall["friction_deg"],
         nodes_base=nodes,
         nodes_up=nodes,
-        segments=job["smdof"]["n_dof"] if registry.model(job["model"]).chain else 1,
+        segments=case["smdof"]["n_dof"] if registry.model(case["model"]).chain else 1,
         gap_m=facade["gap_m"],
     )
 
@@ -53,14 +53,14 @@ def motion_of(time_s, columns, model):
     return Motion(float(time_s[1] - time_s[0]), ground, floors, vertical)
 
 
-def peak_d_over_b(job, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-5):
+def peak_d_over_b(case, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-5):
     """Largest |d|/b of one history, 1 if it overturns, NaN if it failed."""
-    return peak_and_end(job, motion_path, direction, pga_g, nodes=nodes, tolerance=tolerance)[0]
+    return peak_and_end(case, motion_path, direction, pga_g, nodes=nodes, tolerance=tolerance)[0]
 
 
-def peak_and_end(job, motion_path, direction, pga_g, *, nodes, tolerance):
+def peak_and_end(case, motion_path, direction, pga_g, *, nodes, tolerance):
     """Largest |d|/b of one history as `peak_d_over_b`, and the time simulated [s]."""
-    found = outcomes(job, motion_path, direction, [pga_g], nodes=nodes, tolerance=tolerance)
+    found = outcomes(case, motion_path, direction, [pga_g], nodes=nodes, tolerance=tolerance)
     return float(found.d_over_b[0]), float(found.end_s[0])
 
 
@@ -82,17 +82,17 @@ class Outcomes(NamedTuple):
     end_s: np.ndarray
 
 
-def outcomes(job, motion_path, direction, pga_g, *, nodes, tolerance):
+def outcomes(case, motion_path, direction, pga_g, *, nodes, tolerance):
     """`Outcomes` of one scene and a file of floor motions at some amplitudes."""
-    motion = read_motion(motion_path, job["model"])
-    return answers(job, motion, direction, pga_g, nodes=nodes, tolerance=tolerance)
+    motion = read_motion(motion_path, case["model"])
+    return answers(case, motion, direction, pga_g, nodes=nodes, tolerance=tolerance)
 
 
-def answers(job, motion, direction, pga_g, *, nodes, tolerance):
+def answers(case, motion, direction, pga_g, *, nodes, tolerance):
     """`Outcomes` of one scene and `Motion` at some amplitudes."""
     scales = [amplitude(motion.base_m_s2, direction, g) for g in pga_g]
     found = simulate_batch(
-        wall_of(job, nodes), motion, scales, tolerance=tolerance, stop_d_over_b=1.0
+        wall_of(case, nodes), motion, scales, tolerance=tolerance, stop_d_over_b=1.0
     )
     peaks = np.minimum(found.peak_d_over_b, 1.0)
     peaks[[status == "failed" for status in found.status]] = np.nan
@@ -100,14 +100,14 @@ def answers(job, motion, direction, pga_g, *, nodes, tolerance):
     return Outcomes(peaks, status, found.end_time_s)
 
 
-def ensemble_peaks(job, motion_path, direction, pga_g, factors, *, nodes=17, dt_s=4e-4):
+def ensemble_peaks(case, motion_path, direction, pga_g, factors, *, nodes=17, dt_s=4e-4):
     """Largest d/b of every realisation of an ensemble of amplitude factors, 1 where it overturns.
 
     Returns
     -------
     ndarray, shape (len(factors),)
     """
-    motion = read_motion(motion_path, job["model"])
+    motion = read_motion(motion_path, case["model"])
     scales = amplitude(motion.base_m_s2, direction, pga_g) * np.asarray(factors, float)
-    result = simulate_batch(wall_of(job, nodes), motion, scales, dt_s=dt_s, stop_d_over_b=1.0)
+    result = simulate_batch(wall_of(case, nodes), motion, scales, dt_s=dt_s, stop_d_over_b=1.0)
     return np.minimum(result.peak_d_over_b, 1.0)

@@ -28,15 +28,15 @@ AGAIN_STEP = 0.9  # of the planar solver's step, with one more node: what a repe
 HALF = 0.5  # of the planar collapse: where histories repeat
 
 
-def full(job, settings):
+def full(case, settings):
     """Scene file of the full scene, with `width_nodes`."""
-    return {**with_nodes(job), "width_nodes": settings["nodes_width"]}
+    return {**with_nodes(case), "width_nodes": settings["nodes_width"]}
 
 
-def with_nodes(job, more=0):
+def with_nodes(case, more=0):
     """Scene file with the nodes of this comparison, and so many more, along every edge."""
-    numerics = {**job["numerics"], **dict.fromkeys(NODE_KEYS, NODES + more)}
-    return {**job, "numerics": numerics}
+    numerics = {**case["numerics"], **dict.fromkeys(NODE_KEYS, NODES + more)}
+    return {**case, "numerics": numerics}
 
 
 def runs(case, row, settings):
@@ -66,7 +66,7 @@ class Curve:
 
     Parameters
     ----------
-    job : dict
+    case : dict
         A scene file of W1 or W2.
     time_s, columns
         Floor motions with the second component, see `models.with_second`.
@@ -76,17 +76,17 @@ class Curve:
         Section two_components.
     """
 
-    def __init__(self, job, time_s, columns, direction, settings):
+    def __init__(self, case, time_s, columns, direction, settings):
         """Prepare both scenes."""
         self.ground, self.direction = columns["ground"], direction
-        self.settings, self.numerics = settings, job["numerics"]
-        scene = models.build_scene(full(job, settings))
+        self.settings, self.numerics = settings, case["numerics"]
+        scene = models.build_scene(full(case, settings))
         self.block = spatial.prepare(scene)
         columns = models.motion_columns(scene, columns)
         self.motions = spatial.two_motions(Motions, scene, time_s, columns)
-        plans = [models.build_scene(with_nodes(job, more)) for more in (0, 1)]
+        plans = [models.build_scene(with_nodes(case, more)) for more in (0, 1)]
         self.planes = [(plane, stable_step(plane)) for plane in map(prepare, plans)]
-        self.start_g, self.max_g = 0.5 * models.static_multiplier(job), job["ida"]["max_pga_g"]
+        self.start_g, self.max_g = 0.5 * models.static_multiplier(case), case["ida"]["max_pga_g"]
 
     def one(self, pga_g, again=False):
         """Peak d/b of the planar scene, 1 if it overturns; `again`: a node more, a shorter step."""
