@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
@@ -10,6 +11,7 @@ from rocking.records.pulses import PERIODS_S, find_pulses, pulse_spec
 from rocking.records.surrogate import generate
 from rocking.records.surrogate_model import Pulse
 from rocking.studies import surrogate_trust
+from run_script import script
 
 DT = 0.01
 # far apart, on periods of the search, of opposite signs
@@ -94,6 +96,21 @@ def test_summary_returns_the_distribution_that_made_the_ratios():
     lost = surrogate_trust.summary(rows(0.05, keep_side=False)).iloc[0]
     assert lost["side_agrees"] == 0.0
     assert lost["scatter"] == pytest.approx(0.8, rel=0.05)
+
+
+@pytest.mark.parametrize("directions", [["pos", "neg"], ["pos"]])
+def test_the_figure_is_drawn_of_one_direction_too(tmp_path, directions):
+    """One direction has no weak side: no second row of panels, and nothing of it in the table."""
+    table = rows(0.1, keep_side=True)
+    table = table[table["direction"].isin(directions) & table["record"].isin(["R0", "R1", "R2"])]
+    found = surrogate_trust.summary(table)
+    assert found["side_agrees"].isna().all() == (len(directions) == 1)
+    paths = {"table": "t.csv", "summary": "s.csv", "facts": []}
+    table.to_csv(tmp_path / "t.csv", index=False)
+    found.to_csv(tmp_path / "s.csv", index=False)
+    script("figure_surrogate_trust", tmp_path, input=paths, output={"png": "figure.png"})
+    high = plt.imread(tmp_path / "figure.png").shape[0]
+    assert (high > 700) == (len(directions) == 2), high
 
 
 def test_scatter_is_that_of_the_draws_beside_the_record():

@@ -80,6 +80,29 @@ def pairs(table):
     return found.assign(ratio=found["pga_half_g"] / found["recorded_g"])
 
 
+def sides(group):
+    """ln(pos/neg) of the collapse PGA of records and of their surrogates, where both are known.
+
+    Parameters
+    ----------
+    group : DataFrame
+        Of `pairs`, one model and kind of surrogate.
+
+    Returns
+    -------
+    DataFrame or None
+        recorded, surrogate; None of one direction alone.
+    """
+    wide = group.pivot_table(
+        index=["record", "draw"], columns="direction", values=["recorded_g", "pga_half_g"]
+    )
+    if not {("recorded_g", "pos"), ("recorded_g", "neg")} <= set(wide.columns):
+        return None
+    wide = wide.dropna()
+    columns = (("recorded", "recorded_g"), ("surrogate", "pga_half_g"))
+    return pd.DataFrame({name: np.log(wide[c, "pos"] / wide[c, "neg"]) for name, c in columns})
+
+
 def summary(table):
     """Distribution of the ratio, and whether the weak side stays the weak side.
 
@@ -102,18 +125,11 @@ def summary(table):
     for half, of_half in parts:
         for (model, pulses), group in of_half.groupby(["model", "pulses"], sort=False):
             spread = Ratios(group["ratio"])
-            wide = group.pivot_table(
-                index=["record", "draw"], columns="direction", values=["recorded_g", "pga_half_g"]
-            )
-            sides = {}
-            if {("recorded_g", "pos"), ("recorded_g", "neg")} <= set(wide.columns):
-                wide = wide.dropna()
-                real, made = (
-                    np.log(wide[name, "pos"] / wide[name, "neg"])
-                    for name in ("recorded_g", "pga_half_g")
-                )
+            weak, known = {}, sides(group)
+            if known is not None:
+                real, made = known["recorded"], known["surrogate"]
                 clear = np.abs(real) > np.log(DISTINCT)
-                sides = {
+                weak = {
                     "side_agrees": np.mean(np.sign(real[clear]) == np.sign(made[clear])),
                     "n_sides": int(clear.sum()),
                     "side_recorded": np.median(np.abs(real)),
@@ -132,7 +148,7 @@ def summary(table):
                     "ratio_p90": high,
                     "scatter": spread.scatter,
                     "within_20_percent": spread.share(NEAR**-1 * (1.0 - 1e-12), NEAR),
-                    **sides,
+                    **weak,
                 }
             )
     return pd.DataFrame(rows).reindex(columns=SUMMARY)
