@@ -42,13 +42,13 @@ def test_a_façade_that_never_fell_keeps_its_check_on_the_safe_side():
 
 def test_stations_are_drawn_together():
     """Twenty copies of one station's flags are no more evidence than one."""
-    flags = np.tile([1.0, 0.0, 0.0, 1.0, 0.0, 0.0], 20)
-    stations = np.tile(list("abcdef"), 20)
+    flags = np.tile([1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], 20)
+    stations = np.tile(list("abcdefg"), 20)
     _, low, high = share_interval(flags, stations, 2000, 1)
-    alone = share_interval(flags[:6], stations[:6], 2000, 1)
+    alone = share_interval(flags[:7], stations[:7], 2000, 1)
     assert (low, high) == pytest.approx(alone[1:])
     assert high - low > 0.5
-    _, tight_low, tight_high = share_interval(flags, np.arange(120).astype(str), 2000, 1)
+    _, tight_low, tight_high = share_interval(flags, np.arange(140).astype(str), 2000, 1)
     assert tight_high - tight_low < 0.25
 
 
@@ -56,3 +56,10 @@ def test_an_interval_stays_open_where_all_agree():
     share, low, high = share_interval(np.zeros(40), np.repeat(list("abcdefgh"), 5), 100, 1)
     assert (share, low) == (0.0, 0.0)
     assert high == pytest.approx(1.0 - 0.025 ** (1.0 / 8.0))
+
+
+def test_fewer_than_seven_stations_give_a_share_and_no_interval():
+    share, low, high = share_interval([1.0, 0.0, 1.0, 1.0, 1.0, 1.0], list("abcdef"), 100, 1)
+    assert share == pytest.approx(5.0 / 6.0)
+    assert math.isnan(low)
+    assert math.isnan(high)

@@ -10,6 +10,7 @@ import math
 import numpy as np
 import pandas as pd
 
+from rocking.risk.rates import FEWEST
 from rocking.studies.fragility import fit
 from yade_scripts.model import registry
 
@@ -46,7 +47,7 @@ def share_interval(flags, stations, resamples, seed, confidence=0.95):
 
     A station's components, and the façades that they shake, are drawn together. Where all flags
     are alike every draw is, too; then the open end is the exact binomial one for as many trials
-    as there are stations, 1 − (tail)^(1/n).
+    as there are stations, 1 − (tail)^(1/n). Fewer than `FEWEST` stations give no interval.
 
     Returns
     -------
@@ -60,6 +61,8 @@ def share_interval(flags, stations, resamples, seed, confidence=0.95):
     ones = np.bincount(index, flags[keep], len(names))
     count = np.bincount(index, minlength=len(names))
     share, tail = ones.sum() / count.sum(), 0.5 * (1.0 - confidence)
+    if len(names) < FEWEST:
+        return float(share), math.nan, math.nan
     if share in (0.0, 1.0):
         reach = 1.0 - tail ** (1.0 / len(names))
         return (0.0, 0.0, reach) if share == 0.0 else (1.0, 1.0 - reach, 1.0)

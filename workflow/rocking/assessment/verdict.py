@@ -87,15 +87,6 @@ def suite(dynamic):
     )
 
 
-def passes(checks, mechanisms, verdicts):
-    """Whether every mechanism and every model pass; None without a dynamic check."""
-    stated = mechanisms[mechanisms["kind"] == "as stated"]
-    kinematic_holds = stated["pga_fails_g"].min() >= checks["pga_demand_g"].iloc[0]
-    if verdicts.empty:
-        return None if kinematic_holds else False
-    return bool(kinematic_holds and verdicts["slv"].all())
-
-
 def next_steps(checks, mechanisms, verdicts, knowledge):
     """What is recommended next, a line each."""
     stated = mechanisms[mechanisms["kind"] == "as stated"]

@@ -1,0 +1,67 @@
+"""What the report says first, of tables whose verdict is plain to see."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from rocking.assessment.verdict import dynamic_check, next_steps, suite
+
+CHECKS = pd.DataFrame({"check": ["linear_ground"], "pga_demand_g": [0.2], "ratio": [1.2]})
+
+
+def mechanisms(**pga_fails_g):
+    rows = [(name, "as stated", 0.0, pga_g) for name, pga_g in pga_fails_g.items()]
+    return pd.DataFrame(rows, columns=["mechanism", "kind", "foot_m", "pga_fails_g"])
+
+
+def verdicts(*slv, agree=1.0):
+    rows = [(f"W{i}", 11, 0 if one else 2, 0.05, 0.1, one, agree) for i, one in enumerate(slv, 1)]
+    names = ["model", "motions", "exceed_d0", "mean_d_m", "d_slv_m", "slv", "agree"]
+    return pd.DataFrame(rows, columns=names)
+
+
+def dynamic(stations):
+    enough = stations >= 7
+    row = {"model": "W2", "stations": stations, "curves": stations, "fell_at_demand": 1}
+    row |= {"least_pga_g": 0.15, "probability": 0.3 if enough else np.nan}
+    row |= {"probability_low": 0.1, "probability_high": 0.6}
+    return pd.DataFrame([row])
+
+
+@pytest.mark.parametrize(
+    ("found", "words"),
+    [
+        (verdicts(True, True), "is fulfilled for every model"),
+        (verdicts(False, False), "is not fulfilled for any model"),
+        (verdicts(True, False), "is fulfilled for W1 and not for W2"),
+        (verdicts(True, agree=0.9), "for W1 the verdict hangs on the numerics"),
+        (pd.DataFrame(), "was not made: too few motions"),
+    ],
+)
+def test_the_dynamic_checks_sentence(found, words):
+    assert words in dynamic_check(found, (-0.05, 0.2, True))
+
+
+def test_motions_that_do_not_fit_are_said():
+    assert "does not fit" in dynamic_check(verdicts(True), (-0.2, 0.2, False))
+    assert "does not fit" not in dynamic_check(verdicts(True), (-0.05, 0.2, True))
+
+
+def test_below_seven_stations_no_share_and_no_interval():
+    """One, two and six stations: counts in words; seven: a share with its interval."""
+    for stations in (1, 2, 6):
+        said = suite(dynamic(stations))
+        assert "%" not in said
+        assert "no interval" in said
+        assert f"1 of {stations} (the first at 0.15 g)" in said
+    assert "30 % of W2 (10 to 60 %)" in suite(dynamic(7))
+
+
+def test_what_is_recommended_hangs_on_what_fails():
+    weak = next_steps(CHECKS, mechanisms(whole=0.15, corner=0.3), verdicts(True), "")
+    assert weak[0].startswith("Tie or hold the façade against: whole (0.15 g).")
+    lost = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, False), "")
+    assert "The kinematic check passes and the dynamic one does not (W2)" in lost[0]
+    unsure = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, agree=0.9), "")
+    assert "hangs on single histories" in unsure[0]
+    (sound,) = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True), "")
+    assert "nothing else is asked for" in sound
