@@ -108,8 +108,8 @@ def test_the_part_above_the_sills_governs_and_the_sentence_says_so():
     0.5144 m; d_SLV = 0.4·0.5144·0.5678 = 0.1168 m; θ = 0.04116, α = tan(0.10307 − 0.04116) =
     0.06199; a = 0.06199/(0.7663·1.35) = 0.05993 g, T = 1.68π√(0.1168/0.5879) = 2.353 s, beyond
     T_D = 2.08 s. It is held from 4 to 7 m, at 5.5/7 of the height: not on the ground. The floor's
-    first mode is below the ground's at 2.353 s; the ground's displacement is constant beyond T_D: 0.0956 m. It
-    fails at 0.18·0.1168/0.0956 = 0.22 g, 122 % of 0.18 g: passes.
+    first mode is below the ground's at 2.353 s; the ground's displacement is constant beyond T_D:
+    0.0956 m. It fails at 0.18·0.1168/0.0956 = 0.22 g, 122 % of 0.18 g: passes.
     """
     name = "part above 4.00 m (sill of an opening)"
     steps, found = numbers(name)
