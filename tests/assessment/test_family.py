@@ -77,6 +77,9 @@ def test_an_inset_moves_the_hinge_of_every_part():
     """The gable's hinge 0.05 m inside: (0.15 − 0.05)/0.8 = 0.125 instead of 0.1875."""
     one = family(GABLE, hinge_inset_m=0.05).part(6.0, "gable")
     assert one.mechanism.multiplier() == pytest.approx(0.125, rel=1e-9)
+    plain = {"height_m": 6.0, "thickness_m": 0.6, "width_m": 4.4, "density_kg_m3": 1800.0}
+    bent = family(plain, hinge_inset_m=0.05).bent(0.0, 4.0, 6.0)
+    assert bent.multiplier() == pytest.approx(0.25, rel=1e-9)  # by hand: test_mechanism
 
 
 def test_parts_stand_above_every_sill_head_step_and_floor():

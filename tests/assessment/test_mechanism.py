@@ -92,6 +92,16 @@ def test_two_blocks_by_hand():
     three(found.multiplier(), 0.4200)
 
 
+def test_an_inset_of_base_and_joint_by_hand():
+    """Hinges 0.05 m inside: the lower block lifts 66.7 kN by 0.25, the joint by 0.5.
+
+    The upper block turns back by r = 2 about the joint, 0.25 m from its middle: 0.5 + 2·0.25 = 1.
+    (66.7·0.25 + 33.3·1.0)/(100·2) = 0.25; without inset (66.7·0.3 + 33.3·1.2)/200 = 0.3.
+    """
+    three(two_blocks(WALL, 4.0).multiplier(), 0.3000)
+    three(two_blocks(WALL._replace(hinge_inset_m=0.05), 4.0).multiplier(), 0.2500)
+
+
 def test_two_blocks_conserve_work_in_every_position():
     """Second route: lifted potential energy and horizontal work from positions alone."""
     found = two_blocks(WALL._replace(roof_n=20e3, roof_arm_m=0.3), 4.0)

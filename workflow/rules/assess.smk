@@ -326,6 +326,7 @@ rule assess_confirm:
 rule assess_sensitivity:
     input:
         scene=of_run(rules.scene.output[0], model=last_dry),
+        collapse=of_run(rules.assess_collapse.output[0], model=last_dry),
         table=lambda w: RUNS.table_path(w.run),
         records=lambda w: RUNS.record_files(w),
         modules=code("assess/assess_sensitivity"),

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocking.runtime.compiled import compiled
+from rocking.runtime.compiled import compiled, inlined
 
 
 class Bars(NamedTuple):
@@ -81,7 +81,7 @@ def at_rest(bars):
     )
 
 
-@compiled
+@inlined
 def act(bars, memory, pose, half_s, supports, ground_m_s2, weight_ratio, push):
     """Forces of ties and floors at a whole step.
 
@@ -168,7 +168,7 @@ def act(bars, memory, pose, half_s, supports, ground_m_s2, weight_ratio, push):
     return elastic, spent, lost
 
 
-@compiled
+@inlined
 def advance(bars, memory, ahead_s, step_s):
     """Move the floors that have a mass on by a step; `ahead_s` is half of it at the first."""
     for i in range(bars.mass_kg.size):
