@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 from rocking.assessment.dynamic_check import Limits, limits_of, verdict
 from rocking.assessment.family import Family
-from rocking.assessment.selection import choose, periods
+from rocking.assessment.selection import Selection, choose, periods
 from rocking.configuration import config
 
 PERIODS = periods(0.15, 3.0)
@@ -55,6 +55,17 @@ def test_a_target_out_of_the_bounds_reach_is_said_not_to_fit():
         (0.25, 4.0),
     )
     assert not found.fits
+
+
+@pytest.mark.parametrize(
+    ("share", "fits"), [(0.89, False), (0.91, True), (1.0, True), (1.29, True), (1.31, False)]
+)
+def test_no_period_may_lie_a_tenth_below_or_three_tenths_above(share, fits):
+    """NTC 2018, 3.2.3.6: one period out of forty is enough to be refused."""
+    target = 0.3 / PERIODS
+    mean = target.copy()
+    mean[7] *= share
+    assert Selection(["m"], np.ones(1), PERIODS, target, mean).fits == fits
 
 
 def test_too_few_stations_are_refused():

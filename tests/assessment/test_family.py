@@ -161,6 +161,10 @@ def test_a_corner_by_hand():
     lever = area * (h / 3.0 + 0.5 * t) + back * (t + reach / 3.0 + 0.5 * t)
     height = area * 2.0 * h / 3.0 + back * (t + 2.0 * reach / 3.0)
     assert found.mechanism.multiplier() == pytest.approx(math.sqrt(0.5) * lever / height, rel=4e-3)
+    inset = Family(parts[0], parts[1], {**parts[2], "hinge_inset_m": 0.1}).corner(1)
+    assert inset.foot_m == 0.0  # every lever is shorter by 0.1 m along the bisector
+    lost = found.mechanism.multiplier() - inset.mechanism.multiplier()
+    assert lost == pytest.approx(0.1 * (area + back) / height, rel=4e-3)
     window = [{"x_m": 5.0, "z_m": 4.0, "width_m": 2.0, "height_m": 1.5}]
     pierced = {**plain, "openings": window}
     lighter = family(pierced).masonry.wedge(0.0, 1.0, 1)
