@@ -224,6 +224,8 @@ def test_floor_spectrum_by_hand():
     three(floor.acceleration(0.66), 0.4712)
     free = floor_demand(SPECTRUM, 0.5, CHAIN, "linear", bounded=False)
     three(free.acceleration(0.66), 0.3015)
+    low = floor_demand(SPECTRUM, 0.1, CHAIN, "linear")  # below T1 the ground's 0.38 g is no bound
+    three(low.acceleration(0.12), 0.6468 / 5.0)
 
 
 def test_floor_displacements_do_not_fall_with_the_period():
