@@ -143,7 +143,7 @@ def test_law_file(tmp_path):
     walls, betas = synthetic_walls()
     law = cal.fit_law(walls, betas, ["slenderness", "return_wall_ratio"])
     path = tmp_path / "law.json"
-    path.write_text(law.to_json())
+    path.write_text(cal.to_json({"study": law}))
     config = facade()
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -154,8 +154,14 @@ def test_law_file(tmp_path):
         cal.beta_for(far, path)
     with pytest.raises(cal.CalibrationError, match="not found"):
         cal.beta_for(config, tmp_path / "none.json")
+    column = copy.deepcopy(config)
+    column["facade"]["base"] = "column"
+    with pytest.raises(cal.CalibrationError, match="no law for facade.base = column"):
+        cal.beta_for(column, path)
+    path.write_text(cal.to_json({"column": law}))
+    assert cal.beta_for(column, path) == beta
     path.write_text(json.dumps({"names": []}))
-    with pytest.raises(cal.CalibrationError, match="expected a fitted law"):
+    with pytest.raises(cal.CalibrationError, match="expected fitted laws"):
         cal.beta_for(config, path)
 
 

@@ -114,6 +114,30 @@ def test_courses_converge_to_the_column(wall):
     assert stack == pytest.approx(whole, rel=0.02)
 
 
+@pytest.mark.parametrize("wall", WALLS)
+def test_twenty_courses_beside_the_column(wall):
+    """Within 1.3 % of the peak up to d/b 0.8, and of λ itself within 2 % but for the stiff wall."""
+    gamma, ratio = group(wall)
+    exact = column.capacity(D, gamma, ratio)
+    error = column.capacity(D, gamma, ratio, column.courses(20)) - exact
+    assert np.abs(error).max() < 0.013 * exact.max()
+    if wall != "Shawa":
+        assert np.abs(error / exact).max() < 0.02
+
+
+def test_the_stiff_walls_hinge_is_thinner_than_a_course():
+    """Twenty joints gathered at the foot follow it within 0.2 % where twenty equal ones miss by 6 %.
+
+    So it is where the joints lie, not how many there are, nor the law of a joint.
+    """
+    gamma, ratio = group("Shawa")
+    exact = column.capacity(D, gamma, ratio)
+    equal = column.capacity(D, gamma, ratio, column.courses(20)) / exact - 1.0
+    gathered = column.capacity(D, gamma, ratio, column.graded(20, 1e-2)) / exact - 1.0
+    assert equal[-1] == pytest.approx(-0.058, abs=0.003)
+    assert np.abs(gathered).max() < 0.002
+
+
 def on_base(wall, law):
     """λ of the rigid block on its base over D."""
     h, b, density, e_mpa = WALLS[wall]

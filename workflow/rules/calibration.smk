@@ -106,7 +106,8 @@ rule beta_fit:
 
 rule beta_law:
     input:
-        rules.beta_fit.output.walls,
+        walls=rules.beta_fit.output.walls,
+        others=ancient(LAW_FILE),  # the law of the other base stays as it is
         modules=code("calibration/calibrate_law"),
     output:
         law=results("calibration/beta_law.json"),
@@ -118,6 +119,8 @@ rule beta_law:
         ),
     log:
         logs("beta_law"),
+    params:
+        base=lambda w: RUNS.cfg(w)["calibration"]["base"],
     script:
         "../scripts/calibration/calibrate_law.py"
 

@@ -6,8 +6,9 @@ closed dissipates by ζ = βω/2, so β times a contact frequency is the natural
     β·ω_c = exp(c0) · Π x_i^c_i,      ω_c = √(jkn·r/(ρ·b))
 
 with jkn the joint stiffness at the return walls, r their total thickness over the façade's
-width, and ω_c the frequency of the façade's mass on its return walls. The coefficients stand
-in `config/beta_law.json`, which the calibration study generates and a person copies there.
+width, and ω_c the frequency of the façade's mass on its return walls. The coefficients, one set
+for each `facade.base`, stand in `config/beta_law.json`, which the calibration study generates and a
+person copies there.
 """
 
 import json
@@ -21,6 +22,7 @@ import numpy as np
 import scipy
 
 from rocking.mechanics import closed_forms
+from yade_scripts.model import base as bases
 from yade_scripts.model.facade import joint_stiffness
 
 LAW_FILE = Path(__file__).resolve().parents[3] / "config" / "beta_law.json"
@@ -130,9 +132,10 @@ class Law:
         omega = values["omega_c_rad_s"]
         return tuple(math.exp(mean + shift) / omega for shift in (0.0, -half, half))
 
-    def to_json(self):
-        """Text of the law's file, with 9 significant digits."""
-        return json.dumps(_rounded(asdict(self)), indent=1) + "\n"
+
+def to_json(laws):
+    """Text of the laws' file, with 9 significant digits; `laws` by the base they were fitted on."""
+    return json.dumps({base: _rounded(asdict(law)) for base, law in laws.items()}, indent=1) + "\n"
 
 
 def _rounded(value):
@@ -250,26 +253,39 @@ def dimensional_error(b_m, e_mpa, slenderness, betas_s):
     )
 
 
-def read_law(path=LAW_FILE):
-    """Read a law's file.
+def read_law(path=LAW_FILE, base=bases.STUDY):
+    """Read the law that was fitted on a base.
 
     Raises
     ------
     CalibrationError
-        In one line if the file is absent or is not a law.
+        In one line if the file is absent, or holds no law for this base.
     """
+    laws = read_laws(path)
+    if base not in laws:
+        raise CalibrationError(
+            f"{path}: no law for facade.base = {base}; `snakemake calibration` with "
+            f"calibration.base = {base} makes one, to be copied there"
+        )
+    return laws[base]
+
+
+def read_laws(path=LAW_FILE):
+    """Read the laws of a file: a dict by the base they were fitted on; errors as `read_law`."""
     try:
         data = json.loads(Path(path).read_text("utf-8"))
-        law = Law(**data)
-        if len(law.coefficients) != 1 + len(law.names) or not np.all(np.isfinite(law.coefficients)):
-            raise ValueError("coefficients do not match the names")
+        laws = {base: Law(**law) for base, law in data.items()}
+        for law in laws.values():
+            sizes = len(law.coefficients), len(law.names)
+            if sizes[0] != 1 + sizes[1] or not np.all(np.isfinite(law.coefficients)):
+                raise ValueError("coefficients do not match the names")
     except OSError:
         raise CalibrationError(
             f"{path}: not found; `snakemake calibration` makes one, to be copied there"
         ) from None
-    except (ValueError, TypeError) as error:
-        raise CalibrationError(f"{path}: expected a fitted law of β ({error})") from None
-    return law
+    except (AttributeError, ValueError, TypeError) as error:
+        raise CalibrationError(f"{path}: expected fitted laws of β ({error})") from None
+    return laws
 
 
 def beta_for(config: Mapping, law_file=LAW_FILE) -> float:
@@ -280,7 +296,7 @@ def beta_for(config: Mapping, law_file=LAW_FILE) -> float:
     config : mapping
         Resolved configuration; `damping.law` is value, eq5 or fitted.
     law_file : path
-        Coefficients of `fitted`.
+        Coefficients of `fitted`; those of the façade's base are taken.
 
     Warns
     -----
@@ -316,7 +332,7 @@ def beta_for(config: Mapping, law_file=LAW_FILE) -> float:
             if not low <= value <= high:
                 _warn(f"eq5: {name} = {value:g} outside its walls, {low:g} to {high:g}")
         return beta
-    law, values = read_law(law_file), groups(config)
+    law, values = read_law(law_file, facade.get("base", bases.STUDY)), groups(config)
     problem = law.outside(values)
     if problem:
         _warn(f"fitted: {problem}")

@@ -116,6 +116,7 @@ def batch_wall(settings, b, e_mpa, slenderness, ratio, **numerics):
                 "width_m": 1.0,
                 "density_kg_m3": settings["density_kg_m3"],
                 "e_mpa": e_mpa,
+                "base": settings["base"],
             },
             "return_wall": {"count": 2, "thickness_m": 0.5 * ratio},
             "numerics": {**study_numerics(settings), **numerics},

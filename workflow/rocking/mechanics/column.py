@@ -74,9 +74,9 @@ def courses(count):
     return np.linspace(0.0, 1.0, count + 1)
 
 
-def graded(count=PIECES):
+def graded(count=PIECES, finest=FINEST):
     """The same for the column: pieces that grow in geometric progression from the foot up."""
-    above = FINEST * np.expm1(np.linspace(1.0, 0.0, count + 1) * np.log1p(1.0 / FINEST))
+    above = finest * np.expm1(np.linspace(1.0, 0.0, count + 1) * np.log1p(1.0 / finest))
     edges = 1.0 - above
     edges[[0, -1]] = 0.0, 1.0
     return edges

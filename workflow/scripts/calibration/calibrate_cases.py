@@ -22,6 +22,7 @@ def main(job):
         cases = study.sensitivity_cases(settings)
     elif group == "free_rocking_wall":
         wall = read_wall(job.input.wall)
+        wall["facade"]["base"] = settings["base"]
         cases = study.wall_cases(
             settings, wall, settings["ratio_band"], settings["free_rocking_beta_s"]
         )

@@ -34,7 +34,7 @@ COLUMNS = (
 
 
 def main(job):
-    table = pd.read_csv(job.input[0])
+    table = pd.read_csv(job.input.walls)
     table = table[table.role.isin(["reference", "ratio", "stiffness"])]
     table = table[table.beta_fit_s.notna() & table.remark.isna()]
     names = ["slenderness", "return_wall_ratio", "stiffness_ratio", "base_stiffness"]
@@ -114,7 +114,7 @@ def main(job):
         writer.writeheader()
         writer.writerows(rows)
     with open(job.output.law, "w") as handle:
-        handle.write(chosen.to_json())
+        handle.write(beta.to_json({**beta.read_laws(job.input.others), job.params.base: chosen}))
 
 
 run(main, globals())

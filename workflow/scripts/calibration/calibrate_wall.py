@@ -71,7 +71,7 @@ def law_rows(config, law_file):
             "remark": "",
         }
     try:
-        law = calibration.read_law(law_file)
+        law = calibration.read_law(law_file, facade["base"])
     except calibration.CalibrationError:
         return
     groups = calibration.groups(config)

@@ -69,7 +69,7 @@ def law_curve(law, config, b, slenderness, level=0.9):
 def main(job):
     settings = json.loads(job.params.settings)["calibration"]
     walls = pd.read_csv(job.input.walls)
-    law = calibration.read_law(job.input.law)
+    law = calibration.read_law(job.input.law, settings["base"])
     figure, axes = plt.subplot_mosaic("ab;cc", figsize=(7.4, 6.0))
     x = np.linspace(min(settings["slenderness"]), max(settings["slenderness"]), 60)
     r0 = settings["reference_ratio"]

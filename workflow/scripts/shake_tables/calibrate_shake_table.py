@@ -45,6 +45,7 @@ def main(job):
     settings = json.loads(job.params.settings)["calibration"]
     with open(job.input.wall, encoding="utf-8") as handle:
         wall = resolve(yaml.safe_load(handle))
+    wall["facade"]["base"] = settings["base"]
     wall["numerics"], _ = choose(wall, "W1", read_fidelity(job.input.fidelity))
     names = list(read_table(job.input.table))
     tilts = settings["shake_table_tilt_deg"]

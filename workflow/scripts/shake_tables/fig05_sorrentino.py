@@ -65,7 +65,8 @@ def main(job):
     )
     axes["c"].set_title("(c) restitution, eq. 4 (colours as in a)", loc="left")
     axes["c"].legend(loc="upper right")
-    panel_ratio(axes["d"], [wall, *others], facade, calibration.read_law(job.input.law))
+    law = calibration.read_law(job.input.law, settings["base"])
+    panel_ratio(axes["d"], [wall, *others], facade, law)
     style.save(figure, job.output)
 
 
