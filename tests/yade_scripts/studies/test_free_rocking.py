@@ -216,16 +216,17 @@ def test_missing_key_is_named(tmp_path):
 
 
 @pytest.mark.slow
-def test_committed_law_predicts_a_wall_it_has_not_seen(tmp_path):
+@pytest.mark.parametrize("base", ["study", "column"])
+def test_committed_law_predicts_a_wall_it_has_not_seen(base, tmp_path):
     """A wall between those of the study, fitted anew, lies in the law's 95 % prediction band."""
-    settings = resolved()["calibration"]
+    settings = {**resolved()["calibration"], "base": base}
     config = study.batch_wall(settings, 0.2, 2600.0, 9.0, 0.3)
     one = study.wall_case("new", config, 0.5, study.beta_grid(config), role="test")
     done, archive = run([one], tmp_path)
     assert done.returncode == 0, done.stderr
     wall = study.evaluate([one], read_archive(archive))[0]
     fit = study.best_fit(wall["beta_s"], wall["e"] / wall["e_1sr"])
-    law, groups = beta.read_law(), beta.groups(config)
+    law, groups = beta.read_law(base=base), beta.groups(config)
     assert law.outside(groups) is None
     _, low, high = law.predict(groups, level=0.95)
     assert low < fit["beta_s"] < high
@@ -254,10 +255,11 @@ def test_fit_is_the_same_within_one_percent_with_twice_the_nodes_and_half_the_st
     assert default["single_s"] == pytest.approx(fine["single_s"], rel=0.01)
 
 
+@pytest.mark.parametrize("base", ["study", "column"])
 @pytest.mark.parametrize(
     "sections",
     [
-        {},
+        {"facade": {}},
         {"facade": {**WALL, "e_mpa": 1800.0}, "return_wall": {"thickness_m": 0.11}},
         {
             "facade": {
@@ -272,7 +274,8 @@ def test_fit_is_the_same_within_one_percent_with_twice_the_nodes_and_half_the_st
     ],
     ids=["façade", "Sorrentino", "Shawa"],
 )
-def test_committed_law_covers_the_walls_of_the_study(sections):
+def test_committed_law_covers_the_walls_of_the_study(sections, base):
+    sections = {**sections, "facade": {**sections["facade"], "base": base}}
     config = resolved(**sections, damping={"law": "fitted"})
     with warnings.catch_warnings():
         warnings.simplefilter("error")
