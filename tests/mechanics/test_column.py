@@ -126,7 +126,7 @@ def test_twenty_courses_beside_the_column(wall):
 
 
 def test_the_stiff_walls_hinge_is_thinner_than_a_course():
-    """Twenty joints gathered at the foot follow it within 0.2 % where twenty equal ones miss by 6 %.
+    """Twenty joints gathered at the foot follow it within 0.2 %, twenty equal ones within 6 %.
 
     So it is where the joints lie, not how many there are, nor the law of a joint.
     """
