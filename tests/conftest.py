@@ -1,4 +1,4 @@
-"""What all tests share: an end for every process that a test starts."""
+"""What all tests share: an end for every process that a test starts, long ones first."""
 
 import functools
 import os
@@ -16,3 +16,12 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # `timeout` given at a call wins
 subprocess.run = functools.partial(subprocess.run, timeout=LIMIT_S)
+
+
+def pytest_collection_modifyitems(items):
+    """Long tests first, so that no core waits for one that another began last.
+
+    Tests of a file marked `xdist_group` stay on one core: what they share is made once.
+    """
+    weight = {"slow": 2, "yade": 1}
+    items.sort(key=lambda test: -sum(weight.get(mark.name, 0) for mark in test.iter_markers()))

@@ -80,6 +80,7 @@ def folder(tmp_path_factory, settings):
     return path
 
 
+@pytest.mark.xdist_group("building scripts")
 def test_tables_follow_the_contract(folder):
     modes = pd.read_csv(folder / "modes.csv")
     assert list(modes.columns) == [
@@ -98,6 +99,7 @@ def test_tables_follow_the_contract(folder):
     assert np.all(wme["wme"] > 0.0)
 
 
+@pytest.mark.xdist_group("building scripts")
 def test_chain_feeds_the_facade_stage_by_configuration_alone(folder):
     modes, chain = pd.read_csv(folder / "modes.csv"), pd.read_csv(folder / "chain.csv")
     along_y = modes[(modes["model"] == "SBDEM") & (modes["direction"] == "y")]
@@ -107,6 +109,7 @@ def test_chain_feeds_the_facade_stage_by_configuration_alone(folder):
     assert resolved["smdof"]["n_dof"] == chain["n_dof"][0]
 
 
+@pytest.mark.xdist_group("building scripts")
 def test_history_starts_at_rest_and_amplifies(folder):
     history = pd.read_csv(folder / "history.csv")
     assert list(history.columns) == ["time_s", "ground_m_s2", "top_m_s2", "top_m"]

@@ -3,12 +3,14 @@
 import json
 from pathlib import Path
 
+import pytest
 from run_script import script
 
 ROOT = Path(__file__).resolve().parents[2]
 SETTINGS = {"shake_table_tilt_deg": [0.2, 0.21, 0.348], "shake_table_scale": [0.75]}
 
 
+@pytest.mark.slow
 def test_every_shake_table_test_has_nodes_and_a_step(tmp_path):
     """The wall's file states none: they are the measured ones of W1."""
     settings = json.dumps({"calibration": SETTINGS})  # a text, as the rule gives it

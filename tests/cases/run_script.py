@@ -1,13 +1,8 @@
 """Run one script of the workflow as it runs without Snakemake."""
 
 import json
-import os
-import subprocess
-import sys
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-LIMIT_S = 300.0
+from forked import ROOT, run
 
 
 def script(name, folder, checked=True, **parts):
@@ -20,26 +15,21 @@ def script(name, folder, checked=True, **parts):
     folder : Path
     checked : bool
         Whether it has to end well.
-    **parts : dict
-        What `input`, `output`, `params` and `wildcards` hold, by name.
+    **parts : dict or str
+        What `input`, `output`, `params` and `wildcards` hold, by name; one value has none.
 
     Returns
     -------
     CompletedProcess
     """
     (found,) = [*(ROOT / "workflow/scripts").glob(f"*/{name}.py"), *ROOT.glob(f"tools/{name}.py")]
-    words = [sys.executable, str(found)]
+    words = [str(found)]
     for part, values in parts.items():
         words.append(f"--{part}")
+        if isinstance(values, str):
+            words.append(values)
+            continue
         words += [f"{k}={v if isinstance(v, str) else json.dumps(v)}" for k, v in values.items()]
-    path = os.pathsep.join([str(ROOT), str(ROOT / "workflow")])
-    done = subprocess.run(
-        words,
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        timeout=LIMIT_S,
-        env={**os.environ, "PYTHONPATH": path},
-    )
+    done = run(folder, *words)
     assert done.returncode == 0 or not checked, done.stderr
     return done

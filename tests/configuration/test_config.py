@@ -276,6 +276,7 @@ def test_a_fault_in_the_yaml_is_named_before_snakemake_reads_it(tmp_path, capsys
     assert check_yaml([str(path)]) == 0
 
 
+@pytest.mark.slow
 def test_fuzzed_configurations_resolve_or_are_refused_in_one_line():
     outcomes, failure = fuzz_config.fuzz(600, seed=20)
     assert failure is None, failure

@@ -4,12 +4,11 @@ import json
 import re
 import shlex
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 import yaml
+from forked import run
 from rocking.configuration import docs, schema
 from rocking.configuration.config import (
     ConfigError,
@@ -174,12 +173,10 @@ def toy(tmp_path_factory):
 @pytest.mark.slow
 @pytest.mark.parametrize(("command", "expected"), list(zip(COMMANDS, EXPECTED, strict=True)))
 def test_command_lines_of_the_page_reach_the_runs(toy, command, expected):
-    words = [sys.executable, "-m", *shlex.split(command)]
-    done = subprocess.run(
-        [*words[:3], "-n", "-q", *words[3:]], cwd=toy, capture_output=True, text=True
-    )
+    program, *words = shlex.split(command)
+    done = run(toy, program, "-n", "-q", *words)
     assert done.returncode == 0, done.stderr
     runs = json.loads((toy / "runs.json").read_text())
     assert list(runs) == list(expected)
-    for run, values in expected.items():
-        assert {p: json.loads(relevant(runs[run], p))[p] for p in values} == values
+    for name, values in expected.items():
+        assert {p: json.loads(relevant(runs[name], p))[p] for p in values} == values

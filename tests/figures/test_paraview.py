@@ -31,6 +31,7 @@ def written(request, tmp_path_factory):
     return job, frames, folder
 
 
+@pytest.mark.xdist_group("paraview")
 @pytest.mark.yade
 def test_blocks_keep_their_volume_and_move_as_their_velocity_says(written):
     job, frames, folder = written
@@ -51,6 +52,7 @@ def test_blocks_keep_their_volume_and_move_as_their_velocity_says(written):
     assert np.abs(moved - step_s * mean)[:, 1].max() < 0.02 * np.abs(moved[:, 1]).max()
 
 
+@pytest.mark.xdist_group("paraview")
 @pytest.mark.yade
 def test_contacts_at_rest_carry_the_weight_and_preloads_cancel(written):
     """Of a bonded joint at rest nothing is left, though its two springs are preloaded."""
@@ -65,6 +67,7 @@ def test_contacts_at_rest_carry_the_weight_and_preloads_cancel(written):
     assert np.abs(mesh.point_data["force_n"]).max() < 0.5 * weight
 
 
+@pytest.mark.xdist_group("paraview")
 @pytest.mark.yade
 def test_the_collection_names_every_instant_and_file(written):
     _, frames, folder = written

@@ -2,8 +2,6 @@
 
 import json
 import os
-import subprocess
-import sys
 import time
 from pathlib import Path
 
@@ -16,6 +14,7 @@ from rocking.records.check import check_records, check_runs
 from rocking.records.reader import open_file, pick
 from rocking.records.record import G_M_S2, Record
 from rocking.runs import Runs
+from run_script import script
 
 ROOT = Path(__file__).parents[2]
 SUITE = ROOT / "config" / "suites" / "recorded_suite.tsv"
@@ -163,15 +162,7 @@ def _record_as(record):
 
 def test_the_script_writes_the_table_of_all(study, tmp_path):
     output = tmp_path / "records_check.csv"
-    script = ROOT / "workflow" / "scripts" / "records" / "check_records.py"
-    done = subprocess.run(
-        [sys.executable, str(script), "--params", f"table={study}", "--output", str(output)],
-        env=os.environ | {"PYTHONPATH": f"{ROOT}{os.pathsep}{ROOT / 'workflow'}"},
-        capture_output=True,
-        text=True,
-        timeout=120,
-    )
-    assert done.returncode == 0, done.stderr
+    done = script("check_records", tmp_path, params={"table": str(study)}, output=str(output))
     assert output.read_text().startswith("record,file,status,message\ngood,")
     assert done.stderr.count("fault: record") == 4
     assert "1 ok" in done.stdout

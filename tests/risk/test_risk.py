@@ -1,9 +1,5 @@
 """Risk: closed forms of the rate, two forms of one hazard, fragilities that read back the same."""
 
-import json
-import os
-import subprocess
-import sys
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
@@ -13,6 +9,7 @@ import pytest
 from rocking.risk import nrml, rates
 from rocking.risk.hazard import Hazard, HazardError, imt_of, read_hazard
 from rocking.studies.fragility import Fragility
+from run_script import script
 from scipy import stats
 from scipy.integrate import quad
 
@@ -92,15 +89,12 @@ def test_a_hazard_table_in_a_rate_with_its_interval_out(tmp_path):
     pd.DataFrame(rows, columns=names).to_csv(tmp_path / "brackets.csv", index=False)
     settings = {"confidence": 0.9, "resamples": 2000, "seed": 1, "min_records": 12}
     params = {"risk": {"site": None, "years": 50, "bins": 6}, "fragility": settings}
-    words = [f"{k}={json.dumps(v)}" for k, v in (params | {"period_s": 0.27}).items()]
-    subprocess.run(
-        [sys.executable, ROOT / "workflow/scripts/risk/risk_rate.py", "--params", *words]
-        + ["--input", "brackets=brackets.csv", "hazard=hazard.csv"]
-        + ["--output", "table=risk.csv", "deaggregation=parts.csv"],
-        cwd=tmp_path,
-        env={**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'workflow'}"},
-        check=True,
-        timeout=60,
+    script(
+        "risk_rate",
+        tmp_path,
+        params=params | {"period_s": 0.27},
+        input={"brackets": "brackets.csv", "hazard": "hazard.csv"},
+        output={"table": "risk.csv", "deaggregation": "parts.csv"},
     )
     (row,) = pd.read_csv(tmp_path / "risk.csv").to_dict("records")
     assert row["annual_rate"] == pytest.approx(by_hand(ln_pga[None])[0], rel=2e-3)

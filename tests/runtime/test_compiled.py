@@ -4,7 +4,10 @@ import os
 import subprocess
 import sys
 
+import pytest
 
+
+@pytest.mark.slow
 def test_a_change_in_the_file_beside_is_seen(tmp_path):
     """numba's own cache would give the first answer twice."""
     own = "from rocking.runtime.compiled import compiled\n"

@@ -29,6 +29,7 @@ def bench(tmp_path_factory):
     return trials.Bench(tmp_path_factory.mktemp("faults"))
 
 
+@pytest.mark.xdist_group("faults")
 @pytest.mark.yade
 @pytest.mark.slow
 @pytest.mark.parametrize(

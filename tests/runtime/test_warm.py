@@ -50,6 +50,7 @@ def snakemake(folder, *arguments):
     )
 
 
+@pytest.mark.slow
 def test_snakemake_starts_many_scripts_from_one_server(tmp_path):
     """Same parent, libraries there already; params, log and benchmark as ever."""
     (tmp_path / "tell.py").write_text(
@@ -78,6 +79,7 @@ PythonScript.execute_script = lambda self, fname, **more: known(self, fname, **m
 """
 
 
+@pytest.mark.slow
 def test_in_another_release_scripts_start_as_snakemake_starts_them(tmp_path):
     """It has other parameters: a line says so, and every script is a process of its own."""
     (tmp_path / "tell.py").write_text(TELL + 'json.dump(told, open(snakemake.output[0], "w"))\n')

@@ -175,6 +175,7 @@ SPANNING = {  # the floor at the top of a free-standing wall, and the arm of its
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("side", [1.0, -1.0])
 @pytest.mark.parametrize("name", SPANNING)
 def test_a_wall_that_spans(name, side):

@@ -33,11 +33,12 @@ def outward(config, scene, time_s, pull_m_s2):
     return history(prepare(scene), Motions(time_s, -pull_m_s2), config["numerics"], sample_s=0.01)
 
 
-FEW = {
+FEW = {  # the end nodes are stiff: a sharp toe
     "nodes_thickness": 3,
     "nodes_height": 3,
     "nodes_per_block": 3,
-}  # the end nodes are stiff: a sharp toe
+    "after_motion_s": 0.5,
+}
 ROW = {"height_m": 6.0, "count": 2, "diameter_mm": 16.0, "length_m": 4.0}
 
 

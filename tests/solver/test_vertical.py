@@ -100,6 +100,7 @@ def in_engine():
     )
 
 
+@pytest.mark.xdist_group("vertical")
 @pytest.mark.yade
 def test_a_constant_vertical_motion_is_gravity(in_engine):
     """Quarter period of free rocking with p = √(3(g + a_z)/4R), 1 % as without vertical motion."""
@@ -111,6 +112,7 @@ def test_a_constant_vertical_motion_is_gravity(in_engine):
         assert time == pytest.approx(cf.quarter_period(0.5, p), rel=0.01)
 
 
+@pytest.mark.xdist_group("vertical")
 @pytest.mark.yade
 def test_the_ledger_counts_the_inertia_along_z(in_engine):
     """Before the impact energy gained is work done: 2 % of it for the springs under the toe."""
@@ -120,6 +122,7 @@ def test_the_ledger_counts_the_inertia_along_z(in_engine):
         assert energy == pytest.approx(work, rel=0.02)
 
 
+@pytest.mark.xdist_group("vertical")
 @pytest.mark.yade
 @pytest.mark.parametrize("model", ["W1", "W2", "W2m"])
 def test_yade_agrees_with_the_planar_solver(in_engine, model):
@@ -143,6 +146,7 @@ def test_yade_agrees_with_the_planar_solver(in_engine, model):
     assert abs(found[1] / peak - 1.0) > 0.015
 
 
+@pytest.mark.xdist_group("vertical")
 @pytest.mark.yade
 def test_books_balance_under_vertical_motion(in_engine):
     """Input, inertia of façade and roof along z included = stored + lost: to a thousandth of

@@ -1,11 +1,10 @@
 """The target `assumptions`: its plan, and a reduced map whose limit is known."""
 
-import subprocess
-import sys
 from pathlib import Path
 
 import pandas as pd
 import pytest
+from forked import snakemake
 
 ROOT = Path(__file__).resolve().parents[2]
 REDUCED = [
@@ -22,20 +21,6 @@ REDUCED = [
     "assumptions={mass_ratios: [0.001, 0.3], periods_s: [0.27], damping_ratios: [],"
     " level_ratio: 0.1}",
 ]
-
-
-def snakemake(folder, *words):
-    """Run Snakemake in a folder of its own."""
-    return subprocess.run(
-        [
-            str(Path(sys.executable).with_name("snakemake")),
-            *("--snakefile", str(ROOT / "workflow/Snakefile"), "--cores", "1", "--nolock", *words),
-        ],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        timeout=300,
-    )
 
 
 @pytest.mark.slow

@@ -51,6 +51,7 @@ def test_every_cell_is_asked_once():
     assert {axis for axis, *_ in asked} == {"height [m]", *limits.AXES}
 
 
+@pytest.mark.slow
 def test_light_walls_get_a_step_that_suits_their_mass():
     """A history before walls of half a tonne repeats: half the step, other nodes, 1 %."""
     light = {"return_wall": {"building_mass_kg": 500.0}}

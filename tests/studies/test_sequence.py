@@ -25,6 +25,7 @@ def tables(pulse):
     return {c.model: sequence.collapse(c, pulse, pulse, "pos", SETTINGS) for c in cases}
 
 
+@pytest.mark.xdist_group("sequence")
 def test_a_dry_façade_remembers_nothing(tables):
     """At rest where it was, it collapses at the same PGA, to a step of the search."""
     dry = tables["W1"].set_index("first_pga_g")
@@ -33,6 +34,7 @@ def test_a_dry_façade_remembers_nothing(tables):
     assert (dry["left_broken"].dropna() == 0).all()
 
 
+@pytest.mark.xdist_group("sequence")
 def test_broken_bonds_leave_the_dry_façade(tables):
     """The weaker shock breaks nothing; the stronger one all that holds, and W1 is left."""
     dry, bonded = (tables[name].set_index("first_pga_g") for name in ("W1", "W1c"))
@@ -43,6 +45,7 @@ def test_broken_bonds_leave_the_dry_façade(tables):
     assert bonded.loc[0.2, "pga_median_g"] == pytest.approx(dry.loc[0.2, "pga_median_g"], rel=0.03)
 
 
+@pytest.mark.xdist_group("sequence")
 def test_a_façade_that_the_first_shock_overturns_is_not_asked_for_a_second(tables):
     for table in tables.values():
         last = table.iloc[-1]
@@ -59,6 +62,7 @@ def test_summary_counts_what_fell_and_what_never_did():
     assert row["below_095"] == pytest.approx(2 / 3)
 
 
+@pytest.mark.xdist_group("sequence")
 @pytest.mark.yade
 def test_yade_confirms_both_sides_of_the_second_collapse(pulse, tables, tmp_path):
     """Damaged and undamaged: YADE stands below the planar solver's collapse and falls above it."""

@@ -3,14 +3,13 @@
 import json
 import math
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import pytest
 import yaml
+from forked import snakemake
 from rocking.configuration.config import ConfigError
 from rocking.studies import validation
 from rocking.studies.validation import ALONE, SEQUENCE
@@ -177,17 +176,8 @@ def test_the_target_in_a_reduced_form(tmp_path):
         path = tables / specimen["motions"]["files"].format(run=number)
         np.savetxt(path, np.column_stack((t, speed)))
     settings = f"{{experiments: [{folder}], motions_folder: {tables}, members: 2}}"
-    done = subprocess.run(
-        [
-            str(Path(sys.executable).with_name("snakemake")),
-            *("--snakefile", str(ROOT / "workflow/Snakefile"), "--cores", "1", "--nolock"),
-            *("--config", "run=small", f"validation={settings}", "--", "validation"),
-        ],
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-        timeout=900,
-    )
+    words = ("--config", "run=small", f"validation={settings}", "--", "validation")
+    done = snakemake(tmp_path, *words)
     assert done.returncode == 0, done.stderr[-2000:]
     assert (tmp_path / "results/small/figures/validation_shake_table_own.png").stat().st_size > 0
     table = pd.read_csv(tmp_path / "results/small/validation/own/shake_table.csv")

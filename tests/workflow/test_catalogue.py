@@ -2,15 +2,13 @@
 
 import csv
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 import yaml
+from forked import snakemake
 
 ROOT = Path(__file__).resolve().parents[2]
-SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
 SNAKEFILE = ROOT / "workflow" / "Snakefile"
 REDUCED = ["ida={mode: grid, grid_g: [0.05, 0.6]}", "ensemble={enabled: off}"]
 MODULE = f"""
@@ -29,16 +27,6 @@ def folder(tmp_path):
     return tmp_path
 
 
-def snakemake(folder, *words, seconds=300):
-    return subprocess.run(
-        [SNAKEMAKE, "--cores", "1", *words],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        timeout=seconds,
-    )
-
-
 def test_the_catalogue_finds_what_it_asks_for():
     usage = yaml.safe_load((ROOT / ".snakemake-workflow-catalog.yml").read_text())["usage"]
     assert usage["report"] is True
@@ -50,9 +38,7 @@ def test_the_catalogue_finds_what_it_asks_for():
 @pytest.mark.slow
 def test_the_trial_configuration_runs(folder):
     """`snakemake --directory .test` with fewer intensities: floor motions, YADE, table, figure."""
-    done = snakemake(
-        folder, "--snakefile", str(SNAKEFILE), "--nolock", "--config", *REDUCED, seconds=600
-    )
+    done = snakemake(folder, "--config", *REDUCED)
     assert done.returncode == 0, done.stderr
     with open(folder / "results/test/tables/ida_collapse.csv") as handle:
         rows = list(csv.DictReader(handle))
@@ -63,7 +49,7 @@ def test_the_trial_configuration_runs(folder):
 
 @pytest.mark.slow
 def test_the_whole_trial_plans_its_jobs(folder):
-    done = snakemake(folder, "--snakefile", str(SNAKEFILE), "-n")
+    done = snakemake(folder, "-n")
     assert done.returncode == 0, done.stderr
     assert "ida_ensemble" in done.stdout + done.stderr
 
@@ -74,12 +60,12 @@ def test_another_workflow_may_use_this_one_as_a_module(folder):
     """As a deployment does: own folder, own configuration, all rules, the main job as target."""
     (folder / "workflow").mkdir()
     (folder / "workflow" / "Snakefile").write_text(MODULE)
-    done = snakemake(folder, "-n")
+    done = snakemake(folder, "-n", snakefile=None)
     assert done.returncode == 0, done.stderr
     counts = [line.split() for line in (done.stdout + done.stderr).splitlines()]
     assert ["ida", "2"] in counts
     assert ["all", "1"] in counts
     targets = ["results/test/yade.txt", "results/test/tables/records.csv"]
-    done = snakemake(folder, *targets)
+    done = snakemake(folder, *targets, snakefile=None)
     assert done.returncode == 0, done.stderr
     assert all((folder / target).stat().st_size > 20 for target in targets)

@@ -32,6 +32,7 @@ def clones(tmp_path_factory):
     return made
 
 
+@pytest.mark.xdist_group("clones")
 @pytest.mark.yade
 @pytest.mark.slow
 def test_tables_and_records_are_the_same_bytes_in_two_clones_and_job_counts(clones):
@@ -43,6 +44,7 @@ def test_tables_and_records_are_the_same_bytes_in_two_clones_and_job_counts(clon
     }
 
 
+@pytest.mark.xdist_group("clones")
 @pytest.mark.yade
 @pytest.mark.slow
 def test_figures_are_the_same_pixels(clones):
@@ -54,6 +56,7 @@ def test_figures_are_the_same_pixels(clones):
         assert np.array_equal(one, two), name
 
 
+@pytest.mark.xdist_group("clones")
 @pytest.mark.yade
 @pytest.mark.slow
 def test_no_result_names_the_place_it_was_made_in(clones):
@@ -62,6 +65,7 @@ def test_no_result_names_the_place_it_was_made_in(clones):
             assert os.fsencode(space.folder) not in comparable(space.folder / RESULTS / name), name
 
 
+@pytest.mark.xdist_group("clones")
 @pytest.mark.yade
 @pytest.mark.slow
 def test_only_the_wall_time_differs_between_ida_tables(clones):

@@ -12,6 +12,8 @@ import time
 from pathlib import Path
 
 import pytest
+from forked import PATHS
+from forked import snakemake as started
 from rocking.records import read_table
 from rocking.records.check import check_records
 from rocking.runtime import results_folder
@@ -20,20 +22,15 @@ pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
-PATHS = os.pathsep.join([str(ROOT), str(ROOT / "workflow")])
 LIMIT_S = 120.0
 
 
-def snakemake(folder, *words, limit_s=LIMIT_S, paths=PATHS):
-    """Run Snakemake in a folder with the project's Snakefile."""
-    return subprocess.run(
-        [SNAKEMAKE, "--snakefile", str(ROOT / "Snakefile"), "--cores", "1", *words],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        timeout=limit_s,
-        env={**os.environ, "PYTHONPATH": paths},
-    )
+COMMAND = [SNAKEMAKE, "--snakefile", str(ROOT / "Snakefile"), "--cores", "1"]
+
+
+def snakemake(folder, *words):
+    """Run Snakemake in a folder with the Snakefile at the top."""
+    return started(folder, *words, snakefile="Snakefile")
 
 
 def lines(done, word):
@@ -166,7 +163,14 @@ def test_no_right_to_write_is_one_line(tmp_path):
 def test_the_wrong_python_is_named_in_one_line(tmp_path):
     """Snakemake from elsewhere, without this project's package."""
     (tmp_path / "sitecustomize.py").write_text("import sys\nsys.modules['rocking'] = None\n")
-    done = snakemake(tmp_path, "-n", paths=str(tmp_path))
+    done = subprocess.run(
+        [*COMMAND, "-n"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        timeout=LIMIT_S,
+        env={**os.environ, "PYTHONPATH": str(tmp_path)},
+    )
     assert done.returncode == 1
     (line,) = lines(done, "error:")
     assert "use this project's .venv/bin/snakemake" in line
@@ -198,9 +202,8 @@ def test_targets_in_commands_of_the_pages_stand_behind_two_dashes():
 
 def test_an_interrupted_run_says_what_is_kept(tmp_path):
     words = ["--config", "run=stopped", "records=RRS228", "models=W1", "directions=pos"]
-    command = [SNAKEMAKE, "--snakefile", str(ROOT / "Snakefile"), "--cores", "1", *words]
     run = subprocess.Popen(
-        command,
+        [*COMMAND, *words],
         cwd=tmp_path,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,

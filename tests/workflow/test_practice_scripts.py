@@ -93,6 +93,7 @@ def fragility(tmp_path_factory):
     return {k: pd.read_csv(v) for k, v in names.items()}, pd.read_csv(with_never["fragility"])
 
 
+@pytest.mark.xdist_group("fragility")
 def test_the_measure_that_governs_has_no_dispersion_and_its_median_is_the_capacity(fragility):
     tables, _ = fragility
     fits = tables["fragility"].set_index("im")
@@ -107,6 +108,7 @@ def test_the_measure_that_governs_has_no_dispersion_and_its_median_is_the_capaci
     assert share["pgv_cm_s"] > 0.95
 
 
+@pytest.mark.xdist_group("fragility")
 def test_a_curve_without_collapse_counts(fragility):
     tables, with_never = fragility
     row = with_never[with_never["im"] == "pga_g"].iloc[0]

@@ -5,10 +5,11 @@ import sys
 from pathlib import Path
 
 import pytest
+from forked import snakemake
+from run_script import script
 from webdriver import AVAILABLE, Browser
 
 ROOT = Path(__file__).resolve().parents[2]
-SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
 SCRIPTS = ROOT / "workflow" / "scripts"
 STUDY = [
     "--config",
@@ -28,25 +29,9 @@ def page_of(tmp_path, text, name="ida_collapse"):
     table, page = tmp_path / f"{name}.csv", tmp_path / "page.html"
     table.write_text(text)
     style = ROOT / "workflow/report/table.css"
-    done = subprocess.run(
-        [
-            sys.executable,
-            str(SCRIPTS / "report" / "report_table.py"),
-            "--input",
-            f"table={table}",
-            f"style={style}",
-            "--output",
-            str(page),
-            "--params",
-            "title=a <title>",
-            "text=Words.",
-        ],
-        capture_output=True,
-        text=True,
-        cwd=ROOT,
-        env={"PYTHONPATH": f"{ROOT}:{ROOT / 'workflow'}"},
-    )
-    assert done.returncode == 0, done.stderr
+    files = {"table": str(table), "style": str(style)}
+    params = {"title": "a <title>", "text": "Words."}
+    script("report_table", tmp_path, input=files, output=str(page), params=params)
     return page.read_text()
 
 
@@ -117,31 +102,13 @@ def test_the_answer_says_what_to_trust_and_how_far_records_were_scaled(tmp_path)
     assert max(map(len, (tmp_path / "p.rst").read_text().splitlines())) < 10_000
 
 
-def study(folder, *words):
-    return subprocess.run(
-        [
-            SNAKEMAKE,
-            "--snakefile",
-            str(ROOT / "workflow" / "Snakefile"),
-            "--cores",
-            "1",
-            "--nolock",
-            *STUDY,
-            *words,
-        ],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-    )
-
-
 @pytest.fixture(scope="module")
 def report(tmp_path_factory):
     """A small study's report, alone in a folder."""
     folder = tmp_path_factory.mktemp("study")
-    done = study(folder, "--", "all", "fragility")
+    done = snakemake(folder, *STUDY, "--", "all", "fragility")
     assert done.returncode == 0, done.stderr[-3000:]
-    done = study(folder, "--report", "report.html", "--", "all", "fragility")
+    done = snakemake(folder, *STUDY, "--report", "report.html", "--", "all", "fragility")
     assert done.returncode == 0, done.stderr[-3000:]
     alone = tmp_path_factory.mktemp("alone") / "report.html"
     alone.write_bytes((folder / "report.html").read_bytes())

@@ -168,6 +168,7 @@ def test_every_locked_package_has_a_version_and_hashes():
     assert "--require-hashes" in (ROOT / "tools" / "setup.sh").read_text("utf-8")
 
 
+@pytest.mark.slow
 def test_a_hostile_table_ends_snakemake_in_one_line(tmp_path):
     table = tmp_path / "own.tsv"
     table.write_text(

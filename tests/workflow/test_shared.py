@@ -8,8 +8,10 @@ from pathlib import Path
 
 import pytest
 import yaml
+from forked import snakemake
 from rocking.configuration.config import expand_scenarios
 from rocking.runs import Shared
+from run_script import script
 
 ROOT = Path(__file__).resolve().parents[2]
 STUDY = {
@@ -51,17 +53,9 @@ def test_runs_alike_are_found_by_the_wildcards_of_a_file():
     assert shared.label({"motions": motions}) == "s-thin and 2 more"
 
 
-def snakemake(folder, *words):
+def printed(folder, *words):
     """Run the study in a folder; return what it printed."""
-    command = [sys.executable, "-m", "snakemake", "--snakefile", str(ROOT / "workflow/Snakefile")]
-    done = subprocess.run(
-        [*command, "--cores", "1", *words],
-        cwd=folder,
-        env={**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'workflow'}"},
-        capture_output=True,
-        text=True,
-        timeout=300,
-    )
+    done = snakemake(folder, *words)
     assert done.returncode == 0, done.stderr[-3000:]
     return done.stdout + done.stderr
 
@@ -74,16 +68,16 @@ def test_a_motion_is_made_once_and_stands_in_every_run(tmp_path):
     runs = ("s-thin", "s-thick", "s-soft")
     wanted = [f"results/{run}/{name}" for run in runs for name in names]
     study = ("--configfile", "study.yaml", "--")
-    counted = snakemake(tmp_path, "-n", "--quiet", "rules", *study, *wanted)
+    counted = printed(tmp_path, "-n", "--quiet", "rules", *study, *wanted)
     jobs = dict(line.split() for line in counted.splitlines() if len(line.split()) == 2)
     assert (jobs["record"], jobs["floor_motions"], jobs["own_record"]) == ("1", "2", "3")
-    snakemake(tmp_path, *study, *wanted)
+    printed(tmp_path, *study, *wanted)
     record, motion = ([tmp_path / "results" / run / name for run in runs] for name in names)
     assert len({path.stat().st_ino for path in record}) == 1
     assert motion[0].samefile(motion[1])
     assert motion[0].read_bytes() != motion[2].read_bytes()
     again = ("-n", "--config", "scenario=thick", *study[:2])
-    assert "Nothing to be done" in snakemake(tmp_path, *again, "--", wanted[2], wanted[3])
+    assert "Nothing to be done" in printed(tmp_path, *again, "--", wanted[2], wanted[3])
 
 
 def test_a_run_s_names_are_made_again_where_they_stand_already(tmp_path):
@@ -97,16 +91,9 @@ def test_a_run_s_names_are_made_again_where_they_stand_already(tmp_path):
         path.write_text(path.name)
     (own / "records/A.csv").write_text("older")
     os.link(files[1], own / "records/B.csv")
-    script = ROOT / "workflow/scripts/records/link_shared.py"
     (own / "tables").mkdir()
     named = ",".join(str(path.relative_to(tmp_path)) for path in files)
-    subprocess.run(
-        [sys.executable, script, "--input", f"files={named}", "--output", "results/r/tables/s.csv"],
-        cwd=tmp_path,
-        env={**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'workflow'}"},
-        check=True,
-        timeout=60,
-    )
+    script("link_shared", tmp_path, input={"files": named}, output="results/r/tables/s.csv")
     assert (own / "tables/s.csv").read_text().splitlines() == [
         "file,kept_in",
         *(f"{'/'.join(p.parts[-2:])},{p.relative_to(tmp_path).as_posix()}" for p in files),

@@ -2,14 +2,12 @@
 
 import csv
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from forked import snakemake
 
 ROOT = Path(__file__).resolve().parents[2]
-SNAKEMAKE = str(Path(sys.executable).with_name("snakemake"))
 SMALL = [
     "--config",
     "run=small",
@@ -22,24 +20,6 @@ SMALL = [
 ]
 
 
-def snakemake(folder, *words):
-    """Run Snakemake in a folder of its own, with the project's Snakefile and configuration."""
-    return subprocess.run(
-        [
-            SNAKEMAKE,
-            "--snakefile",
-            str(ROOT / "workflow/Snakefile"),
-            "--cores",
-            "1",
-            "--nolock",
-            *words,
-        ],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-    )
-
-
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     """Working folder with the project's config, so that results stay out of the tree."""
@@ -48,6 +28,7 @@ def folder(tmp_path_factory):
     return path
 
 
+@pytest.mark.slow
 def test_dry_run_of_the_main_job(folder):
     """`snakemake -n` plans 16 IDA jobs on a fresh clone."""
     done = snakemake(folder, "-n")

@@ -1,5 +1,4 @@
 # Uncertainty of material and model compared with that of the motion: ask for `uncertainty`.
-from rocking.uncertainty.design import drawn_motions
 
 
 wildcard_constraints:
@@ -9,6 +8,8 @@ wildcard_constraints:
 @cache
 def design(run):
     """Direction of every motion of the design, by record."""
+    from rocking.uncertainty.design import drawn_motions  # slow to load
+
     try:
         return drawn_motions(RUNS, run)
     except ValueError as error:

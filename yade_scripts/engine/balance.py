@@ -40,6 +40,7 @@ COLUMNS = (
     "fracture_j",
     "residual_j",
 )
+NEXT, LAST = [1, 2, 0], [2, 0, 1]  # axes after each of x, y, z
 SLIPPING = 1.0 - 1e-9  # of μ Fn
 PRELOAD_DEPTH_M = PRELOAD_M + FACE_OFFSET_M  # of both spheres of a bond at rest
 
@@ -241,9 +242,9 @@ class EnergyBalance:
         arm_a, arm_b = c.point - self.place[c.a], c.point - self.place[c.b]
         return (
             speed[c.a, :3]
-            + np.cross(speed[c.a, 3:], arm_a)
+            + _cross(speed[c.a, 3:], arm_a)
             - speed[c.b, :3]
-            - np.cross(speed[c.b, 3:], arm_b)
+            - _cross(speed[c.b, 3:], arm_b)
         )
 
     def _losses(self, travel, sticks):
@@ -294,3 +295,8 @@ class EnergyBalance:
         done, lost = self.work[0], self.work[1:4]
         residual = done - (stored - self.start).sum() - lost.sum()
         self.rows.append((self.omega.time, done, *(stored - self.start), *lost, residual))
+
+
+def _cross(a, b):
+    """Products a × b row by row, shape (n, 3): `np.cross` takes ten times as long for few rows."""
+    return a[:, NEXT] * b[:, LAST] - a[:, LAST] * b[:, NEXT]

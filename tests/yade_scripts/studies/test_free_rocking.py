@@ -101,6 +101,7 @@ def table_rebounds():
     return found
 
 
+@pytest.mark.xdist_group("rebounds")
 @pytest.mark.parametrize("rebound", [0, 1], ids=["first", "second"])
 @pytest.mark.parametrize("column", [0, 1], ids=["yade", "planar"])
 @pytest.mark.parametrize("nodes", list(TABLE))

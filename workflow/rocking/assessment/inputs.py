@@ -3,7 +3,6 @@
 import subprocess
 from collections.abc import Mapping
 
-from rocking.assessment.family import Family
 from rocking.assessment.site import SpectrumError, pga_at, read_spectrum
 from rocking.configuration.differences import flat
 from rocking.records import RecordError
@@ -88,6 +87,8 @@ def check_facade(resolved):
             f"assess: facade.{given}: expected none; the checks find the weakest mechanism, "
             "vertical bending among them"
         )
+    from rocking.assessment.family import Family  # slow to load
+
     try:
         Family(facade, resolved["return_wall"], resolved["assessment"]).all()
     except ValueError as error:

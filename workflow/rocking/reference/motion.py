@@ -61,7 +61,7 @@ class Motion:
 
     def __post_init__(self):
         """Check the samples and integrate the relative motion of the walls."""
-        base = np.asarray(self.base_m_s2, float)
+        base = np.ascontiguousarray(self.base_m_s2, float)  # one compiled loop for all motions
         if not (np.isfinite(self.dt_s) and self.dt_s > 0.0):
             raise ValueError(f"motion: the step must be positive, got {self.dt_s} s")
         if base.ndim != 1 or base.size < 2 or not np.all(np.isfinite(base)):
