@@ -1,8 +1,10 @@
-"""Perturbed ensembles: d/b of every realisation with median and band, and the share that collapses.
+"""Perturbed ensembles: every realisation of a curve, and the share that collapses, in one panel.
 
-Behind the shares stands the collapse probability of the dense scan, where there is one; below, the
-level where it first reaches one half.
+What stood lies at its d/b, what fell at 1. The collapse probability runs over the same unit scale:
+that of the dense scan, where there is one, and YADE's share at each level.
 """
+
+import math
 
 import matplotlib.pyplot as plt
 import pandas as pd
@@ -14,68 +16,71 @@ from rocking.runtime.script import run
 
 from yade_scripts.model.registry import MODELS
 
+COLUMNS = 4  # panels side by side
+AROUND = (0.9, 1.1)  # of the levels, as factors
+SHARE_OF = 3  # realisations at one level that have a share
+
 
 def main(job):
     tables = [pd.read_csv(path) for path in job.input.ensembles]
     tables = [t for t in tables if len(t)]
     scans = {curve_key(pd.read_csv(path, nrows=1)): path for path in job.input.scans}
-    percentiles = job.params.percentiles
     count = max(1, len(tables))
+    columns = min(COLUMNS, count)
+    rows = math.ceil(count / columns)
     figure, axes = plt.subplots(
-        2,
-        count,
-        figsize=(2.6 * count + 1.2, 4.6),
+        rows,
+        columns,
+        figsize=(max(4.0, 2.3 * columns), 2.1 * rows + 0.5),
         squeeze=False,
-        sharex="col",
-        sharey="row",
+        sharey=True,
         layout="constrained",
     )
-    for (top, bottom), table in zip(axes.T, tables, strict=False):
-        model, record, direction = table.iloc[0][["model", "record", "direction"]]
-        colour = MODELS[model].colour
-        band = bands(table, percentiles)
-        stood = table[table["status"] == "ok"]
-        top.plot(
-            stood["pga_g"], stood["d_over_b"], ".", color=style.GREY, ms=3, label="realisation"
-        )
-        top.fill_between(
-            band["pga_g"],
-            band["d_over_b_low"],
-            band["d_over_b_high"],
-            color=colour,
-            alpha=0.25,
-            lw=0,
-            label="10–90 %",
-        )
-        top.plot(band["pga_g"], band["d_over_b_median"], "o-", color=colour, label="median")
-        top.set_title(f"{model} {record} {'+' if direction == 'pos' else '−'}")
-        bottom.plot(
-            band["pga_g"],
-            band["probability"],
-            "o",
-            color=colour,
-            label="YADE, share of realisations",
-        )
-        known = band
-        if scan := scans.get((model, record, direction)):
-            known = from_scan(pd.read_csv(scan), job.params.spread)
-            near = known["pga_g"].between(0.8 * band["pga_g"].min(), 1.25 * band["pga_g"].max())
-            known = known[near]
-            bottom.plot(
-                known["pga_g"], known["probability"], color="0.3", lw=0.8, label="dense scan"
-            )
-        half = first_crossing(known["pga_g"].to_numpy(), known["probability"].to_numpy(), 0.5)
-        bottom.axvline(half, color="0.4", lw=0.8, ls=":", label="first reaches ½")
-        bottom.set_xlabel("PGA (g)")
+    for axis in axes.flat[len(tables) :]:
+        axis.set_axis_off()
+    for axis, table in zip(axes.flat, tables, strict=False):
+        key = tuple(table.iloc[0][["model", "record", "direction"]])
+        scan = from_scan(pd.read_csv(scans[key]), job.params.spread) if key in scans else None
+        draw(axis, table, scan, job.params.percentiles)
+        axis.set_title(f"{key[0]} {key[1]} {style.SIGNS[key[2]]}", fontsize=8)
     if not tables:
         axes[0, 0].set_title("every history repeats: no ensemble was needed")
-    else:
-        found = [axis.get_legend_handles_labels() for axis in axes[:, 0]]
-        lines, labels = ([*upper, *lower] for upper, lower in zip(*found, strict=True))
-        figure.legend(lines, labels, loc="outside right upper", fontsize=7)
-    axes[0, 0].set(ylabel="peak d/b (-)", ylim=(0.0, 1.05))
-    axes[1, 0].set(ylabel="collapsed realisations (-)", ylim=(-0.03, 1.03))
+    legend = {}
+    for axis in axes.flat:
+        legend |= dict(zip(*axis.get_legend_handles_labels()[::-1], strict=True))
+    if legend:
+        figure.legend(legend.values(), legend.keys(), loc="outside upper center", ncols=6)
+    axes[0, 0].set(ylim=(-0.03, 1.06))
+    figure.supxlabel("PGA [g]", fontsize=8)
+    figure.supylabel("peak d/b; collapse probability [-]", fontsize=8)
     style.save(figure, job.output, job.input.facts)
+
+
+def draw(axis, table, scan, percentiles):
+    """One curve: its realisations, its shares, and the scan's probability near them."""
+    colour = MODELS[table["model"].iloc[0]].colour
+    levels = bands(table, percentiles)
+    low, high = AROUND[0] * levels["pga_g"].min(), AROUND[1] * levels["pga_g"].max()
+    stood, fell = (table[table["status"] == status] for status in ("ok", "overturned"))
+    known = levels if scan is None else scan[scan["pga_g"].between(low, high)]
+    if scan is not None:
+        axis.plot(known["pga_g"], known["probability"], color="0.3", lw=1.0, label="P, dense scan")
+    axis.vlines(
+        levels["pga_g"],
+        levels["d_over_b_low"],
+        levels["d_over_b_high"],
+        color=colour,
+        alpha=0.25,
+        lw=5,
+        label="d/b, {:g}–{:g} %".format(*percentiles),
+    )
+    axis.plot(stood["pga_g"], stood["d_over_b"], ".", color=colour, ms=4, label="d/b, stood")
+    axis.plot(fell["pga_g"], [1.0] * len(fell), "o", color=colour, mfc="none", ms=4, label="fell")
+    shares = levels[levels["realisations"] >= SHARE_OF]
+    axis.plot(shares["pga_g"], shares["probability"], "kx", ms=5, label="P, YADE's share")
+    half = first_crossing(known["pga_g"].to_numpy(), known["probability"].to_numpy(), 0.5)
+    axis.axvline(half, color="0.4", lw=0.8, ls=":", label="first reaches ½")
+    axis.set_xlim(low, high)
 
 
 run(main, globals())

@@ -1,6 +1,7 @@
-"""Figure 7: the five models at the same instant, coloured by displacement, from YADE's state."""
+"""Figure 7: the models at the same instant, coloured by displacement, from YADE's state."""
 
 import json
+import math
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -9,6 +10,7 @@ from rocking.figures import pictures, style
 from rocking.runtime.script import run
 
 SHOWN_D = 0.6  # d/b
+COLUMNS = 4  # models side by side, where more than the study's five are drawn
 
 
 def first_time(frames):
@@ -31,8 +33,13 @@ def main(job):
         pictures.faces(f, i, walls, config)[1].max() for f, i in zip(frames, at, strict=True)
     )
     limits = ((-3.4, 3.1), (-0.7, h + 0.9))
-    figure, axes = plt.subplots(1, len(frames), figsize=(1.75 * len(frames), 2.9), squeeze=False)
-    for axis, f, i in zip(axes[0], frames, at, strict=True):
+    columns = len(frames) if len(frames) <= COLUMNS + 1 else COLUMNS
+    rows = math.ceil(len(frames) / columns)
+    size = (1.75 * columns, 0.3 + 2.6 * rows)
+    figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False)
+    for axis in axes.flat[len(frames) :]:
+        axis.set_axis_off()
+    for axis, f, i in zip(axes.flat, frames, at, strict=False):
         drawn = pictures.draw(
             axis,
             f,
@@ -45,7 +52,7 @@ def main(job):
             cmap="viridis",
         )
         axis.set_title(f"{f['model']}: d/b = {abs(f['d_over_b'][i]):.2f}")
-    bar = figure.colorbar(drawn, ax=axes[0].tolist(), shrink=0.6, pad=0.01)
+    bar = figure.colorbar(drawn, ax=axes.ravel().tolist(), shrink=0.6, pad=0.01)
     bar.set_label("displacement relative to the ground [m]")
     head = frames[0]
     sign = {"pos": "+", "neg": "−"}[head["direction"]]
