@@ -1,8 +1,5 @@
 # Walls that were tested, by both solvers, against what was measured: ask for `validation`.
 
-EXPERIMENT_FILES = "specimen.yaml", "runs.csv", "measured.csv"
-
-
 def experiment_folders(run):
     """Folder of each experiment of a run, by its name."""
     paths = map(RUNS.find_file, RUNS.settings[run]["validation"]["experiments"])
@@ -10,9 +7,10 @@ def experiment_folders(run):
 
 
 def experiment_files(wildcards):
-    """The three files of an experiment."""
-    folder = experiment_folders(wildcards.run)[wildcards.experiment]
-    return [f"{folder}/{name}" for name in EXPERIMENT_FILES]
+    """The files of an experiment, its own specimen first."""
+    from rocking.studies.validation import files  # slow to load
+
+    return [str(path) for path in files(experiment_folders(wildcards.run)[wildcards.experiment])]
 
 
 def held_against(run):

@@ -115,7 +115,8 @@ def _check_floor(where: str, row: Mapping, shape: Shape) -> None:
 def _check_bearing(where: str, row: Mapping, resolved: Mapping) -> None:
     """Refuse a level load that does not lie on a plain top, or rests where nothing holds it."""
     facade = resolved["facade"]
-    if facade["sides"] == "two" and facade["hinges_m"] and row["arm_m"] is not None:
+    pieces = facade["hinges_m"] or facade["courses"]
+    if facade["sides"] == "two" and pieces and row["arm_m"] is not None:
         raise ConfigError(
             f"{where}.arm_m = {show(row['arm_m'])}: expected null, the middle, with hinges and "
             "facade.sides = two, since the pieces start upright"
@@ -128,7 +129,7 @@ def _check_bearing(where: str, row: Mapping, resolved: Mapping) -> None:
             f"{show(facade['height_m'])} (m), arm_m = null and mass_t = 0"
         )
     massive = [name for name in resolved["models"] if registry.model(name).two_way]
-    if massive or facade["tilt_deg"] or facade["courses"] or not is_plain(facade):
+    if massive or facade["tilt_deg"] or not is_plain({**facade, "courses": 0}):
         raise ConfigError(
             f"{where}.bearing = flat: expected a plain upright façade before driven walls or none"
         )
@@ -179,8 +180,6 @@ def _check_hinges(resolved: Mapping) -> None:
             )
     if facade["tilt_deg"] or not is_plain(facade):
         raise ConfigError(f"facade.{given}: expected a plain upright façade on the ground")
-    if courses and facade["sides"] == "two":
-        raise ConfigError(f"facade.courses = {courses}: expected 0 with facade.sides = two")
     if courses:
         return
     if heights != WEAKEST:

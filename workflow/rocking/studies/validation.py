@@ -1,8 +1,8 @@
 """Experiments: walls that others tested, run by both solvers and set against what they measured.
 
 An experiment is a folder of three files: `specimen.yaml` (the wall, and how its parameters follow
-from it), `runs.csv` (what it went through, in order) and `measured.csv`. docs/validation.md says
-what stands in them.
+from it), `runs.csv` (what it went through, in order) and `measured.csv`; another model of the same
+test states `like: folder` and what it changes. docs/validation.md says what stands in them.
 """
 
 import copy
@@ -17,6 +17,7 @@ import yaml
 from rocking.configuration.config import ConfigError, resolve
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 
+SECTIONAL = {"sections", "facade", "numerics", "observed"}  # keys whose mappings are merged
 SECTIONS = ("facade", "return_wall", "smdof", "numerics")
 KINDS = ("shake_table", "free_rocking")
 KEYS = ("title", "source", "kind", "model", "sections", "damping", "observed", "variants")
@@ -53,6 +54,22 @@ class Experiment:
         return self.specimen["observed"]["unit"]
 
 
+def files(folder):
+    """Files of an experiment: its own, then those of the experiment that it is `like`."""
+    folder, found = Path(folder), []
+    for name in ("specimen.yaml", "runs.csv", "measured.csv"):
+        if (folder / name).is_file() or name == "specimen.yaml":
+            found.append(folder / name)
+    like = yaml.safe_load(found[0].read_text("utf-8")).get("like")
+    return found + (files(folder.parent / like) if like else [])
+
+
+def over(under, own):
+    """Mappings, one over the other, section by section; but variants and damping as a whole."""
+    both = {k: over(under[k], own[k]) for k in SECTIONAL & under.keys() & own.keys()}
+    return {**under, **own, **both}
+
+
 def read(folder):
     """Read an experiment.
 
@@ -62,8 +79,10 @@ def read(folder):
         One line with the file, its key and what was expected.
     """
     folder = Path(folder)
-    path = folder / "specimen.yaml"
-    specimen = yaml.safe_load(path.read_text("utf-8"))
+    given = files(folder)
+    path, specimen = folder / "specimen.yaml", {}
+    for file in reversed([file for file in given if file.name == path.name]):
+        specimen = over(specimen, yaml.safe_load(file.read_text("utf-8")))
     missing = [key for key in KEYS if key not in specimen]
     if missing:
         raise ConfigError(f"{path}: expected {', '.join(missing)}")
@@ -75,10 +94,11 @@ def read(folder):
         ("runs", own),
         ("measured", (f"measured_{specimen['observed']['unit']}",)),
     ):
-        table = pd.read_csv(folder / f"{name}.csv", comment="#")
+        file = next((file for file in given if file.stem == name), folder / f"{name}.csv")
+        table = pd.read_csv(file, comment="#")
         absent = [column for column in ("run", *columns) if column not in table]
         if absent:
-            raise ConfigError(f"{folder / name}.csv: expected columns {', '.join(absent)}")
+            raise ConfigError(f"{file}: expected columns {', '.join(absent)}")
         tables.append(table)
     strangers = sorted({*tables[1]["run"]} - {*tables[0]["run"]})
     if strangers:
