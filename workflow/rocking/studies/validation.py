@@ -22,7 +22,8 @@ SECTIONS = ("facade", "return_wall", "smdof", "numerics")
 KINDS = ("shake_table", "free_rocking")
 KEYS = ("title", "source", "kind", "model", "sections", "damping", "observed", "variants")
 UNITS = {"m/s": None, "m/s2": 1.0, "g": STANDARD_GRAVITY_M_S2}  # of motions; m/s is differentiated
-MODULUS_MPA = (1.0, 1e7)  # between which E is sought
+E_KEY = "facade.e_mpa"
+FITTED = {E_KEY: (1.0, 1e7), "floors.stiffness_kn_m": (1.0, 1e9)}  # what a period may set, within
 QUIET_S = 2.0  # between runs that follow each other on the same wall
 NUDGE = 1e-4  # of amplitude: a peak that it moves by more than ten times as much does not repeat
 STILL = 10.0 * NUDGE
@@ -142,7 +143,7 @@ def case(specimen, changes=(), height_m=None):
     found |= {"model": specimen["model"], "beta_s": 0.0}
     found["observed_m"] = specimen["observed"].get("height_m")
     if period := specimen.get("first_period_s"):
-        facade["e_mpa"] = modulus_for(found, period)
+        fit_period(found, period, specimen.get("fitted", E_KEY))
     found["beta_s"] = beta_for(found, damping)
     return found
 
@@ -155,24 +156,37 @@ def first_frequency(job):
     return float(modes(build_scene(job))[0][0])
 
 
-def modulus_for(job, period_s):
-    """E [MPa] with which the assembled case has a first period.
+def fit_period(job, period_s, path=E_KEY):
+    """Set what one key says so that the assembled case has a first period.
+
+    Parameters
+    ----------
+    job : dict
+        Changed in place.
+    period_s : float
+    path : str
+        A key of FITTED.
 
     Raises
     ------
     ConfigError
-        If no E has it, as where the floors' springs alone are too soft.
+        If no value of it has that period, as where another part alone is too soft.
     """
     from scipy.optimize import brentq
 
-    def excess(log_e):
-        facade = {**job["facade"], "e_mpa": math.exp(log_e)}
-        return math.log(2.0 * math.pi / first_frequency({**job, "facade": facade}) / period_s)
+    if path not in FITTED:
+        raise ConfigError(f"fitted = {path}: expected {' or '.join(FITTED)}")
+    rows = [job["facade"]] if path == E_KEY else [job["facade"]["floors"][0]]
+    key = path.rpartition(".")[2]
 
-    low, high = (math.log(e) for e in MODULUS_MPA)
+    def excess(log_value):
+        rows[0][key] = math.exp(log_value)
+        return math.log(2.0 * math.pi / first_frequency(job) / period_s)
+
+    low, high = (math.log(value) for value in FITTED[path])
     if not excess(low) > 0.0 > excess(high):
-        raise ConfigError(f"first_period_s = {period_s:g}: expected one that some E gives (s)")
-    return float(math.exp(brentq(excess, low, high, xtol=1e-10)))
+        raise ConfigError(f"first_period_s = {period_s:g}: expected one that some {path} gives (s)")
+    rows[0][key] = math.exp(brentq(excess, low, high, xtol=1e-10))
 
 
 def bounce_frequency(job):
