@@ -15,7 +15,7 @@ from yade_process import in_yade
 
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.scene import observed_at
-from yade_scripts.model.stiffness import assemble
+from yade_scripts.model.stiffness import assemble, modes
 
 HELD = {**ROOF, "friction": 0.0, "anchor_kn": 1000.0, "stiffness_kn_m": 1e6}
 
@@ -220,6 +220,21 @@ def test_a_level_load_at_rest_and_its_matrices():
     assert mass[block == 2] == pytest.approx([30e3 / scene.gravity_m_s2])
     for one, other in zip((k, c), assemble(scene).dense(), strict=True):
         assert one == pytest.approx(other, rel=1e-9, abs=1e-9 * np.abs(other).max())
+
+
+@pytest.mark.parametrize(("bearing", "root"), [("flat", 4.7300), ("point", 3.9266)])
+def test_courses_between_a_foot_and_a_held_top(bearing, root):
+    """Stacked courses lie still under their load; their first ω is the beam's, (λ/h)² √(EI/ρA)."""
+    facade = {"courses": 20, "sides": "two", "shear_stiffness_ratio": 1.0}
+    roof = {**LEVEL, "bearing": bearing, "stiffness_kn_m": 1e7}
+    config, scene = floored(roof, facade=facade, numerics={"nodes_thickness": 5}, models=["W1"])
+    own = config["facade"]
+    ratio = own["e_mpa"] * 1e6 * own["thickness_m"] ** 2 / (12.0 * own["density_kg_m3"])
+    beam = (root / own["height_m"]) ** 2 * np.sqrt(ratio)
+    assert modes(scene)[0][0] == pytest.approx(beam, rel=0.02)
+    t = np.linspace(0.0, 0.2, 101)
+    got = history(prepare(scene), Motions(t, 0.0 * t), config["numerics"], sample_s=0.01)
+    assert np.abs(got.d_m).max() < 1e-8
 
 
 def test_observed_at_a_height():

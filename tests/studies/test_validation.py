@@ -10,10 +10,16 @@ import pandas as pd
 import pytest
 import yaml
 from forked import snakemake
+from rocking.calibration.restitution import e_exp, rebounds
 from rocking.configuration.config import ConfigError
+from rocking.mechanics import closed_forms
+from rocking.solver import Motions, history, prepare
 from rocking.studies import validation
 from rocking.studies.validation import ALONE, SEQUENCE
 from run_script import script
+
+from yade_scripts.model.base import EDGE, SPREAD
+from yade_scripts.model.facade import facade_scene
 
 ROOT = Path(__file__).resolve().parents[2]
 US1 = ROOT / "config" / "experiments" / "us1"
@@ -48,6 +54,59 @@ def test_bounce_of_a_block():
     assert validation.case(specimen, {"damping": {"beta_s": 0.002}})["beta_s"] == 0.002
     with pytest.raises(ConfigError, match="damping.eq5: expected beta_s, first_mode or bounce"):
         validation.case(specimen, {"damping": {"eq5": 1}})
+
+
+def first_loss(changes):
+    """Loss at the first impact of a block of 0.35 m, over Housner's."""
+    specimen, h, b = validation.read(BLOCKS).specimen, 0.35, 0.05
+    found = validation.case(specimen, {"facade.e_mpa": 1e5, **changes}, height_m=h)
+    scene = facade_scene(found, found["model"], found["beta_s"], release_ratio=0.5)
+    rules = {**found["numerics"], "rest_time_s": 1.0, "after_motion_s": 0.0, "overturn_ratio": 10.0}
+    got = history(prepare(scene), Motions([0.0, 0.7], [0.0, 0.0]), rules, sample_s=5e-5)
+    turned = rebounds(got.time_s, -got.pose[:, 2] / math.atan2(b, h), sides="two", smallest=1e-3)
+    return (1.0 - e_exp(turned)[0]) / (1.5 * b**2 / (b**2 + h**2))
+
+
+def test_what_a_base_takes_at_an_impact():
+    """No base takes more than its dashpots alone would, and edges take it more than the middle."""
+    assert closed_forms.impact_share() == pytest.approx(2.0 / 3.0)
+    assert closed_forms.impact_share(1e3) == pytest.approx(1.0, abs=1e-3)
+    s = np.linspace(0.0, 1.0, 100001)[1:]
+    arm = 0.5 - s**2 / (3.0 * (s + 2.0 * EDGE / SPREAD))
+    assert closed_forms.impact_share(EDGE / SPREAD) == pytest.approx(2.0 * arm.mean(), abs=1e-4)
+    even, edges = (first_loss({"facade.base": base}) for base in ("study", "column"))
+    assert 0.4 < even < closed_forms.impact_share()
+    assert even + 0.1 < edges < closed_forms.impact_share(EDGE / SPREAD)
+
+
+def test_another_model_of_the_same_test(tmp_path):
+    """It states what it changes and takes the rest, tables included, from what it is like."""
+    shutil.copytree(US1, tmp_path / "us1")
+    (tmp_path / "own").mkdir()
+    own = {"like": "us1", "sections": {"facade": {"width_m": 2.0}}, "variants": {"one": {}}}
+    (tmp_path / "own" / "specimen.yaml").write_text(yaml.safe_dump(own))
+    found, other = (validation.read(tmp_path / name) for name in ("own", "us1"))
+    assert found.specimen["sections"]["facade"] == {
+        **other.specimen["sections"]["facade"],
+        "width_m": 2.0,
+    }
+    assert list(found.specimen["variants"]) == ["one"]
+    assert found.measured.equals(other.measured)
+    assert [path.parent.name for path in validation.files(tmp_path / "own")] == [
+        "own",
+        *["us1"] * 3,
+    ]
+
+
+@pytest.mark.parametrize("name", ["us1_courses", "us1_joists", "us1_top"])
+def test_readings_of_us1(name):
+    """Every variant has the first period, by E or by what holds the top."""
+    experiment = validation.read(US1.parent / name)
+    assert len(experiment.runs) == 24
+    for found in validation.cases(experiment).values():
+        assert 2.0 * math.pi / validation.first_frequency(found) == pytest.approx(0.091, rel=1e-6)
+    with pytest.raises(ConfigError, match=r"fitted = facade.width_m: expected facade.e_mpa or"):
+        validation.fit_period(found, 0.091, "facade.width_m")
 
 
 def test_changes_of_a_variant():
