@@ -1,5 +1,6 @@
 # Walls that were tested, by both solvers, against what was measured: ask for `validation`.
 
+
 def experiment_folders(run):
     """Folder of each experiment of a run, by its name."""
     paths = map(RUNS.find_file, RUNS.settings[run]["validation"]["experiments"])
@@ -10,7 +11,10 @@ def experiment_files(wildcards):
     """The files of an experiment, its own specimen first."""
     from rocking.studies.validation import files  # slow to load
 
-    return [str(path) for path in files(experiment_folders(wildcards.run)[wildcards.experiment])]
+    return [
+        str(path)
+        for path in files(experiment_folders(wildcards.run)[wildcards.experiment])
+    ]
 
 
 def held_against(run):
