@@ -9,6 +9,7 @@ import copy
 import math
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -81,7 +82,8 @@ def read(folder):
     """
     folder = Path(folder)
     given = files(folder)
-    path, specimen = folder / "specimen.yaml", {}
+    path = folder / "specimen.yaml"
+    specimen: dict[str, Any] = {}
     for file in reversed([file for file in given if file.name == path.name]):
         specimen = over(specimen, yaml.safe_load(file.read_text("utf-8")))
     missing = [key for key in KEYS if key not in specimen]
