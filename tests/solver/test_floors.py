@@ -8,7 +8,7 @@ import pytest
 from rocking import Case, Motion
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
-from rocking.solver.plane import prepare
+from rocking.solver.plane import matrices, prepare
 from rocking.solver.runs import Motions, history
 from rocking.studies import restraint
 from rocking.studies.additions import planar_models
@@ -69,6 +69,19 @@ def test_static_capacity(name):
         t, pull = slow(share * G * resisting / pushed)
         got = history(prepare(scene), Motions(t, -pull), config["numerics"], sample_s=0.01)
         assert got.status == status
+
+
+@pytest.mark.parametrize("model", ["W1", "W2"])
+def test_matrices_of_the_plane_are_those_of_the_scene(model):
+    """Nodes, a tie, a floor that is held and one with a mass: M, K and C by both routes."""
+    facade = {"ties": [{"height_m": 5.0, "diameter_mm": 12.0}]}
+    rows = [{**ROOF, "mass_t": 3.0}, {**ROOF, "height_m": 3.24}]
+    _, scene = floored(*rows, model=model, facade=facade, numerics=FEW)
+    mass, k, c = matrices(prepare(scene))
+    found = assemble(scene)
+    assert mass == pytest.approx(found.mass)
+    for one, other in zip((k, c), found.dense(), strict=True):
+        assert one == pytest.approx(other, rel=1e-9, abs=1e-9 * np.abs(other).max())
 
 
 def test_energy_of_the_plane():

@@ -6,7 +6,9 @@
 
 `run` works through the trials of freeze.yaml in a folder of its own, one after the other, and
 leaves there `manifest.csv` (trial, file, SHA-256) and the tables themselves in `tables/`. What
-measures the run and not the façade (wall time, memory, rates per second) is left out of both.
+measures the run and not the façade (wall time, memory, rates per second) is left out of both, and
+numbers of JSON files are kept to 10 digits: the last of a building's periods and mass follow the
+processor, for which BLAS has its own order of sums.
 `compare` prints every file that is not the same with its first row that differs, and ends with
 status 1 if there is one; `--renamed` names a table (old, new; tab-separated) of the columns, words
 of paths and words of cells that were renamed on purpose.
@@ -39,6 +41,7 @@ MEASURED = re.compile(
     r"(^|_)(wall|cpu|runs)_s($|_)|(memory|rss)_mb$|realtime|per_simulated_s|(wall|cpu)_time"
     r"|^(cost_exponent|started|version|python|platform|commit|code)$"
 )
+DIGITS = 10  # of numbers in JSON files; tables have fewer
 LIMIT_S = 1800.0  # of one trial
 HAZARD = "pga_g,annual_rate\n" + "".join(
     f"{0.02 * 2**i:.4g},{0.1 * 4.0**-i:.6g}\n" for i in range(9)
@@ -151,6 +154,8 @@ def comparable(path):
 def _unmeasured(value):
     if isinstance(value, dict):
         return {k: _unmeasured(v) for k, v in value.items() if not MEASURED.search(k)}
+    if isinstance(value, float):
+        return float(f"{value:.{DIGITS}g}")
     return [_unmeasured(v) for v in value] if isinstance(value, list) else value
 
 

@@ -49,6 +49,15 @@ def test_what_is_measured_on_the_machine_is_left_out(tmp_path, name):
     assert yaml.safe_load(freeze.comparable(path)) == {"walls": [{"period_s": 0.27}]}
 
 
+def test_the_last_digits_of_a_json_file_are_the_processor_s(tmp_path):
+    """A floor's load fitted with OpenBLAS's sums for two processors, and another load."""
+    path, texts = tmp_path / "fit.json", []
+    for load in (164.1062625684476, 164.1062625684377, 164.1062630):
+        path.write_text(f'{{"floor_load_kg_m2": [{load!r}]}}')
+        texts.append(freeze.comparable(path))
+    assert texts[0] == texts[1] != texts[2]
+
+
 def test_a_trial_s_own_values_lie_over_the_common_ones():
     found = freeze.merged({"a": {"b": 1, "c": 2}, "d": [1]}, {"a": {"b": None}, "d": [2]})
     assert found == {"a": {"b": None, "c": 2}, "d": [2]}
