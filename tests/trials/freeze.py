@@ -7,8 +7,8 @@
 `run` works through the trials of freeze.yaml in a folder of its own, one after the other, and
 leaves there `manifest.csv` (trial, file, SHA-256) and the tables themselves in `tables/`. What
 measures the run and not the façade (wall time, memory, rates per second) is left out of both, and
-numbers of JSON files are kept to 10 digits: the last of a building's periods and mass follow the
-processor, for which BLAS has its own order of sums.
+numbers of JSON files are kept to 10 digits: the last of a building's periods and mass follow
+the processor, for which BLAS has its own order of sums.
 `compare` prints every file that is not the same with its first row that differs, and ends with
 status 1 if there is one; `--renamed` names a table (old, new; tab-separated) of the columns, words
 of paths and words of cells that were renamed on purpose.

@@ -223,8 +223,9 @@ def _group(scene, own, centre, column, mine):
 def matrices(planar, supports=0):
     """Mass, stiffness and damping of the block and what it meets, nodes closed, ties taut.
 
-    Summed over the arrays that the loop marches, not by `stiffness.assemble` over the scene: supports
-    that other masses carry are freedoms here alone, and tests hold the one against the other.
+    Summed over the arrays that the loop marches, not by `stiffness.assemble` over the scene:
+    supports that other masses carry are freedoms here alone, and tests hold the one against the
+    other.
 
     Returns
     -------

@@ -197,8 +197,8 @@ def stacked(scene, own, column, bars):
 def stack_matrices(stack):
     """Mass, stiffness and damping of what moves freely, nodes closed, ties taut.
 
-    Summed over the arrays that the loop marches: a test that they equal those of `stiffness.assemble`
-    is one that the scene was read right.
+    Summed over the arrays that the loop marches: a test that they equal those of
+    `stiffness.assemble` is one that the scene was read right.
 
     Returns
     -------
