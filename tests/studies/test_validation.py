@@ -96,6 +96,9 @@ def test_another_model_of_the_same_test(tmp_path):
         "own",
         *["us1"] * 3,
     ]
+    (tmp_path / "own" / "specimen.yaml").write_text("like: own\n")
+    with pytest.raises(ConfigError, match="like: expected another experiment, not own again"):
+        validation.read(tmp_path / "own")
 
 
 @pytest.mark.parametrize("name", ["us1_courses", "us1_joists", "us1_top"])

@@ -56,14 +56,22 @@ class Experiment:
         return self.specimen["observed"]["unit"]
 
 
-def files(folder):
-    """Files of an experiment: its own, then those of the experiment that it is `like`."""
-    folder, found = Path(folder), []
-    for name in ("specimen.yaml", "runs.csv", "measured.csv"):
-        if (folder / name).is_file() or name == "specimen.yaml":
-            found.append(folder / name)
-    like = yaml.safe_load(found[0].read_text("utf-8")).get("like")
-    return found + (files(folder.parent / like) if like else [])
+def files(folder, below=()):
+    """Files of an experiment: its own, then those of the experiment that it is `like`.
+
+    Raises
+    ------
+    ConfigError
+        If it is like itself in the end; `below` holds those that are like it.
+    """
+    folder = Path(folder)
+    path = folder / "specimen.yaml"
+    if folder.name in below:
+        raise ConfigError(f"{path}: like: expected another experiment, not {below[-1]} again")
+    tables = [folder / name for name in ("runs.csv", "measured.csv")]
+    found = [path, *(table for table in tables if table.is_file())]
+    like = yaml.safe_load(path.read_text("utf-8")).get("like")
+    return found + (files(folder.parent / like, (*below, folder.name)) if like else [])
 
 
 def over(under, own):
