@@ -18,28 +18,41 @@ def test_without_a_display_the_viewer_is_refused_in_one_line(monkeypatch, tmp_pa
     assert "display" in done.stderr
 
 
+SHARE = {"ground": 1.0, "floor1": 1.2, "floor2": 1.5, "floor3": 1.8, "floor4": 2.0}
+
+
+def played(folder, model, pga_g, until_s):
+    """What `view_cases.played` tells of a model under one second of sine."""
+    scene, table = folder / "scene.json", folder / "motion.csv"
+    scene.write_text(json.dumps({**resolved(), "model": model, "beta_s": 0.00276}))
+    time_s = np.arange(0.0, 1.0, 0.01)
+    head = ",".join(["time_s", *(f"{name}_m_s2" for name in SHARE)])
+    ground = np.sin(2.0 * np.pi * time_s)
+    columns = np.transpose([time_s, *(share * ground for share in SHARE.values())])
+    np.savetxt(table, columns, delimiter=",", header=head, comments="")
+    words = ["--scene", str(scene), "--motion", str(table), "--record", "X", "--direction", "pos"]
+    return in_yade("view_cases", "played", arguments=[*words, "--pga", str(pga_g)], until_s=until_s)
+
+
 @pytest.mark.yade
 @pytest.mark.slow
 @pytest.mark.parametrize("model", ["W2", "W3"])
 def test_frames_follow_their_walls_when_yade_runs_by_itself(model, tmp_path):
     """Play is YADE's own run: every wall is drawn where its motion, integrated twice, has it."""
-    scene, table = tmp_path / "scene.json", tmp_path / "motion.csv"
-    scene.write_text(json.dumps({**resolved(), "model": model, "beta_s": 0.00276}))
-    time_s = np.arange(0.0, 1.0, 0.01)
-    share = {"ground": 1.0, "floor1": 1.2, "floor2": 1.5, "floor3": 1.8, "floor4": 2.0}
-    head = ",".join(["time_s", *(f"{name}_m_s2" for name in share)])
-    ground = np.sin(2.0 * np.pi * time_s)
-    columns = np.transpose([time_s, *(s * ground for s in share.values())])
-    np.savetxt(table, columns, delimiter=",", header=head, comments="")
-    words = ["--scene", str(scene), "--motion", str(table), "--record", "X", "--direction", "pos"]
-    found = in_yade("view_cases", "played", arguments=[*words, "--pga", "0.2"], until_s=0.4)
+    found = played(tmp_path, model, 0.2, 0.4)
     assert "base" in found["frames"]
     assert sum(name.startswith("return wall") for name in found["frames"]) == 4 * (model == "W2")
     once = 0.2 * STANDARD_GRAVITY_M_S2  # ∫∫ sin ωt = t/ω − sin ωt/ω²
     omega, t = 2.0 * np.pi, found["time_s"]
     moved_m = once * (t / omega - np.sin(omega * t) / omega**2)
     for name, frame_m in found["frames"].items():
-        expected = share[found["motions"][name]] * moved_m
+        expected = SHARE[found["motions"][name]] * moved_m
         assert frame_m == pytest.approx(expected, abs=0.005), name  # it follows every 5 ms
         assert frame_m > 0.05
     assert found["facade_m"] > 0.02
+
+
+@pytest.mark.yade
+@pytest.mark.slow
+def test_play_pauses_where_the_facade_has_fallen(tmp_path):
+    assert 0.5 < played(tmp_path, "W1", 0.6, 8.0)["time_s"] < 5.0
