@@ -138,6 +138,22 @@ def test_ties_and_anchors_hold_the_parts_above_them_only():
     assert [p[:3] for p in family(anchored).pulls] == [(12e3, 3.0, 0.2)]
 
 
+def test_ties_below_a_floor_hold_at_one_level_and_squat_spans_are_no_mechanism():
+    """Ties 0.1 m below each floor: two spans, not four; a band of 0.1 m locks."""
+    storeys = {
+        **{"height_m": 6.0, "thickness_m": 0.5, "width_m": 8.0, "density_kg_m3": 1800.0},
+        "floors": [{"height_m": z, "load_kn": 40.0} for z in (3.0, 6.0)],
+        "ties": [{"height_m": z, "diameter_mm": 20.0} for z in (2.9, 5.9)],
+    }
+    found = family(storeys)
+    assert found.levels() == [0.0, 2.9, 5.9]
+    assert sum("bending" in one.name for one in found.all()) == 2
+    assert not found.span(5.9, 6.0).mechanism.falls()
+    thick = {**storeys, "thickness_m": 1.0, "ties": [{"height_m": 5.69, "diameter_mm": 20.0}]}
+    assert family(thick).levels() == [0.0, 3.0, 5.69, 6.0]
+    assert not any("from 5.69" in one.name for one in family(thick).all())
+
+
 def test_a_corner_by_hand():
     """Plain wall 6 m high, crack at 45°, both walls of t: α0 = Σ W b_n/Σ W z along the bisector.
 

@@ -186,10 +186,17 @@ class Family:
         return dict(sorted(found.items()))
 
     def levels(self):
-        """Heights at which floors or ties hold the façade, the base first."""
+        """Heights at which floors or ties hold the façade, the base first.
+
+        Of those nearer than `LEAST_PART_M`, as ties below a floor, the lowest.
+        """
         held = [r["height_m"] for r in self.section.get("floors", ()) if capacity_n(r) > 0.0]
         held += [row["height_m"] for row in self.section["ties"]]
-        return sorted({0.0, *(round(float(z), 6) for z in held)})
+        found = [0.0]
+        for z in sorted(round(float(z), 6) for z in held):
+            if z >= found[-1] + LEAST_PART_M:
+                found.append(z)
+        return found
 
     def span(self, low_m, high_m):
         """Vertical bending between two levels, opening where the multiplier is least."""
@@ -271,7 +278,8 @@ class Family:
             Those that stand at rest; what falls by its own weight raises a ValueError.
         """
         found = [self.part(z, name) for z, name in self.cuts().items()]
-        found += [self.span(a, b) for a, b in itertools.pairwise(self.levels())]
+        spans = [self.span(a, b) for a, b in itertools.pairwise(self.levels())]
+        found += [one for one in spans if one.mechanism.falls()]
         if self.wall["count"] > 0:
             found += [self.corner(side) for side in (-1, 1)]
         for one in found:

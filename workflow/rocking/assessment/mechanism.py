@@ -93,6 +93,14 @@ class Mechanism:
         """d_C of the control point [m]."""
         return float(self.control(theta_rad)[0].real - self.control(0.0)[0].real)
 
+    def _course(self):
+        grid = np.linspace(0.0, self.largest_rad, COURSES + 1)
+        return grid, np.array([self.multiplier(t) for t in grid])
+
+    def falls(self):
+        """Whether α vanishes at some rotation; squat blocks between held levels lock instead."""
+        return bool((self._course()[1] <= 0.0).any())
+
     def ultimate(self):
         """Rotation [rad] and displacement d0 [m] of the control point at which α first is zero.
 
@@ -101,8 +109,7 @@ class Mechanism:
         ValueError
             If α is not positive at the start, or never vanishes.
         """
-        grid = np.linspace(0.0, self.largest_rad, COURSES + 1)
-        alpha = np.array([self.multiplier(t) for t in grid])
+        grid, alpha = self._course()
         below = np.flatnonzero(alpha <= 0.0)
         if not below.size or below[0] == 0:
             when = "at rest" if below.size else "up to its largest rotation"

@@ -7,7 +7,7 @@ import pandas as pd
 from rocking.assessment import site
 from rocking.assessment.code_checks import code_checks, governing, least
 from rocking.assessment.demand import floor_demand
-from rocking.assessment.family import Family, ties_of
+from rocking.assessment.family import LEAST_PART_M, Family, ties_of
 from rocking.records import G_M_S2, load
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
@@ -98,13 +98,11 @@ def mechanisms(settings, demand, ranked):
             row = mechanism_row(one, found, force, f"one more row, {100 * share:g} % of the weight")
             rows.append(row)
     family = Family(facade, wall, own)
-    held = family.span(
-        max(z for z in family.levels() if z < facade["height_m"]), facade["height_m"]
-    )
-    chain = settings["smdof"]
-    rows.append(
-        mechanism_row(held, code_checks(held, facade, chain, own, demand), np.nan, "top held")
-    )
+    top = facade["height_m"]
+    held = family.span(max(z for z in family.levels() if z <= top - LEAST_PART_M), top)
+    if held.mechanism.falls():
+        found = code_checks(held, facade, settings["smdof"], own, demand)
+        rows.append(mechanism_row(held, found, np.nan, "top held"))
     return pd.DataFrame(rows)
 
 
