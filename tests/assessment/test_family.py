@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from rocking.assessment.blocks import Facade, overturning, two_blocks
-from rocking.assessment.family import Family
+from rocking.assessment.family import Family, stretched
 from rocking.assessment.masonry import Masonry
 from rocking.configuration import config
 from rocking.mechanics.closed_forms import G_M_S2
@@ -152,6 +152,23 @@ def test_ties_below_a_floor_hold_at_one_level_and_squat_spans_are_no_mechanism()
     thick = {**storeys, "thickness_m": 1.0, "ties": [{"height_m": 5.69, "diameter_mm": 20.0}]}
     assert family(thick).levels() == [0.0, 3.0, 5.69, 6.0]
     assert not any("from 5.69" in one.name for one in family(thick).all())
+
+
+def test_a_façade_is_stretched_with_all_that_stands_on_it():
+    """A tenth higher with roof, ties and windows: the same mechanisms, each α0 by 1/1.1."""
+    tied = {
+        **{k: v for k, v in GABLE.items() if k != "thickness_steps"},
+        "floors": [{"height_m": z, "load_kn": 20.0, "friction": 0.0} for z in (3.0, 6.0)],
+    }
+    section = config.resolve({"facade": tied})["facade"]
+    high = stretched(section, 1.1)
+    assert [row["height_m"] for row in high["floors"]] == pytest.approx([3.3, 6.6])
+    plain, tall = (
+        [c for c in family(x).all() if "above" in c.name and "corner" not in c.name]
+        for x in (tied, {**tied, **{k: high[k] for k in (*tied, "ties")}})
+    )
+    assert len(plain) == len(tall)
+    assert tall[-1].mechanism.multiplier() == pytest.approx(plain[-1].mechanism.multiplier() / 1.1)
 
 
 def test_a_corner_by_hand():

@@ -26,6 +26,20 @@ CRACKED = 0.5  # of the modulus, in T0
 LEAST_PART_M = 0.3  # lower parts are no mechanism of a façade
 
 
+def stretched(section, factor):
+    """Section facade with every height times a factor: floors, ties and openings move with it."""
+    found = {**section, "height_m": factor * section["height_m"]}
+    for key in ("gable_height_m", "parapet_height_m"):
+        if found.get(key):
+            found[key] = factor * found[key]
+    for rows in ("floors", "ties", "openings", "thickness_steps"):
+        found[rows] = [
+            {k: factor * v if k in ("height_m", "z_m") else v for k, v in row.items()}
+            for row in section.get(rows) or ()
+        ]
+    return found
+
+
 class Candidate(NamedTuple):
     """One mechanism and where it is.
 

@@ -7,7 +7,7 @@ import pandas as pd
 from rocking.assessment import site
 from rocking.assessment.code_checks import code_checks, governing, least
 from rocking.assessment.demand import floor_demand
-from rocking.assessment.family import LEAST_PART_M, Family, ties_of
+from rocking.assessment.family import LEAST_PART_M, Family, stretched, ties_of
 from rocking.records import G_M_S2, load
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
@@ -30,22 +30,29 @@ SHOWN = ("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_grou
 SECTIONS = ("facade", "return_wall", "smdof", "assessment")
 
 
-def checked(settings, demand, name, added_n=0.0):
-    """A mechanism of the façade by its name, and its checks; None where it no longer is one."""
+def checked(settings, demand, place, added_n=0.0):
+    """A mechanism of the façade, and its checks; None where the façade has others.
+
+    Parameters
+    ----------
+    place : (int, int)
+        Which of how many: names have heights in them, which change with what is varied.
+    """
     facade, wall, chain, own = (settings[k] for k in SECTIONS)
-    known = {one.name: one for one in Family(facade, wall, own, added_n).all()}
-    if name not in known:
+    which, count = place
+    known = Family(facade, wall, own, added_n).all()
+    if len(known) != count:
         return None, {}
-    return known[name], code_checks(known[name], facade, chain, own, demand)
+    return known[which], code_checks(known[which], facade, chain, own, demand)
 
 
-def sensitivity(settings, demand, name):
+def sensitivity(settings, demand, place):
     """PGA of failure over the demand's, of one mechanism, one key at a time up and down."""
     rows = []
 
     def add(key, factor, changed):
         try:
-            _, found = checked(changed, demand, name)
+            _, found = checked(changed, demand, place)
         except ValueError:  # no such façade
             return
         rows.extend((key, factor, k, found[k].ratio) for k in SHOWN if k in found)
@@ -53,7 +60,10 @@ def sensitivity(settings, demand, name):
     for section, key, factors in VARIED:
         for factor in factors:
             changed = {part: dict(settings[part]) for part in SECTIONS}
-            changed[section][key] *= factor
+            if key == "height_m":
+                changed[section] = stretched(changed[section], factor)
+            else:
+                changed[section][key] *= factor
             if changed["assessment"]["confidence_factor"] >= 1.0:
                 add(f"{section}.{key}", factor, changed)
     for factor, damping in DAMAGED:
@@ -84,15 +94,14 @@ def mechanism_row(one, found, tie_kn, kind):
     return row | {k: found[k].ratio for k in SHOWN if k in found}
 
 
-def mechanisms(settings, demand, ranked):
+def mechanisms(settings, demand, ranked, place):
     """All mechanisms, the least first, and what more ties or a held top would do to them."""
     facade, wall, _, own = (settings[k] for k in SECTIONS)
     stated = 1e-3 * sum(force for force, *_ in ties_of(facade))
     rows = [mechanism_row(one, found, stated, "as stated") for _, one, found in ranked]
-    name = ranked[0][1].name
     weight = sum(w for w, *_ in Family(facade, wall, own).masonry.masses(0.0, facade["height_m"]))
     for share in TIE_SHARES:
-        one, found = checked(settings, demand, name, share * weight)
+        one, found = checked(settings, demand, place, share * weight)
         if one is not None:
             force = stated + 1e-3 * share * weight
             row = mechanism_row(one, found, force, f"one more row, {100 * share:g} % of the weight")
@@ -157,8 +166,10 @@ def main(job):
     records = [load(name, job.params.table, **how) for name in job.params.records]
     facade, wall, chain, own = (settings[k] for k in SECTIONS)
     demand = site.demand_of(own, records, *site_files(job, settings))
-    ranked = governing(Family(facade, wall, own).all(), facade, chain, own, demand)
+    every = Family(facade, wall, own).all()
+    ranked = governing(every, facade, chain, own, demand)
     least_one = ranked[0]
+    place = [one.name for one in every].index(least_one[1].name), len(every)
     whole = next(row for row in ranked if row[1].foot_m == 0.0)
     checks, steps, curves = [], [], []
     for _, one, found in [least_one] if least_one is whole else [least_one, whole]:
@@ -174,8 +185,8 @@ def main(job):
     columns = ["mechanism", "check", "symbol", "meaning", "value", "unit"]
     write_table(steps, out.steps, columns)
     write_table(pd.concat(curves), out.curve)
-    write_table(sensitivity(settings, demand, least_one[1].name), out.sensitivity)
-    write_table(mechanisms(settings, demand, ranked), out.mechanisms)
+    write_table(sensitivity(settings, demand, place), out.sensitivity)
+    write_table(mechanisms(settings, demand, ranked, place), out.mechanisms)
     write_table(spectra(records, settings, demand, least_one[1].place), out.spectra)
 
 
