@@ -23,9 +23,9 @@ def capacity(curves):
             for share, mark in ((0.4, "s"), (0.6, "D")):
                 y = np.interp(share * d0, curve["d_m"], curve["multiplier"])
                 axis.plot(share * d0, y, mark, color=shade, mfc="white", ms=5)
-                axis.annotate(
-                    f"{share:g} d0", (share * d0, y), (4, 5), textcoords="offset points", size=7
-                )
+                if line == "-":  # the other curve has the same marks
+                    at = {"textcoords": "offset points", "size": 7}
+                    axis.annotate(f"{share:g} d0", (share * d0, y), (4, 5), **at)
         axis.set(xlabel="displacement of the control point [m]", ylabel="multiplier α [-]")
         axis.set(xlim=(0.0, None), ylim=(0.0, None))
         axis.legend(fontsize=6.5)

@@ -14,7 +14,7 @@ def g3(value):
 
 def per_cent(value):
     """Whole per cent."""
-    return f"{100 * value:.0f} %"
+    return f"{100 * value:.0f} %".replace("-", "−")
 
 
 def _models(names):
