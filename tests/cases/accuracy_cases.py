@@ -47,6 +47,7 @@ def tumbling(config, seconds):
     return {
         "kinetic": [row[2] for row in books.rows],
         "check": check.energy,
+        "start": float(books.start[0]),
         "first": 0.5 * float(block.inertia_kg_m2 @ spin**2),
     }
 

@@ -46,10 +46,11 @@ def test_integration_error_of_a_sine_falls_with_the_square_of_the_step():
 
 
 def test_measures_of_a_sine():
-    """PGV = A·T/π from rest; Arias intensity grows evenly, so 5–95 % is 90 % of the time."""
+    """PGV = A·T/π from rest, PGD = A t/ω; Arias grows evenly, so 5–95 % is 90 % of the time."""
     peaks = measures(sine())
     assert peaks["pga_g"] == pytest.approx(2.0 / G_M_S2, rel=1e-12)
     assert peaks["pgv_cm_s"] == pytest.approx(100 * 2.0 / np.pi, rel=1e-3)
+    assert peaks["pgd_cm"] == pytest.approx(100 * 2.0 * 10.0 / (2.0 * np.pi), rel=1e-3)  # A t/ω
     assert peaks["duration_s"] == pytest.approx(10.0)
     assert peaks["significant_duration_s"] == pytest.approx(9.0, rel=0.02)
 

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import cumulative_trapezoid, solve_ivp
+from scipy.linalg import eigh
 
 from smdof import (
     Chain,
@@ -26,6 +27,19 @@ def noise(samples=400, seed=1):
 
 
 # Modes ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("model", ["modal", "rayleigh"])
+def test_damping_matrix_damps_each_mode_by_its_ratio(model):
+    """φᵀCφ = 2ζω on the diagonal and nothing beside it, with φᵀMφ = 1; one mass: c = 2ζωm."""
+    chain = Chain((2.0, 3.0, 1.0), (50.0, 40.0, 30.0))
+    mass, stiffness = chain.matrices()
+    values, phi = eigh(stiffness, mass)
+    zeta = chain.damping_ratios(0.05, model)
+    found = phi.T @ chain.damping_matrix(0.05, model) @ phi
+    assert found == pytest.approx(np.diag(2.0 * zeta * np.sqrt(values)), abs=1e-12)
+    one = Chain((2.0,), (50.0,)).damping_matrix(0.05)
+    assert one[0, 0] == pytest.approx(2.0 * 0.05 * 5.0 * 2.0)
 
 
 def test_four_masses_have_the_published_modes():

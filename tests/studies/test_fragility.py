@@ -245,6 +245,18 @@ def test_spectrum_intensity_of_a_slow_step_is_that_of_a_plateau():
     assert found == pytest.approx(100 * expected, rel=0.01)
 
 
+def test_average_acceleration_after_a_blow_is_the_geometric_mean():
+    """A blow of velocity v: PSA = f(ζ) 2πv/T, so AvgSa has the geometric mean of its periods."""
+    values, dt_s, zeta = np.zeros(8000), 0.001, 0.05
+    values[2] = 10.0
+    speed, root = 10.0 * dt_s, np.sqrt(1.0 - zeta**2)
+    peak = np.exp(-zeta / root * np.arctan(root / zeta))  # of ω u over v
+    found = record_measures(Record("blow", values, dt_s, "surrogate"), 1.0, zeta, 1.5)
+    periods = np.linspace(0.2, 3.0, 10)
+    expected = peak * 2.0 * np.pi * speed / np.exp(np.mean(np.log(periods))) / 9.80665
+    assert found["sa_avg_g"] == pytest.approx(expected, rel=5e-3)
+
+
 def test_incremental_velocity_takes_the_largest_lobe_exactly():
     # triangles between the zeros: 1/2·1·1, −1/2·2·2 (its zeros half way between samples), 1/2
     a = np.array([0.0, 1.0, 0.0, -1.0, -2.0, -1.0, 1.0, 0.0])
