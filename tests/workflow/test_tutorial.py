@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from forked import run
 
 ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(sys.executable).parent
@@ -139,8 +140,6 @@ def test_command_of_a_page_plans_jobs(clone, name, words):
     (clone / "my_records.tsv").write_text(
         "record\tfile\tformat\tdt_s\tunits\nMINE\tmotion.txt\t\t0.01\tg\n"
     )
-    done = subprocess.run(
-        [str(BIN / "snakemake"), "-n", *words], cwd=clone, capture_output=True, text=True
-    )
+    done = run(clone, "snakemake", "-n", *words)
     assert done.returncode == 0, f"{name}: {shlex.join(words)}\n{done.stderr[-1500:]}"
     assert "Job stats" in done.stdout + done.stderr

@@ -8,8 +8,6 @@ import cmath
 import math
 from typing import NamedTuple
 
-import numpy as np
-
 from rocking.assessment.mechanism import Mechanism, Pull, Weight, spread_weight, turning
 from rocking.mechanics.closed_forms import _positive
 
@@ -239,11 +237,3 @@ def two_blocks(facade, hinge_height_m):
         (b, h),
         held=[(f.roof_n, f.roof_arm_m, h)],
     )
-
-
-def lowest_two_blocks(facade, shares=19):
-    """Hinge height with the smallest α0 [m], and its mechanism, of multiples of h/(shares + 1)."""
-    heights = facade.height_m * np.arange(1, shares + 1) / (shares + 1)
-    found = [(two_blocks(facade, float(z)), float(z)) for z in heights]
-    mechanism, height = min(found, key=lambda item: item[0].multiplier())
-    return height, mechanism

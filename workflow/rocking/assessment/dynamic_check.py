@@ -20,7 +20,6 @@ from rocking.records.floors import floor_columns
 from yade_scripts.model.shape import shape_of
 
 DRAWS = 2000
-FIRM = 0.95  # share of the draws that agree with a verdict that does not hang on the numerics
 COLUMNS = ["model", "record", "direction", "realisation", "pga_g", "d_over_b", "d_m", "status"]
 
 
