@@ -238,7 +238,8 @@ def unseen(runs, low_g, high_g, confidence=0.95):
     """Collapse probability that may hide in 1 % of amplitude below the lowest fall: an upper bound.
 
     Of n histories in a window that all stood the bound is 1 − (1 − confidence)^(1/n) (Clopper and
-    Pearson, 1934); returned is that of the `doubtful` window with the fewest.
+    Pearson, 1934); returned is that of the window with the fewest, of those that are `doubtful` and
+    the one next to the lowest fall.
 
     Parameters
     ----------
@@ -250,14 +251,16 @@ def unseen(runs, low_g, high_g, confidence=0.95):
     Returns
     -------
     float
-        NaN where no window is doubtful.
+        NaN where nothing fell and no window is doubtful.
     """
     stood = runs[(runs["collapsed"] == 0) & (runs["pga_g"] < high_g)]
     if not len(stood) or not low_g < high_g:
         return np.nan
     low, pga_g = windows(low_g, high_g), stood["pga_g"].to_numpy()
     counts = np.diff(np.searchsorted(pga_g, np.append(low, low[-1:] * math.exp(WINDOW))))
-    counts = counts[doubtful(pga_g, stood["d_over_b"], low)]
+    doubt = doubtful(pga_g, stood["d_over_b"], low)
+    doubt[-1:] |= high_g < runs["pga_g"].max()
+    counts = counts[doubt]
     if not counts.size:
         return np.nan
     return 1.0 - (1.0 - confidence) ** (1.0 / counts.min()) if counts.min() else 1.0

@@ -36,6 +36,7 @@ MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and
 CALM_RATIO = 1.1  # a scan begins where a façade stays below d/b of CALM over a range this wide
 LEAST_G = 1e-4  # no façade that stands by itself falls below
 HIDDEN = 0.1  # probability of collapse in the ranges that a search finds with its power
+EDGE = 2  # windows below the lowest fall that are always filled: another solver's lies in them
 AT_ONCE = 8  # windows that get more realisations between two looks
 BELOW_FIRST = 1.03  # ratio of the levels below the first fall of a short climb
 SPREAD = 0.03  # half width of the window over which its realisations count
@@ -181,8 +182,9 @@ def below(seen, power):
     """Ask for realisations below the lowest fall until what could hide there would have been found.
 
     Windows of amplitude that are `doubtful`, from the lowest up, get so many realisations that in a
-    range as wide, of the probability `HIDDEN`, one falls with a probability `power`. It ends below
-    the lowest fall, that of these realisations included.
+    range as wide, of the probability `HIDDEN`, one falls with a probability `power`; so do the
+    `EDGE` next to the lowest fall, since realisations do not all fall at the same amplitude. It
+    ends below the lowest fall, that of these realisations included.
 
     Parameters
     ----------
@@ -198,6 +200,7 @@ def below(seen, power):
         stood = np.flatnonzero(seen.status == "ok")
         stood = stood[np.argsort(seen.pga_g[stood], kind="stable")]
         doubt = doubtful(seen.pga_g[stood], seen.d_over_b[stood], low)
+        doubt[-EDGE:] |= seen.fell.any()
         few = np.flatnonzero(doubt & (there < wanted))[:AT_ONCE]
         if not few.size:
             return
