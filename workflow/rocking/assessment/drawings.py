@@ -87,8 +87,9 @@ def _section(axis, family, candidate):
         axis.annotate(
             f"{row['load_kn']:g} kN",
             (y, row["height_m"]),
-            (y - 0.13 * top, row["height_m"] + 0.06 * top),
+            (y - 0.05 * top, row["height_m"] + 0.06 * top),
             size=6.5,
+            ha="right",
             arrowprops={"arrowstyle": "->", "lw": 0.7},
         )
     right = b + 0.33 * top
