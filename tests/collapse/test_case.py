@@ -81,7 +81,9 @@ def test_a_curve_knows_where_it_collapses(case, pulse):
     fewer = {"level_ratio": 0.05, "realisations": 7, "max_pga_g": 1.5}
     dense = collapse_curve(case, pulse, settings=fewer)
     found = dense.summary()
-    assert found["pga_safe_g"] < found["pga_collapse_g"] <= found["pga_median_g"]
+    assert found["pga_safe_g"] < found["pga_collapse_g"]
+    step = 2.0 * 0.01 / 7  # one half lies between the last that stands and the first that falls
+    assert found["pga_collapse_g"] <= (1.0 + step) * found["pga_median_g"]
     quick = collapse_curve(case, pulse, search="crossings", settings=fewer, fraction=0.3)
     assert quick.found[1] == pytest.approx(found["pga_median_g"], rel=0.03)
     assert quick.runs < dense.runs

@@ -35,6 +35,23 @@ def test_share_is_that_of_the_realisations_within_the_spread():
     assert np.isnan(probability.probability(GRID, table["collapsed"], [2.0], 0.01)[0][0])
 
 
+def test_realisations_that_a_search_adds_on_one_side_do_not_move_a_probability():
+    """Five times as many just below a threshold: 10, 50 and 90 % stay where they were."""
+    more = np.exp(np.linspace(np.log(0.48), np.log(0.4999), 200))
+    pga_g = np.sort(np.concatenate([GRID, more]))
+    crossings = []
+    for at in (GRID, pga_g):
+        share, _ = probability.probability(at, at > 0.5, at, 0.02)
+        crossings.append([probability.first_crossing(at, share, p) for p in (0.1, 0.5, 0.9)])
+    assert crossings[0] == pytest.approx([0.5 * 0.984, 0.5, 0.5 * 1.016], rel=2e-3)
+    assert crossings[1] == pytest.approx(crossings[0], rel=2e-3)
+
+
+def test_realisations_at_one_amplitude_count_alike():
+    share, count = probability.probability([0.3] * 4, [0, 1, 1, 1], [0.3], 0.01)
+    assert (share[0], count[0]) == (0.75, 4)
+
+
 def test_a_separate_range_below_the_main_collapse_is_the_lowest_collapse():
     """Falls at 0.30 to 0.33 g, stands to 0.6 g: nothing above 0.30 g is safe."""
     found = probability.summary(

@@ -34,7 +34,10 @@ PROBABILITY_COLUMNS = [
 
 
 def probability(pga_g, collapsed, at_g, spread):
-    """Share of realisations that collapsed within ± spread of each amplitude.
+    """Collapse probability: share of the amplitudes within ± spread whose realisations collapsed.
+
+    Every realisation stands for the amplitudes nearest to it, by their ratio, so that where a
+    search has run more of them they do not count for more. Equal steps make it a plain share.
 
     Parameters
     ----------
@@ -51,14 +54,35 @@ def probability(pga_g, collapsed, at_g, spread):
     realisations : ndarray of int, shape (m,)
     """
     pga_g, at_g = np.asarray(pga_g, float), np.asarray(at_g, float)
-    total = np.concatenate(([0.0], np.cumsum(np.asarray(collapsed, float))))
-    first = np.searchsorted(pga_g, at_g * (1.0 - spread) * (1.0 - 1e-12), side="left")
-    last = np.searchsorted(pga_g, at_g * (1.0 + spread) * (1.0 + 1e-12), side="right")
-    realisations = last - first
+    first, last = _within(pga_g, at_g, spread)
+    collapsed = np.asarray(collapsed, float)
+    total, fell = _ranges(np.ones(pga_g.size), first, last), _ranges(collapsed, first, last)
+    width = _widths(pga_g)
+    wide, fell_wide = _ranges(width, first, last), _ranges(width * collapsed, first, last)
     with np.errstate(invalid="ignore", divide="ignore"):
-        return np.where(
-            realisations > 0, (total[last] - total[first]) / realisations, np.nan
-        ), realisations
+        # all at one amplitude: nothing to stand for
+        share = np.where(wide > 0.0, fell_wide / wide, fell / total)
+    return np.clip(share.round(12), 0.0, 1.0), last - first  # sums of widths leave 1e-15
+
+
+def _within(pga_g, at_g, spread):
+    """First and behind the last of ascending amplitudes within ± spread of each."""
+    first = np.searchsorted(pga_g, at_g * (1.0 - spread) * (1.0 - 1e-12), side="left")
+    return first, np.searchsorted(pga_g, at_g * (1.0 + spread) * (1.0 + 1e-12), side="right")
+
+
+def _ranges(values, first, last):
+    """Sums of values over ranges of places."""
+    total = np.concatenate(([0.0], np.cumsum(values)))
+    return total[last] - total[first]
+
+
+def _widths(pga_g):
+    """Width in ln amplitude for which each of ascending amplitudes stands."""
+    if pga_g.size < 2:
+        return np.zeros(pga_g.size)
+    gap = np.diff(np.log(pga_g))
+    return 0.5 * (np.append(gap[:1], gap) + np.append(gap, gap[-1:]))
 
 
 def windows(low_g, high_g):
@@ -216,7 +240,8 @@ def summary(scan, curve, realisations, spread):
     low, middle, high = (first_crossing(at_g, share, level) for level in LEVELS)
     above = every["pga_g"][every["pga_g"] > highest]
     safe = stood[~(stood * (1.0 + spread) >= lowest)].max()
-    beside, realisations_beside = probability(every["pga_g"], every["collapsed"], [lowest], spread)
+    low_at, high_at = _within(every["pga_g"].to_numpy(), np.array([lowest]), spread)
+    beside = every["collapsed"].iloc[int(low_at[0]) : int(high_at[0])]
     return {
         "pga_safe_g": safe,
         "pga_collapse_g": lowest,
@@ -228,8 +253,8 @@ def summary(scan, curve, realisations, spread):
         "reversals": reversals(dense["collapsed"]),
         "runs_planar": 0 if scan is None else len(scan),
         "runs_yade": len(curve) + len(realisations),
-        "collapse_fell": round(float(beside[0] * realisations_beside[0])) if len(fell) else np.nan,
-        "collapse_realisations": int(realisations_beside[0]) if len(fell) else np.nan,
+        "collapse_fell": int(beside.sum()) if len(fell) else np.nan,
+        "collapse_realisations": len(beside) if len(fell) else np.nan,
         "safe_bound": unseen(dense, dense["pga_g"].min(), np.fmin(lowest, every["pga_g"].max())),
     }
 
