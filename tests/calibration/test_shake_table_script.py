@@ -7,7 +7,11 @@ import pytest
 from run_script import script
 
 ROOT = Path(__file__).resolve().parents[2]
-SETTINGS = {"shake_table_tilt_deg": [0.2, 0.21, 0.348], "shake_table_scale": [0.75]}
+SETTINGS = {
+    "base": "study",
+    "shake_table_tilt_deg": [0.2, 0.21, 0.348],
+    "shake_table_scale": [0.75],
+}
 
 
 @pytest.mark.slow
