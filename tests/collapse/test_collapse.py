@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.collapse import probability
+from rocking.collapse import agreement, hidden, probability
 from rocking.collapse.plan import plan
 
 GRID = np.geomspace(0.1, 1.0, 1200)
@@ -70,7 +70,7 @@ def test_a_separate_range_below_the_main_collapse_is_the_lowest_collapse():
 def test_what_may_hide_below_the_safe_amplitude():
     """Scatter from 0.4 g on, so many histories a window, none fell: Clopper and Pearson."""
     for count in (20, 29, 100):
-        pga_g = 0.1 * np.exp(probability.WINDOW * np.arange(0.0, 230.0, 1.0 / count))
+        pga_g = 0.1 * np.exp(hidden.WINDOW * np.arange(0.0, 230.0, 1.0 / count))
         rng = np.random.default_rng(count)
         reached = np.where(pga_g < 0.4, pga_g / 2.0, 0.4 + 0.3 * rng.random(pga_g.size))
         table = pd.DataFrame({"pga_g": pga_g, "status": "ok", "collapsed": 0, "d_over_b": reached})
@@ -153,7 +153,7 @@ def test_disagreement_is_beyond_the_scatter_of_both():
     realisations = [
         runs(*[(g, int(i < fell)) for i in range(11)]) for g, fell in ((0.7, 0), (0.8, 10))
     ]
-    table = probability.compared(dense, pd.concat(realisations), 0.01)
+    table = agreement.compared(dense, pd.concat(realisations), 0.01)
     levels = table[table["realisations_yade"].notna()].set_index("pga_g")
     assert levels["agrees"].to_dict() == {0.7: 0.0, 0.8: 1.0}
     assert levels.loc[0.8, "probability_yade"] == pytest.approx(10 / 11)

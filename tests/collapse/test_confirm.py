@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.collapse import probability
-from rocking.collapse.probability import ODDS, SHIFT
+from rocking.collapse import agreement
+from rocking.collapse.agreement import ODDS, SHIFT
 
 from yade_scripts.studies.confirm import ERROR, Confirmation, turns
 
@@ -85,16 +85,16 @@ def test_where_all_fall_at_once_two_runs_tell_a_shift_of_amplitude():
     for off, verdict in ((0.995, 1.0), (1.005, 1.0), (0.96, 0.0), (1.04, 0.0)):
         runs = step(0.2 * off).iloc[[0, 0]].assign(pga_g=[0.2 / 1.015, 0.2 * 1.015])
         runs["collapsed"] = (runs["pga_g"] >= 0.2 * off).astype(int)
-        assert probability.confirmed(scan, runs, 0.01) == verdict
-    assert np.isnan(probability.confirmed(None, runs, 0.01))
-    assert np.isnan(probability.confirmed(scan, pd.DataFrame(), 0.01))
+        assert agreement.confirmed(scan, runs, 0.01) == verdict
+    assert np.isnan(agreement.confirmed(None, runs, 0.01))
+    assert np.isnan(agreement.confirmed(scan, pd.DataFrame(), 0.01))
 
 
 def test_alternatives_are_odds_where_shares_change_slowly_and_a_shift_where_they_jump():
     slow = step(0.2).assign(collapsed=(np.arange(1400) % 2))
-    p, more, less = probability.alternatives(slow, [0.2], 0.01)[0]
+    p, more, less = agreement.alternatives(slow, [0.2], 0.01)[0]
     assert (p, more, less) == pytest.approx((0.5, shifted(0.5, 9.0), shifted(0.5, 1 / 9)), abs=0.05)
-    p, more, less = probability.alternatives(step(0.2), [0.2 / 1.015], 0.01)[0]
+    p, more, less = agreement.alternatives(step(0.2), [0.2 / 1.015], 0.01)[0]
     assert p < 0.05 < 0.95 < more
     assert less < p
     assert pytest.approx(1.03) == SHIFT

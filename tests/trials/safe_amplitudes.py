@@ -15,7 +15,7 @@ import time
 import numpy as np
 from rocking import Case, Motion, collapse_curve
 from rocking.collapse.curve import run_by
-from rocking.collapse.probability import WINDOW, windows
+from rocking.collapse.hidden import WINDOW, windows
 from rocking.tables import write_table
 
 FROM = 0.2  # d/b

@@ -4,13 +4,8 @@ import itertools
 
 import numpy as np
 
-from rocking.collapse.probability import (
-    SHIFT,
-    alternatives,
-    collapse_ranges,
-    first_crossing,
-    from_scan,
-)
+from rocking.collapse.agreement import SHIFT, alternatives
+from rocking.collapse.probability import collapse_ranges, first_crossing, from_scan
 from yade_scripts.studies import perturb
 from yade_scripts.studies.search import DIGITS, climb_sequence
 
@@ -41,7 +36,7 @@ def plan(scan, settings, ensemble):
     -------
     dict
         runs, levels: ascending lists of float; probability: by level and realisation, those of
-        `probability.alternatives` at its own amplitude.
+        `agreement.alternatives` at its own amplitude.
     """
     spread = ensemble["amplitude_spread"]
     table = from_scan(scan, spread)

@@ -1,11 +1,12 @@
-"""Where a curve collapses: the one home of probability, first crossings and what is safe.
+"""Where a curve collapses: probability, first crossings and what is reported of them.
 
 Near collapse a façade stands at one amplitude, falls at the next and stands again, so a curve
 has no single collapse intensity. Its collapse probability at an amplitude is the share of
 realisations that fall within ± `spread` of it, realisations that differ in amplitude, node layout
 and step together. That is numerical scatter of one façade under one motion; it says nothing of
 materials or of other motions. A façade that never fell has no crossing: blank, and its largest
-intensity a lower bound.
+intensity a lower bound. What may hide below the lowest fall stands in `hidden`, whether YADE agrees
+in `agreement`.
 """
 
 import math
@@ -13,13 +14,9 @@ import math
 import numpy as np
 import pandas as pd
 
-from yade_scripts.studies.confirm import Confirmation
+from rocking.collapse.hidden import unseen
 
 LEVELS = (0.10, 0.50, 0.90)
-WINDOW = math.log(1.01)  # of amplitude, in which what is left unseen is counted
-CALM = 0.3  # d/b below which nothing that falls hides
-SCATTER, FEW = 0.03, 5  # of d/b about one branch; histories that tell it
-ODDS, SHIFT = 9.0, 1.03  # factors on p/(1 − p) and on amplitude: a scan so far off is refuted
 KEY = ["model", "record", "direction"]
 COLUMNS = [
     *KEY,
@@ -83,53 +80,6 @@ def _widths(pga_g):
         return np.zeros(pga_g.size)
     gap = np.diff(np.log(pga_g))
     return 0.5 * (np.append(gap[:1], gap) + np.append(gap, gap[-1:]))
-
-
-def windows(low_g, high_g):
-    """Lower ends of windows of the width ln(1.01) between two amplitudes, from the lower up [g].
-
-    The first begins half a width above the lower one: levels 1 % apart lie within windows, where on
-    their edges the last digit would say in which.
-    """
-    count = math.floor(math.log(high_g / low_g) / WINDOW - 0.5 + 1e-9)
-    return low_g * np.exp(WINDOW * (0.5 + np.arange(max(count, 0))))
-
-
-def doubtful(pga_g, d_over_b, low_g):
-    """Windows of amplitude in which a fall could hide among what stood.
-
-    One could if a peak d/b in it or within one window's width beside it is at least `CALM`, and the
-    peaks there scatter by more than `SCATTER` about a straight line in ln amplitude: where a
-    façade's answers follow one branch, neighbours say what it does between them. Where too few were
-    run to tell, or d/b is not known, one could.
-
-    Parameters
-    ----------
-    pga_g, d_over_b : array_like, shape (n,)
-        Of histories that stood, by ascending amplitude.
-    low_g : array_like, shape (m,)
-        Of `windows`.
-
-    Returns
-    -------
-    ndarray of bool, shape (m,)
-    """
-    at, d_over_b = np.log(np.asarray(pga_g, float)), np.asarray(d_over_b, float)
-    low = np.log(np.asarray(low_g, float))
-    ends = np.searchsorted(at, low - WINDOW), np.searchsorted(at, low + 2.0 * WINDOW)
-    found = np.zeros(low.size, bool)
-    for k, (i, j) in enumerate(zip(*ends, strict=True)):
-        near = d_over_b[max(i - 1, 0) : j + 1]
-        if near.size and near.max() < CALM:
-            continue
-        x, y = at[i:j], d_over_b[i:j]
-        if y.size < FEW or np.isnan(y).any():
-            found[k] = True
-            continue
-        x = x - x.mean()
-        line = y.mean() + x * (x @ y) / max(x @ x, 1e-30)
-        found[k] = np.abs(y - line).max() > SCATTER
-    return found
 
 
 def single_runs(runs, spread):
@@ -259,92 +209,6 @@ def summary(scan, curve, realisations, spread):
     }
 
 
-def unseen(runs, low_g, high_g, confidence=0.95):
-    """Collapse probability that may hide in 1 % of amplitude below the lowest fall: an upper bound.
-
-    Of n histories in a window that all stood the bound is 1 − (1 − confidence)^(1/n) (Clopper and
-    Pearson, 1934); returned is that of the window with the fewest, of those that are `doubtful` and
-    the one next to the lowest fall.
-
-    Parameters
-    ----------
-    runs : DataFrame
-        Of `outcomes`, by one solver: between two, peaks differ where nothing hides.
-    low_g, high_g : float
-        Where the windows begin and end [g]; nothing fell between.
-
-    Returns
-    -------
-    float
-        NaN where nothing fell and no window is doubtful.
-    """
-    stood = runs[(runs["collapsed"] == 0) & (runs["pga_g"] < high_g)]
-    if not len(stood) or not low_g < high_g:
-        return np.nan
-    low, pga_g = windows(low_g, high_g), stood["pga_g"].to_numpy()
-    counts = np.diff(np.searchsorted(pga_g, np.append(low, low[-1:] * math.exp(WINDOW))))
-    doubt = doubtful(pga_g, stood["d_over_b"], low)
-    doubt[-1:] |= high_g < runs["pga_g"].max()
-    counts = counts[doubt]
-    if not counts.size:
-        return np.nan
-    return 1.0 - (1.0 - confidence) ** (1.0 / counts.min()) if counts.min() else 1.0
-
-
-def alternatives(scan, pga_g, spread):
-    """Collapse probabilities that YADE's outcomes are held against, see `confirm.Confirmation`.
-
-    The scan's share within ± spread, kept off 0 and 1 by Jeffreys' (k + ½)/(n + 1). A façade that
-    falls more often has `ODDS` times as large a p/(1 − p), or what the scan says `SHIFT` times
-    higher up, whichever is more; one that falls less often likewise.
-
-    Parameters
-    ----------
-    scan : DataFrame
-        Of a dense scan.
-    pga_g : array_like, shape (n,)
-    spread : float
-
-    Returns
-    -------
-    ndarray, shape (n, 3)
-        Of the scan, of more often, of less often.
-    """
-    seen, pga_g = outcomes(scan), np.asarray(pga_g, float)
-
-    def said(at_g):
-        share, count = probability(seen["pga_g"], seen["collapsed"], at_g, spread)
-        return (np.where(count > 0, share, 0.0) * count + 0.5) / (count + 1.0)
-
-    p = said(pga_g)
-    more = np.maximum(ODDS * p / (1.0 - p + ODDS * p), said(pga_g * SHIFT))
-    less = np.minimum(p / (ODDS * (1.0 - p) + p), said(pga_g / SHIFT))
-    return np.column_stack((p, more, less))
-
-
-def confirmed(scan, ensemble, spread):
-    """Whether YADE's realisations confirm the scan's probabilities, see `confirm.Confirmation`.
-
-    Parameters
-    ----------
-    scan, ensemble : DataFrame
-        Of one curve; None or empty where there is none.
-    spread : float
-
-    Returns
-    -------
-    float
-        1: yes, 0: they refute them, NaN: open, or one of the two is missing.
-    """
-    if scan is None or not len(ensemble):
-        return np.nan
-    test, own = Confirmation(), outcomes(ensemble)
-    rows = alternatives(scan, own["pga_g"], spread)
-    for probabilities, collapsed in zip(rows, own["collapsed"], strict=True):
-        test.add(probabilities, collapsed)
-    return np.nan if test.verdict is None else float(test.verdict)
-
-
 def outcomes(*tables):
     """Amplitude, outcome and d/b of every run that did not fail, by ascending amplitude."""
     parts = []
@@ -405,45 +269,3 @@ def collapse_ranges(pga_g, share):
     edges = np.flatnonzero(np.diff(np.concatenate(([False], mostly, [False])).astype(int)))
     pga_g = np.asarray(pga_g)
     return [(float(pga_g[a]), float(pga_g[b - 1])) for a, b in edges.reshape(-1, 2)]
-
-
-def compared(scan, ensemble, spread, error=0.01):
-    """Collapse probability against amplitude by both methods, and whether they agree.
-
-    At the scan's amplitudes the planar probability; at the levels of YADE's ensemble the share of
-    its realisations too. The two agree unless an exact test (Fisher) of the two shares, of YADE's
-    realisations and of the planar ones within ± spread, rejects with a probability of error
-    `error`.
-
-    Parameters
-    ----------
-    scan, ensemble : DataFrame
-        Of one curve; None or empty where there is none.
-    spread, error : float
-
-    Returns
-    -------
-    DataFrame
-        pga_g, probability, realisations, probability_yade, realisations_yade, agrees; blank where a
-        method says nothing.
-    """
-    from scipy.stats import fisher_exact  # slow to load, and a plan needs none
-
-    dense = pd.DataFrame(columns=["pga_g", "probability", "realisations"])
-    if scan is not None:
-        dense = from_scan(scan, spread)
-        valid = scan[scan["status"] != "failed"].sort_values("pga_g")
-    rows = []
-    valid_realisations = ensemble[ensemble["status"] != "failed"] if len(ensemble) else ensemble
-    for pga_g, group in valid_realisations.groupby("pga_g") if len(valid_realisations) else ():
-        fell, own = int(group["collapsed"].sum()), len(group)
-        row = {"pga_g": pga_g, "probability_yade": fell / own, "realisations_yade": own}
-        if scan is not None:
-            (share,), (count,) = probability(valid["pga_g"], valid["collapsed"], [pga_g], spread)
-            planar = round(share * count) if count else 0
-            p = fisher_exact([[fell, own - fell], [planar, count - planar]])[1] if count else 1.0
-            row |= {"probability": share, "realisations": count, "agrees": int(p >= error)}
-        rows.append(row)
-    both = [dense, *([pd.DataFrame(rows)] if rows else [])]
-    table = pd.concat([part for part in both if len(part)] or both)
-    return table.reindex(columns=PROBABILITY_COLUMNS[3:]).sort_values("pga_g", ignore_index=True)

@@ -21,14 +21,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rocking.collapse.probability import (
-    CALM,
-    WINDOW,
-    doubtful,
-    first_crossing,
-    probability,
-    windows,
-)
+from rocking.collapse.hidden import CALM, WINDOW, doubtful, windows
+from rocking.collapse.probability import first_crossing, probability
 from yade_scripts.studies.search import Ask, next_amplitude, next_level, one_by_one
 
 BLOCK = 32  # amplitudes between two looks at whether the façade has fallen for good

@@ -5,7 +5,7 @@ realisation there, and disagrees where the scan's outcomes within the spread are
 """
 
 import pandas as pd
-from rocking.collapse import probability
+from rocking.collapse import agreement, probability
 from rocking.collapse.ida import curve_key, read_curve
 from rocking.runtime.script import run
 from rocking.tables import write_table
@@ -19,7 +19,7 @@ def main(job):
         curve = curves.get(key, pd.DataFrame())
         named = dict(zip(probability.KEY, key, strict=True))
         row = named | probability.summary(scan, curve, pd.DataFrame(), spread)
-        table = probability.compared(scan, curve, spread)
+        table = agreement.compared(scan, curve, spread)
         lone = (table["probability_yade"] - table["probability"]).abs() == 1.0
         rows.append(row | {"disagreements": int(lone.sum())})
         parts.append(table.assign(**named)[probability.PROBABILITY_COLUMNS])

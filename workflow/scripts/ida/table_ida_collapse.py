@@ -1,7 +1,7 @@
 """Collapse intensities of every curve, and its collapse probability against PGA."""
 
 import pandas as pd
-from rocking.collapse import probability
+from rocking.collapse import agreement, probability
 from rocking.collapse.ida import curve_key, read_curve
 from rocking.runtime.script import run
 from rocking.tables import write_table
@@ -25,10 +25,10 @@ def main(job):
         if scan is None and len(realisations):
             table = probability.single_runs(probability.outcomes(curve, realisations), spread)
         else:
-            table = probability.compared(scan, realisations, spread)
+            table = agreement.compared(scan, realisations, spread)
         table = table.assign(**named).reindex(columns=probability.PROBABILITY_COLUMNS)
         row["disagreements"] = int((table["agrees"] == 0).sum())
-        row["confirmed"] = probability.confirmed(scan, realisations, spread)
+        row["confirmed"] = agreement.confirmed(scan, realisations, spread)
         rows.append(row)
         parts.append(table)
     table = pd.DataFrame(rows, columns=probability.COLUMNS)
