@@ -7,12 +7,15 @@ import yaml
 from rocking.runtime.script import run
 from rocking.studies.paper import page
 
-ABOUT = """\
-Every figure, table, equation and sentence of result of the study (DEM investigation of boundary
-conditions for rocking URM façades), its value, ours, and why they differ. `given`: an input that
-was taken over; `open`: the text holds nothing to compare with. Claims are judged in
-`tables/claims*.csv`, for surrogates and recorded motions apart; "our threshold" marks limits that
-the study does not state. Made from the results by `make study` out of `docs/study.yaml`."""
+ABOUT = """At which points does this project agree with the study *Using DEM to investigate boundary conditions
+for rocking URM façades subjected to earthquake motion*? (The copy that was read names no authors,
+year or journal.) Each row has one of its figures, tables, equations or results, its value, ours, and
+why they differ. Most rows that are not met rest on what the study does not state: the building's
+plan, the widths of tested walls, the sign and order of a motion's pulses.
+
+`given`: an input that was taken over. `open`: the text holds nothing to compare with. "Our
+threshold" marks a limit that the study does not state. Claims stand in `tables/claims*.csv`, for
+surrogates and recorded motions apart. Made by `make study` out of `docs/study.yaml`."""
 
 
 def main(job):
