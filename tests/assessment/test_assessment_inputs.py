@@ -7,6 +7,7 @@ from rocking.assessment import inputs
 from rocking.assessment.demand import RecordDemand, floor_demand
 from rocking.assessment.floor_spectra import beside, spread
 from rocking.assessment.site import SpectrumError, at_pga, pga_at, read_spectrum, shapes
+from rocking.assessment.values import values
 from rocking.configuration import config as configuration
 from rocking.records import Record
 from rocking.risk.hazard import Hazard
@@ -96,11 +97,19 @@ def test_modal_peaks_are_those_of_the_records_own_spectrum():
     assert floor.peaks()[0] == pytest.approx(first)
 
 
+STATED = {
+    "facade": {"height_m": 6.0, "thickness_m": 0.4, "width_m": 4.4, "density_kg_m3": 1800},
+    "smdof": {"n_dof": 4, "period_s": 0.3},
+    "assessment": {"confidence_factor": 1.2},
+}
+
+
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        ({}, "facade.height_m is not stated"),
-        ({"facade": {"height_m": 6.0}}, "facade.thickness_m is not stated"),
+        ({}, "facade.height_m, .*, assessment.confidence_factor not stated"),
+        ({"facade": {"height_m": 6.0}}, "assess: facade.thickness_m, facade.width_m, .* not stated"),
+        (STATED | {"smdof": {"n_dof": 2}}, "assess: smdof.period_s not stated"),
     ],
 )
 def test_an_assessment_takes_no_façade_from_the_case_study(given, words):
@@ -108,11 +117,42 @@ def test_an_assessment_takes_no_façade_from_the_case_study(given, words):
         inputs.check_stated(given)
 
 
-STATED = {
-    "facade": {"height_m": 6.0, "thickness_m": 0.4, "width_m": 4.4, "density_kg_m3": 1800},
-    "smdof": {"n_dof": 4, "period_s": 0.3},
-    "assessment": {"confidence_factor": 1.2},
-}
+def test_walls_that_carry_a_building_do_not_carry_the_case_studys():
+    inputs.check_stated(STATED, ["W1", "W2"])
+    with pytest.raises(ValueError, match=r"assess: return_wall\.building_mass_kg not stated"):
+        inputs.check_stated(STATED, ["W1", "W2m"])
+    inputs.check_stated(STATED | {"return_wall": {"building_mass_kg": 1e5}}, ["W2m"])
+    inputs.check_stated(STATED | {"building": {}}, ["W2m"])
+
+
+def test_rows_of_a_list_are_marked_key_by_key():
+    floors = [{"height_m": 3.0, "load_kn": 20.0}]
+    given = STATED | {"facade": STATED["facade"] | {"floors": floors}}
+    resolved = configuration.resolve(given)
+    stated = inputs.given_keys(given, resolved, resolved)
+    found = {key: rest for key, *rest in values(resolved, stated)}
+    assert found["facade.floors.1.load_kn"] == ["20", "stated"]
+    assert found["facade.floors.1.friction"] == ["0.4", "default"]
+    assert found["facade.floors.1.arm_m"] == ["half the thickness", "derived"]
+    assert found["facade.ties"] == ["[]", "default"]
+
+
+def test_every_value_is_marked_and_β_says_where_its_law_ends():
+    given = STATED | {"facade": STATED["facade"] | {"parapet_height_m": 0.9}}
+
+    def row(damping, key):
+        resolved = configuration.resolve(given | {"damping": damping})
+        found = {name: rest for name, *rest in values(resolved, ["facade.height_m"])}
+        assert {standing for _, standing in found.values()} == {"stated", "derived", "default"}
+        return found[key]
+
+    assert row({}, "facade.height_m") == ["6", "stated"]
+    assert row({}, "facade.parapet_thickness_m") == ["that of the highest storey", "derived"]
+    assert row({}, "baseline.method")[1] == "default"
+    for damping, standing in (({}, "default"), ({"law": "eq5"}, "derived")):
+        words, found = row(damping, "damping.beta_s")
+        assert found == standing
+        assert "thickness_m = 0.4 outside its walls, 0.11 to 0.3" in words
 
 
 @pytest.mark.parametrize(

@@ -83,7 +83,7 @@ def test_an_inset_moves_the_hinge_of_every_part():
 
 
 def test_parts_stand_above_every_sill_head_step_and_floor():
-    floors = [{"height_m": 3.0, "load_kn": 20.0}]
+    floors = [{"height_m": 3.0, "load_kn": 20.0, "anchor_kn": 5.0}]
     names = [c.name for c in family({**GABLE, "floors": floors}).all()]
     for height, what in (
         ("2.20", "head of an opening"),
@@ -142,7 +142,7 @@ def test_ties_below_a_floor_hold_at_one_level_and_squat_spans_are_no_mechanism()
     """Ties 0.1 m below each floor: two spans, not four; a band of 0.1 m locks."""
     storeys = {
         **{"height_m": 6.0, "thickness_m": 0.5, "width_m": 8.0, "density_kg_m3": 1800.0},
-        "floors": [{"height_m": z, "load_kn": 40.0} for z in (3.0, 6.0)],
+        "floors": [{"height_m": z, "load_kn": 40.0, "anchor_kn": 5.0} for z in (3.0, 6.0)],
         "ties": [{"height_m": z, "diameter_mm": 20.0} for z in (2.9, 5.9)],
     }
     found = family(storeys)
@@ -152,6 +152,8 @@ def test_ties_below_a_floor_hold_at_one_level_and_squat_spans_are_no_mechanism()
     thick = {**storeys, "thickness_m": 1.0, "ties": [{"height_m": 5.69, "diameter_mm": 20.0}]}
     assert family(thick).levels() == [0.0, 3.0, 5.69, 6.0]
     assert not any("from 5.69" in one.name for one in family(thick).all())
+    rubbing = [{"height_m": z, "load_kn": 40.0, "friction": 0.4} for z in (3.0, 6.0)]
+    assert family({**thick, "floors": rubbing}).levels() == [0.0, 5.69]
 
 
 def test_a_façade_is_stretched_with_all_that_stands_on_it():

@@ -16,7 +16,7 @@ def mechanisms(**pga_fails_g):
 def verdicts(*slv, agree=1.0):
     rows = [(f"W{i}", 11, 0 if one else 2, 0.05, 0.1, one, agree) for i, one in enumerate(slv, 1)]
     names = ["model", "motions", "exceed_d0", "mean_d_m", "d_slv_m", "slv", "agree"]
-    return pd.DataFrame(rows, columns=names)
+    return pd.DataFrame(rows, columns=names).assign(d0_m=0.25)
 
 
 def dynamic(stations):
@@ -41,6 +41,18 @@ def test_the_dynamic_checks_sentence(found, words):
     assert words in dynamic_check(found, (-0.05, 0.2, True))
 
 
+def test_a_link_that_sets_d_slv_is_named():
+    """d_SLV of 0.1 m is 0.4 d0 of 0.25 m; of 0.5 m it is less, so a tie or an anchor gives way."""
+    lost = verdicts(True, False)
+    said = dynamic_check(lost, (-0.05, 0.2, True))
+    assert "50 mm with W1, 50 mm with W2 (2 beyond d0); d_SLV is 100 mm." in said
+    early = lost.assign(d0_m=0.5)
+    assert "100 mm, where a tie or an anchor gives way." in dynamic_check(early, (0, 0.2, True))
+    stood = mechanisms(whole=0.25)
+    assert any("let the rods yield" in s for s in next_steps(CHECKS, stood, early, ""))
+    assert not any("let the rods yield" in s for s in next_steps(CHECKS, stood, lost, ""))
+
+
 def test_motions_that_do_not_fit_are_said():
     assert "does not fit" in dynamic_check(verdicts(True), (-0.2, 0.2, False))
     assert "does not fit" not in dynamic_check(verdicts(True), (-0.05, 0.2, True))
@@ -53,7 +65,7 @@ def test_below_seven_stations_no_share_and_no_interval():
         assert "%" not in said
         assert "no interval" in said
         assert f"1 of {stations} (the first at 0.15 g)" in said
-    assert "30 % of W2 (10 to 60 %)" in suite(dynamic(7))
+    assert "30 % with W2 (10 to 60 %)" in suite(dynamic(7))
 
 
 def test_what_is_recommended_hangs_on_what_fails():

@@ -271,6 +271,13 @@ def test_what_was_found_is_kept_and_taken_up_again(monkeypatch, tmp_path):
     assert tried != []
 
 
+def test_the_cost_is_said_beforehand():
+    """Two heights of 25 forces and none: 51 × 61 histories; 13 each and none: 27 × 35."""
+    assert strengthening.most_histories(SEARCH, 6.0) == (3111, 945)
+    said = strengthening.forecast(SEARCH, 6.0, 0.06)
+    assert said == "0.06 s a history: 0.945 to 3.11 min of processor time in all"
+
+
 def test_realisations_end_where_they_have_decided(monkeypatch):
     """Of 61 at 0.1: all fall, 13 do; none falls, 37 do (35 are enough); some fall, all 61."""
 

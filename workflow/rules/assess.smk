@@ -25,7 +25,7 @@ HAZARD = checked(assessed.hazard_file)
 def site(wildcards):
     """Files that say how the site shakes; what is missing ends the workflow in one line."""
     try:
-        assessed.check_stated(config)
+        assessed.check_stated(config, RUNS.cfg(wildcards)["models"])
         assessed.check_facade(RUNS.cfg(wildcards))
         found = SPECTRUM(wildcards) + HAZARD(wildcards)
         assessed.check_demand(RUNS.cfg(wildcards), *found)

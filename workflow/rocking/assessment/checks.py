@@ -171,7 +171,8 @@ def nonlinear(mechanism, demand, where, limit="SLV", *, confidence_factor=1.0, t
     share, factor, damping = LIMITS[limit]
     _, ratio, per_control = _shares(mechanism)
     ultimate = mechanism.ultimate()[1]
-    control = mechanism.limit(share)[0] if limit == "SLV" else share * ultimate
+    control, broken = mechanism.limit(share) if limit == "SLV" else (share * ultimate, False)
+    why = "where a tie or an anchor gives way" if broken else f"{share} d0"
     d = control * per_control
     a = capacity_at(mechanism, control, confidence_factor, t0_s)
     if a <= 0.0:
@@ -183,7 +184,7 @@ def nonlinear(mechanism, demand, where, limit="SLV", *, confidence_factor=1.0, t
     steps = (
         ("d0", "control point's displacement at which α vanishes", ultimate, "m"),
         ("d*/d_C", "oscillator's displacement over the control point's", per_control, "-"),
-        (f"d_{limit}", "of the oscillator: capacity", d, "m"),
+        (f"d_{limit}", f"of the oscillator: capacity, {why}", d, "m"),
         (f"a(d_{limit})", "α g/(e* FC)", a / G_M_S2, "g"),
         (f"T_{limit}", f"{factor}π√(d/a)", period, "s"),
         ("ξ", "damping of the demand", damping, "-"),
@@ -221,7 +222,8 @@ def eurocode(mechanism, demand, where, limit="SD", *, knowledge=1, crushes=False
     """Rocking check of EN 1998-3:2025, known at second hand.
 
     With λ falling in a line from λ0 to zero at d0, a* = λ g/e* and T = 1.6π√(d/a*) at d = 0.4 d0
-    (SD) or 0.6 d0 (NC): γ_Sd S_De(T) η(ξ) ≤ d/γ_Rd. γ_Rd = 1.55, 1.40, 1.30 by knowledge level,
+    (SD) or 0.6 d0 (NC): γ_Sd S_De(T) η(ξ) ≤ d/γ_Rd. Where ties or anchors pull, α(d) of the real curve
+    is taken if less: they may have given way before. γ_Rd = 1.55, 1.40, 1.30 by knowledge level,
     times 1.2 where blocks do not crush. On a floor η is left out. The damping is the Circolare's,
     the floor spectrum too; γ_Sd was not read and is taken as `action`.
 
@@ -235,7 +237,10 @@ def eurocode(mechanism, demand, where, limit="SD", *, knowledge=1, crushes=False
     alpha, ratio, per_control = _shares(mechanism)
     ultimate = mechanism.ultimate()[1]
     d = share * ultimate * per_control
-    a = alpha * (1.0 - share) * G_M_S2 / ratio
+    left = alpha * (1.0 - share)
+    if mechanism.pulls:
+        left = min(left, mechanism.multiplier(mechanism.rotation(share * ultimate)))
+    a = left * G_M_S2 / ratio
     period = EUROCODE_PERIOD * math.pi * math.sqrt(d / a)
     ground = not hasattr(demand, "ground")
     needed = action * displacement(demand, period, damping if ground else 0.05)
@@ -245,7 +250,7 @@ def eurocode(mechanism, demand, where, limit="SD", *, knowledge=1, crushes=False
         ("λ0", "multiplier that sets the mechanism off", alpha, "-"),
         ("d0*", "oscillator's displacement at which it vanishes", ultimate * per_control, "m"),
         (f"d_{limit}", f"{share} d0*", d, "m"),
-        ("a*", "λ0 (1 − d/d0) g/e*", a / G_M_S2, "g"),
+        ("a*", "λ0 (1 − d/d0) g/e*, or λ(d) of ties and anchors", a / G_M_S2, "g"),
         (f"T_{limit}", "1.6π√(d/a*)", period, "s"),
         ("γ_Rd", "model factor", gamma, "-"),
         ("γ_Sd", "action factor, assumed", action, "-"),

@@ -7,6 +7,9 @@ from yade_scripts.model.floors import place_of
 from yade_scripts.model.ties import rod
 
 
+PAPER = {"fc": "1", "ec": "none", "pad": 0.8}  # behind words that lie on lines
+
+
 def _dimension(axis, start, end, words, offset=(0.0, 0.0), **style):
     arrow = FancyArrowPatch(start, end, arrowstyle="<->", mutation_scale=7, lw=0.7, color="0.2")
     axis.add_patch(arrow)
@@ -81,7 +84,8 @@ def _section(axis, family, candidate):
         z = row["height_m"]
         back, front = m.faces(z)
         axis.plot([-depth, front], [z, z], color="0", lw=1.3)
-        axis.text(front + 0.02 * top, z, f"{1e-3 * rod(row)[1]:.3g} kN", size=6.5, va="center")
+        words = f"{1e-3 * rod(row)[1]:.3g} kN"
+        axis.text(front + 0.02 * top, z, words, size=6.5, va="center", bbox=PAPER)
     for row in section["floors"]:
         y = place_of(row, m.shape)[1]
         axis.annotate(
@@ -90,13 +94,14 @@ def _section(axis, family, candidate):
             (y - 0.05 * top, row["height_m"] + 0.06 * top),
             size=6.5,
             ha="right",
+            bbox=PAPER,
             arrowprops={"arrowstyle": "->", "lw": 0.7},
         )
     right = b + 0.33 * top
     _dimension(axis, (right, 0.0), (right, top), f"{top:g} m", (0.06 * top, 0.0), rotation=90)
     below = ground - 0.06 * top
     _dimension(axis, (0.0, below), (b, below), f"b = {b:g} m", (0.0, -0.05 * top))
-    axis.set_title("section; dashed: weakest mechanism", size=8)
+    axis.set_title("section", size=8)
 
 
 def facade(family, candidate):
@@ -111,8 +116,9 @@ def facade(family, candidate):
 
     def draw(figure):
         m = family.masonry
-        wide, deep = 1.3 * m.width_m, 0.2 * m.top_m + 0.75 * m.top_m
-        axes = figure.subplots(1, 2, width_ratios=(max(wide, 0.3 * m.top_m), deep))
+        wide = max(1.3 * m.width_m, 0.3 * m.top_m)
+        start, end = -0.22 * m.top_m, section_end(family)
+        axes = figure.subplots(1, 2, width_ratios=(wide, end - start))  # at one scale
         _elevation(axes[0], family)
         _section(axes[1], family, candidate)
         low = -family.base_m - 0.16 * m.top_m
@@ -120,8 +126,8 @@ def facade(family, candidate):
             axis.set_aspect("equal")
             axis.set_ylim(low, 1.08 * m.top_m)
             axis.set_axis_off()
-        axes[0].set_xlim(-0.65 * m.width_m, 0.65 * m.width_m)
-        axes[1].set_xlim(-0.22 * m.top_m, section_end(family))
+        axes[0].set_xlim(-0.5 * wide, 0.5 * wide)
+        axes[1].set_xlim(start, end)
 
     return draw
 

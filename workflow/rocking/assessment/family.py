@@ -16,7 +16,7 @@ from rocking.assessment.blocks import bending, interlocking, toppling
 from rocking.assessment.checks import CANTILEVER, initial_period
 from rocking.assessment.masonry import STRIPS, Masonry
 from rocking.assessment.mechanism import Mechanism
-from yade_scripts.model.floors import capacity_n, place_of
+from yade_scripts.model.floors import place_of
 from yade_scripts.model.ties import rod
 
 ADDED_REACH_M = 0.2  # elongation of a rod of 4 m that snaps at 5 %; of an anchor, unknown
@@ -200,17 +200,23 @@ class Family:
         return dict(sorted(found.items()))
 
     def levels(self):
-        """Heights at which floors or ties hold the façade, the base first.
+        """Heights at which anchored floors or ties hold the façade, the base first.
 
-        Of those nearer than `LEAST_PART_M`, as ties below a floor, the lowest.
+        A floor that holds by its friction alone is left out, as in all mechanisms. Of those nearer
+        than `LEAST_PART_M`, as ties below a floor, the lowest.
         """
-        held = [r["height_m"] for r in self.section.get("floors", ()) if capacity_n(r) > 0.0]
+        held = [r["height_m"] for r in self.section.get("floors", ()) if r.get("anchor_kn")]
         held += [row["height_m"] for row in self.section["ties"]]
         found = [0.0]
         for z in sorted(round(float(z), 6) for z in held):
             if z >= found[-1] + LEAST_PART_M:
                 found.append(z)
         return found
+
+    def bends(self, low_m, high_m):
+        """Whether the wall between two levels may bend: higher than thick, and it does not lock."""
+        back, front = self.masonry.faces(low_m)
+        return high_m - low_m > front - back and self.span(low_m, high_m).mechanism.falls()
 
     def span(self, low_m, high_m):
         """Vertical bending between two levels, opening where the multiplier is least."""
@@ -292,8 +298,8 @@ class Family:
             Those that stand at rest; what falls by its own weight raises a ValueError.
         """
         found = [self.part(z, name) for z, name in self.cuts().items()]
-        spans = [self.span(a, b) for a, b in itertools.pairwise(self.levels())]
-        found += [one for one in spans if one.mechanism.falls()]
+        spans = itertools.pairwise(self.levels())
+        found += [self.span(low, high) for low, high in spans if self.bends(low, high)]
         if self.wall["count"] > 0:
             found += [self.corner(side) for side in (-1, 1)]
         for one in found:

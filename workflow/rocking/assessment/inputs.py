@@ -7,6 +7,7 @@ from rocking.assessment.site import SpectrumError, pga_at, read_spectrum
 from rocking.configuration.differences import flat
 from rocking.records import RecordError
 from rocking.risk.hazard import HazardError, read_hazard
+from yade_scripts.model.registry import MODELS
 
 STATED = {  # keys that an assessment does not take from the case study
     "facade": ("height_m", "thickness_m", "width_m", "density_kg_m3"),
@@ -15,27 +16,34 @@ STATED = {  # keys that an assessment does not take from the case study
 }
 
 
-def check_stated(given):
+def check_stated(given, models=()):
     """Refuse a façade whose numbers would be the case study's.
 
     Parameters
     ----------
     given : mapping
         The configuration as the user gave it, to tell what is stated from what is a default.
+    models : sequence of str
+        Those that are run. Where walls carry the building, its mass or section `building` is asked
+        for too.
 
     Raises
     ------
     ValueError
-        In one line that names the key.
+        In one line that names every key that is missing.
     """
-    for section, keys in STATED.items():
+    missing, wanted = [], dict(STATED)
+    if "building" not in given and any(MODELS[name].two_way for name in models):
+        wanted["return_wall"] = ("building_mass_kg",)
+    for section, keys in wanted.items():
         part = given.get(section)
-        for key in keys:
-            if not isinstance(part, Mapping) or key not in part:
-                raise ValueError(
-                    f"assess: {section}.{key} is not stated; expected it in the façade's file, not "
-                    "the case study's default"
-                )
+        known = part if isinstance(part, Mapping) else {}
+        missing += [f"{section}.{key}" for key in keys if key not in known]
+    if missing:
+        raise ValueError(
+            f"assess: {', '.join(missing)} not stated; expected in the façade's file, not the case "
+            "study's default"
+        )
 
 
 def spectrum_file(resolved, find):
@@ -95,8 +103,22 @@ def check_facade(resolved):
         raise ValueError(f"assess: {error}") from None
 
 
+def every_value(settings):
+    """Values by dotted key, rows of lists by their number: `facade.floors.1.load_kn`."""
+    found = {}
+    for key, value in flat(settings).items():
+        if isinstance(value, list) and value and all(isinstance(row, Mapping) for row in value):
+            for number, row in enumerate(value, 1):
+                found |= flat(row, f"{key}.{number}.")
+        else:
+            found[key] = value
+    return found
+
+
 def given_keys(given, resolved, first):
     """Dotted keys that a run's configuration states, scenarios and grid included.
+
+    Those of rows of lists as `every_value` has them.
 
     Parameters
     ----------
@@ -105,8 +127,8 @@ def given_keys(given, resolved, first):
     resolved, first : dict
         Of the run, and of the first run of the study: what differs between them was stated.
     """
-    found, others = set(flat(given)), flat(first)
-    found |= {key for key, value in flat(resolved).items() if others.get(key) != value}
+    found, others = set(every_value(given)), every_value(first)
+    found |= {key for key, value in every_value(resolved).items() if others.get(key) != value}
     return sorted(found)
 
 

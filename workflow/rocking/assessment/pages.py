@@ -26,6 +26,7 @@ BODY, SMALL = 8.5, 7.2
 LEAD = 1.35  # of a line over the size of its type
 ASCENT = 0.72  # of a line above the baseline
 BOLD = 1.13  # of a bold character over a plain one
+KEPT_MM = 150.0  # a table no higher than this goes to the next page whole
 CHARACTER = 0.54  # mean width of a character over the size of its type
 
 
@@ -126,27 +127,37 @@ def _table(pages, table):
     starts = [sum(widths[:i]) for i in range(len(widths))]
     step = _line_mm(SMALL)
 
-    def row(words, **style):
-        cells = [
-            _wrapped(word, SMALL, width - 2.0) for word, width in zip(words, widths, strict=True)
-        ]
-        height = step * max(map(len, cells)) + 1.0
-        pages.need(height)
-        for cell, x in zip(cells, starts, strict=True):
+    def cells(words):
+        pairs = zip(words, widths, strict=True)
+        return [_wrapped(word, SMALL, width - 2.0) for word, width in pairs]
+
+    def height(row):
+        return step * max(map(len, row)) + 1.0
+
+    def put(row, **style):
+        for cell, x in zip(row, starts, strict=True):
             for i, line in enumerate(cell):
                 pages.text(line, SMALL, x, i * step + 0.6, **style)
-        pages.left_mm -= height
-        return height
+        pages.left_mm -= height(row)
 
-    pages.need(min(8.0, 2.0 + len(table.rows)) * step)
+    head = cells(table.columns) if any(table.columns) else None
+    rows = [cells(words) for words in table.rows]
     source = f" [{table.source}]" if table.source else ""
-    if table.caption or source:
-        pages.lines(table.caption + source, SMALL, after_mm=0.5, color="0.25")
-    if any(table.columns):
-        row(table.columns, weight="bold")
-        pages.rule(0.0)
-    for words in table.rows:
-        row(words)
+    caption = table.caption + source
+    above = step * len(_wrapped(caption, SMALL)) + 0.5 if caption else 0.0
+    above += height(head) if head else 0.0
+    whole = above + sum(map(height, rows))
+    pages.need(whole if whole <= KEPT_MM else above + sum(map(height, rows[:4])))
+    if caption:
+        pages.lines(caption, SMALL, after_mm=0.5, color="0.25")
+    page = None
+    for row in rows:
+        pages.need(height(row))
+        if head and page != pages.number:  # again on every page that the table goes over to
+            put(head, weight="bold")
+            pages.rule(0.0)
+        page = pages.number
+        put(row)
         pages.rule(0.0, 0.3, "0.8")
     pages.left_mm -= 3.0
 

@@ -9,8 +9,9 @@ DRY = [name for name, model in MODELS.items() if model.planar and not model.bond
 LINES = dict(zip(DRY, LOOKS, strict=True))
 
 
-def capacity(curves):
-    """Capacity curves of the mechanisms, with the displacements of the limit states."""
+def capacity(curves, mechanisms):
+    """Capacity curves of the mechanisms, with the displacements of SLV and SLC."""
+    reached = mechanisms[mechanisms["kind"] == "as stated"].set_index("mechanism")["d_slv_m"]
 
     def draw(figure):
         axis = figure.subplots()
@@ -20,12 +21,12 @@ def capacity(curves):
         ):
             axis.plot(curve["d_m"], curve["multiplier"], line, color=shade, label=name)
             d0 = float(curve["d_m"].iloc[-1])
-            for share, mark in ((0.4, "s"), (0.6, "D")):
-                y = np.interp(share * d0, curve["d_m"], curve["multiplier"])
-                axis.plot(share * d0, y, mark, color=shade, mfc="white", ms=5)
+            for words, d, mark in (("d_SLV", reached[name], "s"), ("d_SLC", 0.6 * d0, "D")):
+                y = np.interp(d, curve["d_m"], curve["multiplier"])
+                axis.plot(d, y, mark, color=shade, mfc="white", ms=5)
                 if line == "-":  # the other curve has the same marks
                     at = {"textcoords": "offset points", "size": 7}
-                    axis.annotate(f"{share:g} d0", (share * d0, y), (4, 5), **at)
+                    axis.annotate(words, (d, y), (4, 5), **at)
         axis.set(xlabel="displacement of the control point [m]", ylabel="multiplier α [-]")
         axis.set(xlim=(0.0, None), ylim=(0.0, None))
         axis.legend(fontsize=6.5)
@@ -124,14 +125,15 @@ def tornado(table, base, label):
 
     def draw(figure):
         axis = figure.subplots()
-        spread = table.groupby("key", sort=False)["value"].agg(lambda v: v.max() - v.min())
-        keys = list(spread[spread > 1e-9].index)  # without those that do nothing
+        by_key = table.groupby("key", sort=False)["value"]
+        ends = by_key.agg(low=lambda v: min(v.min(), base), high=lambda v: max(v.max(), base))
+        keys = list(ends[ends["high"] - ends["low"] > 1e-9].index)  # without those that do nothing
         for y, key in enumerate(keys[::-1]):
             part = table[table["key"] == key].sort_values("factor")
             axis.barh(
                 y,
-                part["value"].max() - part["value"].min(),
-                left=part["value"].min(),
+                ends.loc[key, "high"] - ends.loc[key, "low"],
+                left=ends.loc[key, "low"],
                 height=0.5,
                 fc="0.85",
                 ec="0.3",

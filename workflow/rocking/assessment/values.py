@@ -3,8 +3,8 @@
 import json
 
 from rocking.assessment.checks import LEAST_KNOWN, confidence
-from rocking.calibration.beta import beta_and_range
-from rocking.configuration.differences import flat
+from rocking.assessment.inputs import every_value
+from rocking.calibration.beta import CalibrationError, beta_and_range
 
 SECTIONS = (
     "facade",
@@ -15,9 +15,12 @@ SECTIONS = (
     "numerics",
     "ensemble",
     "ida",
+    "baseline",
 )
+HAZARD = ("hazard", "site")  # of section risk
 ALONE = ("models", "records_table", "directions", "vertical_motion", "seed")
 OVERRULED = ("damping.beta_s", "assessment.confidence_factor")  # a rule may stand for these
+IN_ROWS = {"arm_m": "half the thickness", "anchor_kn": "more than the steel"}  # where null
 STATED, DERIVED, DEFAULT = "stated", "derived", "default"
 
 
@@ -38,7 +41,9 @@ def _derived(config):
     beta, outside = beta_and_range(config)
     law = config["damping"]["law"]
     words = {
-        "facade.base_stiffness_pa_m": f"{1e6 * f['e_mpa'] / f['height_m']:.4g} (E/h)",
+        "facade.base_stiffness_pa_m": f"{1e6 * f['e_mpa'] / f['height_m']:.4g} (E/h; facade.base "
+        "says where it sits)",
+        "facade.parapet_thickness_m": "that of the highest storey",
         "return_wall.length_m": f"{0.5 * f['height_m']:.4g} (h/2)",
         "return_wall.building_mass_kg": "of the brick model",
         "assessment.roof_load_kn": f"{loads:g} (of facade.floors)",
@@ -58,6 +63,17 @@ def _derived(config):
     return words
 
 
+def _beside_eq5(config):
+    """A β that is given as a value, beside what eq. 5 says of this façade."""
+    own = f"{config['damping']['beta_s']:g}"
+    try:
+        beta, outside = beta_and_range(config | {"damping": {"law": "eq5"}})
+    except CalibrationError:
+        return f"{own} (eq. 5 has no value for this façade)"
+    words = f"{own} (not of this façade; eq. 5 gives {beta:.4g}"
+    return words + (f"; {outside})" if outside else ")")
+
+
 def values(config, given):
     """Rows (key, value, standing) of every key that the assessment rests on.
 
@@ -69,12 +85,20 @@ def values(config, given):
         Dotted keys that the user's configuration states.
     """
     parts = {key: config[key] for key in (*ALONE, *SECTIONS)}
+    parts["risk"] = {key: config["risk"][key] for key in HAZARD}
     known, given = _derived(config), set(given)
     rows = []
-    for key, value in flat(parts).items():
+    for key, value in every_value(parts).items():
         stated = key in given or any(key.startswith(f"{g}.") for g in given)
         if key in known and (value is None or key in OVERRULED):
             rows.append((key, known[key], DERIVED))
-        else:
-            rows.append((key, _words(value), STATED if stated else DEFAULT))
+            continue
+        place, _, last = key.rpartition(".")
+        if value is None and last in IN_ROWS and place[-1:].isdigit():
+            rows.append((key, IN_ROWS[last], DERIVED))
+            continue
+        words = _words(value)
+        if key == "damping.beta_s" and config["facade"]["sides"] == "one":
+            words = _beside_eq5(config)
+        rows.append((key, words, STATED if stated else DEFAULT))
     return rows

@@ -15,6 +15,7 @@ than may of all, or none of so many that the interval's upper end is within what
 import hashlib
 import json
 import math
+import time
 from pathlib import Path
 
 import numpy as np
@@ -81,6 +82,12 @@ def most_histories(settings, height_m):
     few = min(enough(settings["probability"]), settings["realisations"])
     first = len(range(levels - 1, -1, -STRIDE))
     return (heights * levels + 1) * settings["realisations"], (heights * first + 1) * few
+
+
+def forecast(settings, height_m, seconds):
+    """What the whole search takes, in words, at so many processor seconds a history."""
+    most, fewest = (n * seconds / 60.0 for n in most_histories(settings, height_m))
+    return f"{seconds:.2g} s a history: {fewest:.3g} to {most:.3g} min of processor time in all"
 
 
 def realisations(case, motion, direction, settings):
@@ -184,14 +191,20 @@ def search(case, motion, direction, settings, kept=None, say=lambda text: None):
     kept = kept or Kept(None, "")
     heights = trial_heights(settings, case["facade"]["height_m"])
     none, *forces = trial_forces(settings, settings["levels"])
+    taken: list[float] = []  # processor seconds a history
 
     def tried(height, force):
         if (known := kept.get(height, force)) is None:
+            began = time.process_time()
             known = realisations(
                 case.varied(tie(settings, height, force)), motion, direction, settings
             )
+            seconds = time.process_time() - began
             kept.put(height, force, *known)
             say(f"tie of {force:.3g} kN at {height:.2f} m: {known[0]} of {known[1]} fell")
+            taken.append(seconds / max(known[1], 1))
+            if len(taken) == 2:  # the first compiles
+                say(forecast(settings, case["facade"]["height_m"], taken[1]))
         fell, n = known
         band = binomtest(fell, n).proportion_ci(CONFIDENCE, "wilson") if n else None
         low, high = (band.low, band.high) if band else (np.nan, np.nan)

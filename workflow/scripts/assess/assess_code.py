@@ -7,7 +7,7 @@ import pandas as pd
 from rocking.assessment import site
 from rocking.assessment.code_checks import code_checks, governing, least
 from rocking.assessment.demand import floor_demand
-from rocking.assessment.family import LEAST_PART_M, Family, stretched, ties_of
+from rocking.assessment.family import Family, stretched, ties_of
 from rocking.records import G_M_S2, load
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
@@ -88,6 +88,7 @@ def mechanism_row(one, found, tie_kn, kind):
         "e_star": ratio,
         "e_star_letter": mechanism.participation(letter=True)[1],
         "d0_m": mechanism.ultimate()[1],
+        "d_slv_m": mechanism.limit(0.4)[0],
         "t0_s": one.t0_s,
         "pga_fails_g": least(found),
     }
@@ -108,8 +109,9 @@ def mechanisms(settings, demand, ranked, place):
             rows.append(row)
     family = Family(facade, wall, own)
     top = facade["height_m"]
-    held = family.span(max(z for z in family.levels() if z <= top - LEAST_PART_M), top)
-    if held.mechanism.falls():
+    highest = family.levels()[-1]
+    if family.bends(highest, top):  # else it is held there already
+        held = family.span(highest, top)
         found = code_checks(held, facade, settings["smdof"], own, demand)
         rows.append(mechanism_row(held, found, np.nan, "top held"))
     return pd.DataFrame(rows)
