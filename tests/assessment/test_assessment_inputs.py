@@ -108,7 +108,10 @@ STATED = {
     ("given", "words"),
     [
         ({}, "facade.height_m, .*, assessment.confidence_factor not stated"),
-        ({"facade": {"height_m": 6.0}}, "assess: facade.thickness_m, facade.width_m, .* not stated"),
+        (
+            {"facade": {"height_m": 6.0}},
+            "assess: facade.thickness_m, facade.wi.* not stated",
+        ),
         (STATED | {"smdof": {"n_dof": 2}}, "assess: smdof.period_s not stated"),
     ],
 )

@@ -311,8 +311,8 @@ def blocks(data, folder):
         Picture(
             pictures.capacity(t["capacity_curve"], t["mechanisms"]),
             50.0,
-            "Capacity curve. d_SLV is the least of 0.4 d0 and of where a tie or an anchor gives way "
-            "and takes more than half of the capacity.",
+            "Capacity curve. d_SLV is the least of 0.4 d0 and of where a tie or an anchor gives "
+            "way and takes more than half of the capacity.",
             "The multiplier falls to zero at d0.",
             f"{folder}/capacity_curve.csv",
         ),

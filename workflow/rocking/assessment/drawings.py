@@ -6,7 +6,6 @@ from matplotlib.patches import FancyArrowPatch, Polygon, Rectangle
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.ties import rod
 
-
 PAPER = {"fc": "1", "ec": "none", "pad": 0.8}  # behind words that lie on lines
 
 

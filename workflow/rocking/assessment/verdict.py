@@ -92,8 +92,8 @@ def suite(dynamic):
         for r in dynamic.itertuples()
     )
     return (
-        f"Shaken by {stations} stations' motions, each scaled to the demand's PGA, the façade falls "
-        f"with a probability of {said}; in brackets 95 % intervals."
+        f"Shaken by {stations} stations' motions, each scaled to the demand's PGA, the façade "
+        f"falls with a probability of {said}; in brackets 95 % intervals."
     )
 
 
@@ -128,8 +128,8 @@ def next_steps(checks, mechanisms, verdicts, knowledge):
         )
     if lost and gives_way(verdicts.iloc[0]):
         lines.append(
-            "Anchors stronger than their rods let the rods yield: now a tie or an anchor gives way at "
-            f"{1e3 * verdicts['d_slv_m'].iloc[0]:.3g} mm, which the dynamic check takes as d_SLV."
+            "Anchors stronger than their rods let the rods yield: now a tie or an anchor gives way "
+            f"at {1e3 * verdicts['d_slv_m'].iloc[0]:.3g} mm, which the dynamic check takes as d_SLV."
         )
     if verdicts.empty:
         lines.append(
