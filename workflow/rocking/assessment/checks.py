@@ -223,9 +223,9 @@ def eurocode(mechanism, demand, where, limit="SD", *, knowledge=1, crushes=False
 
     With λ falling in a line from λ0 to zero at d0, a* = λ g/e* and T = 1.6π√(d/a*) at d = 0.4 d0
     (SD) or 0.6 d0 (NC): γ_Sd S_De(T) η(ξ) ≤ d/γ_Rd. Where ties or anchors pull, α(d) of the real
-    curve is taken if less: they may have given way before. γ_Rd = 1.55, 1.40, 1.30 by knowledge level,
-    times 1.2 where blocks do not crush. On a floor η is left out. The damping is the Circolare's,
-    the floor spectrum too; γ_Sd was not read and is taken as `action`.
+    curve is taken if less: they may have given way before. γ_Rd = 1.55, 1.40, 1.30 by knowledge
+    level, times 1.2 where blocks do not crush. On a floor η is left out. The damping is the
+    Circolare's, the floor spectrum too; γ_Sd was not read and is taken as `action`.
 
     Parameters
     ----------

@@ -129,7 +129,7 @@ def next_steps(checks, mechanisms, verdicts, knowledge):
     if lost and gives_way(verdicts.iloc[0]):
         lines.append(
             "Anchors stronger than their rods let the rods yield: now a tie or an anchor gives way "
-            f"at {1e3 * verdicts['d_slv_m'].iloc[0]:.3g} mm, which the dynamic check takes as d_SLV."
+            f"at {1e3 * verdicts['d_slv_m'].iloc[0]:.3g} mm, the d_SLV of the dynamic check."
         )
     if verdicts.empty:
         lines.append(
