@@ -105,7 +105,7 @@ def check_facade(resolved):
 
 def every_value(settings):
     """Values by dotted key, rows of lists by their number: `facade.floors.1.load_kn`."""
-    found = {}
+    found: dict = {}
     for key, value in flat(settings).items():
         if isinstance(value, list) and value and all(isinstance(row, Mapping) for row in value):
             for number, row in enumerate(value, 1):
