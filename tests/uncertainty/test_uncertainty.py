@@ -8,14 +8,18 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking import Case
+from rocking.calibration.beta import beta_for
+from rocking.collapse.case import LAW_FILE
 from rocking.collapse.scan import Screen
+from rocking.configuration.config import ConfigError, resolve
 from rocking.runs import Runs
 from rocking.studies import fragility
-from rocking.uncertainty import parts, sampling
+from rocking.uncertainty import design, parts, sampling
 from rocking.uncertainty.design import drawn_motions
 from yade_process import resolved, run_study
 
 from yade_scripts.model.facade import joint_stiffness
+from yade_scripts.model.models import build_scene
 
 
 def drawn(job, factor):
@@ -154,6 +158,25 @@ def test_a_varied_scene_has_what_the_factors_say():
     assert new["beta_s"] == pytest.approx(0.006)
     assert job["return_wall"]["length_m"] is None
     assert drawn(job, {"period_s": 1.1})["smdof"]["period_s"] == pytest.approx(0.297)
+
+
+def test_each_base_is_a_form_of_its_own():
+    """The run's own case as it is; on the other base the joint of 2.8 E/h and that base's β."""
+    own = Case({**resolved(damping={"law": "fitted"}), "model": "W1"}).calibrated()
+    assert design.forms(own, [], LAW_FILE) == {"W1": own}
+    found = design.forms(own, ["study", "column"], LAW_FILE)
+    assert list(found) == ["W1", "W1 column"]
+    assert found["W1"] is own
+    other = found["W1 column"]
+    assert other["facade"] == {**own["facade"], "base": "column"}
+    assert other["beta_s"] == pytest.approx(beta_for(other.scene))
+    assert other["beta_s"] < own["beta_s"]
+    scene = build_scene(other.varied(sampling.variant(other, {"e_mpa": 2.0})).scene)
+    kn = scene.nodes.kn_n_m[scene.nodes.joint == scene.joints.index("base")].sum()
+    area = own["facade"]["thickness_m"] * own["facade"]["width_m"]
+    assert kn == pytest.approx(2.8 * 2.0 * joint_stiffness(own.scene)[0] * area)
+    with pytest.raises(ConfigError, match=r"uncertainty\.bases = column: expected study with"):
+        resolve({"uncertainty": {"bases": ["column"]}, "facade": {"base_stiffness_pa_m": 1e9}})
 
 
 def test_motions_are_drawn_by_the_seed():

@@ -30,7 +30,7 @@ def cells(run):
 
 def sample_settings(*more):
     """Params function: what the sample depends on and the keys of `more`, as JSON."""
-    keys = ("samples", "sampling", "seed", "replicates", "parameters", *more)
+    keys = ("samples", "sampling", "seed", "replicates", "bases", "parameters", *more)
 
     def text(wildcards):
         own, limit = (RUNS.cfg(wildcards)[key] for key in ("uncertainty", "ida"))
@@ -44,6 +44,7 @@ rule uncertainty_collapse:
     input:
         record=rules.own_record.output.record,
         scenes=of_run(rules.scene.output[0], model=RUNS.key("uncertainty.models")),
+        law=LAW_FILE,
         modules=code("uncertainty/uncertainty_collapse"),
     output:
         results("uncertainty/{record}.csv"),
@@ -63,6 +64,7 @@ rule uncertainty_cells:
         tables=of_run(rules.uncertainty_collapse.output[0], record=drawn),
         records=of_run(rules.own_record.output.record, record=drawn),
         scenes=of_run(rules.scene.output[0], model=RUNS.key("uncertainty.models")),
+        law=LAW_FILE,
         modules=code("uncertainty/uncertainty_cells"),
     output:
         results("uncertainty/cells.json"),

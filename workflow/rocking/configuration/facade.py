@@ -161,11 +161,14 @@ def _check_shape(resolved: Mapping) -> None:
 def _check_hinges(resolved: Mapping) -> None:
     facade = resolved["facade"]
     heights, courses = facade["hinges_m"], facade["courses"]
-    for key in ("base_stiffness_pa_m", "courses", "hinges_m"):
-        if facade["base"] != STUDY and facade[key]:
+    stated = [key for key in ("base_stiffness_pa_m", "courses", "hinges_m") if facade[key]]
+    bases = [("facade.base", facade["base"])]
+    bases += [("uncertainty.bases", base) for base in resolved["uncertainty"]["bases"]]
+    for key, base in bases:
+        if base != STUDY and stated:
             raise ConfigError(
-                f"facade.base = {facade['base']}: expected {STUDY} with facade.{key}, which states "
-                "its own stiffness"
+                f"{key} = {base}: expected {STUDY} with facade.{stated[0]}, which states its own "
+                "stiffness"
             )
     if not heights and not courses:
         return

@@ -2,6 +2,7 @@
 
 import math
 
+from rocking.collapse.case import Variant
 from rocking.collapse.quick import LONG_STEP, crossings
 from rocking.records import load
 from rocking.uncertainty import sampling
@@ -13,11 +14,39 @@ COLUMNS = ["record", "direction", "model", "sample", "replicate"]
 COLUMNS += ["pga_p10_g", "pga_median_g", "pga_max_g", "runs_planar"]
 
 
-def collapse(case, motion, direction, factors, settings):
+def forms(case, bases, law):
+    """A case on each base that is equally probable, by the name of the form.
+
+    Parameters
+    ----------
+    case : Case
+        Its name is its model's; that of another base has the base behind.
+    bases : sequence of str
+        Values of facade.base; none: the case's own alone.
+    law : path
+        Coefficients of the law of β, which may differ by base.
+
+    Returns
+    -------
+    dict of str to Case
+    """
+    found, own = {}, case["facade"]["base"]
+    for base in bases or [own]:
+        if base == own:
+            found[case.model] = case
+        else:
+            other = case.varied(Variant(base, {"facade.base": base}))
+            found[f"{case.model} {base}"] = other.calibrated(law)
+    return found
+
+
+def collapse(name, case, motion, direction, factors, settings):
     """Collapse of a case over the sample, the first `replicates` of it twice.
 
     Parameters
     ----------
+    name : str
+        Of the form, see `forms`.
     case : Case
     motion : Motion
     direction : str
@@ -42,7 +71,7 @@ def collapse(case, motion, direction, factors, settings):
             found = crossings(cell, motion, direction, how, step)
             if number == sampling.MEDIAN:
                 first = found["pga_p10_g"] if math.isfinite(found["pga_p10_g"]) else None
-            key = {"record": motion.name, "direction": direction, "model": cell.model}
+            key = {"record": motion.name, "direction": direction, "model": name}
             key |= {"sample": number, "replicate": again, "pga_max_g": limit}
             rows.append(key | found)
     return rows

@@ -48,14 +48,16 @@ def main(job):
     models = list(dict.fromkeys(own["model"]))
     for k, model in enumerate(models):
         part = own[own["model"] == model].set_index("parameter").loc[names]
-        y = np.arange(len(names)) + 0.22 * ((len(models) - 1) / 2.0 - k)
-        kind = MODELS[model]
+        y = np.arange(len(names)) + 0.66 / len(models) * ((len(models) - 1) / 2.0 - k)
+        kind, other = MODELS[model.split()[0]], " " in model  # on another base: open symbols
         look = {"marker": kind.marker, "color": kind.colour, "label": model}
+        look |= {"mfc": "white"} if other else {}
         spans(middle, y, *(np.expm1(part[f"slope{e}"]) for e in ("", "_low", "_high")), **look)
     middle.axvline(0.0, color=style.GREY, lw=0.8, zorder=0)
     middle.set_yticks(np.arange(len(names)), [WORDS[name] for name in names])
     middle.set(xlabel="change of collapse PGA for one\nstandard deviation [%]")
-    middle.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(models), fontsize=7)
+    columns = min(len(models), 3)
+    middle.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=columns, fontsize=7)
 
     median, widest = curves["median_g"].iloc[0], curves["dispersion"].max()
     x = median * np.exp(np.linspace(-2.5, 2.5, 121) * widest)

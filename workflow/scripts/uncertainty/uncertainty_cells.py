@@ -8,7 +8,7 @@ import pandas as pd
 from rocking import Case, Motion, collapse_curve
 from rocking.records import read_csv
 from rocking.runtime.script import run
-from rocking.uncertainty import sampling
+from rocking.uncertainty import design, sampling
 
 from yade_scripts.studies.search import DIGITS
 
@@ -19,7 +19,9 @@ def main(job):
     settings = json.loads(job.params.settings)
     table = pd.concat([pd.read_csv(path) for path in job.input.tables], ignore_index=True)
     table = table[(table["replicate"] == 0) & (table["sample"] > 0)].dropna()
-    cases = {case.model: case for case in map(Case.read, job.input.scenes)}
+    cases = {}
+    for path in job.input.scenes:
+        cases |= design.forms(Case.read(path), settings["bases"], job.input.law)
     paths = {Path(path).stem: path for path in job.input.records}
     factors = sampling.factors(settings)
     rng = np.random.default_rng(settings["seed"])

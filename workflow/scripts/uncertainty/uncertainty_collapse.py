@@ -14,7 +14,9 @@ def main(job):
     motion, factors = Motion(read_csv(job.input.record)), sampling.factors(settings)
     rows = []
     for path in job.input.scenes:
-        rows += design.collapse(Case.read(path), motion, p.direction, factors, settings)
+        cases = design.forms(Case.read(path), settings["bases"], job.input.law)
+        for name, case in cases.items():
+            rows += design.collapse(name, case, motion, p.direction, factors, settings)
     write_table(rows, job.output[0], design.COLUMNS)
 
 
