@@ -44,7 +44,8 @@ gallery: setup
 
 study: setup
 	$(SNAKEMAKE) --configfile config/scenarios/five_models.yaml --config run=study -- study
-	cp results/study/study.md docs/study.md
+	sed 's#](figures/#](pictures/study_#' results/study/study.md > docs/study.md
+	.venv/bin/python tools/gallery.py --study results/study/figures
 
 REVISION ?= main
 freeze: setup

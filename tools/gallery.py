@@ -5,6 +5,7 @@
     python tools/gallery.py --no-run           # from the results there are
     python tools/gallery.py --results /tmp/x   # from those of a run with `--directory /tmp/x`
     python tools/gallery.py --drawn sequence   # a picture of another page was put there by hand
+    python tools/gallery.py --study results/study/figures  # those of docs/study.md; `make study`
     python tools/gallery.py --old              # which pictures are older than what draws them
 
 A picture is named after the last file its command asks for; the page is the only list of both.
@@ -31,10 +32,11 @@ sys.path[:0] = [str(ROOT)]
 from yade_scripts.sources import imports  # noqa: E402
 
 PAGE = ROOT / "docs" / "gallery.md"
+STUDY = ROOT / "docs" / "study.md"
 DRAWN_BY = ROOT / "docs" / "pictures" / "drawn_by.json"
 ENTRY = re.compile(r"^```sh\n(?P<command>.*?)^```\n+!\[[^\]]*\]\((?P<picture>[^)]+)\)", re.M | re.S)
 WIDTH_PX = 900
-LIMIT_BYTES = 3_000_000  # of all pictures together: they live in the repository
+LIMIT_BYTES = 4_500_000  # of all pictures together: they live in the repository
 SHARED = {"__init__.py", "style.py"}  # by all figures
 
 
@@ -44,7 +46,7 @@ def entries(page=PAGE):
     for match in ENTRY.finditer(page.read_text("utf-8")):
         source = shlex.split(match["command"].replace("\\\n", " "))[-1]
         picture = page.parent / match["picture"]
-        if picture.stem != Path(source).stem:
+        if picture.stem.removeprefix("study_") != Path(source).stem:
             raise ValueError(f"{page.name}: {match['picture']} stands below a command for {source}")
         found.append((match["command"], Path(source), picture))
     return found
@@ -111,13 +113,19 @@ def main():
     parser.add_argument("--results", type=Path, help="take those in this folder")
     parser.add_argument("--drawn", nargs="*", help="pictures that were drawn by other means")
     parser.add_argument("--old", action="store_true", help="list old pictures, draw none")
+    parser.add_argument("--study", type=Path, help="renew those of the study's page from here")
     args = parser.parse_args()
+    if args.study:
+        for name in re.findall(r"\(pictures/study_([^)]+)\)", STUDY.read_text("utf-8")):
+            shrink(args.study / name, picture := DRAWN_BY.parent / f"study_{name}")
+            note(picture)
+        return
     if args.old:
         commands = {picture.name for _, _, picture in entries()}
         for name in old():
             stem = Path(name).stem
-            how = f"make gallery ARGS='--only {stem}'"
-            if name not in commands:
+            how = "make study" if stem.startswith("study_") else f"make gallery ARGS='--only {stem}'"
+            if name not in commands and how != "make study":
                 how = f"the command on its page, then tools/gallery.py --drawn {stem}"
             print(f"docs/pictures/{name} is older than what draws it; renew it: {how}")
         return

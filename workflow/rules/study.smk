@@ -12,12 +12,24 @@ STUDY_TABLES = [
     rules.ida_collapse.output.collapse,
     rules.table_claims.output[0],
 ]
+STUDY_FIGURES = [
+    rules.fig01_building.output.png,
+    rules.fig02_modes.output.png,
+    expand(rules.fig03_wme.output.png, record="RRS228", allow_missing=True),
+    rules.fig04_calibration.output.png,
+    rules.fig05_sorrentino.output.png,
+    rules.fig06_shawa.output.png,
+    rules.fig07_models.output.png,
+    rules.fig08_w3.output.png,
+    rules.fig09_ida.output.png,
+]
 
 
 rule study_page:
     input:
         data=RUNS.find_file("docs/study.yaml"),
         tables=STUDY_TABLES,
+        figures=STUDY_FIGURES,
         modules=code("study/study_page"),
     output:
         results("study.md"),

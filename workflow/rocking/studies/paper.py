@@ -7,6 +7,7 @@ import pandas as pd
 MET = ("yes", "no", "partly", "given", "open")
 HEAD = "| | in the study | its value | here | met | why they differ |\n|---|---|---|---|---|---|\n"
 NOT_RUN = "not part of this run"
+SOURCES = {"file": "recorded motions", "surrogate": "surrogates"}
 CLAIMS = ("claims_building", "claims_calibration", "claims")
 
 
@@ -65,7 +66,7 @@ def row(entry, tables):
         verdicts, text = _claim(entry["claim"], tables)
         here.append(text)
         if met is None:
-            met = " / ".join(dict.fromkeys(verdicts)) or NOT_RUN
+            met = "partly" if len(set(verdicts)) > 1 else verdicts[0] if verdicts else NOT_RUN
     elif met not in MET:
         raise ValueError(f"'{entry['id']}': met is '{met}', expected one of {', '.join(MET)}")
     if "table" in entry:
@@ -85,7 +86,8 @@ def _claim(start, tables):
         return [], NOT_RUN
     texts = []
     for line in found.fillna("").itertuples():
-        source = f"{line.records.split(':')[0]}: " if ":" in line.records else ""
+        source = line.records.split(":")[0] if ":" in line.records else ""
+        source = f"{SOURCES.get(source, source)}: " if source else ""
         whose = "" if line.threshold == "the study's" else " (our threshold)"
         texts.append(f"{source}{line.measured}{whose}")
     return found["holds"].tolist(), "; ".join(texts)
@@ -151,6 +153,12 @@ def collapse(data, tables):
 BLOCKS = {"records": records, "wme": errors, "collapse": collapse}
 
 
+def figures(data):
+    """Names of the figures that the page shows."""
+    rows = [entry for section in data["sections"] for entry in section["rows"]]
+    return [entry["figure"] for entry in rows if "figure" in entry]
+
+
 def page(data, tables, about):
     """The page as Markdown.
 
@@ -177,5 +185,10 @@ def page(data, tables, about):
             if "table" in entry:
                 block = BLOCKS[entry["table"]](data, tables)
                 lines += ["", f"{entry['id'].capitalize()}: {entry['says']}", "", *block]
+        for entry in section["rows"]:
+            if "figure" in entry:
+                title = entry["id"].rstrip("abcdef").capitalize()
+                lines += ["", f"![{title}, as made here](figures/{entry['figure']}.png)"]
+                lines += ["", f"{title}, as made here."]
         lines.append("")
     return "\n".join(lines).rstrip() + "\n"
