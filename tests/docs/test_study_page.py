@@ -113,7 +113,7 @@ def test_a_row_takes_numbers_and_verdicts_from_the_tables():
     }
     assert paper.row(entry, {"modes": modes, "claims": claims}) == (
         "| figure 0 | a period | 0.2 s | 0.223 s; surrogates: 0.5 (our threshold); "
-        "recorded motions: 0.9 | partly |  |"
+        "recorded: 0.9 | partly |  |"
     )
     assert paper.row(entry, {}).count(paper.NOT_RUN) == 3
     with pytest.raises(ValueError, match="2 rows"):

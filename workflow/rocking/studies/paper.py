@@ -7,7 +7,7 @@ import pandas as pd
 MET = ("yes", "no", "partly", "given", "open")
 HEAD = "| | in the study | its value | here | met | why they differ |\n|---|---|---|---|---|---|\n"
 NOT_RUN = "not part of this run"
-SOURCES = {"file": "recorded motions", "surrogate": "surrogates"}
+SOURCES = {"file": "recorded", "surrogate": "surrogates"}
 CLAIMS = ("claims_building", "claims_calibration", "claims")
 
 
@@ -105,7 +105,7 @@ def records(data, tables):
         source = NOT_RUN
         if made is not None and name in made.index:
             one = made.loc[name]
-            source = one["source"]
+            source = "recorded" if one["source"] == "file" else one["source"]
             columns = ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
             cells = [f"{one[c]:.3g} ({p:g})" for c, p in zip(columns, paper, strict=True)]
         lines.append(f"| {name} | {source} | " + " | ".join(cells) + " |")
