@@ -124,9 +124,11 @@ def main():
         commands = {picture.name for _, _, picture in entries()}
         for name in old():
             stem = Path(name).stem
-            how = "make study" if stem.startswith("study_") else f"make gallery ARGS='--only {stem}'"
-            if name not in commands and how != "make study":
+            how = f"make gallery ARGS='--only {stem}'"
+            if name not in commands:
                 how = f"the command on its page, then tools/gallery.py --drawn {stem}"
+            if name not in commands and name.startswith("study_"):
+                how = "make study"
             print(f"docs/pictures/{name} is older than what draws it; renew it: {how}")
         return
     for name in args.drawn or ():
