@@ -46,7 +46,7 @@ def first_page(data):
         Table("", ("", "", "", ""), who, (0.12, 0.38, 0.12, 0.38), ""),
         Picture(
             drawings.facade(data.family, weakest),
-            78.0,
+            72.0,
             "To scale. Crosses: ties; dashed lines: floors; dashed outline: the weakest mechanism.",
             drawings.words(data.family, weakest),
             "config.yaml",
@@ -256,7 +256,7 @@ def _sensitivity(data, folder):
         blocks.append(
             Picture(
                 pictures.tornado(part, own[key], "PGA of failure over the demand's [-]"),
-                55.0,
+                45.0,
                 f"Sensitivity of the non-linear SLV check, {words}; line: as stated. What changes "
                 "nothing is left out.",
                 "; ".join(f"{r.key} ×{r.factor:g} gives {g3(r.value)}" for r in part.itertuples()),
@@ -333,7 +333,7 @@ def blocks(data, folder):
         out.append(
             Picture(
                 pictures.fragility(t["dynamic_curves"], t["dynamic"], t["mechanisms"]),
-                60.0,
+                55.0,
                 "Probability of collapse with 95 % bands; mark: PGA at which the SLV check fails.",
                 "; ".join(
                     f"{r.model}: half collapse at {g3(r.median_pga_g)} g"

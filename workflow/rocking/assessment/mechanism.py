@@ -13,7 +13,7 @@ derivatives are taken by a complex step, exact to rounding. SI units throughout.
 import cmath
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -74,6 +74,7 @@ class Mechanism:
     pulls: tuple = ()
     largest_rad: float = 0.5 * math.pi
     pieces: tuple = ()
+    _known: dict = field(default_factory=dict, repr=False, compare=False)
 
     def multiplier(self, theta_rad=0.0):
         """α(θ) of the module's equation [-]."""
@@ -109,6 +110,11 @@ class Mechanism:
         ValueError
             If α is not positive at the start, or never vanishes.
         """
+        if "ultimate" not in self._known:  # every check asks for it
+            self._known["ultimate"] = self._ultimate()
+        return self._known["ultimate"]
+
+    def _ultimate(self):
         grid, alpha = self._course()
         below = np.flatnonzero(alpha <= 0.0)
         if not below.size or below[0] == 0:
@@ -120,9 +126,11 @@ class Mechanism:
 
     def rotation(self, displacement_m):
         """θ at which the control point has moved by d_C [rad]."""
-        return brentq(
-            lambda t: self.displacement(t) - displacement_m, 0.0, self.largest_rad, xtol=1e-14
-        )
+        if displacement_m not in self._known:
+            self._known[displacement_m] = brentq(
+                lambda t: self.displacement(t) - displacement_m, 0.0, self.largest_rad, xtol=1e-14
+            )
+        return self._known[displacement_m]
 
     def limit(self, share):
         """Displacement of the control point at which a limit state is reached [m], and why.

@@ -1,5 +1,6 @@
 """The blocks of a report as pages of a PDF, drawn by matplotlib."""
 
+import itertools
 import textwrap
 from typing import Any
 
@@ -25,7 +26,7 @@ SIZES = {1: 15.0, 2: 11.0, 3: 9.5}
 BODY, SMALL = 8.5, 7.2
 LEAD = 1.35  # of a line over the size of its type
 ASCENT = 0.72  # of a line above the baseline
-BOLD = 1.13  # of a bold character over a plain one
+BOLD = 1.18  # of a bold character over a plain one
 KEPT_MM = 150.0  # a table no higher than this goes to the next page whole
 CHARACTER = 0.54  # mean width of a character over the size of its type
 
@@ -98,11 +99,21 @@ class _Pages:
         self.figure = None
 
 
-def _heading(pages, block):
+def _heading(pages, block, after=None):
+    """A heading, on one page with what comes after it."""
     size = SIZES[block.level]
-    pages.need(_line_mm(size) + 45.0 * (block.level > 1))  # not alone at the foot
+    pages.need(_line_mm(size) + 5.0 + (_needed(after) if block.level > 1 else 0.0))
     pages.left_mm -= 3.0 * (block.level > 1)
     pages.lines(block.text, size, weight="bold")
+
+
+def _needed(block):
+    """Height that a block asks for at once [mm]."""
+    if isinstance(block, Table):
+        return _Laid(block).needed
+    if isinstance(block, Picture):
+        return block.height_mm + 10.0
+    return 3.0 * _line_mm(BODY)
 
 
 def _paragraph(pages, block):
@@ -122,39 +133,48 @@ def _list(pages, block):
     pages.left_mm -= 1.5
 
 
-def _table(pages, table):
-    widths = [TEXT_MM * w / sum(table.widths) for w in table.widths]
-    starts = [sum(widths[:i]) for i in range(len(widths))]
-    step = _line_mm(SMALL)
+class _Laid:
+    """A table's cells as lines, with the heights of its rows and what it asks for at once [mm]."""
 
-    def cells(words):
-        pairs = zip(words, widths, strict=True)
+    def __init__(self, table):
+        self.widths = [TEXT_MM * w / sum(table.widths) for w in table.widths]
+        self.starts = [sum(self.widths[:i]) for i in range(len(self.widths))]
+        self.head = self._cells(table.columns) if any(table.columns) else None
+        self.rows = [self._cells(words) for words in table.rows]
+        self.caption = table.caption + (f" [{table.source}]" if table.source else "")
+        heights = [self.height(row) for row in self.rows]
+        above = self.height(self.head) if self.head else 0.0
+        if self.caption:
+            above += _line_mm(SMALL) * len(_wrapped(self.caption, SMALL)) + 0.5
+        whole = above + sum(heights)
+        self.needed = whole if whole <= KEPT_MM else above + sum(heights[:4])
+
+    def _cells(self, words):
+        pairs = zip(words, self.widths, strict=True)
         return [_wrapped(word, SMALL, width - 2.0) for word, width in pairs]
 
+    @staticmethod
     def height(row):
-        return step * max(map(len, row)) + 1.0
+        return _line_mm(SMALL) * max(map(len, row)) + 1.0
+
+
+def _table(pages, table):
+    laid = _Laid(table)
 
     def put(row, **style):
-        for cell, x in zip(row, starts, strict=True):
+        for cell, x in zip(row, laid.starts, strict=True):
             for i, line in enumerate(cell):
-                pages.text(line, SMALL, x, i * step + 0.6, **style)
-        pages.left_mm -= height(row)
+                pages.text(line, SMALL, x, i * _line_mm(SMALL) + 0.6, **style)
+        pages.left_mm -= laid.height(row)
 
-    head = cells(table.columns) if any(table.columns) else None
-    rows = [cells(words) for words in table.rows]
-    source = f" [{table.source}]" if table.source else ""
-    caption = table.caption + source
-    above = step * len(_wrapped(caption, SMALL)) + 0.5 if caption else 0.0
-    above += height(head) if head else 0.0
-    whole = above + sum(map(height, rows))
-    pages.need(whole if whole <= KEPT_MM else above + sum(map(height, rows[:4])))
-    if caption:
-        pages.lines(caption, SMALL, after_mm=0.5, color="0.25")
+    pages.need(laid.needed)
+    if laid.caption:
+        pages.lines(laid.caption, SMALL, after_mm=0.5, color="0.25")
     page = None
-    for row in rows:
-        pages.need(height(row))
-        if head and page != pages.number:  # again on every page that the table goes over to
-            put(head, weight="bold")
+    for row in laid.rows:
+        pages.need(laid.height(row))
+        if laid.head and page != pages.number:  # again on every page that the table goes over to
+            put(laid.head, weight="bold")
             pages.rule(0.0)
         page = pages.number
         put(row)
@@ -192,13 +212,16 @@ def write(path, blocks, foot):
     foot : str
         At the foot of every page, before its number.
     """
-    draw = {Heading: _heading, Paragraph: _paragraph, Table: _table, Picture: _picture}
+    draw = {Paragraph: _paragraph, Table: _table, Picture: _picture}
     draw |= {List: _list, PageBreak: lambda pages, _: pages.close()}
 
     def laid(pdf, count):
         pages = _Pages(pdf, foot, count)
-        for block in blocks:
-            draw[type(block)](pages, block)
+        for block, after in itertools.zip_longest(blocks, blocks[1:]):
+            if isinstance(block, Heading):
+                _heading(pages, block, after)
+            else:
+                draw[type(block)](pages, block)
         pages.close()
         return pages.number
 

@@ -2,6 +2,7 @@
 
 import json
 
+from rocking.accuracy.fidelity import CHOSEN
 from rocking.assessment.checks import LEAST_KNOWN, confidence
 from rocking.assessment.inputs import every_value
 from rocking.calibration.beta import CalibrationError, beta_and_range
@@ -14,7 +15,6 @@ SECTIONS = (
     "assessment",
     "numerics",
     "ensemble",
-    "ida",
     "baseline",
 )
 HAZARD = ("hazard", "site")  # of section risk
@@ -46,6 +46,7 @@ def _derived(config):
         "facade.parapet_thickness_m": "that of the highest storey",
         "return_wall.length_m": f"{0.5 * f['height_m']:.4g} (h/2)",
         "return_wall.building_mass_kg": "of the brick model",
+        **{f"numerics.{key}": "from measured convergence" for key in CHOSEN},
         "assessment.roof_load_kn": f"{loads:g} (of facade.floors)",
         "assessment.roof_arm_m": "middle of the thickness",
         "assessment.height_ratio": "middle of the line that holds the façade",
@@ -85,6 +86,7 @@ def values(config, given):
         Dotted keys that the user's configuration states.
     """
     parts = {key: config[key] for key in (*ALONE, *SECTIONS)}
+    parts["ida"] = {"max_pga_g": config["ida"]["max_pga_g"]}
     parts["risk"] = {key: config["risk"][key] for key in HAZARD}
     known, given = _derived(config), set(given)
     rows = []

@@ -113,11 +113,19 @@ def read_record(path, *, name=None, format=None, component=None, dt_s=None, unit
     return pick(text, form, channels, name, component, dt_s, units)
 
 
+_LAST: dict = {}  # channels of the file that was read last: a suite has all its motions in one
+
+
 def open_file(path, format=None):
     """Read a file's channels, for `pick`: (Text, name of the format, channels)."""
     text = read_text(path)
     form = _format(format) if format else _detect(text)
-    return text, form.name, form.read(text)
+    key = text.path, form.name, text.sha256
+    if key not in _LAST:
+        channels = form.read(text)
+        _LAST.clear()
+        _LAST[key] = channels
+    return text, form.name, _LAST[key]
 
 
 def pick(text, form, channels, name=None, component=None, dt_s=None, units=None):
