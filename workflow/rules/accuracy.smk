@@ -150,17 +150,12 @@ rule speed_accuracy:
         histories=rules.accuracy_plan.output.histories,
         modules=code("accuracy/table_speed_accuracy"),
     output:
-        table=shown(
-            results("tables/speed_accuracy.csv"),
-            "speed_accuracy",
+        table=shown_table("speed_accuracy", "Accuracy and stability", "speed against accuracy"),
+        summary=shown_table(
+            "accuracy_summary",
             "Accuracy and stability",
-            "speed against accuracy (CSV)",
-        ),
-        summary=shown(
-            results("tables/accuracy_summary.csv"),
-            "speed_accuracy",
-            "Accuracy and stability",
-            "spread of errors by method (CSV)",
+            "spread of errors by method",
+            about="speed_accuracy",
         ),
         fidelity=results("accuracy/fidelity.yaml"),
     log:
@@ -188,9 +183,7 @@ rule ensemble_realisations:
     input:
         ensembles=of_run(rules.ida_ensemble.output.ensemble, **ACCURACY_CURVES),
         scenes=accuracy_scenes,
-        motions=of_run(
-            rules.floor_motions.output[0], record=RUNS.named("accuracy.records")
-        ),
+        motions=of_run(rules.floor_motions.output[0], record=RUNS.named("accuracy.records")),
         modules=code("accuracy/table_ensemble_realisations"),
     output:
         results("tables/ensemble_realisations.csv"),
@@ -209,9 +202,7 @@ rule figure_chaos:
             rules.planar_ida.output.scan,
             **{**ACCURACY_CURVES, "model": accuracy_scanned},
         ),
-        facts=of_run(
-            rules.own_record.output.facts, record=RUNS.named("accuracy.records")
-        ),
+        facts=of_run(rules.own_record.output.facts, record=RUNS.named("accuracy.records")),
         modules=code("accuracy/figure_chaos"),
     output:
         **figure("chaos", "Accuracy and stability", "perturbed ensembles"),
@@ -252,12 +243,7 @@ rule table_energy_balance:
         histories=of_run(rules.energy_balance.output[0], **ENERGY_RUNS),
         modules=code("energy/table_energy_balance"),
     output:
-        shown(
-            results("tables/energy_balance.csv"),
-            "energy_balance",
-            "Accuracy and stability",
-            "energy balance (CSV)",
-        ),
+        shown_table("energy_balance", "Accuracy and stability", "energy balance"),
     log:
         logs("table_energy_balance"),
     params:
@@ -269,9 +255,7 @@ rule table_energy_balance:
 rule figure_energy_balance:
     input:
         histories=of_run(rules.energy_balance.output[0], **ENERGY_RUNS),
-        facts=of_run(
-            rules.own_record.output.facts, record=RUNS.named("accuracy.records")
-        ),
+        facts=of_run(rules.own_record.output.facts, record=RUNS.named("accuracy.records")),
         modules=code("energy/figure_energy_balance"),
     output:
         **figure("energy_balance", "Accuracy and stability", "energy balance"),

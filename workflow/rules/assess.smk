@@ -40,9 +40,12 @@ def stated(wildcards):
     return assessed.given_keys(config, RUNS.cfg(wildcards), first)
 
 
-OF_CODE = RUNS.params_of(
-    *("facade", "return_wall", "smdof", "assessment", "baseline", "seed", "risk.site")
-)
+CHECKED = ("facade", "return_wall", "smdof", "assessment")  # what a code's checks read
+OF_CODE = RUNS.params_of(*CHECKED, "baseline", "seed", "risk.site")
+MOTIONS = {  # the records table and its files, as inputs
+    "table": lambda w: RUNS.table_path(w.run),
+    "records": RUNS.record_files,
+}
 
 
 def dry(run):
@@ -81,9 +84,8 @@ def compared_facades(wildcards):
 
 rule assess_collapse:
     input:
+        **MOTIONS,
         scene=rules.scene.output[0],
-        table=lambda w: RUNS.table_path(w.run),
-        records=lambda w: RUNS.record_files(w),
         modules=code("assess/assess_collapse"),
     output:
         results("assessment/collapse_{model}.csv"),
@@ -106,8 +108,7 @@ COLLAPSE = of_run(rules.assess_collapse.output[0], model=dry)
 
 rule assess_checks:
     input:
-        table=lambda w: RUNS.table_path(w.run),
-        records=lambda w: RUNS.record_files(w),
+        **MOTIONS,
         modules=code("assess/assess_checks"),
     output:
         results("assessment/checks_by_record.csv"),
@@ -116,25 +117,15 @@ rule assess_checks:
     params:
         table=lambda w: RUNS.table_path(w.run),
         records=stations,
-        settings=RUNS.params_of(
-            "facade",
-            "return_wall",
-            "smdof",
-            "assessment",
-            "directions",
-            "baseline",
-            "seed",
-            "ida.max_pga_g",
-        ),
+        settings=RUNS.params_of(*CHECKED, "directions", "baseline", "seed", "ida.max_pga_g"),
     script:
         "../scripts/assess/assess_checks.py"
 
 
 rule assess_levels:
     input:
+        **MOTIONS,
         scenes=of_run(rules.scene.output[0], model=dry),
-        table=lambda w: RUNS.table_path(w.run),
-        records=lambda w: RUNS.record_files(w),
         modules=code("assess/assess_levels"),
     output:
         results("assessment/dynamic_levels.csv"),
@@ -143,30 +134,18 @@ rule assess_levels:
     params:
         table=lambda w: RUNS.table_path(w.run),
         stations=stations,
-        settings=RUNS.params_of(
-            "facade",
-            "return_wall",
-            "smdof",
-            "assessment",
-            "directions",
-            "baseline",
-            "seed",
-            "vertical_motion",
-        ),
+        settings=RUNS.params_of(*CHECKED, "directions", "baseline", "seed", "vertical_motion"),
     script:
         "../scripts/assess/assess_levels.py"
 
 
 rule assess_floor_spectra:
     input:
-        table=lambda w: RUNS.table_path(w.run),
-        records=lambda w: RUNS.record_files(w),
+        **MOTIONS,
         facts=of_run(rules.record.output.facts),
         modules=code("assess/assess_floor_spectra"),
     output:
-        **figure(
-            "floor_spectra", "Code of practice", "floor spectra, formula over chain"
-        ),
+        **figure("floor_spectra", "Code of practice", "floor spectra, formula over chain"),
         table=results("assessment/floor_spectra.csv"),
     log:
         logs("assess_floor_spectra"),
@@ -204,9 +183,7 @@ rule compare_code_and_dynamics:
         logs("compare_code_and_dynamics").format(run=RUNS.name),
     params:
         runs=compared_facades,
-        resamples=lambda w: next(iter(RUNS.settings.values()))["assessment"][
-            "resamples"
-        ],
+        resamples=lambda w: next(iter(RUNS.settings.values()))["assessment"]["resamples"],
         seed=lambda w: next(iter(RUNS.settings.values()))["seed"],
     script:
         "../scripts/assess/code_against_dynamics.py"
@@ -214,11 +191,10 @@ rule compare_code_and_dynamics:
 
 rule assess_code:
     input:
+        **MOTIONS,
         site=site,
         spectrum=SPECTRUM,
         hazard=HAZARD,
-        table=lambda w: RUNS.table_path(w.run),
-        records=lambda w: RUNS.record_files(w),
         modules=code("assess/assess_code"),
     output:
         checks=results("assessment/code_checks.csv"),
@@ -260,11 +236,10 @@ rule assess_dynamic:
 
 rule assess_selection:
     input:
+        **MOTIONS,
         site=site,
         spectrum=SPECTRUM,
         hazard=HAZARD,
-        table=lambda w: RUNS.table_path(w.run),
-        records=lambda w: RUNS.record_files(w),
         modules=code("assess/assess_selection"),
     output:
         motions=results("assessment/selected_motions.csv"),
@@ -281,10 +256,9 @@ rule assess_selection:
 
 rule assess_histories:
     input:
+        **MOTIONS,
         scene=rules.scene.output[0],
         motions=rules.assess_selection.output.motions,
-        table=lambda w: RUNS.table_path(w.run),
-        records=lambda w: RUNS.record_files(w),
         modules=code("assess/assess_histories"),
     output:
         histories=results("assessment/dynamic_check_{model}_histories.csv"),
@@ -293,20 +267,17 @@ rule assess_histories:
         logs("assess_histories_{model}"),
     params:
         table=lambda w: RUNS.table_path(w.run),
-        settings=RUNS.params_of(
-            "directions", "baseline", "seed", "vertical_motion", "assessment"
-        ),
+        settings=RUNS.params_of("directions", "baseline", "seed", "vertical_motion", "assessment"),
     script:
         "../scripts/assess/assess_histories.py"
 
 
 rule assess_confirm:
     input:
+        **MOTIONS,
         scene=rules.scene.output[0],
         histories=rules.assess_histories.output.histories,
         verdict=rules.assess_histories.output.verdict,
-        table=lambda w: RUNS.table_path(w.run),
-        records=lambda w: RUNS.record_files(w),
         yade=rules.yade_check.output[0],
         modules=code("assess/assess_confirm"),
         study=study_code("ida"),
@@ -325,10 +296,9 @@ rule assess_confirm:
 
 rule assess_sensitivity:
     input:
+        **MOTIONS,
         scene=of_run(rules.scene.output[0], model=last_dry),
         collapse=of_run(rules.assess_collapse.output[0], model=last_dry),
-        table=lambda w: RUNS.table_path(w.run),
-        records=lambda w: RUNS.record_files(w),
         modules=code("assess/assess_sensitivity"),
     output:
         results("assessment/dynamic_sensitivity.csv"),

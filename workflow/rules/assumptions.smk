@@ -6,11 +6,7 @@ ASSUMPTIONS = RUNS.key("assumptions")
 def tornado_records(run):
     """Records of the tornado chart; all where none are named."""
     named = ASSUMPTIONS(run)["tornado_records"]
-    return (
-        RUNS.records[run]
-        if named is None
-        else RUNS.named("assumptions.tornado_records")(run)
-    )
+    return RUNS.records[run] if named is None else RUNS.named("assumptions.tornado_records")(run)
 
 
 def without_scan(run):
@@ -51,9 +47,7 @@ rule figure_assumptions:
         facts=of_run(rules.record.output.facts),
         modules=code("assumptions/figure_assumptions"),
     output:
-        **figure(
-            "assumptions", "Assumptions", "collapse probability, models side by side"
-        ),
+        **figure("assumptions", "Assumptions", "collapse probability, models side by side"),
     log:
         logs("figure_assumptions"),
     params:
@@ -160,9 +154,7 @@ rule assumptions_varied:
         benchmarks("assumptions_varied_{model}_{record}")
     params:
         directions=lambda w: RUNS.cfg(w)["directions"],
-        surrogates_table=lambda w: RUNS.find_file(
-            ASSUMPTIONS(w.run)["surrogates_table"]
-        ),
+        surrogates_table=lambda w: RUNS.find_file(ASSUMPTIONS(w.run)["surrogates_table"]),
         seed=lambda w: RUNS.cfg(w)["seed"],
     script:
         "../scripts/assumptions/assumptions_varied.py"

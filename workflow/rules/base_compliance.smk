@@ -58,9 +58,7 @@ rule figure_base_compliance:
         facts=of_run(rules.record.output.facts),
         modules=code("base_compliance/figure_base_compliance"),
     output:
-        **figure(
-            "base_compliance", "Records", "what the base of a rigid façade is worth"
-        ),
+        **figure("base_compliance", "Records", "what the base of a rigid façade is worth"),
     log:
         logs("figure_base_compliance"),
     script:

@@ -60,9 +60,7 @@ rule fig07_models:
         facts=of_run(rules.own_record.output.facts, record=picture_record),
         modules=code("boundary/fig07_models"),
     output:
-        **figure(
-            "fig07_models", "Boundary conditions", "7: the five models", about="fig07"
-        ),
+        **figure("fig07_models", "Boundary conditions", "7: the five models"),
     log:
         logs("fig07_models"),
     params:
@@ -98,12 +96,7 @@ rule table_claims:
         pushover=where(lambda run: "W3" in RUNS.settings[run]["models"], BRICKS_PUSHED),
         modules=code("boundary/table_claims"),
     output:
-        shown(
-            results("tables/claims.csv"),
-            "table_claims",
-            "Boundary conditions",
-            "claims of the study (CSV)",
-        ),
+        shown_table("claims", "Boundary conditions", "claims of the study"),
     log:
         logs("table_claims"),
     params:

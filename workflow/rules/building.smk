@@ -5,11 +5,7 @@ BRICK_MODEL = (
     "brick_height_m",
     "brick_width_m",
     "coarsening",
-    *(
-        f"{joint}_{k}_pa_m"
-        for joint in ("head", "bed", "collar", "timber")
-        for k in ("jkn", "jks")
-    ),
+    *(f"{joint}_{k}_pa_m" for joint in ("head", "bed", "collar", "timber") for k in ("jkn", "jks")),
     "density_kg_m3",
     "timber_density_kg_m3",
     "fit_period_s",
@@ -97,12 +93,7 @@ rule table_building_modes:
         sbdem=of_run(rules.building_modal.output[0], building="SBDEM"),
         modules=code("building/table_building_modes"),
     output:
-        shown(
-            results("tables/building_modes.csv"),
-            "fig02_table",
-            "Building",
-            "periods and effective masses (CSV)",
-        ),
+        shown_table("building_modes", "Building", "periods and effective masses"),
     log:
         logs("table_building_modes"),
     params:
@@ -113,17 +104,10 @@ rule table_building_modes:
 
 rule table_building_alternatives:
     input:
-        plans=all_of(
-            plan_file("building.plan"), plan_file("building.alternative_plans")
-        ),
+        plans=all_of(plan_file("building.plan"), plan_file("building.alternative_plans")),
         modules=code("building/table_building_alternatives"),
     output:
-        shown(
-            results("tables/building_alternatives.csv"),
-            "fig02_alternatives",
-            "Building",
-            "periods of alternative plans (CSV)",
-        ),
+        shown_table("building_alternatives", "Building", "periods of alternative plans"),
     log:
         logs("table_building_alternatives"),
     params:
@@ -160,12 +144,7 @@ rule table_building_convergence:
         ),
         modules=code("building/table_building_convergence"),
     output:
-        shown(
-            results("tables/building_convergence.csv"),
-            "fig02_convergence",
-            "Building",
-            "convergence and cost of the modes (CSV)",
-        ),
+        shown_table("building_convergence", "Building", "convergence and cost of the modes"),
     log:
         logs("table_building_convergence"),
     script:
@@ -197,17 +176,10 @@ rule table_wme:
             building="SBDEM",
             record=RUNS.named("building.wme_records"),
         ),
-        records=of_run(
-            rules.own_record.output.record, record=RUNS.named("building.wme_records")
-        ),
+        records=of_run(rules.own_record.output.record, record=RUNS.named("building.wme_records")),
         modules=code("building/table_wme"),
     output:
-        wme=shown(
-            results("tables/wme.csv"),
-            "fig03_table",
-            "Building",
-            "2: weighted mean error of chains (CSV)",
-        ),
+        wme=shown_table("wme", "Building", "2: weighted mean error of chains"),
         chain=results("tables/building_chain.csv"),
         config=results("building/chain.yaml"),
     log:
@@ -225,7 +197,7 @@ rule fig01_building:
         plan=plan_file("building.plan"),
         modules=code("building/fig01_building"),
     output:
-        **figure("fig01_building", "Building", "1: brick models", about="fig01"),
+        **figure("fig01_building", "Building", "1: brick models"),
     log:
         logs("fig01_building"),
     params:
@@ -242,7 +214,7 @@ rule fig02_modes:
         sbdem=of_run(rules.building_modal.output[0], building="SBDEM"),
         modules=code("building/fig02_modes"),
     output:
-        **figure("fig02_modes", "Building", "2: modes", about="fig02"),
+        **figure("fig02_modes", "Building", "2: modes"),
     log:
         logs("fig02_modes"),
     params:
@@ -288,12 +260,7 @@ rule table_claims_building:
         ),
         modules=code("building/table_claims_building"),
     output:
-        shown(
-            results("tables/claims_building.csv"),
-            "table_claims_building",
-            "Building",
-            "claims of the study's section 2 (CSV)",
-        ),
+        shown_table("claims_building", "Building", "claims of the study's section 2"),
     log:
         logs("table_claims_building"),
     script:
@@ -310,9 +277,7 @@ rule building:
             rules.table_building_explicit_cost.output,
             rules.fig01_building.output.png,
             rules.fig02_modes.output.png,
-            of_run(
-                rules.fig03_wme.output.png, record=RUNS.named("building.wme_records")
-            ),
+            of_run(rules.fig03_wme.output.png, record=RUNS.named("building.wme_records")),
             of_run(
                 rules.table_building_explicit.output.png,
                 rules.table_building_explicit.output.table,

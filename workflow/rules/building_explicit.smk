@@ -110,12 +110,7 @@ rule table_building_explicit_cost:
         ),
         modules=code("building/table_building_explicit_cost"),
     output:
-        shown(
-            results("tables/building_explicit_cost.csv"),
-            "fig03_cost",
-            "Building",
-            "cost of the explicit run (CSV)",
-        ),
+        shown_table("building_explicit_cost", "Building", "cost of the explicit run"),
     log:
         logs("table_building_explicit_cost"),
     params:

@@ -30,11 +30,11 @@ rule table_building_search_best:
         plans=plan_file("building_search.plans"),
         modules=code("building/building_search_verify"),
     output:
-        shown(
-            results("tables/building_search_best.csv"),
-            "building_search",
+        shown_table(
+            "building_search_best",
             "Building",
-            "search for the study's building (CSV)",
+            "search for the study's building",
+            about="building_search",
         ),
     log:
         logs("table_building_search_best"),
@@ -64,18 +64,11 @@ rule table_wme_readings:
         plan=plan_file("building.plan"),
         fit=rules.building_fit.output[0],
         modes=of_run(rules.building_modal.output[0], building="SBDEM"),
-        records=of_run(
-            rules.own_record.output.record, record=RUNS.named("building.wme_records")
-        ),
+        records=of_run(rules.own_record.output.record, record=RUNS.named("building.wme_records")),
         modules=code("building/table_wme_readings"),
     output:
         readings=results("tables/wme_readings.csv"),
-        lowest=shown(
-            results("tables/wme_lowest.csv"),
-            "wme_readings",
-            "Building",
-            "2: every reading of its text (CSV)",
-        ),
+        lowest=shown_table("wme_lowest", "Building", "2: every reading of its text"),
     log:
         logs("table_wme_readings"),
     benchmark:

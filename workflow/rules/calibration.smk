@@ -20,9 +20,7 @@ def tested_wall(wildcards):
 def cases_settings(wildcards):
     """What a part depends on: an own wall is the configuration's, the study brings its own."""
     own = ("facade", "return_wall", "smdof", "numerics")
-    return RUNS.params_of(
-        "calibration", *(own if wildcards.group == "own_wall" else ())
-    )(wildcards)
+    return RUNS.params_of("calibration", *(own if wildcards.group == "own_wall" else ()))(wildcards)
 
 
 def is_studied(run):
@@ -63,8 +61,7 @@ rule free_rocking:
     params:
         yade=YADE,
     shell:
-        "{params.yade} free_rocking --cases {input.cases:q} --output {output:q}"
-        " 2> {log:q}"
+        "{params.yade} free_rocking --cases {input.cases:q} --output {output:q}" " 2> {log:q}"
 
 
 rule free_rocking_table:
@@ -73,12 +70,7 @@ rule free_rocking_table:
         histories=of_run(rules.free_rocking.output[0], group=groups),
         modules=code("calibration/table_free_rocking"),
     output:
-        shown(
-            results("tables/free_rocking.csv"),
-            "table_free_rocking",
-            "Calibration of the damping",
-            "rebounds and e_exp (CSV)",
-        ),
+        shown_table("free_rocking", "Calibration of the damping", "rebounds and e_exp"),
     log:
         logs("free_rocking_table"),
     script:
@@ -92,12 +84,7 @@ rule beta_fit:
         modules=code("calibration/calibrate_fit"),
     output:
         walls=results("tables/beta_walls.csv"),
-        fit=shown(
-            results("tables/beta_fit.csv"),
-            "table_beta_fit",
-            "Calibration of the damping",
-            "best-fitting β (CSV)",
-        ),
+        fit=shown_table("beta_fit", "Calibration of the damping", "best-fitting β"),
     log:
         logs("beta_fit"),
     script:
@@ -111,12 +98,7 @@ rule beta_law:
         modules=code("calibration/calibrate_law"),
     output:
         law=results("calibration/beta_law.json"),
-        table=shown(
-            results("tables/beta_regression.csv"),
-            "table_beta_regression",
-            "Calibration of the damping",
-            "laws of β (CSV)",
-        ),
+        table=shown_table("beta_regression", "Calibration of the damping", "laws of β"),
     log:
         logs("beta_law"),
     params:
@@ -132,11 +114,10 @@ rule table_claims_calibration:
         walls=rules.beta_fit.output.walls,
         modules=code("calibration/table_claims_calibration"),
     output:
-        shown(
-            results("tables/claims_calibration.csv"),
-            "table_claims_calibration",
+        shown_table(
+            "claims_calibration",
             "Calibration of the damping",
-            "claims of the study's section 3 (CSV)",
+            "claims of the study's section 3",
         ),
     log:
         logs("table_claims_calibration"),
@@ -154,12 +135,7 @@ rule fig04_calibration:
         law=rules.beta_law.output.law,
         modules=code("calibration/fig04_calibration"),
     output:
-        **figure(
-            "fig04_calibration",
-            "Calibration of the damping",
-            "4: parametric study",
-            about="fig04",
-        ),
+        **figure("fig04_calibration", "Calibration of the damping", "4: parametric study"),
     log:
         logs("fig04_calibration"),
     params:

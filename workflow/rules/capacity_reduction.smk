@@ -1,9 +1,7 @@
 # How far the building behind a façade lowers its capacity: W2 over W1 against T1 and the façade's place.
 # Not part of the main job; ask for `capacity_reduction`.
 BUILDINGS = {
-    "t1": lambda run: [
-        f"{t1:g}" for t1 in RUNS.settings[run]["capacity_reduction"]["periods_s"]
-    ],
+    "t1": lambda run: [f"{t1:g}" for t1 in RUNS.settings[run]["capacity_reduction"]["periods_s"]],
     "below": RUNS.key("capacity_reduction.masses_below"),
 }
 
@@ -26,9 +24,7 @@ rule reduction_motion:
     log:
         logs("reduction_motion_T{t1}_below{below}_{record}"),
     params:
-        smdof=lambda w: {
-            k: v for k, v in RUNS.cfg(w)["smdof"].items() if k != "period_s"
-        },
+        smdof=lambda w: {k: v for k, v in RUNS.cfg(w)["smdof"].items() if k != "period_s"},
     script:
         "../scripts/capacity_reduction/capacity_reduction_motion.py"
 
@@ -39,12 +35,8 @@ use rule planar_ida as reduction_planar with:
         motion=rules.reduction_motion.output.motion,
         modules=code("ida/planar_ida"),
     output:
-        scan=results(
-            "capacity_reduction/T{t1}_below{below}/scan_{record}_{direction}.csv"
-        ),
-        plan=results(
-            "capacity_reduction/T{t1}_below{below}/plan_{record}_{direction}.json"
-        ),
+        scan=results("capacity_reduction/T{t1}_below{below}/scan_{record}_{direction}.csv"),
+        plan=results("capacity_reduction/T{t1}_below{below}/plan_{record}_{direction}.json"),
     log:
         logs("reduction_planar_T{t1}_below{below}_{record}_{direction}"),
     benchmark:
@@ -65,8 +57,6 @@ use rule ida as reduction_ida with:
     benchmark:
         benchmarks("reduction_T{t1}_below{below}_{record}_{direction}")
     params:
-        yade=YADE,
-        plan=plan_option,
         journal=results("cache/reduction/T{t1}_below{below}_{record}_{direction}.jsonl"),
 
 
@@ -80,9 +70,7 @@ rule figure_capacity_reduction:
         records=of_run(rules.record.output.facts),
         modules=code("capacity_reduction/figure_capacity_reduction"),
     output:
-        **figure(
-            "capacity_reduction", "Capacity reduction", "W2/W1 against T1 and position"
-        ),
+        **figure("capacity_reduction", "Capacity reduction", "W2/W1 against T1 and position"),
         table=results("tables/capacity_reduction.csv"),
     log:
         logs("figure_capacity_reduction"),

@@ -17,6 +17,7 @@ except ModuleNotFoundError as error:
         f"error: {error} in {sys.executable}: use this project's .venv/bin/snakemake,"
         " which `make setup` makes"
     )
+from rocking.collapse.case import SECTIONS
 from rocking.configuration import config as configuration
 from rocking.configuration import renamed
 from rocking.configuration.chosen import chosen
@@ -35,14 +36,10 @@ from yade_scripts.model.registry import COMPLETE, MODELS, PLANAR, PUSHED, WITH_W
 BASE = Path(workflow.source_path("common.smk")).resolve().parents[2]
 if not (BASE / "yade_scripts").is_dir():
     BASE = Path(rocking.__file__).resolve().parents[2]
-if (
-    workflow.modifier.is_main_snakefile()
-):  # as a module it leaves the terminal to others
+if workflow.modifier.is_main_snakefile():  # as a module it leaves the terminal to others
     terminal.thin_out(workflow.output_settings)
     terminal.name_targets(
-        lambda: sorted(
-            r.name for r in workflow.rules if not r.output and r.name != "main"
-        )
+        lambda: sorted(r.name for r in workflow.rules if not r.output and r.name != "main")
     )
 # YADE's library loads only in the Python it was built for, the system's own
 YADE_PYTHON = os.environ.get("YADE_PYTHON") or shutil.which("python3", path=os.defpath)
@@ -61,9 +58,7 @@ def stop(error):
 if fault := results_folder.fault():
     stop(fault)
 try:
-    configuration.check_files(
-        [path for path in workflow.configfiles if Path(path).exists()]
-    )
+    configuration.check_files([path for path in workflow.configfiles if Path(path).exists()])
     RUNS = Runs(config, BASE)
     # Read before anything is planned. A faulty record ends what needs it, not the target `check`.
     FINDINGS = check_runs(RUNS, cache=".snakemake/records_check.json")
@@ -107,6 +102,11 @@ def shown(path, about, category, result, **labels):
     return report(path, caption=caption(about), category=category, labels=own)
 
 
+def shown_table(name, category, result, about=None):
+    """Output of a table that the report shows."""
+    return shown(results(f"tables/{name}.csv"), about or name, category, f"{result} (CSV)")
+
+
 def figure(name, category, result, about=None, **labels):
     """Output of a figure: a PNG that the report shows, and a PDF."""
     path = results(f"figures/{name}")
@@ -116,9 +116,7 @@ def figure(name, category, result, about=None, **labels):
 
 wildcard_constraints:
     run="|".join(re.escape(name) for name in RUNS.settings),
-    record="|".join(
-        sorted({re.escape(r) for rows in RUNS.tables.values() for r in rows})
-    ),
+    record="|".join(sorted({re.escape(r) for rows in RUNS.tables.values() for r in rows})),
     model="|".join(WITH_WALLS),
     direction="pos|neg",
     motions="[0-9a-f]+",
@@ -159,9 +157,7 @@ onstart:
             for name, resolved in RUNS.settings.items():
                 file_times.settle(f"{RESULTS}/{name}")
                 choices = chosen(resolved, FIDELITY_FILE, LAW_FILE)
-                configuration.write_resolved(
-                    resolved, f"{RESULTS}/{name}/config.yaml", choices
-                )
+                configuration.write_resolved(resolved, f"{RESULTS}/{name}/config.yaml", choices)
         except (run_lock.Busy, ValueError, OSError) as error:
             stop(error)
         with left_out_if_unknown("choosing jobs at ends only"):
@@ -170,9 +166,7 @@ onstart:
             tasks = progress.tasks_of(workflow, RUNS.known_runs)
             # none on a cluster, which has no such number
             cores = workflow.resource_settings.cores
-            print(
-                progress.opening(tasks, list(RUNS.settings), cores), file=sys.stderr
-            )
+            print(progress.opening(tasks, list(RUNS.settings), cores), file=sys.stderr)
             progress.Progress(tasks).watch()
         with left_out_if_unknown("a server of scripts"):
             warm.serve(workflow)

@@ -83,9 +83,7 @@ def linear_history(kind):
 def two_way(model):
     """Name of the reduced model with the same joint whose walls answer the façade."""
     how = ("floors", COMPLETE[model].bonded, True)
-    return next(
-        m.name for m in MODELS.values() if (m.walls, m.bonded, m.two_way) == how
-    )
+    return next(m.name for m in MODELS.values() if (m.walls, m.bonded, m.two_way) == how)
 
 
 def two_way_curves(run):
@@ -160,7 +158,7 @@ rule complete_plan:
         "../scripts/complete/complete_plan.py"
 
 
-rule complete_ida:
+use rule ida as complete_ida with:
     input:
         scene=curve_scene,
         motion=of_run(rules.floor_motions.output[0]),
@@ -174,12 +172,7 @@ rule complete_ida:
     benchmark:
         benchmarks("complete_ida_{complete}_{record}_{direction}")
     params:
-        yade=YADE,
         journal=results("cache/complete/{complete}_{record}_{direction}.jsonl"),
-    shell:
-        "{params.yade} ida --scene {input.scene:q} --motion {input.motion:q}"
-        " --record {wildcards.record:q} --direction {wildcards.direction} --plan {input.plan:q}"
-        " --journal {params.journal:q} --output {output:q} 2> {log:q}"
 
 
 # A short push of the ground, and then nothing: the building rings.
@@ -225,12 +218,7 @@ rule table_complete_checks:
         pulse=rules.complete_pulse.output[0],
         modules=code("complete/table_complete_checks"),
     output:
-        shown(
-            results("tables/complete_checks.csv"),
-            "complete_checks",
-            "Complete building",
-            "periods and linear answer (CSV)",
-        ),
+        shown_table("complete_checks", "Complete building", "periods and linear answer"),
     log:
         logs("table_complete_checks"),
     params:
@@ -247,12 +235,7 @@ rule table_complete_convergence:
         histories=of_run(rules.complete_history.output.history, **LEVELS),
         modules=code("complete/table_complete_convergence"),
     output:
-        shown(
-            results("tables/complete_convergence.csv"),
-            "complete_convergence",
-            "Complete building",
-            "brick size and back joint (CSV)",
-        ),
+        shown_table("complete_convergence", "Complete building", "brick size and back joint"),
     log:
         logs("table_complete_convergence"),
     script:

@@ -20,14 +20,7 @@ rule scene:
         logs("scene_{model}"),
     params:
         scene=lambda w: RUNS.params_of(
-            "facade",
-            "return_wall",
-            "damping",
-            "smdof",
-            "numerics",
-            "ida",
-            "ensemble",
-            *(["w3"] if MODELS[w.model].walls == "bricks" else []),
+            *SECTIONS, *(["w3"] if MODELS[w.model].walls == "bricks" else [])
         )(w),
     script:
         "../scripts/ida/scene.py"

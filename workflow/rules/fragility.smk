@@ -31,12 +31,8 @@ rule fragility_table:
         logs("fragility_table"),
     params:
         fragility=lambda w: RUNS.cfg(w)["fragility"],
-        facade=lambda w: {
-            k: RUNS.cfg(w)["facade"][k] for k in ("height_m", "thickness_m")
-        },
-        smdof=lambda w: {
-            k: RUNS.cfg(w)["smdof"][k] for k in ("period_s", "damping_ratio")
-        },
+        facade=lambda w: {k: RUNS.cfg(w)["facade"][k] for k in ("height_m", "thickness_m")},
+        smdof=lambda w: {k: RUNS.cfg(w)["smdof"][k] for k in ("period_s", "damping_ratio")},
     script:
         "../scripts/fragility/fragility_table.py"
 

@@ -50,7 +50,6 @@ use rule frames as history_frames with:
     log:
         logs("history_frames_{model}_{record}_{direction}_{pga}g"),
     params:
-        yade=YADE,
         record=lambda w: w.record,
         direction=lambda w: w.direction,
         pga=lambda w: w.pga,

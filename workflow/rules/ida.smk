@@ -42,10 +42,11 @@ rule ida:
     params:
         yade=YADE,
         plan=plan_option,
+        record=lambda w: w.record,
         journal=results("cache/ida/{model}_{record}_{direction}.jsonl"),
     shell:
         "{params.yade} ida --scene {input.scene:q} --motion {input.motion:q}"
-        " --record {wildcards.record:q} --direction {wildcards.direction} {params.plan}"
+        " --record {params.record:q} --direction {wildcards.direction} {params.plan}"
         " --journal {params.journal:q} --output {output:q} 2> {log:q}"
 
 
@@ -103,9 +104,7 @@ rule fig09_ida:
         facts=of_run(rules.record.output.facts),
         modules=code("ida/fig09_ida"),
     output:
-        **figure(
-            "fig09_ida", "Incremental dynamic analyses", "9: IDA curves", about="fig09"
-        ),
+        **figure("fig09_ida", "Incremental dynamic analyses", "9: IDA curves"),
     log:
         logs("fig09_ida"),
     params:

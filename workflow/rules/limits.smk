@@ -3,9 +3,7 @@
 
 rule limits_table:
     input:
-        record=of_run(
-            rules.own_record.output.record, record=lambda run: RUNS.records[run][0]
-        ),
+        record=of_run(rules.own_record.output.record, record=lambda run: RUNS.records[run][0]),
         modules=code("accuracy/limits"),
     output:
         results("tables/limits.csv"),
@@ -22,9 +20,7 @@ rule limits_table:
 rule figure_limits:
     input:
         table=rules.limits_table.output[0],
-        facts=of_run(
-            rules.own_record.output.facts, record=lambda run: RUNS.records[run][0]
-        ),
+        facts=of_run(rules.own_record.output.facts, record=lambda run: RUNS.records[run][0]),
         modules=code("accuracy/figure_limits"),
     output:
         **figure("limits", "Accuracy and stability", "where the methods fail"),

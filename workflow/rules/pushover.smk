@@ -1,13 +1,4 @@
 # Static capacity curves in YADE: one job a model, and one a variant of W3.
-PUSH_SECTIONS = (
-    "facade",
-    "return_wall",
-    "damping",
-    "smdof",
-    "numerics",
-    "pushover",
-    "w3",
-)
 DRAWN_VARIANTS = [*(f"header_{rule}" for rule in DRAWN), "default"]  # of Figure 8
 
 
@@ -32,23 +23,18 @@ rule pushover_scene:
     log:
         logs("pushover_scene_{pushed}"),
     params:
-        scene=RUNS.params_of(*PUSH_SECTIONS),
+        scene=RUNS.params_of(
+            "facade", "return_wall", "damping", "smdof", "numerics", "pushover", "w3"
+        ),
     script:
         "../scripts/pushover/pushover_scene.py"
 
 
-rule pushover_variant_scene:
-    input:
-        law=LAW_FILE,
-        modules=code("pushover/pushover_scene"),
+use rule pushover_scene as pushover_variant_scene with:
     output:
         results("w3/scenes/{variant}.json"),
     log:
         logs("w3_scene_{variant}"),
-    params:
-        scene=RUNS.params_of(*PUSH_SECTIONS),
-    script:
-        "../scripts/pushover/pushover_scene.py"
 
 
 rule pushover:
@@ -70,7 +56,7 @@ rule pushover:
         " --forces {output.forces:q} 2> {log:q}"
 
 
-rule pushover_variant:
+use rule pushover as pushover_variant with:
     input:
         scene=rules.pushover_variant_scene.output[0],
         yade=rules.yade_check.output[0],
@@ -82,11 +68,6 @@ rule pushover_variant:
         logs("w3_{variant}"),
     benchmark:
         benchmarks("w3_{variant}")
-    params:
-        yade=YADE,
-    shell:
-        "{params.yade} pushover --scene {input.scene:q} --output {output.curve:q}"
-        " --forces {output.forces:q} 2> {log:q}"
 
 
 rule pushover_curve:
@@ -110,12 +91,7 @@ rule table_pushover:
         forces=of_run(rules.pushover_variant.output.forces, variant=list(VARIANTS)),
         modules=code("pushover/table_pushover"),
     output:
-        shown(
-            results("tables/pushover.csv"),
-            "table_pushover",
-            "Boundary conditions",
-            "static capacities (CSV)",
-        ),
+        shown_table("pushover", "Boundary conditions", "static capacities"),
     log:
         logs("table_pushover"),
     script:
@@ -129,12 +105,7 @@ rule fig08_w3:
         forces=of_run(rules.pushover_variant.output.forces, variant=DRAWN_VARIANTS),
         modules=code("pushover/fig08_w3"),
     output:
-        **figure(
-            "fig08_w3",
-            "Boundary conditions",
-            "8: W3 and its capacity curve",
-            about="fig08",
-        ),
+        **figure("fig08_w3", "Boundary conditions", "8: W3 and its capacity curve"),
     log:
         logs("fig08_w3"),
     script:
@@ -146,9 +117,7 @@ rule figure_w3_sensitivity:
         table=rules.table_pushover.output[0],
         modules=code("pushover/figure_w3_sensitivity"),
     output:
-        **figure(
-            "w3_sensitivity", "Boundary conditions", "sensitivity of W3's capacity"
-        ),
+        **figure("w3_sensitivity", "Boundary conditions", "sensitivity of W3's capacity"),
     log:
         logs("w3_sensitivity"),
     script:

@@ -11,11 +11,7 @@ rule record:
     log:
         shared("logs/record_{record}.log"),
     params:
-        row=of_alike(
-            lambda w: {
-                k: v for k, v in asdict(RUNS.record_row(w)).items() if k != "line"
-            }
-        ),
+        row=of_alike(lambda w: {k: v for k, v in asdict(RUNS.record_row(w)).items() if k != "line"}),
         table=of_alike(lambda w: RUNS.table_path(w.run)),
         how=of_alike(lambda w: SHARED.treatment(w.run)),
     script:

@@ -42,11 +42,11 @@ rule reference_bands:
         modules=code("reference/table_reference"),
     output:
         scan=results("tables/reference_scan.csv"),
-        bands=shown(
-            results("tables/reference_bands.csv"),
-            "reference_solver",
+        bands=shown_table(
+            "reference_bands",
             "Accuracy and stability",
-            "reported bands and the reference solver's (CSV)",
+            "reported bands and the reference solver's",
+            about="reference_solver",
         ),
     log:
         logs("reference_bands"),

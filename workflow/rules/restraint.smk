@@ -31,7 +31,6 @@ use rule strengthen_yade as restrain_yade with:
     benchmark:
         benchmarks("restraint_yade_{model}_{record}_{direction}")
     params:
-        yade=YADE,
         journal=results("cache/restraint/{model}_{record}_{direction}.jsonl"),
 
 

@@ -16,9 +16,7 @@ rule sequence_collapse:
     input:
         scene=rules.scene.output[0],
         motion=of_run(rules.floor_motions.output[0]),
-        first=lambda w: of_run(rules.floor_motions.output[0])(
-            Of(run=w.run, record=first_shock(w))
-        ),
+        first=lambda w: of_run(rules.floor_motions.output[0])(Of(run=w.run, record=first_shock(w))),
         modules=code("sequence/sequence_collapse"),
     output:
         table=results("sequence/{model}/{record}_{direction}.csv"),
@@ -36,9 +34,9 @@ rule sequence_collapse:
 
 
 # Below and above the second's collapse, in YADE: ask for the file.
-rule sequence_yade:
+use rule strengthen_yade as sequence_yade with:
     input:
-        runs=rules.sequence_collapse.output.runs,
+        plan=rules.sequence_collapse.output.runs,
         scene=rules.scene.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         first=rules.sequence_collapse.input.first,
@@ -48,14 +46,10 @@ rule sequence_yade:
         results("sequence/{model}/{record}_{direction}_yade.csv"),
     log:
         logs("sequence_yade_{model}_{record}_{direction}"),
+    benchmark:
+        benchmarks("sequence_yade_{model}_{record}_{direction}")
     params:
-        yade=YADE,
         journal=results("cache/sequence/{model}_{record}_{direction}.jsonl"),
-    shell:
-        "{params.yade} runs --list {input.runs:q} --scene {input.scene:q}"
-        " --motion {input.motion:q} --record {wildcards.record:q}"
-        " --direction {wildcards.direction} --journal {params.journal:q}"
-        " --output {output:q} 2> {log:q}"
 
 
 rule sequence_table:
@@ -75,9 +69,7 @@ def facts_of_both(wildcards):
     """Sources of the run's records, and of the one that comes first."""
     first = RUNS.cfg(wildcards)["sequence"]["first"]
     names = [*RUNS.records[wildcards.run], *([first] if first else [])]
-    return of_run(rules.record.output.facts, record=list(dict.fromkeys(names)))(
-        wildcards
-    )
+    return of_run(rules.record.output.facts, record=list(dict.fromkeys(names)))(wildcards)
 
 
 rule figure_sequence:

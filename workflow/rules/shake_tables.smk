@@ -38,7 +38,6 @@ rule fig05_sorrentino:
             "fig05_sorrentino",
             "Calibration of the damping",
             "5: free rocking of the Sorrentino wall",
-            about="fig05",
         ),
     log:
         logs("fig05_sorrentino"),
@@ -84,8 +83,7 @@ rule shake_table:
     params:
         yade=YADE,
     shell:
-        "{params.yade} shake_table --tests {input.tests:q} --output {output:q}"
-        " 2> {log:q}"
+        "{params.yade} shake_table --tests {input.tests:q} --output {output:q}" " 2> {log:q}"
 
 
 rule shake_table_table:
@@ -94,12 +92,7 @@ rule shake_table_table:
         histories=rules.shake_table.output[0],
         modules=code("shake_tables/table_shake_table"),
     output:
-        shown(
-            results("tables/shake_table.csv"),
-            "table_shake_table",
-            "Calibration of the damping",
-            "shake-table runs (CSV)",
-        ),
+        shown_table("shake_table", "Calibration of the damping", "shake-table runs"),
     log:
         logs("shake_table_table"),
     script:
@@ -116,7 +109,6 @@ rule fig06_shawa:
             "fig06_shawa",
             "Calibration of the damping",
             "6: shake-table tests of the Shawa wall",
-            about="fig06",
         ),
     log:
         logs("fig06_shawa"),
@@ -137,15 +129,7 @@ rule damping_choice_scene:
     wildcard_constraints:
         law="eq5|fitted",
     params:
-        scene=RUNS.params_of(
-            "facade",
-            "return_wall",
-            "damping",
-            "smdof",
-            "numerics",
-            "ida",
-            "ensemble",
-        ),
+        scene=RUNS.params_of(*SECTIONS),
     script:
         "../scripts/ida/scene.py"
 
@@ -166,7 +150,7 @@ use rule planar_ida as damping_choice_planar with:
         record=lambda w: CHOICE_RECORD(w.run),
 
 
-rule damping_choice_ida:
+use rule ida as damping_choice_ida with:
     input:
         scene=rules.damping_choice_scene.output[0],
         motion=of_run(rules.floor_motions.output[0], record=CHOICE_RECORD),
@@ -177,17 +161,13 @@ rule damping_choice_ida:
         results("calibration/choice/{model}_{direction}_{law}.csv"),
     log:
         logs("damping_choice_{model}_{direction}_{law}"),
+    benchmark:
+        benchmarks("damping_choice_{model}_{direction}_{law}")
     wildcard_constraints:
         law="eq5|fitted",
     params:
-        yade=YADE,
-        plan=plan_option,
         record=lambda w: CHOICE_RECORD(w.run),
         journal=results("cache/choice/{model}_{direction}_{law}.jsonl"),
-    shell:
-        "{params.yade} ida --scene {input.scene:q} --motion {input.motion:q}"
-        " --record {params.record:q} --direction {wildcards.direction} {params.plan}"
-        " --journal {params.journal:q} --output {output:q} 2> {log:q}"
 
 
 rule damping_choice:
@@ -197,9 +177,7 @@ rule damping_choice:
         facts=of_run(rules.own_record.output.facts, record=CHOICE_RECORD),
         modules=code("shake_tables/calibrate_choice"),
     output:
-        **figure(
-            "damping_choice", "Calibration of the damping", "IDA under two laws of β"
-        ),
+        **figure("damping_choice", "Calibration of the damping", "IDA under two laws of β"),
         table=results("tables/damping_choice.csv"),
     log:
         logs("damping_choice"),

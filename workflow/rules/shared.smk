@@ -21,9 +21,7 @@ def each_record(run):
 
 rule shared_files:
     input:
-        files=all_of(
-            of_run(*SHARED_FILES, cases=each_record), rules.floor_motions.output
-        ),
+        files=all_of(of_run(*SHARED_FILES, cases=each_record), rules.floor_motions.output),
         modules=code("records/link_shared"),
     output:
         results("tables/shared.csv"),
@@ -57,7 +55,6 @@ use rule own_record as own_floor_motions with:
         logs("own_floor_motions_{record}_{n}"),
     params:
         files=of_run(rules.floor_motions.output),
-        folder=lambda w, output: Path(output[0]).parent,
 
 
 use rule own_record as own_figure with:
@@ -72,4 +69,3 @@ use rule own_record as own_figure with:
         picture="record|floor_motions",
     params:
         files=lambda w: of_run(PICTURES[w.picture])(w),
-        folder=lambda w, output: Path(output[0]).parent,

@@ -70,9 +70,7 @@ rule figure_two_components:
         facts=of_run(rules.record.output.facts),
         modules=code("two_components/figure_two_components"),
     output:
-        **figure(
-            "two_components", "Two components", "both components compared with one"
-        ),
+        **figure("two_components", "Two components", "both components compared with one"),
     log:
         logs("figure_two_components"),
     script:
@@ -118,6 +116,4 @@ rule two_components_yade:
 
 rule two_components:
     input:
-        every_run(
-            rules.two_components_table.output, rules.figure_two_components.output.png
-        ),
+        every_run(rules.two_components_table.output, rules.figure_two_components.output.png),

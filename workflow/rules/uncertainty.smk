@@ -23,9 +23,7 @@ def drawn(run):
 
 def cells(run):
     """Names of the cells that YADE runs."""
-    return [
-        f"cell{k}" for k in range(1, RUNS.settings[run]["uncertainty"]["confirm"] + 1)
-    ]
+    return [f"cell{k}" for k in range(1, RUNS.settings[run]["uncertainty"]["confirm"] + 1)]
 
 
 def sample_settings(*more):

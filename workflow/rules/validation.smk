@@ -11,10 +11,7 @@ def experiment_files(wildcards):
     """The files of an experiment, its own specimen first."""
     from rocking.studies.validation import files  # slow to load
 
-    return [
-        str(path)
-        for path in files(experiment_folders(wildcards.run)[wildcards.experiment])
-    ]
+    return [str(path) for path in files(experiment_folders(wildcards.run)[wildcards.experiment])]
 
 
 def held_against(run):
