@@ -1,4 +1,4 @@
-"""Writing files whole or not at all."""
+"""Reading and writing files: JSON, and whole or not at all."""
 
 import glob
 import json
@@ -47,3 +47,8 @@ def write_atomic(path, data):
     finally:
         if temporary.exists():
             temporary.unlink()
+
+
+def write_json(path, data, indent=1, sort_keys=False):
+    """Write data as JSON that ends with a line feed; see `write_atomic`."""
+    write_atomic(path, json.dumps(data, indent=indent, sort_keys=sort_keys) + "\n")

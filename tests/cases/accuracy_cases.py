@@ -8,7 +8,7 @@ import numpy as np
 from facade_cases import quiet
 
 from yade_scripts.engine import adapter, balance, energy_check, simulate
-from yade_scripts.model import facade
+from yade_scripts.model import facade, models
 from yade_scripts.model.stiffness import critical_step
 from yade_scripts.studies import energy, shaking, stability
 
@@ -121,7 +121,8 @@ def balanced(config, model, beta_s, time_s, columns, fraction):
     numerics = {**config["numerics"], "step_fraction": fraction}
     job = {**config, "numerics": numerics, "model": model, "beta_s": beta_s}
     columns = {k: np.array(v) for k, v in columns.items()}
-    history, books, overturning_j = energy.balanced_run(job, np.array(time_s), columns, 1.0)
+    shaken = shaking.prepare(models.build_scene(job), numerics, np.array(time_s), columns, 1.0)
+    history, books = energy.balanced_run(shaken)
     rows = np.array(books.rows)
     return {
         "status": history.status,
@@ -129,5 +130,5 @@ def balanced(config, model, beta_s, time_s, columns, fraction):
         "broken": rows[-1][7],
         "last": rows[-1].tolist(),
         "residual": float(np.max(np.abs(rows[:, -1]))),
-        "overturning": overturning_j,
+        "overturning": shaken.scene.overturning_energy_j,
     }

@@ -37,6 +37,24 @@ def parser(doc, *words, **own):
     return made
 
 
+def listed(path, what, keys):
+    """Cases or tests of a file: a list of objects, each with all of `keys`.
+
+    Raises
+    ------
+    ValueError
+        One line naming the file, and the one that lacks a key.
+    """
+    rows = read_json(path)
+    if not isinstance(rows, list) or not rows:
+        raise ValueError(f"{path}: expected a list of {what}s")
+    for number, row in enumerate(rows, 1):
+        missing = [key for key in keys if key not in row]
+        if missing:
+            raise ValueError(f"{path}: {what} {number} has no {', '.join(missing)}")
+    return rows
+
+
 def opened(args):
     """Scene file, and time and accelerations of the motion, that `--scene` and `--motion` name."""
     return read_json(args.scene), *floor_motions.read(args.motion)

@@ -9,38 +9,16 @@ The terms are explained in `balance`.
 
 from yade_scripts.engine import adapter, balance
 from yade_scripts.files import write_atomic
-from yade_scripts.model import models
-from yade_scripts.model.motion import amplitude
 from yade_scripts.studies import command, shaking
 from yade_scripts.studies.ensemble import read_curve
 from yade_scripts.studies.search import DIGITS, fallen_or_highest
 from yade_scripts.studies.tables import HEAD, history_csv
 
 
-def balanced_run(case, time_s, columns, factor):
-    """One run with its books.
-
-    Parameters
-    ----------
-    case : dict
-        A scene file: model, beta_s and the configuration's sections.
-    time_s, columns
-        See `floor_motions.read`.
-    factor : float
-        On the motion's amplitude; its sign is the direction.
-
-    Returns
-    -------
-    history : simulate.History
-    books : balance.EnergyBalance
-    overturning_j : float
-        See `Scene.overturning_energy_j`.
-    """
-    scene, numerics = models.build_scene(case), models.numerics(case)
-    shaken = shaking.prepare(scene, numerics, time_s, columns, factor)
+def balanced_run(shaken):
+    """History of a `shaking.Shaking`, and its `balance.EnergyBalance`."""
     books = balance.EnergyBalance(shaken.scene, shaken.sample_s, shaken.motions)
-    history = shaken.run(setup=books.attach)
-    return history, books, scene.overturning_energy_j
+    return shaken.run(setup=books.attach), books
 
 
 def main(arguments=None):
@@ -52,11 +30,12 @@ def main(arguments=None):
         raise ValueError(f"--share {args.share:g}: expected a number from 0 to 10")
     case, time_s, columns = command.opened(args)
     pga_g = round(args.share * fallen_or_highest(read_curve(args.curve)[0]), DIGITS)
-    factor = amplitude(columns["ground"], args.direction, pga_g)
     adapter.load_yade()
-    history, books, overturning_j = balanced_run(case, time_s, columns, factor)
+    shaken = shaking.of_case(case, time_s, columns, args.direction, pga_g)
+    history, books = balanced_run(shaken)
     given = case["model"], args.record, args.direction, pga_g, history.status, history.dt_s
-    facts = {**dict(zip(HEAD, given, strict=True)), "overturning_j": overturning_j}
+    facts = dict(zip(HEAD, given, strict=True))
+    facts["overturning_j"] = shaken.scene.overturning_energy_j
     formats = {**HEAD, "overturning_j": ".6g", "time_s": ".6f"}
     write_atomic(args.output, history_csv(facts, balance.COLUMNS, books.rows, formats))
     return 0

@@ -18,8 +18,6 @@ import numpy as np
 
 from yade_scripts.engine import adapter, balance, loop
 from yade_scripts.files import write_atomic
-from yade_scripts.model import models
-from yade_scripts.model.motion import amplitude
 from yade_scripts.studies import command, shaking
 from yade_scripts.studies.ensemble import read_curve
 from yade_scripts.studies.search import collapse_bounds
@@ -158,16 +156,14 @@ def main(arguments=None):
     pga_g = args.pga if args.collapse is None else collapse_intensity(args.collapse)
     case, time_s, columns = command.opened(args)
     adapter.load_yade()
-    scene, numerics = models.build_scene(case), models.numerics(case)
-    factor = amplitude(columns["ground"], args.direction, pga_g)
-    shaken = shaking.prepare(scene, numerics, time_s, columns, factor)
+    shaken = shaking.of_case(case, time_s, columns, args.direction, pga_g)
     limit_s = min(shaken.rules.limit_s, args.until)
     shaken = replace(
         shaken,
         rules=replace(shaken.rules, overturn_ratio=args.fall, limit_s=limit_s),
         sample_s=min(args.interval, shaken.sample_s),
     )
-    camera = Camera(scene, args.contacts)
+    camera = Camera(shaken.scene, args.contacts)
     history = shaken.run(setup=camera.attach(args.interval))
     facts = {"model": case["model"], "record": args.record, "direction": args.direction}
     camera.write(args.output, history, pga_g=pga_g, **facts)

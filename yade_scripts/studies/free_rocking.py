@@ -15,13 +15,12 @@ The cases file holds a list; each case is one wall:
 """
 
 import math
-import sys
 import time
 
 import numpy as np
 
 from yade_scripts.engine import adapter, simulate
-from yade_scripts.files import read_json, write_atomic
+from yade_scripts.files import write_atomic
 from yade_scripts.model import facade
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.studies import command
@@ -41,13 +40,8 @@ def read_cases(path):
     ValueError
         One line naming the file and the case if a key is missing or a number is not usable.
     """
-    cases = read_json(path)
-    if not isinstance(cases, list) or not cases:
-        raise ValueError(f"{path}: expected a list of cases")
-    for number, case in enumerate(cases, 1):
-        missing = [key for key in CASE_KEYS if key not in case]
-        if missing:
-            raise ValueError(f"{path}: case {number} has no {', '.join(missing)}")
+    cases = command.listed(path, "case", CASE_KEYS)
+    for case in cases:
         betas = case["beta_s"]
         if not betas or not all(isinstance(b, (int, float)) and 0 <= b < 1 for b in betas):
             raise ValueError(f"{path}: case {case['id']}: expected beta_s between 0 and 1 s")
@@ -139,13 +133,9 @@ def main(arguments=None):
     """Parse the command line, run, write the archive; return the exit status."""
     texts = {"cases": "cases (JSON)", "output": "histories to write (.npz)"}
     args = command.parser(__doc__, **texts).parse_args(arguments)
-
-    def say(text):
-        print(f"[free rocking] {text}", file=sys.stderr, flush=True)
-
     cases = read_cases(args.cases)
     adapter.load_yade()
-    runs, histories = run_cases(cases, say)
+    runs, histories = run_cases(cases, command.teller("free rocking"))
     times, angles = zip(*histories, strict=True)
     write_atomic(args.output, archive(runs, time_s=times, theta_over_alpha=angles))
     return 0

@@ -24,8 +24,7 @@ import numpy as np
 
 from yade_scripts.engine import adapter, balance, energy_check, loop
 from yade_scripts.files import write_atomic
-from yade_scripts.model import floor_motions, models
-from yade_scripts.model.motion import amplitude
+from yade_scripts.model import floor_motions
 from yade_scripts.studies import command, shaking
 from yade_scripts.studies.tables import HEAD, history_csv
 
@@ -73,17 +72,8 @@ class Probe:
         self.rows.append((*base, *walls, *bars, work, kinetic, potential, elastic, lost))
 
 
-def trace(case, time_s, columns, factor):
-    """Run one history.
-
-    Parameters
-    ----------
-    case : dict
-        A scene file: model, beta_s and the configuration's sections.
-    time_s, columns
-        See `floor_motions.read`.
-    factor : float
-        On the motion's amplitude; its sign is the direction.
+def trace(shaken):
+    """Run a `shaking.Shaking`, sampled every SAMPLE_S.
 
     Returns
     -------
@@ -91,10 +81,9 @@ def trace(case, time_s, columns, factor):
     values : dict of str to ndarray, shape (n,)
         By column of the table, time_s first.
     """
-    scene, numerics = models.build_scene(case), models.numerics(case)
-    shaken = shaking.prepare(scene, numerics, time_s, columns, factor)
     shaken = replace(shaken, sample_s=SAMPLE_S)
-    check = energy_check.EnergyCheck(shaken.scene, shaken.motions)
+    scene = shaken.scene
+    check = energy_check.EnergyCheck(scene, shaken.motions)
     probe = Probe(scene, check)
     history = shaken.checked(check, setup=probe.attach)
     values = {
@@ -129,8 +118,8 @@ def main(arguments=None):
         raise ValueError(f"PGA of {args.pga:g} g: expected a number above 0, at most 10 (g)")
     case, time_s, columns = command.opened(args)
     adapter.load_yade()
-    factor = amplitude(columns["ground"], args.direction, args.pga)
-    history, values = trace(case, time_s, columns, factor)
+    shaken = shaking.of_case(case, time_s, columns, args.direction, args.pga)
+    history, values = trace(shaken)
     given = (case["model"], args.record, args.direction, args.pga, history.status, history.dt_s)
     facts = dict(zip(HEAD, given, strict=True))
     rows = zip(*(v.tolist() for v in values.values()), strict=True)

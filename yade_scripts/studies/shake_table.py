@@ -17,33 +17,13 @@ The tests file holds a list; each test is one run::
 and may have `observed_m`, the height of d above the base; without it d is the top's.
 """
 
-import sys
-
 from yade_scripts.engine import adapter
-from yade_scripts.files import read_json, write_atomic
+from yade_scripts.files import write_atomic
 from yade_scripts.model import floor_motions, models
 from yade_scripts.studies import command, shaking
 from yade_scripts.studies.tables import archive
 
 TEST_KEYS = ("id", "config", "model", "beta_s", "motion", "factor")
-
-
-def read_tests(path):
-    """Read a tests file.
-
-    Raises
-    ------
-    ValueError
-        One line naming the file and the test if a key is missing.
-    """
-    tests = read_json(path)
-    if not isinstance(tests, list) or not tests:
-        raise ValueError(f"{path}: expected a list of tests")
-    for number, test in enumerate(tests, 1):
-        missing = [key for key in TEST_KEYS if key not in test]
-        if missing:
-            raise ValueError(f"{path}: test {number} has no {', '.join(missing)}")
-    return tests
 
 
 def run_test(test):
@@ -81,17 +61,13 @@ def main(arguments=None):
     """Parse the command line, run, write the archive; return the exit status."""
     texts = {"tests": "tests (JSON)", "output": "histories to write (.npz)"}
     args = command.parser(__doc__, **texts).parse_args(arguments)
-    histories = []
-    tests = read_tests(args.tests)
+    histories, say = [], command.teller("shake table")
+    tests = command.listed(args.tests, "test", TEST_KEYS)
     adapter.load_yade()
     for number, test in enumerate(tests, 1):
         history = run_test(test)
         histories.append(history)
-        print(
-            f"[shake table] test {number} of {len(tests)}: {test['id']}, {history.status} "
-            f"({history.wall_s:.1f} s)",
-            file=sys.stderr,
-            flush=True,
-        )
+        done = f"test {number} of {len(tests)}: {test['id']}, {history.status}"
+        say(f"{done} ({history.wall_s:.1f} s)")
     write_atomic(args.output, pack(tests, histories))
     return 0

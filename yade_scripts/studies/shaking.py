@@ -116,6 +116,12 @@ def prepare(scene, numerics, time_s, columns, factor):
     )
 
 
+def of_case(case, time_s, columns, direction, pga_g):
+    """Set up the shaking of a case file at one intensity [g]; see `prepare`."""
+    factor = amplitude(columns["ground"], direction, pga_g)
+    return prepare(models.build_scene(case), models.numerics(case), time_s, columns, factor)
+
+
 def run_at(scene, numerics, time_s, columns, names, pga_g):
     """Run a scene at one intensity.
 

@@ -18,8 +18,6 @@ if __name__ == "__main__":  # started by YADE's own program, which sets no path
     sys.path.insert(0, str(Path(sys.argv[0]).resolve().parents[2]))
 
 from yade_scripts.engine import adapter, loop
-from yade_scripts.model import models
-from yade_scripts.model.motion import amplitude
 from yade_scripts.studies import command, shaking
 
 FOLLOW_S = 0.005  # between two places of a frame
@@ -80,9 +78,7 @@ def opened(arguments):
     parser.add_argument("--pga", required=True, type=float, help="intensity [g]")
     args = parser.parse_args(arguments)
     case, time_s, columns = command.opened(args)
-    scene = models.build_scene(case)
-    factor = amplitude(columns["ground"], args.direction, args.pga)
-    run = shaking.prepare(scene, models.numerics(case), time_s, columns, factor)
+    run = shaking.of_case(case, time_s, columns, args.direction, args.pga)
     found = []
 
     def setup(built):
