@@ -6,7 +6,7 @@ from rocking.building.case import PAPER_PERIODS_S
 from rocking.building.comparison import N_DOF, PAPER_WME, TopMotion, chain_top, top_motion
 from rocking.building.history import History, mass_damping_rate, modal_history
 from rocking.building.modes import Modes
-from rocking.building.readings import Reading, curves, errors, readings, strong_part
+from rocking.building.readings import Reading, errors, readings, strong_part
 from rocking.records import Record
 
 import smdof
@@ -81,7 +81,7 @@ def test_spectra_begin_at_the_peak_acceleration(absolute):
     slow = np.sin(3.0 * rows)
     for motion in (
         top_motion(rows, slow, 2.0, 25.0),
-        curves(rows, slow, Reading(absolute_spectrum=absolute)),
+        top_motion(rows, slow, 2.0, 25.0, absolute_spectrum=absolute),
     ):
         periods, values = motion.curves["response_spectrum"]
         assert periods[0] == 0.02
@@ -121,8 +121,8 @@ def test_readings_change_what_they_name():
     time, top = history.time_s, history.acceleration_m_s2[0]
     ratio = np.trapezoid(np.abs(top), time) / np.trapezoid(np.abs(top - history.ground_m_s2), time)
     assert relative["acceleration"] / own["acceleration"] == pytest.approx(ratio, rel=1e-3)
-    _, root = curves(time, top, Reading(power="amplitude")).curves["power_spectrum"]
-    _, whole = curves(time, top, Reading(power="periodogram")).curves["power_spectrum"]
+    _, root = top_motion(time, top, 2.0, 25.0, power="amplitude").curves["power_spectrum"]
+    _, whole = top_motion(time, top, 2.0, 25.0, power="periodogram").curves["power_spectrum"]
     assert root**2 == pytest.approx(whole)
 
 

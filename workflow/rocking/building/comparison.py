@@ -34,7 +34,15 @@ class TopMotion:
         return out
 
 
-def top_motion(time_s, acceleration_m_s2, longest_period_s, highest_hz):
+def top_motion(
+    time_s,
+    acceleration_m_s2,
+    longest_period_s,
+    highest_hz,
+    *,
+    absolute_spectrum=False,
+    power="welch",
+):
     """Spectra of a top acceleration on the ranges over which they are compared.
 
     Parameters
@@ -45,6 +53,10 @@ def top_motion(time_s, acceleration_m_s2, longest_period_s, highest_hz):
         Response spectra (5 % damping, pseudo-acceleration) from 0.02 s to here.
     highest_hz : float
         Power spectra from 0 to here, or to half the sampling frequency.
+    absolute_spectrum : bool
+        Peak absolute acceleration in place of the pseudo-acceleration.
+    power : {"welch", "periodogram", "amplitude"}
+        Averaged or whole-record density, or the square root of the latter.
 
     Returns
     -------
@@ -53,13 +65,21 @@ def top_motion(time_s, acceleration_m_s2, longest_period_s, highest_hz):
     dt = (time_s[-1] - time_s[0]) / (len(time_s) - 1)
     periods = np.linspace(0.02, longest_period_s, 199)
     response = smdof.response_spectrum(acceleration_m_s2, dt, periods)
-    power = smdof.power_spectrum(acceleration_m_s2, dt)
-    low = power.frequency_hz <= highest_hz
+    method = "welch" if power == "welch" else "periodogram"
+    found = smdof.power_spectrum(acceleration_m_s2, dt, method)
+    low = found.frequency_hz <= highest_hz
+    density = found.power_m2_s3[low]
     return TopMotion(
         {
             "acceleration": (np.asarray(time_s), np.asarray(acceleration_m_s2)),
-            "response_spectrum": (periods, response.psa_m_s2),
-            "power_spectrum": (power.frequency_hz[low], power.power_m2_s3[low]),
+            "response_spectrum": (
+                periods,
+                response.sa_m_s2 if absolute_spectrum else response.psa_m_s2,
+            ),
+            "power_spectrum": (
+                found.frequency_hz[low],
+                np.sqrt(density) if power == "amplitude" else density,
+            ),
         }
     )
 

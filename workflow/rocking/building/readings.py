@@ -13,7 +13,7 @@ import numpy as np
 
 import smdof
 
-from .comparison import N_DOF, TopMotion
+from .comparison import N_DOF, top_motion
 
 ARIAS = (0.05, 0.95)
 STUDY_PERIOD_S = 0.27
@@ -32,11 +32,8 @@ class Reading:
     strong : bool
         Only between 5 and 95 % of the reference's integral of a².
     longest_period_s : float
-        Response spectra from 0.02 s to here.
-    absolute_spectrum : bool
-        Peak absolute acceleration in place of the pseudo-acceleration.
-    power : {"welch", "periodogram", "amplitude"}
-        Averaged or whole-record density, or the square root of the latter.
+    absolute_spectrum, power
+        See `comparison.top_motion`.
     highest_hz : float
     study_period : bool
         Chains tuned to the study's 0.27 s, not to SBDEM's own period.
@@ -84,37 +81,6 @@ def readings(longest_period_s=2.0, highest_hz=25.0):
     }
 
 
-def curves(time_s, acceleration_m_s2, reading):
-    """Return the `TopMotion` of an acceleration under a reading.
-
-    Parameters
-    ----------
-    time_s, acceleration_m_s2 : ndarray, shape (nt,)
-        Uniformly sampled.
-    reading : Reading
-    """
-    dt = (time_s[-1] - time_s[0]) / (len(time_s) - 1)
-    periods = np.linspace(0.02, reading.longest_period_s, 199)
-    response = smdof.response_spectrum(acceleration_m_s2, dt, periods)
-    method = "welch" if reading.power == "welch" else "periodogram"
-    power = smdof.power_spectrum(acceleration_m_s2, dt, method)
-    low = power.frequency_hz <= reading.highest_hz
-    density = power.power_m2_s3[low]
-    return TopMotion(
-        {
-            "acceleration": (np.asarray(time_s), np.asarray(acceleration_m_s2)),
-            "response_spectrum": (
-                periods,
-                response.sa_m_s2 if reading.absolute_spectrum else response.psa_m_s2,
-            ),
-            "power_spectrum": (
-                power.frequency_hz[low],
-                np.sqrt(density) if reading.power == "amplitude" else density,
-            ),
-        }
-    )
-
-
 def strong_part(time_s, acceleration_m_s2):
     """Return start and end of the time between 5 and 95 % of ∫a²dt (Trifunac and Brady, 1975)."""
     share = np.cumsum(np.square(acceleration_m_s2))
@@ -141,7 +107,14 @@ def errors(history, point, record, own_period_s, damping_ratio, reading):
     def cut(time, motion, ground, window):
         motion = motion - ground if reading.relative else motion
         inside = (time >= window[0] - 1e-9) & (time <= window[1] + 1e-9)
-        return curves(time[inside], motion[inside], reading)
+        return top_motion(
+            time[inside],
+            motion[inside],
+            reading.longest_period_s,
+            reading.highest_hz,
+            absolute_spectrum=reading.absolute_spectrum,
+            power=reading.power,
+        )
 
     time, top = history.time_s, history.acceleration_m_s2[point]
     window = strong_part(time, top) if reading.strong else (time[0], time[-1])
