@@ -152,22 +152,6 @@ def rayleigh_ratio(omega_rad_s, alpha_1_s, beta_s):
     return alpha_1_s / (2.0 * omega) + beta_s * omega / 2.0
 
 
-def rayleigh_coefficients(omega1_rad_s, ratio1, omega2_rad_s, ratio2):
-    """α [1/s] and β [s] that give two circular frequencies their damping ratios."""
-    _positive(omega1_rad_s=omega1_rad_s, omega2_rad_s=omega2_rad_s)
-    if omega1_rad_s == omega2_rad_s:
-        raise ValueError("rayleigh_coefficients: the two frequencies must differ")
-    matrix = 0.5 * np.array([[1.0 / w, w] for w in (omega1_rad_s, omega2_rad_s)])
-    alpha, beta = np.linalg.solve(matrix, [ratio1, ratio2])
-    return float(alpha), float(beta)
-
-
-def beta_from_ratio(ratio, omega_rad_s):
-    """β = 2ζ/ω [s]: stiffness-proportional damping that gives ζ at ω."""
-    _positive(omega_rad_s=omega_rad_s)
-    return 2.0 * ratio / omega_rad_s
-
-
 def base_rocking_frequency(h_m, b_m, density_kg_m3, e_pa):
     """Circular frequency of a block's rotation on its linear base jkn = E/h [rad/s].
 
@@ -208,30 +192,6 @@ def overturning_half_sine(omega_over_p):
     while excess(high) < 0.0:
         high *= 2.0
     return scipy.optimize.brentq(excess, 1.0, high, xtol=1e-13)
-
-
-def overturning_index(time_s, acceleration_m_s2, alpha_rad, p_rad_s, gravity_m_s2=G_M_S2):
-    """p∫(a/αg)e^{−pτ}dτ from uplift for a sampled pulse; at least 1 overturns (linearised).
-
-    Valid while the block does not touch down before the pulse ends. τ counts from
-    the first instant with a > αg, interpolated; the integral of a piecewise-linear
-    pulse is exact. 0 if the block never uplifts.
-    """
-    _positive(alpha_rad=alpha_rad, p_rad_s=p_rad_s)
-    t = np.asarray(time_s, float)
-    x = np.asarray(acceleration_m_s2, float) / (alpha_rad * gravity_m_s2)
-    above = np.flatnonzero(x > 1.0)
-    if above.size == 0:
-        return 0.0
-    first = above[0]
-    if first > 0:
-        share = (1.0 - x[first - 1]) / (x[first] - x[first - 1])
-        start = t[first - 1] + share * (t[first] - t[first - 1])
-        t, x = np.append(start, t[first:]), np.append(1.0, x[first:])
-    s = p_rad_s * (t - t[0])
-    slope = np.diff(x) / np.diff(s)
-    # ∫(x + x')e^{−s} ds has the antiderivative −(x + x')e^{−s} for linear x
-    return float(np.sum((x[:-1] + slope) * np.exp(-s[:-1]) - (x[1:] + slope) * np.exp(-s[1:])))
 
 
 # Static capacity curves --------------------------------------------------------------------------
