@@ -1,6 +1,23 @@
-"""How tables are written: one form for every CSV file of the results."""
+"""How results are read and written: one form for every table (CSV), and for all else JSON."""
 
 import pandas as pd
+
+from yade_scripts.files import read_json, write_json
+
+__all__ = ["headed", "read_json", "read_tables", "write_json", "write_table"]
+
+
+def read_tables(paths):
+    """Tables of several files, one below the other."""
+    return pd.concat([pd.read_csv(path) for path in paths], ignore_index=True)
+
+
+def headed(table, **values):
+    """Return a table with columns of one value each before its own."""
+    frame = table.copy()
+    for place, (name, value) in enumerate(values.items()):
+        frame.insert(place, name, value)
+    return frame
 
 
 def write_table(table, path, columns=None, digits="%.6g"):

@@ -1,14 +1,13 @@
 """The W1 cases of the accuracy study in an outside engine: what its comparisons share."""
 
 import importlib
-import json
 import math
 import sys
-from pathlib import Path
 
 import numpy as np
 
 from rocking.tables import write_table
+from yade_scripts.files import read_json
 from yade_scripts.model import facade, floor_motions
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.stiffness import critical_step
@@ -64,8 +63,8 @@ def compare(job, method, package, run_case, fractions):
         raise ValueError(
             f"{method} is not installed: .venv/bin/pip install -r requirements-engines.in"
         ) from None
-    plan = json.loads(Path(job.input.plan).read_text())
-    scene_job = json.loads(Path(plan["scenes"]["W1"]).read_text())
+    plan = read_json(job.input.plan)
+    scene_job = read_json(plan["scenes"]["W1"])
     scene = facade.facade_scene(scene_job, "W1", scene_job["beta_s"])
     critical = float(critical_step(scene))
     rows = []

@@ -1,8 +1,5 @@
 """The complete building of a configuration (CB, CBc): its scene, its modes, its linear answer."""
 
-import json
-from pathlib import Path
-
 import numpy as np
 from scipy import sparse
 from scipy.optimize import brentq
@@ -10,6 +7,7 @@ from scipy.signal import cont2discrete, dlsim
 from scipy.sparse.linalg import eigsh
 
 from rocking.calibration.beta import beta_for
+from yade_scripts.files import read_json
 from yade_scripts.model import stiffness
 from yade_scripts.model.building import complete
 from yade_scripts.model.registry import COMPLETE
@@ -83,7 +81,7 @@ def scene_of(config, job, model, coarsening=None, back_joint=None, extra_nodes=0
     -------
     Scene, float
     """
-    load = json.loads(Path(job.input.fit).read_text())["floor_load_kg_m2"]
+    load = read_json(job.input.fit)["floor_load_kg_m2"]
     beta = beta_for(config, job.input.law)
     numerics = perturbed_numerics(config["numerics"], Realisation(0, 1.0, extra_nodes=extra_nodes))
     own = config["complete"]

@@ -20,6 +20,7 @@ from rocking.calibration.beta import LAW_FILE, beta_for
 from rocking.configuration import config as configuration
 from rocking.configuration import schema
 from rocking.configuration.facade import WEAKEST
+from yade_scripts.files import read_json
 from yade_scripts.model import registry
 
 FIDELITY_FILE = LAW_FILE.with_name("fidelity.yaml")
@@ -77,7 +78,7 @@ class Case:
     @classmethod
     def read(cls, path):
         """Read a case file, as the workflow writes them to `results/<run>/scenes`."""
-        return cls(json.loads(Path(path).read_text("utf-8")))
+        return cls(read_json(path))
 
     @classmethod
     def configured(cls, model, config=None):

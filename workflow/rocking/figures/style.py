@@ -1,6 +1,5 @@
 """What all figures share: the style file, colours of the models, and saving in two formats."""
 
-import json
 import textwrap
 from pathlib import Path
 
@@ -12,6 +11,8 @@ import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogFormatter, LogFormatterSciNotation
 from matplotlib.transforms import Bbox
+
+from yade_scripts.files import read_json
 
 GREY = "0.65"
 SIGNS = {"pos": "+", "neg": "−"}  # of a direction
@@ -164,7 +165,7 @@ def origins(facts, width_in):
         Provenance files of records.
     """
     paths = [facts] if isinstance(facts, str) else facts
-    lines = sources([json.loads(Path(path).read_text()) for path in paths])
+    lines = sources([read_json(path) for path in paths])
     return "\n".join(textwrap.fill(line, int(20 * width_in)) for line in lines)
 
 

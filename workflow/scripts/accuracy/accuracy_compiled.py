@@ -1,21 +1,19 @@
 """The compiled planar solver at many nodes and steps on the cases of the accuracy study, timed."""
 
 import itertools
-import json
 import time
-from pathlib import Path
 
 from rocking.accuracy.histories import Solver
 from rocking.accuracy.study import COMPILED
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 from yade_scripts.model import floor_motions
 
 
 def main(job):
-    plan, settings = json.loads(Path(job.input.plan).read_text()), job.params.accuracy
-    scenes = {m: json.loads(Path(path).read_text()) for m, path in plan["scenes"].items()}
+    plan, settings = read_json(job.input.plan), job.params.accuracy
+    scenes = {m: read_json(path) for m, path in plan["scenes"].items()}
     grid = list(itertools.product(settings["compiled_nodes"], settings["compiled_steps"]))
     rows = []
     for case in plan["cases"]:

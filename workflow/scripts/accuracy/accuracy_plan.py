@@ -1,13 +1,10 @@
 """Histories of the accuracy study with their converged answer, and the runs of YADE they get."""
 
-import json
-from pathlib import Path
-
 import pandas as pd
 from rocking.accuracy.histories import COLUMNS, Solver, drawn, half, histories
 from rocking.accuracy.study import charted, plan_runs
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_json, write_table
 
 from yade_scripts.model import floor_motions
 
@@ -17,7 +14,7 @@ def main(job):
     trusted = ensemble["sensitivity_threshold"] / ensemble["sensitivity_perturbation"]
     limits = {**settings, "trusted": trusted, "max_pga_g": job.params.max_pga_g}
     paths = dict(zip(settings["models"], job.input.scenes, strict=True))
-    scenes = {model: json.loads(Path(path).read_text()) for model, path in paths.items()}
+    scenes = {model: read_json(path) for model, path in paths.items()}
     motions = dict(zip(job.params.records, job.input.motions, strict=True))
     rows = []
     for number, (record, path) in enumerate(motions.items()):
@@ -39,7 +36,7 @@ def main(job):
         "charted": sorted(charted(cases, settings["chart_histories"])),
         "runs": plan_runs(cases, settings, scenes),
     }
-    Path(job.output.plan).write_text(json.dumps(plan, indent=1) + "\n")
+    write_json(job.output.plan, plan)
 
 
 run(main, globals())

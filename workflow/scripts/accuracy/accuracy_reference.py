@@ -1,6 +1,5 @@
 """Cases of the accuracy study by the independent adaptive solver, the reference of all others."""
 
-import json
 import os
 import time
 from concurrent.futures import ProcessPoolExecutor
@@ -8,7 +7,7 @@ from concurrent.futures import ProcessPoolExecutor
 from rocking.accuracy.study import ADAPTIVE
 from rocking.reference.facade import peak_and_end
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 
 def one(arguments):
@@ -36,12 +35,8 @@ def one(arguments):
 
 def main(job):
     settings = job.params.accuracy
-    with open(job.input.plan) as handle:
-        plan = json.load(handle)
-    scenes = {}
-    for model, path in plan["scenes"].items():
-        with open(path) as handle:
-            scenes[model] = json.load(handle)
+    plan = read_json(job.input.plan)
+    scenes = {model: read_json(path) for model, path in plan["scenes"].items()}
     work = [(scenes[c["model"]], plan["motions"][c["record"]], c, settings) for c in plan["cases"]]
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
     with ProcessPoolExecutor(int(getattr(job, "threads", 1))) as pool:

@@ -1,14 +1,11 @@
 """Realisations that a stable median needs, and the planar solver's median where they spread."""
 
-import json
-from pathlib import Path
-
 import numpy as np
 import pandas as pd
 from rocking.collapse.ensemble import realisations_needed
 from rocking.reference.facade import ensemble_peaks
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 TOLERANCE = 0.05  # half width of the interval about the median of d/b
 LEVELS = 2
@@ -38,7 +35,7 @@ def main(job):
     motions = dict(zip(job.params.records, job.input.motions, strict=True))
     scenes = {}
     for path in job.input.scenes:
-        scene = json.loads(Path(path).read_text())
+        scene = read_json(path)
         scenes[scene["model"]] = scene
     rows = []
     for path in job.input.ensembles:

@@ -1,15 +1,12 @@
 """Error and speed of every run, their spread by method, nodes and step, and the fidelity."""
 
-import json
-from pathlib import Path
-
 import pandas as pd
 import yaml
 from rocking.accuracy.fidelity import fidelity_table
 from rocking.accuracy.histories import CHOOSING
 from rocking.accuracy.study import TABLE_COLUMNS, chosen_pair, errors, summary
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 HEADER = (
     "# Error in d/b that {share:.3g} % of the repeating histories keep, by nodes and step,\n"
@@ -20,8 +17,8 @@ HEADER = (
 
 def main(job):
     settings = job.params.accuracy
-    plan = json.loads(Path(job.input.plan).read_text())
-    scenes = {m: json.loads(Path(path).read_text()) for m, path in plan["scenes"].items()}
+    plan = read_json(job.input.plan)
+    scenes = {m: read_json(path) for m, path in plan["scenes"].items()}
     histories = pd.read_csv(job.input.histories)
     adaptive = pd.read_csv(job.input.reference)
     histories["d_over_b_compiled"] = histories["d_over_b"]

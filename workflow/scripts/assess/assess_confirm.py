@@ -10,7 +10,7 @@ from rocking.assessment.dynamic_check import width_of
 from rocking.records import load
 from rocking.records.floors import floor_columns
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 from yade_scripts.model import floor_motions
 
@@ -19,7 +19,7 @@ COLUMNS = ["model", "record", "direction", "which", "pga_g", "d_m", "d_yade_m", 
 
 
 def main(job):
-    scene = json.loads(Path(job.input.scene).read_text())
+    scene = read_json(job.input.scene)
     settings = json.loads(job.params.settings)
     table, (found,) = pd.read_csv(job.input.histories), _rows(job.input.verdict)
     how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}

@@ -1,18 +1,17 @@
 """Histories of one model under the motions of the code's dynamic check, and its verdict."""
 
 import json
-from pathlib import Path
 
 import pandas as pd
 from rocking.assessment.code_checks import mechanism_of
 from rocking.assessment.dynamic_check import COLUMNS, histories, limits_of, verdict
 from rocking.records import load
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 
 def main(job):
-    scene = json.loads(Path(job.input.scene).read_text())
+    scene = read_json(job.input.scene)
     settings = json.loads(job.params.settings)
     motions = pd.read_csv(job.input.motions)
     how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}

@@ -1,7 +1,6 @@
 """Kinematic and dynamic check of one façade under the code's spectrum at several intensities."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -13,7 +12,7 @@ from rocking.assessment.dynamic_check import histories, limits_of, verdict
 from rocking.collapse.quick import LONG_STEP
 from rocking.records import G_M_S2, load
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 from smdof.spectra import response_spectrum
 
@@ -60,7 +59,7 @@ def main(job):
             wanted.setdefault(name, {})[ag_g] = factor * peaks[name]
     rows = []
     for path in job.input.scenes:
-        scene = json.loads(Path(str(path)).read_text())
+        scene = read_json(str(path))
         parts = []
         for name, levels in wanted.items():
             one = histories(

@@ -1,11 +1,9 @@
 """What the building stage says of the chain: its mass, and T1 with and without façades."""
 
-import json
-from pathlib import Path
-
 from rocking.building.case import translation_mode
 from rocking.building.modes import Modes
 from rocking.runtime.script import run
+from rocking.tables import read_json, write_json
 
 
 def period(path):
@@ -15,13 +13,13 @@ def period(path):
 
 
 def main(job):
-    fit = json.loads(Path(job.input.fit).read_text())
+    fit = read_json(job.input.fit)
     stage = {
         "mass_kg": fit["mass_behind_facade_kg"],
         "period_s": period(job.input.sbdem),
         "complete_period_s": period(job.input.cbdem),
     }
-    Path(job.output[0]).write_text(json.dumps(stage, indent=1, sort_keys=True) + "\n")
+    write_json(job.output[0], stage, sort_keys=True)
 
 
 run(main, globals())

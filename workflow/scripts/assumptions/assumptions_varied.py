@@ -1,21 +1,18 @@
 """Collapse of a model under one record, one assumption after the other at another level."""
 
-import json
-from pathlib import Path
-
 from rocking import Case, Motion
 from rocking.records import read_csv
 from rocking.records.table import read_table
 from rocking.runtime.script import run
 from rocking.studies.assumptions import CAPACITY, collapse
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 COLUMNS = ["model", "record", "direction", "assumption", "level", *CAPACITY, "runs_planar"]
 
 
 def main(job):
     p, record = job.params, read_csv(job.input.record)
-    stage = json.loads(Path(job.input.stage).read_text())
+    stage = read_json(job.input.stage)
     row = read_table(p.surrogates_table).get(record.name)
     known = record.source != "surrogate" and row is not None and row.path is None
     surrogate = {"table": p.surrogates_table, "seed": p.seed} if known else None

@@ -1,14 +1,13 @@
 """Collapse probability against PGA of every model: a panel a record and direction."""
 
 import itertools
-import json
-from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 from yade_scripts.model.registry import COMPLETE, MODELS, Model
 
@@ -19,7 +18,7 @@ OTHERS = ["#8B4513", "#006400", "#4B4B4B", "#000080"]
 
 def main(job):
     table = pd.read_csv(job.input.probability)
-    facts = [json.loads(Path(path).read_text()) for path in job.input.facts]
+    facts = [read_json(path) for path in job.input.facts]
     title = {fact["name"]: style.provenance(fact) for fact in facts}
     models = list(table["model"].unique())
     known = {**MODELS, **COMPLETE}

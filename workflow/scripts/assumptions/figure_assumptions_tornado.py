@@ -1,14 +1,12 @@
 """Tornado chart of a model: what each assumption moves, sorted, a panel a record."""
 
-import json
-from pathlib import Path
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
 from rocking.runtime.script import run
 from rocking.studies.assumptions import BASE
+from rocking.tables import read_json
 
 PANELS = 8
 LIMIT = 1.1  # natural logarithm of a ratio; longer bars end in an arrow
@@ -18,7 +16,7 @@ BAR, LOWEST, BAND = "#56B4E9", "#D55E00", "0.25"
 def main(job):
     table = pd.read_csv(job.input.table)
     table["level"] = table["level"].fillna("")
-    facts = [json.loads(Path(path).read_text()) for path in job.input.facts]
+    facts = [read_json(path) for path in job.input.facts]
     title = {fact["name"]: style.provenance(fact) for fact in facts}
     levels = table[table["assumption"] != BASE].copy()
     levels["swing"] = np.abs(np.log(levels[["ratio_median", "ratio_collapse"]])).max(axis=1)

@@ -1,6 +1,5 @@
 """Models side by side: collapse intensities, cost, ratios to the reference, and the losses."""
 
-import json
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +8,7 @@ from rocking.collapse import probability
 from rocking.collapse.ida import curve_key, read_curve
 from rocking.runtime.script import run
 from rocking.studies import assumptions
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 from yade_scripts.model.registry import MODELS
 
@@ -56,7 +55,7 @@ def curves(job, records):
 
 
 def main(job):
-    facts = [json.loads(Path(path).read_text()) for path in job.input.facts]
+    facts = [read_json(path) for path in job.input.facts]
     source = {fact["name"]: fact["source"] for fact in facts}
     rows, parts = [], []
     for key, method, runs, cost, found, dense in curves(job, source):

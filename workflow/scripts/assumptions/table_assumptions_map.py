@@ -1,16 +1,15 @@
 """Error of one-way coupling before many buildings: ratios to two-way coupling, all records."""
 
-import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies.assumptions import spread_of
-from rocking.tables import write_table
+from rocking.tables import read_tables, write_table
 
 KEY = ["record", "direction", "period_s", "damping_ratio"]
 MEASURES = ("collapse", "median", "all")
 
 
 def main(job):
-    table = pd.concat([pd.read_csv(path) for path in job.input.curves])
+    table = read_tables(job.input.curves)
     driven = table[table["mass_ratio"] == 0.0].set_index(KEY)
     pushed = table[table["mass_ratio"] > 0.0].set_index(KEY)
     for name in MEASURES:

@@ -1,9 +1,8 @@
 """What each assumption of a model is worth: collapse with it over collapse as configured."""
 
-import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies import assumptions
-from rocking.tables import write_table
+from rocking.tables import read_tables, write_table
 
 KEY = ["record", "direction"]
 WHAT = ["model", *KEY, "assumption", "level"]
@@ -12,7 +11,7 @@ RUNS = "runs"
 
 
 def main(job):
-    table = pd.concat([pd.read_csv(path) for path in job.input.curves])
+    table = read_tables(job.input.curves)
     table = table.rename(columns={"runs_planar": RUNS})
     base = table[table["assumption"] == assumptions.BASE].set_index(KEY)
     table = table.set_index(KEY)

@@ -2,12 +2,12 @@
 
 import json
 import math
-from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 from rocking.figures import pictures, style
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 SHOWN_D = 0.6  # d/b
 COLUMNS = 4  # models side by side, where more than the study's five are drawn
@@ -22,7 +22,7 @@ def first_time(frames):
 def main(job):
     config = json.loads(job.params.config)
     shown = config["pictures"]
-    frames = [json.loads(Path(path).read_text()) for path in job.input.frames]
+    frames = [read_json(path) for path in job.input.frames]
     instant = shown["time_s"]
     if instant is None:
         instant = min(first_time(f) for f in frames)

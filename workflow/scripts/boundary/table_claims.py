@@ -7,11 +7,11 @@ import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies.claims import table
 from rocking.studies.pushover import summary
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 
 def main(job):
-    facts = [json.loads(Path(path).read_text()) for path in job.input.facts]
+    facts = [read_json(path) for path in job.input.facts]
     pushed = {
         Path(path).stem: summary(pd.read_csv(path)) for path in getattr(job.input, "pushover", [])
     }

@@ -1,12 +1,12 @@
 """Periods, wall time and memory of one model at one brick size (building/cost_…json)."""
 
-import json
 import resource
 import time
 
 from rocking.building.case import build_model, read_plan, translation_mode, twist_mode
 from rocking.building.modes import Solver
 from rocking.runtime.script import run
+from rocking.tables import read_json, write_json
 
 
 def memory_mb():
@@ -16,8 +16,7 @@ def memory_mb():
 
 def main(job):
     settings = dict(job.params.building)
-    with open(job.input.fit) as handle:
-        load = json.load(handle)["floor_load_kg_m2"]
+    load = read_json(job.input.fit)["floor_load_kg_m2"]
     model, coarsening = job.wildcards.building, float(job.wildcards.coarsening)
     at_start = memory_mb()
     began, began_cpu = time.perf_counter(), time.process_time()
@@ -44,8 +43,7 @@ def main(job):
         "memory_mb": memory_mb(),
         "memory_at_start_mb": at_start,
     }
-    with open(job.output[0], "w") as handle:
-        json.dump({k: v if isinstance(v, str) else float(v) for k, v in row.items()}, handle)
+    write_json(job.output[0], {k: v if isinstance(v, str) else float(v) for k, v in row.items()})
 
 
 run(main, globals())

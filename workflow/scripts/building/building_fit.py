@@ -1,9 +1,8 @@
 """Floor load that gives the building its stated period, and its mass (building/fit.json)."""
 
-import json
-
 from rocking.building.case import fit_floor_load, mass_behind_facade, read_plan
 from rocking.runtime.script import run
+from rocking.tables import write_json
 
 
 def main(job):
@@ -16,9 +15,7 @@ def main(job):
         "target_s": settings["fit_period_s"],
         "mass_behind_facade_kg": mass_behind_facade(settings, plan, load),
     }
-    with open(job.output[0], "w") as handle:
-        json.dump(fit, handle, indent=1, sort_keys=True)
-        handle.write("\n")
+    write_json(job.output[0], fit, sort_keys=True)
 
 
 run(main, globals())

@@ -1,20 +1,18 @@
 """Top motion of a building under one record by modal superposition (building/history_….csv)."""
 
-import json
-
 import numpy as np
 from rocking.building.case import build_model, read_plan, translation_mode
 from rocking.building.history import mass_damping_rate, modal_history
 from rocking.building.modes import Modes
 from rocking.records import read_csv
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 
 def main(job):
     settings = dict(job.params.building)
     modes = Modes.load(job.input.modes)
-    with open(job.input.fit) as handle:
-        load = json.load(handle)["floor_load_kg_m2"]
+    load = read_json(job.input.fit)["floor_load_kg_m2"]
     building = build_model(settings, read_plan(job.input.plan), job.wildcards.building, load)
     record = read_csv(job.input.record)
     rate = mass_damping_rate(modes.omega[translation_mode(modes)], settings["damping_ratio"])

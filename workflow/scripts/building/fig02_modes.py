@@ -1,7 +1,5 @@
 """Figure 2: translation along y and rotation about z of CBDEM and SBDEM."""
 
-import json
-
 import matplotlib.pyplot as plt
 import numpy as np
 from rocking.building import drawing
@@ -15,6 +13,7 @@ from rocking.building.case import (
 from rocking.building.modes import Modes
 from rocking.figures import style
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 LARGEST_M = 0.7  # drawn displacement of the block that moves most
 
@@ -22,8 +21,7 @@ LARGEST_M = 0.7  # drawn displacement of the block that moves most
 def main(job):
     settings = dict(job.params.building)
     plan = read_plan(job.input.plan)
-    with open(job.input.fit) as handle:
-        load = json.load(handle)["floor_load_kg_m2"]
+    load = read_json(job.input.fit)["floor_load_kg_m2"]
     figure, axes = plt.subplots(2, 2, figsize=(7.0, 7.6))
     colours = plt.get_cmap("viridis")
     letters = iter("abcd")

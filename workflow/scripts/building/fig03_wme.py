@@ -1,7 +1,5 @@
 """Figure 3: top acceleration, response and power spectra of SBDEM and equal chains."""
 
-import json
-
 import matplotlib.pyplot as plt
 import numpy as np
 from rocking.building.case import translation_mode
@@ -10,6 +8,7 @@ from rocking.building.modes import Modes
 from rocking.figures import style
 from rocking.records import G_M_S2, read_csv
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 SHADES = ("#fdae6b", "#e6a100", "#009E73", "#0072B2", "#7b3294")
 
@@ -21,8 +20,7 @@ def main(job):
     ranges = (settings["wme_longest_period_s"], settings["wme_highest_frequency_hz"])
     data = np.loadtxt(job.input.history, delimiter=",", skiprows=1)
     record = read_csv(job.input.record)
-    with open(job.input.facts) as handle:
-        facts = json.load(handle)
+    facts = read_json(job.input.facts)
     reference = top_motion(data[:, 0], data[:, 2], *ranges)
     figure, axes = plt.subplot_mosaic("tt;rp", figsize=(7.0, 5.4))
     drawn = [("SBDEM", reference, {"color": "black", "lw": 1.4, "zorder": 1})]

@@ -1,19 +1,15 @@
 """Periods and cost against brick size, with growth rates (tables/building_convergence.csv)."""
 
-import json
-
 import numpy as np
 import pandas as pd
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 
 def main(job):
-    rows = []
-    for path in job.input.cost:
-        with open(path) as handle:
-            rows.append(json.load(handle))
-    table = pd.DataFrame(rows).sort_values(["model", "coarsening"], ascending=[True, False])
+    table = pd.DataFrame([read_json(path) for path in job.input.cost]).sort_values(
+        ["model", "coarsening"], ascending=[True, False]
+    )
     for value in ("cpu_s", "memory_mb"):  # exponent of the growth with the number of bricks
         table[f"{value.rpartition('_')[0]}_growth"] = table.groupby("model", group_keys=False)[
             value

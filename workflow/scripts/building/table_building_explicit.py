@@ -6,8 +6,6 @@ the modal solution with the same sudden gravity shows the same ringing, which
 identifies it. Writes tables/building_explicit.csv and figures/fig03_rattling….
 """
 
-import json
-
 import matplotlib.pyplot as plt
 import numpy as np
 from rocking.building.case import build_model, read_plan, translation_mode
@@ -17,7 +15,7 @@ from rocking.building.modes import Solver
 from rocking.figures import style
 from rocking.records import G_M_S2, read_csv
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 import smdof
 from yade_scripts.studies.explicit_building import corner
@@ -29,10 +27,8 @@ POINTS = ("top floor", "wall corner")
 
 def main(job):
     settings = dict(job.params.building)
-    with open(job.input.fit) as handle:
-        load = json.load(handle)["floor_load_kg_m2"]
-    with open(job.input.scene) as handle:
-        notes = json.load(handle)["notes"]
+    load = read_json(job.input.fit)["floor_load_kg_m2"]
+    notes = read_json(job.input.scene)["notes"]
     building = build_model(settings, read_plan(job.input.plan), "SBDEM", load, notes["coarsening"])
     modes = Solver(building.scene).modes(MODES)
     record = read_csv(job.input.record)
@@ -130,8 +126,7 @@ def _figure(job, explicit, modal, second_s):
         )
         history.set_title(f"({'ac'[row]}) {point}, first second", loc="left")
         power.set_title(f"({'bd'[row]}) {point}, power spectrum of the run", loc="left")
-    with open(job.input.facts) as handle:
-        figure.suptitle(f"SBDEM, explicit and modal: {style.provenance(json.load(handle))}")
+    figure.suptitle(f"SBDEM, explicit and modal: {style.provenance(read_json(job.input.facts))}")
     figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3)
     style.save(figure, (job.output.png, job.output.pdf), job.input.facts)
 

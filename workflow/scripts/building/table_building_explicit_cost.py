@@ -1,18 +1,15 @@
 """Cost of the explicit run against brick size (tables/building_explicit_cost.csv)."""
 
-import json
-
 import numpy as np
 import pandas as pd
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 
 def main(job):
     rows = []
     for coarsening, path in zip(job.params.coarsenings, job.input.cost, strict=True):
-        with open(path) as handle:
-            cost = json.load(handle)
+        cost = read_json(path)
         rows.append({"coarsening": coarsening, **cost})
     table = pd.DataFrame(rows).sort_values("coarsening", ascending=False)
     table["step_cpu_s"] = table["run_cpu_s"] / table["steps"]

@@ -1,7 +1,5 @@
 """Table 2 under every reading of its text (tables/wme_readings.csv, tables/wme_lowest.csv)."""
 
-import json
-
 import numpy as np
 import pandas as pd
 from rocking.building.case import build_model, read_plan, translation_mode
@@ -12,7 +10,7 @@ from rocking.building.readings import errors, readings
 from rocking.building.search import first_mode
 from rocking.records import read_csv
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 
 def highest_brick(building, name):
@@ -36,8 +34,7 @@ def highest_brick(building, name):
 def main(job):
     settings = dict(job.params.building)
     plan = read_plan(job.input.plan)
-    with open(job.input.fit) as handle:
-        load = json.load(handle)["floor_load_kg_m2"]
+    load = read_json(job.input.fit)["floor_load_kg_m2"]
     building = build_model(settings, plan, "SBDEM", load)
     modes = Modes.load(job.input.modes)
     left, right = plan.floors[0].walls

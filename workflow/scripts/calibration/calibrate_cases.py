@@ -6,6 +6,7 @@ import yaml
 from rocking.calibration import study
 from rocking.configuration.config import resolve
 from rocking.runtime.script import run
+from rocking.tables import write_json
 
 
 def read_wall(path):
@@ -28,9 +29,7 @@ def main(job):
         )
     else:
         cases = study.wall_cases(settings, {**config, "run": "own wall"})
-    with open(job.output[0], "w") as handle:
-        json.dump(cases, handle, indent=1, sort_keys=True)
-        handle.write("\n")
+    write_json(job.output[0], cases, sort_keys=True)
 
 
 run(main, globals())

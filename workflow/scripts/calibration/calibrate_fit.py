@@ -1,13 +1,12 @@
 """Best-fitting β of every wall of the study with its misfit, and the contract's shorter table."""
 
-import csv
-import json
 import math
 
 from rocking.calibration import beta, study
 from rocking.calibration.restitution import read_archive
 from rocking.mechanics import closed_forms
 from rocking.runtime.script import run
+from rocking.tables import read_json, write_table
 
 GROUPS = ("slenderness", "return_wall_ratio", "stiffness_ratio", "base_stiffness")
 COLUMNS = (
@@ -39,10 +38,6 @@ COLUMNS = (
 CONTRACT = ("b_m", "h_m", "e_mpa", "beta_fit_s", "beta_eq5_s")
 
 
-def number(value):
-    return "" if not math.isfinite(value) else f"{value:.6g}"
-
-
 def row_of(wall):
     case, facade = wall["case"], wall["case"]["config"]["facade"]
     b, h, e_mpa = facade["thickness_m"], facade["height_m"], facade["e_mpa"]
@@ -57,41 +52,33 @@ def row_of(wall):
     return {
         "wall": case["id"],
         "role": case["about"]["role"],
-        "b_m": f"{b:.6g}",
-        "h_m": f"{h:.6g}",
-        "e_mpa": f"{e_mpa:.6g}",
-        "density_kg_m3": f"{facade['density_kg_m3']:.6g}",
-        **{name: number(groups[name]) for name in (*GROUPS, "omega_c_rad_s")},
-        "release_ratio": f"{case['release_ratio']:.6g}",
-        "e_1sr": number(wall["e_1sr"]),
-        "beta_fit_s": number(fit["beta_s"]),
-        "misfit": number(fit["misfit"]),
-        **{f"e{n}_over_e1sr": number(v) for n, v in enumerate(fit["ratio"], 1)},
-        **{f"beta_{n}_s": number(v) for n, v in enumerate(fit["single_s"], 1)},
-        "beta_min_s": f"{study.two_block_minimum(case['config']):.6g}",
-        "beta_max_s": f"{study.single_block_maximum(case['config']):.6g}",
-        "beta_eq5_s": number(closed_forms.beta_one_sided(b, h, e_mpa)),
+        "b_m": b,
+        "h_m": h,
+        "e_mpa": e_mpa,
+        "density_kg_m3": facade["density_kg_m3"],
+        **{name: groups[name] for name in (*GROUPS, "omega_c_rad_s")},
+        "release_ratio": case["release_ratio"],
+        "e_1sr": wall["e_1sr"],
+        "beta_fit_s": fit["beta_s"],
+        "misfit": fit["misfit"],
+        **{f"e{n}_over_e1sr": v for n, v in enumerate(fit["ratio"], 1)},
+        **{f"beta_{n}_s": v for n, v in enumerate(fit["single_s"], 1)},
+        "beta_min_s": study.two_block_minimum(case["config"]),
+        "beta_max_s": study.single_block_maximum(case["config"]),
+        "beta_eq5_s": closed_forms.beta_one_sided(b, h, e_mpa),
         "runs": len(wall["found"]),
         "runs_with_three_impacts": complete,
         "remark": remark,
     }
 
 
-def write(path, columns, rows):
-    with open(path, "w", newline="") as handle:
-        writer = csv.DictWriter(handle, columns, lineterminator="\n", extrasaction="ignore")
-        writer.writeheader()
-        writer.writerows(rows)
-
-
 def main(job):
     rows = []
     for cases, histories in zip(job.input.cases, job.input.histories, strict=True):
-        with open(cases) as text:
-            walls = study.evaluate(json.load(text), read_archive(histories))
+        walls = study.evaluate(read_json(cases), read_archive(histories))
         rows += [row_of(wall) for wall in walls]
-    write(job.output.walls, COLUMNS, rows)
-    write(job.output.fit, CONTRACT, [r for r in rows if r["role"] == "reference"])
+    write_table(rows, job.output.walls, COLUMNS)
+    write_table([r for r in rows if r["role"] == "reference"], job.output.fit, CONTRACT)
 
 
 run(main, globals())

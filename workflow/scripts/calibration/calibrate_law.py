@@ -1,12 +1,11 @@
 """Which groups the fitted β depends on, and the law that `damping.law: fitted` uses."""
 
-import csv
-
 import numpy as np
 import pandas as pd
 from rocking.calibration import beta
 from rocking.calibration.beta import dimensional_error
 from rocking.runtime.script import run
+from rocking.tables import write_table
 
 FORMS = (
     (),
@@ -33,6 +32,21 @@ COLUMNS = (
 )
 
 
+def row_of(law, walls, of=""):
+    """What the table says of a fitted law."""
+    powers = "".join(f"·{name}^c{i}" for i, name in enumerate(law.names, 1))
+    return {
+        "form": f"beta·omega_c = exp(c0){powers}{of}",
+        "walls": walls,
+        "parameters": len(law.coefficients),
+        "coefficients": " ".join(f"{c:.4f}" for c in law.coefficients),
+        "half_widths_95": " ".join(f"{c:.4f}" for c in beta.half_widths(law)),
+        "residual_std": f"{law.residual_std:.4f}",
+        "loo_error": f"{law.loo_error:.4f}",
+        "chosen": 0,
+    }
+
+
 def main(job):
     table = pd.read_csv(job.input.walls)
     table = table[table.role.isin(["reference", "ratio", "stiffness"])]
@@ -46,20 +60,7 @@ def main(job):
     chosen = min(enough, key=lambda law: (len(law.names), law.loo_error))
     rows = []
     for law in laws:
-        half = beta.half_widths(law)
-        rows.append(
-            {
-                "form": "beta·omega_c = exp(c0)"
-                + "".join(f"·{n}^c{i}" for i, n in enumerate(law.names, 1)),
-                "walls": len(betas),
-                "parameters": len(law.coefficients),
-                "coefficients": " ".join(f"{c:.4f}" for c in law.coefficients),
-                "half_widths_95": " ".join(f"{c:.4f}" for c in half),
-                "residual_std": f"{law.residual_std:.4f}",
-                "loo_error": f"{law.loo_error:.4f}",
-                "chosen": int(law is chosen),
-            }
-        )
+        rows.append(row_of(law, len(betas)) | {"chosen": int(law is chosen)})
     for label, part in (
         ("all walls", table),
         ("reference ratio", table[table.role == "reference"]),
@@ -95,24 +96,8 @@ def main(job):
     here = reference[[*names, "omega_c_rad_s"]].to_dict("records")
     for form in ((), ("slenderness",)):
         law = beta.fit_law(here, reference.beta_fit_s.to_numpy(), form)
-        rows.append(
-            {
-                "form": "beta·omega_c = exp(c0)"
-                + "".join(f"·{n}^c1" for n in form)
-                + ", reference ratio",
-                "walls": len(here),
-                "parameters": len(law.coefficients),
-                "coefficients": " ".join(f"{c:.4f}" for c in law.coefficients),
-                "half_widths_95": " ".join(f"{c:.4f}" for c in beta.half_widths(law)),
-                "residual_std": f"{law.residual_std:.4f}",
-                "loo_error": f"{law.loo_error:.4f}",
-                "chosen": 0,
-            }
-        )
-    with open(job.output.table, "w", newline="") as handle:
-        writer = csv.DictWriter(handle, COLUMNS, lineterminator="\n", restval="")
-        writer.writeheader()
-        writer.writerows(rows)
+        rows.append(row_of(law, len(here), ", reference ratio"))
+    write_table(rows, job.output.table, COLUMNS)
     with open(job.output.law, "w") as handle:
         handle.write(beta.to_json({**beta.read_laws(job.input.others), job.params.base: chosen}))
 

@@ -1,6 +1,5 @@
 """β of an own wall from its free rocking: table with band, and a picture."""
 
-import csv
 import json
 import math
 
@@ -12,6 +11,7 @@ from rocking.calibration.restitution import misfit, read_archive
 from rocking.figures import style
 from rocking.mechanics import closed_forms
 from rocking.runtime.script import run
+from rocking.tables import read_json, write_table
 
 COLUMNS = ("source", "beta_s", "low_s", "high_s", "misfit", "remark")
 COLOURS = ("#0072B2", "#009E73", "#CC79A7")
@@ -20,22 +20,13 @@ COLOURS = ("#0072B2", "#009E73", "#CC79A7")
 def main(job):
     config = json.loads(job.params.config)
     measured = config["calibration"]["measured_e"]
-    with open(job.input.cases) as handle:
-        cases = json.load(handle)
+    cases = read_json(job.input.cases)
     wall = study.evaluate(cases, read_archive(job.input.histories))[0]
     targets = study.targets_of(measured, wall["e_1sr"])
     fit = study.best_fit(wall["beta_s"], wall["e"] / wall["e_1sr"], targets)
     rows = [first_row(fit, measured), *law_rows(config, job.input.law)]
-    with open(job.output.table, "w", newline="") as handle:
-        writer = csv.DictWriter(handle, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        for row in rows:
-            writer.writerow({k: number(v) if isinstance(v, float) else v for k, v in row.items()})
+    write_table(rows, job.output.table, COLUMNS)
     draw(job, config, wall, targets, rows, fit)
-
-
-def number(value):
-    return f"{value:.6g}" if math.isfinite(value) else ""
 
 
 def first_row(fit, measured):
@@ -62,14 +53,7 @@ def law_rows(config, law_file):
     values = facade["thickness_m"], facade["height_m"], facade["e_mpa"]
     printed = closed_forms.beta_one_sided(*values)
     if printed > 0.0:
-        yield {
-            "source": "eq. 5",
-            "beta_s": printed,
-            "low_s": math.nan,
-            "high_s": math.nan,
-            "misfit": math.nan,
-            "remark": "",
-        }
+        yield {"source": "eq. 5", "beta_s": printed}
     try:
         law = calibration.read_law(law_file, facade["base"])
     except calibration.CalibrationError:
@@ -81,7 +65,6 @@ def law_rows(config, law_file):
         "beta_s": beta,
         "low_s": low,
         "high_s": high,
-        "misfit": math.nan,
         "remark": law.outside(groups) or "band: 90 %",
     }
 

@@ -12,6 +12,7 @@ from rocking.calibration.restitution import misfit, read_archive
 from rocking.figures import style
 from rocking.mechanics import closed_forms
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")
 RATIO_MARKERS = "v^sDP*X<>"
@@ -20,8 +21,7 @@ MS = 1e3  # β is drawn in ms
 
 def panel_runs(axes, cases_path, histories_path, walls, limits):
     """(a) Every β of one batch, coloured by misfit; the best is ringed."""
-    with open(cases_path) as handle:
-        cases = [c for c in json.load(handle) if c["about"]["role"] == "reference"]
+    cases = [c for c in read_json(cases_path) if c["about"]["role"] == "reference"]
     keep = {c["id"] for c in cases}
     histories = [h for h in read_archive(histories_path) if h["id"] in keep]
     scale = Normalize(0.0, 0.6)

@@ -4,13 +4,13 @@ Writes the motion file in the form that the dynamic analysis reads, and beside i
 acceleration of the ground and of the façade's base, to express intensities in PGA.
 """
 
-import json
 import math
 
 import numpy as np
 from rocking.records import G_M_S2, read_csv
 from rocking.records.floors import vertical_at
 from rocking.runtime.script import run
+from rocking.tables import write_json
 
 from smdof.chain import floor_motions
 from yade_scripts.model.floor_motions import write
@@ -47,9 +47,7 @@ def main(job):
         "pga_g": float(np.abs(motion.ground_m_s2).max()) / G_M_S2,
         "base_peak_g": float(np.abs(levels[0]).max()) / G_M_S2,
     }
-    with open(job.output.facts, "w") as handle:
-        json.dump(facts, handle, indent=1, sort_keys=True)
-        handle.write("\n")
+    write_json(job.output.facts, facts, sort_keys=True)
 
 
 run(main, globals())

@@ -1,7 +1,6 @@
 """Collapse PGA with floor motions (W2) over that without (W1), by T1 and the façade's place."""
 
 import itertools
-import json
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -11,7 +10,7 @@ from rocking.collapse import probability
 from rocking.collapse.ida import curve_key, read_curve
 from rocking.figures import style
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 COLUMNS = [
     "record",
@@ -38,7 +37,7 @@ def capacity(curve, scan, spread):
 def main(job):
     source = {}
     for path in job.input.records:
-        facts = json.loads(Path(path).read_text())
+        facts = read_json(path)
         source[facts["name"]] = facts["source"]
     reference = {}
     spread = job.params.spread
@@ -46,8 +45,8 @@ def main(job):
     for path, at in zip(job.params.w1, job.input.w1_scans, strict=True):
         key = curve_key(scan := pd.read_csv(at))
         reference[key[1:]] = capacity(confirmed.get(path, ()), scan, spread)
-    cases = {str(Path(path).parent): json.loads(Path(path).read_text()) for path in job.input.facts}
-    peaks = {path: json.loads(Path(path).read_text()) for path in job.input.facts}
+    cases = {str(Path(path).parent): read_json(path) for path in job.input.facts}
+    peaks = {path: read_json(path) for path in job.input.facts}
     rows = []
     for path, at in zip(job.params.w2, job.input.w2_scans, strict=True):
         _, record, direction = curve_key(scan := pd.read_csv(at))

@@ -8,7 +8,7 @@ import pandas as pd
 from rocking.configuration.words import said
 from rocking.figures import style
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import headed, write_table
 
 from yade_scripts.model.registry import MODELS
 
@@ -20,11 +20,8 @@ def joined(paths, differing):
     """Tables of all runs below each other; first columns: run and what differs."""
     parts = []
     for path, (name, values) in zip(paths, differing.items(), strict=True):
-        table = pd.read_csv(path)
         facts = {"run": name} | {key: _plain(value) for key, value in values.items()}
-        for place, (key, value) in enumerate(facts.items()):
-            table.insert(place, key, value)
-        parts.append(table)
+        parts.append(headed(pd.read_csv(path), **facts))
     return pd.concat(parts, ignore_index=True)
 
 

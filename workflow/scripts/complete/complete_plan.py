@@ -6,12 +6,11 @@ below each.
 """
 
 import itertools
-import json
-from pathlib import Path
 
 import pandas as pd
 from rocking.collapse.probability import collapse_ranges, from_scan
 from rocking.runtime.script import run
+from rocking.tables import write_json
 
 from yade_scripts.studies.search import DIGITS
 
@@ -30,7 +29,7 @@ def main(job):
         for one, two in ((b, c), (c, d))
     ]
     plan = {"start_g": round(float(start), DIGITS), "ranges": [round(g, DIGITS) for g in between]}
-    Path(job.output[0]).write_text(json.dumps(plan, sort_keys=True) + "\n")
+    write_json(job.output[0], plan, indent=None, sort_keys=True)
 
 
 run(main, globals())

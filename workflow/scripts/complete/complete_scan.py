@@ -7,7 +7,7 @@ from rocking.building.complete import run_numerics, scene_of
 from rocking.building.reduced import ReducedScan
 from rocking.collapse import search
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import headed, write_table
 
 from yade_scripts.model import floor_motions
 from yade_scripts.studies.perturb import NODE_CHOICES
@@ -24,11 +24,8 @@ def main(job):
     )
     settings = {**job.params.settings, **own["scan"]}
     table, _ = screen.seen(search.scan(0.5 * screen.static_g, settings))
-    for place, (name, value) in enumerate(
-        {"model": w.complete, "record": w.record, "direction": w.direction}.items()
-    ):
-        table.insert(place, name, value)
-    write_table(table, job.output[0])
+    named = headed(table, model=w.complete, record=w.record, direction=w.direction)
+    write_table(named, job.output[0])
 
 
 run(main, globals())

@@ -1,11 +1,11 @@
 """Scene of the complete building, as the study inside YADE reads it (complete/…/scene.json)."""
 
 import json
-from pathlib import Path
 
 from rocking.accuracy.fidelity import choose, read_fidelity
 from rocking.building.complete import run_numerics, scene_of
 from rocking.runtime.script import run
+from rocking.tables import write_json
 
 from yade_scripts.model.scene import to_json
 
@@ -21,7 +21,7 @@ def main(job):
         "numerics": run_numerics(config),
         "complete": {**config["complete"], "max_pga_g": config["ida.max_pga_g"]},
     }
-    Path(job.output[0]).write_text(json.dumps(job_file, sort_keys=True) + "\n")
+    write_json(job.output[0], job_file, indent=None, sort_keys=True)
 
 
 run(main, globals())

@@ -1,14 +1,12 @@
 """The façade comes away from the complete building: side views of one run, as YADE computed it."""
 
-import json
-from pathlib import Path
-
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
 from rocking.building.drawing import JOINT, MASONRY
 from rocking.figures import style
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 VIEWS = (0.0, 0.25, 0.6, 1.0)  # of the largest d/b
 FACADE = "façade"
@@ -27,7 +25,7 @@ def side(block, moved):
 
 
 def main(job):
-    frames = json.loads(Path(job.input.frames).read_text())
+    frames = read_json(job.input.frames)
     blocks, d = frames["blocks"], np.array(frames["d_over_b"])
     free = [i for i, block in enumerate(blocks) if block["free"]]
     near = max(blocks[i]["centre_m"][0] + 0.5 * blocks[i]["size_m"][0] for i in free)
@@ -57,7 +55,7 @@ def main(job):
             title=f"t = {frames['time_s'][frame]:.2f} s\nd/b = {abs(d[frame]):.2f}",
         )
     axes[0].set_ylabel("z [m]")
-    source = style.provenance(json.loads(Path(job.input.facts).read_text()))
+    source = style.provenance(read_json(job.input.facts))
     case = f"{frames['model']}, {job.wildcards.record} {job.wildcards.direction}"
     figure.suptitle(f"{case}, {frames['pga_g']:.3g} g: {source}", fontsize=8)
     style.save(figure, (job.output.png, job.output.pdf), job.input.facts)

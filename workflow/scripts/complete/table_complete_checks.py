@@ -4,7 +4,6 @@ The bonded form is linear until a bond breaks. Its period is that of the top flo
 push, from the zero crossings; the modal one that of the largest effective mass along y.
 """
 
-import json
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +11,7 @@ import pandas as pd
 from rocking.building.complete import linear_history
 from rocking.building.modes import Solver
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 from yade_scripts.model import floor_motions
 from yade_scripts.model.building.complete import apart
@@ -43,7 +42,7 @@ def main(job):
     def add(check, coarsening, explicit, modal, unit):
         rows.append((check, coarsening, explicit, modal, unit, abs(explicit / modal - 1.0)))
 
-    scenes = [from_dict(json.loads(Path(p).read_text())["scene"]) for p in job.input.scene]
+    scenes = [from_dict(read_json(p)["scene"]) for p in job.input.scene]
     for scene in scenes:
         for name, one in (("with façade", scene), ("without façade", apart(scene))):
             modes = Solver(one).modes(MODES)

@@ -1,13 +1,12 @@
 """One history of the cracked building by brick size and back joint: period, answer, cost."""
 
-import json
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 from rocking.building.modes import Solver
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 from yade_scripts.model.building.complete import apart
 from yade_scripts.model.scene import from_dict
@@ -18,8 +17,8 @@ def main(job):
     inputs = zip(job.input.scenes, job.input.costs, job.input.histories, strict=True)
     for scene_file, cost_file, history_file in inputs:
         model, size, back = Path(scene_file).stem.split("_")
-        scene = from_dict(json.loads(Path(scene_file).read_text())["scene"])
-        cost, history = json.loads(Path(cost_file).read_text()), pd.read_csv(history_file)
+        scene = from_dict(read_json(scene_file)["scene"])
+        cost, history = read_json(cost_file), pd.read_csv(history_file)
         modes = Solver(apart(scene)).modes(12)
         rows.append(
             {

@@ -1,13 +1,13 @@
 """Animation of a collapse, from YADE's state, with the façade's displacement beside it (GIF)."""
 
 import json
-from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.animation import FuncAnimation, PillowWriter
 from rocking.figures import pictures, style
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 from yade_scripts.model.registry import MODELS
 
@@ -26,7 +26,7 @@ def window(frames):
 
 def main(job):
     config = json.loads(job.params.config)
-    frames = json.loads(Path(job.input.frames).read_text())
+    frames = read_json(job.input.frames)
     time_s, d = np.array(frames["time_s"]), np.array(frames["d_over_b"])
     shown = window(frames)
     walls, h = config["return_wall"]["count"], config["facade"]["height_m"]

@@ -1,13 +1,11 @@
 """One history: displacement, motions, contact forces and energies over time."""
 
-import json
-from pathlib import Path
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 from yade_scripts.model.registry import MODELS
 
@@ -37,7 +35,7 @@ def curves(axis, history, named, scale):
 
 def main(job):
     history = pd.read_csv(job.input.history)
-    provenance = style.provenance(json.loads(Path(job.input.facts).read_text()))
+    provenance = style.provenance(read_json(job.input.facts))
     first, t = history.iloc[0], history["time_s"]
     figure, axes = plt.subplots(4, 1, figsize=(7.4, 6.6), sharex=True)
     moved, pulled, pushed, stored = axes

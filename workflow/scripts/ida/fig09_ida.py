@@ -16,6 +16,7 @@ from rocking.collapse.ida import branches, curve_key, read_curve
 from rocking.figures import style
 from rocking.runtime.script import run
 from rocking.studies.pushover import smoothed
+from rocking.tables import read_json
 
 from yade_scripts.model.registry import MODELS
 from yade_scripts.model.shape import shape_of
@@ -107,7 +108,7 @@ def highest(row):
 def main(job):
     p = job.params
     facade = json.loads(p.facade)["facade"]
-    facts = {f["name"]: f for f in (json.loads(Path(path).read_text()) for path in job.input.facts)}
+    facts = {f["name"]: f for f in (read_json(path) for path in job.input.facts)}
     scans = {curve_key(table): table for table in map(pd.read_csv, job.input.scans)}
     curves = {curve_key(table): table for table in map(read_curve, job.input.ida)}
     rows = {tuple(r[k] for k in probability.KEY): r for r in records(job.input.collapse)}

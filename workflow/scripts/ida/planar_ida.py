@@ -1,12 +1,9 @@
 """Dense scan of one curve by the planar solver, and what YADE is to run after it."""
 
-import json
-from pathlib import Path
-
 from rocking import Case, Motion, collapse_curve
 from rocking.collapse.plan import plan
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import headed, write_json, write_table
 
 from yade_scripts.model import models
 from yade_scripts.studies.search import DIGITS
@@ -18,13 +15,12 @@ def main(job):
         ida["start_g"] = round(0.5 * models.static_multiplier(case.scene), DIGITS)
     motion = Motion.read_floors(job.input.motion, job.params.record)
     curve = collapse_curve(case, motion, job.wildcards.direction)
-    table = curve.table
-    for place, name in enumerate(("model", "record", "direction")):
-        table.insert(place, name, getattr(curve, name))
+    key = {name: getattr(curve, name) for name in ("model", "record", "direction")}
+    table = headed(curve.table, **key)
     # so many that no amplitude is rounded into a neighbouring window of 1 %
     write_table(table, job.output.scan, digits="%.8g")
     found = plan(table, {**case["ida"], **ida}, case["ensemble"])
-    Path(job.output.plan).write_text(json.dumps(found) + "\n")
+    write_json(job.output.plan, found, indent=None)
 
 
 run(main, globals())

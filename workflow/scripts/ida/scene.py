@@ -7,6 +7,7 @@ from pathlib import Path
 from rocking.calibration.beta import RangeWarning
 from rocking.collapse.case import Case
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 
 def main(job):
@@ -14,7 +15,7 @@ def main(job):
     if law := getattr(job.wildcards, "law", None):  # for the comparison of the laws of β
         sections["damping"]["law"] = law
     if building := getattr(job.input, "building", None):
-        mass_kg = json.loads(Path(str(building)).read_text())["mass_behind_facade_kg"]
+        mass_kg = read_json(str(building))["mass_behind_facade_kg"]
     warnings.simplefilter("ignore", RangeWarning)  # the run says it at its start, once
     case = Case.chosen(sections, job.wildcards.model, mass_kg, job.input.law, job.input.fidelity)
     Path(job.output[0]).write_text(case.to_json())

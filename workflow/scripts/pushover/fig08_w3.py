@@ -1,8 +1,5 @@
 """Figure 8: elements of W3, the façade parting from the wall, capacity curves, joint forces."""
 
-import json
-from pathlib import Path
-
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -18,6 +15,7 @@ from rocking.studies.pushover import (
     smoothed,
     theta_of,
 )
+from rocking.tables import read_json
 
 from yade_scripts.model.facade import FACADE
 from yade_scripts.model.interlocking import interlocking_scene
@@ -154,7 +152,7 @@ def draw_rules(axes, cases):
 
 
 def main(job):
-    configs = [json.loads(Path(p).read_text()) for p in job.input.scenes]
+    configs = [read_json(p) for p in job.input.scenes]
     cases = {}
     for name, config, raw, forces in zip(
         [*DRAWN, "default"], configs, job.input.raw, job.input.forces, strict=True

@@ -5,6 +5,7 @@ import json
 from rocking.calibration.beta import beta_for
 from rocking.runtime.script import run
 from rocking.studies.pushover import variant
+from rocking.tables import write_json
 
 
 def main(job):
@@ -16,9 +17,7 @@ def main(job):
     scene["beta_s"] = beta_for(scene, job.input.law)
     for key in ("nodes_thickness", "nodes_height", "step_fraction"):
         scene["numerics"][key] = scene["pushover"][key]
-    with open(job.output[0], "w") as handle:
-        json.dump(scene, handle, indent=1, sort_keys=True)
-        handle.write("\n")
+    write_json(job.output[0], scene, sort_keys=True)
 
 
 run(main, globals())

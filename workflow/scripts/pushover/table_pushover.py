@@ -1,12 +1,11 @@
 """Static capacities by model, and of W3 by variant, beside the closed forms."""
 
-import json
 from pathlib import Path
 
 import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies.pushover import complete_curve, friction_moment_ratio, joint_forces, summary
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 from yade_scripts.model import registry
 
@@ -19,7 +18,7 @@ def main(job):
             {"case": model, **summary(pd.read_csv(path), bonded=registry.model(model).bonded)}
         )
     for scene, raw, forces in zip(job.input.scenes, job.input.raw, job.input.forces, strict=True):
-        config = json.loads(Path(scene).read_text())
+        config = read_json(scene)
         row = summary(complete_curve(pd.read_csv(raw), config, "W3"))
         ratio = friction_moment_ratio(joint_forces(pd.read_csv(forces), config))
         part = ratio[(ratio.index > 0.02) & (ratio.index < 0.1)]

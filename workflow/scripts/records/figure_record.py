@@ -1,20 +1,18 @@
 """One accelerogram: acceleration, velocity, displacement and response spectrum."""
 
-import json
-from pathlib import Path
-
 import matplotlib.pyplot as plt
 import numpy as np
 from rocking.figures import style
 from rocking.records import G_M_S2, integrate, measures, read_csv
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 from smdof.spectra import response_spectrum
 
 
 def main(job):
     record = read_csv(job.input.record)
-    facts = json.loads(Path(job.input.facts).read_text())
+    facts = read_json(job.input.facts)
     velocity, displacement = integrate(record.acceleration_m_s2, record.dt_s)
     peaks = measures(record)
     figure, axes = plt.subplot_mosaic("as;vs;ds", width_ratios=(1.7, 1.0))

@@ -1,19 +1,17 @@
 """Dense scan of one curve by the independent planar solver."""
 
-import json
 import math
-from pathlib import Path
 
 import pandas as pd
 from rocking.accuracy.coverage import SCAN_COLUMNS, scan
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 from yade_scripts.model import models
 
 
 def main(job):
-    scene, w = json.loads(Path(job.input.scene).read_text()), job.wildcards
+    scene, w = read_json(job.input.scene), job.wildcards
     spread = scene["ensemble"]["amplitude_spread"]
     settings = {**scene["ida"], **job.params.accuracy, "amplitude_spread": spread}
     known = pd.read_csv(job.input.scan)

@@ -3,11 +3,11 @@
 import pandas as pd
 from rocking.accuracy.coverage import BAND_COLUMNS, KEY, compare
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_tables, write_table
 
 
 def main(job):
-    scans = pd.concat([pd.read_csv(path) for path in job.input.scans], ignore_index=True)
+    scans = read_tables(job.input.scans)
     reported = pd.read_csv(job.input.collapse).set_index(KEY, drop=False)
     rows = [
         compare(table, reported.loc[key], job.params.spread)

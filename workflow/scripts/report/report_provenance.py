@@ -1,10 +1,10 @@
 """Where every record of a run comes from: a file and its checksum, or a surrogate's parameters."""
 
 import html
-import json
 from pathlib import Path
 
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 KINDS = ("short", "short", "words", "number", "short", "words", "words")
 
@@ -21,7 +21,7 @@ def listed(values):
 def main(job):
     body = []
     for path in job.input.facts:
-        facts = json.loads(Path(path).read_text())
+        facts = read_json(path)
         about = facts["details"].pop("about", {})
         event = ", ".join(str(about[k]) for k in ("event", "station") if k in about)
         if "mw" in about:

@@ -13,7 +13,7 @@ from pathlib import Path
 import pandas as pd
 from report_table import page, rows
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_tables, write_table
 
 LARGE_FACTOR = 5.0  # beyond it a scaled record is hardly a stronger earthquake's motion
 SHOWN = ("model", "record", "direction", "pga_safe_g", "safe_bound", "pga_collapse_g")
@@ -107,7 +107,7 @@ def content(p, records, runs, collapse, factors, figure):
 def main(job):
     p = job.params
     records, collapse = pd.read_csv(job.input.records), pd.read_csv(job.input.collapse)
-    runs = pd.concat(pd.read_csv(path) for path in job.input.ida)
+    runs = read_tables(job.input.ida)
     factors = scale_factors(records, runs, collapse)
     write_table(factors, job.output.factors, digits="%.4g")
     for row in factors[factors["scale_factor"] > LARGE_FACTOR].itertuples():

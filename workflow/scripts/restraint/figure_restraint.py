@@ -1,12 +1,10 @@
 """Collapse PGA against the friction of a loaded roof, a panel a model, with YADE's runs."""
 
-import json
-from pathlib import Path
-
 import matplotlib.pyplot as plt
 import pandas as pd
 from rocking.figures import style
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 
 def panel(axis, found, yade):
@@ -34,7 +32,7 @@ def panel(axis, found, yade):
 def main(job):
     tables = [pd.read_csv(path) for path in job.input.tables]
     runs = [pd.read_csv(path) for path in job.input.yade]
-    facts = json.loads(Path(job.input.facts).read_text())
+    facts = read_json(job.input.facts)
     size = (1.6 + 3.1 * len(tables), 3.4)
     figure, axes = plt.subplots(1, len(tables), figsize=size, sharey=True, squeeze=False)
     for axis, found, yade in zip(axes[0], tables, runs, strict=True):

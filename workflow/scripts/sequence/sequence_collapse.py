@@ -1,12 +1,9 @@
 """Collapse of one record after a first shock, by the first one's PGA, and what YADE confirms."""
 
-import json
-from pathlib import Path
-
 from rocking import Case, Motion
 from rocking.runtime.script import run
 from rocking.studies import sequence
-from rocking.tables import write_table
+from rocking.tables import write_json, write_table
 
 
 def main(job):
@@ -20,7 +17,7 @@ def main(job):
     for before in (c["before"] for c in cases if "before" in c):
         before["motion"] = str(job.input.first)
     plan = {"ahead": sequence.AHEAD, "beside": sequence.BESIDE, "cases": cases}
-    Path(job.output.runs).write_text(json.dumps(plan, indent=1) + "\n")
+    write_json(job.output.runs, plan)
 
 
 run(main, globals())

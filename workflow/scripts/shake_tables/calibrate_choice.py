@@ -1,13 +1,11 @@
 """What the law of β changes in an IDA: curves and collapse intensities."""
 
-import csv
-import json
-
 import matplotlib.pyplot as plt
 import numpy as np
 from rocking.collapse.ida import branches, read_curve
 from rocking.figures import style
 from rocking.runtime.script import run
+from rocking.tables import read_json, write_table
 
 COLOURS = {"eq5": "#0072B2", "fitted": "#D55E00"}
 NAMES = {"eq5": "eq. 5", "fitted": "fitted law"}
@@ -16,11 +14,9 @@ COLUMNS = ("model", "record", "direction", "law", "beta_s", "pga_safe_g", "pga_c
 
 def main(job):
     rows, curves = [], {}
-    with open(job.input.facts) as handle:
-        record = style.provenance(json.load(handle))
+    record = style.provenance(read_json(job.input.facts))
     for scene_path, path in zip(job.input.scenes, job.input.ida, strict=True):
-        with open(scene_path) as handle:
-            scene = json.load(handle)
+        scene = read_json(scene_path)
         curve = read_curve(path)
         stood, fell = branches(curve)
         collapse = fell["pga_g"].min() if len(fell) else np.nan
@@ -34,15 +30,12 @@ def main(job):
                 "direction": key[1],
                 "law": law,
                 "beta_s": f"{scene['beta_s']:.6g}",
-                "pga_safe_g": f"{below['pga_g'].max():.4f}" if len(below) else "",
-                "pga_collapse_g": f"{collapse:.4f}" if np.isfinite(collapse) else "",
+                "pga_safe_g": below["pga_g"].max(),
+                "pga_collapse_g": collapse,
             }
         )
         curves.setdefault(key, []).append((law, scene["beta_s"], stood, fell, collapse))
-    with open(job.output.table, "w", newline="") as handle:
-        writer = csv.DictWriter(handle, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    write_table(rows, job.output.table, COLUMNS, digits="%.4f")
     models = list(dict.fromkeys(m for m, _ in curves))
     directions = list(dict.fromkeys(d for _, d in curves))
     figure, axes = plt.subplots(
@@ -68,8 +61,7 @@ def main(job):
                 axis.plot(
                     fell["d_over_b"], fell["pga_g"], "o", c=colour, mfc="white", clip_on=False
                 )
-            sign = {"pos": "+", "neg": "−"}[direction]
-            axis.set_title(f"{model}, {record} {sign}", loc="left")
+            axis.set_title(f"{model}, {record} {style.SIGNS[direction]}", loc="left")
             axis.set(xlabel="d/b [–]", ylabel="PGA [g]", xlim=(0, 1.02), ylim=(0, None))
     axes[0, 0].legend()
     style.save(figure, (job.output.png, job.output.pdf), job.input.facts)

@@ -10,6 +10,7 @@ from rocking.calibration.beta import beta_for
 from rocking.configuration.config import ConfigError, resolve
 from rocking.records import load, measures, read_table
 from rocking.runtime.script import run
+from rocking.tables import write_json
 
 from yade_scripts.model.floor_motions import write
 
@@ -64,9 +65,7 @@ def main(job):
         motion = os.path.join(job.output.motions, f"{name}.csv")
         write(motion, record.time_s, record.acceleration_m_s2)
         tests += tests_of(wall, record, motion, tilt, settings, laws)
-    with open(job.output.tests, "w") as handle:
-        json.dump(tests, handle, indent=1, sort_keys=True)
-        handle.write("\n")
+    write_json(job.output.tests, tests, sort_keys=True)
 
 
 run(main, globals())

@@ -10,6 +10,7 @@ from rocking.calibration.restitution import IMPACTS, TARGETS, misfit, read_archi
 from rocking.figures import style
 from rocking.mechanics import closed_forms
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 
 def nearest(wall, beta):
@@ -19,8 +20,7 @@ def nearest(wall, beta):
 
 def main(job):
     settings = json.loads(job.params.settings)["calibration"]
-    with open(job.input.cases) as handle:
-        cases = json.load(handle)
+    cases = read_json(job.input.cases)
     walls = study.evaluate(cases, read_archive(job.input.histories))
     wall, others = walls[0], walls[1:]
     facade = wall["case"]["config"]["facade"]

@@ -1,6 +1,5 @@
 """Figure 6: the Shawa wall on its shake-table motions, tilted and with a gap."""
 
-import json
 import math
 
 import matplotlib.pyplot as plt
@@ -9,6 +8,7 @@ from matplotlib.lines import Line2D
 from rocking.calibration.restitution import read_archive
 from rocking.figures import style
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 COLOURS = {"eq5": "#0072B2", "fitted": "#D55E00"}
 TRIAL_MS = 0.94  # β found by trial and error for an early test (Shawa et al., 2012)
@@ -17,8 +17,7 @@ NAMES = {"eq5": "eq. 5", "fitted": "fitted law"}
 
 
 def main(job):
-    with open(job.input.tests) as handle:
-        tests = json.load(handle)
+    tests = read_json(job.input.tests)
     runs = list(zip(tests, read_archive(job.input.histories), strict=True))
     names = list(dict.fromkeys(t["about"]["record"] for t in tests))
     scales = sorted({t["about"]["scale"] for t in tests})

@@ -1,20 +1,20 @@
 """Ground and floor motions of one record: histories and response spectra."""
 
 import json
-from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 from rocking.figures import style
 from rocking.records import G_M_S2
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 from smdof.spectra import response_spectrum
 from yade_scripts.model import floor_motions
 
 
 def main(job):
-    facts = json.loads(Path(job.input.facts).read_text())
+    facts = read_json(job.input.facts)
     chain = json.loads(job.params.smdof)["smdof"]
     time, columns = floor_motions.read(job.input.motion)
     columns.pop(floor_motions.VERTICAL, None)

@@ -1,13 +1,13 @@
 """Collapse probability against tie force at one intensity, and collapse PGA against tie force."""
 
 import json
-from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
 TICKS_KN = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
 
@@ -21,7 +21,7 @@ def main(job):
     settings = json.loads(job.params.settings)["strengthening"]
     table, least = pd.read_csv(job.input.search), pd.read_csv(job.input.least)
     curve, yade = pd.read_csv(job.input.curve), pd.read_csv(job.input.yade)
-    facts = json.loads(Path(job.input.facts).read_text())
+    facts = read_json(job.input.facts)
     first = settings["forces_kn"][0]
     figure, (left, right) = plt.subplots(1, 2, figsize=(7.6, 3.3))
     for k, (height, part) in enumerate(table.groupby("height_m")):

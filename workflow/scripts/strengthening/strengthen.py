@@ -7,7 +7,7 @@ from pathlib import Path
 from rocking import Case, Motion
 from rocking.runtime.script import run
 from rocking.studies import strengthening
-from rocking.tables import write_table
+from rocking.tables import headed, write_json, write_table
 
 
 def main(job):
@@ -39,11 +39,9 @@ def main(job):
     cases = strengthening.to_confirm(case, table, choice, settings)
     tables = {job.output.search: table, job.output.least: least, job.output.curve: curve}
     for path, frame in tables.items():
-        for place, name in enumerate(("model", "record", "direction")):
-            frame.insert(place, name, getattr(w, name))
-        write_table(frame, path)
-    plan = {"ahead": strengthening.AHEAD, "cases": cases}
-    Path(job.output.plan).write_text(json.dumps(plan, indent=1) + "\n")
+        named = headed(frame, model=w.model, record=w.record, direction=w.direction)
+        write_table(named, path)
+    write_json(job.output.plan, {"ahead": strengthening.AHEAD, "cases": cases})
 
 
 run(main, globals())

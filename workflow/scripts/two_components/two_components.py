@@ -1,13 +1,10 @@
 """Collapse of one record's curves under one and under both horizontal components."""
 
-import json
-from pathlib import Path
-
 import numpy as np
 import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies.two_components import COLUMNS, Curve
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 from yade_scripts.model import floor_motions, models
 
@@ -18,7 +15,7 @@ def main(job):
     ratio = np.abs(second[1]["ground"]).max() / np.abs(first[1]["ground"]).max()
     time_s, columns = models.with_second(*first, *second)
     for path in job.input.scenes:
-        scene = json.loads(Path(path).read_text())
+        scene = read_json(path)
         for direction in p.directions:
             found = Curve(scene, time_s, columns, direction, p.settings).compare()
             own = (scene["model"], job.wildcards.record, p.second, direction, ratio)

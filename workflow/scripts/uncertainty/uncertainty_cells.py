@@ -4,10 +4,10 @@ import json
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 from rocking import Case, Motion, collapse_curve
 from rocking.records import read_csv
 from rocking.runtime.script import run
+from rocking.tables import read_tables, write_json
 from rocking.uncertainty import design, sampling
 
 from yade_scripts.studies.search import DIGITS
@@ -17,7 +17,7 @@ SHARES = (0.85, 1.2)  # of the PGA of 10 % and of 50 % collapse
 
 def main(job):
     settings = json.loads(job.params.settings)
-    table = pd.concat([pd.read_csv(path) for path in job.input.tables], ignore_index=True)
+    table = read_tables(job.input.tables)
     table = table[(table["replicate"] == 0) & (table["sample"] > 0)].dropna()
     cases = {}
     for path in job.input.scenes:
@@ -48,7 +48,7 @@ def main(job):
                 "columns": {name: values.tolist() for name, values in columns.items()},
             },
         }
-    Path(job.output[0]).write_text(json.dumps({"cases": cells}) + "\n")
+    write_json(job.output[0], {"cases": cells}, indent=None)
 
 
 run(main, globals())

@@ -1,18 +1,17 @@
 """Cells of the design by YADE beside the planar solver."""
 
-import json
 from pathlib import Path
 
 import pandas as pd
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 COLUMNS = ["cell", "record", "direction", "model", "sample", "pga_g"]
 COLUMNS += ["d_over_b_planar", "status_planar", "d_over_b_yade", "status_yade", "agrees"]
 
 
 def main(job):
-    cells = json.loads(Path(job.input.cells).read_text())["cases"]
+    cells = read_json(job.input.cells)["cases"]
     rows = []
     for path in job.input.yade:
         own, found = cells[Path(path).stem], pd.read_csv(path)

@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies import fragility
-from rocking.tables import write_table
+from rocking.tables import read_tables, write_table
 from rocking.uncertainty import parts, sampling
 
 NARROW = 1e-3  # half width of the bracket of a collapse that is known, over it
@@ -33,7 +33,7 @@ def curves(table, found):
 
 def main(job):
     settings = json.loads(job.params.settings)
-    table = pd.concat([pd.read_csv(path) for path in job.input.tables], ignore_index=True)
+    table = read_tables(job.input.tables)
     write_table(sampling.factors(settings).rename_axis("sample").reset_index(), job.output.samples)
     y, records, names = parts.cube(table)
     if len(records) < 3:

@@ -7,6 +7,7 @@ from pathlib import Path
 from rocking.configuration.config import ConfigError
 from rocking.runtime.script import run
 from rocking.studies import validation
+from rocking.tables import write_json
 
 from yade_scripts.model.floor_motions import write
 
@@ -39,7 +40,7 @@ def main(job):
         tests.append({**case, "id": f"{name}|sequence", "motion": whole})
     about = {"variants": found, "runs": rows, "sequence": whole, "spans": spans}
     for path, data in ((job.output.cases, about), (job.output.tests, tests)):
-        Path(path).write_text(json.dumps(data, indent=1, sort_keys=False) + "\n")
+        write_json(path, data)
 
 
 run(main, globals())

@@ -2,12 +2,11 @@
 
 import json
 import math
-from pathlib import Path
 
 from rocking.runtime.script import run
 from rocking.solver import Motions, history, peaks, prepare
 from rocking.studies.validation import ALONE, SEQUENCE, factors, peaks_of_spans
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 from yade_scripts.model.floor_motions import read
 from yade_scripts.model.models import build_scene
@@ -16,7 +15,7 @@ SAMPLE_S = 0.001  # of the sequence
 
 
 def main(job):
-    about = json.loads(Path(job.input.cases).read_text())
+    about = read_json(job.input.cases)
     settings = json.loads(job.params.settings)
     runs = about["runs"]
     several = settings["validation"]["members"], settings["validation"]["band"]

@@ -1,6 +1,5 @@
 """A free-rocking experiment in one table: measured ratios by height, and those of both solvers."""
 
-import json
 import math
 from pathlib import Path
 
@@ -9,7 +8,7 @@ from rocking.calibration.restitution import e_exp, read_archive, rebounds
 from rocking.runtime.script import run
 from rocking.solver import Motions, history, prepare
 from rocking.studies import validation
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 from yade_scripts.model.facade import facade_scene
 
@@ -23,7 +22,7 @@ def main(job):
     quartiles = measured.quantile([0.25, 0.5, 0.75]).unstack()
     heights = experiment.runs.set_index("run")["height_m"]
     yade, rows = read_archive(job.input.histories), []
-    for case, done in zip(json.loads(Path(job.input.cases).read_text()), yade, strict=True):
+    for case, done in zip(read_json(job.input.cases), yade, strict=True):
         variant, _, number = case["id"].rpartition("|")
         h, b = (case["config"]["facade"][key] for key in ("height_m", "thickness_m"))
         low, middle, high = quartiles.loc[int(number)]

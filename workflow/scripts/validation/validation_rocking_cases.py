@@ -1,11 +1,11 @@
 """Cases of a free-rocking experiment: every block of every variant, as YADE takes them."""
 
-import json
 from pathlib import Path
 
 from rocking.mechanics import closed_forms
 from rocking.runtime.script import run
 from rocking.studies import validation
+from rocking.tables import write_json
 
 SWINGS = 6.0  # end of a history, in units of 1/p: past the first rebound
 
@@ -26,7 +26,7 @@ def main(job):
                 "limit_s": SWINGS / p,
             }
         )
-    Path(job.output[0]).write_text(json.dumps(rows, indent=1) + "\n")
+    write_json(job.output[0], rows)
 
 
 run(main, globals())

@@ -1,6 +1,5 @@
 """A shake-table experiment in one table: measured, another code, both solvers; and its ratios."""
 
-import json
 import math
 from pathlib import Path
 
@@ -10,12 +9,12 @@ from rocking.calibration.restitution import read_archive
 from rocking.runtime.script import run
 from rocking.studies import validation
 from rocking.studies.validation import ALONE, PERCENTILES, SEQUENCE, STILL
-from rocking.tables import write_table
+from rocking.tables import read_json, write_table
 
 
 def main(job):
     experiment = validation.read(Path(job.input.files[0]).parent)
-    about = json.loads(Path(job.input.cases).read_text())
+    about = read_json(job.input.cases)
     planar = pd.read_csv(job.input.planar)
     rows = []
     for (variant, run_, how), part in planar.groupby(["variant", "run", "how"], sort=False):

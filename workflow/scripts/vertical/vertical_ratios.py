@@ -1,13 +1,12 @@
 """Collapse with and without vertical motion of all records, and the distribution of the ratio."""
 
-import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies.vertical import summary
-from rocking.tables import write_table
+from rocking.tables import read_tables, write_table
 
 
 def main(job):
-    table = pd.concat([pd.read_csv(path) for path in job.input.tables], ignore_index=True)
+    table = read_tables(job.input.tables)
     write_table(table, job.output.table)
     write_table(summary(table), job.output.summary)
 
