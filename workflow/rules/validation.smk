@@ -14,11 +14,19 @@ def experiment_files(wildcards):
     return [str(path) for path in files(experiment_folders(wildcards.run)[wildcards.experiment])]
 
 
+def models_of(wildcards):
+    """Experiments of a run that are models of one test, by the name of the first."""
+    from rocking.studies.validation import files  # slow to load
+
+    folders = experiment_folders(wildcards.run).items()
+    return [n for n, path in folders if files(path)[-1].parent.name == wildcards.test]
+
+
 def held_against(run):
     """What `validation` makes for one run; a folder of no experiment ends the workflow."""
-    from rocking.studies.validation import read  # slow to load
+    from rocking.studies.validation import files, read  # slow to load
 
-    made = []
+    made, tests = [], []
     for name, folder in experiment_folders(run).items():
         try:
             kind = read(folder).specimen["kind"]
@@ -26,11 +34,17 @@ def held_against(run):
             stop(f"validation.experiments: {error}")
         own = f"{RESULTS}/{run}/validation/{name}/{kind}.csv"
         made += [own, f"{RESULTS}/{run}/figures/validation_{kind}_{name}.png"]
-    return made
+        if kind == "shake_table":
+            tests.append(files(folder)[-1].parent.name)
+    several = sorted({test for test in tests if tests.count(test) > 1})
+    return made + [
+        f"{RESULTS}/{run}/figures/validation_models_{test}.png" for test in several
+    ]
 
 
 wildcard_constraints:
     experiment="[A-Za-z0-9_.-]+",
+    test="[A-Za-z0-9_.-]+",
 
 
 rule validation_cases:
@@ -115,6 +129,30 @@ rule figure_shake_table:
         settings=RUNS.params_of("validation"),
     script:
         "../scripts/validation/figure_shake_table.py"
+
+
+# models of the same test beside each other
+rule figure_models:
+    input:
+        specimens=lambda w: [
+            f"{experiment_folders(w.run)[name]}/specimen.yaml" for name in models_of(w)
+        ],
+        tables=lambda w: [
+            f"{RESULTS}/{w.run}/validation/{name}/shake_table.csv"
+            for name in models_of(w)
+        ],
+        modules=code("validation/figure_models"),
+    output:
+        **figure(
+            "validation_models_{test}",
+            "Held against experiments",
+            "models of {test}",
+            about="validation",
+        ),
+    log:
+        logs("figure_models_{test}"),
+    script:
+        "../scripts/validation/figure_models.py"
 
 
 rule validation_rocking_cases:

@@ -158,6 +158,18 @@ def case(specimen, changes=(), height_m=None):
     return found
 
 
+def planar_step(planar, numerics):
+    """Time step [s] that a specimen states, for the planar solver; None if it states none.
+
+    A fraction is one of the largest step at which that solver is stable, as YADE's is of its own.
+    """
+    from rocking.solver import stable_step
+
+    if numerics["step_s"] or not numerics["step_fraction"]:
+        return numerics["step_s"]
+    return numerics["step_fraction"] * stable_step(planar)
+
+
 def first_frequency(job):
     """Lowest circular frequency of an assembled case, every joint closed [rad/s]."""
     from yade_scripts.model.models import build_scene
@@ -208,36 +220,56 @@ def bounce_frequency(job):
 
 
 def beta_for(job, damping):
-    """β [s] of two-sided joints: stated, or 2ζ/ω of the first mode or of the bounce on the base.
+    """β [s]: stated, 2ζ/ω of the first mode or of the bounce on the base, or by a law of β.
 
-    The laws of β describe impacts on return walls, which these joints do not have.
+    The laws describe impacts on return walls, which two-sided walls do not have; they refuse those.
 
     Parameters
     ----------
     job : dict
     damping : dict
-        One of `beta_s`, `first_mode` and `bounce`; the latter two are ζ.
+        One of `beta_s`, `first_mode`, `bounce` and `law`; the middle two are ζ.
     """
+    from rocking.calibration.beta import beta_for as beta_by_law
+
     ((key, value),) = damping.items()
     if key == "beta_s":
         return float(value)
+    if key == "law":
+        return beta_by_law({**job, "damping": {"law": value}})
     omega = {"first_mode": first_frequency, "bounce": bounce_frequency}
     if key not in omega:
-        raise ConfigError(f"damping.{key}: expected beta_s, first_mode or bounce")
+        raise ConfigError(f"damping.{key}: expected beta_s, first_mode, bounce or law")
     return 2.0 * float(value) / omega[key](job)
 
 
 def cases(experiment):
-    """Cases of an experiment by variant; of free rocking by variant and run."""
+    """Cases of an experiment by variant; of free rocking by variant and height."""
     variants = experiment.specimen["variants"].items()
     if experiment.specimen["kind"] == "shake_table":
         return {name: case(experiment.specimen, changes) for name, changes in variants}
-    heights = dict(zip(experiment.runs["run"], experiment.runs["height_m"], strict=True))
     return {
-        f"{name}|{run}": case(experiment.specimen, changes, height_m)
+        f"{name}|{height_m:g}": case(experiment.specimen, changes, float(height_m))
         for name, changes in variants
-        for run, height_m in heights.items()
+        for height_m in experiment.runs["height_m"].unique()
     }
+
+
+def quartiles(experiment):
+    """Quartiles of what was measured by run, or the range that was stated, and how many trials.
+
+    Returns
+    -------
+    DataFrame
+        By run: p25, median, p75, trials.
+    """
+    unit, table = experiment.unit, experiment.measured.set_index("run")
+    trials = table[f"measured_{unit}"].groupby(level=0)
+    found = trials.quantile([0.25, 0.5, 0.75]).unstack()
+    found.columns = ["p25", "median", "p75"]
+    if f"low_{unit}" in table:
+        found["p25"], found["p75"] = table[f"low_{unit}"], table[f"high_{unit}"]
+    return found.assign(trials=trials.size())
 
 
 def motion(experiment, run, folder, table):

@@ -1,4 +1,4 @@
-"""Ratio of angular speeds at the first impact by height of the block: measured and computed."""
+"""Restitution of blocks that rock freely, by height or by impact: measured and computed."""
 
 from pathlib import Path
 
@@ -14,20 +14,23 @@ def main(job):
     table = pd.read_csv(job.input.table)
     trials = experiment.measured.merge(experiment.runs, on="run")
     once = table.drop_duplicates("run")
+    one_height = once["height_m"].nunique() == 1
+    x, label = ("impact", "impact") if one_height else ("height_m", "height [m]")
     figure, axis = plt.subplots(figsize=(7.0, 4.0), layout="constrained")
-    axis.plot(trials["height_m"], trials["measured_-"], ".", c="0.7", ms=3, label="trials")
+    if len(trials) > len(once):
+        axis.plot(trials[x], trials["measured_-"], ".", c="0.7", ms=3, label="trials")
     spread = once["median"] - once["p25"], once["p75"] - once["median"]
-    axis.errorbar(once["height_m"], once["median"], yerr=spread, fmt="ko", ms=4, lw=1.0, capsize=3,
-                  label="measured, median and quartiles")  # fmt: skip
-    axis.plot(once["height_m"], once["housner"], "k--", lw=1.0, label="Housner, edges alone")
+    axis.errorbar(once[x], once["median"], yerr=spread, fmt="ko", ms=4, lw=1.0, capsize=3,
+                  label="measured, median and quartiles or range")  # fmt: skip
+    axis.plot(once[x], once["closed_form"], "k--", lw=1.0, label="closed form of a rigid block")
     for (variant, part), (colour, line, marker) in zip(
         table.groupby("variant", sort=False), style.LOOKS, strict=False
     ):
         plane, yade = (part[part["solver"] == s] for s in ("planar", "YADE"))
-        axis.plot(plane["height_m"], plane["ratio"], ls=line, c=colour, label=f"planar, {variant}")
-        axis.plot(yade["height_m"], yade["ratio"], marker, c=colour, ms=4, mfc="none",
+        axis.plot(plane[x], plane["ratio"], ls=line, c=colour, label=f"planar, {variant}")
+        axis.plot(yade[x], yade["ratio"], marker, c=colour, ms=4, mfc="none",
                   label=f"YADE, {variant}")  # fmt: skip
-    axis.set(xlabel="height [m]", ylabel=f"{experiment.specimen['observed']['quantity']} [-]")
+    axis.set(xlabel=label, ylabel=f"{experiment.specimen['observed']['quantity']} [-]")
     axis.legend(fontsize=7, ncols=2, loc="lower right")
     axis.set_title(experiment.specimen["title"], fontsize=9)
     style.save(figure, job.output)

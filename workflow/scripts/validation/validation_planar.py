@@ -5,7 +5,13 @@ import math
 
 from rocking.runtime.script import run
 from rocking.solver import Motions, history, peaks, prepare
-from rocking.studies.validation import ALONE, SEQUENCE, factors, peaks_of_spans
+from rocking.studies.validation import (
+    ALONE,
+    SEQUENCE,
+    factors,
+    peaks_of_spans,
+    planar_step,
+)
 from rocking.tables import read_json, write_table
 
 from yade_scripts.model.floor_motions import read
@@ -25,16 +31,17 @@ def main(job):
     for number, (variant, case) in enumerate(about["variants"].items()):
         count = None if number < settings["validation"]["main_variants"] else 2
         plane, numerics = prepare(build_scene(case)), case["numerics"]
-        mm = 1e3 * plane.thickness_m
+        mm, step = 1e3 * plane.thickness_m, planar_step(plane, numerics)
         for r, motion, own in zip(runs, motions, drawn[:, :count], strict=True):
-            found = peaks(plane, motion, numerics, own)
+            found = peaks(plane, motion, numerics, own, step_s=step)
             for factor, d, fell, failed in zip(
                 own, found.d_over_b, found.overturned, found.failed, strict=True
             ):
                 status = "failed" if failed else "overturned" if fell else "ok"
                 peak = mm * d if status == "ok" else math.nan
                 rows.append((variant, r["run"], ALONE, factor, peak, status))
-        d = history(plane, whole, {**numerics, "quiet_ratio": 0.0}, sample_s=SAMPLE_S)
+        still = {**numerics, "quiet_ratio": 0.0}
+        d = history(plane, whole, still, step_s=step, sample_s=SAMPLE_S)
         found = peaks_of_spans(d.time_s, d.d_m, about["spans"], d.status)
         for r, peak in zip(runs, found, strict=True):
             status = "ok" if math.isfinite(peak) else d.status

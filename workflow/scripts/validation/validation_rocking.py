@@ -1,10 +1,10 @@
-"""A free-rocking experiment in one table: measured ratios by height, and those of both solvers."""
+"""A free-rocking experiment in one table: measured restitution by run, and both solvers'."""
 
 import math
 from pathlib import Path
 
 import numpy as np
-from rocking.calibration.restitution import e_exp, read_archive, rebounds
+from rocking.calibration.restitution import e_exp, e_one_sided, read_archive, rebounds
 from rocking.runtime.script import run
 from rocking.solver import Motions, history, prepare
 from rocking.studies import validation
@@ -14,36 +14,33 @@ from yade_scripts.model.facade import facade_scene
 
 SAMPLES = 20000
 SMALLEST = 1e-3  # θ/α of a rebound
+QUARTILES = ("p25", "median", "p75")
 
 
 def main(job):
     experiment = validation.read(Path(job.input.files[0]).parent)
-    measured = experiment.measured.groupby("run")["measured_-"]
-    quartiles = measured.quantile([0.25, 0.5, 0.75]).unstack()
-    heights = experiment.runs.set_index("run")["height_m"]
-    yade, rows = read_archive(job.input.histories), []
-    for case, done in zip(read_json(job.input.cases), yade, strict=True):
-        variant, _, number = case["id"].rpartition("|")
-        h, b = (case["config"]["facade"][key] for key in ("height_m", "thickness_m"))
-        low, middle, high = quartiles.loc[int(number)]
-        row = {
-            "run": int(number),
-            "height_m": heights[int(number)],
-            "trials": measured.size()[int(number)],
+    measured, rows = validation.quartiles(experiment), []
+    cases = read_json(job.input.cases)
+    for case, yade in zip(cases, read_archive(job.input.histories), strict=True):
+        facade = case["config"]["facade"]
+        h, b, sides = facade["height_m"], facade["thickness_m"], facade["sides"]
+        closed = e_one_sided(h, b) if sides == "one" else 1 - 1.5 * b**2 / (b**2 + h**2)
+        found = {"planar": planar(case), "YADE": (yade["time_s"], yade["theta_over_alpha"])}
+        found = {
+            solver: e_exp(rebounds(*history, sides=sides, smallest=SMALLEST))
+            for solver, history in found.items()
         }
-        row |= {
-            "p25": low,
-            "median": middle,
-            "p75": high,
-            "housner": 1 - 1.5 * b**2 / (b**2 + h**2),
-        }
-        row |= {"variant": variant, "beta_s": case["beta_s"][0]}
-        for solver, (t, theta) in {
-            "planar": planar(case),
-            "YADE": (done["time_s"], done["theta_over_alpha"]),
-        }.items():
-            e = e_exp(rebounds(t, theta, sides="two", smallest=SMALLEST))[0]
-            rows.append({**row, "solver": solver, "ratio": e, "within": int(low <= e <= high)})
+        for _, run_ in experiment.runs[experiment.runs["height_m"] == h].iterrows():
+            impact = int(run_.get("impact", 1))
+            about = measured.loc[run_["run"]]
+            row = {"run": int(run_["run"]), "height_m": h, "impact": impact}
+            row |= {"trials": int(about["trials"])} | {q: about[q] for q in QUARTILES}
+            row |= {"closed_form": closed, "variant": case["id"].rpartition("|")[0]}
+            row |= {"beta_s": case["beta_s"][0]}
+            for solver, e in found.items():
+                ratio = e[impact - 1]
+                within = int(about["p25"] <= ratio <= about["p75"])
+                rows.append({**row, "solver": solver, "ratio": ratio, "within": within})
     write_table(rows, job.output[0])
 
 

@@ -7,7 +7,7 @@ from rocking.runtime.script import run
 from rocking.studies import validation
 from rocking.tables import write_json
 
-SWINGS = 6.0  # end of a history, in units of 1/p: past the first rebound
+SWINGS = 6.0  # end of a history, in units of 1/p: past the third rebound
 
 
 def main(job):
