@@ -10,20 +10,22 @@ import pandas as pd
 import pytest
 import yaml
 from forked import snakemake
-from rocking.calibration.restitution import e_exp, rebounds
+from rocking.calibration.restitution import TARGETS, e_exp, e_one_sided, rebounds
 from rocking.configuration.config import ConfigError
 from rocking.mechanics import closed_forms
-from rocking.solver import Motions, history, prepare
+from rocking.solver import Motions, history, peaks, prepare, stable_step
 from rocking.studies import validation
 from rocking.studies.validation import ALONE, SEQUENCE
 from run_script import script
 
 from yade_scripts.model.base import EDGE, SPREAD
 from yade_scripts.model.facade import facade_scene
+from yade_scripts.model.models import build_scene
 
 ROOT = Path(__file__).resolve().parents[2]
 US1 = ROOT / "config" / "experiments" / "us1"
 BLOCKS = ROOT / "config" / "experiments" / "limestone"
+RETURN_WALLS = ROOT / "config" / "experiments" / "sorrentino"
 FEW = {"numerics.nodes_thickness": 3}
 
 
@@ -52,7 +54,9 @@ def test_bounce_of_a_block():
     found = validation.case(specimen, {"damping": {"bounce": 0.5}}, height_m=0.4)
     assert found["beta_s"] == pytest.approx(1.0 / 2894.5, rel=1e-4)
     assert validation.case(specimen, {"damping": {"beta_s": 0.002}})["beta_s"] == 0.002
-    with pytest.raises(ConfigError, match="damping.eq5: expected beta_s, first_mode or bounce"):
+    with pytest.raises(
+        ConfigError, match="damping.eq5: expected beta_s, first_mode, bounce or law"
+    ):
         validation.case(specimen, {"damping": {"eq5": 1}})
 
 
@@ -101,7 +105,7 @@ def test_another_model_of_the_same_test(tmp_path):
         validation.read(tmp_path / "own")
 
 
-@pytest.mark.parametrize("name", ["us1_courses", "us1_joists", "us1_top"])
+@pytest.mark.parametrize("name", ["us1_courses", "us1_joists", "us1_shape", "us1_top", "us1_whole"])
 def test_readings_of_us1(name):
     """Every variant has the first period, by E or by what holds the top."""
     experiment = validation.read(US1.parent / name)
@@ -110,6 +114,55 @@ def test_readings_of_us1(name):
         assert 2.0 * math.pi / validation.first_frequency(found) == pytest.approx(0.091, rel=1e-6)
     with pytest.raises(ConfigError, match=r"fitted = facade.width_m: expected facade.e_mpa or"):
         validation.fit_period(found, 0.091, "facade.width_m")
+
+
+def peak_at(specimen, height_m):
+    """Largest displacement at a height under a smooth pulse that leaves every joint closed [m]."""
+    specimen = {**specimen, "observed": {**specimen["observed"], "height_m": height_m}}
+    found = validation.case(specimen, {**FEW, "floors.bearing": "point"})
+    t = np.linspace(0.0, 0.5, 501)
+    pulse = Motions(t, 0.1 * np.sin(2.0 * np.pi * t) ** 2)
+    plane = prepare(build_scene(found))
+    return plane.thickness_m * peaks(plane, pulse, found["numerics"], [1.0]).d_over_b[0]
+
+
+@pytest.mark.parametrize(("name", "straight"), [("us1_shape", True), ("us1", False)])
+def test_shape_of_a_hinged_wall(name, straight):
+    """Below its hinge the wall is straight, whatever its foot does; us1 is bent below 2.06 m."""
+    specimen = validation.read(US1.parent / name).specimen
+    low, middle, high = (peak_at(specimen, z) for z in (0.66, 1.26, 2.06))
+    part = (middle - low) / (high - low)
+    assert (part == pytest.approx((1.26 - 0.66) / (2.06 - 0.66), rel=1e-3)) == straight
+    assert (middle < high) == straight
+
+
+def test_the_step_a_specimen_states():
+    """A fraction of the planar solver's own largest step, an explicit one as it is, or none."""
+    specimen = validation.read(US1).specimen
+    found = validation.case(specimen, FEW)
+    plane, numerics = prepare(build_scene(found)), found["numerics"]
+    assert numerics["step_fraction"] == 0.1
+    assert validation.planar_step(plane, numerics) == pytest.approx(0.1 * stable_step(plane))
+    assert validation.planar_step(plane, {**numerics, "step_s": 1e-4}) == 1e-4
+    assert validation.planar_step(plane, {**numerics, "step_fraction": None}) is None
+
+
+def test_free_rocking_against_return_walls():
+    """One wall, three impacts: a case by variant and height, stated ranges, both laws of β."""
+    experiment = validation.read(RETURN_WALLS)
+    found = validation.cases(experiment)
+    assert len(found) == len(experiment.specimen["variants"])
+    assert found["β of eq. 5, 0.94 ms|0.8"]["beta_s"] == pytest.approx(
+        closed_forms.beta_one_sided(0.11, 0.8, 1800)
+    )
+    assert 2e-4 < found["β of the fitted law|0.8"]["beta_s"] < 1e-3
+    ranges = validation.quartiles(experiment)
+    e_1sr = e_one_sided(0.8, 0.11)
+    stated = np.array(TARGETS) * e_1sr
+    assert ranges[["p25", "p75"]].to_numpy() == pytest.approx(stated, abs=1e-4)
+    trials = validation.quartiles(validation.read(BLOCKS))
+    assert trials["trials"].sum() == 134
+    assert (trials["p25"] <= trials["p75"]).all()
 
 
 def test_changes_of_a_variant():

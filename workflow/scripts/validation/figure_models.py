@@ -55,6 +55,14 @@ def panel(axis, model, table, fallen_mm):
         axis.plot(yade["run"], yade["peak_mm"], "^", c=colour, ms=4, mfc="none")
         fell = plane[plane["status"] != "ok"]
         axis.plot(fell["run"], np.full(len(fell), fallen_mm), "*", c=colour, ms=7)
+    for sign, label, shown in (
+        ("^", "YADE", (table["solver"] == "YADE").any()),
+        ("*", "fell", (table["status"] != "ok").any()),
+    ):
+        if shown:
+            axis.plot(
+                [], [], sign, c="0.4", ms=5, mfc="none" if sign == "^" else "0.4", label=label
+            )
     axis.set(yscale="log", xticks=list(measured["run"])[::2])
     axis.set_title(model.specimen["title"], fontsize=8)
     axis.legend(fontsize=6, ncols=2, loc="upper left")
