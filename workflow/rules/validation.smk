@@ -37,9 +37,7 @@ def held_against(run):
         if kind == "shake_table":
             tests.append(files(folder)[-1].parent.name)
     several = sorted({test for test in tests if tests.count(test) > 1})
-    return made + [
-        f"{RESULTS}/{run}/figures/validation_models_{test}.png" for test in several
-    ]
+    return made + [f"{RESULTS}/{run}/figures/validation_models_{test}.png" for test in several]
 
 
 wildcard_constraints:
@@ -138,8 +136,7 @@ rule figure_models:
             f"{experiment_folders(w.run)[name]}/specimen.yaml" for name in models_of(w)
         ],
         tables=lambda w: [
-            f"{RESULTS}/{w.run}/validation/{name}/shake_table.csv"
-            for name in models_of(w)
+            f"{RESULTS}/{w.run}/validation/{name}/shake_table.csv" for name in models_of(w)
         ],
         modules=code("validation/figure_models"),
     output:
