@@ -65,8 +65,8 @@ def dynamic_check(verdicts, fit):
     else:
         verdict = f"is fulfilled for {_models(held)} and not for {_models(lost)}"
     unsure = [r.model for r in verdicts.itertuples() if r.agree < 0.95]
-    words = f"The code's dynamic check (C8.7.1.2.1.9) {verdict}, {about}: mean displacements "
-    words += f"are {said}; {limit}"
+    words = f"The code's dynamic check of the whole façade (C8.7.1.2.1.9) {verdict}, {about}: "
+    words += f"mean displacements are {said}; {limit}"
     if unsure:
         words += f"; for {_models(unsure)} the verdict hangs on the numerics"
     return words + "."
@@ -92,8 +92,8 @@ def suite(dynamic):
         for r in dynamic.itertuples()
     )
     return (
-        f"Shaken by {stations} stations' motions, each scaled to the demand's PGA, the façade "
-        f"falls with a probability of {said}; in brackets 95 % intervals."
+        f"Shaken by {stations} stations' motions, each scaled to the demand's PGA, the whole "
+        f"façade falls with a probability of {said}; in brackets 95 % intervals."
     )
 
 
