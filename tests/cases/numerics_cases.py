@@ -13,6 +13,7 @@ from yade_scripts.model import facade, models
 from yade_scripts.model.stiffness import critical_step
 from yade_scripts.studies import ida, shaking
 from yade_scripts.studies.journal import Journal
+from yade_scripts.studies.runner import Runner
 
 BETA_S = 0.00276
 SAMPLE_STEPS = 5  # steps between samples of `poisoned_run`
@@ -136,15 +137,8 @@ def failed_analysis(config, folder):
     proper, simulate.choose_step = simulate.choose_step, lambda *_: (0.0168, 0.0168)
     try:
         job = {**config, "model": "W1", "beta_s": BETA_S}
-        rows = ida.analyse(
-            job,
-            time_s,
-            {"ground": acceleration},
-            "A",
-            "pos",
-            Journal(f"{folder}/j.jsonl"),
-            said.append,
-        )
+        motion, journal = (time_s, {"ground": acceleration}), Journal(f"{folder}/j.jsonl")
+        rows = ida.analyse(Runner(job, *motion, "A", "pos", journal, said.append))
     finally:
         simulate.choose_step = proper
     return {"rows": rows, "said": said}

@@ -9,7 +9,7 @@ from yade_scripts.model import facade, interlocking, registry
 from yade_scripts.model.floor_motions import VERTICAL
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.motion import along
-from yade_scripts.model.scene import observed_at
+from yade_scripts.model.scene import from_dict, observed_at
 from yade_scripts.model.shape import is_plain, shape_of
 
 
@@ -19,8 +19,9 @@ def build_scene(case):
     Parameters
     ----------
     case : dict
-        A scene file: model, beta_s and the configuration's sections; with `width_nodes` the
-        full scene under two components, with `observed_m` that height for d.
+        A case file: model, beta_s and the configuration's sections; with `width_nodes` the
+        full scene under two components, with `observed_m` that height for d. Or one that holds
+        its `scene`, as the complete building's.
 
     Returns
     -------
@@ -37,6 +38,8 @@ def build_scene(case):
 
 
 def _assembled(case):
+    if "scene" in case:
+        return from_dict(case["scene"])
     kind = registry.model(case["model"])
     if kind.walls == "bricks":
         return interlocking.interlocking_scene(case, case["beta_s"], two_way=kind.two_way)
@@ -55,7 +58,7 @@ def _assembled(case):
 def numerics(case):
     """Section numerics with the step that belongs to the model."""
     section = dict(case["numerics"])
-    if registry.model(case["model"]).walls == "bricks":
+    if "scene" not in case and registry.model(case["model"]).walls == "bricks":
         section["step_fraction"] = case["w3"]["step_fraction"]
     return section
 

@@ -13,17 +13,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from yade_scripts.engine import adapter, memory, simulate
+from yade_scripts.engine import adapter, simulate
 from yade_scripts.files import read_json, write_atomic
-from yade_scripts.model import models
-from yade_scripts.model.motion import amplitude
-from yade_scripts.model.scene import to_json
-from yade_scripts.sources import digest
-from yade_scripts.studies import command, perturb, shaking
+from yade_scripts.studies import command, perturb
 from yade_scripts.studies.confirm import Confirmation, turns
-from yade_scripts.studies.journal import Journal, run_key
+from yade_scripts.studies.journal import Journal
+from yade_scripts.studies.runner import Runner
 from yade_scripts.studies.search import drive, next_amplitude, one_by_one
-from yade_scripts.studies.tables import RUN_COLUMNS, run_row, to_csv
+from yade_scripts.studies.tables import RUN_COLUMNS, to_csv
 
 COLUMNS = {
     "model": "",
@@ -67,63 +64,6 @@ def read_curve(path):
         raise ValueError(f"{path}: expected an IDA table with columns pga_g, status, d_over_b")
     status = {float(r["pga_g"]): r["status"] for r in rows}
     return status, {float(r["pga_g"]): float(r["d_over_b"] or "nan") for r in rows}
-
-
-class Runner:
-    """Runs realisations of one model, record and direction; finished ones come from the journal."""
-
-    def __init__(self, case, time_s, columns, record, direction, journal, say, before=None):
-        """Keep what every run shares; see `ida.analyse`, and `models.after` for `before`."""
-        self.before = before
-        self.first: tuple = ()
-        if before is not None:
-            first_s, first, pause_s = before
-            moved = b"".join(values.tobytes() for values in (first_s, *first.values()))
-            self.first = (moved, pause_s)
-        self.case, self.time_s, self.columns = case, time_s, columns
-        self.record, self.direction, self.journal, self.say = record, direction, journal, say
-        self.digest = digest(__file__)
-        self.scenes, self.reused, self.count = {}, 0, 0
-        self.ceiling = memory.Ceiling()
-
-    def scene(self, extra_nodes, numerics):
-        """Scene with so many extra nodes, and the hash of it and of its motions."""
-        if extra_nodes not in self.scenes:
-            case = {**self.case, "numerics": numerics}
-            scene, self.columns = models.shaken(models.build_scene(case), self.columns)
-            motion = b"".join(self.columns[n].tobytes() for n in scene.motions)
-            self.scenes[extra_nodes] = (
-                scene,
-                run_key(to_json(scene), motion + self.time_s.tobytes(), self.digest, *self.first),
-            )
-        return self.scenes[extra_nodes]
-
-    def run(self, pga_g, realisation):
-        """Row of one realisation at one intensity (contract of the ensemble table)."""
-        numerics = perturb.perturbed_numerics(models.numerics(self.case), realisation)
-        scene, base = self.scene(realisation.extra_nodes, numerics)
-        ground = self.columns["ground"]
-        factor = realisation.amplitude_factor * amplitude(ground, self.direction, pga_g)
-        key = run_key(base, numerics, factor)
-        row = self.journal.get(key)
-        if row is None:
-            motion = self.time_s, self.columns
-            if self.before is not None:
-                motion = models.after(self.before, *motion[:1], models.scaled(motion[1], factor))
-                factor = 1.0
-            history = shaking.prepare(scene, numerics, *motion, factor).retried()
-            row = run_row(self.case["model"], self.record, self.direction, pga_g, history)
-            self.journal.put(key, row, history.reason)
-            if self.ceiling.reached():
-                memory.start_afresh()  # finished runs are in the journal
-        else:
-            self.reused += 1
-        self.count += 1
-        return {
-            **row,
-            "realisation": realisation.number,
-            "amplitude_factor": realisation.amplitude_factor,
-        }
 
 
 def measure_sensitivity(runner, status, d_over_b, settings):
@@ -254,8 +194,7 @@ def main(arguments=None):
     runner = Runner(case, time_s, columns, args.record, args.direction, Journal(args.journal), say)
     plan = read_json(args.plan) if args.plan else None
     rows, sensitivity_rows = analyse(runner, status, d_over_b, plan)
-    if runner.reused:
-        say(f"{runner.reused} of {runner.count} runs taken from earlier work")
+    runner.told()
     sensitivity_rows.sort(key=lambda r: r["pga_g"])
     rows.sort(key=lambda r: (r["pga_g"], r["realisation"]))
     write_atomic(args.sensitivity, to_csv(sensitivity_rows, SENSITIVITY_COLUMNS))

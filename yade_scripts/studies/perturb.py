@@ -26,6 +26,9 @@ class Realisation:
     extra_nodes: int = 0
 
 
+ALONE = Realisation(0, 1.0)  # a run as it is
+
+
 def draw_realisations(settings):
     """Realisations of an ensemble, from the stated seed.
 

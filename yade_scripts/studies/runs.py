@@ -27,14 +27,14 @@ from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.studies import command, perturb
-from yade_scripts.studies.ensemble import Runner, run_realisations
+from yade_scripts.studies.ensemble import run_realisations
 from yade_scripts.studies.journal import Journal
+from yade_scripts.studies.runner import Runner
 from yade_scripts.studies.tables import RUN_COLUMNS, to_csv
 
 GIVEN = ("scene", "motion", "second", "record", "direction")
 KEY = {"model": "", "record": "", "direction": "", "pga_g": ".4f"}
 REALISATION = {"realisation": "d", "amplitude_factor": ".9f"}
-ALONE = perturb.Realisation(0, 1.0)
 
 
 def read_motion(given):
@@ -67,13 +67,13 @@ def run_case(case, journal, say):
     rows: list[dict] = []
     about = case.get("about", {})
     for k, pga_g in enumerate(case["pga_g"]):
-        own = about[k] if isinstance(about, list) else about
         if case.get("realisations"):
             found, _ = run_realisations(runner, pga_g, perturb.draw_realisations(own["ensemble"]))
         else:
-            found = [runner.run(pga_g, ALONE)]
+            found = [runner.run(pga_g)]
             say(f"{pga_g:.4g} g {found[0]['status']}")
-        rows += [{**own, **row} for row in found]
+        ahead = about[k] if isinstance(about, list) else about
+        rows += [{**ahead, **row} for row in found]
     return rows
 
 

@@ -8,7 +8,6 @@ import numpy as np
 from yade_scripts.engine import adapter, energy_check, simulate
 from yade_scripts.model import models
 from yade_scripts.model.motion import amplitude
-from yade_scripts.studies.tables import run_row
 
 RETRY_SAMPLING = 0.1  # of the sampling interval, for a run tried once more
 
@@ -120,29 +119,6 @@ def of_case(case, time_s, columns, direction, pga_g):
     """Set up the shaking of a case file at one intensity [g]; see `prepare`."""
     factor = amplitude(columns["ground"], direction, pga_g)
     return prepare(models.build_scene(case), models.numerics(case), time_s, columns, factor)
-
-
-def run_at(scene, numerics, time_s, columns, names, pga_g):
-    """Run a scene at one intensity.
-
-    Parameters
-    ----------
-    scene, numerics, time_s, columns
-        See `prepare`.
-    names : (str, str, str)
-        Model, record and direction.
-    pga_g : float
-
-    Returns
-    -------
-    row : dict
-        See `tables.run_row`.
-    history : simulate.History
-    """
-    model, record, direction = names
-    factor = amplitude(columns["ground"], direction, pga_g)
-    history = prepare(scene, numerics, time_s, columns, factor).retried()
-    return run_row(model, record, direction, pga_g, history), history
 
 
 def _end_of_shaking(time_s, motions, still_m_s2):
