@@ -7,6 +7,7 @@ import numpy as np
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.demand import RecordDemand, TableDemand
 from rocking.records.text import read_text
+from rocking.risk.hazard import read_hazard
 
 COLUMNS = ("period_s", "sa_g")
 LONGEST = 10_000
@@ -126,3 +127,17 @@ def demand_of(own, records, spectrum=None, hazard=None):
     if own["ag_g"] is not None:
         return CodeDemand(own["ag_g"], own["f0"], own["tc_star_s"], own["soil"], own["topography"])
     return at_pga(shapes(records), pga_at(hazard, own["return_period_years"]))
+
+
+def demand_from(settings, records, spectrum, hazard):
+    """`demand_of` the files of a spectrum and of a hazard curve, empty where there is none.
+
+    Parameters
+    ----------
+    settings : dict
+        Sections smdof and assessment, and risk.site.
+    """
+    known = None
+    if hazard:
+        known = read_hazard(str(hazard), settings["smdof"]["period_s"], settings["risk.site"])
+    return demand_of(settings["assessment"], records, str(spectrum) if spectrum else None, known)

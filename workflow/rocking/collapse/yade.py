@@ -12,9 +12,8 @@ import numpy as np
 import pandas as pd
 
 from rocking.collapse.curve import History
-from rocking.collapse.search import Answer
+from rocking.collapse.scan import Scan
 from yade_scripts.model import floor_motions, models
-from yade_scripts.studies.search import drive
 
 SCRIPTS = Path(models.__file__).resolve().parents[1]
 LIMIT_S = 1800.0  # of one call
@@ -100,16 +99,7 @@ class YadeRuns:
         table = pd.read_csv(self.folder / "runs.csv")
         return table.assign(collapsed=(table["status"] == "overturned").astype(int))[COLUMNS]
 
-    def seen(self, strategy):
-        """Outcomes of all that a search asks for, and what it found; see `Scan.seen`."""
-        parts = []
-
-        def run(ask):
-            parts.append(self.run(ask.pga_g, ask.realisations))
-            return Answer(parts[-1]["status"].to_numpy(), parts[-1]["d_over_b"].to_numpy(float))
-
-        found = drive(strategy, run)
-        return pd.concat(parts).sort_values("pga_g", ignore_index=True), found
+    seen = Scan.seen
 
 
 def yade_history(case, motion, direction, pga_g, limit_s=LIMIT_S):

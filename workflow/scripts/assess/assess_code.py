@@ -9,7 +9,6 @@ from rocking.assessment.code_checks import code_checks, governing, least
 from rocking.assessment.demand import floor_demand
 from rocking.assessment.family import Family, stretched, ties_of
 from rocking.records import G_M_S2, load
-from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
@@ -153,21 +152,12 @@ def spectra(records, settings, demand, share):
     return pd.DataFrame(table)
 
 
-def site_files(job, settings):
-    """Spectrum's file and hazard of a job, where they are given."""
-    hazard = None
-    if job.input.hazard:
-        period_s, where = settings["smdof"]["period_s"], settings["risk.site"]
-        hazard = read_hazard(str(job.input.hazard), period_s, where)
-    return str(job.input.spectrum) if job.input.spectrum else None, hazard
-
-
 def main(job):
     settings = json.loads(job.params.settings)
     how = {"baseline": settings["baseline"], "seed": settings["seed"]}
     records = [load(name, job.params.table, **how) for name in job.params.records]
     facade, wall, chain, own = (settings[k] for k in SECTIONS)
-    demand = site.demand_of(own, records, *site_files(job, settings))
+    demand = site.demand_from(settings, records, job.input.spectrum, job.input.hazard)
     every = Family(facade, wall, own).all()
     ranked = governing(every, facade, chain, own, demand)
     least_one = ranked[0]

@@ -7,7 +7,6 @@ import pandas as pd
 from rocking.assessment import selection, site
 from rocking.assessment.code_checks import code_checks, mechanism_of
 from rocking.records import G_M_S2, load
-from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
@@ -32,12 +31,7 @@ def main(job):
     own, stations = settings["assessment"], job.params.stations
     how = {"baseline": settings["baseline"], "seed": settings["seed"]}
     records = [load(name, job.params.table, **how) for name in stations]
-    hazard = None
-    if job.input.hazard:
-        period_s, where = settings["smdof"]["period_s"], settings["risk.site"]
-        hazard = read_hazard(str(job.input.hazard), period_s, where)
-    spectrum = str(job.input.spectrum) if job.input.spectrum else None
-    demand = site.demand_of(own, records, spectrum, hazard)
+    demand = site.demand_from(settings, records, job.input.spectrum, job.input.hazard)
     motions = pd.DataFrame(columns=["record", "station", "factor", "pga_g"])
     spectra = pd.DataFrame(columns=["period_s", "target_g", "mean_g"])
     if len(set(stations.values())) >= own["motions"]:

@@ -3,6 +3,7 @@
 import html
 from pathlib import Path
 
+from report_table import page
 from rocking.runtime.script import run
 from rocking.tables import read_json
 
@@ -46,14 +47,10 @@ def main(job):
         f"Records table: {job.params.table}. A surrogate has the peaks and duration of the motion"
         " it stands for and is not that motion; its details are the solved parameters and the seed."
     )
-    Path(job.output[0]).write_text(
-        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
-        f"<title>Provenance</title><style>\n{Path(job.input.style).read_text()}</style></head>\n"
-        f"<body>\n<h1>Provenance of every record</h1>\n<p>{html.escape(text)}</p>\n"
-        f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n"
-        + "\n".join(body)
-        + "\n</tbody>\n</table>\n</body></html>\n"
-    )
+    rows = "\n".join(body)
+    table = f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}\n</tbody>\n</table>"
+    whole = page("Provenance of every record", text, table, job.input.style)
+    Path(job.output[0]).write_text(whole)
 
 
 run(main, globals())
