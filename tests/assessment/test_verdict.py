@@ -66,6 +66,9 @@ def test_below_seven_stations_no_share_and_no_interval():
         assert "no interval" in said
         assert f"1 of {stations} (the first at 0.15 g)" in said
     assert "30 % with W2 (10 to 60 %)" in suite(dynamic(7))
+    never = dynamic(7).assign(probability=1e-4, probability_low=0.0, probability_high=2e-3)
+    assert "a probability of under 1 % with W2; in" in suite(never)
+    assert "over 99 % with W2; in" in suite(never.assign(probability_low=1.0, probability_high=1.0))
 
 
 def test_what_is_recommended_hangs_on_what_fails():

@@ -205,7 +205,7 @@ def _dynamic_check(data, folder):
             confirmed.append((f"{model}, {record} {direction}", which, *lengths))
         blocks.append(
             Table(
-                "Confirmed by YADE, the discrete element program: the history with the largest "
+                "Run again in YADE, the discrete element program: the history with the largest "
                 "displacement of each model, and the one nearest to d_SLV.",
                 ("history", "", "planar solver", "YADE"),
                 confirmed,
@@ -222,8 +222,7 @@ def _suite(dynamic, folder):
         middle, share = g3(r.median_pga_g), "–"
         if r.probability == r.probability:  # from enough stations
             middle += f" ({g3(r.ci_low_g)} to {g3(r.ci_high_g)})"
-            share = f"{per_cent(r.probability)} ({100 * r.probability_low:.0f} to "
-            share += f"{100 * r.probability_high:.0f})"
+            share = "".join(verdict.collapses(r))
         line = [r.model, middle, g3(r.dispersion), share, f"{r.curves} ({r.never_collapsed})"]
         if "annual_rate" in dynamic:
             line.append(f"{r.annual_rate:.2g} ({r.rate_low:.2g} to {r.rate_high:.2g})")

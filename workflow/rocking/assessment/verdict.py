@@ -4,6 +4,8 @@ import pandas as pd
 
 from rocking.risk.rates import FEWEST
 
+SURE = 0.005  # of a probability that rounds to 0 or 100 %
+
 
 def g3(value):
     """Three figures, a word where there is no end, or a dash."""
@@ -15,6 +17,16 @@ def g3(value):
 def per_cent(value):
     """Whole per cent."""
     return f"{100 * value:.0f} %".replace("-", "−")
+
+
+def collapses(row, sign=""):
+    """Probability of collapse and its interval in whole per cent; no interval where both are 0."""
+    if row.probability_high < SURE:
+        return "under 1 %", ""
+    if row.probability_low > 1.0 - SURE:
+        return "over 99 %", ""
+    low, high = 100 * row.probability_low, 100 * row.probability_high
+    return per_cent(row.probability), f" ({low:.0f} to {high:.0f}{sign})"
 
 
 def _models(names):
@@ -87,9 +99,9 @@ def suite(dynamic):
             f"probability and no interval ({FEWEST} stations are the least)."
         )
     said = ", ".join(
-        f"{per_cent(r.probability)} with {r.model} ({100 * r.probability_low:.0f} to "
-        f"{per_cent(r.probability_high)})"
+        f"{share} with {r.model}{interval}"
         for r in dynamic.itertuples()
+        for share, interval in [collapses(r, " %")]
     )
     return (
         f"Shaken by {stations} stations' motions, each scaled to the demand's PGA, the whole "
