@@ -39,7 +39,7 @@ def test_dry_run_of_the_main_job(folder):
 @pytest.mark.slow
 def test_a_rule_s_code_is_found_in_a_new_folder(tmp_path):
     """Stamps are made while Snakemake plans, in whatever order it comes to the rules."""
-    named = ("figures/record_RRS228.png", "smdof/RRS228_4dof.csv", "scenes/W1.json")
+    named = ("figures/record_RRS228.png", "smdof/RRS228_4dof.csv", "cases/W1.json")
     done = snakemake(tmp_path, "-n", "--", *(f"results/main/{name}" for name in named))
     assert done.returncode == 0, done.stderr
 

@@ -109,7 +109,7 @@ rule complete_scene:
         law=LAW_FILE,
         modules=code("complete/complete_scene"),
     output:
-        results("complete/scenes/{complete}_{coarsening}_{back}.json"),
+        results("complete/cases/{complete}_{coarsening}_{back}.json"),
     log:
         logs("complete_scene_{complete}_{coarsening}_{back}"),
     params:

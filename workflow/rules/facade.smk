@@ -1,4 +1,4 @@
-# Scene files: what a façade run depends on, as plain data.
+# Case files: what a façade run depends on, as plain data.
 
 
 def mass_of_walls(wildcards):
@@ -15,7 +15,7 @@ rule scene:
         building=mass_of_walls,
         modules=code("ida/scene"),
     output:
-        results("scenes/{model}.json"),
+        results("cases/{model}.json"),
     log:
         logs("scene_{model}"),
     params:

@@ -19,7 +19,7 @@ rule pushover_scene:
         law=LAW_FILE,
         modules=code("pushover/pushover_scene"),
     output:
-        results("pushover/scenes/{pushed}.json"),
+        results("pushover/cases/{pushed}.json"),
     log:
         logs("pushover_scene_{pushed}"),
     params:
@@ -32,7 +32,7 @@ rule pushover_scene:
 
 use rule pushover_scene as pushover_variant_scene with:
     output:
-        results("w3/scenes/{variant}.json"),
+        results("w3/cases/{variant}.json"),
     log:
         logs("w3_scene_{variant}"),
 

@@ -1,6 +1,6 @@
 """Entry point: the energy balance of one run, at a share of the intensity that fells the façade.
 
-    python3 yade_scripts energy --scene scenes/W2.json --motion smdof/RRS228_4dof.csv
+    python3 yade_scripts energy --scene cases/W2.json --motion smdof/RRS228_4dof.csv
         --record RRS228 --direction neg --curve ida/W2/RRS228_neg.csv --share 0.8
         --output energy/W2/RRS228_neg_0.8.csv
 

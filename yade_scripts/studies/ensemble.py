@@ -2,7 +2,7 @@
 
 Runs under YADE's own Python, after the study `ida`, whose curve it reads:
 
-    python3 yade_scripts ensemble --scene scenes/W2.json --motion smdof/1ST280_4dof.csv
+    python3 yade_scripts ensemble --scene cases/W2.json --motion smdof/1ST280_4dof.csv
         --record 1ST280 --direction neg --curve ida/W2/1ST280_neg.csv
         --journal cache/ensemble.jsonl --output ensemble.csv --sensitivity sensitivity.csv
 """

@@ -1,6 +1,6 @@
 """Entry point: poses of all blocks through one run, for pictures and animations.
 
-    python3 yade_scripts frames --scene scenes/W2.json --motion smdof/RRS228_4dof.csv
+    python3 yade_scripts frames --scene cases/W2.json --motion smdof/RRS228_4dof.csv
         --record RRS228 --direction neg --pga 0.2 --interval 0.02 --output frames.json
         [--collapse ida/W2/RRS228_neg.csv] [--fall 6] [--until 10] [--contacts]
 

@@ -1,6 +1,6 @@
 """Entry point: one history of one model, its motions, contact forces and energies.
 
-    python3 yade_scripts history --scene scenes/W2.json --motion smdof/RRS228_4dof.csv
+    python3 yade_scripts history --scene cases/W2.json --motion smdof/RRS228_4dof.csv
         --record RRS228 --direction neg --pga 0.2 --output histories/W2/RRS228_neg_0.2g.csv
 
 The run is that of the analyses (step, ledger, stop rules), sampled every SAMPLE_S. Columns::

@@ -3,7 +3,7 @@
 Runs under YADE's own Python, all intensities in one process; the complete building's case holds
 its scene:
 
-    python3 yade_scripts ida --scene scenes/W2.json --motion smdof/RRS228_4dof.csv
+    python3 yade_scripts ida --scene cases/W2.json --motion smdof/RRS228_4dof.csv
         --record RRS228 --direction neg --journal cache/W2_RRS228_neg.jsonl --output ida.csv
 """
 

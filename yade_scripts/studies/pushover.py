@@ -1,6 +1,6 @@
 """Entry point: static capacity curve of one model, displacement controlled.
 
-    python3 yade_scripts pushover --scene scenes/W1.json --output pushover.csv
+    python3 yade_scripts pushover --scene cases/W1.json --output pushover.csv
         [--forces joint_forces.csv]
 
 A horizontal body force λW on the façade has its resultant at the centroid. The

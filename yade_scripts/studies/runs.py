@@ -1,7 +1,7 @@
 """Entry point: a list of runs, of any cases under any motions, each at its own intensity.
 
     python3 yade_scripts runs --list runs.json --journal cache/runs.jsonl --output runs.csv
-        [--scene scenes/W2.json] [--motion smdof/1ST280_4dof.csv] [--second smdof/…]
+        [--scene cases/W2.json] [--motion smdof/1ST280_4dof.csv] [--second smdof/…]
         [--record 1ST280] [--direction neg] [--case cell3]
 
 The list has `cases`, a list or by name, each with::

@@ -1,6 +1,6 @@
 """Entry point: the critical step as YADE shows it, against the one predicted from K, M and C.
 
-    python3 yade_scripts stability --scene scenes/W2.json --output stability.csv
+    python3 yade_scripts stability --scene cases/W2.json --output stability.csv
         --limits stability_limits.csv
 
 Each scene is pressed together, brought to rest and then disturbed by a millionth of

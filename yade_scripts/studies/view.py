@@ -1,6 +1,6 @@
 """Entry point: a scene in YADE's own viewer, ready to play.
 
-    python3 yade_scripts view --scene scenes/W2.json --motion smdof/RRS228_4dof.csv
+    python3 yade_scripts view --scene cases/W2.json --motion smdof/RRS228_4dof.csv
         --record RRS228 --direction neg --pga 0.2
 
 opens YADE's viewer and controller with the scene as the analyses run it; press Play. Blocks that

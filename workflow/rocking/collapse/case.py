@@ -1,7 +1,7 @@
 """What is shaken: a case, and variants of it, as plain data.
 
 A case is one façade with its building, before one model of what stands behind it, with β and
-numerics chosen: the content of `results/<run>/scenes/<model>.json`. Solvers build their scene from
+numerics chosen: the content of `results/<run>/cases/<model>.json`. Solvers build their scene from
 it. A variant is a name and what it changes, in the case and in the motion.
 """
 
@@ -77,7 +77,7 @@ class Case:
 
     @classmethod
     def read(cls, path):
-        """Read a case file, as the workflow writes them to `results/<run>/scenes`."""
+        """Read a case file, as the workflow writes them to `results/<run>/cases`."""
         return cls(read_json(path))
 
     @classmethod
