@@ -7,9 +7,13 @@ import sys
 import threading
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from rocking.runtime import warm
+from rocking.runtime.way_back import left_out_if_unknown
+from snakemake import benchmark
+from snakemake.script import PythonScript
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -89,6 +93,65 @@ def test_in_another_release_scripts_start_as_snakemake_starts_them(tmp_path):
     assert "warning: without a server of scripts: Snakemake differs here" in done.stderr
     told = [json.loads((tmp_path / f"{n}.json").read_text()) for n in (1, 2, 3, 4)]
     assert not any(one["loaded"] for one in told)
+
+
+SCRIPT = {
+    "container_img": None,
+    "conda_env": None,
+    "env_modules": None,
+    "threads": 1,
+    "bench_record": None,
+    "resources": {"tmpdir": "here"},
+    "input": {},
+}
+
+
+@pytest.fixture
+def started(monkeypatch):
+    """What was started and how, after `warm.serve` of a workflow of three scripts."""
+    found = []
+
+    class Server:
+        began_s = 0.0
+
+        def __init__(self, modules):
+            pass
+
+        def run(self, path, watched, temporary):
+            with watched(1):
+                found.append(("forked", path, temporary))
+
+    def plain(self, fname, edit=False):
+        found.append(("plain", fname))
+
+    job = SimpleNamespace(rule=SimpleNamespace(script="a.py"), input={})
+    dag = SimpleNamespace(needrun_jobs=lambda: 3 * [job])
+    monkeypatch.setattr(warm, "Server", Server)
+    monkeypatch.setattr(PythonScript, "execute_script", plain)
+    with left_out_if_unknown("a server of scripts"):
+        warm.serve(SimpleNamespace(dag=dag))
+    return found
+
+
+@pytest.mark.parametrize("unknown", [None, *SCRIPT])
+def test_a_script_without_what_is_known_of_it_starts_as_snakemake_starts_it(started, unknown):
+    script = SimpleNamespace(**{name: v for name, v in SCRIPT.items() if name != unknown})
+    PythonScript.execute_script(script, "a.py")
+    assert started == [("plain", "a.py") if unknown else ("forked", "a.py", "here")]
+
+
+@pytest.fixture
+def other_benchmarks(monkeypatch):
+    monkeypatch.setattr(benchmark, "benchmarked", lambda process, into: None)
+
+
+def test_without_benchmarks_as_they_are_known_scripts_start_as_snakemake_starts_them(
+    capsys, other_benchmarks, started
+):
+    """Else the script would run, and its job fail."""
+    PythonScript.execute_script(SimpleNamespace(**SCRIPT | {"bench_record": []}), "a.py")
+    assert started == [("plain", "a.py")]
+    assert "without a server of scripts: Snakemake differs" in capsys.readouterr().err
 
 
 def test_a_script_s_end_is_its_own(tmp_path, monkeypatch):

@@ -158,6 +158,7 @@ def serve(workflow):
     from snakemake.script import PythonScript
 
     expect_parameters(PythonScript.execute_script, "self", "fname", "edit")
+    expect_parameters(benchmarked, "pid", "benchmark_record", "interval")
     due = [job for job in workflow.dag.needrun_jobs() if job.rule.script]
     if len(due) < FEWEST:
         return
@@ -172,19 +173,18 @@ def serve(workflow):
         try:
             plain = not (self.container_img or self.conda_env or self.env_modules)
             current = is_current(stamps.files(_modules(self)), server.began_s)
-            suits = plain and current and self.threads == 1 and hasattr(self, "bench_record")
+            suits = plain and current and self.threads == 1
+            measured, temporary = self.bench_record, self.resources.get("tmpdir")
         except AttributeError:  # another Snakemake
             suits = False
         if not suits:
             return cold(self, fname, edit)
 
         def watched(pid):
-            if self.bench_record is None:
-                return contextlib.nullcontext()
-            return benchmarked(pid, self.bench_record)
+            return contextlib.nullcontext() if measured is None else benchmarked(pid, measured)
 
         try:
-            return server.run(fname, watched, self.resources.get("tmpdir"))
+            return server.run(fname, watched, temporary)
         except OSError:
             return cold(self, fname, edit)
 
