@@ -36,7 +36,7 @@ if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
   $python -m venv --clear .venv
   .venv/bin/pip install -q --disable-pip-version-check --require-hashes -r requirements.lock
   .venv/bin/pip install -q --disable-pip-version-check --no-deps --no-build-isolation --editable .
-  say "compiling the planar solver"
-  .venv/bin/python -m rocking.solver
+  say "compiling the solvers"
+  .venv/bin/python -m rocking.compile_ahead
   printf '%s' "$wanted" > $stamp
 fi

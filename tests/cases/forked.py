@@ -1,11 +1,12 @@
 """Commands run by processes forked from one that has loaded the libraries.
 
-A start of Snakemake takes four seconds, half of them imports, and a script two. Here one process a
-test session imports the libraries; each command has a folder, environment and output of its own.
-Tests of how the command line itself starts take a plain process.
+A start of Snakemake takes four seconds, half of them imports, a script two, YADE two thirds of one.
+Here one process a test session and Python imports the libraries; each command has a folder,
+environment and output of its own. Tests of how a command line itself starts take a plain process.
 """
 
 import contextlib
+import importlib
 import json
 import os
 import runpy
@@ -18,8 +19,18 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PATHS = os.pathsep.join([str(ROOT), str(ROOT / "workflow")])
+YADE_PYTHON = os.environ.get("YADE_PYTHON", "/usr/bin/python3")
+LIBRARIES = (
+    "jsonschema",
+    "matplotlib.pyplot",
+    "numba",
+    "pandas",
+    "scipy.optimize",
+    "scipy.signal",
+    "snakemake.cli",
+)
 LIMIT_S = 600.0
-_servers: list = []
+_servers: dict = {}
 
 
 def snakemake(folder, *words, snakefile="workflow/Snakefile", cores=1):
@@ -38,17 +49,22 @@ def snakemake(folder, *words, snakefile="workflow/Snakefile", cores=1):
     return run(folder, "snakemake", *found, "--cores", str(cores), *words)
 
 
-def run(folder, *argv, timeout=LIMIT_S):
-    """Run Snakemake or a Python script with the project's packages.
+def run(folder, *argv, timeout=LIMIT_S, python=sys.executable, given=""):
+    """Run Snakemake or a Python script with the project's packages, or what belongs in YADE.
 
     Parameters
     ----------
     folder : Path
         Working folder.
     *argv : str
-        "snakemake" or the path of a script, then its arguments.
+        "snakemake" or the path of a script, then its arguments. In YADE's Python "yade_scripts",
+        or "call" with a module and a function of it.
     timeout : float
         Seconds after which it is killed.
+    python : str
+        The interpreter, `YADE_PYTHON` for what runs inside YADE.
+    given : str
+        Its standard input.
 
     Returns
     -------
@@ -59,12 +75,13 @@ def run(folder, *argv, timeout=LIMIT_S):
     ------
     subprocess.TimeoutExpired
     """
-    if not _servers:
-        _servers.append(_server())
-    server = _servers[0]
+    if python not in _servers:
+        _servers[python] = _server(python)
+    server = _servers[python]
     with tempfile.TemporaryDirectory() as printed:
-        files = [os.path.join(printed, name) for name in ("out", "err")]
-        environment = {**os.environ, "PYTHONPATH": PATHS}
+        files = [os.path.join(printed, name) for name in ("in", "out", "err")]
+        Path(files[0]).write_text(given, "utf-8")
+        environment = {**os.environ, "PYTHONPATH": _paths(python)}
         order = {"argv": argv, "folder": str(folder), "files": files, "environment": environment}
         print(json.dumps(order), file=server.stdin, flush=True)
         number = int(server.stdout.readline())
@@ -73,21 +90,26 @@ def run(folder, *argv, timeout=LIMIT_S):
             with contextlib.suppress(ProcessLookupError):
                 os.kill(number, signal.SIGKILL)
         status = int(server.stdout.readline())
-        out, err = (Path(path).read_text("utf-8", "replace") for path in files)
+        out, err = (Path(path).read_text("utf-8", "replace") for path in files[1:])
     if late:
         raise subprocess.TimeoutExpired(argv, timeout, out, err)
     return subprocess.CompletedProcess(argv, status, out, err)
 
 
-def _server():
+def _paths(python):
+    """Where packages are found: what runs in YADE has no use for the workflow's."""
+    return str(ROOT) if python == YADE_PYTHON else PATHS
+
+
+def _server(python):
     """Start the process that forks; it ends with the end of its input."""
     return subprocess.Popen(
-        [sys.executable, __file__],
+        [python, __file__, "yade" if python == YADE_PYTHON else "workflow"],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         text=True,
         cwd=ROOT,
-        env={**os.environ, "PYTHONPATH": PATHS, "OPENBLAS_NUM_THREADS": "1"},
+        env={**os.environ, "PYTHONPATH": _paths(python), "OPENBLAS_NUM_THREADS": "1"},
     )
 
 
@@ -104,29 +126,42 @@ def _serve():
 
 def _obey(order):
     """Become the process that was asked for."""
-    nothing = os.open(os.devnull, os.O_RDONLY)
-    written = (os.open(path, os.O_WRONLY | os.O_CREAT) for path in order["files"])
-    for stream, file in enumerate((nothing, *written)):
+    for stream, path in enumerate(order["files"]):
+        file = os.open(path, os.O_WRONLY | os.O_CREAT if stream else os.O_RDONLY)
         os.dup2(file, stream)
         os.close(file)
     os.environ.clear()
     os.environ.update(order["environment"])
     os.chdir(order["folder"])
     sys.argv = order["argv"]
-    if sys.argv[0] == "snakemake":
-        sys.exit(cli.main())
-    sys.path.insert(0, str(Path(sys.argv[0]).parent))
-    runpy.run_path(sys.argv[0], run_name="__main__")
+    match sys.argv:
+        case "snakemake", *_:
+            sys.exit(importlib.import_module("snakemake.cli").main())
+        case "yade_scripts", *words:
+            sys.exit(importlib.import_module("yade_scripts.__main__").main(words))
+        case "call", module, function:
+            _call(getattr(importlib.import_module(module), function))
+        case script, *_:
+            sys.path.insert(0, str(Path(script).parent))
+            runpy.run_path(script, run_name="__main__")
+
+
+def _call(function):
+    """Take arguments from the input, as JSON, and print what comes back in a last line."""
+    from yade_scripts.engine import lifeline
+
+    lifeline.follow()
+    print("RESULT" + json.dumps(function(**json.load(sys.stdin))))
 
 
 if __name__ == "__main__":
-    sys.path.pop(0)  # this folder
-    import jsonschema  # noqa: F401
-    import matplotlib.pyplot  # noqa: F401
-    import pandas  # noqa: F401
-    import scipy.optimize
-    import scipy.signal  # noqa: F401
-    from snakemake import cli
+    if sys.argv[1] == "yade":
+        from yade_scripts.engine import adapter
 
-    if (given := _serve()) is not None:
-        _obey(given)
+        adapter.load_yade()
+    else:
+        sys.path.pop(0)  # this folder
+        for name in LIBRARIES:
+            importlib.import_module(name)
+    if (taken := _serve()) is not None:
+        _obey(taken)

@@ -47,7 +47,7 @@ def commands(name):
 
 @pytest.fixture(scope="module")
 def clone(tmp_path_factory):
-    """The files that Git knows or would, with this virtual environment, and a small workload."""
+    """The files that Git knows or would, as the set-up leaves them, and a small workload."""
     folder = tmp_path_factory.mktemp("clone") / "rocking-facades"
     listed = subprocess.run(
         ["git", "ls-files", "-zco", "--exclude-standard"],
@@ -60,7 +60,11 @@ def clone(tmp_path_factory):
     for name in filter(None, listed.stdout.decode().split("\0")):
         if (ROOT / name).is_file():  # not one that is deleted here and not yet in Git
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / name, folder / name)
+            shutil.copy2(ROOT / name, folder / name)  # with its time, which the compilers compare
+    for compiled in ROOT.glob("workflow/**/*.nb[ci]"):
+        target = folder / compiled.relative_to(ROOT)
+        target.parent.mkdir(exist_ok=True)
+        shutil.copy2(compiled, target)
     (folder / ".venv").symlink_to(BIN.parent)
     with open(folder / "config/config.yaml", "a") as handle:
         handle.write(SMALL)

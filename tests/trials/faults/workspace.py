@@ -33,10 +33,13 @@ class Workspace:
             subprocess.run(["umount", "-l", str(self.mounts.pop())], check=True)
 
     def fill(self, study=ROOT / "tests" / "trials" / "faults" / "study.yaml"):
-        """Copy a study and the files of the workflow that it needs; return the workspace."""
+        """Copy a study and the files of the workflow that it needs; return the workspace.
+
+        What was compiled is copied as well, and half-written files of the compilers are not.
+        """
         self.folder.mkdir(parents=True, exist_ok=True)
         shutil.copy2(study, self.folder / STUDY)
-        skip = shutil.ignore_patterns("__pycache__", ".*")
+        skip = shutil.ignore_patterns(".*", "*.tmp.*", "*.pyc.*")
         for part in PARTS:
             source, target = ROOT / part, self.folder / part
             target.parent.mkdir(parents=True, exist_ok=True)

@@ -1,0 +1,68 @@
+"""Compile every loop before the first run: `python -m rocking.compile_ahead`, a part of the set-up.
+
+Each is called once on three samples at rest, as runs call it, so that numba's cache holds what they
+ask for; in processes side by side, since a loop takes up to half a minute.
+"""
+
+import multiprocessing
+from concurrent.futures import ProcessPoolExecutor
+
+import numpy as np
+
+from rocking import solver
+from rocking.collapse.scan import layouts
+from rocking.configuration.config import resolve
+from rocking.mechanics import column, rocking_block
+from rocking.reference import Motion, simulate, simulate_batch
+from rocking.reference.facade import wall_of
+from rocking.solver import spatial
+from yade_scripts.model.models import build_scene
+
+TIME_S, STILL = np.arange(3.0), np.zeros(3)
+
+
+def case(model, **more):
+    """A case of a model as configured by default, and its numerics."""
+    config = resolve({})
+    numerics = layouts(config["numerics"])[0]
+    return {**config, "numerics": numerics, "model": model, "beta_s": 0.0, **more}, numerics
+
+
+def planar(model):
+    """The planar loop of a model: of one block, or of a stack of them."""
+    given, numerics = case(model)
+    scene = build_scene(given)
+    motions = solver.Motions(TIME_S, STILL, [STILL for _ in solver.moving_supports(scene)])
+    solver.peaks(solver.prepare(scene), motions, numerics, 1.0, step_s=1e-3)
+
+
+def in_space():
+    """The loop of one block in three dimensions."""
+    given, numerics = case("W1", width_nodes=3)
+    scene = build_scene(given)
+    motions = spatial.two_motions(solver.Motions, scene, TIME_S, {"ground": STILL})
+    spatial.history(spatial.prepare(scene), motions, numerics, 1.0)
+
+
+def others():
+    """The reference solver, the rigid block and the column."""
+    wall = wall_of(case("W1")[0], 3)
+    motion = Motion(1.0, STILL)
+    simulate(wall, motion)
+    simulate_batch(wall, motion, dt_s=1e-2)
+    rocking_block.peak_rotation(STILL, 1.0, 6.48, 0.375)
+    column.capacity(0.5, 0.05, 0.06)
+
+
+JOBS = ((planar, "W2"), (others,), (planar, "W3"), (in_space,))  # the longest first
+
+
+def main():
+    """Compile all, as many at a time as there are cores."""
+    with ProcessPoolExecutor(mp_context=multiprocessing.get_context("spawn")) as pool:
+        for job in [pool.submit(*job) for job in JOBS]:
+            job.result()
+
+
+if __name__ == "__main__":
+    main()
