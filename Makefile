@@ -22,7 +22,8 @@ setup:
 run: setup
 	$(SNAKEMAKE) $(ARGS)
 
-test: setup lint docs
+test: setup
+	@$(MAKE) --no-print-directory -j2 --output-sync=target lint docs
 	.venv/bin/python -m pytest $(ARGS)
 
 quick: setup

@@ -34,8 +34,10 @@ wanted="$(cat requirements.lock pyproject.toml | sha256sum | cut -d' ' -f1) $PWD
 if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
   say "installing Python packages into .venv"
   $python -m venv --clear .venv
-  .venv/bin/pip install -q --disable-pip-version-check --require-hashes -r requirements.lock
-  .venv/bin/pip install -q --disable-pip-version-check --no-deps --no-build-isolation --editable .
+  # Python compiles a module when it is first imported; most of them never are
+  pip=".venv/bin/pip install -q --disable-pip-version-check --no-compile"
+  $pip --require-hashes -r requirements.lock
+  $pip --no-deps --no-build-isolation --editable .
   say "compiling the solvers"
   .venv/bin/python -m rocking.compile_ahead
   printf '%s' "$wanted" > $stamp
