@@ -1,10 +1,75 @@
 """Compiled functions: a change of what they call is a change of theirs."""
 
+import json
 import os
 import subprocess
 import sys
 
 import pytest
+
+SEEN = """
+import json
+import sys
+
+import numpy as np
+from numba.core.dispatcher import Dispatcher
+from rocking import Case, Motion, collapse_curve, compile_ahead
+from rocking.mechanics import column, rocking_block
+from rocking.records import Record
+from rocking.reference.facade import answers, motion_of
+from rocking.solver import Motions, history, prepare, spatial
+from yade_scripts.model.models import build_scene
+
+
+
+def compiled():
+    own = [vars(m) for name, m in sys.modules.items() if name.startswith("rocking.")]
+    found = {f for names in own for f in names.values() if isinstance(f, Dispatcher)}
+    return sorted([f.__name__, str(types)] for f in found for types in f.signatures)
+
+
+for function, *words in compile_ahead.JOBS:
+    function(*words)
+ahead = compiled()
+t = np.arange(0.0, 1.0, 0.01)
+wave = np.sin(6.0 * t)
+short = {"ida.max_pga_g": 0.1, "smdof.tail_s": 0.0, "numerics.after_motion_s": 0.1}
+tie, floor = {"height_m": 6.0, "diameter_mm": 6.0}, {"height_m": 5.0, "anchor_kn": 5.0}
+for model, more in (
+    ("W1", {"facade.ties": [tie], "facade.floors": [floor]}),
+    ("W1", {"facade.hinges_m": [3.0]}),
+    ("W2c", {}),
+    ("W2m", {"return_wall.building_mass_kg": 6e4}),
+    ("W3", {"w3.course_height_m": 0.648}),
+):
+    case = Case.configured(model, {**short, **more})
+    collapse_curve(case, Motion(Record("wave", wave, 0.01, "file")), "neg", search="crossings")
+scene = build_scene({**Case.configured("W1").scene, "width_nodes": 3})
+given = spatial.two_motions(Motions, scene, t, {"ground": wave, "vertical": wave})
+spatial.history(spatial.prepare(scene), given, Case.configured("W1")["numerics"], sample_s=0.1)
+case = Case.configured("W2").scene
+moving = motion_of(t, {"ground": wave, **{f"floor{j}": wave for j in range(1, 5)}}, "W2")
+answers(case, moving, "pos", [0.1], nodes=5, tolerance=1e-4)
+rocking_block.overturning_pga(wave, 0.01, 6.48, 0.375, 1, 0.1)
+column.capacity([0.1, 0.2], 0.05, 0.06, column.courses(5))
+print(json.dumps([ahead, compiled()]))
+"""
+
+
+@pytest.mark.slow
+def test_the_set_up_compiles_what_runs_call():
+    """Whatever the façade has, no loop is compiled again: types and layouts are those of runs."""
+    done = subprocess.run(
+        [sys.executable, "-c", SEEN],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+        capture_output=True,
+        text=True,
+        timeout=600,
+    )
+    assert done.returncode == 0, done.stderr[-2000:]
+    ahead, called = json.loads(done.stdout.splitlines()[-1])
+    assert called == ahead
+    assert {name for name, _ in called} >= {"march_block", "march_stack", "march_spatial", "march"}
 
 
 @pytest.mark.slow

@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 from rocking.configuration import config, schema
+from rocking.reference.facade import wall_of
 from rocking.solver import Motions, peaks, prepare
 from yade_process import resolved
 
@@ -27,6 +28,15 @@ def test_an_unknown_model_is_refused_with_the_known_ones():
         registry.model("W9")
     with pytest.raises(config.ConfigError, match="W9"):
         config.resolve({"models": ["W9"]})
+
+
+@pytest.mark.parametrize("change", [{"walls": "low"}, {"bonded": True}, {"two_way": True}])
+def test_walls_that_the_reference_solver_has_not_are_refused_by_it(monkeypatch, change):
+    """A new row is no silent W1 there."""
+    row = dataclasses.replace(registry.MODELS["W1"], name="W9", **change)
+    monkeypatch.setitem(registry.MODELS, "W9", row)
+    with pytest.raises(ValueError, match="reference solver has no model W9"):
+        wall_of({**resolved(), "model": "W9", "beta_s": 0.00276}, 5)
 
 
 @pytest.mark.slow

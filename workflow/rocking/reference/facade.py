@@ -11,12 +11,19 @@ from yade_scripts.model.shape import refuse
 
 
 def wall_of(case, nodes):
-    """Planar wall of a scene file (model free, W1 or W2) with so many nodes along every edge."""
-    facade, wall = case["facade"], case["return_wall"]
+    """Planar wall of a scene file with so many nodes along every edge.
+
+    Raises
+    ------
+    ValueError
+        One line, for return walls that it does not have: those of free, W1 and W2 alone.
+    """
+    facade, wall, kind = case["facade"], case["return_wall"], registry.model(case["model"])
+    if kind.walls not in ("none", "one", "floors") or kind.bonded or kind.two_way:
+        raise ValueError(f"the reference solver has no model {kind.name}: expected free, W1 or W2")
     refuse(facade, "the reference solver", held=True)
     e_pa = facade["e_mpa"] * 1e6
     jkn, edge_pa = base.parts(facade)
-    free = registry.model(case["model"]).walls == "none"
     return Wall(
         facade["height_m"],
         facade["thickness_m"],
@@ -24,7 +31,7 @@ def wall_of(case, nodes):
         facade["density_kg_m3"],
         e_pa,
         case["beta_s"],
-        0.0 if free else wall["count"] * wall["thickness_m"],
+        0.0 if kind.walls == "none" else wall["count"] * wall["thickness_m"],
         base_jkn_pa_m=jkn,
         base_edge_pa=edge_pa,
         back_jkn_pa_m=e_pa / wall["length_m"] if wall["length_m"] else None,
@@ -33,7 +40,7 @@ def wall_of(case, nodes):
         back_friction_deg=wall["friction_deg"],
         nodes_base=nodes,
         nodes_up=nodes,
-        segments=case["smdof"]["n_dof"] if registry.model(case["model"]).chain else 1,
+        segments=case["smdof"]["n_dof"] if kind.chain else 1,
         gap_m=facade["gap_m"],
     )
 
