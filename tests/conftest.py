@@ -1,4 +1,4 @@
-"""What all tests share: an end for every process that a test starts, long ones first."""
+"""What all tests share: an end for every process, one thread in each, long tests first."""
 
 import functools
 import os
@@ -9,6 +9,9 @@ LIMIT_S = 800.0  # of a subprocess whose test states none; below the limit of a 
 
 # what runs in YADE ends with the tests that started it
 os.environ["ROCKING_RUN_PID"] = str(os.getpid())
+
+# there is a process a core: threads of BLAS beside them would wait for each other, busily
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 # a shell starts what is in its background with SIGINT ignored, which every process here would
 # inherit: no run that a test interrupts would notice

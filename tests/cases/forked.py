@@ -25,6 +25,10 @@ LIBRARIES = (
     "matplotlib.pyplot",
     "numba",
     "pandas",
+    "rocking.records.check",
+    "rocking.runs",
+    "rocking.runtime.warm",
+    "rocking.studies.pushover",
     "scipy.optimize",
     "scipy.signal",
     "snakemake.cli",
@@ -124,6 +128,14 @@ def _serve():
     return None
 
 
+def _plan_ahead():
+    """Do what every plan begins with and keeps: find plugins, follow the imports of scripts."""
+    importlib.import_module("snakemake.cli").get_argument_parser()
+    sources = importlib.import_module("yade_scripts.sources").sources
+    for path in ROOT.glob("workflow/scripts/*/*.py"):
+        sources(path)
+
+
 def _obey(order):
     """Become the process that was asked for."""
     for stream, path in enumerate(order["files"]):
@@ -163,5 +175,6 @@ if __name__ == "__main__":
         sys.path.pop(0)  # this folder
         for name in LIBRARIES:
             importlib.import_module(name)
+        _plan_ahead()
     if (taken := _serve()) is not None:
         _obey(taken)
