@@ -31,6 +31,8 @@ def main(job):
         axis.plot(yade[x], yade["ratio"], marker, c=colour, ms=4, mfc="none",
                   label=f"YADE, {variant}")  # fmt: skip
     axis.set(xlabel=label, ylabel=f"{experiment.specimen['observed']['quantity']} [-]")
+    if one_height:
+        axis.set_xticks(sorted(once[x]))
     axis.legend(fontsize=7, ncols=2, loc="lower right")
     axis.set_title(experiment.specimen["title"], fontsize=9)
     style.save(figure, job.output)
