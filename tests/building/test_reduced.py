@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from rocking.building.modes import matrices
 from rocking.building.reduced import ReducedScan, in_plane, reduction
-from rocking.solver.plane import prepare
+from rocking.solver.plane import to_plane
 from rocking.solver.runs import history
 from scipy.linalg import eigh
 from scipy.sparse.linalg import spsolve
@@ -79,7 +79,7 @@ def test_the_reduction_rocks_as_yade_does():
     rows = np.array(got["rows"])
     scene = from_dict(work["scene"])
     screen = ReducedScan([scene], 30, work["numerics"], T, ground, "pos")
-    plane = prepare(in_plane(scene, screen.reduction.ends))
+    plane = to_plane(in_plane(scene, screen.reduction.ends))
     series = history(
         plane,
         screen.motions,

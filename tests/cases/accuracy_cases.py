@@ -88,7 +88,7 @@ def shaken(config, model, beta_s, time_s, columns, fraction=None):
     scene = facade.facade_scene(config, model, beta_s)
     time_s = np.array(time_s)
     columns = {k: np.array(v) for k, v in columns.items()}
-    case = shaking.prepare(scene, numerics, time_s, columns, 1.0)
+    case = shaking.set_up(scene, numerics, time_s, columns, 1.0)
     h = replace(case, sample_s=0.002).run()
     return {
         "peak": h.peak_d_over_b,
@@ -121,7 +121,7 @@ def balanced(config, model, beta_s, time_s, columns, fraction):
     numerics = {**config["numerics"], "step_fraction": fraction}
     job = {**config, "numerics": numerics, "model": model, "beta_s": beta_s}
     columns = {k: np.array(v) for k, v in columns.items()}
-    shaken = shaking.prepare(models.build_scene(job), numerics, np.array(time_s), columns, 1.0)
+    shaken = shaking.set_up(models.build_scene(job), numerics, np.array(time_s), columns, 1.0)
     history, books = energy.balanced_run(shaken)
     rows = np.array(books.rows)
     return {

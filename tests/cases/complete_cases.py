@@ -17,7 +17,7 @@ def shaken(job, time_s, ground, drop):
     if drop:
         scene = apart(scene)
     columns = {"ground": np.array(ground)}
-    case = shaking.prepare(scene, job["numerics"], np.array(time_s), columns, 1.0)
+    case = shaking.set_up(scene, job["numerics"], np.array(time_s), columns, 1.0)
     case = replace(case, rules=replace(case.rules, rest_time_s=1e9))
     recorder = Recorder(scene, 0.004)
     history = case.checked(setup=recorder)
@@ -34,6 +34,6 @@ def beside_w1(config, job, time_s, ground):
         "W1": (facade.facade_scene(config, "W1", config["beta_s"]), config["numerics"]),
     }
     for name, (scene, numerics) in scenes.items():
-        history = shaking.prepare(scene, numerics, np.array(time_s), columns, 1.0).checked()
+        history = shaking.set_up(scene, numerics, np.array(time_s), columns, 1.0).checked()
         found[name] = {"peak": history.peak_d_over_b, "status": history.status}
     return found

@@ -73,7 +73,7 @@ def shaken(config, model, beta_s, time_s, columns, factor, planar=True, two_comp
     scene = facade.facade_scene(config, model, beta_s, planar=planar, two_components=two_components)
     columns = {name: np.array(values) for name, values in columns.items()}
     numerics = config["numerics"]
-    h = shaking.prepare(scene, numerics, np.array(time_s), columns, factor).retried()
+    h = shaking.set_up(scene, numerics, np.array(time_s), columns, factor).retried()
     return {"peak": h.peak_d_over_b, "status": h.status, "reason": h.reason, "d": h.d_m.tolist()}
 
 
@@ -82,7 +82,7 @@ def drive_speed(config, model, beta_s, time_s, columns):
     scene = facade.facade_scene(config, model, beta_s)
     time_s = np.array(time_s)
     columns = {k: np.array(v) for k, v in columns.items()}
-    case = shaking.prepare(scene, config["numerics"], time_s, columns, 1.0)
+    case = shaking.set_up(scene, config["numerics"], time_s, columns, 1.0)
     motions, step = case.motions, case.step_s
     rules = simulate.StopRules(time_s[-1], time_s[-1], overturn_ratio=1e9)
     inside = simulate.run(scene, motions, step, rules)

@@ -41,7 +41,7 @@ def forced_run(config, model, factor):
     scene = models.build_scene({**config, "model": model, "beta_s": BETA_S})
     time_s, acceleration = _motion()
     columns = dict.fromkeys(scene.motions, acceleration)
-    case = shaking.prepare(scene, config["numerics"], time_s, columns, 1.0)
+    case = shaking.set_up(scene, config["numerics"], time_s, columns, 1.0)
     case = replace(case, step_s=factor * case.critical_step_s)
     with_check, without = case.checked(), case.run()
     return _outcome(with_check, unchecked=without.status)
@@ -53,7 +53,7 @@ def shaken_run(config, model, record, peak_g):
     time_s, columns = np.array(record["time_s"]), record["columns"]
     columns = {n: np.array(v) for n, v in columns.items()}
     numerics = models.numerics({**config, "model": model})
-    case = shaking.prepare(scene, numerics, time_s, columns, peak_g * 9.81)
+    case = shaking.set_up(scene, numerics, time_s, columns, peak_g * 9.81)
     check = energy_check.EnergyCheck(scene, case.motions)
     history = case.run(check=check)
     return _outcome(history, excess=check.excess, walls=len(check.walls))
@@ -64,7 +64,7 @@ def poisoned_run(config, value, at_step):
     scene = facade.facade_scene(config, "W1", BETA_S)
     time_s, acceleration = _motion()
     columns = dict.fromkeys(scene.motions, acceleration)
-    case = shaking.prepare(scene, config["numerics"], time_s, columns, 1.0)
+    case = shaking.set_up(scene, config["numerics"], time_s, columns, 1.0)
 
     def spoil(built):
         state = built.omega.bodies[built.body[scene.index(scene.monitor)]].state
@@ -86,7 +86,7 @@ def retried_run(config, factor, retry):
     proper, simulate.choose_step = simulate.choose_step, lambda *_: (step, step)
     try:
         numerics = {**config["numerics"], "retry_half_step": retry}
-        history = shaking.prepare(scene, numerics, time_s, {"ground": acceleration}, 1.0).retried()
+        history = shaking.set_up(scene, numerics, time_s, {"ground": acceleration}, 1.0).retried()
     finally:
         simulate.choose_step = proper
     return _outcome(history, tried_s=step)
@@ -101,7 +101,7 @@ def struck_run(config, interval_s, retry):
     push = 2.0 * np.array([0.0, 1.0, 1.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0])
     columns = {f"floor{j}": push for j in range(1, 5)} | {"ground": np.zeros(time_s.size)}
     numerics = {**config["numerics"], "retry_half_step": retry, "sample_interval_s": interval_s}
-    history = shaking.prepare(scene, numerics, time_s, columns, 1.0).retried()
+    history = shaking.set_up(scene, numerics, time_s, columns, 1.0).retried()
     return _outcome(history, peak=history.peak_d_over_b)
 
 

@@ -48,7 +48,7 @@ def shaken(config, runs, time_s, columns):
         wall = {**config["return_wall"], "building_mass_kg": mass_kg}
         job = {**config, "return_wall": wall, "model": model, "beta_s": 0.002}
         scene = models.build_scene(job)
-        case = shaking.prepare(
+        case = shaking.set_up(
             scene, models.numerics(job), np.array(time_s), columns, *factor or (1.0,)
         )
         h = case.retried()

@@ -45,7 +45,7 @@ def every(releases, shakings, books):
         job = {**case["config"], "model": model, "beta_s": case["beta_s"]}
         time_s = np.array(case["time_s"])
         columns = {name: np.array(values) for name, values in case["columns"].items()}
-        run = shaking.prepare(
+        run = shaking.set_up(
             models.build_scene(job), models.numerics(job), time_s, columns, case["factor"]
         ).retried()
         found["peaks"][model] = [run.peak_d_over_b, run.status, run.reason]

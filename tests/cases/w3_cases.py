@@ -28,6 +28,6 @@ def shake_case(job, fractions, time_s, columns):
     out = []
     for fraction in fractions:
         numerics = {**models.numerics(job), "step_fraction": fraction}
-        history = shaking.prepare(scene, numerics, time_s, columns, 1.0).retried()
+        history = shaking.set_up(scene, numerics, time_s, columns, 1.0).retried()
         out.append([history.status, history.peak_d_over_b])
     return out

@@ -7,7 +7,7 @@ import pytest
 from rocking.configuration.config import ConfigError, resolve
 from rocking.configuration.standing import restoring, stands
 from rocking.mechanics.closed_forms import tip_over_compliant_base
-from rocking.solver import Motions, history, prepare
+from rocking.solver import Motions, history, to_plane
 
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.models import build_scene
@@ -66,7 +66,7 @@ def test_stiffness_less_that_of_gravity_changes_sign_where_the_facade_stops_stan
 
 def left_alone(config, seconds=40.0):
     """Largest d/b after a push of a hundredth of a millimetre a second."""
-    plane = prepare(build_scene({**config, "model": "W1", "beta_s": 0.002}))
+    plane = to_plane(build_scene({**config, "model": "W1", "beta_s": 0.002}))
     time = np.linspace(0.0, 1.0, 101)
     push = Motions(time, -5e-4 * np.sin(np.pi * time) ** 2)
     numerics = {**config["numerics"], "after_motion_s": seconds, "rest_time_s": seconds}

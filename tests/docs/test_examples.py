@@ -66,7 +66,7 @@ def test_the_wall_is_upright_after_a_quarter_period_under_either_contact_law():
 def test_the_own_boundary_condition_holds_the_wall_in_yade_and_in_the_planar_solver(by_hand):
     """Alone it overturns; the frame stops it where geometry says, in both solvers."""
     from own_boundary_condition import B_M, GROUND_M_S2, NUMERICS, TIME_S, framed, standing
-    from rocking.solver import Motions, history, prepare
+    from rocking.solver import Motions, history, to_plane
 
     said_alone, said_framed, said_met = said("own_boundary_condition").splitlines()
     assert "overturned" in said_alone
@@ -75,6 +75,6 @@ def test_the_own_boundary_condition_holds_the_wall_in_yade_and_in_the_planar_sol
     assert met < outward < 1.05 * met  # and no farther than the joint gives way
     motion = Motions(TIME_S, GROUND_M_S2)
     given = {**resolved()["numerics"], **NUMERICS}
-    alone, held = (history(prepare(s), motion, given) for s in (standing(), framed(standing())))
+    alone, held = (history(to_plane(s), motion, given) for s in (standing(), framed(standing())))
     assert (alone.status, held.status) == ("overturned", "ok")
     assert held.d_m.max() / B_M == pytest.approx(outward, rel=0.01)

@@ -17,7 +17,7 @@ from rocking import Case, Motion, collapse_curve, compile_ahead
 from rocking.mechanics import column, rocking_block
 from rocking.records import Record
 from rocking.reference.facade import answers, motion_of
-from rocking.solver import Motions, history, prepare, spatial
+from rocking.solver import Motions, history, to_plane, spatial
 from yade_scripts.model.models import build_scene
 
 
@@ -46,7 +46,7 @@ for model, more in (
     collapse_curve(case, Motion(Record("wave", wave, 0.01, "file")), "neg", search="crossings")
 scene = build_scene({**Case.configured("W1").scene, "width_nodes": 3})
 given = spatial.two_motions(Motions, scene, t, {"ground": wave, "vertical": wave})
-spatial.history(spatial.prepare(scene), given, Case.configured("W1")["numerics"], sample_s=0.1)
+spatial.history(spatial.to_block(scene), given, Case.configured("W1")["numerics"], sample_s=0.1)
 case = Case.configured("W2").scene
 moving = motion_of(t, {"ground": wave, **{f"floor{j}": wave for j in range(1, 5)}}, "W2")
 answers(case, moving, "pos", [0.1], nodes=5, tolerance=1e-4)

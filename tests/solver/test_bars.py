@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from rocking.solver import bars as module
-from rocking.solver.plane import prepare
+from rocking.solver.plane import to_plane
 from yade_process import resolved
 
 from yade_scripts.model.facade import facade_scene
@@ -21,7 +21,7 @@ def held(ties=(), floors=(), **sections):
     """Resolved configuration, scene and its ties and floors."""
     config = resolved(facade={"ties": list(ties), "floors": list(floors)}, **sections)
     scene = facade_scene(config, "W1", 0.002)
-    return config, scene, prepare(scene).bars
+    return config, scene, to_plane(scene).bars
 
 
 def act(bars, y=0.0, z=0.0, turn=0.0, support=0.0, memory=None, **more):

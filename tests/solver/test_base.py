@@ -10,7 +10,7 @@ from rocking.mechanics import column
 from rocking.mechanics.closed_forms import capacity_compliant_base
 from rocking.reference import Motion, simulate_batch
 from rocking.reference.facade import wall_of
-from rocking.solver.plane import prepare
+from rocking.solver.plane import to_plane
 from rocking.solver.runs import Motions, history, stable_step
 from test_floors import slow
 from test_ties import BETA_S, G, pulses
@@ -77,7 +77,7 @@ def test_static_capacity(facade):
     courses = facade.get("courses")
     config, scene = scene_of(facade, COURSES_NODES if courses else NODES)
     peak = static_peak(facade, column.courses(courses) if courses else None)
-    plane = prepare(scene)
+    plane = to_plane(scene)
     step = COURSES_STEP * stable_step(plane) if courses else None
     for share, status in ((0.9, "ok"), (1.03, "overturned")):
         t, pull = slow(share * G * peak)
@@ -91,7 +91,7 @@ def test_the_step_of_a_stack():
     peaks = []
     for nodes, fraction in ((5, 1.0), (5, 0.5), (9, 1.0)):
         config, scene = scene_of({"courses": 5}, {**COURSES_NODES, "nodes_thickness": nodes})
-        plane = prepare(scene)
+        plane = to_plane(scene)
         step = fraction * COURSES_STEP * stable_step(plane)
         found = history(plane, Motions(t, ground), config["numerics"], step_s=step)
         peaks.append(found.peak_d_over_b)
@@ -105,7 +105,7 @@ def test_against_the_reference_solver():
     case = Case.configured("W1").varied(Variant("column", {"facade.base": "column"}))
     case = case.varied(Variant("nodes", {f"numerics.{key}": 17 for key in NODES}))
     t, ground = pulses(1.2)
-    planar = history(prepare(build_scene(case.scene)), Motions(t, ground), case["numerics"])
+    planar = history(to_plane(build_scene(case.scene)), Motions(t, ground), case["numerics"])
     wall = wall_of(case.scene, 17)
     judged = simulate_batch(wall, Motion(0.01, ground, None), [1.0], tolerance=1e-6)
     assert planar.peak_d_over_b > 0.05
@@ -120,7 +120,7 @@ def test_yade_and_the_compiled_solver(facade):
     config, scene = scene_of(facade, numerics)
     config["numerics"]["after_motion_s"] = 1.0
     t, ground = pulses(1.2)
-    plane = prepare(scene)
+    plane = to_plane(scene)
     step = COURSES_STEP * stable_step(plane) if "courses" in facade else None
     planar = history(plane, Motions(t, ground), config["numerics"], sample_s=0.01, step_s=step)
     got = in_yade(

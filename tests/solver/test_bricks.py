@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from rocking.collapse.scan import BRICKS_STEP, driving
-from rocking.solver import Motions, peaks, prepare
+from rocking.solver import Motions, peaks, to_plane
 from rocking.solver.runs import stable_step
 from rocking.solver.stack import stack_matrices
 from yade_process import in_yade, resolved
@@ -35,7 +35,7 @@ def shaking(peak_g, rise=0.3):
 def compiled(data, t, columns, factors=(1.0,)):
     """Peaks of a scene by the compiled solver, at the step of the scans."""
     scene = build_scene(data)
-    plane = prepare(scene)
+    plane = to_plane(scene)
     given = motion_columns(scene, columns)
     motions = driving(scene, t, given) if data["model"] == "W3" else Motions(t, columns["ground"])
     step = BRICKS_STEP * stable_step(plane)
@@ -77,7 +77,7 @@ def test_yade_and_the_compiled_solver(name):
 @pytest.mark.parametrize("model", ["W3", "W3m"])
 def test_matrices_are_those_of_the_scene(model):
     scene = build_scene(job(model))
-    mass, k, c, _ = stack_matrices(prepare(scene))
+    mass, k, c, _ = stack_matrices(to_plane(scene))
     matrices = assemble(scene)
     assert mass == pytest.approx(matrices.mass)
     for one, other in zip((k, c), matrices.dense(), strict=True):

@@ -8,7 +8,7 @@ import pytest
 from rocking import Case, Motion
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
-from rocking.solver.plane import matrices, prepare
+from rocking.solver.plane import matrices, to_plane
 from rocking.solver.runs import Motions, history
 from rocking.studies import restraint
 from rocking.studies.additions import planar_models
@@ -67,7 +67,7 @@ def test_static_capacity(name):
             resisting += 1e3 * held * row["height_m"]
     for share, status in ((0.99, "ok"), (1.01, "overturned")):
         t, pull = slow(share * G * resisting / pushed)
-        got = history(prepare(scene), Motions(t, -pull), config["numerics"], sample_s=0.01)
+        got = history(to_plane(scene), Motions(t, -pull), config["numerics"], sample_s=0.01)
         assert got.status == status
 
 
@@ -77,7 +77,7 @@ def test_matrices_of_the_plane_are_those_of_the_scene(model):
     facade = {"ties": [{"height_m": 5.0, "diameter_mm": 12.0}]}
     rows = [{**ROOF, "mass_t": 3.0}, {**ROOF, "height_m": 3.24}]
     _, scene = floored(*rows, model=model, facade=facade, numerics=FEW)
-    mass, k, c = matrices(prepare(scene))
+    mass, k, c = matrices(to_plane(scene))
     found = assemble(scene)
     assert mass == pytest.approx(found.mass)
     for one, other in zip((k, c), found.dense(), strict=True):
@@ -87,7 +87,7 @@ def test_matrices_of_the_plane_are_those_of_the_scene(model):
 def test_energy_of_the_plane():
     """Input = kinetic + potential + stored in nodes, springs and loads + taken, at every sample."""
     config, scene = floored(ROOF, {**ROOF, "height_m": 3.24, "load_kn": 40.0})
-    plane = prepare(scene)
+    plane = to_plane(scene)
     t, ground = pulses(4.0)
     h = history(plane, Motions(t, ground), config["numerics"], sample_s=0.0)
     y, z, turn = (h.rates[:, k] for k in range(3))
@@ -108,7 +108,7 @@ def test_a_roof_on_a_stiff_spring_moves_with_the_wall():
     found = []
     for more in ({}, {"mass_t": 2.0, "period_s": PERIODS["stiff"]}):
         config, scene = floored({**ROOF, **more})
-        got = history(prepare(scene), Motions(t, ground), config["numerics"], sample_s=0.01)
+        got = history(to_plane(scene), Motions(t, ground), config["numerics"], sample_s=0.01)
         found.append(got.peak_d_over_b)
     assert found[0] > 0.05
     assert found[1] == pytest.approx(found[0], rel=0.01)
@@ -122,7 +122,7 @@ def test_yade_and_the_compiled_solver():
     config, scene = floored(*rows, model="W2", numerics=FEW)
     t, ground = pulses(1.5)
     floors = [ground * (1.0 + 0.1 * j) for j in range(1, 5)]
-    planar = history(prepare(scene), Motions(t, ground, floors), config["numerics"], sample_s=0.01)
+    planar = history(to_plane(scene), Motions(t, ground, floors), config["numerics"], sample_s=0.01)
     columns = {f"floor{j}": floor.tolist() for j, floor in enumerate(floors, 1)}
     columns["ground"] = ground.tolist()
     got = in_yade(

@@ -6,7 +6,7 @@ from rocking.assessment.code_checks import weakest_hinge
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.solver.bars import of_scene
-from rocking.solver.plane import moving_supports, prepare
+from rocking.solver.plane import moving_supports, to_plane
 from rocking.solver.runs import Motions, history
 from rocking.solver.stack import stack_matrices, stacked
 from test_floors import ROOF, floored, slow
@@ -68,7 +68,7 @@ def test_static_capacity(name):
     found = {"bent": bent, "whole": whole, "upper": upper}[which]
     for share, status in ((0.99, "ok"), (1.01, "overturned")):
         t, pull = slow(share * G * found)
-        got = history(prepare(scene), Motions(t, -pull), config["numerics"], sample_s=0.01)
+        got = history(to_plane(scene), Motions(t, -pull), config["numerics"], sample_s=0.01)
         assert got.status == status
 
 
@@ -85,7 +85,7 @@ def test_the_weakest_hinge():
     t, pull = slow(1.02 * min(found) * G)
     for z, status in ((weakest, "overturned"), (0.7 * weakest, "ok"), (1.2 * weakest, "ok")):
         config, scene = floored(roof, facade={"e_mpa": 1e5, "hinges_m": [z]}, numerics=FEW)
-        got = history(prepare(scene), Motions(t, -pull), config["numerics"], sample_s=0.01)
+        got = history(to_plane(scene), Motions(t, -pull), config["numerics"], sample_s=0.01)
         assert got.status == status
 
 
@@ -96,7 +96,7 @@ def test_one_piece_is_the_single_block(model):
     t, ground = pulses(2.0)
     floors = [ground * (1.0 + 0.1 * j) for j in range(1, 5)] if model == "W2" else []
     column = {name: i for i, name in enumerate(moving_supports(scene))}
-    planes = prepare(scene), stacked(scene, [1], column, of_scene(scene, [1], column))
+    planes = to_plane(scene), stacked(scene, [1], column, of_scene(scene, [1], column))
     motions = Motions(t, ground, floors)
     one, other = (history(p, motions, config["numerics"], sample_s=0.01) for p in planes)
     assert one.peak_d_over_b > 0.1
@@ -115,7 +115,7 @@ FLOORS = [
 def test_three_pieces_at_rest_and_their_matrices():
     """They stand still from the start; K and C of the scene file are those of the plane."""
     config, scene = floored(*FLOORS, model="W2", facade=THREE, numerics=FEW)
-    plane = prepare(scene)
+    plane = to_plane(scene)
     t = np.linspace(0.0, 1.0, 101)
     still = Motions(t, np.zeros(101), np.zeros((4, 101)))
     got = history(plane, still, config["numerics"], sample_s=0.01)
@@ -138,7 +138,7 @@ def test_yade_and_the_compiled_solver():
     """Two pieces, two floors that slide: peak d/b within 1 %, and YADE's books close."""
     config, scene = floored(*FLOORS, facade={"hinges_m": [4.0]}, numerics=FEW)
     t, ground = pulses(3.0)
-    planar = history(prepare(scene), Motions(t, ground), config["numerics"], sample_s=0.01)
+    planar = history(to_plane(scene), Motions(t, ground), config["numerics"], sample_s=0.01)
     got = in_yade(
         "accuracy_cases", "balanced", config=config, model="W1", beta_s=BETA_S, fraction=0.1,
         time_s=t.tolist(), columns={"ground": ground.tolist()},
@@ -188,7 +188,7 @@ def test_a_wall_that_spans(name, side):
     bent = multipliers(f, 3.6, 30e3, share * f["thickness_m"], 1e6)[0]
     for part, status in ((0.99, "ok"), (1.01, "overturned")):
         t, pull = slow(part * G * bent)
-        got = history(prepare(scene), Motions(t, side * pull), config["numerics"], sample_s=0.01)
+        got = history(to_plane(scene), Motions(t, side * pull), config["numerics"], sample_s=0.01)
         assert got.status == status
 
 
@@ -212,7 +212,7 @@ def spanning(height_m=5.2):
 def test_a_level_load_at_rest_and_its_matrices():
     """It lies still from the start, weighs P, moves along z alone; K and C by both routes."""
     config, scene = spanning()
-    plane = prepare(scene)
+    plane = to_plane(scene)
     t = np.linspace(0.0, 1.0, 101)
     got = history(plane, Motions(t, 0.0 * t), config["numerics"], sample_s=0.01)
     assert np.abs(got.d_m).max() < 1e-8
@@ -233,7 +233,7 @@ def test_courses_between_a_foot_and_a_held_top(bearing, root):
     beam = (root / own["height_m"]) ** 2 * np.sqrt(ratio)
     assert modes(scene)[0][0] == pytest.approx(beam, rel=0.02)
     t = np.linspace(0.0, 0.2, 101)
-    got = history(prepare(scene), Motions(t, 0.0 * t), config["numerics"], sample_s=0.01)
+    got = history(to_plane(scene), Motions(t, 0.0 * t), config["numerics"], sample_s=0.01)
     assert np.abs(got.d_m).max() < 1e-8
 
 
@@ -243,7 +243,7 @@ def test_observed_at_a_height():
     found = []
     for z in (2.0, 3.6, 6.4):
         config, scene = spanning(z)
-        got = history(prepare(scene), Motions(t, ground), config["numerics"], sample_s=0.0)
+        got = history(to_plane(scene), Motions(t, ground), config["numerics"], sample_s=0.0)
         found.append(np.abs(got.d_m).max())
     lower, hinge, top = found
     assert 0.5 * hinge < lower < 0.7 * hinge  # a rigid piece that turns about its foot: 2/3.6
@@ -258,7 +258,7 @@ def test_yade_and_the_compiled_solver_on_a_wall_that_spans():
     config, scene = spanning()
     own = {**config, "observed_m": scene.monitor_point_m[2]}
     t, ground = pulses(1.0)
-    planar = history(prepare(scene), Motions(t, ground), config["numerics"], sample_s=0.01)
+    planar = history(to_plane(scene), Motions(t, ground), config["numerics"], sample_s=0.01)
     got = in_yade(
         "accuracy_cases", "balanced", config=own, model="W1", beta_s=BETA_S, fraction=0.1,
         time_s=t.tolist(), columns={"ground": ground.tolist()},

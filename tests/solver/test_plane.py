@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from rocking import reference, solver
 from rocking.mechanics import closed_forms as cf
-from rocking.solver import Motions, bodies, history, moving_supports, peaks, prepare
+from rocking.solver import Motions, bodies, history, moving_supports, peaks, to_plane
 from yade_process import in_yade, resolved
 
 from smdof import floor_motions
@@ -25,8 +25,8 @@ def case(model="W2", beta_s=BETA_S, release=None, **sections):
     """Configuration and plane of a scene."""
     config = resolved(**({"numerics": NODES} | sections))
     if release is None:
-        return config, prepare(build_scene({**config, "model": model, "beta_s": beta_s}))
-    return config, prepare(facade_scene(config, model, beta_s, release_ratio=release))
+        return config, to_plane(build_scene({**config, "model": model, "beta_s": beta_s}))
+    return config, to_plane(facade_scene(config, model, beta_s, release_ratio=release))
 
 
 def slender(h_m=1.0, b_m=0.1, e_mpa=8e4):
@@ -320,13 +320,13 @@ def test_a_node_may_be_carried_by_either_side():
     t, ground = shaking(0.8)
     config = resolved(numerics=NODES)
     scene = build_scene({**config, "model": "W1", "beta_s": BETA_S})
-    own = peaks(prepare(scene), Motions(t, ground), config["numerics"], 1.0)
+    own = peaks(to_plane(scene), Motions(t, ground), config["numerics"], 1.0)
     n = scene.nodes
     swap = n.b != 0
     n.a, n.b = np.where(swap, n.b, n.a), np.where(swap, n.a, n.b)
     n.normal = np.where(swap[:, None], -n.normal, n.normal)
-    other = peaks(prepare(scene), Motions(t, ground), config["numerics"], 1.0)
-    assert not prepare(scene).carried.all()
+    other = peaks(to_plane(scene), Motions(t, ground), config["numerics"], 1.0)
+    assert not to_plane(scene).carried.all()
     assert own.d_over_b[0] > 0.01
     assert other.d_over_b == pytest.approx(own.d_over_b, rel=0.02)
 
@@ -339,7 +339,7 @@ def test_refuses_what_it_cannot_represent():
     scene = build_scene({**config, "model": "W1", "beta_s": BETA_S})
     scene.blocks[1] = replace(scene.blocks[1], free="xyzXYZ")
     with pytest.raises(ValueError, match="free blocks with the freedoms"):
-        prepare(scene)
+        to_plane(scene)
     _, planar = case()
     with pytest.raises(ValueError, match="4 moving supports, got 0"):
         peaks(planar, Motions([0.0, 1.0], [0.0, 1.0]), config["numerics"], 1.0)

@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 import pytest
-from rocking.solver import Motions, history, prepare
+from rocking.solver import Motions, history, to_plane
 
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
@@ -67,7 +67,7 @@ def wall(rows, across, ends=2):
 @pytest.mark.slow
 def test_multiplier_of_ferris_and_tin_loi():
     """Six rows stand under 0.62 of their weight sideways and fall under 0.66; published 0.643."""
-    plane = prepare(wall(6, 5))
+    plane = to_plane(wall(6, 5))
     share = Motions([0.0, 0.1, 0.5, 1.5], 9.81 * np.array([0.0, 0.0, 1.0, 1.0]))
     stands, falls = (history(plane, share, RULES, level) for level in (0.62, 0.66))
     assert stands.status == "ok"

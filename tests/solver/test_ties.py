@@ -7,7 +7,7 @@ import pandas as pd
 import pytest
 from rocking import Case, Motion
 from rocking.configuration.config import ConfigError
-from rocking.solver.plane import prepare
+from rocking.solver.plane import to_plane
 from rocking.solver.runs import Motions, history
 from rocking.studies import strengthening
 from scipy.stats import binomtest
@@ -30,7 +30,7 @@ def tied(*rows, model="W1", **sections):
 
 def outward(config, scene, time_s, pull_m_s2):
     """History under an inertia force outward of m·pull."""
-    return history(prepare(scene), Motions(time_s, -pull_m_s2), config["numerics"], sample_s=0.01)
+    return history(to_plane(scene), Motions(time_s, -pull_m_s2), config["numerics"], sample_s=0.01)
 
 
 FEW = {  # the end nodes are stiff: a sharp toe
@@ -130,7 +130,7 @@ def test_yade_and_the_compiled_solver(name):
     config, scene = tied(row, model=model, numerics=FEW)
     t, ground = pulses(amplitude)
     floors = [] if model == "W1" else [ground * (1.0 + 0.1 * j) for j in range(1, 5)]
-    planar = history(prepare(scene), Motions(t, ground, floors), config["numerics"], sample_s=0.01)
+    planar = history(to_plane(scene), Motions(t, ground, floors), config["numerics"], sample_s=0.01)
     columns = {f"floor{j}": floor.tolist() for j, floor in enumerate(floors, 1)}
     columns["ground"] = ground.tolist()
     got = in_yade(

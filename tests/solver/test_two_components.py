@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from rocking.records.table import read_table, second_component
 from rocking.solver import spatial
-from rocking.solver.plane import moving_supports
-from rocking.solver.plane import prepare as prepare_plane
+from rocking.solver.plane import moving_supports, to_plane
 from rocking.solver.runs import Motions
 from rocking.solver.runs import history as planar_history
 from rocking.solver.spatial_kernel import roll
@@ -46,7 +45,7 @@ def both(config, model, t, columns, step_fraction=spatial.STEP_FRACTION, **how):
     """Outcome of the compiled solver under both components."""
     scene = facade_scene(config, model, BETA_S, planar=False, two_components=True)
     motions = spatial.two_motions(Motions, scene, t, columns)
-    block = spatial.prepare(scene, step_fraction)
+    block = spatial.to_block(scene, step_fraction)
     return spatial.history(block, motions, config["numerics"], **how)
 
 
@@ -58,7 +57,7 @@ def test_one_component_is_the_plane(model):
     t, columns = shaken(1.4, 0.0)
     scene = facade_scene(config, model, BETA_S)
     motions = Motions(t, columns["ground"], [columns[n] for n in moving_supports(scene)])
-    plane = planar_history(prepare_plane(scene), motions, config["numerics"])
+    plane = planar_history(to_plane(scene), motions, config["numerics"])
     found = both(config, model, t, columns)
     assert found.status == plane.status == "ok"
     assert plane.peak_d_over_b > 0.1
@@ -77,7 +76,7 @@ def test_one_component_and_the_vertical_one_are_the_plane(model, factor):
     floors = [columns[n] for n in moving_supports(scene)]
     for up in (3.0 * np.sin(np.pi * t / t[-1]) ** 2, 0.0 * t):
         motions = Motions(t, columns["ground"], floors, up)
-        plane = planar_history(prepare_plane(scene), motions, config["numerics"], factor)
+        plane = planar_history(to_plane(scene), motions, config["numerics"], factor)
         shaking = {**columns, VERTICAL: up}
         found.append(both(config, model, t, shaking, step_fraction=0.05, factor=factor))
         assert found[-1].status == plane.status == "ok"
@@ -111,7 +110,7 @@ def test_static_capacity_of_a_pier_pushed_obliquely(direction_deg):
     capacity = min(b / (h * math.sin(phi)), w / (h * max(math.cos(phi), 1e-9)))
     t = np.linspace(0.0, 7.0, 701)
     scene = facade_scene(config, "W1", BETA_S, planar=False, two_components=True, width_nodes=3)
-    block = spatial.prepare(scene, 0.3)
+    block = spatial.to_block(scene, 0.3)
     for share, falls in ((0.99, False), (1.01, True)):
         push = share * capacity * G * 0.5 * (1.0 - np.cos(np.pi * np.minimum(t / 3.0, 1.0)))
         columns = {"ground": -push * math.sin(phi), along("ground"): -push * math.cos(phi)}
@@ -263,4 +262,4 @@ def test_scenes_that_cannot():
         facade_scene(config, "W2m", BETA_S, planar=False, two_components=True)
     scene = facade_scene(config, "W1c", BETA_S, planar=False, two_components=True)
     with pytest.raises(ValueError, match="expected dry joints"):
-        spatial.prepare(scene)
+        spatial.to_block(scene)

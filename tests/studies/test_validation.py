@@ -13,7 +13,7 @@ from forked import snakemake
 from rocking.calibration.restitution import TARGETS, e_exp, e_one_sided, rebounds
 from rocking.configuration.config import ConfigError
 from rocking.mechanics import closed_forms
-from rocking.solver import Motions, history, peaks, prepare, stable_step
+from rocking.solver import Motions, history, peaks, stable_step, to_plane
 from rocking.studies import validation
 from rocking.studies.validation import ALONE, SEQUENCE
 from run_script import script
@@ -66,7 +66,7 @@ def first_loss(changes):
     found = validation.case(specimen, {"facade.e_mpa": 1e5, **changes}, height_m=h)
     scene = facade_scene(found, found["model"], found["beta_s"], release_ratio=0.5)
     rules = {**found["numerics"], "rest_time_s": 1.0, "after_motion_s": 0.0, "overturn_ratio": 10.0}
-    got = history(prepare(scene), Motions([0.0, 0.7], [0.0, 0.0]), rules, sample_s=5e-5)
+    got = history(to_plane(scene), Motions([0.0, 0.7], [0.0, 0.0]), rules, sample_s=5e-5)
     turned = rebounds(got.time_s, -got.pose[:, 2] / math.atan2(b, h), sides="two", smallest=1e-3)
     return (1.0 - e_exp(turned)[0]) / (1.5 * b**2 / (b**2 + h**2))
 
@@ -122,7 +122,7 @@ def peak_at(specimen, height_m):
     found = validation.case(specimen, {**FEW, "floors.bearing": "point"})
     t = np.linspace(0.0, 0.5, 501)
     pulse = Motions(t, 0.1 * np.sin(2.0 * np.pi * t) ** 2)
-    plane = prepare(build_scene(found))
+    plane = to_plane(build_scene(found))
     return plane.thickness_m * peaks(plane, pulse, found["numerics"], [1.0]).d_over_b[0]
 
 
@@ -140,7 +140,7 @@ def test_the_step_a_specimen_states():
     """A fraction of the planar solver's own largest step, an explicit one as it is, or none."""
     specimen = validation.read(US1).specimen
     found = validation.case(specimen, FEW)
-    plane, numerics = prepare(build_scene(found)), found["numerics"]
+    plane, numerics = to_plane(build_scene(found)), found["numerics"]
     assert numerics["step_fraction"] == 0.1
     assert validation.planar_step(plane, numerics) == pytest.approx(0.1 * stable_step(plane))
     assert validation.planar_step(plane, {**numerics, "step_s": 1e-4}) == 1e-4

@@ -33,7 +33,7 @@ def planar(model):
     given, numerics = case(model)
     scene = build_scene(given)
     motions = solver.Motions(TIME_S, STILL, [STILL for _ in solver.moving_supports(scene)])
-    solver.peaks(solver.prepare(scene), motions, numerics, 1.0, step_s=1e-3)
+    solver.peaks(solver.to_plane(scene), motions, numerics, 1.0, step_s=1e-3)
 
 
 def in_space():
@@ -41,7 +41,7 @@ def in_space():
     given, numerics = case("W1", width_nodes=3)
     scene = build_scene(given)
     motions = spatial.two_motions(solver.Motions, scene, TIME_S, {"ground": STILL})
-    spatial.history(spatial.prepare(scene), motions, numerics, 1.0)
+    spatial.history(spatial.to_block(scene), motions, numerics, 1.0)
 
 
 def others():

@@ -107,7 +107,7 @@ def run_case(case, time_s, columns, spec):
         {**case, "numerics": numerics}, case["model"], case["beta_s"], planar=method != "full 3D"
     )
     factor = spec["factor"] * amplitude(columns["ground"], spec["direction"], spec["pga_g"])
-    shaken = shaking.prepare(scene, numerics, time_s, columns, factor)
+    shaken = shaking.set_up(scene, numerics, time_s, columns, factor)
     ratio = shaken.step_s / shaken.critical_step_s
     if method == "Polyhedra":
         return _polyhedra(scene, shaken.motions[facade.GROUND], shaken.step_s), ratio

@@ -88,7 +88,7 @@ def main(arguments=None):
         time_s, columns = time_s[kept], {"ground": columns["ground"][kept]}
         numerics = {**numerics, "after_motion_s": 0.0}
     adapter.load_yade()
-    shaken = shaking.prepare(scene, numerics, time_s, columns, factor)
+    shaken = shaking.set_up(scene, numerics, time_s, columns, factor)
     shaken = replace(shaken, rules=replace(shaken.rules, overturn_ratio=args.fall))
     recorder = Recorder(scene, args.every)
     camera = Camera(scene) if args.frames else None

@@ -74,7 +74,7 @@ class Runner:
             if self.before is not None:
                 motion = models.after(self.before, *motion[:1], models.scaled(motion[1], factor))
                 factor = 1.0
-            self.history = shaking.prepare(scene, numerics, *motion, factor).retried()
+            self.history = shaking.set_up(scene, numerics, *motion, factor).retried()
             row = run_row(self.case["model"], self.record, self.direction, pga_g, self.history)
             self.journal.put(key, row, self.history.reason)
             if self.ceiling.reached():

@@ -38,7 +38,7 @@ def run_test(test):
     time_s, columns = floor_motions.read(test["motion"])
     own = {key: test[key] for key in ("model", "beta_s", "observed_m") if key in test}
     scene, numerics = models.build_scene({**test["config"], **own}), test["config"]["numerics"]
-    return shaking.prepare(scene, numerics, time_s, columns, test["factor"]).retried()
+    return shaking.set_up(scene, numerics, time_s, columns, test["factor"]).retried()
 
 
 def pack(tests, histories):

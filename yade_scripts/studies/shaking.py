@@ -73,7 +73,7 @@ class Shaking:
         return history
 
 
-def prepare(scene, numerics, time_s, columns, factor):
+def set_up(scene, numerics, time_s, columns, factor):
     """Set up one shaking as the configuration says.
 
     Parameters
@@ -116,9 +116,9 @@ def prepare(scene, numerics, time_s, columns, factor):
 
 
 def of_case(case, time_s, columns, direction, pga_g):
-    """Set up the shaking of a case file at one intensity [g]; see `prepare`."""
+    """Set up the shaking of a case file at one intensity [g]; see `set_up`."""
     factor = amplitude(columns["ground"], direction, pga_g)
-    return prepare(models.build_scene(case), models.numerics(case), time_s, columns, factor)
+    return set_up(models.build_scene(case), models.numerics(case), time_s, columns, factor)
 
 
 def _end_of_shaking(time_s, motions, still_m_s2):

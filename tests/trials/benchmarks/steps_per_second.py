@@ -39,7 +39,7 @@ time_s = np.linspace(0.0, 6.0, 1201)
 pulses = np.sin(2.0 * np.pi * time_s / 0.8) * np.exp(-(((time_s - 2.0) / 1.0) ** 2))
 names = ("ground", "floor1", "floor2", "floor3", "floor4")
 columns = {name: (1.0 + 0.3 * j) * pulses for j, name in enumerate(names)}
-case = shaking.prepare(scene, numerics, time_s, columns, 9.80665 * job["pga_g"])
+case = shaking.set_up(scene, numerics, time_s, columns, 9.80665 * job["pga_g"])
 begun = []
 case = replace(case, rules=replace(case.rules, limit_s=job["limit_s"]))
 began = lambda built: begun.append(time.process_time())

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from rocking.collapse.scan import driving
-from rocking.solver import peaks, prepare
+from rocking.solver import peaks, to_plane
 from rocking.studies.pushover import closed_form
 from scipy.integrate import solve_ivp
 from yade_process import in_yade, resolved
@@ -82,7 +82,7 @@ def test_first_swing_under_a_pulse_lies_between_the_kinematic_bounds(peak_g):
     scene = build_scene(data)
     ground = -pulse(peak_g)
     motions = driving(scene, TIME, dict.fromkeys(("ground", *FLOORS), ground))
-    planar = peaks(prepare(scene), motions, data["numerics"], 1.0)
+    planar = peaks(to_plane(scene), motions, data["numerics"], 1.0)
     assert status == "ok"
     assert 0.1 < least < 0.9
     assert least < peak < 1.1 * most

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from rocking.configuration import config, schema
 from rocking.reference.facade import wall_of
-from rocking.solver import Motions, peaks, prepare
+from rocking.solver import Motions, peaks, to_plane
 from yade_process import resolved
 
 from yade_scripts.model import models, registry
@@ -59,5 +59,5 @@ def test_adding_a_model_is_adding_a_row(monkeypatch):
     assert to_json(old) == to_json(new)
     time_s = np.arange(0.0, 2.0, 0.01)
     motion = Motions(time_s, np.where(time_s < 0.8, 1.5 * np.sin(2.5 * np.pi * time_s), 0.0))
-    found = [peaks(prepare(s), motion, resolved()["numerics"], [1.0]).d_over_b for s in (old, new)]
+    found = [peaks(to_plane(s), motion, resolved()["numerics"], [1.0]).d_over_b for s in (old, new)]
     assert found[0] == found[1] > 0.05

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from rocking.configuration.config import ConfigError
-from rocking.solver.plane import moving_supports, prepare
+from rocking.solver.plane import moving_supports, to_plane
 from rocking.solver.runs import Motions, history
 from scipy.integrate import solve_ivp
 from yade_process import in_yade, resolved
@@ -110,7 +110,7 @@ def test_static_multiplier(name):
     time_s = np.linspace(0.0, 14.0, 1401)
     for share, status in ((0.99, "ok"), (1.01, "overturned")):
         push = share * arm / height * G * 0.5 * (1.0 - np.cos(np.pi * np.minimum(time_s / 5, 1)))
-        found = history(prepare(scene), Motions(time_s, -push), config["numerics"])
+        found = history(to_plane(scene), Motions(time_s, -push), config["numerics"])
         assert found.status == status
     # at d/b = 1 the centroid stands above the toe
     turned = -found.pose[-1, 2]
@@ -126,7 +126,7 @@ def test_a_leaning_façade_rests():
     theta = weight * (shape.centre_m[1] - 0.1875) / (k - weight * shape.centre_m[2])
     assert -scene.blocks[1].rotation_rad[0] == pytest.approx(theta, rel=2e-3)
     time_s = np.linspace(0.0, 3.0, 301)
-    still = history(prepare(scene), Motions(time_s, 0.0 * time_s), config["numerics"])
+    still = history(to_plane(scene), Motions(time_s, 0.0 * time_s), config["numerics"])
     assert np.ptp(still.d_m) < 1e-3 * theta * 6.48
 
 
@@ -163,7 +163,7 @@ def test_yade_and_the_compiled_solver():
     columns = {f"floor{j}": ground * (1.0 + 0.1 * j) for j in range(1, 5)} | {"ground": ground}
     moved = models.motion_columns(scene, columns)
     planar = history(
-        prepare(scene),
+        to_plane(scene),
         Motions(t, moved[scene.blocks[0].motion], [moved[m] for m in moving_supports(scene)]),
         config["numerics"],
     )
@@ -245,7 +245,7 @@ def test_half_a_cycle_is_that_of_its_outline(name):
     d, b = half_cycle(outlines, scene.monitor_point_m[2], time_s, ground)
     expected = first_swing(time_s, d)
     assert 0.2 < expected[0] / b < 0.8
-    found = history(prepare(scene), Motions(time_s, ground), config["numerics"], sample_s=0.002)
+    found = history(to_plane(scene), Motions(time_s, ground), config["numerics"], sample_s=0.002)
     got = in_yade(
         "accuracy_cases", "shaken", config=config, model="W1", beta_s=1e-5, fraction=0.2,
         time_s=time_s.tolist(), columns={"ground": ground.tolist()},

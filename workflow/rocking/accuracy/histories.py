@@ -12,7 +12,7 @@ import numpy as np
 
 from rocking.collapse import search
 from rocking.collapse.scan import driving
-from rocking.solver import peaks, prepare, stable_step
+from rocking.solver import peaks, stable_step, to_plane
 from yade_scripts.model import models
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.nodes import with_nodes
@@ -70,7 +70,7 @@ class Solver:
     def plane(self, nodes):
         """Scene with n nodes a return wall, and the stable step [s] of the scheme."""
         if nodes not in self.planes:
-            plane = prepare(models.build_scene(with_nodes(self.case, nodes)))
+            plane = to_plane(models.build_scene(with_nodes(self.case, nodes)))
             self.planes[nodes] = plane, float(stable_step(plane))
         return self.planes[nodes]
 

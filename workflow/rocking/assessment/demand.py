@@ -53,10 +53,10 @@ class RecordDemand:
             return self.pga_g
         key = (round(period_s, 12), round(damping_ratio, 12))
         if key not in self._known:
-            self.prepare([period_s], damping_ratio)
+            self.compute([period_s], damping_ratio)
         return self._known[key]
 
-    def prepare(self, periods_s, damping_ratio):
+    def compute(self, periods_s, damping_ratio):
         """Compute the spectrum at several periods at once, to be kept."""
         wanted = {float(t) for t in periods_s if t > 0.0}
         known = {t for t in wanted if (round(t, 12), round(damping_ratio, 12)) in self._known}
@@ -126,7 +126,7 @@ def largest_displacement(demand, low_s, high_s, damping_ratio):
     periods = [*PERIOD_STEP ** np.arange(math.ceil(first), math.ceil(last)), high_s]
     ground = demand.ground if isinstance(demand, FloorDemand) else demand
     if isinstance(ground, RecordDemand) and (ground is demand or demand.bounded):
-        ground.prepare(periods, damping_ratio)
+        ground.compute(periods, damping_ratio)
     found = [displacement(demand, float(t), damping_ratio) for t in periods]
     k = int(np.argmax(found))
     return found[k], float(periods[k])

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.linalg import eigh
 
 from rocking.collapse.scan import Scan
-from rocking.solver.plane import prepare
+from rocking.solver.plane import to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, bodies, stable_step
 from yade_scripts.model.building.complete import GROUND_MOTION, apart
 from yade_scripts.model.scene import Nodes
@@ -141,7 +141,7 @@ class ReducedScan(Scan):
         """Reduce the building."""
         self.numerics, self.direction, self.ground = numerics, direction, ground_m_s2
         self.reduction = reduction(scenes[0], modes)
-        self.planes = [prepare(in_plane(scene, self.reduction.ends)) for scene in scenes]
+        self.planes = [to_plane(in_plane(scene, self.reduction.ends)) for scene in scenes]
         self.carried = self.reduction.carried(scenes[0].notes["rate_1_s"])
         self.motions = Motions(time_s, ground_m_s2)
         plane = self.planes[0]

@@ -6,7 +6,7 @@ import pandas as pd
 from rocking.collapse import search
 from rocking.collapse.search import Answer
 from rocking.solver.carriers import Bodies
-from rocking.solver.plane import moving_supports, prepare
+from rocking.solver.plane import moving_supports, to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, Peaks, bodies, peaks, stable_step
 from smdof.chain import shear_chain
 from yade_scripts.model import models, registry
@@ -153,7 +153,7 @@ class Screen(Scan):
         for numerics in layouts(case["numerics"], COURSES_NODES if courses else {}):
             name = case["model"] if bricks else kind.one_way_model
             scene = models.build_scene({**case, "model": name, "numerics": numerics})
-            self.planes.append(prepare(scene))
+            self.planes.append(to_plane(scene))
         usual = BRICKS_STEP if bricks else COURSES_STEP if courses else STEP_FRACTION
         share = fraction or usual
         if fraction:

@@ -1,6 +1,6 @@
 """Compiled planar solver of the single-block scenes: it screens amplitudes, YADE confirms them.
 
-It reads the scene description that YADE's scenes are built from, reduced to its plane (`prepare`):
+It reads the scene description that YADE's scenes are built from, reduced to its plane (`to_plane`):
 one free block, nodes with tension cut-off, incremental shear under Coulomb's limit, dashpots β·k
 and bonds that break, as YADE's viscoelastic law and the project's bonds have them. Supports are
 driven, or carried by masses of a chain that feel the block (`bodies`); ground and walls may move
@@ -21,7 +21,7 @@ tolerance 1e-6) by 0.04 % (median) and 0.6 % (worst) in 26 of W1, by 0.10 % and 
 off, which amplifies. Near collapse no solver repeats: run many amplitudes.
 """
 
-from .plane import Planar, moving_supports, prepare
+from .plane import Planar, moving_supports, to_plane
 from .runs import Motions, Peaks, Series, bodies, history, peaks, stable_step
 
 __all__ = [
@@ -33,6 +33,6 @@ __all__ = [
     "history",
     "moving_supports",
     "peaks",
-    "prepare",
+    "to_plane",
     "stable_step",
 ]

@@ -82,7 +82,7 @@ def moving_supports(scene):
     return [name for name in dict.fromkeys(names) if name not in (None, ground)]
 
 
-def prepare(scene):
+def to_plane(scene):
     """Reduce a scene to its plane.
 
     Parameters

@@ -29,7 +29,7 @@ from .spatial_kernel import COLUMNS, Spatial, march_spatial
 STEP_FRACTION = 0.2  # of the critical step
 
 
-def prepare(scene, step_fraction=STEP_FRACTION):
+def to_block(scene, step_fraction=STEP_FRACTION):
     """Reduce a full scene to its one free block.
 
     Raises

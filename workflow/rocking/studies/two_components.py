@@ -11,7 +11,7 @@ import pandas as pd
 from rocking.collapse import search
 from rocking.collapse.ratios import Ratios
 from rocking.solver import spatial
-from rocking.solver.plane import prepare
+from rocking.solver.plane import to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, peaks, stable_step
 from yade_scripts.model import models
 from yade_scripts.model.motion import amplitude
@@ -81,11 +81,11 @@ class Curve:
         self.ground, self.direction = columns["ground"], direction
         self.settings, self.numerics = settings, case["numerics"]
         scene = models.build_scene(full(case, settings))
-        self.block = spatial.prepare(scene)
+        self.block = spatial.to_block(scene)
         columns = models.motion_columns(scene, columns)
         self.motions = spatial.two_motions(Motions, scene, time_s, columns)
         plans = [models.build_scene(with_nodes(case, more)) for more in (0, 1)]
-        self.planes = [(plane, stable_step(plane)) for plane in map(prepare, plans)]
+        self.planes = [(plane, stable_step(plane)) for plane in map(to_plane, plans)]
         self.start_g, self.max_g = 0.5 * models.static_multiplier(case), case["ida"]["max_pga_g"]
 
     def one(self, pga_g, again=False):

@@ -4,7 +4,7 @@ import json
 import math
 
 from rocking.runtime.script import run
-from rocking.solver import Motions, history, peaks, prepare
+from rocking.solver import Motions, history, peaks, to_plane
 from rocking.studies.validation import (
     ALONE,
     SEQUENCE,
@@ -30,7 +30,7 @@ def main(job):
     whole, rows = Motions(*ground(about["sequence"])), []
     for number, (variant, case) in enumerate(about["variants"].items()):
         count = None if number < settings["validation"]["main_variants"] else 2
-        plane, numerics = prepare(build_scene(case)), case["numerics"]
+        plane, numerics = to_plane(build_scene(case)), case["numerics"]
         mm, step = 1e3 * plane.thickness_m, planar_step(plane, numerics)
         for r, motion, own in zip(runs, motions, drawn[:, :count], strict=True):
             found = peaks(plane, motion, numerics, own, step_s=step)

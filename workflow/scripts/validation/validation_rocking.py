@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from rocking.calibration.restitution import e_exp, e_one_sided, read_archive, rebounds
 from rocking.runtime.script import run
-from rocking.solver import Motions, history, prepare
+from rocking.solver import Motions, history, to_plane
 from rocking.studies import validation
 from rocking.tables import read_json, write_table
 
@@ -53,7 +53,9 @@ def planar(case):
     still = np.array([0.0, limit])
     numerics = {**config["numerics"], "rest_time_s": limit, "after_motion_s": 0.0}
     numerics["overturn_ratio"] = 10.0
-    found = history(prepare(scene), Motions(still, 0.0 * still), numerics, sample_s=limit / SAMPLES)
+    found = history(
+        to_plane(scene), Motions(still, 0.0 * still), numerics, sample_s=limit / SAMPLES
+    )
     facade = config["facade"]
     return found.time_s, -found.pose[:, 2] / math.atan2(facade["thickness_m"], facade["height_m"])
 
