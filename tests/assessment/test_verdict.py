@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.assessment.verdict import dynamic_check, next_steps, suite
+from rocking.assessment.verdict import damage, dynamic_check, next_steps, suite
 
 CHECKS = pd.DataFrame({"check": ["linear_ground"], "pga_demand_g": [0.2], "ratio": [1.2]})
 
@@ -51,6 +51,15 @@ def test_a_link_that_sets_d_slv_is_named():
     stood = mechanisms(whole=0.25)
     assert any("let the rods yield" in s for s in next_steps(CHECKS, stood, early, ""))
     assert not any("let the rods yield" in s for s in next_steps(CHECKS, stood, lost, ""))
+
+
+def test_a_check_that_fails_before_a_damaged_building_is_named():
+    rows = [("damaged building, 20 %", 2.0, "slv_height", 0.82), ("smdof.period_s", 1.25, "x", 1)]
+    found = pd.DataFrame(rows, columns=["key", "factor", "check", "ratio"])
+    said = damage(found, mechanisms(whole=0.25), 0.2)
+    assert "period times 2 (damaged building, 20 % damping), at 82 % of the demand's" in said
+    assert damage(found, mechanisms(whole=0.15), 0.2) == ""  # it fails as stated
+    assert damage(found.assign(ratio=1.1), mechanisms(whole=0.25), 0.2) == ""
 
 
 def test_motions_that_do_not_fit_are_said():

@@ -30,6 +30,8 @@ def first_page(data):
         verdict.suite(t["dynamic"]),
     ]
     weakest = data.weakest
+    demand = checks["pga_demand_g"].iloc[0]
+    worse = verdict.damage(t["code_sensitivity"], mechanisms, demand)
     known = ""
     if confidence(own["confidence_factor"], own["hinge_inset_m"]) != own["confidence_factor"]:
         known = (
@@ -56,7 +58,7 @@ def first_page(data):
         Heading("What this rests on"),
         List(_rests_on(data)),
         Heading("What is recommended next"),
-        List(verdict.next_steps(checks, mechanisms, t["verdicts"], known)),
+        List(verdict.next_steps(checks, mechanisms, t["verdicts"], worse, known)),
         PageBreak(),
     ]
 

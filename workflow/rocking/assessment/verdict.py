@@ -109,8 +109,28 @@ def suite(dynamic):
     )
 
 
-def next_steps(checks, mechanisms, verdicts, knowledge):
-    """What is recommended next, a line each."""
+def damage(sensitivity, mechanisms, demand_g):
+    """A line where the check passes as stated and fails before a damaged building; else nothing.
+
+    Of the sensitivity's rows `damaged building, …`: C8.7.1.2.1.4 has the period grow by 50 to 100 %
+    at ultimate states.
+    """
+    stated = mechanisms[mechanisms["kind"] == "as stated"]
+    slv = sensitivity["check"].isin(("slv_ground", "slv_height"))
+    rows = sensitivity[slv & sensitivity["key"].str.startswith("damaged building")]
+    if rows.empty or stated["pga_fails_g"].min() < demand_g or rows["ratio"].min() >= 1.0:
+        return ""
+    worst = rows.sort_values("ratio").iloc[0]
+    return (
+        "The check passes as stated and fails with the building's period times "
+        f"{worst['factor']:g} ({worst['key']} damping), at {per_cent(worst['ratio'])} of the "
+        "demand's PGA. The Circolare has such damage at ultimate states: judge how far "
+        "the building's goes and state assessment.building_period_factor and building_damping."
+    )
+
+
+def next_steps(checks, mechanisms, verdicts, *more):
+    """What is recommended next, a line each; `more`: lines of others, empty ones left out."""
     stated = mechanisms[mechanisms["kind"] == "as stated"]
     demand = checks["pga_demand_g"].iloc[0]
     weak = stated[stated["pga_fails_g"] < demand].sort_values("pga_fails_g")
@@ -158,8 +178,7 @@ def next_steps(checks, mechanisms, verdicts, knowledge):
             "The dynamic models turn the whole façade; the weakest mechanism, "
             f"{least['mechanism']}, is judged by the kinematic checks alone."
         )
-    if knowledge:
-        lines.append(knowledge)
+    lines += [line for line in more if line]
     if not lines:
         lines.append("Keep the assumptions below verified on site; nothing else is asked for.")
     return lines
