@@ -35,12 +35,16 @@ def release(config, beta_s, ratio, vertical_m_s2, limit_s):
         "time_s": h.time_s.tolist(),
         "rotation_rad": h.rotation_rad.tolist(),
         "ledger": check.rows,
+        "stored": check.stored,
+        "excess": check.excess,
+        "status": h.status,
     }
 
 
-def every(releases, shakings, books):
+def every(releases, launched, shakings, books):
     """All that the tests of vertical motion ask of YADE, in one process."""
     found = {"releases": [release(**case) for case in releases], "peaks": {}}
+    found["launched"] = release(**launched)
     for model, case in shakings.items():
         job = {**case["config"], "model": model, "beta_s": case["beta_s"]}
         time_s = np.array(case["time_s"])

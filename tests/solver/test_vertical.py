@@ -14,7 +14,7 @@ from rocking.records.floors import floor_columns
 from rocking.runs import Runs
 from rocking.solver import Motions, history, peaks
 from test_plane import BETA_S, case, shaking, slender, wall_of
-from yade_process import in_yade
+from yade_process import in_yade, resolved
 
 from yade_scripts.model import floor_motions, registry
 from yade_scripts.model.models import build_scene
@@ -25,6 +25,7 @@ CHAIN = {"n_dof": 4, "period_s": 0.27, "damping_ratio": 0.05, "damping_model": "
 CHAIN["tail_s"] = 1.0
 G = 9.81
 LIFTS = (-0.4, 0.4)  # a_z/g
+SOFT = {"height_m": 2.0, "e_mpa": 20.0, "width_m": 1.0}  # holds a tenth of what overturns it
 MASS = {"building_mass_kg": 66e3}
 BURST = {"peak_m_s2": 1.2, "vertical_m_s2": 6.0}
 FACTOR = -0.7
@@ -95,6 +96,13 @@ def in_engine():
         "vertical_cases",
         "every",
         releases=[{**freed, "vertical_m_s2": lift * G} for lift in LIFTS],
+        launched={
+            "config": resolved(facade=SOFT),
+            "beta_s": 1e-5,
+            "ratio": 1e-6,
+            "limit_s": 0.05,
+            "vertical_m_s2": -2.0 * G,
+        },
         shakings={model: {**given, "factor": FACTOR} for model in ("W1", "W2", "W2m")},
         books={**given, "config": loaded, "model": "W1", "fraction": 0.1},
     )
@@ -120,6 +128,19 @@ def test_the_ledger_counts_the_inertia_along_z(in_engine):
         energy, work = np.array(found["ledger"])[250]
         assert work * lift > 0.0  # the façade falls
         assert energy == pytest.approx(work, rel=0.02)
+
+
+@pytest.mark.xdist_group("vertical")
+@pytest.mark.yade
+def test_a_base_gives_back_what_the_weight_had_put_into_it(in_engine):
+    """Ground falling at 2 g: W²/2k is set free, a tenth of what overturns it, and no failure."""
+    found, weight = in_engine["launched"], 1800.0 * G * 2.0 * 0.375
+    stiffness = SOFT["e_mpa"] * 1e6 / 2.0 * 0.375
+    assert found["stored"] == pytest.approx(weight**2 / (2.0 * stiffness), rel=1e-3)
+    energy, work = np.array(found["ledger"])[-1]
+    assert energy - work > 0.9 * found["stored"]
+    assert found["excess"] < 0.05
+    assert found["status"] == "ok"
 
 
 @pytest.mark.xdist_group("vertical")
