@@ -306,6 +306,12 @@ def motion(experiment, run, folder, table):
     return record.time_s, size * ground, name
 
 
+def motions_of(table):
+    """What shook the runs of a table of peaks, with their number, for a figure."""
+    sources = table.groupby("source", sort=False)["run"].nunique()
+    return "; ".join(f"{name} ({count} runs)" for name, count in sources.items())
+
+
 def one_after_another(motions):
     """Motions end to end on one time axis, QUIET_S apart, and where each begins and ends.
 

@@ -33,6 +33,7 @@ def main(job):
         axis.set_ylabel(f"{about['quantity']}\n[{about['unit']}]", size=7)
     for axis in axes[-1]:
         axis.set_xlabel("run")
+    figure.supxlabel(f"motions: {validation.motions_of(pd.concat(tables))}", size=8)
     style.save(figure, job.output)
 
 

@@ -56,9 +56,9 @@ def main(job):
         axis.set(yscale="log", ylabel=f"{about['observed']['quantity']}\n[{experiment.unit}]")
         axis.yaxis.label.set_size(7)
         axis.legend(fontsize=6, ncols=2, loc="upper left")
-    sources = table.groupby("source", sort=False)["run"].nunique()
-    text = "; ".join(f"{name} ({count} runs)" for name, count in sources.items())
-    axes[-1].set(xlabel=f"run; motions: {text}", xticks=list(measured["run"]))
+    axes[-1].set(
+        xlabel=f"run; motions: {validation.motions_of(table)}", xticks=list(measured["run"])
+    )
     figure.suptitle(about["title"], fontsize=9)
     style.save(figure, job.output)
 
