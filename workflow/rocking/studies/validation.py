@@ -309,7 +309,8 @@ def motion(experiment, run, folder, table):
 def motions_of(table):
     """What shook the runs of a table of peaks, with their number, for a figure."""
     sources = table.groupby("source", sort=False)["run"].nunique()
-    return "; ".join(f"{name} ({count} runs)" for name, count in sources.items())
+    names = {"file": "of the test"}
+    return "; ".join(f"{names.get(n, n)} ({count} runs)" for n, count in sources.items())
 
 
 def one_after_another(motions):
