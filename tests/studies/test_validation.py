@@ -14,7 +14,7 @@ from rocking.calibration.restitution import TARGETS, e_exp, e_one_sided, rebound
 from rocking.configuration.config import ConfigError
 from rocking.mechanics import closed_forms
 from rocking.solver import Motions, history, peaks, stable_step, to_plane
-from rocking.studies import validation
+from rocking.studies import specimens, validation
 from rocking.studies.validation import ALONE, SEQUENCE
 from run_script import script
 
@@ -32,38 +32,38 @@ FEW = {"numerics.nodes_thickness": 3}
 def test_the_modulus_gives_the_period():
     """T of the assembled wall is the stated one; without springs of its own E grows with 1/T²."""
     specimen = validation.read(US1).specimen
-    found = validation.case(specimen, FEW)
-    assert 2.0 * math.pi / validation.first_frequency(found) == pytest.approx(0.091, rel=1e-8)
+    found = specimens.case(specimen, FEW)
+    assert 2.0 * math.pi / specimens.first_frequency(found) == pytest.approx(0.091, rel=1e-8)
     assert found["beta_s"] == pytest.approx(0.05 * 0.091 / math.pi, rel=1e-8)
     free = {**specimen, "first_period_s": None}
     free["sections"] = {**specimen["sections"], "facade": {**specimen["sections"]["facade"]}}
     free["sections"]["facade"] |= {"floors": [], "hinges_m": []}
-    own = validation.case(free, FEW)
+    own = specimens.case(free, FEW)
     moduli = []
     for period in (0.2, 0.1):
-        validation.fit_period(own, period)
+        specimens.fit_period(own, period)
         moduli.append(own["facade"]["e_mpa"])
     assert moduli[1] == pytest.approx(4.0 * moduli[0], rel=1e-6)
     with pytest.raises(ConfigError, match=r"first_period_s = 0.001: expected one that some facade"):
-        validation.fit_period(found, 0.001)
+        specimens.fit_period(found, 0.001)
 
 
 def test_bounce_of_a_block():
     """β = 2ζ/ω, ω = √(E/ρ)/h: 3 GPa, 2238 kg/m³ and 0.4 m give 2894.5 rad/s."""
     specimen = validation.read(BLOCKS).specimen
-    found = validation.case(specimen, {"damping": {"bounce": 0.5}}, height_m=0.4)
+    found = specimens.case(specimen, {"damping": {"bounce": 0.5}}, height_m=0.4)
     assert found["beta_s"] == pytest.approx(1.0 / 2894.5, rel=1e-4)
-    assert validation.case(specimen, {"damping": {"beta_s": 0.002}})["beta_s"] == 0.002
+    assert specimens.case(specimen, {"damping": {"beta_s": 0.002}})["beta_s"] == 0.002
     with pytest.raises(
         ConfigError, match="damping.eq5: expected beta_s, first_mode, bounce or law"
     ):
-        validation.case(specimen, {"damping": {"eq5": 1}})
+        specimens.case(specimen, {"damping": {"eq5": 1}})
 
 
 def first_loss(changes):
     """Loss at the first impact of a block of 0.35 m, over Housner's."""
     specimen, h, b = validation.read(BLOCKS).specimen, 0.35, 0.05
-    found = validation.case(specimen, {"facade.e_mpa": 1e5, **changes}, height_m=h)
+    found = specimens.case(specimen, {"facade.e_mpa": 1e5, **changes}, height_m=h)
     scene = facade_scene(found, found["model"], found["beta_s"], release_ratio=0.5)
     rules = {**found["numerics"], "rest_time_s": 1.0, "after_motion_s": 0.0, "overturn_ratio": 10.0}
     got = history(to_plane(scene), Motions([0.0, 0.7], [0.0, 0.0]), rules, sample_s=5e-5)
@@ -110,16 +110,16 @@ def test_readings_of_us1(name):
     """Every variant has the first period, by E or by what holds the top."""
     experiment = validation.read(US1.parent / name)
     assert len(experiment.runs) == 24
-    for found in validation.cases(experiment).values():
-        assert 2.0 * math.pi / validation.first_frequency(found) == pytest.approx(0.091, rel=1e-6)
+    for found in specimens.cases(experiment).values():
+        assert 2.0 * math.pi / specimens.first_frequency(found) == pytest.approx(0.091, rel=1e-6)
     with pytest.raises(ConfigError, match=r"fitted = facade.width_m: expected facade.e_mpa or"):
-        validation.fit_period(found, 0.091, "facade.width_m")
+        specimens.fit_period(found, 0.091, "facade.width_m")
 
 
 def peak_at(specimen, height_m):
     """Largest displacement at a height under a smooth pulse that leaves every joint closed [m]."""
     specimen = {**specimen, "observed": {**specimen["observed"], "height_m": height_m}}
-    found = validation.case(specimen, {**FEW, "floors.bearing": "point"})
+    found = specimens.case(specimen, {**FEW, "floors.bearing": "point"})
     t = np.linspace(0.0, 0.5, 501)
     pulse = Motions(t, 0.1 * np.sin(2.0 * np.pi * t) ** 2)
     plane = to_plane(build_scene(found))
@@ -139,18 +139,18 @@ def test_shape_of_a_hinged_wall(name, straight):
 def test_the_step_a_specimen_states():
     """A fraction of the planar solver's own largest step, an explicit one as it is, or none."""
     specimen = validation.read(US1).specimen
-    found = validation.case(specimen, FEW)
+    found = specimens.case(specimen, FEW)
     plane, numerics = to_plane(build_scene(found)), found["numerics"]
     assert numerics["step_fraction"] == 0.1
-    assert validation.planar_step(plane, numerics) == pytest.approx(0.1 * stable_step(plane))
-    assert validation.planar_step(plane, {**numerics, "step_s": 1e-4}) == 1e-4
-    assert validation.planar_step(plane, {**numerics, "step_fraction": None}) is None
+    assert specimens.planar_step(plane, numerics) == pytest.approx(0.1 * stable_step(plane))
+    assert specimens.planar_step(plane, {**numerics, "step_s": 1e-4}) == 1e-4
+    assert specimens.planar_step(plane, {**numerics, "step_fraction": None}) is None
 
 
 def test_free_rocking_against_return_walls():
     """One wall, three impacts: a case by variant and height, stated ranges, both laws of β."""
     experiment = validation.read(RETURN_WALLS)
-    found = validation.cases(experiment)
+    found = specimens.cases(experiment)
     assert len(found) == len(experiment.specimen["variants"])
     assert found["β of eq. 5, 0.94 ms|0.8"]["beta_s"] == pytest.approx(
         closed_forms.beta_one_sided(0.11, 0.8, 1800)
@@ -168,10 +168,10 @@ def test_free_rocking_against_return_walls():
 def test_changes_of_a_variant():
     """Every floor, a section's key; the weakest hinge rises as the load shrinks."""
     specimen = validation.read(US1).specimen
-    heavy = validation.case(specimen, {**FEW, "floors.load_kn": 27.1, "facade.friction_deg": 20})
+    heavy = specimens.case(specimen, {**FEW, "floors.load_kn": 27.1, "facade.friction_deg": 20})
     assert heavy["facade"]["floors"][0]["load_kn"] == 27.1
     assert heavy["facade"]["friction_deg"] == 20.0
-    light = validation.case(specimen, FEW)
+    light = specimens.case(specimen, FEW)
     assert light["facade"]["floors"][0]["load_kn"] == 10.35
     assert 0.5 * 2.58 < heavy["facade"]["hinges_m"][0] < light["facade"]["hinges_m"][0]
 

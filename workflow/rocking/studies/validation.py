@@ -1,11 +1,10 @@
 """Experiments: walls that others tested, run by both solvers and set against what they measured.
 
-An experiment is a folder of three files: `specimen.yaml` (the wall, and how its parameters follow
-from it), `runs.csv` (what it went through, in order) and `measured.csv`; another model of the same
-test states `like: folder` and what it changes. docs/validation.md says what stands in them.
+An experiment is a folder of three files: `specimen.yaml` (the wall; `specimens` says how its
+parameters follow), `runs.csv` (what it went through, in order) and `measured.csv`. Another model of
+the same test states `like: folder` and what it changes. docs/validation.md has what stands in them.
 """
 
-import copy
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,16 +14,13 @@ import numpy as np
 import pandas as pd
 import yaml
 
-from rocking.configuration.config import ConfigError, resolve
+from rocking.configuration.config import ConfigError
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 
 SECTIONAL = {"sections", "facade", "numerics", "observed"}  # keys whose mappings are merged
-SECTIONS = ("facade", "return_wall", "smdof", "numerics")
 KINDS = ("shake_table", "free_rocking")
 KEYS = ("title", "source", "kind", "model", "sections", "damping", "observed", "variants")
 UNITS = {"m/s": None, "m/s2": 1.0, "g": STANDARD_GRAVITY_M_S2}  # of motions; m/s is differentiated
-E_KEY = "facade.e_mpa"
-FITTED = {E_KEY: (1.0, 1e7), "floors.stiffness_kn_m": (1.0, 1e9)}  # what a period may set, within
 QUIET_S = 2.0  # between runs that follow each other on the same wall
 NUDGE = 1e-4  # of amplitude: a peak that it moves by more than ten times as much does not repeat
 STILL = 10.0 * NUDGE
@@ -115,144 +111,6 @@ def read(folder):
     if strangers:
         raise ConfigError(f"{folder}/measured.csv: run {strangers[0]}: expected one of runs.csv")
     return Experiment(folder.name, specimen, *tables)
-
-
-def case(specimen, changes=(), height_m=None):
-    """A variant of a specimen as a scene file, its parameters found.
-
-    Parameters
-    ----------
-    specimen : dict
-    changes : mapping
-        By dotted key of a section ("facade.friction_deg"), of every floor ("floors.load_kn"), or
-        "damping".
-    height_m : float or None
-        Of a block, where they differ from run to run.
-
-    Returns
-    -------
-    dict
-        Sections, model, beta_s and observed_m, see `models.build_scene`.
-    """
-    from rocking.assessment.code_checks import weakest_hinge
-
-    given, changes = copy.deepcopy(specimen["sections"]), dict(changes)
-    damping = changes.pop("damping", specimen["damping"])
-    for path, value in changes.items():
-        section, _, key = path.partition(".")
-        rows = given["facade"]["floors"] if section == "floors" else [given.setdefault(section, {})]
-        for row in rows:
-            row[key] = value
-    if height_m is not None:
-        given["facade"]["height_m"] = height_m
-    resolved = resolve({**given, "models": ["W1"]})
-    found = {key: resolved[key] for key in SECTIONS}
-    facade = found["facade"]
-    if facade["hinges_m"] == "weakest":
-        facade["hinges_m"] = [weakest_hinge(facade)]
-    found |= {"model": specimen["model"], "beta_s": 0.0}
-    found["observed_m"] = specimen["observed"].get("height_m")
-    if period := specimen.get("first_period_s"):
-        fit_period(found, period, specimen.get("fitted", E_KEY))
-    found["beta_s"] = beta_for(found, damping)
-    return found
-
-
-def planar_step(planar, numerics):
-    """Time step [s] that a specimen states, for the planar solver; None if it states none.
-
-    A fraction is one of the largest step at which that solver is stable, as YADE's is of its own.
-    """
-    from rocking.solver import stable_step
-
-    if numerics["step_s"] or not numerics["step_fraction"]:
-        return numerics["step_s"]
-    return numerics["step_fraction"] * stable_step(planar)
-
-
-def first_frequency(job):
-    """Lowest circular frequency of an assembled case, every joint closed [rad/s]."""
-    from yade_scripts.model.models import build_scene
-    from yade_scripts.model.stiffness import modes
-
-    return float(modes(build_scene(job))[0][0])
-
-
-def fit_period(job, period_s, path=E_KEY):
-    """Set what one key says so that the assembled case has a first period.
-
-    Parameters
-    ----------
-    job : dict
-        Changed in place.
-    period_s : float
-    path : str
-        A key of FITTED.
-
-    Raises
-    ------
-    ConfigError
-        If no value of it has that period, as where another part alone is too soft.
-    """
-    from scipy.optimize import brentq
-
-    if path not in FITTED:
-        raise ConfigError(f"fitted = {path}: expected {' or '.join(FITTED)}")
-    rows = [job["facade"]] if path == E_KEY else [job["facade"]["floors"][0]]
-    key = path.rpartition(".")[2]
-
-    def excess(log_value):
-        rows[0][key] = math.exp(log_value)
-        return math.log(2.0 * math.pi / first_frequency(job) / period_s)
-
-    low, high = (math.log(value) for value in FITTED[path])
-    if not excess(low) > 0.0 > excess(high):
-        raise ConfigError(f"first_period_s = {period_s:g}: expected one that some {path} gives (s)")
-    rows[0][key] = math.exp(brentq(excess, low, high, xtol=1e-10))
-
-
-def bounce_frequency(job):
-    """Circular frequency √(jkn/(ρh)) of the wall's bounce on its base [rad/s]."""
-    from yade_scripts.model.facade import joint_stiffness
-
-    facade = job["facade"]
-    return math.sqrt(joint_stiffness(job)[0] / (facade["density_kg_m3"] * facade["height_m"]))
-
-
-def beta_for(job, damping):
-    """β [s]: stated, 2ζ/ω of the first mode or of the bounce on the base, or by a law of β.
-
-    The laws describe impacts on return walls, which two-sided walls do not have; they refuse those.
-
-    Parameters
-    ----------
-    job : dict
-    damping : dict
-        One of `beta_s`, `first_mode`, `bounce` and `law`; the middle two are ζ.
-    """
-    from rocking.calibration.beta import beta_for as beta_by_law
-
-    ((key, value),) = damping.items()
-    if key == "beta_s":
-        return float(value)
-    if key == "law":
-        return beta_by_law({**job, "damping": {"law": value}})
-    omega = {"first_mode": first_frequency, "bounce": bounce_frequency}
-    if key not in omega:
-        raise ConfigError(f"damping.{key}: expected beta_s, first_mode, bounce or law")
-    return 2.0 * float(value) / omega[key](job)
-
-
-def cases(experiment):
-    """Cases of an experiment by variant; of free rocking by variant and height."""
-    variants = experiment.specimen["variants"].items()
-    if experiment.specimen["kind"] == "shake_table":
-        return {name: case(experiment.specimen, changes) for name, changes in variants}
-    return {
-        f"{name}|{height_m:g}": case(experiment.specimen, changes, float(height_m))
-        for name, changes in variants
-        for height_m in experiment.runs["height_m"].unique()
-    }
 
 
 def quartiles(experiment):

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from rocking.configuration.config import ConfigError
 from rocking.runtime.script import run
-from rocking.studies import validation
+from rocking.studies import specimens, validation
 from rocking.tables import write_json
 
 from yade_scripts.model.floor_motions import write
@@ -31,11 +31,11 @@ def main(job):
     whole = os.path.join(job.output.motions, "sequence.csv")
     time_s, ground, spans = validation.one_after_another(motions)
     write(whole, time_s, ground)
-    found = validation.cases(experiment)
+    found = specimens.cases(experiment)
     tests = []
     for name in list(found)[: settings["main_variants"]]:
         case = {key: found[name][key] for key in ("model", "beta_s", "observed_m")}
-        case |= {"config": {key: found[name][key] for key in validation.SECTIONS}, "factor": 1.0}
+        case |= {"config": {key: found[name][key] for key in specimens.SECTIONS}, "factor": 1.0}
         tests += [{**case, "id": f"{name}|{r['run']}", "motion": r["motion"]} for r in rows]
         tests.append({**case, "id": f"{name}|sequence", "motion": whole})
     about = {"variants": found, "runs": rows, "sequence": whole, "spans": spans}

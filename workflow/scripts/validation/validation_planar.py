@@ -5,13 +5,8 @@ import math
 
 from rocking.runtime.script import run
 from rocking.solver import Motions, history, peaks, to_plane
-from rocking.studies.validation import (
-    ALONE,
-    SEQUENCE,
-    factors,
-    peaks_of_spans,
-    planar_step,
-)
+from rocking.studies.specimens import planar_step
+from rocking.studies.validation import ALONE, SEQUENCE, factors, peaks_of_spans
 from rocking.tables import read_json, write_table
 
 from yade_scripts.model.floor_motions import read

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from rocking.mechanics import closed_forms
 from rocking.runtime.script import run
-from rocking.studies import validation
+from rocking.studies import specimens, validation
 from rocking.tables import write_json
 
 SWINGS = 6.0  # end of a history, in units of 1/p: past the third rebound
@@ -13,13 +13,13 @@ SWINGS = 6.0  # end of a history, in units of 1/p: past the third rebound
 def main(job):
     experiment = validation.read(Path(job.input.files[0]).parent)
     release, rows = experiment.specimen["release_ratio"], []
-    for name, case in validation.cases(experiment).items():
+    for name, case in specimens.cases(experiment).items():
         facade = case["facade"]
         p = closed_forms.block(facade["height_m"], facade["thickness_m"]).p_rad_s
         rows.append(
             {
                 "id": name,
-                "config": {key: case[key] for key in validation.SECTIONS},
+                "config": {key: case[key] for key in specimens.SECTIONS},
                 "model": case["model"],
                 "release_ratio": release,
                 "beta_s": [case["beta_s"]],
