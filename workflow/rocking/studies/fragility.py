@@ -137,6 +137,27 @@ def bootstrap(low, high, groups, resamples, seed, weights=1.0):
     return Bootstrap(*_fit_weighted(low, high, counts[:, index] * np.asarray(weights, float)))
 
 
+def fit_table(brackets, settings):
+    """Fit of a table of brackets, and the fits to its records drawn again.
+
+    Parameters
+    ----------
+    brackets : DataFrame
+        Columns record, low, high, weight; see `checked_brackets`.
+    settings : dict
+        resamples, seed.
+
+    Returns
+    -------
+    Fragility, Bootstrap
+    """
+    low, high, weight = (brackets[name].to_numpy() for name in ("low", "high", "weight"))
+    draws = bootstrap(
+        low, high, brackets["record"], settings["resamples"], settings["seed"], weight
+    )
+    return fit(low, high, weight), draws
+
+
 def _percentiles(values, tails):
     """Percentiles of values that may be infinite."""
     return tuple(float(v) for v in np.percentile(values, tails, method="inverted_cdf"))
