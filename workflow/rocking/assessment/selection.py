@@ -12,9 +12,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rocking.assessment.code_checks import code_checks, mechanism_of
+from rocking.records import G_M_S2
+from smdof.spectra import response_spectrum
+
 BELOW, ABOVE = 0.10, 0.30  # of the target, by NTC 2018
 POINTS = 40  # periods at which the fit is judged
 ROUNDS = 50  # of exchanges
+DAMPING_RATIO = 0.05  # of the spectra
+SHORTEST_HIGH_S, LONGEST_HIGH_S = 2.0, 4.0  # of what stands for match_high_s
 
 
 @dataclass(frozen=True)
@@ -51,6 +57,54 @@ class Selection:
 def periods(low_s, high_s, points=POINTS):
     """Periods at which a fit is judged."""
     return np.geomspace(low_s, high_s, points)
+
+
+def longest_period(settings, demand):
+    """Period up to which the motions are to fit [s]: T_SLC of the whole façade, within bounds.
+
+    Parameters
+    ----------
+    settings : dict
+        Sections facade, return_wall, smdof, assessment; match_high_s of the latter goes first.
+    demand
+        See `code_checks`.
+    """
+    own = settings["assessment"]
+    if own["match_high_s"] is not None:
+        return own["match_high_s"]
+    whole = mechanism_of(settings["facade"], settings["return_wall"], own)
+    found = code_checks(whole, settings["facade"], settings["smdof"], own, demand)
+    slc = next(v for s, _, v, _ in found["slc_height"].steps if s == "T_SLC")
+    return float(np.clip(slc, SHORTEST_HIGH_S, LONGEST_HIGH_S))
+
+
+def spectra_of(records, period_s):
+    """5 % spectra of records as recorded [g], a row a record."""
+    found = [
+        response_spectrum(r.acceleration_m_s2, r.dt_s, period_s, DAMPING_RATIO).psa_m_s2
+        for r in records
+    ]
+    return np.array(found) / G_M_S2
+
+
+def for_demand(demand, stations, spectra_g, period_s, own):
+    """`choose` for a demand, by section assessment (motions, motion_factors).
+
+    Parameters
+    ----------
+    demand
+        See `code_checks`.
+    stations : mapping
+        Station of every record by its name, in the order of `spectra_g`.
+    spectra_g, period_s
+        See `choose`.
+    own : dict
+        Section assessment.
+    """
+    target_g = np.array([demand.acceleration(t) for t in period_s])
+    names, places = list(stations), list(stations.values())
+    count, bounds = own["motions"], own["motion_factors"]
+    return choose(names, places, spectra_g, period_s, target_g, count, bounds)
 
 
 def _misfit(ratio):

@@ -86,6 +86,26 @@ def checked_brackets(low, high):
     return low, high
 
 
+def brackets_about(collapse, largest, width):
+    """Brackets of collapses that are known but for a relative half width, or never came.
+
+    Parameters
+    ----------
+    collapse : array_like, shape (n,)
+        Intensities; NaN where nothing collapsed up to `largest`.
+    largest : array_like, shape (n,)
+    width : float
+
+    Returns
+    -------
+    low, high : ndarray, shape (n,)
+        See `checked_brackets`.
+    """
+    collapse, known = np.asarray(collapse, float), np.isfinite(collapse)
+    low = np.where(known, collapse * (1.0 - width), np.asarray(largest, float))
+    return low, np.where(known, collapse * (1.0 + width), np.inf)
+
+
 def fit(low, high, weights=None):
     """Maximum-likelihood fit of a lognormal distribution to brackets.
 

@@ -2,184 +2,31 @@
 
 import json
 
-import numpy as np
-import pandas as pd
-from rocking.assessment import site
-from rocking.assessment.code_checks import code_checks, governing, least
-from rocking.assessment.demand import floor_demand
-from rocking.assessment.family import Family, stretched, ties_of
-from rocking.records import G_M_S2, load
+from rocking.assessment import code_tables, site
+from rocking.assessment.code_checks import governing
+from rocking.assessment.family import Family
+from rocking.records import load
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
-from smdof.chain import floor_motions
-from smdof.spectra import response_spectrum
-
-TIE_SHARES = (0.02, 0.05, 0.10, 0.20)  # of the façade's weight
-VARIED = (
-    ("facade", "height_m", (0.95, 1.05)),
-    ("facade", "thickness_m", (0.95, 1.05)),
-    ("facade", "density_kg_m3", (0.9, 1.1)),
-    ("smdof", "period_s", (0.75, 1.25)),
-    ("smdof", "damping_ratio", (0.6, 1.4)),
-    ("assessment", "confidence_factor", (0.9, 1.1)),
-)
-DAMAGED = ((1.5, 0.10), (2.0, 0.20))  # period factor and damping of a damaged building
-SHOWN = ("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height")
-SECTIONS = ("facade", "return_wall", "smdof", "assessment")
-
-
-def checked(settings, demand, place, added_n=0.0):
-    """A mechanism of the façade, and its checks; None where the façade has others.
-
-    Parameters
-    ----------
-    place : (int, int)
-        Which of how many: names have heights in them, which change with what is varied.
-    """
-    facade, wall, chain, own = (settings[k] for k in SECTIONS)
-    which, count = place
-    known = Family(facade, wall, own, added_n).all()
-    if len(known) != count:
-        return None, {}
-    return known[which], code_checks(known[which], facade, chain, own, demand)
-
-
-def sensitivity(settings, demand, place):
-    """PGA of failure over the demand's, of one mechanism, one key at a time up and down."""
-    rows = []
-
-    def add(key, factor, changed):
-        try:
-            _, found = checked(changed, demand, place)
-        except ValueError:  # no such façade
-            return
-        rows.extend((key, factor, k, found[k].ratio) for k in SHOWN if k in found)
-
-    for section, key, factors in VARIED:
-        for factor in factors:
-            changed = {part: dict(settings[part]) for part in SECTIONS}
-            if key == "height_m":
-                changed[section] = stretched(changed[section], factor)
-            else:
-                changed[section][key] *= factor
-            if changed["assessment"]["confidence_factor"] >= 1.0:
-                add(f"{section}.{key}", factor, changed)
-    for factor, damping in DAMAGED:
-        changed = {part: dict(settings[part]) for part in SECTIONS}
-        changed["assessment"] |= {"building_period_factor": factor, "building_damping": damping}
-        add(f"damaged building, {100 * damping:g} %", factor, changed)
-    return pd.DataFrame(rows, columns=["key", "factor", "check", "ratio"])
-
-
-def mechanism_row(one, found, tie_kn, kind):
-    """One row of the table of mechanisms."""
-    mechanism = one.mechanism
-    mass, ratio, _ = mechanism.participation()
-    row = {
-        "mechanism": one.name,
-        "kind": kind,
-        "tie_kn": tie_kn,
-        "foot_m": one.foot_m,
-        "place": one.place,
-        "multiplier": mechanism.multiplier(),
-        "participating_mass_kg": mass,
-        "e_star": ratio,
-        "e_star_letter": mechanism.participation(letter=True)[1],
-        "d0_m": mechanism.ultimate()[1],
-        "d_slv_m": mechanism.limit(0.4)[0],
-        "t0_s": one.t0_s,
-        "pga_fails_g": least(found),
-    }
-    return row | {k: found[k].ratio for k in SHOWN if k in found}
-
-
-def mechanisms(settings, demand, ranked, place):
-    """All mechanisms, the least first, and what more ties or a held top would do to them."""
-    facade, wall, _, own = (settings[k] for k in SECTIONS)
-    stated = 1e-3 * sum(force for force, *_ in ties_of(facade))
-    rows = [mechanism_row(one, found, stated, "as stated") for _, one, found in ranked]
-    weight = sum(w for w, *_ in Family(facade, wall, own).masonry.masses(0.0, facade["height_m"]))
-    for share in TIE_SHARES:
-        one, found = checked(settings, demand, place, share * weight)
-        if one is not None:
-            force = stated + 1e-3 * share * weight
-            row = mechanism_row(one, found, force, f"one more row, {100 * share:g} % of the weight")
-            rows.append(row)
-    family = Family(facade, wall, own)
-    top = facade["height_m"]
-    highest = family.levels()[-1]
-    if family.bends(highest, top):  # else it is held there already
-        held = family.span(highest, top)
-        found = code_checks(held, facade, settings["smdof"], own, demand)
-        rows.append(mechanism_row(held, found, np.nan, "top held"))
-    return pd.DataFrame(rows)
-
-
-def spectra(records, settings, demand, share):
-    """Demand on ground and floor, with the suite at its PGA and the exact chain, by period."""
-    chain = settings["smdof"]
-    n = chain["n_dof"]
-    floor = floor_demand(demand, share, chain)
-    periods = site.PERIODS_S[1::2]
-    exact = []
-    for record in records:
-        motion = floor_motions(
-            record.acceleration_m_s2,
-            record.dt_s,
-            n,
-            chain["period_s"],
-            chain["damping_ratio"],
-            chain["damping_model"],
-            tail_s=chain["tail_s"],
-        )
-        levels = np.vstack([motion.ground_m_s2, motion.floors_m_s2])
-        j = min(int(share * n), n - 1)
-        weight = share * n - j
-        moved = (1.0 - weight) * levels[j] + weight * levels[j + 1]
-        scale = demand.pga_g / (np.abs(motion.ground_m_s2).max() / G_M_S2)
-        dt = record.dt_s / motion.refine
-        exact.append(response_spectrum(moved, dt, periods, 0.05).psa_m_s2 / G_M_S2 * scale)
-    ground = demand.pga_g * site.shapes(records)[:, 1::2]
-    table = {
-        "period_s": periods,
-        "ground_g": [demand.acceleration(t) for t in periods],
-        "floor_formula_g": [floor.acceleration(t) for t in periods],
-    }
-    for name, rows in (("ground_suite", ground), ("floor_chain", np.array(exact))):
-        for tail in (16, 50, 84):
-            table[f"{name}_p{tail}_g"] = np.percentile(rows, tail, axis=0)
-    return pd.DataFrame(table)
-
 
 def main(job):
-    settings = json.loads(job.params.settings)
+    settings, out = json.loads(job.params.settings), job.output
     how = {"baseline": settings["baseline"], "seed": settings["seed"]}
     records = [load(name, job.params.table, **how) for name in job.params.records]
-    facade, wall, chain, own = (settings[k] for k in SECTIONS)
+    facade, wall, chain, own = (settings[k] for k in code_tables.SECTIONS)
     demand = site.demand_from(settings, records, job.input.spectrum, job.input.hazard)
     every = Family(facade, wall, own).all()
     ranked = governing(every, facade, chain, own, demand)
-    least_one = ranked[0]
-    place = [one.name for one in every].index(least_one[1].name), len(every)
-    whole = next(row for row in ranked if row[1].foot_m == 0.0)
-    checks, steps, curves = [], [], []
-    for _, one, found in [least_one] if least_one is whole else [least_one, whole]:
-        for key, check in found.items():
-            values = (check.capacity, check.demand, check.unit, check.ratio, check.failing_pga_g)
-            checks.append((one.name, key, check.name, *values, check.demand_pga_g, check.source))
-            steps += [(one.name, key, *step) for step in check.steps]
-        d, alpha = one.mechanism.curve()
-        curves.append(pd.DataFrame({"mechanism": one.name, "d_m": d, "multiplier": alpha}))
-    names = ["mechanism", "check", "name", "capacity", "demand", "unit", "ratio", "pga_fails_g"]
-    out = job.output
-    write_table(checks, out.checks, [*names, "pga_demand_g", "source"])
-    columns = ["mechanism", "check", "symbol", "meaning", "value", "unit"]
-    write_table(steps, out.steps, columns)
-    write_table(pd.concat(curves), out.curve)
-    write_table(sensitivity(settings, demand, place), out.sensitivity)
-    write_table(mechanisms(settings, demand, ranked, place), out.mechanisms)
-    write_table(spectra(records, settings, demand, least_one[1].place), out.spectra)
+    least = ranked[0][1]
+    place = [one.name for one in every].index(least.name), len(every)
+    checks, steps, curves = code_tables.checks_of(ranked)
+    write_table(checks, out.checks, code_tables.CHECKS)
+    write_table(steps, out.steps, code_tables.STEPS)
+    write_table(curves, out.curve)
+    write_table(code_tables.sensitivity(settings, demand, place), out.sensitivity)
+    write_table(code_tables.mechanisms(settings, demand, ranked, place), out.mechanisms)
+    write_table(code_tables.spectra(records, settings, demand, least.place), out.spectra)
 
 
 run(main, globals())

@@ -2,7 +2,6 @@
 
 import json
 
-import numpy as np
 import pandas as pd
 from rocking.assessment import selection
 from rocking.assessment.checks import LEAST_KNOWN
@@ -10,11 +9,9 @@ from rocking.assessment.code_checks import code_checks, least, mechanism_of
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.dynamic_check import histories, limits_of, verdict
 from rocking.collapse.quick import LONG_STEP
-from rocking.records import G_M_S2, load
+from rocking.records import load, measures
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
-
-from smdof.spectra import response_spectrum
 
 LEVELS_G = (0.05, 0.10, 0.15, 0.20, 0.25, 0.30)  # a_g
 SITE = (2.5, 0.3, "B")  # F0, T_C*, subsoil
@@ -28,21 +25,14 @@ def main(job):
     how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}
     records = {name: load(name, job.params.table, **how) for name in stations}
     period_s = selection.periods(own["match_low_s"], HIGH_S, POINTS)
-    spectra = np.array(
-        [
-            response_spectrum(r.acceleration_m_s2, r.dt_s, period_s, 0.05).psa_m_s2 / G_M_S2
-            for r in records.values()
-        ]
-    )
-    peaks = {n: np.abs(r.acceleration_m_s2).max() / G_M_S2 for n, r in records.items()}
+    spectra_g = selection.spectra_of(records.values(), period_s)
+    peaks = {name: measures(record)["pga_g"] for name, record in records.items()}
     whole = mechanism_of(facade, wall, own)
     limits = limits_of(whole.mechanism)
     kinematic, wanted = [], {}
     for ag_g in LEVELS_G:
         demand = CodeDemand(ag_g, *SITE)
-        target = np.array([demand.acceleration(t) for t in period_s])
-        given = (list(stations), list(stations.values()), spectra, period_s, target)
-        chosen = selection.choose(*given, own["motions"], own["motion_factors"])
+        chosen = selection.for_demand(demand, stations, spectra_g, period_s, own)
         found = {
             fc: code_checks(whole, facade, chain, own, demand, fc) for fc in (1.0, LEAST_KNOWN)
         }

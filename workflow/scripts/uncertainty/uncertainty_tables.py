@@ -15,10 +15,7 @@ NARROW = 1e-3  # half width of the bracket of a collapse that is known, over it
 def curves(table, found):
     """Median and dispersion: of all cells by likelihood, of the parts one after the other."""
     mine = table[(table["replicate"] == 0) & (table["sample"] > 0)]
-    c, limit = mine["pga_median_g"].to_numpy(), mine["pga_max_g"].to_numpy()
-    known = np.isfinite(c)
-    low = np.where(known, (1.0 - NARROW) * c, limit)
-    fit = fragility.fit(low, np.where(known, (1.0 + NARROW) * c, np.inf))
+    fit = fragility.fit(*fragility.brackets_about(mine["pga_median_g"], mine["pga_max_g"], NARROW))
     beta = found.set_index("part")["beta"]
     with_material = np.hypot(beta["motion"], beta["material"])
     rows = [
@@ -28,7 +25,7 @@ def curves(table, found):
         ("all cells, by likelihood", fit.median, fit.dispersion),
     ]
     out = pd.DataFrame(rows, columns=["curve", "median_g", "dispersion"])
-    return out.assign(n=len(mine), n_censored=int((~known).sum()))
+    return out.assign(n=len(mine), n_censored=int(mine["pga_median_g"].isna().sum()))
 
 
 def main(job):

@@ -1,0 +1,55 @@
+"""The dynamic answer of one model: median, share at the demand, and rate, by closed forms."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from rocking.assessment.dynamic_answer import answer
+from rocking.risk.hazard import Hazard
+
+K0, K = 2e-4, 2.3
+HAZARD = Hazard("pga_g", np.array([0.1, 1.0]), K0 * np.array([0.1, 1.0]) ** -K)
+PGA_G = np.exp(np.linspace(-0.6, 0.6, 13)) * 0.4
+DEMAND_G = 0.3
+
+
+def curves(pga_g):
+    names = [f"R{i}" for i in range(len(pga_g))]
+    return pd.DataFrame(
+        {
+            **{"model": "W1", "record": names},
+            **{"pga_median_g": pga_g, "pga_max_g": 2.0, "runs_planar": 10},
+        }
+    )
+
+
+def test_curves_that_all_collapse_have_their_own_median_and_jalayers_rate():
+    table = curves(PGA_G)
+    row, curve = answer(table, {r: r for r in table["record"]}, DEMAND_G, HAZARD, 400, 1)
+    assert row["median_pga_g"] == pytest.approx(0.4, rel=1e-6)
+    beta = np.std(np.log(PGA_G))
+    assert row["dispersion"] == pytest.approx(beta, rel=1e-4)
+    exact = K0 * 0.4**-K * np.exp(0.5 * (K * beta) ** 2)
+    assert row["annual_rate"] == pytest.approx(exact, rel=1e-4)
+    assert row["rate_low"] < exact < row["rate_high"]
+    assert row["fell_at_demand"] == np.sum(PGA_G <= DEMAND_G)
+    at = np.interp(DEMAND_G, curve["pga_g"], curve["probability"])
+    assert row["probability"] == pytest.approx(at, abs=1e-3)
+    assert row["probability_low"] < row["probability"] < row["probability_high"]
+
+
+def test_curves_that_stand_raise_the_median_above_those_that_fall():
+    pga_g = np.append(PGA_G, [np.nan] * 6)
+    table = curves(pga_g)
+    row, _ = answer(table, {r: r for r in table["record"]}, DEMAND_G, None, 100, 1)
+    assert row["never_collapsed"] == 6
+    assert row["median_pga_g"] > 1.2 * 0.4
+    assert "annual_rate" not in row
+
+
+def test_six_stations_give_no_interval_however_many_motions():
+    table = curves(PGA_G)
+    stations = {record: f"S{i % 6}" for i, record in enumerate(table["record"])}
+    row, curve = answer(table, stations, DEMAND_G, HAZARD, 100, 1)
+    assert curve is None
+    assert np.isnan([row["probability"], row["ci_low_g"], row["ci_high_g"]]).all()
+    assert row["median_pga_g"] == pytest.approx(0.4, rel=1e-6)

@@ -1,0 +1,72 @@
+"""The dynamic answer for one façade and model: fragility with its bands, rate of collapse."""
+
+import numpy as np
+import pandas as pd
+
+from rocking.assessment.comparison import EXACT
+from rocking.risk.rates import FEWEST, collapse_rate
+from rocking.studies.fragility import bootstrap, brackets_about, fit
+
+POINTS, REACH = 101, 3.0  # of a curve; dispersions either side of the median
+CONFIDENCE = 0.95
+CURVES = ["model", "pga_g", "probability", "band_low", "band_high"]
+
+
+def answer(table, stations, demand_g, hazard, resamples, seed):
+    """What the collapse PGAs of one model say at the demand.
+
+    Parameters
+    ----------
+    table : DataFrame
+        A row a curve: model, record, pga_median_g (NaN where nothing fell), pga_max_g, runs_planar.
+    stations : mapping
+        Station of every record; those of one are drawn together.
+    demand_g : float
+        PGA of the demand.
+    hazard : rocking.risk.hazard.Hazard or None
+        Of the PGA.
+    resamples, seed : int
+
+    Returns
+    -------
+    dict
+        Medians and probability with their intervals, and of a hazard the annual rate; NaN from
+        fewer than `FEWEST` stations.
+    DataFrame or None
+        CURVES; a curve drawn from so few motions would say nothing.
+    """
+    collapse = table["pga_median_g"]
+    low, high = brackets_about(collapse, table["pga_max_g"], EXACT)
+    found, place = fit(low, high), table["record"].map(stations)
+    row = {
+        "model": table["model"].iloc[0],
+        "curves": len(table),
+        "stations": place.nunique(),
+        "never_collapsed": int(collapse.isna().sum()),
+        "median_pga_g": found.median if len(table) > 1 else collapse.iloc[0],
+        "least_pga_g": collapse.min(),
+        "fell_at_demand": int((collapse <= demand_g).sum()),
+        **dict.fromkeys(("ci_low_g", "ci_high_g"), np.nan),
+        "dispersion": found.dispersion,
+        "pga_demand_g": demand_g,
+        **dict.fromkeys(("probability", "probability_low", "probability_high"), np.nan),
+        "histories": int(table["runs_planar"].sum()),
+    }
+    if place.nunique() < FEWEST or not np.isfinite(found.median):
+        return row, None
+    draws = bootstrap(low, high, place, resamples, seed)
+    row["ci_low_g"], row["ci_high_g"] = draws.interval("median", CONFIDENCE)
+    row["probability"] = float(found.probability(demand_g))
+    (row["probability_low"],), (row["probability_high"],) = draws.band([demand_g], CONFIDENCE)
+    if hazard is not None:
+        (row["annual_rate"],), (row["rate_outside"],) = collapse_rate(
+            hazard, found.median, found.dispersion
+        )
+        many, _ = collapse_rate(hazard, draws.median, draws.dispersion)
+        tails = np.array([0.5, 0.5]) + [-0.5 * CONFIDENCE, 0.5 * CONFIDENCE]
+        ends = np.percentile(many, 100.0 * tails, method="inverted_cdf")
+        row["rate_low"], row["rate_high"] = ends
+    pga_g = found.median * np.exp(np.linspace(-REACH, REACH, POINTS) * found.dispersion)
+    lower, upper = draws.band(pga_g, CONFIDENCE)
+    points = zip(pga_g, found.probability(pga_g), lower, upper, strict=True)
+    return row, pd.DataFrame([(row["model"], *p) for p in points], columns=CURVES)
