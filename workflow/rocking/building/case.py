@@ -1,5 +1,7 @@
 """The building of a configuration: its plan, its floor load, its models CBDEM and SBDEM."""
 
+from functools import cache
+
 import yaml
 from scipy.optimize import brentq
 
@@ -106,6 +108,23 @@ def twist_mode(modes):
     return int(ratio.argmax())
 
 
+def load_of_period(period_s, target_s, largest_kg_m2, within_kg_m2):
+    """Floor load under which a building has a period [kg/m²]; 0 or the largest if none between.
+
+    Parameters
+    ----------
+    period_s : callable
+        Period [s] of a load, which lengthens with it.
+    target_s, largest_kg_m2, within_kg_m2 : float
+        The period, the largest load, and how near the load is found.
+    """
+    if period_s(0.0) >= target_s:
+        return 0.0
+    if period_s(largest_kg_m2) < target_s:
+        return largest_kg_m2
+    return brentq(lambda q: period_s(q) - target_s, 0.0, largest_kg_m2, xtol=within_kg_m2)
+
+
 def fit_floor_load(settings, plan, coarsening=None):
     """Fit the floor load to the period of the complete building's translation along y.
 
@@ -136,20 +155,18 @@ def fit_floor_load(settings, plan, coarsening=None):
     solver = Solver(building.scene)
     areas = panel_areas(building)
 
+    @cache
     def period(load):
         modes = solver.modes(12, solver.mass_with({i: load * a for i, a in areas.items()}))
         return float(modes.period_s[translation_mode(modes)])
 
-    empty = period(0.0)
-    if empty >= target:
-        return 0.0, empty
-    if period(LARGEST_LOAD_KG_M2) < target:
+    load = load_of_period(period, target, LARGEST_LOAD_KG_M2, 1e-3)
+    if load == LARGEST_LOAD_KG_M2 and period(load) < target:
         raise PlanError(
             f"fit_period_s = {target:g} s: plan '{plan.name}' stays stiffer with"
             f" {LARGEST_LOAD_KG_M2:g} kg/m² on every floor"
         )
-    load = brentq(lambda q: period(q) - target, 0.0, LARGEST_LOAD_KG_M2, xtol=1e-3, rtol=1e-10)
-    return float(load), period(load)
+    return load, period(load)
 
 
 def panel_areas(building):

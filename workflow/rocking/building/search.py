@@ -18,12 +18,19 @@ order
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.optimize import brentq, minimize
+from scipy.optimize import minimize
 from scipy.stats import qmc
 
 from yade_scripts.model.building.plan import PlanError
 
-from .case import MODELS, PAPER_PERIODS_S, build_model, translation_mode, twist_mode
+from .case import (
+    MODELS,
+    PAPER_PERIODS_S,
+    build_model,
+    load_of_period,
+    translation_mode,
+    twist_mode,
+)
 from .loads import HEAVY_KG_M2, LoadedModes
 
 READINGS = ("mass", "order")
@@ -153,13 +160,7 @@ def fitted(models, reading):
         modes = models["CBDEM"].modes(load)
         return modes.period_s[first_mode(modes, reading)]
 
-    target = PAPER_PERIODS_S["CBDEM", "y"]
-    if period(0.0) >= target:
-        load = 0.0
-    elif period(HEAVY_KG_M2) <= target:
-        load = HEAVY_KG_M2
-    else:
-        load = brentq(lambda q: period(q) - target, 0.0, HEAVY_KG_M2, xtol=0.01)
+    load = load_of_period(period, PAPER_PERIODS_S["CBDEM", "y"], HEAVY_KG_M2, 0.01)
     row = {"load_kg_m2": load}
     errors = []
     for model in MODELS:

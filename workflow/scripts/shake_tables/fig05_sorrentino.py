@@ -71,16 +71,12 @@ def main(job):
 
 
 def measured_rebounds(axes, wall):
-    """Rebounds θ_n/α that the test's ranges of e_exp mean by eq. 4, at the time of the best run's.
-
-    θ_n/α = 1 − √(1 − e^{2n}[1 − (1 − θ0/α)²])
-    """
+    """Rebounds θ_n/α that the test's ranges of e_exp mean, at the time of the best run's."""
     error = misfit(wall["e"] / wall["e_1sr"], 1.0)
     best = wall["found"][int(np.nanargmin(error))]
-    released = 1.0 - (1.0 - best.release) ** 2
     for n, limits in enumerate(TARGETS, 1):
-        energy = (np.array(limits) * wall["e_1sr"]) ** (2 * n) * released
-        low, high = 1.0 - np.sqrt(1.0 - energy)
+        restitution = np.array(limits) * wall["e_1sr"]
+        low, high = closed_forms.amplitude_after_impacts(best.release, restitution, n)
         for key in "ab":
             axes[key].errorbar(
                 best.peak_time_s[n - 1],
