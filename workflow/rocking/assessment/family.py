@@ -14,7 +14,7 @@ import numpy as np
 
 from rocking.assessment.blocks import bending, interlocking, toppling
 from rocking.assessment.checks import CANTILEVER, initial_period
-from rocking.assessment.masonry import STRIPS, Masonry
+from rocking.assessment.masonry import Masonry
 from rocking.assessment.mechanism import Mechanism
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.ties import rod
@@ -278,10 +278,8 @@ class Family:
 
     def _return_wedge(self, foot_m, tangent, depth_m, root):
         """Its part of the return wall, behind the façade's thickness."""
-        step = (self.height_m - foot_m) / STRIPS
         found = []
-        for k in range(STRIPS):
-            z = foot_m + (k + 0.5) * step
+        for z, step in self.masonry.strips(foot_m):
             back, front = self.masonry.faces(z)
             reach = (z - foot_m) * tangent - (front - back)
             weight = reach * step * depth_m * self.masonry.unit_weight

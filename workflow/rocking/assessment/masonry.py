@@ -49,16 +49,15 @@ class Masonry:
         last = self.shape.storeys[-1]
         return self.shape.faces_at(min(max(height_m + eps, 0.0), last[1]))
 
-    def width(self, height_m, low_x=-math.inf, high_x=math.inf):
-        """Width of masonry at a height, between two places along the façade [m]."""
-        half = 0.5 * self.width_m
+    def width(self, height_m):
+        """Width of masonry at a height [m]."""
+        found = self.width_m
         if self.gable_m > 1e-9 and height_m > self.top_m - self.gable_m:
-            half *= (self.top_m - height_m) / self.gable_m
-        left, right = max(-half, low_x), min(half, high_x)
-        found = max(0.0, right - left)
+            found *= (self.top_m - height_m) / self.gable_m
+        half = 0.5 * found
         for x0, x1, z0, z1 in self.shape.openings:
             if z0 <= height_m <= z1:
-                found -= max(0.0, min(x1, right) - max(x0, left))
+                found -= max(0.0, min(x1, half) - max(x0, -half))
         return max(found, 0.0)
 
     def masses(self, low_m, high_m):
@@ -72,24 +71,37 @@ class Masonry:
                 found.append((weight, 0.5 * (back + front), z))
         return [row for row in found if row[0] > 0.0]
 
+    def strips(self, foot_m):
+        """Strips of a wedge from a foot to what the return walls hold: (z, height) at Gauss points.
+
+        They end at every edge, since thickness and width change there.
+        """
+        step = (self.height_m - foot_m) / STRIPS
+        cuts = {foot_m + k * step for k in range(STRIPS)} | {self.height_m}
+        cuts |= {z for z in self.edges_m if foot_m < z < self.height_m}
+        pairs = itertools.pairwise(sorted(cuts))
+        return [(z, 0.5 * (high - low)) for low, high in pairs for z in _gauss(low, high)]
+
     def wedge(self, foot_m, tangent, side):
         """Part of the façade that a corner takes with it: (weight_n, x_m, y_m, z_m).
 
         Between the corner on one side (−1, 1) and a crack that leaves it at `foot_m` and reaches
-        (z − foot) · tangent along the façade; x counts from that corner inward.
+        (z − foot) · tangent along the façade; x counts from that corner inward, to the centroid of
+        what the openings leave.
         """
         found = []
-        step = (self.height_m - foot_m) / STRIPS
-        for k in range(STRIPS):
-            z = foot_m + (k + 0.5) * step
+        for z, height in self.strips(foot_m):
             reach = min((z - foot_m) * tangent, self.width_m)
-            corner = 0.5 * side * self.width_m
-            ends = sorted((corner, corner - side * reach))
-            wide = self.width(z, *ends)
+            wide, first = reach, 0.5 * reach**2
+            for x0, x1, z0, z1 in self.shape.openings:
+                if z0 <= z <= z1:
+                    ends = (0.5 * self.width_m - side * x for x in (x0, x1))
+                    near, far = sorted(min(max(x, 0.0), reach) for x in ends)
+                    wide, first = wide - (far - near), first - 0.5 * (far**2 - near**2)
             back, front = self.faces(z)
-            weight = wide * step * (front - back) * self.unit_weight
+            weight = wide * height * (front - back) * self.unit_weight
             if weight > 0.0:
-                found.append((weight, 0.5 * reach, 0.5 * (back + front), z))
+                found.append((weight, first / wide, 0.5 * (back + front), z))
         return found
 
 
