@@ -48,6 +48,8 @@ def test_a_link_that_sets_d_slv_is_named():
     assert "50 mm with W1, 50 mm with W2 (2 beyond d0); d_SLV is 100 mm." in said
     early = lost.assign(d0_m=0.5)
     assert "100 mm, where a tie or an anchor gives way." in dynamic_check(early, (0, 0.2, True))
+    rounded = lost.assign(d_slv_m=0.149749, d0_m=0.374374)  # six figures of 0.4 d0
+    assert "a tie or an anchor" not in dynamic_check(rounded, (0, 0.2, True))
     stood = mechanisms(whole=0.25)
     assert any("let the rods yield" in s for s in next_steps(CHECKS, stood, early, ""))
     assert not any("let the rods yield" in s for s in next_steps(CHECKS, stood, lost, ""))

@@ -4,6 +4,7 @@ import pandas as pd
 
 from rocking.risk.rates import FEWEST
 
+ROUNDED = 1e-4  # relative; tables have six figures
 SURE = 0.005  # of a probability that rounds to 0 or 100 %
 
 
@@ -35,7 +36,7 @@ def _models(names):
 
 def gives_way(row):
     """Whether d_SLV is where a tie or an anchor fails, not 0.4 d0."""
-    return row["d_slv_m"] < 0.4 * row["d0_m"] * (1.0 - 1e-6)
+    return row["d_slv_m"] < 0.4 * row["d0_m"] * (1.0 - ROUNDED)
 
 
 def kinematic(checks, mechanisms):
