@@ -59,7 +59,7 @@ def test_motion_between_floors_is_linear_in_height():
     scene = models.build_scene(data)
     columns = {name: np.full(3, float(i)) for i, name in enumerate(MOTIONS)}
     found = models.motion_columns(scene, columns)
-    assert len(scene.notes["motions"]) > 10
+    assert scene.notes["motions"]
     for name in scene.notes["motions"]:
         z = float(name.split()[1])
         assert np.allclose(found[name], z / (6.48 / 4)), name
