@@ -3,12 +3,12 @@
 import math
 
 from rocking.calibration import beta, study
+from rocking.calibration.laws import GROUPS
 from rocking.calibration.restitution import read_archive
 from rocking.mechanics import closed_forms
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
 
-GROUPS = ("slenderness", "return_wall_ratio", "stiffness_ratio", "base_stiffness")
 COLUMNS = (
     "wall",
     "role",
