@@ -116,6 +116,15 @@ def test_undamped_means_that_energy_stays():
     assert text["measured"].startswith("100.0 to 100.0 %")
 
 
+def test_without_a_third_rebound_no_energy_is_left():
+    """A wall at rest after two impacts has lost it all, which is an answer and not a nan."""
+    found = verdicts(free=free_table({**AS_TOLD, 0.001: (0.3, 0.4)}))
+    text = found["the second and third bounces remain mostly undamped there"]
+    assert text["holds"] == "no" and text["measured"].startswith("0.0 to ")
+    assert "no rebound" in found["β = 0.001 s has the test's second and third bounces"]["measured"]
+    assert not any("nan" in row["measured"] for row in found.values())
+
+
 def test_the_fit_is_compared_with_equation_five():
     """Ratios that meet the ranges at eq. 5's β alone make it the best fit."""
     printed = closed_forms.beta_one_sided(0.11, 0.8, 1800.0)

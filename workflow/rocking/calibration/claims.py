@@ -87,9 +87,9 @@ def evaluate(free, fits, walls, wall="sorrentino", release=0.5):
     first = _closest(betas[listed], ratio[listed], [0])
     later = _closest(betas[listed], ratio[listed], [1, 2])
     e_1sr = float(free.loc[free["wall"] == wall, "e_1sr"].iloc[0])
-    # energy left after impact n over that at release, e_n^(2n) by eq. 4
-    left = (ratio * e_1sr) ** (2.0 * np.arange(1, IMPACTS + 1))
-    undamped = left[low, 2] / left[low, 0]
+    # energy left after impact n over that at release, e_n^(2n) by eq. 4; none without a rebound
+    left = np.nan_to_num((ratio * e_1sr) ** (2.0 * np.arange(1, IMPACTS + 1)))
+    undamped = left[low, 2] / np.maximum(left[low, 0], np.finfo(float).tiny)
     rebound = np.nan_to_num(theta[:, 0]) / release
     return [
         *_of_equations(),
@@ -218,7 +218,7 @@ def _regression(fits):
 
 
 def _text(values):
-    return ", ".join(f"{v:.2f}" for v in np.atleast_1d(values))
+    return ", ".join("no rebound" if np.isnan(v) else f"{v:.2f}" for v in np.atleast_1d(values))
 
 
 def _percent(values):
