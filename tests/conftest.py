@@ -5,6 +5,8 @@ import os
 import signal
 import subprocess
 
+import pytest
+
 LIMIT_S = 800.0  # of a subprocess whose test states none; below the limit of a test
 
 # what runs in YADE ends with the tests that started it
@@ -19,6 +21,14 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # `timeout` given at a call wins
 subprocess.run = functools.partial(subprocess.run, timeout=LIMIT_S)
+
+
+@pytest.fixture(scope="session")
+def undisturbed(tmp_path_factory):
+    """An undisturbed run of a small study, made once for what is disturbed, moved or repeated."""
+    from tests.trials.faults import trials, workspace
+
+    return trials.Bench(tmp_path_factory.mktemp("undisturbed"), workspace.FIGURES)
 
 
 def pytest_collection_modifyitems(items):

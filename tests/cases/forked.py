@@ -9,6 +9,7 @@ import contextlib
 import importlib
 import json
 import os
+import re
 import runpy
 import select
 import signal
@@ -23,6 +24,7 @@ YADE_PYTHON = os.environ.get("YADE_PYTHON", "/usr/bin/python3")
 LIBRARIES = (
     "jsonschema",
     "matplotlib.pyplot",
+    "nbformat",
     "numba",
     "pandas",
     "rocking.records.check",
@@ -31,6 +33,7 @@ LIBRARIES = (
     "rocking.studies.pushover",
     "scipy.optimize",
     "scipy.signal",
+    "smart_open",
     "snakemake.cli",
 )
 LIMIT_S = 600.0
@@ -129,8 +132,13 @@ def _serve():
 
 
 def _plan_ahead():
-    """Do what every plan begins with and keeps: find plugins, follow the imports of scripts."""
+    """Do what every plan begins with and keeps: plugins, imports of rules and of scripts."""
     importlib.import_module("snakemake.cli").get_argument_parser()
+    for path in ROOT.glob("workflow/rules/*.smk"):
+        for name in re.findall(
+            r"(?m)^from ((?:rocking|smdof|yade_scripts)[\w.]*) import", path.read_text("utf-8")
+        ):
+            importlib.import_module(name)
     sources = importlib.import_module("yade_scripts.sources").sources
     for path in ROOT.glob("workflow/scripts/*/*.py"):
         sources(path)

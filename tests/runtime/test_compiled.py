@@ -33,7 +33,8 @@ for function, *words in compile_ahead.JOBS:
 ahead = compiled()
 t = np.arange(0.0, 1.0, 0.01)
 wave = np.sin(6.0 * t)
-short = {"ida.max_pga_g": 0.1, "smdof.tail_s": 0.0, "numerics.after_motion_s": 0.1}
+short = {"ida.max_pga_g": 0.1, "ida.level_ratio": 0.1, "ida.power": 0.0}
+short |= {"smdof.tail_s": 0.0, "numerics.after_motion_s": 0.1}
 tie, floor = {"height_m": 6.0, "diameter_mm": 6.0}, {"height_m": 5.0, "anchor_kn": 5.0}
 for model, more in (
     ("W1", {"facade.ties": [tie], "facade.floors": [floor]}),

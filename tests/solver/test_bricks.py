@@ -12,13 +12,14 @@ from yade_scripts.model.models import build_scene, motion_columns
 from yade_scripts.model.stiffness import assemble
 
 FLOORS = [f"floor{j}" for j in range(1, 5)]
+FEW = {"nodes_thickness": 9, "after_motion_s": 0.5}
 
 
 def job(model="W3", **sections):
     """A scene file with courses of twice the default height: half the blocks."""
     w3 = {"course_height_m": 0.648, **sections.pop("w3", {})}
     wall = {"building_mass_kg": 66e3}
-    config = resolved(w3=w3, return_wall=wall, numerics={"nodes_thickness": 9}, **sections)
+    config = resolved(w3=w3, return_wall=wall, numerics=FEW, **sections)
     return {**config, "model": model, "beta_s": 0.00276}
 
 

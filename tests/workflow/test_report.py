@@ -5,23 +5,11 @@ import sys
 from pathlib import Path
 
 import pytest
-from forked import snakemake
 from run_script import script
 from webdriver import AVAILABLE, Browser
 
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = ROOT / "workflow" / "scripts"
-STUDY = [
-    "--config",
-    "run=shown",
-    "records=RRS228,HVSC1",
-    "directions=pos",
-    "models=W1",
-    "facade={height_m: 5.75}",
-    "ida={mode: grid, grid_g: [0.02, 0.9]}",
-    "numerics={step_fraction: 0.5, after_motion_s: 0}",
-    "ensemble={enabled: off}",
-]
 
 
 def page_of(tmp_path, text, name="ida_collapse"):
@@ -102,19 +90,6 @@ def test_the_answer_says_what_to_trust_and_how_far_records_were_scaled(tmp_path)
     assert max(map(len, (tmp_path / "p.rst").read_text().splitlines())) < 10_000
 
 
-@pytest.fixture(scope="module")
-def report(tmp_path_factory):
-    """A small study's report, alone in a folder."""
-    folder = tmp_path_factory.mktemp("study")
-    done = snakemake(folder, *STUDY, "--", "all", "fragility")
-    assert done.returncode == 0, done.stderr[-3000:]
-    done = snakemake(folder, *STUDY, "--report", "report.html", "--", "all", "fragility")
-    assert done.returncode == 0, done.stderr[-3000:]
-    alone = tmp_path_factory.mktemp("alone") / "report.html"
-    alone.write_bytes((folder / "report.html").read_bytes())
-    return alone
-
-
 def category(browser, name):
     browser.click(f"//nav//a[normalize-space()='{name}']")
 
@@ -132,10 +107,13 @@ def press(browser, label, button):
     browser.click(f"{row}//*[@iconname='{button}']")
 
 
+@pytest.mark.xdist_group("small study")
 @pytest.mark.yade
 @pytest.mark.slow
 @pytest.mark.skipif(not AVAILABLE, reason="needs Chromium and ChromeDriver")
-def test_report_opens_offline_and_clicks_through_to_figures_and_tables(report, tmp_path):
+def test_report_opens_offline_and_clicks_through_to_figures_and_tables(small_study, tmp_path):
+    report = tmp_path / "report.html"  # alone in a folder
+    report.write_bytes((small_study / "report.html").read_bytes())
     with Browser(tmp_path / "profile") as browser:
         browser.open(report.as_uri())
         browser.wait(lambda: "lumped masses" in browser.text(), "the description")

@@ -4,6 +4,7 @@ import ast
 import re
 import shutil
 import subprocess
+import time
 from pathlib import Path
 
 import pytest
@@ -246,6 +247,7 @@ def test_a_run_listens_on_no_port_and_its_folder_and_files_may_have_hostile_name
         assert listening([*found, process.pid]) == []
         seen_yade |= any("yade_scripts ida" in line for line in found.values())
         looks += 1
+        time.sleep(0.1)  # each look reads the tables of all processes
     assert process.returncode == 0, space.output()[-3000:]
     assert seen_yade
     assert looks > 20

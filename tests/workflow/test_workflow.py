@@ -8,16 +8,6 @@ import pytest
 from forked import snakemake
 
 ROOT = Path(__file__).resolve().parents[2]
-SMALL = [
-    "--config",
-    "run=small",
-    "records=RRS228",
-    "directions=pos",
-    "models=W1",
-    "ida={mode: grid, grid_g: [0.05, 0.4]}",
-    "numerics={step_fraction: 0.5}",
-    "ensemble={enabled: off}",
-]
 
 
 @pytest.fixture(scope="module")
@@ -93,42 +83,42 @@ def read(path):
         return list(csv.DictReader(handle))
 
 
+@pytest.mark.xdist_group("small study")
 @pytest.mark.yade
 @pytest.mark.slow
-def test_small_study_end_to_end_and_again(folder):
+def test_small_study_end_to_end_and_again(small_study, small):
     """A two-intensity study makes its tables and figures; an added intensity alone is run."""
-    done = snakemake(folder, *SMALL)
-    assert done.returncode == 0, done.stderr[-3000:]
-    results = folder / "results/small"
+    results = small_study / "results/small"
     rows = read(results / "ida/W1/RRS228_pos.csv")
     assert [row["status"] for row in rows] == ["ok", "overturned"]
     assert (results / "figures/fig09_ida.png").stat().st_size > 10_000
-    collapse = read(results / "tables/ida_collapse.csv")[0]
-    assert (collapse["pga_safe_g"], collapse["pga_collapse_g"]) == ("0.0500", "0.4000")
+    collapse = {row["record"]: row for row in read(results / "tables/ida_collapse.csv")}["RRS228"]
+    assert (collapse["pga_safe_g"], collapse["pga_collapse_g"]) == ("0.0200", "0.9000")
 
     # a second request of the same study has nothing to do
-    again = snakemake(folder, *SMALL)
+    again = snakemake(small_study, *small, "--", "all", "fragility")
     assert "Nothing to be done" in again.stderr + again.stdout
 
     # one more intensity: the two old rows come back byte for byte, only the new one is run
-    more = [w.replace("[0.05, 0.4]", "[0.05, 0.06, 0.4]") for w in SMALL]
-    done = snakemake(folder, *more, "--", "results/small/ida/W1/RRS228_pos.csv")
+    more = [w.replace("[0.02, 0.9]", "[0.02, 0.03, 0.9]") for w in small]
+    done = snakemake(small_study, *more, "--", "results/small/ida/W1/RRS228_pos.csv")
     assert done.returncode == 0, done.stderr[-3000:]
     said = (results / "logs/ida_W1_RRS228_pos.log").read_text()
     assert "2 of 3 runs taken from earlier work" in said
-    assert [r for r in read(results / "ida/W1/RRS228_pos.csv") if r["pga_g"] != "0.0600"] == rows
+    assert [r for r in read(results / "ida/W1/RRS228_pos.csv") if r["pga_g"] != "0.0300"] == rows
 
 
+@pytest.mark.xdist_group("small study")
 @pytest.mark.yade
 @pytest.mark.slow
-def test_one_target_into_another_run(folder):
+def test_one_target_into_another_run(small_study, small):
     """A single file with overrides goes to another run and leaves the first alone."""
-    first = folder / "results/small/ida/W1/RRS228_pos.csv"
-    before = first.read_bytes() if first.exists() else None
-    words = [w.replace("run=small", "run=tall") for w in SMALL]
+    first = small_study / "results/small/ida/W1/RRS228_pos.csv"
+    before = first.read_bytes()
+    words = [w.replace("run=small", "run=tall").replace("5.75", "8.0") for w in small]
     target = "results/tall/ida/W1/RRS228_pos.csv"
-    done = snakemake(folder, *words, "facade={height_m: 8.0}", "--", target)
+    done = snakemake(small_study, *words, "--", target)
     assert done.returncode == 0, done.stderr[-3000:]
-    assert (folder / target).exists()
-    assert (first.read_bytes() if first.exists() else None) == before
-    assert not (folder / "results/tall/figures").exists()
+    assert (small_study / target).exists()
+    assert first.read_bytes() == before
+    assert not (small_study / "results/tall/figures").exists()

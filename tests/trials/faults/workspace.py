@@ -15,6 +15,12 @@ SNAKEMAKE = Path(sys.executable).parent / "snakemake"
 PARTS = ("profiles", "workflow", "yade_scripts", "smdof", "config")
 STUDY = "study.yaml"  # in the workspace, a copy of the one given to `fill`
 OVERVIEW = ("tables/ida_collapse.csv", "tables/records.csv")
+FIGURES = (
+    *OVERVIEW,
+    "tables/shared.csv",
+    "figures/fig09_ida.png",
+    "figures/record_BUCAR0.png",
+)
 RESULTS = "results/trial"
 NOT_COMPARED = "wall_s"  # the one column that is a measurement of this run, not of the façade
 

@@ -42,7 +42,7 @@ def test_dashpots_only_take_energy():
 
 
 # the books cost by the node and by the step
-FEW = {"nodes_thickness": 5, "nodes_height": 5, "nodes_per_block": 5, "after_motion_s": 1.0}
+FEW = {"nodes_thickness": 5, "nodes_height": 5, "nodes_per_block": 5, "after_motion_s": 0.3}
 
 
 def shake(amplitude_m_s2, relative=0.0):
@@ -67,12 +67,12 @@ def test_books_of_a_run_balance_to_second_order(model, amplitude, relative):
             fraction=fraction,
             **shake(amplitude, relative),
         )
-        for fraction in (0.4, 0.1)
+        for fraction in (0.4, 0.2)
     )
     assert coarse["status"] == fine["status"] == "ok"
     assert fine["peak"] > 0.1  # it rocks
     assert fine["residual"] < 1e-3 * fine["overturning"]
-    assert np.log(coarse["residual"] / fine["residual"]) / np.log(4.0) > 1.5
+    assert np.log(coarse["residual"] / fine["residual"]) / np.log(2.0) > 1.5
     _, put_in, _, _, _, dashpots, friction, fracture, _ = fine["last"]
     assert dashpots > 0.25 * put_in
     assert friction > 0.0

@@ -11,13 +11,21 @@ from yade_scripts.model import floor_motions
 
 pytestmark = pytest.mark.yade
 
+FEW = {
+    "nodes_thickness": 9,
+    "nodes_height": 5,
+    "nodes_per_block": 5,
+    "step_fraction": 0.1,
+    "after_motion_s": 1.0,
+}
+
 TIME_S = np.linspace(0.0, 2.4, 241)
 GROUND = 1.5 * np.where(TIME_S < 1.6, np.sin(2 * np.pi * TIME_S / 0.8), 0.0)
 
 
 def history(folder, model, pga_g):
     """Columns of a history under two cycles of 0.8 s, floors moving up to 1.2 times the ground."""
-    job = {**resolved(numerics={"after_motion_s": 1.0}), "model": model, "beta_s": 0.002}
+    job = {**resolved(numerics=FEW), "model": model, "beta_s": 0.002}
     (folder / "scene.json").write_text(json.dumps(job))
     floors = [(1.0 + 0.05 * j) * GROUND for j in range(1, 5)]
     floor_motions.write(folder / "motion.csv", TIME_S, GROUND, floors)
