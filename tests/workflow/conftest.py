@@ -17,6 +17,7 @@ SMALL = [
     "ida={mode: grid, grid_g: [0.02, 0.9]}",
     "numerics={step_fraction: 0.5, after_motion_s: 0}",
     "ensemble={enabled: off}",
+    "pushover={nodes_thickness: 5, step_fraction: 0.4}",
 ]
 
 

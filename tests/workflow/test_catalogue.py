@@ -10,7 +10,8 @@ from forked import snakemake
 
 ROOT = Path(__file__).resolve().parents[2]
 SNAKEFILE = ROOT / "workflow" / "Snakefile"
-REDUCED = ["ida={mode: grid, grid_g: [0.05, 0.6]}", "ensemble={enabled: off}"]
+COARSE = "pushover={nodes_thickness: 5, step_fraction: 0.4}"
+REDUCED = ["ida={mode: grid, grid_g: [0.05, 0.6]}", "ensemble={enabled: off}", COARSE]
 MODULE = f"""
 configfile: "config/config.yaml"
 module rocking_facades:

@@ -1,6 +1,7 @@
 import numpy as np
+import pytest
 
-from yade_scripts.model.motion import numbers
+from yade_scripts.model.motion import Motion, amplitude, numbers
 
 
 def test_motions_of_one_time_axis_share_its_numbers():
@@ -10,3 +11,26 @@ def test_motions_of_one_time_axis_share_its_numbers():
     assert shared == table[:, 0].tolist()
     assert numbers(table[:, 0].copy()) is shared
     assert numbers(table[:-1, 0]) == shared[:-1]
+
+
+def test_position_is_the_double_integral():
+    """Up to 2 m/s² in a second, down in two: t³/3, then by the same rule; 3 m/s from then on."""
+    motion = Motion(np.array([0.0, 1.0, 3.0]), np.array([0.0, 2.0, 0.0]))
+    expected = [0.0, 1.0 / 24.0, 1.0 / 3.0, 13.0 / 6.0, 5.0, 8.0]
+    assert motion.position([0.0, 0.5, 1.0, 2.0, 3.0, 4.0]) == pytest.approx(expected)
+    assert motion.peak_speed() == pytest.approx(3.0)
+
+
+def test_a_motion_ends_at_zero():
+    """One more sample where it does not, as far on as the one before."""
+    motion = Motion(np.array([0.0, 0.1]), np.array([0.0, 1.0]))
+    assert motion.time_s == pytest.approx([0.0, 0.1, 0.2])
+    assert motion.acceleration_m_s2.tolist() == [0.0, 1.0, 0.0]
+    assert motion.duration_s == pytest.approx(0.2)
+
+
+def test_amplitude_brings_the_peak_to_a_pga():
+    """0.2 g over a peak of 4 m/s², in standard gravity; the mirror image has the other sign."""
+    ground = np.array([0.5, -4.0, 2.0])
+    assert amplitude(ground, "pos", 0.2) == pytest.approx(0.2 * 9.80665 / 4.0, rel=1e-6)
+    assert amplitude(ground, "neg", 0.2) == -amplitude(ground, "pos", 0.2)

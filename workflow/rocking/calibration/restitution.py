@@ -105,22 +105,18 @@ def rebounds(time_s, theta_over_alpha, *, sides="one", smallest=SMALLEST):
             continue
         if top == len(t) - 1:
             break
-        i = run[0]
-        start = t[0]
-        if i > 0:
-            start = t[i - 1] + (t[i] - t[i - 1]) * theta[i - 1] / (theta[i - 1] - theta[i])
-        found.append((start, *_vertex(t, np.abs(theta), top), run))
+        found.append((*_vertex(t, np.abs(theta), top), run))
     if not found:
         return Rebounds(float(abs(theta[0])), np.zeros(0), np.zeros(0), np.zeros(0))
-    last_positive = [entry[3][-1] for entry in found[:-1]]
+    last_positive = [entry[2][-1] for entry in found[:-1]]
     impacts = [
         t[i] + (t[i + 1] - t[i]) * theta[i] / (theta[i] - theta[i + 1]) for i in last_positive
     ]
     return Rebounds(
-        release=float(found[0][2]),
+        release=float(found[0][1]),
         impact_time_s=np.array(impacts, float),
-        peak_time_s=np.array([entry[1] for entry in found[1:]], float),
-        peak=np.array([entry[2] for entry in found[1:]], float),
+        peak_time_s=np.array([entry[0] for entry in found[1:]], float),
+        peak=np.array([entry[1] for entry in found[1:]], float),
     )
 
 
