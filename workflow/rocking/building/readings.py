@@ -81,6 +81,24 @@ def readings(longest_period_s=2.0, highest_hz=25.0):
     }
 
 
+def highest_brick(building, name):
+    """Return the highest brick of a wall, of those the one nearest its middle."""
+    wall = building.plan.wall(name)
+    middle = wall.origin_m + wall.length_m / 2.0
+    number = building.bricks.wall_names.index(name)
+    own = np.flatnonzero(building.bricks.wall == number)
+    blocks = building.scene.blocks
+    return int(
+        max(
+            own,
+            key=lambda i: (
+                round(blocks[i].centre_m[2], 6),
+                -round(abs(blocks[i].centre_m[wall.axis] - middle), 6),
+            ),
+        )
+    )
+
+
 def strong_part(time_s, acceleration_m_s2):
     """Return start and end of the time between 5 and 95 % of ∫a²dt (Trifunac and Brady, 1975)."""
     share = np.cumsum(np.square(acceleration_m_s2))

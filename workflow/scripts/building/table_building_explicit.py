@@ -8,16 +8,17 @@ identifies it. Writes tables/building_explicit.csv and figures/fig03_rattling…
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rocking.building.case import build_model, read_plan, translation_mode
+import pandas as pd
+from rocking.building.case import build_model, read_plan
 from rocking.building.comparison import top_motion
+from rocking.building.explicit import differences, second_along_y
 from rocking.building.history import LOADS, modal_history
 from rocking.building.modes import Solver
 from rocking.figures import style
 from rocking.records import G_M_S2, read_csv
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_table
+from rocking.tables import headed, read_json, write_table
 
-import smdof
 from yade_scripts.studies.explicit_building import corner
 
 MODES = 300
@@ -46,43 +47,17 @@ def main(job):
         name: modal_history(modes, points, ground, record.dt_s, notes["rate_1_s"], gravity_m_s2=g)
         for name, g in LOADS.items()
     }
-    facts = (
-        job.wildcards.record,
-        building.scene.notes["bricks"],
-        len(building.scene.nodes),
-        notes["step_s"],
-        len(explicit["sudden gravity"]),
-    )
-    rows = []
-    for name, one in explicit.items():
-        for other, two in modal.items():
-            for i, point in enumerate(POINTS):
-                for quantity, column, values in (
-                    ("acceleration", 1 + i, two.acceleration_m_s2[i]),
-                    ("displacement", 3 + i, two.displacement_m[i]),
-                ):
-                    grid = smdof.common_grid(two.time_s, values, one[:, 0], one[:, column])
-                    rows.append(
-                        (*facts, name, other, point, quantity, smdof.weighted_mean_error(*grid))
-                    )
-    columns = [
-        "record",
-        "bricks",
-        "pairs",
-        "step_s",
-        "steps",
-        "explicit",
-        "modal",
-        "point",
-        "quantity",
-        "wme",
-    ]
-    write_table(rows, job.output.table, columns)
-    first = translation_mode(modes)
-    second = first + 1 + int(modes.effective_ratio[first + 1 :, 1].argmax())
-    if modes.period_s[second] > 0.6 * modes.period_s[first]:  # a twin of the first, not bending
-        second += 1 + int(modes.effective_ratio[second + 1 :, 1].argmax())
-    _figure(job, explicit, modal, float(modes.period_s[second]))
+    facts = {
+        "record": job.wildcards.record,
+        "bricks": building.scene.notes["bricks"],
+        "pairs": len(building.scene.nodes),
+        "step_s": notes["step_s"],
+        "steps": len(explicit["sudden gravity"]),
+    }
+    columns = ["explicit", "modal", "point", "quantity", "wme"]
+    table = pd.DataFrame(differences(explicit, modal, POINTS), columns=columns)
+    write_table(headed(table, **facts), job.output.table)
+    _figure(job, explicit, modal, float(modes.period_s[second_along_y(modes)]))
 
 
 def _figure(job, explicit, modal, second_s):

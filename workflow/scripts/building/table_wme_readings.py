@@ -6,29 +6,11 @@ from rocking.building.case import build_model, read_plan, translation_mode
 from rocking.building.comparison import PAPER_WME, QUANTITIES
 from rocking.building.history import mass_damping_rate, modal_history
 from rocking.building.modes import Modes
-from rocking.building.readings import errors, readings
+from rocking.building.readings import errors, highest_brick, readings
 from rocking.building.search import first_mode
 from rocking.records import read_csv
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
-
-
-def highest_brick(building, name):
-    """Return the highest brick of a wall, of those the one nearest its middle."""
-    wall = building.plan.wall(name)
-    middle = wall.origin_m + wall.length_m / 2.0
-    number = building.bricks.wall_names.index(name)
-    own = np.flatnonzero(building.bricks.wall == number)
-    blocks = building.scene.blocks
-    return int(
-        max(
-            own,
-            key=lambda i: (
-                round(blocks[i].centre_m[2], 6),
-                -round(abs(blocks[i].centre_m[wall.axis] - middle), 6),
-            ),
-        )
-    )
 
 
 def main(job):
