@@ -271,6 +271,32 @@ def test_what_was_found_is_kept_and_taken_up_again(monkeypatch, tmp_path):
     assert tried != []
 
 
+def test_scans_of_the_chart_are_kept_and_said(monkeypatch, tmp_path):
+    """A scan that has no tenth of collapse (NaN) is kept as well; a search's key is another one."""
+
+    class Found:
+        def summary(self):
+            found = dict.fromkeys(("safe", "collapse", "median", "p90", "all", "max"), 0.25)
+            return {f"pga_{k}_g": v for k, v in (found | {"p10": math.nan}).items()}
+
+    def curve(*_, **__):
+        done.append(1)
+        return Found()
+
+    monkeypatch.setattr(strengthening, "collapse_curve", curve)
+    config, _ = tied(numerics=FEW)
+    case, settings = Case({**config, "model": "W1"}), {**config["strengthening"], "curve_levels": 3}
+    done, said, tables = [], [], []
+    for _ in range(2):
+        kept = strengthening.Kept(tmp_path / "kept.jsonl", "a chart")
+        tables.append(strengthening.curve(case, None, "pos", settings, 3.0, kept, said.append))
+    assert len(done) == len(said) == 4  # without a tie too
+    assert tables[0].equals(tables[1])
+    assert tables[0]["pga_p10_g"].isna().all()
+    assert said[-1] == "scan 4 of 4: tie of 100 kN at 3.00 m"
+    assert strengthening.Kept(tmp_path / "kept.jsonl", "a").known == {}
+
+
 def test_the_cost_is_said_beforehand():
     """Two heights of 25 forces and none: 51 × 61 histories; 13 each and none: 27 × 35."""
     assert strengthening.most_histories(SEARCH, 6.0) == (3111, 945)

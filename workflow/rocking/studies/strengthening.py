@@ -110,7 +110,7 @@ def realisations(case, motion, direction, settings):
 
 
 class Kept:
-    """Results of finished ties in a file, a line each, so that a broken search goes on.
+    """What was found of each tie, in a file, a line each, so that a broken search goes on.
 
     Parameters
     ----------
@@ -128,26 +128,24 @@ class Kept:
                 try:
                     row = json.loads(line)
                     if row["key"] == key:
-                        self.known[row["height_m"], row["force_kn"]] = (
-                            row["fell"],
-                            row["realisations"],
-                        )
+                        self.known[row["height_m"], row["force_kn"]] = row["found"]
                 except (ValueError, KeyError, TypeError):
                     continue  # a line that was not written to its end
 
     def get(self, height_m, force_kn):
-        """What is known of a tie, (fell, realisations), or None."""
+        """What is known of a tie, or None."""
         return self.known.get((round(height_m, 6), round(float(force_kn), 6)))
 
-    def put(self, height_m, force_kn, fell, count):
-        """Keep what was found."""
+    def put(self, height_m, force_kn, found):
+        """Keep what was found, as JSON has it."""
         place = round(height_m, 6), round(float(force_kn), 6)
-        self.known[place] = fell, count
+        self.known[place] = found
         if self.path is None:
             return
         self.path.parent.mkdir(parents=True, exist_ok=True)
-        names = ("key", "height_m", "force_kn", "fell", "realisations")
-        row = dict(zip(names, (self.key, *place, fell, count), strict=True))
+        row = dict(
+            zip(("key", "height_m", "force_kn", "found"), (self.key, *place, found), strict=True)
+        )
         with self.path.open("a", encoding="utf-8") as handle:
             handle.write(json.dumps(row) + "\n")
 
@@ -200,7 +198,7 @@ def search(case, motion, direction, settings, kept=None, say=lambda text: None):
                 case.varied(tie(settings, height, force)), motion, direction, settings
             )
             seconds = time.process_time() - began
-            kept.put(height, force, *known)
+            kept.put(height, force, known)
             say(f"tie of {force:.3g} kN at {height:.2f} m: {known[0]} of {known[1]} fell")
             taken.append(seconds / max(known[1], 1))
             if len(taken) == 2:  # the first compiles
@@ -298,8 +296,15 @@ def to_confirm(case, table, choice, settings):
     ]
 
 
-def curve(case, motion, direction, settings, height_m):
+def curve(case, motion, direction, settings, height_m, kept=None, say=lambda text: None):
     """Collapse intensities against the force of a row at one height.
+
+    Parameters
+    ----------
+    kept : Kept, optional
+        Of these scans alone: its key differs from that of a search.
+    say : callable
+        Receives a line a scan.
 
     Returns
     -------
@@ -307,10 +312,16 @@ def curve(case, motion, direction, settings, height_m):
         height_m, force_kn, pga_safe_g, pga_collapse_g, pga_p10_g, pga_median_g, pga_p90_g,
         pga_all_g, pga_max_g.
     """
+    kept = kept or Kept(None, "")
+    names = [f"pga_{name}_g" for name in ("safe", "collapse", "p10", "median", "p90", "all", "max")]
     rows = []
-    for force in trial_forces(settings, settings["curve_levels"]):
-        variant = tie(settings, height_m, force)
-        found = collapse_curve(case.varied(variant), motion, direction, settings=CHART).summary()
-        rows.append({**variant.about, **found})
-    names = ("safe", "collapse", "p10", "median", "p90", "all", "max")
-    return pd.DataFrame(rows)[["height_m", "force_kn", *(f"pga_{name}_g" for name in names)]]
+    forces = trial_forces(settings, settings["curve_levels"])
+    for number, force in enumerate(forces, 1):
+        if (found := kept.get(height_m, force)) is None:
+            varied = case.varied(tie(settings, height_m, force))
+            summary = collapse_curve(varied, motion, direction, settings=CHART).summary()
+            found = [float(summary[name]) for name in names]
+            kept.put(height_m, force, found)
+            say(f"scan {number} of {len(forces)}: tie of {force:.3g} kN at {height_m:.2f} m")
+        rows.append((height_m, force, *found))
+    return pd.DataFrame(rows, columns=["height_m", "force_kn", *names])

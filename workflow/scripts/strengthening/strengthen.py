@@ -23,10 +23,11 @@ def main(job):
                 handle.write(line + "\n")
 
     most, fewest = strengthening.most_histories(settings, case["facade"]["height_m"])
-    scans = settings["curve_levels"]
+    scans = settings["curve_levels"] + 1
     say(f"{fewest} to {most} histories, fewer where ties fail; then {scans} scans for the chart")
     code = Path(str(job.input.modules)).read_text() if getattr(job.input, "modules", None) else ""
-    kept = strengthening.Kept(job.params.kept, strengthening.key_of(*given, code))
+    key = strengthening.key_of(*given, code)
+    kept = strengthening.Kept(job.params.kept, key)
     if kept.known:
         say(f"{len(kept.known)} ties known from an earlier search")
     table = strengthening.search(*given, kept, say)
@@ -35,7 +36,8 @@ def main(job):
     # where no tie holds, the chart is drawn for the highest row
     height = float(least["height_m"].max() if choice is None else choice["height_m"])
     say(f"{len(table)} ties tried; chart of collapse intensities at {height:.2f} m")
-    curve = strengthening.curve(*given, height)
+    scanned = strengthening.Kept(job.params.kept, f"{key} chart")
+    curve = strengthening.curve(*given, height, scanned, say)
     cases = strengthening.to_confirm(case, table, choice, settings)
     tables = {job.output.search: table, job.output.least: least, job.output.curve: curve}
     for path, frame in tables.items():
