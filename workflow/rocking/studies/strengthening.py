@@ -318,10 +318,12 @@ def curve(case, motion, direction, settings, height_m, kept=None, say=lambda tex
     forces = trial_forces(settings, settings["curve_levels"])
     for number, force in enumerate(forces, 1):
         if (found := kept.get(height_m, force)) is None:
+            began = time.process_time()
             varied = case.varied(tie(settings, height_m, force))
             summary = collapse_curve(varied, motion, direction, settings=CHART).summary()
             found = [float(summary[name]) for name in names]
             kept.put(height_m, force, found)
-            say(f"scan {number} of {len(forces)}: tie of {force:.3g} kN at {height_m:.2f} m")
+            text = f"scan {number} of {len(forces)}: tie of {force:.3g} kN at {height_m:.2f} m"
+            say(f"{text}, {time.process_time() - began:.2g} s of processor time")
         rows.append((height_m, force, *found))
     return pd.DataFrame(rows, columns=["height_m", "force_kn", *names])
