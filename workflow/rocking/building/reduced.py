@@ -31,8 +31,8 @@ class Reduction:
     ----------
     omega : ndarray, shape (n,)
         Circular frequencies [rad/s], ascending.
-    hang, lift : ndarray, shape (m, n)
-        H: motion of the ends along y, outward, and along z.
+    hang, lift, roll : ndarray, shape (m, n)
+        H: motion of the ends along y, outward, and along z; their rotation about x.
     participation : ndarray, shape (n,)
         Γ, along y.
     moving : ndarray, shape (n,)
@@ -44,6 +44,7 @@ class Reduction:
     omega: np.ndarray
     hang: np.ndarray
     lift: np.ndarray
+    roll: np.ndarray
     participation: np.ndarray
     moving: np.ndarray
     ends: np.ndarray
@@ -58,6 +59,7 @@ class Reduction:
             np.diag(rate_1_s * self.moving * mass),
             self.hang * scale,
             self.lift * scale,
+            self.roll * scale,
             self.participation / scale,
         )
 
@@ -70,7 +72,8 @@ def reduction(scene, count):
     scene : Scene
         Of `complete.complete_scene`.
     count : int
-        Lowest modes; to them comes one residual deformation an end.
+        Lowest modes; to them come three residual deformations an end, under a unit force along y
+        and z and under a unit moment about x.
 
     Returns
     -------
@@ -86,11 +89,11 @@ def reduction(scene, count):
     blocks[facade] = replace(blocks[facade], free="")
     solver = Solver(apart(replace(scene, blocks=blocks)))
     modes, ends = solver.modes(count), np.unique(nodes.a[back])
-    # motion along y, then along z, of the middle of an end's nodes
-    pick = np.zeros((len(solver.mass), 2 * len(ends)))
+    # motion along y, then along z, of the middle of an end's nodes, then rotation about x
+    pick = np.zeros((len(solver.mass), 3 * len(ends)))
     for column, end in enumerate(ends):
-        x, y, z = nodes.position_m[back & (nodes.a == end)].mean(axis=0) - blocks[end].centre_m
-        parts = ((1, 1.0), (3, -z), (5, x)), ((2, 1.0), (3, y), (4, -x))
+        x, y, z = _middle(nodes, back & (nodes.a == end)) - blocks[end].centre_m
+        parts = ((1, 1.0), (3, -z), (5, x)), ((2, 1.0), (3, y), (4, -x)), ((3, 1.0),)
         for axis, part in enumerate(parts):
             for freedom, share in part:
                 own = (solver.dof == (end, freedom)).all(axis=1)
@@ -102,19 +105,28 @@ def reduction(scene, count):
     squared, own = eigh(basis.T @ (solver.k @ basis), basis.T @ (solver.mass[:, None] * basis))
     phi = basis @ own
     along = solver.mass * (solver.dof[:, 1] == 1)
-    hang, lift = np.split(pick.T @ phi, 2)
+    hang, lift, roll = np.split(pick.T @ phi, 3)
     moving = np.einsum("ij,i,ij->j", phi, solver.mass * (solver.dof[:, 1] < 3), phi)
-    return Reduction(np.sqrt(squared), hang, lift, phi.T @ along, moving, ends)
+    return Reduction(np.sqrt(squared), hang, lift, roll, phi.T @ along, moving, ends)
+
+
+def _middle(nodes, mine):
+    """Place of an end: the middle of its nodes."""
+    return nodes.position_m[mine].mean(axis=0)
 
 
 def in_plane(scene, ends):
     """Scene of the façade alone in its plane, a moving support in the place of every end."""
     facade, ground, nodes = scene.index(scene.monitor), scene.index(scene.reference), scene.nodes
+    back = nodes.b == facade
+    held = [(i, tuple(_middle(nodes, back & (nodes.a == i)))) for i in ends]
+    blocks = [
+        replace(scene.blocks[ground], free="", motion=GROUND_MOTION),
+        *(replace(scene.blocks[i], free="", motion=f"end{i}", centre_m=at) for i, at in held),
+        replace(scene.blocks[facade], free="yzX"),
+    ]
     kept = [ground, *ends, facade]
-    blocks = [replace(scene.blocks[i], free="", motion=f"end{i}") for i in kept]
-    blocks[0] = replace(blocks[0], motion=GROUND_MOTION)
-    blocks[-1] = replace(scene.blocks[facade], free="yzX")
-    mine = (nodes.a == facade) | (nodes.b == facade)
+    mine = (nodes.a == facade) | back
     place = np.full(len(scene.blocks), -1)
     place[kept] = np.arange(len(kept))
     columns = {name: getattr(nodes, name)[mine] for name in vars(nodes)}

@@ -8,7 +8,7 @@ from rocking.runtime.compiled import compiled, inlined
 
 
 class Bodies(NamedTuple):
-    """Coordinates that carry the supports: M ü + C u̇ + K u = −M r a_g + Hᵀ·contact forces.
+    """Coordinates that carry the supports: M ü + C u̇ + K u = −M r a_g + Hᵀ·forces and moments.
 
     They are the masses of a chain, or the modes of a building. Supports move by H u.
 
@@ -17,9 +17,9 @@ class Bodies(NamedTuple):
     mass_kg : ndarray, shape (n,)
         Without masses the supports are driven.
     k_n_m, c_n_s_m : ndarray, shape (n, n)
-    hang, lift : ndarray, shape (supports, n)
-        H: what each coordinate adds to a support's motion along y, and along z; `lift` without
-        rows where supports only move along y.
+    hang, lift, roll : ndarray, shape (supports, n)
+        H: what each coordinate adds to a support's motion along y, along z, and to its rotation
+        about x; `lift` and `roll` without rows where supports only move along y, or do not turn.
     ground : ndarray, shape (n,)
         r: motion of the coordinates when everything moves by one with the ground.
     """
@@ -29,6 +29,7 @@ class Bodies(NamedTuple):
     c_n_s_m: np.ndarray
     hang: np.ndarray
     lift: np.ndarray
+    roll: np.ndarray
     ground: np.ndarray
 
 
@@ -37,7 +38,7 @@ class Ride(NamedTuple):
 
     Attributes
     ----------
-    hang, lift : ndarray, shape (n, supports)
+    hang, lift, roll : ndarray, shape (n, supports)
         Transposed, so that the inner loop over the supports runs in parallel lanes.
     u, v, w, a, force : ndarray, shape (n,)
         Displacement, velocity half a step back and now, acceleration, forces of the block.
@@ -47,6 +48,7 @@ class Ride(NamedTuple):
 
     hang: np.ndarray
     lift: np.ndarray
+    roll: np.ndarray
     u: np.ndarray
     v: np.ndarray
     w: np.ndarray
@@ -66,6 +68,7 @@ def at_rest(bodies):
     return Ride(
         np.ascontiguousarray(bodies.hang.T),
         np.ascontiguousarray(bodies.lift.T),
+        np.ascontiguousarray(bodies.roll.T),
         *(np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n)),
         band,
     )
@@ -73,7 +76,7 @@ def at_rest(bodies):
 
 @inlined
 def _move(shape, ride, past_s, place, speed, way):
-    """Supports by H u along one axis."""
+    """Supports by H u along or about one axis."""
     place[:] = 0.0
     speed[:] = 0.0
     way[:] = 0.0
@@ -93,12 +96,15 @@ def carry(ride, half_s, past_s, supports):
     _move(ride.hang, ride, past_s, supports.y, supports.vy, supports.dy)
     if ride.lift.size > 0:
         _move(ride.lift, ride, past_s, supports.z, supports.vz, supports.dz)
+    if ride.roll.size > 0:
+        _move(ride.roll, ride, past_s, supports.turn, supports.spin, supports.dturn)
 
 
 @inlined
 def accelerate(bodies, ride, supports, ground_m_s2, quiet_m_s2):
     """Accelerations of the carriers; whether one still feels more than `quiet_m_s2`."""
-    n, lifted, shaken = ride.u.size, ride.lift.size > 0, False
+    n, shaken = ride.u.size, False
+    lifted, turned = ride.lift.size > 0, ride.roll.size > 0
     ride.force[:] = 0.0
     for i in range(ride.hang.shape[1]):
         if supports.fy[i] != 0.0 or supports.fz[i] != 0.0:
@@ -107,6 +113,9 @@ def accelerate(bodies, ride, supports, ground_m_s2, quiet_m_s2):
             if lifted:
                 for j in range(n):
                     ride.force[j] += bodies.lift[i, j] * supports.fz[i]
+            if turned:
+                for j in range(n):
+                    ride.force[j] += bodies.roll[i, j] * supports.moment[i]
     for j in range(n):
         pull = ride.force[j]
         for i in range(max(0, j - ride.band), min(n, j + ride.band + 1)):

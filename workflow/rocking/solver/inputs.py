@@ -57,6 +57,8 @@ class Supports(NamedTuple):
     z, vz, dz : ndarray
     fy, fz : ndarray
         Forces [N].
+    turn, spin, dturn, moment : ndarray
+        Rotation about x [rad], its rate and change, and moment [N·m]; empty where none turns.
     """
 
     y: np.ndarray
@@ -67,15 +69,21 @@ class Supports(NamedTuple):
     dz: np.ndarray
     fy: np.ndarray
     fz: np.ndarray
+    turn: np.ndarray
+    spin: np.ndarray
+    dturn: np.ndarray
+    moment: np.ndarray
 
 
 @compiled
-def standing(supports):
+def standing(supports, turning):
     """So many supports, at rest."""
     n = supports + 1
+    m = n if turning else 0
     return Supports(
         *(np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n)),
         *(np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n)),
+        *(np.zeros(m), np.zeros(m), np.zeros(m), np.zeros(m)),
     )
 
 

@@ -73,10 +73,10 @@ def untouched(p):
 
 
 @inlined
-def _line(p, g, pose, place, height):
+def _line(p, g, pose, place, height, roll):
     """Where a group is: side of the block, normal, its line from the block's centre, penetration.
 
-    The last is d0 + d1·s.
+    The last is d0 + d1·s. A support's rotation `roll` is small, as in the modes that give it.
     """
     y, z, cos, sin = pose
     ny, nz, ey, ez = p.normal[g, 0], p.normal[g, 1], p.along[g, 0], p.along[g, 1]
@@ -89,7 +89,8 @@ def _line(p, g, pose, place, height):
     else:
         sign = -1.0
         ny, nz = cos * ny - sin * nz, sin * ny + cos * nz
-        ry, rz = ry + place - y, rz + height - z
+        ry, rz = ry + place - y - roll * p.arm_m[g, 1], rz + height - z + roll * p.arm_m[g, 0]
+        ey, ez = ey - roll * ez, ez + roll * ey
         d0 = p.level_m[g] - ny * ry - nz * rz
     return sign, ny, nz, ry, rz, ey, ez, d0, -(ny * ey + nz * ez)
 
@@ -299,10 +300,11 @@ def block_contact(p, touch, supports, pose, rates, last, past_s, dt, books):
     (py, pz, pt), (my, mz, mt) = rates, last
     fy = fz = moment = elastic = spent = 0.0
     own = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    broken = 0
+    broken, turning = 0, supports.turn.size > 0
     for g in range(p.level_m.size):
         j = p.support[g]  # −1 is the last entry, which stands still
-        sign, ny, nz, ry, rz, ey, ez, d0, d1 = _line(p, g, pose, supports.y[j], supports.z[j])
+        place, roll = (supports.y[j], supports.z[j]), supports.turn[j] if turning else 0.0
+        sign, ny, nz, ry, rz, ey, ez, d0, d1 = _line(p, g, pose, *place, roll)
         low, high = p.first[g], p.first[g + 1]
         ends = d0 + d1 * p.place_m[low], d0 + d1 * p.place_m[high - 1]
         if touch.summed[g] and (ends[0] <= 0.0 or ends[1] <= 0.0):
@@ -319,10 +321,19 @@ def block_contact(p, touch, supports, pose, rates, last, past_s, dt, books):
         vy, vz = py - pt * rz - supports.vy[j], pz + pt * ry - supports.vz[j]
         uy = past_s * (my - mt * rz) - supports.dy[j]
         uz = past_s * (mz + mt * ry) - supports.dz[j]
+        if turning:
+            arm_y, arm_z = p.arm_m[g, 0], p.arm_m[g, 1]
+            vy, vz = vy + supports.spin[j] * arm_z, vz - supports.spin[j] * arm_y
+            uy, uz = uy + supports.dturn[j] * arm_z, uz - supports.dturn[j] * arm_y
         turn_n, turn_t = nz * ey - ny * ez, tz * ey - ty * ez
         q0, q1 = -sign * (ny * vy + nz * vz), -sign * pt * turn_n
         s0, s1 = sign * (ty * vy + tz * vz), sign * pt * turn_t
         g0, g1 = sign * (ty * uy + tz * uz), sign * past_s * mt * turn_t
+        if turning:
+            along_y, along_z = p.along[g, 0], p.along[g, 1]
+            turn_t = sign * (tz * along_y - ty * along_z)
+            q1 += supports.spin[j] * sign * (nz * along_y - ny * along_z)
+            s1, g1 = s1 - supports.spin[j] * turn_t, g1 - supports.dturn[j] * turn_t
         lines = d0, d1, q0, q1, s0, s1, g0, g1
         beta, ratio, friction = p.beta_s[g], p.shear_ratio[g], p.friction[g]
         h0, h1 = d0 + beta * q0, d1 + beta * q1  # force over kn along the line
@@ -349,6 +360,9 @@ def block_contact(p, touch, supports, pose, rates, last, past_s, dt, books):
         moment += sign * (ey * (nz * n1 - tz * t1) - ez * (ny * n1 - ty * t1))
         supports.fy[j] -= gy
         supports.fz[j] -= gz
+        if turning:
+            far = sign * (nz * n1 - tz * t1), sign * (ny * n1 - ty * t1)
+            supports.moment[j] -= arm_y * gz - arm_z * gy + along_y * far[0] - along_z * far[1]
         directions = ny, nz, ty, tz
         own = _added(own, (ry, rz, ey, ez), directions, (across, along), (beta, ratio))
     return (fy, fz, moment), own, (elastic, spent), broken

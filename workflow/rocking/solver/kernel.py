@@ -63,7 +63,8 @@ def march_block(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
     peak_m, status, time_s, written, broken : float, int, float, int, int
     """
     dt, chained = table.step_s, bodies.mass_kg.size > 0
-    supports = standing(bodies.hang.shape[0] if chained else table.place_m.shape[1])
+    count = bodies.hang.shape[0] if chained else table.place_m.shape[1]
+    supports = standing(count, bodies.roll.size > 0)
     ride, touch = carriers.at_rest(bodies), untouched(p)
     barred = p.bars.tie_k_n_m.size + p.bars.floor_k_n_m.size > 0
     memory, where, push = bars.at_rest(p.bars), np.zeros((1, 4)), np.zeros((1, 3))
@@ -80,6 +81,7 @@ def march_block(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
         gravity = p.gravity_m_s2 + abs(factor) * table.vertical_m_s2[row]
         supports.fy[:] = 0.0
         supports.fz[:] = 0.0
+        supports.moment[:] = 0.0
         if chained:
             carriers.carry(ride, half, past, supports)
         else:

@@ -23,6 +23,8 @@ class Planar(NamedTuple):
         Group i has the nodes first[i]:first[i + 1], ordered by s.
     origin_m, along, normal : ndarray, shape (groups, 2)
         A node stands at origin + s·along; normal from block b into block a (y, z).
+    arm_m : ndarray, shape (groups, 2)
+        The origin from the centre of the group's support, about which that turns.
     level_m : ndarray, shape (groups,)
         The plane: points with normal·r = level.
     carried : ndarray of bool, shape (groups,)
@@ -49,6 +51,7 @@ class Planar(NamedTuple):
     origin_m: np.ndarray
     along: np.ndarray
     normal: np.ndarray
+    arm_m: np.ndarray
     level_m: np.ndarray
     carried: np.ndarray
     support: np.ndarray
@@ -136,6 +139,7 @@ def to_plane(scene):
         origin_m=column_of("origin_m"),
         along=column_of("along"),
         normal=column_of("normal"),
+        arm_m=column_of("arm_m"),
         level_m=column_of("level_m"),
         carried=column_of("carried", bool),
         support=column_of("support", np.int64),
@@ -210,6 +214,7 @@ def _group(scene, own, centre, column, mine):
         "origin_m": origin,
         "along": direction,
         "normal": normal,
+        "arm_m": origin + centre - np.array(support.centre_m)[1:],
         "level_m": normal @ origin - nodes.gap_m[i],
         "carried": carried,
         "support": column.get(support.motion, -1),
@@ -231,29 +236,31 @@ def matrices(planar, supports=0):
     -------
     mass : ndarray, shape (3 + floors,)
         Of y, z, rotation about x, and of the floors that have a mass.
-    k, c : ndarray, shape (3 + 2·supports + floors, 3 + 2·supports + floors)
+    k, c : ndarray, shape (3 + 3·supports + floors, 3 + 3·supports + floors)
         The freedoms of the supports along y follow the block's, those of the floors follow them,
-        then come those of the supports along z.
+        then come those of the supports along z, and their rotations about x.
     """
     p = planar
     floors = p.bars.mass_kg[p.bars.mass_kg > 0.0]
-    size = 3 + 2 * supports + floors.size
+    size = 3 + 3 * supports + floors.size
     k, c = np.zeros((size, size)), np.zeros((size, size))
     for g in range(len(p.level_m)):
         ny, nz = p.normal[g]
         for i in range(p.first[g], p.first[g + 1]):
             ry, rz = p.origin_m[g] + p.place_m[i] * p.along[g]
+            arm_y, arm_z = p.arm_m[g] + p.place_m[i] * p.along[g]
             for (y, z), stiffness in (((ny, nz), 1.0), ((-nz, ny), p.shear_ratio[g])):
                 row = np.zeros(size)
                 row[:3] = y, z, z * ry - y * rz
                 if supports and p.support[g] >= 0:
                     row[3 + p.support[g]] = -y
-                    row[size - supports + p.support[g]] = -z
+                    row[size - 2 * supports + p.support[g]] = -z
+                    row[size - supports + p.support[g]] = y * arm_z - z * arm_y
                 element = stiffness * p.kn_n_m[i] * np.outer(row, row)
                 k += element
                 c += p.beta_s[g] * element
     for stiffness, dashpot, part in elements(p.bars, supports):
-        row = np.pad(part, (0, supports))
+        row = np.pad(part, (0, 2 * supports))
         k += stiffness * np.outer(row, row)
         c += dashpot * np.outer(row, row)
     return np.array([p.mass_kg, p.mass_kg, p.inertia_kg_m2, *floors]), k, c

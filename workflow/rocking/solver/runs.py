@@ -18,7 +18,7 @@ STATUS = ("ok", "overturned", "failed")
 STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
 TABLES = 3  # of motions that are kept, some 10 MB each
 _NONE = np.zeros((0, 0))
-NO_BODIES = Bodies(np.zeros(0), _NONE, _NONE, _NONE, _NONE, np.zeros(0))
+NO_BODIES = Bodies(np.zeros(0), _NONE, _NONE, _NONE, _NONE, _NONE, np.zeros(0))
 
 
 @dataclass(frozen=True)
@@ -159,7 +159,7 @@ class Series:
     broken: int
 
 
-def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, ground=None):
+def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, roll=None, ground=None):
     """Masses that carry the supports and feel the block (see `carriers.Bodies`).
 
     Parameters
@@ -170,8 +170,8 @@ def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, ground=N
     hang : array_like, shape (m, n), or None
         Motion of each support along y, in the order of `moving_supports(scene)`; None: support i
         moves with mass i.
-    lift : array_like, shape (m, n), or None
-        The same along z; None: none.
+    lift, roll : array_like, shape (m, n), or None
+        The same along z, and rotation about x; None: none.
     ground : array_like, shape (n,), or None
         None: masses, which the ground moves by one.
 
@@ -184,17 +184,21 @@ def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, ground=N
     if m.ndim != 1 or k.shape != (m.size,) * 2 or c.shape != k.shape or not np.all(m > 0.0):
         raise ValueError("bodies: expected n positive masses and two matrices of shape (n, n)")
     hang = np.eye(m.size) if hang is None else np.array(hang, float, order="C")
-    lift = np.zeros((0, m.size)) if lift is None else np.array(lift, float, order="C")
+    lift, roll = (
+        np.zeros((0, m.size)) if rows is None else np.array(rows, float, order="C")
+        for rows in (lift, roll)
+    )
     ground = np.ones(m.size) if ground is None else np.array(ground, float)
     shapes = ((0, m.size), hang.shape)
     if (
         hang.ndim != 2
         or hang.shape[1] != m.size
         or lift.shape not in shapes
+        or roll.shape not in shapes
         or len(ground) != m.size
     ):
-        raise ValueError(f"bodies: expected {m.size} columns of hang and lift, rows of ground")
-    return Bodies(m, k, c, hang, lift, ground)
+        raise ValueError(f"bodies: expected {m.size} columns of hang, lift and roll, rows of ground")
+    return Bodies(m, k, c, hang, lift, roll, ground)
 
 
 def stable_step(planar, carried=NO_BODIES):
@@ -211,12 +215,11 @@ def stable_step(planar, carried=NO_BODIES):
     n = carried.mass_kg.size
     mass, k, c = matrices(planar, len(carried.hang))
     floors = mass.size - 3
-    lift = carried.lift if len(carried.lift) else 0.0 * carried.hang
-    # rows: the block, supports along y, floors, supports along z; columns: block, masses, floors
+    more = [rows if len(rows) else 0.0 * carried.hang for rows in (carried.lift, carried.roll)]
+    # rows: the block, supports along y, floors, supports along z, their rotations; columns: block,
+    # masses, floors
     hang = block_diag(np.eye(3), carried.hang, np.eye(floors))
-    hang = np.vstack(
-        [hang, np.hstack([np.zeros((len(lift), 3)), lift, np.zeros((len(lift), floors))])]
-    )
+    hang = np.vstack([hang, *(np.pad(rows, ((0, 0), (3, floors))) for rows in more)])
     k, c = (hang.T @ whole @ hang for whole in (k, c))
     mass = np.diag(np.concatenate((mass[:3], carried.mass_kg, mass[3:])))
     k[3 : 3 + n, 3 : 3 + n] += carried.k_n_m
@@ -280,6 +283,8 @@ def _set_up(planar, motions, numerics, factors, carried, step_s):
     given = len(carried.hang) or len(motions.supports_m_s2)
     if wanted > given:
         raise ValueError(f"planar solver: the scene has {wanted} moving supports, got {given}")
+    if len(carried.roll) and np.any(planar.carried & (planar.support >= 0)):
+        raise ValueError("planar solver: expected supports that turn to carry their own nodes")
     factors = np.atleast_1d(np.asarray(factors, float))
     step = step_s or STEP_FRACTION * stable_step(planar, carried)
     table = motions.table(step, supports=not carried.mass_kg.size)
