@@ -168,7 +168,7 @@ def test_drag_takes_the_share_of_translation_of_every_mode():
 @pytest.mark.yade
 @pytest.mark.parametrize("model", ["CB", "CBc"])
 def test_the_reduction_rocks_as_yade_does(model):
-    """Top of the façade before its walls, every brick in YADE beside 30 modes: 1 % of its peak."""
+    """Façade before its walls, or bonded to them, every brick in YADE: 1 % of its peak."""
     work, ground = job(model), 1.5 * pulses()
     got = in_yade(
         "complete_cases", "shaken", job=work, time_s=T.tolist(), ground=ground.tolist(), drop=False
@@ -186,7 +186,7 @@ def test_the_reduction_rocks_as_yade_does(model):
         step_s=screen.steps_s[0],
     )
     expected = np.interp(rows[:, 0], series.time_s, series.pose[:, 0])
-    assert np.abs(rows[:, 2]).max() > 0.1 * 0.5 * THICKNESS_M
+    assert (np.abs(rows[:, 2]).max() > 0.1 * 0.5 * THICKNESS_M) == (model == "CB")  # else it holds
     shaken = rows[:, 0] < T[-1]
     error = np.abs(rows[:, 2] - rows[0, 2] - expected)[shaken].max()
     assert error < 0.01 * np.abs(rows[:, 2]).max()

@@ -197,7 +197,9 @@ def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, roll=Non
         or roll.shape not in shapes
         or len(ground) != m.size
     ):
-        raise ValueError(f"bodies: expected {m.size} columns of hang, lift and roll, rows of ground")
+        raise ValueError(
+            f"bodies: expected {m.size} columns of hang, lift and roll, rows of ground"
+        )
     return Bodies(m, k, c, hang, lift, roll, ground)
 
 
