@@ -29,12 +29,12 @@ from yade_scripts.model import registry
 from yade_scripts.model.base import base_jkn, shares
 from yade_scripts.model.chain import chain_links, chain_matrices
 from yade_scripts.model.floor_motions import GROUND
-from yade_scripts.model.floors import facade_floors, level_loads, loaded
+from yade_scripts.model.floors import facade_floors, level_loads
 from yade_scripts.model.hinges import hinge_stiffness, pieces
 from yade_scripts.model.motion import along
 from yade_scripts.model.panels import Hanging, building_mass
 from yade_scripts.model.quadrature import gauss_lobatto
-from yade_scripts.model.rest import initial_pose, lean, settlement
+from yade_scripts.model.rest import at_rest
 from yade_scripts.model.scene import Block, NodeList, Scene
 from yade_scripts.model.shape import is_plain, shape_of
 from yade_scripts.model.ties import facade_ties
@@ -111,7 +111,6 @@ def facade_scene(
         )
     if two_components and (planar or kind.two_way or shape.hinges_m):
         raise ValueError(f"{model}: two components need a full scene, one block, driven supports")
-    tilt = math.radians(facade["tilt_deg"])
     jkn_base, jkn_back = joint_stiffness(config)
     motions: dict = {}
     ground = GROUND
@@ -134,20 +133,13 @@ def facade_scene(
     points, weights = gauss_lobatto(numerics["nodes_thickness"])
     # Debris under the base (tilt) belongs to the block as protruding nodes: it
     # rests rotated by φ about its front toe and cannot come back to the vertical.
-    protrusion = (1.0 - points) * b * math.tan(tilt)
+    protrusion = (1.0 - points) * b * math.tan(math.radians(facade["tilt_deg"]))
     # index 1 is the façade, appended to `blocks` below
     columns = None if planar else _columns(shape.base_strips, width_nodes)
     add_base(config, beta_s, nodes, 1, 0, planar=planar, protrusion_m=protrusion, columns=columns)
-    # lift of each base node in the pose turned about the toe; debris lies under a tilted base
-    angle = release_ratio * math.atan2(*shape.lever_m)
     walls_stand = kind.walls != "none" and facade.get("sides") != "two"
     kn = shares(facade, weights) * b * (width - shape.base_lost_m) * jkn_base
-    weight, lever = loaded(facade.get("floors", ()), shape)
-    if not (release_ratio or shape.hinges_m):
-        angle = lean(weight, lever, kn, points, b, walls_stand)
-    lift = (1.0 - points) * b * math.sin(angle)
-    sunk = settlement(weight, kn, lift)
-    displacement, rotation = initial_pose(shape.lever_m, tilt + angle, sunk)
+    displacement, rotation = at_rest(facade, shape, kn, points, release_ratio, walls_stand)
     upright = Block(
         FACADE,
         shape.centre_m,

@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 
+from yade_scripts.model.floors import loaded
+
 
 def settlement(weight_n, kn_n_m, lift_m):
     """Settlement s at which the base nodes carry the weight, Σ kn·max(0, s − lift) = W [m].
@@ -49,6 +51,36 @@ def lean(weight, lever, kn_n_m, points, b, walls_stand):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if side * excess(middle) > 0.0 else (low, middle)
     return 0.5 * (low + high)
+
+
+def at_rest(facade, shape, kn_n_m, points, release_ratio, walls_stand):
+    """Pose in which a façade starts: tilted, then released or leaning on its base, and settled.
+
+    Parameters
+    ----------
+    facade : dict
+        Section facade.
+    shape : Shape
+    kn_n_m, points : ndarray, shape (n,)
+        Base nodes, places over the thickness from the back.
+    release_ratio : float
+        θ₀/α; 0: it leans as its eccentric weight asks for.
+    walls_stand : bool
+        Return walls hold what leans on them.
+
+    Returns
+    -------
+    displacement_m, rotation_rad : tuple of 3 floats
+    """
+    b = facade["thickness_m"]
+    weight, lever = loaded(facade.get("floors", ()), shape)
+    angle = release_ratio * math.atan2(*shape.lever_m)
+    if not (release_ratio or shape.hinges_m):
+        angle = lean(weight, lever, kn_n_m, points, b, walls_stand)
+    # lift of each base node in the pose turned about the toe; debris lies under a tilted base
+    lift = (1.0 - points) * b * math.sin(angle)
+    tilt = math.radians(facade["tilt_deg"])
+    return initial_pose(shape.lever_m, tilt + angle, settlement(weight, kn_n_m, lift))
 
 
 def initial_pose(lever_m, angle, sunk_m):

@@ -145,8 +145,7 @@ def complete_scene(
     middle = 0.5 * float(bricks.low_m[ends, 0].min() + bricks.high_m[ends, 0].max())
     facade = len(blocks)
     mass = section["density_kg_m3"] * h * b * width
-    jkn_base, jkn_back = joint_stiffness(config)
-    kn_base = total(section) * jkn_base * b * width
+    kn_base = total(section) * joint_stiffness(config)[0] * b * width
     back = crack_m + section["gap_m"]
     blocks.append(
         Block(
@@ -160,40 +159,14 @@ def complete_scene(
     )
     nodes = NodeList()
     add_base(config, beta_s, nodes, facade, ground, planar=False, origin=(middle, back))
-    points, weights = np.polynomial.legendre.leggauss(config["complete"]["nodes_per_course"])
-    points, weights = 0.5 + 0.5 * points, 0.5 * weights
-    moduli = (joints or Joints()).moduli(brick)[0]  # of the head joints, normal and shear
-    wall = config["return_wall"]
-    touched = 0
+    moduli = None
+    if back_joint == "bricks":
+        moduli = (joints or Joints()).moduli(brick)[0]  # of the head joints, normal and shear
+    face = (middle - 0.5 * width, middle + 0.5 * width, crack_m)
+    before = len(nodes.joints)
     for i in ends:
-        (x0, y0, z0), (x1, _, z1) = bricks.low_m[i], bricks.high_m[i]
-        z1 = min(z1, h)
-        x0, x1 = max(x0, middle - 0.5 * width), min(x1, middle + 0.5 * width)
-        if z1 - z0 <= TOLERANCE_M or x1 - x0 <= TOLERANCE_M:
-            continue
-        touched += 1
-        line = np.stack(
-            [0 * points + 0.5 * (x0 + x1), 0 * points + crack_m, z0 + points * (z1 - z0)], axis=1
-        )
-        jkn, jks = jkn_back, section["shear_stiffness_ratio"] * jkn_back
-        if back_joint == "bricks":
-            jkn, jks = (2.0 * e / (crack_m - y0) for e in moduli)
-        nodes.add_joint(
-            bricks.name(i),
-            int(i),
-            facade,
-            line,
-            (0, -1, 0),
-            weights * (z1 - z0) * (x1 - x0),
-            jkn,
-            jks,
-            beta_s=beta_s * jkn_back / jkn,
-            friction_rad=math.radians(wall["friction_deg"]),
-            gap_m=section["gap_m"],
-            tension_pa=wall["tension_mpa"] * 1e6 if bonded else 0.0,
-            cohesion_pa=wall["cohesion_mpa"] * 1e6 if bonded else 0.0,
-        )
-    if not touched:
+        _touch(nodes, config, bricks, int(i), facade, face, beta_s, bonded, moduli)
+    if len(nodes.joints) == before:
         raise ValueError("the complete building: no brick ends at the crack behind the façade")
     return Scene(
         blocks,
@@ -205,6 +178,55 @@ def complete_scene(
         thickness_m=b,
         shaking=GROUND_MOTION,
         notes={**base.notes, "mass_behind_kg": building.mass_kg, "top": base.monitor},
+    )
+
+
+def _touch(nodes, config, bricks, brick, facade, face, beta_s, bonded, moduli):
+    """Add the joint of one brick that ends at the crack, if it ends behind the façade.
+
+    Parameters
+    ----------
+    nodes : NodeList
+    config, beta_s, bonded
+        As of `complete_scene`.
+    bricks : Bricks
+    brick, facade : int
+        Indices of the blocks.
+    face : (float, float, float)
+        x of the façade's edges, y of the crack [m].
+    moduli : (float, float) or None
+        Of the half brick behind the joint, normal and shear [Pa]; None: jkn of the other models.
+    """
+    section, wall = config["facade"], config["return_wall"]
+    (x0, y0, z0), (x1, _, z1) = bricks.low_m[brick], bricks.high_m[brick]
+    left_m, right_m, crack_m = face
+    z1 = min(z1, section["height_m"])
+    x0, x1 = max(x0, left_m), min(x1, right_m)
+    if z1 - z0 <= TOLERANCE_M or x1 - x0 <= TOLERANCE_M:
+        return
+    points, weights = np.polynomial.legendre.leggauss(config["complete"]["nodes_per_course"])
+    points, weights = 0.5 + 0.5 * points, 0.5 * weights
+    line = np.stack(
+        [0 * points + 0.5 * (x0 + x1), 0 * points + crack_m, z0 + points * (z1 - z0)], axis=1
+    )
+    jkn_back = joint_stiffness(config)[1]
+    jkn, jks = jkn_back, section["shear_stiffness_ratio"] * jkn_back
+    if moduli is not None:
+        jkn, jks = (2.0 * e / (crack_m - y0) for e in moduli)
+    nodes.add_joint(
+        bricks.name(brick),
+        brick,
+        facade,
+        line,
+        (0, -1, 0),
+        weights * (z1 - z0) * (x1 - x0),
+        jkn,
+        jks,
+        beta_s=beta_s * jkn_back / jkn,
+        friction_rad=math.radians(wall["friction_deg"]),
+        gap_m=section["gap_m"],
+        tension_pa=wall["tension_mpa"] * 1e6 if bonded else 0.0,
+        cohesion_pa=wall["cohesion_mpa"] * 1e6 if bonded else 0.0,
     )
 
 
