@@ -135,6 +135,8 @@ def test_misfit_is_zero_inside_the_ranges_and_grows_outside():
     # one impact off by 0.03: √(0.03²/3)
     assert misfit([0.75 * e, 0.80 * e, e], e) == pytest.approx(0.03 / math.sqrt(3.0))
     assert misfit([0.61 * e, 0.80 * e, e], e) == pytest.approx(0.03 / math.sqrt(3.0))
+    for second in (0.71, 0.89):
+        assert misfit([0.68 * e, second * e, e], e) == pytest.approx(0.03 / math.sqrt(3.0))
     assert misfit([[0.68, 0.8, 1.0], [0.68, 0.8, 0.9]], 1.0) == pytest.approx(
         [0.0, 0.1 / math.sqrt(3.0)]
     )

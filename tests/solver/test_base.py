@@ -43,6 +43,17 @@ def test_where_the_stiffness_sits():
     assert scene.nodes.ks_n_m[at] == pytest.approx(f["shear_stiffness_ratio"] * kn)
 
 
+def test_courses_in_series_are_the_wall():
+    """Under a uniform pressure the joints of a stack give way as the wall up to its last middle."""
+    config, scene = scene_of({"courses": 5}, COURSES_NODES)
+    f = config["facade"]
+    area = f["thickness_m"] * f["width_m"]
+    joints = [scene.nodes.joint == j for j, name in enumerate(scene.joints) if "wall" not in name]
+    give = sum(area / scene.nodes.kn_n_m[at].sum() for at in joints)
+    length = f["height_m"] - 0.5 * base.course_height(f)
+    assert give == pytest.approx(length / (f["e_mpa"] * 1e6))
+
+
 @pytest.mark.parametrize("model", ["W1", "W2", "W2m", "W3"])
 def test_at_rest(model):
     """It stands on its base from the start: the weight is borne as it is placed."""
