@@ -367,6 +367,10 @@ def test_one_degree_of_freedom_rebounds_as_the_closed_form():
     found = peak_rotation(quiet, 0.005, h, b, start_rad=0.5 * alpha, restitution=1.1)
     assert found == pytest.approx(amplitude_after_impacts(0.5, 1.1, 1), rel=2e-3)
     assert found == pytest.approx(0.6959, rel=2e-3)
+    finer = peak_rotation(
+        np.zeros(50 * quiet.size), 1e-4, h, b, start_rad=0.5 * alpha, restitution=1.1
+    )
+    assert found == pytest.approx(finer, rel=1e-6)  # steps of 0.5 and 0.1 ms, second order
     assert abs(restitution_one_sided(alpha)) == pytest.approx(0.5, abs=0.01)
 
 
