@@ -32,6 +32,8 @@ fi
 stamp=.venv/.installed
 wanted="$(cat requirements.lock pyproject.toml | sha256sum | cut -d' ' -f1) $PWD"
 if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
+  # what a link points to belongs to another folder, and would be emptied
+  [ ! -L .venv ] || { say ".venv is a link to $(readlink .venv): remove it, then run this again"; exit 1; }
   say "installing Python packages into .venv"
   $python -m venv --clear .venv
   # Python compiles a module when it is first imported; most of them never are
