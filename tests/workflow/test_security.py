@@ -169,6 +169,24 @@ def test_every_locked_package_has_a_version_and_hashes():
     assert "--require-hashes" in (ROOT / "tools" / "setup.sh").read_text("utf-8")
 
 
+def test_setup_does_not_empty_an_environment_behind_a_link(tmp_path):
+    """A folder whose .venv is a link to another one's: refused, and nothing is lost there."""
+    other, mine = tmp_path / "other", tmp_path / "mine"
+    (other / "bin").mkdir(parents=True)
+    (other / "bin" / "python").touch()
+    (mine / "tools").mkdir(parents=True)
+    shutil.copy2(ROOT / "tools" / "setup.sh", mine / "tools")
+    for name in ("requirements.lock", "pyproject.toml"):
+        shutil.copy2(ROOT / name, mine)
+    (mine / ".venv").symlink_to(other)
+    if not list(Path("/usr/lib").glob("*/yade*/py/yade/__init__.py")):
+        pytest.skip("setup would install YADE first")
+    done = subprocess.run(["bash", "tools/setup.sh"], cwd=mine, capture_output=True, text=True)
+    assert done.returncode == 1
+    assert ".venv is a link" in done.stderr
+    assert (other / "bin" / "python").exists()
+
+
 @pytest.mark.slow
 def test_a_hostile_table_ends_snakemake_in_one_line(tmp_path):
     table = tmp_path / "own.tsv"
