@@ -7,6 +7,8 @@ With δ > 0 the penetration, u the slip since the node closed and r = ks/kn, all
 A bond acts both ways and without a limit, N = δ + β δ̇ and T = r (u + β u̇), until −δ reaches its
 tension or |r u| its cohesion + μ max(δ, 0); from then on the node is a dry one. A tie has no ks.
 
+It is written for one number and for lanes of them (`vectors`): `choose` where they part.
+
 The loop of several blocks (`stack_kernel`) states the same law in its own lines: taken from here,
 its steps were thirteen times slower.
 """
@@ -14,6 +16,8 @@ its steps were thirteen times slower.
 import math
 
 from rocking.runtime.compiled import inlined
+
+from .vectors import choose, every, some
 
 
 @inlined
@@ -46,11 +50,14 @@ def rub(slip_m, normal_m, ratio, friction, before_m):
         Force of the spring, slip that is left, what sliding took (over kn).
     """
     limit, held = friction * normal_m, ratio * slip_m
-    if abs(held) <= limit:
-        return held, slip_m, 0.0, True
-    shear = math.copysign(limit, held)
-    mean = 0.5 * (limit + min(ratio * abs(before_m), abs(held)))
-    return shear, shear / ratio, mean * abs(held - shear) / ratio, False
+    sticks, shear, taken = abs(held) <= limit, held, 0.0
+    if not every(sticks):
+        most = math.copysign(limit, held)
+        mean = 0.5 * (limit + min(ratio * abs(before_m), abs(held)))
+        shear = choose(sticks, held, most)
+        slip_m = choose(sticks, slip_m, most / ratio)
+        taken = choose(sticks, 0.0, mean * abs(held - most) / ratio)
+    return shear, slip_m, taken, sticks
 
 
 @inlined
@@ -80,16 +87,16 @@ def dry(depth_m, rate_m_s, speed_m_s, slip_m, step_m, fresh, joint, dt_s):
         Energy stored, and taken in this step, over kn.
     """
     beta, ratio, friction = joint
-    share = 1.0
-    if fresh and rate_m_s > 0.0:
-        share, part = since_closed(depth_m, rate_m_s, dt_s)
-        step_m *= part
+    share, closing = 1.0, fresh & (rate_m_s > 0.0)
+    if some(closing):
+        counts, part = since_closed(depth_m, rate_m_s, dt_s)
+        share, step_m = choose(closing, counts, share), choose(closing, step_m * part, step_m)
     normal = max(depth_m + beta * rate_m_s, 0.0)
     shear, slip, taken, sticks = rub(slip_m + step_m, normal, ratio, friction, slip_m)
     power = (normal - depth_m) * rate_m_s
-    if sticks:
-        shear += ratio * beta * speed_m_s
-        power += ratio * beta * speed_m_s * speed_m_s
+    drag = ratio * beta * speed_m_s
+    shear = choose(sticks, shear + drag, shear)
+    power = choose(sticks, power + drag * speed_m_s, power)
     stored = 0.5 * (depth_m * depth_m + ratio * slip * slip)
     return normal, shear, share, slip, normal > 0.0, sticks, stored, taken + share * dt_s * power
 

@@ -1,0 +1,215 @@
+"""Numbers side by side in compiled code: LLVM's own vectors behind Python's operators.
+
+Code that keeps to arithmetic, comparisons, `min`, `max`, `abs`, `math.copysign` and the functions
+below stands for one number and for `WIDTH` of them alike, with the same digits: each operation is
+that of a single number, nothing is fused or summed across.
+"""
+
+import math
+import operator
+
+from llvmlite import ir
+from numba.core import cgutils, types
+from numba.core.imputils import lower_builtin, lower_cast
+from numba.core.typeconv import Conversion
+from numba.core.typing.templates import ConcreteTemplate, infer_global, signature
+from numba.extending import intrinsic, models, overload, register_model
+
+WIDTH = 8  # as many as one AVX-512 register holds; narrower machines take several for one
+_REALS = ir.VectorType(ir.DoubleType(), WIDTH)
+_TRUTHS = ir.VectorType(ir.IntType(1), WIDTH)
+_BITS = ir.IntType(WIDTH)
+
+
+class Lanes(types.Type):
+    """`WIDTH` floats; a float where they are wanted counts for all of them."""
+
+    def can_convert_from(self, typingctx, other):
+        """Widen a float or an integer."""
+        return Conversion.promote if other is types.float64 else None
+
+    def unify(self, typingctx, other):
+        """Lanes, where another branch has a float."""
+        return self if other is types.float64 else None
+
+
+class Mask(types.Type):
+    """`WIDTH` truth values."""
+
+
+LANES, MASK = Lanes("lanes"), Mask("mask")
+
+
+@register_model(Lanes)
+class _LanesModel(models.PrimitiveModel):
+    def __init__(self, manager, kind):
+        super().__init__(manager, kind, _REALS)
+
+
+@register_model(Mask)
+class _MaskModel(models.PrimitiveModel):
+    def __init__(self, manager, kind):
+        super().__init__(manager, kind, _TRUTHS)
+
+
+def _wide(builder, value):
+    """A float in all lanes; lanes as they are."""
+    if value.type == _REALS:
+        return value
+    first = ir.Constant(ir.IntType(32), 0)
+    nothing = ir.Constant(_REALS, ir.Undefined)
+    one = builder.insert_element(nothing, value, first)
+    everywhere = ir.Constant(ir.VectorType(ir.IntType(32), WIDTH), [0] * WIDTH)
+    return builder.shuffle_vector(one, nothing, everywhere)
+
+
+@lower_cast(types.float64, Lanes)
+def _widen(context, builder, _from, _to, value):
+    return _wide(builder, value)
+
+
+def _call(name, arguments):
+    """Emit a function of LLVM's on as many lanes."""
+
+    def emit(builder, *values):
+        kind = ir.FunctionType(_REALS, [_REALS] * arguments)
+        name_here = f"llvm.{name}.v{WIDTH}f64"
+        return builder.call(cgutils.get_or_insert_function(builder.module, kind, name_here), values)
+
+    return emit
+
+
+def _defined(function, result, cases, emit):
+    """Let a function or operator take lanes."""
+    signatures = [signature(result, *case) for case in cases]
+    infer_global(function)(type("Typing", (ConcreteTemplate,), {"cases": signatures}))
+
+    def lower(context, builder, sig, values):
+        whole = [v if v.type == _TRUTHS else _wide(builder, v) for v in values]
+        return emit(builder, *whole)
+
+    for case in cases:
+        lower_builtin(function, *case)(lower)
+
+
+def _compare(sign):
+    return lambda builder, one, other: builder.fcmp_ordered(sign, one, other)
+
+
+def _extreme(sign):
+    """As numba has it for floats: the second where it is beyond the first."""
+
+    def emit(builder, one, other):
+        return builder.select(builder.fcmp_ordered(sign, other, one), other, one)
+
+    return emit
+
+
+_PAIRS = [(LANES, LANES), (LANES, types.float64), (types.float64, LANES)]
+for _functions, _emit in (
+    ((operator.add, operator.iadd), ir.IRBuilder.fadd),
+    ((operator.sub, operator.isub), ir.IRBuilder.fsub),
+    ((operator.mul, operator.imul), ir.IRBuilder.fmul),
+    ((operator.truediv,), ir.IRBuilder.fdiv),
+    ((min,), _extreme("<")),
+    ((max,), _extreme(">")),
+    ((math.copysign,), _call("copysign", 2)),
+):
+    for _function in _functions:
+        _defined(_function, LANES, _PAIRS, _emit)
+for _function, _sign in ((operator.lt, "<"), (operator.le, "<="), (operator.gt, ">")):
+    _defined(_function, MASK, _PAIRS, _compare(_sign))
+_defined(operator.ge, MASK, _PAIRS, _compare(">="))
+_defined(abs, LANES, [(LANES,)], _call("fabs", 1))
+_defined(operator.neg, LANES, [(LANES,)], ir.IRBuilder.fneg)
+_defined(operator.and_, MASK, [(MASK, MASK)], ir.IRBuilder.and_)
+_defined(operator.or_, MASK, [(MASK, MASK)], ir.IRBuilder.or_)
+_defined(operator.invert, MASK, [(MASK,)], ir.IRBuilder.not_)
+
+
+@intrinsic
+def _select(typingctx, mask, yes, no):
+    def emit(context, builder, sig, values):
+        return builder.select(values[0], _wide(builder, values[1]), _wide(builder, values[2]))
+
+    return LANES(mask, yes, no), emit
+
+
+@intrinsic
+def _some(typingctx, mask):
+    def emit(context, builder, sig, values):
+        bits = builder.bitcast(values[0], _BITS)
+        return builder.icmp_unsigned("!=", bits, ir.Constant(_BITS, 0))
+
+    return types.boolean(mask), emit
+
+
+def choose(mask, yes, no):
+    """`yes` where the mask is true, else `no`; both are computed."""
+    return yes if mask else no
+
+
+def some(mask):
+    """Whether the mask is true anywhere."""
+    return mask
+
+
+def every(mask):
+    """Whether the mask is true everywhere."""
+    return mask
+
+
+@overload(choose)
+def _choose(mask, yes, no):
+    if isinstance(mask, Mask):
+        return lambda mask, yes, no: _select(mask, yes, no)
+    return choose
+
+
+@overload(some)
+def _of_some(mask):
+    if isinstance(mask, Mask):
+        return lambda mask: _some(mask)
+    return some
+
+
+@overload(every)
+def _of_every(mask):
+    if isinstance(mask, Mask):
+        return lambda mask: not _some(~mask)
+    return every
+
+
+@intrinsic
+def wide(typingctx, value):
+    """Lanes of one float."""
+    return LANES(types.float64), lambda context, builder, sig, values: _wide(builder, values[0])
+
+
+def _at(context, builder, kind, array, row):
+    """Address of a row of a contiguous array of shape (rows, WIDTH)."""
+    data = context.make_array(kind)(context, builder, array).data
+    first = builder.mul(row, ir.Constant(row.type, WIDTH))
+    return builder.bitcast(builder.gep(data, [first]), _REALS.as_pointer())
+
+
+@intrinsic
+def take(typingctx, array, row):
+    """Lanes of a row of a contiguous array of floats, shape (rows, WIDTH)."""
+
+    def emit(context, builder, sig, values):
+        return builder.load(_at(context, builder, sig.args[0], *values), align=8)
+
+    return LANES(array, types.intp), emit
+
+
+@intrinsic
+def put(typingctx, array, row, value):
+    """Write lanes into such a row."""
+
+    def emit(context, builder, sig, values):
+        where = _at(context, builder, sig.args[0], *values[:2])
+        builder.store(_wide(builder, values[2]), where, align=8)
+        return context.get_dummy_value()
+
+    return types.none(array, types.intp, value), emit
