@@ -28,12 +28,12 @@ def case(model, **more):
     return {**config, "numerics": numerics, "model": model, "beta_s": 0.0, **more}, numerics
 
 
-def planar(model):
-    """The planar loop of a model: of one block, or of a stack of them."""
+def planar(model, histories=1):
+    """The planar loop of a model: of one block, or of a stack of them; many go side by side."""
     given, numerics = case(model)
     scene = build_scene(given)
     motions = solver.Motions(TIME_S, STILL, [STILL for _ in solver.moving_supports(scene)])
-    solver.peaks(solver.to_plane(scene), motions, numerics, 1.0, step_s=1e-3)
+    solver.peaks(solver.to_plane(scene), motions, numerics, np.ones(histories), step_s=1e-3)
 
 
 def in_space():
@@ -54,7 +54,13 @@ def others():
     column.capacity(0.5, 0.05, 0.06)
 
 
-JOBS = ((planar, "W2"), (others,), (planar, "W3"), (in_space,))  # the longest first
+JOBS = (
+    (planar, "W2"),
+    (others,),
+    (planar, "W3"),
+    (planar, "W2", 8),
+    (in_space,),
+)  # the longest first
 
 
 def main():

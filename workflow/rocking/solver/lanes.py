@@ -240,8 +240,8 @@ def _judge(rules, chunk, k, dt, d, v, moved, alive):
 
 
 @inlined
-def _advance(p, inertia, table, rules, chunk, k, trig):
-    """March one chunk from step k over `STRIDE` steps, or until all its histories have ended."""
+def _advance(p, inertia, table, rules, chunk, begin, trig):
+    """March a chunk over `STRIDE` steps from `begin`, or until all its histories have ended."""
     dt, last = table.step_s, table.ground_m_s2.size - 1
     first = BLOCK + 3 * (table.place_m.shape[1] + 1)
     supports = chunk[BLOCK:first]
@@ -253,7 +253,7 @@ def _advance(p, inertia, table, rules, chunk, k, trig):
     peak, moved = take(chunk, PEAK), take(chunk, MOVED)
     factor, alive = take(chunk, FACTOR), take(chunk, ALIVE) > 0.0
     size, (my, mz) = abs(factor), (p.monitor_m[0], p.monitor_m[1])
-    for k in range(k, k + STRIDE):
+    for k in range(begin, begin + STRIDE):
         half, past = (0.5 * dt, dt) if k > 0 else (0.0, 0.0)
         row = min(k, last)
         ag = factor * table.ground_m_s2[row]

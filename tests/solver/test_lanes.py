@@ -1,0 +1,132 @@
+"""Amplitudes of one motion side by side: the digits of one history after the other."""
+
+import numpy as np
+import pytest
+from rocking.runtime.compiled import inlined
+from rocking.solver import Motions, bodies, law, moving_supports, peaks, runs, to_plane
+from rocking.solver.vectors import WIDTH, put, take
+from yade_process import resolved
+
+from yade_scripts.model.models import build_scene
+
+WHAT = ("d_over_b", "end_s", "overturned", "failed")
+
+
+def alone(monkeypatch, *args, **options):
+    """`peaks`, one history after the other."""
+    with monkeypatch.context() as patched:
+        patched.setattr(runs, "FEW", 10**9)
+        return peaks(*args, **options)
+
+
+def same(one, other, mine=slice(None)):
+    return all(
+        np.array_equal(getattr(one, w)[mine], getattr(other, w), equal_nan=True) for w in WHAT
+    )
+
+
+def drawn(seed, model):
+    """A façade drawn at random, with motions of its ground, walls and vertical."""
+    draw = np.random.default_rng(seed)
+    nodes = dict.fromkeys(
+        ("nodes_thickness", "nodes_height", "nodes_per_block"), int(draw.integers(2, 12))
+    )
+    config = resolved(
+        numerics=nodes,
+        facade={
+            "height_m": float(draw.uniform(3.0, 9.0)),
+            "thickness_m": float(draw.uniform(0.25, 0.6)),
+            "friction_deg": float(draw.choice([3.0, 20.0, 30.0])),
+        },
+    )
+    beta = float(draw.choice([0.0, 3e-4, 2.76e-3]))
+    scene = build_scene({**config, "model": model, "beta_s": beta})
+    time = np.arange(0.0, 2.0, 0.01)
+    shape = np.sin(np.pi * time / time[-1])
+    rows = shape * draw.normal(0.0, 2.0, (2 + len(moving_supports(scene)), time.size))
+    slow = shape * 3.0 * np.sin(2.0 * np.pi * draw.uniform(0.5, 1.5) * time)
+    motions = Motions(time, rows[0] + slow, rows[2:] + slow, rows[1] * (seed % 2))
+    factors = draw.choice([-1.0, 1.0]) * np.geomspace(0.02, 3.0, int(draw.integers(3, 28)))
+    return to_plane(scene), motions, config["numerics"], draw.permutation(factors)
+
+
+@pytest.mark.parametrize(("seed", "model"), [(k, ("W1", "W2")[k // 2 % 2]) for k in range(10)])
+def test_every_digit_is_that_of_one_after_the_other(monkeypatch, seed, model):
+    given = drawn(seed, model)
+    one, many = alone(monkeypatch, *given), peaks(*given)
+    assert same(one, many)
+    assert np.unique(one.end_s).size > 1  # of unequal length: lanes are filled anew
+
+
+def test_the_drawn_facades_stand_and_fall():
+    fell = np.concatenate([peaks(*drawn(k, "W1")).overturned for k in range(4)])
+    assert 0.1 < fell.mean() < 0.9
+
+
+def test_neighbours_do_not_matter():
+    plane, motions, numerics, _ = drawn(2, "W2")
+    factors = np.geomspace(0.05, 2.0, 2 * runs.AT_ONCE + 3)
+    whole = peaks(plane, motions, numerics, factors)
+    for mine in (slice(5, 8), slice(60, 70), slice(None, None, -1), slice(1, None, 9)):
+        assert same(whole, peaks(plane, motions, numerics, factors[mine]), mine)
+
+
+def test_a_history_that_fails_does_not_spoil_those_beside_it(monkeypatch):
+    plane, motions, numerics, _ = drawn(3, "W2")
+    factors = np.linspace(0.02, 2.0, 19)
+    strict = {**numerics, "max_speed_ratio": 0.3}
+    one = alone(monkeypatch, plane, motions, strict, factors)
+    many = peaks(plane, motions, strict, factors)
+    assert same(one, many)
+    assert 0 < many.failed.sum() < factors.size
+    assert np.isnan(many.d_over_b[many.failed]).all()
+    wild = plane, motions, numerics, [0.0, 0.1, 1.0, 10.0]
+    assert same(alone(monkeypatch, *wild, step_s=0.05), peaks(*wild, step_s=0.05))
+
+
+def test_what_lanes_do_not_know_goes_one_by_one():
+    tie = {"height_m": 6.0, "count": 2, "diameter_mm": 16.0, "length_m": 4.0}
+    for facade, known in (({}, True), ({"ties": [tie]}, False)):
+        config = resolved(facade=facade)
+        plane = to_plane(build_scene({**config, "model": "W1", "beta_s": 0.0}))
+        assert runs._side_by_side(plane, runs.NO_BODIES) == known
+        bonded = plane._replace(bonded=np.ones_like(plane.bonded))
+        assert not runs._side_by_side(bonded, runs.NO_BODIES)
+    chain = bodies([1e5], [[1e7]], [[0.0]])
+    config = resolved()
+    plane = to_plane(build_scene({**config, "model": "W2", "beta_s": 0.0}))
+    assert not runs._side_by_side(plane, chain)
+
+
+def test_the_law_gives_lanes_the_digits_of_one_number():
+    draw = np.random.default_rng(0)
+    depth, rate, speed, slip, step = 1e-4 * draw.normal(size=(5, WIDTH)) + 5e-5
+    rate, speed = 100.0 * rate, 100.0 * speed
+    joint, found = (2.76e-3, 0.33, 0.2), np.zeros((6, WIDTH))
+
+    @inlined
+    def lanes(values, out):
+        was = take(values, 5) > 0.0
+        got = law.dry(
+            *(take(values, 0), take(values, 1), take(values, 2), take(values, 3), take(values, 4)),
+            ~was,
+            joint,
+            4e-4,
+        )
+        put(out, 0, got[0])
+        put(out, 1, got[1])
+        put(out, 2, got[2])
+        put(out, 3, got[3])
+        put(out, 4, got[6])
+        put(out, 5, got[7])
+
+    was = draw.normal(size=WIDTH)
+    lanes(np.array([depth, rate, speed, slip, step, was]), found)
+    kinds = set()
+    for i in range(WIDTH):
+        one = law.dry(
+            depth[i], rate[i], speed[i], slip[i], step[i], bool(was[i] <= 0.0), joint, 4e-4
+        )
+        assert [one[k] for k in (0, 1, 2, 3, 6, 7)] == found[:, i].tolist()
+        kinds.add(one[4:6])
+    assert len(kinds) > 1  # some slide
