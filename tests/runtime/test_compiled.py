@@ -70,7 +70,13 @@ def test_the_set_up_compiles_what_runs_call():
     assert done.returncode == 0, done.stderr[-2000:]
     ahead, called = json.loads(done.stdout.splitlines()[-1])
     assert called == ahead
-    assert {name for name, _ in called} >= {"march_block", "march_lanes", "march_stack", "march_spatial", "march"}
+    assert {name for name, _ in called} >= {
+        "march_block",
+        "march_lanes",
+        "march_stack",
+        "march_spatial",
+        "march",
+    }
 
 
 @pytest.mark.slow

@@ -147,7 +147,7 @@ def _contact(p, inertia, supports, groups, slip, pose, rates, last, past_s, dt, 
     for g in range(p.level_m.size):
         j = p.support[g] if p.support[g] >= 0 else len(supports) // 3 - 1
         at, place = GROUP * g, take(supports, 3 * j)
-        sign, ny, nz, ry, rz, ey, ez, d0, d1 = _line(p, g, pose, place, none)
+        sign, ny, nz, ry, rz, ey, ez, d0, d1 = _line(p, g, pose, place, none, 0.0)
         d0, d1 = choose(alive, d0, -1.0), choose(alive, d1, 0.0)
         s_low, s_high = p.place_m[p.first[g]], p.place_m[p.first[g + 1] - 1]
         below, above = d0 + d1 * s_low > 0.0, d0 + d1 * s_high > 0.0
