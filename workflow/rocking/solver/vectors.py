@@ -7,6 +7,7 @@ that of a single number, nothing is fused or summed across.
 
 import math
 import operator
+from typing import Any
 
 from llvmlite import ir
 from numba.core import cgutils, types
@@ -127,7 +128,12 @@ _defined(operator.or_, MASK, [(MASK, MASK)], ir.IRBuilder.or_)
 _defined(operator.invert, MASK, [(MASK,)], ir.IRBuilder.not_)
 
 
-@intrinsic
+def _emitted(function) -> Any:
+    """Let compiled code call what a function emits."""
+    return intrinsic(function)
+
+
+@_emitted
 def _select(typingctx, mask, yes, no):
     def emit(context, builder, sig, values):
         return builder.select(values[0], _wide(builder, values[1]), _wide(builder, values[2]))
@@ -135,7 +141,7 @@ def _select(typingctx, mask, yes, no):
     return LANES(mask, yes, no), emit
 
 
-@intrinsic
+@_emitted
 def _some(typingctx, mask):
     def emit(context, builder, sig, values):
         bits = builder.bitcast(values[0], _BITS)
@@ -180,7 +186,7 @@ def _of_every(mask):
     return every
 
 
-@intrinsic
+@_emitted
 def wide(typingctx, value):
     """Lanes of one float."""
     return LANES(types.float64), lambda context, builder, sig, values: _wide(builder, values[0])
@@ -193,7 +199,7 @@ def _at(context, builder, kind, array, row):
     return builder.bitcast(builder.gep(data, [first]), _REALS.as_pointer())
 
 
-@intrinsic
+@_emitted
 def take(typingctx, array, row):
     """Lanes of a row of a contiguous array of floats, shape (rows, WIDTH)."""
 
@@ -203,7 +209,7 @@ def take(typingctx, array, row):
     return LANES(array, types.intp), emit
 
 
-@intrinsic
+@_emitted
 def put(typingctx, array, row, value):
     """Write lanes into such a row."""
 
