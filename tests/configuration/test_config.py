@@ -173,6 +173,10 @@ def test_refusals_name_the_key_and_what_was_expected(config, message):
         ({"return_wall": {"count": 12}}, "return_wall.count = 12: expected count × thickness_m"),
         ({"return_wall": {"thickness_m": 5}}, "return_wall.thickness_m = 5: expected a value at"),
         ({"facade": {"sides": "two"}}, "models = ['W1', 'W2']: expected [W1] with facade.sides"),
+        (
+            {"facade": {"sides": "two"}, "models": "W1", "damping": {"law": "eq5"}},
+            "damping.law = eq5: expected value with facade.sides = two",
+        ),
         ({"facade": {"gap_m": 0.01}, "models": "W2c"}, "facade.gap_m = 0.01: expected 0 (m)"),
         ({"facade": {"tilt_deg": 0.2}, "models": "W1c"}, "facade.tilt_deg = 0.2: expected 0 (°)"),
         ({"baseline": {"highpass_hz": 9, "lowpass_hz": 9}}, "baseline.highpass_hz = 9: expected"),

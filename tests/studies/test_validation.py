@@ -54,10 +54,6 @@ def test_bounce_of_a_block():
     found = specimens.case(specimen, {"damping": {"bounce": 0.5}}, height_m=0.4)
     assert found["beta_s"] == pytest.approx(1.0 / 2894.5, rel=1e-4)
     assert specimens.case(specimen, {"damping": {"beta_s": 0.002}})["beta_s"] == 0.002
-    with pytest.raises(
-        ConfigError, match="damping.eq5: expected beta_s, first_mode, bounce or law"
-    ):
-        specimens.case(specimen, {"damping": {"eq5": 1}})
 
 
 def first_loss(changes):
@@ -229,7 +225,11 @@ def test_amplitudes_of_a_run_have_a_seed():
     ("key", "value", "message"),
     [
         ("kind", "pendulum", r"specimen.yaml: kind = pendulum: expected shake_table or"),
+        ("model", "W9", r"specimen.yaml: model = W9: expected free or W1 or"),
         ("damping", None, r"specimen.yaml: expected damping"),
+        ("damping", {"eq5": 1}, r"specimen.yaml: variants.10.35 kN: damping.eq5: expected one of"),
+        ("damping", {"law": "eq5"}, r"specimen.yaml: variants.10.35 kN: damping.law = eq5: expe"),
+        ("variants", {"a": {"damping": {"law": "eq5"}}}, r"yaml: variants.a: damping.law = eq5: "),
     ],
 )
 def test_faulty_specimens(tmp_path, key, value, message):

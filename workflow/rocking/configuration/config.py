@@ -96,6 +96,12 @@ def check(resolved: Mapping) -> None:
         if schema.get("ascending") and value and any(a >= b for a, b in itertools.pairwise(value)):
             raise ConfigError(f"{path} = {show(value)}: expected ascending values")
     check_facade(resolved)
+    law = resolved["damping"]["law"]
+    if alone and law != "value":
+        raise ConfigError(
+            f"damping.law = {law}: expected value with facade.sides = two, since both laws "
+            "describe impacts against return walls"
+        )
     low, high = resolved["ensemble"]["percentiles"]
     if not low < 50.0 < high:
         raise ConfigError(

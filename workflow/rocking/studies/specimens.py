@@ -119,13 +119,11 @@ def bounce_frequency(job):
 def beta_for(job, damping):
     """β [s]: stated, 2ζ/ω of the first mode or of the bounce on the base, or by a law of β.
 
-    The laws describe impacts on return walls, which two-sided walls do not have; they refuse those.
-
     Parameters
     ----------
     job : dict
     damping : dict
-        One of `beta_s`, `first_mode`, `bounce` and `law`; the middle two are ζ.
+        A key of `validation.DAMPING`; `first_mode` and `bounce` are ζ.
     """
     from rocking.calibration.beta import beta_for as beta_by_law
 
@@ -134,10 +132,8 @@ def beta_for(job, damping):
         return float(value)
     if key == "law":
         return beta_by_law({**job, "damping": {"law": value}})
-    omega = {"first_mode": first_frequency, "bounce": bounce_frequency}
-    if key not in omega:
-        raise ConfigError(f"damping.{key}: expected beta_s, first_mode, bounce or law")
-    return 2.0 * float(value) / omega[key](job)
+    omega = {"first_mode": first_frequency, "bounce": bounce_frequency}[key]
+    return 2.0 * float(value) / omega(job)
 
 
 def cases(experiment):

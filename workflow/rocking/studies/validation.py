@@ -15,11 +15,13 @@ import pandas as pd
 import yaml
 
 from rocking.configuration.config import ConfigError
+from yade_scripts.model import registry
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 
 SECTIONAL = {"sections", "facade", "numerics", "observed"}  # keys whose mappings are merged
 KINDS = ("shake_table", "free_rocking")
 KEYS = ("title", "source", "kind", "model", "sections", "damping", "observed", "variants")
+DAMPING = ("beta_s", "first_mode", "bounce", "law")
 UNITS = {"m/s": None, "m/s2": 1.0, "g": STANDARD_GRAVITY_M_S2}  # of motions; m/s is differentiated
 QUIET_S = 2.0  # between runs that follow each other on the same wall
 NUDGE = 1e-4  # of amplitude: a peak that it moves by more than ten times as much does not repeat
@@ -93,8 +95,10 @@ def read(folder):
     missing = [key for key in KEYS if key not in specimen]
     if missing:
         raise ConfigError(f"{path}: expected {', '.join(missing)}")
-    if specimen["kind"] not in KINDS:
-        raise ConfigError(f"{path}: kind = {specimen['kind']}: expected {' or '.join(KINDS)}")
+    for key, known in (("kind", KINDS), ("model", registry.MODELS)):
+        if specimen[key] not in known:
+            raise ConfigError(f"{path}: {key} = {specimen[key]}: expected {' or '.join(known)}")
+    check_damping(path, specimen)
     tables = []
     own = {"shake_table": ("record", "pga_g"), "free_rocking": ("height_m",)}[specimen["kind"]]
     for name, columns in (
@@ -111,6 +115,29 @@ def read(folder):
     if strangers:
         raise ConfigError(f"{folder}/measured.csv: run {strangers[0]}: expected one of runs.csv")
     return Experiment(folder.name, specimen, *tables)
+
+
+def check_damping(path, specimen):
+    """Refuse what is no damping, and a law of β where a variant has no return walls to strike.
+
+    Raises
+    ------
+    ConfigError
+        One line with the file, the variant, its key and what was expected.
+    """
+    free, facade = registry.model(specimen["model"]).walls == "none", specimen["sections"]["facade"]
+    for name, changes in specimen["variants"].items():
+        damping = changes.get("damping", specimen["damping"])
+        where = f"{path}: variants.{name}: damping"
+        if len(damping) != 1 or not set(damping) <= set(DAMPING):
+            raise ConfigError(f"{where}.{'.'.join(damping)}: expected one of {', '.join(DAMPING)}")
+        sides = changes.get("facade.sides", facade.get("sides", "one"))
+        if "law" in damping and (free or sides == "two"):
+            raise ConfigError(
+                f"{where}.law = {damping['law']}: expected {', '.join(DAMPING[:-1])} with "
+                f"facade.sides = {sides} and model {specimen['model']}, since both laws describe "
+                "impacts against return walls"
+            )
 
 
 def quartiles(experiment):
