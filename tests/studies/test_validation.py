@@ -279,18 +279,22 @@ def test_a_folder_without_motions(tmp_path):
 
 @pytest.mark.yade
 def test_the_target_in_a_reduced_form(tmp_path):
-    """Two short runs by both solvers: within 0.5 %, and the second finds the wall whole."""
+    """Two short runs by both solvers: within 0.5 %, and the second finds the wall whole.
+
+    The peak is that of the motion in the files, by a call of the solver beside the target; the
+    ratios are those to the measured column.
+    """
     folder, tables = tmp_path / "own", tmp_path / "tables"
     shutil.copytree(US1, folder)
     tables.mkdir()
     specimen = yaml.safe_load((folder / "specimen.yaml").read_text("utf-8"))
     specimen["variants"] = {"light": FEW}
     (folder / "specimen.yaml").write_text(yaml.safe_dump(specimen))
-    (folder / "runs.csv").write_text("run,record,pga_g\n1,HU12,0.1\n2,HU12,0.1\n")
-    (folder / "measured.csv").write_text("run,measured_mm,another_mm\n1,0.3,0.2\n2,0.3,\n")
+    (folder / "runs.csv").write_text("run,record,pga_g\n7,HU12,0.1\n8,HU12,0.1\n")
+    (folder / "measured.csv").write_text("run,measured_mm,another_mm\n7,0.3,0.2\n8,0.6,\n")
     t = np.linspace(0.0, 0.6, 121)
     speed = 0.05 * np.sin(2.0 * np.pi * 3.0 * t) * np.sin(np.pi * t / 0.6) ** 2
-    for number in (1, 2):
+    for number in (7, 8):
         path = tables / specimen["motions"]["files"].format(run=number)
         np.savetxt(path, np.column_stack((t, speed)))
     settings = f"{{experiments: [{folder}], motions_folder: {tables}, members: 2}}"
@@ -298,12 +302,26 @@ def test_the_target_in_a_reduced_form(tmp_path):
     done = snakemake(tmp_path, *words)
     assert done.returncode == 0, done.stderr[-2000:]
     assert (tmp_path / "results/small/figures/validation_shake_table_own.png").stat().st_size > 0
-    table = pd.read_csv(tmp_path / "results/small/validation/own/shake_table.csv")
+    results = tmp_path / "results/small/validation/own"
+    table = pd.read_csv(results / "shake_table.csv")
     assert (table["status"] == "ok").all()
     assert (table["source"] == "file").all()
-    peaks = table.set_index(["solver", "how", "run"])["peak_mm"]
-    assert len(peaks) == 8
-    expected = peaks["planar", ALONE, 1]
+    by_run = table.set_index(["solver", "how", "run"])
+    assert len(by_run) == 8
+    found = validation.case(specimen, FEW)
+    plane, numerics = to_plane(build_scene(found)), found["numerics"]
+    pulse, step = Motions(t, np.gradient(speed, t)), validation.planar_step(plane, numerics)
+    expected = 210.0 * peaks(plane, pulse, numerics, [1.0], step_s=step).d_over_b[0]
     assert expected > 0.1
-    assert peaks.to_numpy() == pytest.approx(np.full(8, expected), rel=5e-3)
-    assert peaks["planar", SEQUENCE, 2] == pytest.approx(expected, rel=1e-3)
+    assert by_run.loc[("planar", ALONE, 7), "peak_mm"] == pytest.approx(expected, rel=1e-3)
+    assert by_run["peak_mm"].to_numpy() == pytest.approx(np.full(8, expected), rel=5e-3)
+    assert by_run.loc[("planar", SEQUENCE, 8), "peak_mm"] == pytest.approx(expected, rel=1e-3)
+    ratios = by_run["peak_mm"] / np.where(by_run.index.get_level_values("run") == 7, 0.3, 0.6)
+    assert by_run["ratio"].to_numpy() == pytest.approx(ratios.to_numpy(), rel=1e-4)
+    means = pd.read_csv(results / "summary.csv").set_index(["solver", "how"])["mean"]
+    mean = expected / math.sqrt(0.3 * 0.6)
+    assert means.to_dict() == pytest.approx(
+        {key: mean for key in by_run.index.droplevel("run").unique()}
+        | {("3DEC", ALONE): 0.2 / 0.3},
+        rel=5e-3,
+    )
