@@ -21,6 +21,8 @@ LOOKS = (  # colour, line and marker of curves that belong to no model
     ("#D55E00", "--", "s"),
     ("#009E73", "-.", "^"),
     ("#CC79A7", ":", "D"),
+    ("#56B4E9", "-", "v"),
+    ("#E69F00", "--", "P"),
 )
 PLAIN = (1e-4, 1e5)  # range of a logarithmic axis that needs no powers of ten
 MARGIN_IN = 0.05

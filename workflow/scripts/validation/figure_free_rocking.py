@@ -1,5 +1,6 @@
 """Restitution of blocks that rock freely, by height or by impact: measured and computed."""
 
+from itertools import cycle
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -24,7 +25,7 @@ def main(job):
                   label="measured, median and quartiles or range")  # fmt: skip
     axis.plot(once[x], once["closed_form"], "k--", lw=1.0, label="closed form of a rigid block")
     for (variant, part), (colour, line, marker) in zip(
-        table.groupby("variant", sort=False), style.LOOKS, strict=False
+        table.groupby("variant", sort=False), cycle(style.LOOKS), strict=False
     ):
         plane, yade = (part[part["solver"] == s] for s in ("planar", "YADE"))
         axis.plot(plane[x], plane["ratio"], ls=line, c=colour, label=f"planar, {variant}")

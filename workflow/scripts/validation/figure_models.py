@@ -1,5 +1,6 @@
 """Peaks by run of every model of one test, a panel each: measured, another code, both solvers."""
 
+from itertools import cycle
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -11,7 +12,6 @@ from rocking.studies import validation
 
 ACROSS = 2
 FALL = 2.0  # height of the mark of a fall, over the largest peak of any model
-LOOKS = (*style.LOOKS, ("#56B4E9", "-", "v"), ("#E69F00", "--", "P"))
 
 
 def main(job):
@@ -45,11 +45,11 @@ def panel(axis, model, table, fallen_mm):
         code = model.specimen["another"]
         axis.plot(measured["run"], measured["another_mm"], "kx", ms=5, label=code)
     for (variant, part), (colour, line, _) in zip(
-        table.groupby("variant", sort=False), LOOKS, strict=False
+        table.groupby("variant", sort=False), cycle(style.LOOKS), strict=False
     ):
         plane, yade = (part[part["solver"] == solver] for solver in ("planar", "YADE"))
         peaks = plane["peak_mm"].where(plane["status"] == "ok", np.nan)
-        axis.plot(plane["run"], peaks, ls=line, lw=1.2, c=colour, label=variant)
+        axis.plot(plane["run"], peaks, ls=line, marker=".", ms=3, lw=1.2, c=colour, label=variant)
         if "p10_mm" in plane and plane["p10_mm"].notna().any():
             band = plane["p10_mm"], plane["p90_mm"].clip(upper=fallen_mm)
             axis.fill_between(plane["run"], *band, color=colour, alpha=0.15, lw=0)

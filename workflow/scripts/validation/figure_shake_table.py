@@ -1,6 +1,7 @@
 """Measured and computed peaks of a shake-table experiment by run."""
 
 import json
+from itertools import cycle
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -42,14 +43,15 @@ def main(job):
                 axis.fill_between(alone["run"], alone["p10_mm"], top, color=colour, alpha=0.2,
                                   lw=0, label="planar, 10–90 % of the band")  # fmt: skip
         axis.set_title(variant, fontsize=8)
-    for variant, (colour, line, marker) in zip(variants[len(shown) :], style.LOOKS, strict=False):
+    others = variants[len(shown) :]
+    for variant, (colour, line, marker) in zip(others, cycle(style.LOOKS), strict=False):
         part = table[(table["variant"] == variant) & (table["solver"] == "planar")]
         part = part[part["how"] == ALONE]
         axes[-1].plot(part["run"], part["peak_mm"], marker, ls=line, c=colour, ms=3, label=variant)
     axes[-1].set_title("other readings, planar, alone", fontsize=8)
     for axis in axes:
         fallen = table[(table["status"] != "ok") & (table["how"] == ALONE)]
-        own = shown if axis is not axes[-1] else variants[len(shown) :]
+        own = shown if axis is not axes[-1] else others
         title = axis.get_title()
         mine = fallen[fallen["variant"].isin([title] if title in shown else own)]
         axis.plot(mine["run"], [1e3 * thickness(about)] * len(mine), "k*", ms=6, label="fell")
