@@ -308,9 +308,9 @@ def test_the_target_in_a_reduced_form(tmp_path):
     assert (table["source"] == "file").all()
     by_run = table.set_index(["solver", "how", "run"])
     assert len(by_run) == 8
-    found = validation.case(specimen, FEW)
+    found = specimens.case(specimen, FEW)
     plane, numerics = to_plane(build_scene(found)), found["numerics"]
-    pulse, step = Motions(t, np.gradient(speed, t)), validation.planar_step(plane, numerics)
+    pulse, step = Motions(t, np.gradient(speed, t)), specimens.planar_step(plane, numerics)
     expected = 210.0 * peaks(plane, pulse, numerics, [1.0], step_s=step).d_over_b[0]
     assert expected > 0.1
     assert by_run.loc[("planar", ALONE, 7), "peak_mm"] == pytest.approx(expected, rel=1e-3)
