@@ -1,6 +1,5 @@
 """Peaks by run of every model of one test, a panel each: measured, another code, both solvers."""
 
-from itertools import cycle
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -44,9 +43,9 @@ def panel(axis, model, table, fallen_mm):
     if "another_mm" in measured:
         code = model.specimen["another"]
         axis.plot(measured["run"], measured["another_mm"], "kx", ms=5, label=code)
-    for (variant, part), (colour, line, _) in zip(
-        table.groupby("variant", sort=False), cycle(style.LOOKS), strict=False
-    ):
+    for number, (variant, part) in enumerate(table.groupby("variant", sort=False)):
+        again, place = divmod(number, len(style.LOOKS))  # a colour comes back with another line
+        colour, line = style.LOOKS[place][0], style.LOOKS[(place + again) % len(style.LOOKS)][1]
         plane, yade = (part[part["solver"] == solver] for solver in ("planar", "YADE"))
         peaks = plane["peak_mm"].where(plane["status"] == "ok", np.nan)
         axis.plot(plane["run"], peaks, ls=line, marker=".", ms=3, lw=1.2, c=colour, label=variant)
