@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from rocking.runtime.compiled import inlined
-from rocking.solver import Motions, bodies, law, moving_supports, peaks, runs, to_plane
+from rocking.solver import Motions, bodies, carriers, law, moving_supports, peaks, runs, to_plane
 from rocking.solver.vectors import WIDTH, put, take
 from yade_process import resolved
 
@@ -89,9 +89,9 @@ def test_what_lanes_do_not_know_goes_one_by_one():
     for facade, known in (({}, True), ({"ties": [tie]}, False)):
         config = resolved(facade=facade)
         plane = to_plane(build_scene({**config, "model": "W1", "beta_s": 0.0}))
-        assert runs._side_by_side(plane, runs.NO_BODIES) == known
+        assert runs._side_by_side(plane, carriers.NO_BODIES) == known
         bonded = plane._replace(bonded=np.ones_like(plane.bonded))
-        assert not runs._side_by_side(bonded, runs.NO_BODIES)
+        assert not runs._side_by_side(bonded, carriers.NO_BODIES)
     chain = bodies([1e5], [[1e7]], [[0.0]])
     config = resolved()
     plane = to_plane(build_scene({**config, "model": "W2", "beta_s": 0.0}))

@@ -13,8 +13,9 @@ import numpy as np
 from scipy.linalg import eigh
 
 from rocking.collapse.scan import Scan
+from rocking.solver.carriers import bodies
 from rocking.solver.plane import to_plane
-from rocking.solver.runs import STEP_FRACTION, Motions, bodies, stable_step
+from rocking.solver.runs import STEP_FRACTION, Motions, stable_step
 from yade_scripts.model.building.complete import GROUND_MOTION, apart
 from yade_scripts.model.scene import Nodes
 

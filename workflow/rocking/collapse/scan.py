@@ -5,9 +5,9 @@ import pandas as pd
 
 from rocking.collapse import search
 from rocking.collapse.search import Answer
-from rocking.solver.carriers import Bodies
+from rocking.solver.carriers import Bodies, bodies
 from rocking.solver.plane import moving_supports, to_plane
-from rocking.solver.runs import STEP_FRACTION, Motions, Peaks, bodies, peaks, stable_step
+from rocking.solver.runs import STEP_FRACTION, Motions, Peaks, peaks, stable_step
 from smdof.chain import shear_chain
 from yade_scripts.model import models, registry
 from yade_scripts.model.floor_motions import VERTICAL

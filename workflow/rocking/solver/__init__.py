@@ -24,8 +24,9 @@ and 1.1 % in 14 of W2, 13 of them within 1 %. An earlier sample of 16, chosen le
 within 1 % and one 22 % off, which amplifies. Near collapse no solver repeats: run many amplitudes.
 """
 
+from .carriers import bodies
 from .plane import Planar, moving_supports, to_plane
-from .runs import Motions, Peaks, Series, bodies, history, peaks, stable_step
+from .runs import Motions, Peaks, Series, history, peaks, stable_step
 
 __all__ = [
     "Motions",

@@ -33,6 +33,54 @@ class Bodies(NamedTuple):
     ground: np.ndarray
 
 
+_NONE = np.zeros((0, 0))
+NO_BODIES = Bodies(np.zeros(0), _NONE, _NONE, _NONE, _NONE, _NONE, np.zeros(0))
+
+
+def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, roll=None, ground=None):
+    """Masses that carry the supports and feel the block (see `Bodies`).
+
+    Parameters
+    ----------
+    mass_kg : array_like, shape (n,)
+        From the bottom up.
+    stiffness_n_m, damping_n_s_m : array_like, shape (n, n)
+    hang : array_like, shape (m, n), or None
+        Motion of each support along y, in the order of `moving_supports(scene)`; None: support i
+        moves with mass i.
+    lift, roll : array_like, shape (m, n), or None
+        The same along z, and rotation about x; None: none.
+    ground : array_like, shape (n,), or None
+        None: masses, which the ground moves by one.
+
+    Raises
+    ------
+    ValueError
+        If shapes differ or a mass is not positive.
+    """
+    m, k, c = (np.array(v, float, order="C") for v in (mass_kg, stiffness_n_m, damping_n_s_m))
+    if m.ndim != 1 or k.shape != (m.size,) * 2 or c.shape != k.shape or not np.all(m > 0.0):
+        raise ValueError("bodies: expected n positive masses and two matrices of shape (n, n)")
+    hang = np.eye(m.size) if hang is None else np.array(hang, float, order="C")
+    lift, roll = (
+        np.zeros((0, m.size)) if rows is None else np.array(rows, float, order="C")
+        for rows in (lift, roll)
+    )
+    ground = np.ones(m.size) if ground is None else np.array(ground, float)
+    shapes = ((0, m.size), hang.shape)
+    if (
+        hang.ndim != 2
+        or hang.shape[1] != m.size
+        or lift.shape not in shapes
+        or roll.shape not in shapes
+        or len(ground) != m.size
+    ):
+        raise ValueError(
+            f"bodies: expected {m.size} columns of hang, lift and roll, rows of ground"
+        )
+    return Bodies(m, k, c, hang, lift, roll, ground)
+
+
 class Ride(NamedTuple):
     """How the carriers move, and their matrices as the loop reads them.
 
