@@ -124,6 +124,27 @@ def test_component_by_label_azimuth_and_place(tmp_path):
 
 
 @pytest.mark.parametrize(
+    ("heading", "component"),
+    [
+        ("Acceleration (g's)", ""),
+        ("acceleration_m_s2", ""),
+        ("acc g", ""),
+        ("cm/s2", ""),
+        ("N-S", "N-S"),
+        ("acc_x (g)", "acc_x"),
+        ("HNE_m_s2", "HNE"),
+    ],
+)
+def test_a_column_of_accelerations_is_no_component(tmp_path, heading, component):
+    """Captions name what tells one component from another, not the unit that the file has."""
+    path = tmp_path / "plain.csv"
+    rows = (f"{0.01 * i:.2f},0.1{i % 7}\n" for i in range(99))
+    path.write_text(f"Time (s),{heading}\n" + "".join(rows))
+    units = None if any(unit in heading for unit in ("g", "s2")) else "g"
+    assert read_record(path, units=units).details["component"] == component
+
+
+@pytest.mark.parametrize(
     ("text", "unit"),
     [
         ("g", "g"),

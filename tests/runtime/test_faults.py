@@ -65,6 +65,7 @@ def test_a_second_run_is_refused_until_the_first_is_gone_however_it_ended(tmp_pa
         assert "\n" not in str(caught.value)
         first.send_signal(signal.SIGKILL)
     run_lock.hold(tmp_path)  # nothing to unlock by hand
+    run_lock._held.pop().close()
 
 
 JOB = "import sys, time; sys.path.insert(0, {root!r}); from yade_scripts.engine import lifeline;"

@@ -138,7 +138,8 @@ def pick(text, form, channels, name=None, component=None, dt_s=None, units=None)
     with np.errstate(over="ignore"):  # infinite is not plausible either
         acceleration = np.array(channel.values, dtype=float) * UNITS_M_S2[unit]
     check_plausible(acceleration, unit, f"{path}, line {channel.line}")
-    facts = {"file": os.path.basename(path), "format": form, "component": channel.label}
+    component = channel.label if channel.component is None else channel.component
+    facts = {"file": os.path.basename(path), "format": form, "component": component}
     return Record(
         name or os.path.splitext(os.path.basename(path))[0],
         acceleration,

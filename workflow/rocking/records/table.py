@@ -55,6 +55,11 @@ class Row:
         """Return "file" or "surrogate"."""
         return "surrogate" if self.path is None else "file"
 
+    @property
+    def station(self):
+        """Station that the table names; the record itself where it names none."""
+        return str(self.about.get("station") or self.record)
+
     def stated(self, vertical=False):
         """Return what the row states of its file: keywords of `reader.pick`."""
         component = self.vertical if vertical else self.component

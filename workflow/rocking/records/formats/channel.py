@@ -34,6 +34,8 @@ class Channel:
         Station, event, source, licence and the like where the file states them.
     provenance : str
         One of `record.SOURCES`.
+    component : str or None
+        What of the label is a component; None: all of it.
     """
 
     label: str
@@ -47,6 +49,7 @@ class Channel:
     peak_tolerance: tuple = (0.01, 0.0)
     about: dict = field(default_factory=dict)
     provenance: str = "file"
+    component: str | None = None
 
 
 MAX_CHANNELS = 200

@@ -15,7 +15,15 @@ import numpy as np
 
 from ..text import MAX_SAMPLES, check_last, free_block, parse_number
 from .channel import Channel
-from .header import NUMBER, heading_unit, is_numbers, stated_count, stated_step, stated_unit
+from .header import (
+    NUMBER,
+    heading_component,
+    heading_unit,
+    is_numbers,
+    stated_count,
+    stated_step,
+    stated_unit,
+)
 
 MAX_COLUMNS = 64
 MAX_HEADING = 200
@@ -166,6 +174,7 @@ def read_columns(text):
             heading_unit(labels[c]) or unit,
             dt_s,
             rounding,
+            component=heading_component(labels[c]) if labels[c] else None,
         )
         for c in range(at, layout.columns)
     ]
@@ -176,7 +185,10 @@ def _numbers_only(text, layout, values):
     heading = text.lines[: layout.first - 1]
     label = layout.labels[0] if layout.columns == 1 and layout.labels else ""
     unit = heading_unit(label) or stated_unit(heading)
-    return [Channel(label or "1", values, layout.first, None, unit, *stated_step(heading))]
+    named = heading_component(label)
+    dt_s, rounding = stated_step(heading)
+    label = label or "1"
+    return [Channel(label, values, layout.first, None, unit, dt_s, rounding, component=named)]
 
 
 def read_single(text):

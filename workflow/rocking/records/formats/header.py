@@ -24,6 +24,8 @@ _COUNT = re.compile(
     re.I,
 )
 _BRACKETED = re.compile(r"[(\[]([^()\[\]]+)[)\]]")
+_SUFFIX = re.compile(r"[_\s,](g|(?:m|cm|mm)_s2|\S*[/²]\S*|gal)$", re.I)
+_ACCELERATION = re.compile(r"(?:a|acc[a-z]*)?", re.I)
 _UNIT = re.compile(r"(?:UNITS?|ACCEL\w*)\W*(?:(?:OF|ARE|IS|IN)\b)?[\s:=(\[]*([^\s()\[\],;]+)", re.I)
 
 
@@ -44,8 +46,14 @@ def heading_unit(heading):
     bracketed = _BRACKETED.search(heading)
     if bracketed:
         return unit_name(bracketed[1])
-    suffix = re.search(r"[_\s,](g|(?:m|cm|mm)_s2|\S*[/²]\S*|gal)$", heading, re.I)
+    suffix = _SUFFIX.search(heading)
     return unit_name(suffix[1] if suffix else heading)
+
+
+def heading_component(heading):
+    """Return what a column's heading says but "acceleration" and a unit ("N-S"), or ""."""
+    words = _SUFFIX.sub("", _BRACKETED.sub("", heading)).strip(" _.,:;")
+    return "" if unit_name(words) or _ACCELERATION.fullmatch(words) else words
 
 
 def stated_count(lines):
