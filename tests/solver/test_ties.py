@@ -1,5 +1,6 @@
 """Ties: their law, their statics against closed forms, and YADE against the compiled solver."""
 
+import itertools
 import math
 
 import numpy as np
@@ -286,14 +287,22 @@ def test_scans_of_the_chart_are_kept_and_said(monkeypatch, tmp_path):
     monkeypatch.setattr(strengthening, "collapse_curve", curve)
     config, _ = tied(numerics=FEW)
     case, settings = Case({**config, "model": "W1"}), {**config["strengthening"], "curve_levels": 3}
-    done, said, tables = [], [], []
+    done, said, tables, clock = [], [], [], itertools.count(0.0, 40.0)
+    monkeypatch.setattr(strengthening.time, "process_time", lambda: next(clock))
     for _ in range(2):
         kept = strengthening.Kept(tmp_path / "kept.jsonl", "a chart")
         tables.append(strengthening.curve(case, None, "pos", settings, 3.0, kept, said.append))
-    assert len(done) == len(said) == 4  # without a tie too
+    assert len(done) == 4  # without a tie too
     assert tables[0].equals(tables[1])
+    assert tables[0]["force_kn"].is_monotonic_increasing
     assert tables[0]["pga_p10_g"].isna().all()
-    assert said[-1].startswith("scan 4 of 4: tie of 100 kN at 3.00 m, ")
+    assert said[:3] == [
+        "chart of 4 scans at 3.00 m, 0 known",
+        "scan with a tie of 100 kN: 40 s of processor time, 3 left",
+        "the 3 left take at most about 2 min",
+    ]
+    assert said[-2].endswith(" 0 left")
+    assert said[-1] == "chart of 4 scans at 3.00 m, 4 known"
     assert strengthening.Kept(tmp_path / "kept.jsonl", "a").known == {}
 
 

@@ -300,12 +300,14 @@ def to_confirm(case, table, choice, settings):
 def curve(case, motion, direction, settings, height_m, kept=None, say=lambda text: None):
     """Collapse intensities against the force of a row at one height.
 
+    The strongest tie goes first: its scan takes longest, so the others' cost is known from above.
+
     Parameters
     ----------
     kept : Kept, optional
         Of these scans alone: its key differs from that of a search.
     say : callable
-        Receives a line a scan.
+        Receives how many scans are due, and a line a scan.
 
     Returns
     -------
@@ -315,16 +317,17 @@ def curve(case, motion, direction, settings, height_m, kept=None, say=lambda tex
     """
     kept = kept or Kept(None, "")
     names = [f"pga_{name}_g" for name in ("safe", "collapse", "p10", "median", "p90", "all", "max")]
-    rows = []
     forces = trial_forces(settings, settings["curve_levels"])
-    for number, force in enumerate(forces, 1):
-        if (found := kept.get(height_m, force)) is None:
-            began = time.process_time()
-            varied = case.varied(tie(settings, height_m, force))
-            summary = collapse_curve(varied, motion, direction, settings=CHART).summary()
-            found = [float(summary[name]) for name in names]
-            kept.put(height_m, force, found)
-            text = f"scan {number} of {len(forces)}: tie of {force:.3g} kN at {height_m:.2f} m"
-            say(f"{text}, {time.process_time() - began:.2g} s of processor time")
-        rows.append((height_m, force, *found))
+    due = [force for force in forces[::-1] if kept.get(height_m, force) is None]
+    say(f"chart of {len(forces)} scans at {height_m:.2f} m, {len(forces) - len(due)} known")
+    for left, force in zip(range(len(due) - 1, -1, -1), due, strict=True):
+        began = time.process_time()
+        varied = case.varied(tie(settings, height_m, force))
+        summary = collapse_curve(varied, motion, direction, settings=CHART).summary()
+        kept.put(height_m, force, [float(summary[name]) for name in names])
+        seconds = time.process_time() - began
+        say(f"scan with a tie of {force:.3g} kN: {seconds:.2g} s of processor time, {left} left")
+        if left and force == due[0]:
+            say(f"the {left} left take at most about {left * seconds / 60.0:.2g} min")
+    rows = [(height_m, force, *kept.get(height_m, force)) for force in forces]
     return pd.DataFrame(rows, columns=["height_m", "force_kn", *names])

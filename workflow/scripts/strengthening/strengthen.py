@@ -35,7 +35,7 @@ def main(job):
     choice = strengthening.best(least)
     # where no tie holds, the chart is drawn for the highest row
     height = float(least["height_m"].max() if choice is None else choice["height_m"])
-    say(f"{len(table)} ties tried; chart of collapse intensities at {height:.2f} m")
+    say(f"{len(table)} ties tried")
     scanned = strengthening.Kept(job.params.kept, f"{key} chart")
     curve = strengthening.curve(*given, height, scanned, say)
     cases = strengthening.to_confirm(case, table, choice, settings)
