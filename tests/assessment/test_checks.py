@@ -23,6 +23,9 @@ from rocking.mechanics.closed_forms import (
     restitution_one_sided,
 )
 from rocking.mechanics.rocking_block import overturning_pga, peak_rotation
+from rocking.records import Record, measures
+
+from smdof.spectra import response_spectrum
 
 WALL = overturning(Facade(6.0, 0.6, 100e3))
 SPECTRUM = TableDemand(np.array([0.0, 0.2, 0.5, 3.0]), np.array([0.2, 0.5, 0.5, 0.05]))
@@ -206,7 +209,7 @@ def test_eurocode_at_second_hand_by_hand():
     on_floor = checks.eurocode(WALL, floor, "at 0", "NC")
     three(on_floor.capacity, 0.2388 / 1.86)
     period = numbers(on_floor)["T_NC"]
-    assert on_floor.demand == pytest.approx(0.5 * 9.81 * (period / (2 * math.pi)) ** 2, rel=1e-6)
+    assert on_floor.demand == pytest.approx(0.5 * 9.80665 * (period / (2 * math.pi)) ** 2, rel=1e-6)
 
 
 def test_floor_spectrum_by_hand():
@@ -323,6 +326,18 @@ def test_parts_fail_at_the_same_pga_however_strong_the_shaking():
     three(found.failing_pga_g, 0.03333)
     stubby = overturning(Facade(1.0, 4.0, 100e3))  # α0 = 4 W: never
     assert math.isinf(checks.parts(stubby, strong, 3.0, 9.0, 0.0).failing_pga_g)
+
+
+def test_a_record_has_one_pga_in_the_checks_and_in_its_own_table():
+    """1 m/s² is 0.1020 g of 9.80665 m/s² there and here, and so is a stiff oscillator's peak."""
+    record = Record("sine", np.sin(2.0 * np.pi * np.arange(0.0, 5.0, 0.01)), 0.01, "surrogate")
+    demand = RecordDemand(record.acceleration_m_s2, record.dt_s)
+    assert demand.pga_g == measures(record)["pga_g"]
+    assert demand.pga_g == pytest.approx(1.0 / 9.80665, rel=1e-3)
+    assert demand.acceleration(0.002) == pytest.approx(demand.pga_g, rel=1e-3)
+    assert displacement(demand, 0.5, 0.05) == pytest.approx(
+        response_spectrum(record.acceleration_m_s2, 0.01, [0.5], 0.05).sd_m[0], rel=1e-9
+    )
 
 
 def test_housner_by_hand():

@@ -5,10 +5,11 @@ import math
 import numpy as np
 import pytest
 from rocking.assessment.blocks import Facade, overturning, two_blocks
+from rocking.assessment.drawings import _corner
 from rocking.assessment.family import Family, stretched
 from rocking.assessment.masonry import Masonry
 from rocking.configuration import config
-from rocking.mechanics.closed_forms import G_M_S2
+from rocking.mechanics.closed_forms import GRAVITY_M_S2
 
 from yade_scripts.model.shape import shape_of
 
@@ -37,10 +38,10 @@ def test_masses_have_the_shapes_weight_centroid_and_second_moment():
     shape = shape_of(section)
     masses = np.array(Masonry(section).masses(0.0, shape.top_m))
     weight = masses[:, 0].sum()
-    assert weight == pytest.approx(shape.mass_kg * G_M_S2, rel=1e-9)
+    assert weight == pytest.approx(shape.mass_kg * GRAVITY_M_S2, rel=1e-9)
     assert masses[:, 0] @ masses[:, 1] / weight == pytest.approx(shape.centre_m[1], rel=1e-9)
     assert masses[:, 0] @ masses[:, 2] / weight == pytest.approx(shape.centre_m[2], rel=1e-9)
-    z2 = masses[:, 0] @ masses[:, 2] ** 2 / G_M_S2
+    z2 = masses[:, 0] @ masses[:, 2] ** 2 / GRAVITY_M_S2
     # J_x − J_y + J_z... of a thin wall: Σ m z² from J about the centroid: J_x = Σ m (y² + z²)
     part = sum(m * r[2] ** 2 + 0.5 * (j[0, 0] + j[1, 1] - j[2, 2]) for m, r, j, _ in shape.parts)
     assert z2 == pytest.approx(part, rel=1e-9)
@@ -49,7 +50,7 @@ def test_masses_have_the_shapes_weight_centroid_and_second_moment():
 def test_a_plain_facade_is_that_of_the_closed_form():
     plain = {"height_m": 6.0, "thickness_m": 0.6, "width_m": 4.4, "density_kg_m3": 1800.0}
     found = family(plain).part(0.0, "whole").mechanism
-    weight = 1800.0 * G_M_S2 * 6.0 * 0.6 * 4.4
+    weight = 1800.0 * GRAVITY_M_S2 * 6.0 * 0.6 * 4.4
     other = overturning(Facade(6.0, 0.6, weight))
     assert found.multiplier(0.03) == pytest.approx(other.multiplier(0.03), rel=1e-12)
     assert found.participation() == pytest.approx(other.participation(), rel=1e-12)
@@ -254,3 +255,18 @@ def test_what_falls_by_its_own_weight_is_refused_by_name():
         family(lean, hinge_inset_m=0.2).all()
     with pytest.raises(ValueError, match="hinge_inset_m"):
         family(GABLE, hinge_inset_m=0.4)
+
+
+@pytest.mark.parametrize("crack_deg", [30.0, 60.0])  # at 60° the crack meets the other edge
+@pytest.mark.parametrize("side", [-1, 1])
+def test_a_corner_is_drawn_as_large_as_it_weighs(crack_deg, side):
+    plain = {"height_m": 6.0, "thickness_m": 0.6, "width_m": 4.4, "density_kg_m3": 1800.0}
+    own = family(plain, corner_crack_deg=crack_deg)
+    candidate = own.corner(side)
+    x, z = np.array(_corner(own, candidate)).T
+    area = 0.5 * abs(x @ np.roll(z, -1) - z @ np.roll(x, -1))
+    tangent = math.tan(math.radians(crack_deg))
+    weight = sum(w for w, *_ in own.masonry.wedge(candidate.foot_m, tangent, side))
+    assert 1800.0 * GRAVITY_M_S2 * 0.6 * area == pytest.approx(weight, rel=1e-3)
+    assert np.abs(x).max() == pytest.approx(2.2)
+    assert np.sign(x[0]) == side

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from rocking.assessment.blocks import Facade, courses, overturning, two_blocks
-from rocking.mechanics.closed_forms import G_M_S2, capacity_interlocking, capacity_rigid
+from rocking.mechanics.closed_forms import GRAVITY_M_S2, capacity_interlocking, capacity_rigid
 
 WALL = Facade(height_m=6.0, thickness_m=0.6, weight_n=100e3)
 
@@ -62,7 +62,7 @@ def test_interlocking_is_the_kinematic_curve_of_the_study():
     """Same curve as the moment equilibrium of `capacity_interlocking`, before and after slip."""
     h, b, w, rho = 6.48, 0.375, 4.4, 1800.0
     pulls = courses(h, 0.324, 0.375, 0.125, math.tan(math.radians(30)), rho * 9.81)
-    weight = rho * G_M_S2 * h * b * w
+    weight = rho * GRAVITY_M_S2 * h * b * w
     found = overturning(Facade(h, b, weight), pulls)
     theta = np.array([0.0, 0.01, 0.0195, 0.03, 0.05])
     other = capacity_interlocking(

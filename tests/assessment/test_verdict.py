@@ -3,13 +3,17 @@
 import numpy as np
 import pandas as pd
 import pytest
+from rocking.assessment.mechanism import WHOLE
 from rocking.assessment.verdict import damage, dynamic_check, next_steps, suite
 
 CHECKS = pd.DataFrame({"check": ["linear_ground"], "pga_demand_g": [0.2], "ratio": [1.2]})
 
 
 def mechanisms(**pga_fails_g):
-    rows = [(name, "as stated", 0.0, pga_g) for name, pga_g in pga_fails_g.items()]
+    rows = [
+        (WHOLE if name == "whole" else name, "as stated", 0.0, pga_g)
+        for name, pga_g in pga_fails_g.items()
+    ]
     return pd.DataFrame(rows, columns=["mechanism", "kind", "foot_m", "pga_fails_g"])
 
 
@@ -45,7 +49,7 @@ def test_a_link_that_sets_d_slv_is_named():
     """d_SLV of 0.1 m is 0.4 d0 of 0.25 m; of 0.5 m it is less, so a tie or an anchor gives way."""
     lost = verdicts(True, False)
     said = dynamic_check(lost, (-0.05, 0.2, True))
-    assert "50 mm with W1, 50 mm with W2 (2 beyond d0); d_SLV is 100 mm." in said
+    assert "50 mm with W1, 50 mm with W2 (2 beyond d0); d_SLV there is 100 mm." in said
     early = lost.assign(d0_m=0.5)
     assert "100 mm, where a tie or an anchor gives way." in dynamic_check(early, (0, 0.2, True))
     rounded = lost.assign(d_slv_m=0.149749, d0_m=0.374374)  # six figures of 0.4 d0
@@ -84,7 +88,10 @@ def test_below_seven_stations_no_share_and_no_interval():
 
 def test_what_is_recommended_hangs_on_what_fails():
     weak = next_steps(CHECKS, mechanisms(whole=0.15, corner=0.3), verdicts(True), "")
-    assert weak[0].startswith("Tie or hold the façade against: whole (0.15 g).")
+    assert weak[0].startswith(f"Tie or hold the façade against: {WHOLE} (0.15 g).")
+    for other in ("vertical bending from 0.00 to 3.50 m", "left corner above 0.00 m"):  # feet at 0
+        said = next_steps(CHECKS, mechanisms(whole=0.3, **{other: 0.25}), verdicts(True), "")
+        assert f"{other}, is judged by the kinematic checks alone." in said[-1]
     lost = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, False), "")
     assert "The kinematic check passes and the dynamic one does not (W2)" in lost[0]
     unsure = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, agree=0.9), "")

@@ -7,10 +7,10 @@ relative displacement is block minus base, positive along +y.
 import math
 
 import numpy as np
-from rocking.mechanics.closed_forms import G_M_S2, _positive
+from rocking.mechanics.closed_forms import GRAVITY_M_S2, _positive
 
 
-def slip_rectangular_pulse(acceleration_m_s2, duration_s, friction, gravity_m_s2=G_M_S2):
+def slip_rectangular_pulse(acceleration_m_s2, duration_s, friction, gravity_m_s2=GRAVITY_M_S2):
     """Largest slip behind a base pulse of constant acceleration, a·t1²(a − μg)/(2μg) [m].
 
     Newmark (1965): the base keeps its velocity V = a·t1 after the pulse, the
@@ -21,7 +21,7 @@ def slip_rectangular_pulse(acceleration_m_s2, duration_s, friction, gravity_m_s2
     return a * duration_s**2 * max(a - limit, 0.0) / (2.0 * limit)
 
 
-def slip_harmonic(acceleration_m_s2, omega_rad_s, friction, gravity_m_s2=G_M_S2):
+def slip_harmonic(acceleration_m_s2, omega_rad_s, friction, gravity_m_s2=GRAVITY_M_S2):
     """Amplitude of the steady slip under a·sin ωt that never sticks [m].
 
     Half the swing, (a/ω²)√(1 − (πη/2)²) with η = μg/a. The velocity reverses at
@@ -55,7 +55,7 @@ def _next_stop(v, c1, c2, limit):
     return min((t for t in roots if 0.0 < t <= limit), default=None)
 
 
-def sliding_response(ground_m_s2, dt_s, friction, gravity_m_s2=G_M_S2):
+def sliding_response(ground_m_s2, dt_s, friction, gravity_m_s2=GRAVITY_M_S2):
     """Slip of a block under a piecewise-linear ground acceleration, exact between events.
 
     Within a segment the relative acceleration −a_g − μg·sgn(v) is linear, so the

@@ -13,7 +13,8 @@ from scipy.optimize import brentq
 
 from rocking.assessment.demand import displacement, largest_displacement
 from rocking.assessment.sources import cited
-from rocking.mechanics.closed_forms import G_M_S2, block
+from rocking.mechanics.closed_forms import GRAVITY_M_S2, block
+from rocking.records import G_M_S2
 
 BEHAVIOUR = 2.0  # q of the linear check
 LEAST_KNOWN = 1.35  # FC of knowledge level 1
@@ -70,7 +71,7 @@ def confidence(stated, hinge_inset_m):
 def initial_period(length_m, thickness_m, unit_weight_n_m3, e_pa, kappa=CANTILEVER):
     """T0 = κ λ L √(W/(E g)), λ = L/t: an element free to vibrate [s] (C8.7.1.7)."""
     slender = length_m / thickness_m
-    return kappa * slender * length_m * math.sqrt(unit_weight_n_m3 / (e_pa * G_M_S2))
+    return kappa * slender * length_m * math.sqrt(unit_weight_n_m3 / (e_pa * GRAVITY_M_S2))
 
 
 def _shares(mechanism):
@@ -111,7 +112,7 @@ def linear(mechanism, demand, where, *, confidence_factor=1.0, behaviour=BEHAVIO
         ("e*", "participating mass ratio", ratio, "-"),
         ("FC", "confidence factor", confidence_factor, "-"),
         ("a_SLD", "α0 g/(e* FC), onset", start, "g"),
-        ("T0", "period before the onset", t0_s, "s"),
+        ("T0", "period before the onset; 0 where walls behind hold it", t0_s, "s"),
         ("a_g,SLD", "PGA at the onset", damage, "g"),
         ("q", "behaviour factor", behaviour, "-"),
         ("q a_SLD", "capacity", behaviour * start, "g"),
@@ -339,7 +340,8 @@ def housner(height_m, thickness_m, demand):
     pseudo-velocity over 0.1 to 2.5 s.
     """
     alpha, radius, p = block(height_m, thickness_m)
-    needed = math.sqrt(8.0 * G_M_S2 * radius * (1.0 - math.cos(alpha)) / 3.0) / math.cos(alpha)
+    lift = radius * (1.0 - math.cos(alpha))
+    needed = math.sqrt(8.0 * GRAVITY_M_S2 * lift / 3.0) / math.cos(alpha)
     given = mean_pseudo_velocity(demand)
     steps = (
         ("α", "slenderness atan(b/h)", alpha, "rad"),

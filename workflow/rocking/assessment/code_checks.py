@@ -7,7 +7,8 @@ from rocking.assessment import checks
 from rocking.assessment.blocks import Facade, two_blocks
 from rocking.assessment.demand import RecordDemand, floor_demand
 from rocking.assessment.family import Family
-from rocking.mechanics.closed_forms import G_M_S2
+from rocking.assessment.mechanism import WHOLE
+from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from rocking.mechanics.rocking_block import overturning_pga
 from yade_scripts.model.floors import lever_of
 from yade_scripts.model.motion import SIGNS
@@ -54,7 +55,7 @@ def weakest_hinge(section):
     arms = [lever_of(row, b) for row in section["floors"]]
     total = sum(loads)
     arm = sum(p * s for p, s in zip(loads, arms, strict=True)) / total if total else 0.0
-    weight = section["density_kg_m3"] * G_M_S2 * h * b * section["width_m"]
+    weight = section["density_kg_m3"] * GRAVITY_M_S2 * h * b * section["width_m"]
     facade = Facade(h, b, weight, 0.0, total, arm)
     found = minimize_scalar(
         lambda z: two_blocks(facade, z).multiplier(), bounds=(0.02 * h, 0.98 * h), method="bounded"
@@ -152,7 +153,7 @@ def governing(candidates, facade, chain, settings, demand, confidence_factor=Non
 
 def mechanism_of(facade, wall, settings):
     """Overturning of the whole façade with its loads and ties, as a `Candidate`."""
-    return Family(facade, wall, settings).part(0.0, "whole façade about its base")
+    return Family(facade, wall, settings).part(0.0, WHOLE)
 
 
 def failing_pga(whole, facade, chain, settings, record, directions, max_pga_g):

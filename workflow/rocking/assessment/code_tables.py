@@ -101,13 +101,14 @@ def mechanisms(settings, demand, ranked, place):
     facade, wall, _, own = (settings[k] for k in SECTIONS)
     stated = 1e-3 * sum(force for force, *_ in ties_of(facade))
     rows = [mechanism_row(one, found, stated, "as stated") for _, one, found in ranked]
-    weight = sum(w for w, *_ in Family(facade, wall, own).masonry.masses(0.0, facade["height_m"]))
+    masonry = Family(facade, wall, own).masonry
+    weight = sum(w for w, *_ in masonry.masses(0.0, masonry.top_m))
     for share in TIE_SHARES:
         one, found = checked(settings, demand, place, share * weight)
         if one is not None:
-            force = stated + 1e-3 * share * weight
-            row = mechanism_row(one, found, force, f"one more row, {100 * share:g} % of the weight")
-            rows.append(row)
+            force = 1e-3 * share * weight
+            words = f"one more row of {force:.3g} kN, {100 * share:g} % of the weight"
+            rows.append(mechanism_row(one, found, stated + force, words))
     family = Family(facade, wall, own)
     top = facade["height_m"]
     highest = family.levels()[-1]

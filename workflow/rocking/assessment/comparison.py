@@ -10,7 +10,7 @@ import math
 import numpy as np
 import pandas as pd
 
-from rocking.risk.rates import FEWEST
+from rocking.stations import FEWEST, drawn, interval
 from rocking.studies.fragility import fit
 from yade_scripts.model import registry
 
@@ -57,20 +57,14 @@ def share_interval(flags, stations, resamples, seed, confidence=0.95):
     keep = np.isfinite(flags)
     if not keep.any():
         return math.nan, math.nan, math.nan
-    names, index = np.unique(stations[keep], return_inverse=True)
-    ones = np.bincount(index, flags[keep], len(names))
-    count = np.bincount(index, minlength=len(names))
-    share, tail = ones.sum() / count.sum(), 0.5 * (1.0 - confidence)
-    if len(names) < FEWEST:
-        return float(share), math.nan, math.nan
-    if share in (0.0, 1.0):
-        reach = 1.0 - tail ** (1.0 / len(names))
+    flags, stations = flags[keep], stations[keep]
+    number, share = len(set(stations)), float(flags.mean())
+    if number >= FEWEST and share in (0.0, 1.0):
+        reach = 1.0 - (0.5 * (1.0 - confidence)) ** (1.0 / number)
         return (0.0, 0.0, reach) if share == 0.0 else (1.0, 1.0 - reach, 1.0)
-    rng = np.random.default_rng(seed)
-    draws = rng.multinomial(len(names), np.full(len(names), 1.0 / len(names)), resamples)
-    found = (draws @ ones) / (draws @ count)
-    low, high = np.percentile(found, [100.0 * tail, 100.0 * (1.0 - tail)])
-    return float(share), float(low), float(high)
+    draws = drawn(stations, resamples, seed)
+    low, high = interval(draws @ flags / draws.sum(axis=1), number, confidence)
+    return share, float(low), float(high)
 
 
 def summary(table, resamples, seed):

@@ -77,6 +77,8 @@ def _rests_on(data):
         f"The demand is {data.demand_said}, a PGA of {g3(demand)} g.",
         f"The façade is rigid blocks of {f['density_kg_m3']:g} kg/m³ on dry joints; it does not "
         "crush or fall apart, and the mechanisms know ties and anchors but no friction of floors.",
+        "Every part of it turns over the whole width; corners alone take a part of it. They end at "
+        "the eaves, with return walls without openings.",
         "In the dynamic models the whole façade turns as one block that leans on its return walls"
         + _floors_said(f["floors"]),
         "The Circolare was read in a public transcription with page numbers, EN 1998-3 and NZS "
@@ -102,10 +104,11 @@ def _mechanisms(table, folder):
         name = r.mechanism if r.kind == "as stated" else f"{r.mechanism}; {r.kind}"
         rows.append((name, g3(r.multiplier), both, g3(r.d0_m), f"{r.place:.2f}", g3(r.pga_fails_g)))
     return Table(
-        "Mechanisms: the least first, then what more ties or a held top would do to it. Onset is "
+        "Mechanisms: the least first, then what one more row of ties would do to it, and the wall "
+        "held at the eaves. Onset is "
         "α0/e* [g] without FC; where a held load does not move, in brackets what the code's letter "
-        "gives, which counts that load in e* and is the less safe. Height: of the line that holds "
-        "it, over the building's.",
+        "gives, which counts that load in e* and is the less safe. Height: where the floor's "
+        "shaking is taken, the middle of what holds the part, over the height of the eaves.",
         ("mechanism", "α0", "onset", "d0 [m]", "height", "SLV fails at [g]"),
         rows,
         (0.42, 0.1, 0.16, 0.1, 0.09, 0.13),
@@ -132,11 +135,12 @@ def _checks(checks, folder):
                     g3(r["ratio"]),
                 )
             )
+        both = " What stands on the ground has two demands, ground and floor; the larger governs."
         blocks.append(
             Table(
                 f"Checks of: {name}. A check just fails at the PGA in the fifth column; the last "
-                "is that over the demand's. On ground and floor there are two demands; the larger "
-                "governs.",
+                "is that over the demand's PGA. Displacements are the equivalent oscillator's, not "
+                f"the top's.{both if 'slv_ground' in own.index else ''}",
                 ("check", "capacity", "demand", "", "fails at [g]", "over demand"),
                 rows,
                 (0.36, 0.15, 0.15, 0.1, 0.12, 0.12),

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from rocking.mechanics.closed_forms import G_M_S2
+from rocking.records import G_M_S2
 from smdof.chain import shear_chain
 from smdof.spectra import response_spectrum
 

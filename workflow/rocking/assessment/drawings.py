@@ -16,7 +16,7 @@ def _dimension(axis, start, end, words, offset=(0.0, 0.0), **style):
     axis.text(*middle, words, size=7, ha="center", va="center", **style)
 
 
-def _elevation(axis, family):
+def _elevation(axis, family, candidate):
     m, section = family.masonry, family.section
     half, h, top = 0.5 * m.width_m, m.height_m, m.top_m
     outline = [(-half, 0.0), (half, 0.0)]
@@ -35,6 +35,9 @@ def _elevation(axis, family):
         axis.plot(across, [z] * len(across), "x", color="0", ms=5, mew=1.4)
     for row in section["floors"]:
         axis.plot([-half, half], [row["height_m"]] * 2, color="0.2", lw=0.9, ls="--")
+    if "corner" in candidate.name:
+        corner = _corner(family, candidate)
+        axis.add_patch(Polygon(corner, fc="none", ec="0", lw=1.1, ls="--"))
     if family.base_m > 0.0:
         axis.add_patch(
             Rectangle(
@@ -51,6 +54,16 @@ def _elevation(axis, family):
         (0.0, -0.05 * top),
     )
     axis.set_title("elevation", size=8)
+
+
+def _corner(family, candidate):
+    """Outline of what a corner takes of the elevation, up to its crack (`Masonry.wedge`)."""
+    m, foot = family.masonry, candidate.foot_m
+    edge = 0.5 * m.width_m * (-1.0 if candidate.name.startswith("left") else 1.0)
+    reach = (m.height_m - foot) * np.tan(np.radians(family.settings["corner_crack_deg"]))
+    inner = edge * (1.0 - 2.0 * min(reach / m.width_m, 1.0))
+    met = foot + (m.height_m - foot) * min(m.width_m / reach, 1.0)
+    return [(edge, foot), (edge, m.height_m), (inner, m.height_m), (inner, met)]
 
 
 def _section(axis, family, candidate):
@@ -118,7 +131,7 @@ def facade(family, candidate):
         wide = max(1.3 * m.width_m, 0.3 * m.top_m)
         start, end = -0.22 * m.top_m, section_end(family)
         axes = figure.subplots(1, 2, width_ratios=(wide, end - start))  # at one scale
-        _elevation(axes[0], family)
+        _elevation(axes[0], family, candidate)
         _section(axes[1], family, candidate)
         low = -family.base_m - 0.16 * m.top_m
         for axis in axes:
@@ -139,10 +152,11 @@ def section_end(family):
 def words(family, candidate):
     """What the drawing shows, in words."""
     m = family.masonry
-    openings = len(m.shape.openings)
-    gable = f", gable {m.gable_m:g} m" if m.gable_m > 1e-9 else ""
+    openings, ties = len(m.shape.openings), len(family.section["ties"])
+    gable = f" to the eaves, gable {m.gable_m:g} m" if m.gable_m > 1e-9 else ""
     return (
         f"Façade {m.width_m:g} m wide, {m.height_m:g} m high{gable}, "
-        f"{family.section['thickness_m']:g} m thick at its base, {openings} openings, "
-        f"{len(family.section['ties'])} rows of ties; weakest mechanism: {candidate.name}."
+        f"{family.section['thickness_m']:g} m thick at its base, "
+        f"{openings} opening{'' if openings == 1 else 's'}, "
+        f"{ties} row{'' if ties == 1 else 's'} of ties; weakest mechanism: {candidate.name}."
     )

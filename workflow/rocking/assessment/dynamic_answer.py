@@ -4,7 +4,8 @@ import numpy as np
 import pandas as pd
 
 from rocking.assessment.comparison import EXACT
-from rocking.risk.rates import FEWEST, collapse_rate
+from rocking.risk.rates import collapse_rate
+from rocking.stations import FEWEST
 from rocking.studies.fragility import bootstrap, brackets_about, fit
 
 POINTS, REACH = 101, 3.0  # of a curve; dispersions either side of the median
@@ -55,7 +56,7 @@ def answer(table, stations, demand_g, hazard, resamples, seed):
     if place.nunique() < FEWEST or not np.isfinite(found.median):
         return row, None
     draws = bootstrap(low, high, place, resamples, seed)
-    row["ci_low_g"], row["ci_high_g"] = draws.interval("median", CONFIDENCE)
+    row["ci_low_g"], row["ci_high_g"] = draws.interval(draws.median, CONFIDENCE)
     row["probability"] = float(found.probability(demand_g))
     (row["probability_low"],), (row["probability_high"],) = draws.band([demand_g], CONFIDENCE)
     if hazard is not None:
@@ -63,9 +64,7 @@ def answer(table, stations, demand_g, hazard, resamples, seed):
             hazard, found.median, found.dispersion
         )
         many, _ = collapse_rate(hazard, draws.median, draws.dispersion)
-        tails = np.array([0.5, 0.5]) + [-0.5 * CONFIDENCE, 0.5 * CONFIDENCE]
-        ends = np.percentile(many, 100.0 * tails, method="inverted_cdf")
-        row["rate_low"], row["rate_high"] = ends
+        row["rate_low"], row["rate_high"] = draws.interval(many, CONFIDENCE)
     pga_g = found.median * np.exp(np.linspace(-REACH, REACH, POINTS) * found.dispersion)
     lower, upper = draws.band(pga_g, CONFIDENCE)
     points = zip(pga_g, found.probability(pga_g), lower, upper, strict=True)

@@ -15,7 +15,7 @@ import numpy as np
 from rocking.assessment.blocks import bending, interlocking, toppling
 from rocking.assessment.checks import CANTILEVER, initial_period
 from rocking.assessment.masonry import Masonry
-from rocking.assessment.mechanism import Mechanism
+from rocking.assessment.mechanism import WHOLE, Mechanism
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.ties import rod
 
@@ -182,7 +182,7 @@ class Family:
 
     def cuts(self):
         """Heights above which a part may turn, and what is there."""
-        found = {0.0: "whole façade about its base"}
+        found = {0.0: WHOLE}
         names = []
         if self.masonry.top_m > self.height_m:
             above = "foot of the gable" if self.masonry.gable_m > 1e-9 else "foot of the parapet"

@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 
 from rocking.assessment.demand import RecordDemand, floor_demand
-from rocking.mechanics.closed_forms import G_M_S2
+from rocking.records import G_M_S2
 from smdof.chain import floor_motions
 from smdof.spectra import response_spectrum
 

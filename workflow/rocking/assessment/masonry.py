@@ -8,7 +8,7 @@ exactly.
 import itertools
 import math
 
-from rocking.mechanics.closed_forms import G_M_S2
+from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from yade_scripts.model.shape import shape_of
 
 STRIPS = 40  # of a wedge, whose edge crosses openings anywhere
@@ -34,7 +34,7 @@ class Masonry:
     def __init__(self, section):
         """Read the shape."""
         self.shape = shape_of(section)
-        self.unit_weight = section["density_kg_m3"] * G_M_S2
+        self.unit_weight = section["density_kg_m3"] * GRAVITY_M_S2
         self.width_m = section["width_m"]
         self.height_m, self.top_m = section["height_m"], self.shape.top_m
         storeys, openings = self.shape.storeys, self.shape.openings

@@ -19,8 +19,9 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import brentq
 
-from rocking.mechanics.closed_forms import G_M_S2
+from rocking.mechanics.closed_forms import GRAVITY_M_S2
 
+WHOLE = "whole façade about its base"  # its name: what the dynamic models turn by
 TINY = 1e-30  # complex step
 COURSES = 400  # points at which a capacity curve is searched for its zero
 
@@ -183,9 +184,9 @@ class Mechanism:
         p = np.array([weight for weight, _ in self.weights])
         delta = np.array([_rate(path, 0.0)[0] for _, path in self.weights])
         one, two = p @ delta, p @ delta**2
-        mass = one**2 / (G_M_S2 * two)
+        mass = one**2 / (GRAVITY_M_S2 * two)
         counted = p.sum() if letter else p[np.abs(delta) > 1e-12 * np.abs(delta).max()].sum()
-        return mass, G_M_S2 * mass / counted, two / (_rate(self.control, 0.0)[0] * one)
+        return mass, GRAVITY_M_S2 * mass / counted, two / (_rate(self.control, 0.0)[0] * one)
 
     def curve(self, points=101):
         """Capacity curve up to d0: displacement of the control point [m] and multiplier [-]."""

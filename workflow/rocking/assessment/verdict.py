@@ -2,7 +2,8 @@
 
 import pandas as pd
 
-from rocking.risk.rates import FEWEST
+from rocking.assessment.mechanism import WHOLE
+from rocking.stations import FEWEST
 
 ROUNDED = 1e-4  # relative; tables have six figures
 SURE = 0.005  # of a probability that rounds to 0 or 100 %
@@ -68,7 +69,7 @@ def dynamic_check(verdicts, fit):
         + (f" ({r.exceed_d0:.0f} beyond d0)" if r.exceed_d0 else "")
         for r in verdicts.itertuples()
     )
-    limit = f"d_SLV is {1e3 * row['d_slv_m']:.3g} mm"
+    limit = f"d_SLV there is {1e3 * row['d_slv_m']:.3g} mm"
     if gives_way(row):
         limit += ", where a tie or an anchor gives way"
     if not lost:
@@ -79,7 +80,7 @@ def dynamic_check(verdicts, fit):
         verdict = f"is fulfilled for {_models(held)} and not for {_models(lost)}"
     unsure = [r.model for r in verdicts.itertuples() if r.agree < 0.95]
     words = f"The code's dynamic check of the whole façade (C8.7.1.2.1.9) {verdict}, {about}: "
-    words += f"mean displacements are {said}; {limit}"
+    words += f"mean displacements of the top are {said}; {limit}"
     if unsure:
         words += f"; for {_models(unsure)} the verdict hangs on the numerics"
     return words + "."
@@ -174,7 +175,7 @@ def next_steps(checks, mechanisms, verdicts, *more):
             "Run the dynamic check with more motions: its verdict hangs on single histories."
         )
     least = stated.sort_values("pga_fails_g").iloc[0]
-    if least["foot_m"] > 0.0 and not verdicts.empty:
+    if least["mechanism"] != WHOLE:
         lines.append(
             "The dynamic models turn the whole façade; the weakest mechanism, "
             f"{least['mechanism']}, is judged by the kinematic checks alone."

@@ -67,7 +67,7 @@ def groups(config: Mapping) -> dict[str, float]:
         "slenderness": h / b,
         "return_wall_ratio": ratio,
         "stiffness_ratio": back / base,
-        "base_stiffness": base / (density * closed_forms.G_M_S2),
+        "base_stiffness": base / (density * closed_forms.GRAVITY_M_S2),
         "omega_c_rad_s": math.sqrt(back * ratio / (density * b)),
     }
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 import scipy
 
-from yade_scripts.model.gravity import GRAVITY_M_S2 as G_M_S2
+from yade_scripts.model.gravity import GRAVITY_M_S2
 
 
 def _positive(**values):
@@ -32,7 +32,7 @@ class Block(NamedTuple):
     p_rad_s: float
 
 
-def block(h_m, b_m, gravity_m_s2=G_M_S2):
+def block(h_m, b_m, gravity_m_s2=GRAVITY_M_S2):
     """α = atan(b/h), R = √(h² + b²)/2 and p = √(3g/4R) of a homogeneous block (Housner, 1963)."""
     _positive(h_m=h_m, b_m=b_m, gravity_m_s2=gravity_m_s2)
     radius = 0.5 * math.hypot(h_m, b_m)
@@ -56,7 +56,7 @@ def quarter_period(theta0_over_alpha, p_rad_s):
     return math.acosh(1.0 / (1.0 - theta0_over_alpha)) / p_rad_s
 
 
-def quarter_period_finite(theta0_over_alpha, h_m, b_m, gravity_m_s2=G_M_S2):
+def quarter_period_finite(theta0_over_alpha, h_m, b_m, gravity_m_s2=GRAVITY_M_S2):
     """Same time for finite angles [s]: ∫ dθ/θ̇ with θ̇² = 2p²(cos(α − θ0) − cos(α − θ)).
 
     With θ = θ0 − s² the integrand is regular at the release.
@@ -215,7 +215,7 @@ def capacity_interlocking(
     friction_deg,
     bound="upper",
     return_walls=2,
-    gravity_m_s2=G_M_S2,
+    gravity_m_s2=GRAVITY_M_S2,
 ):
     """Kinematic capacity curve of a façade that rocks away from interlocked return walls.
 
@@ -281,7 +281,7 @@ def capacity_interlocking(
 
 
 def capacity_compliant_base(
-    theta_rad, h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2=G_M_S2, *, edge_pa=0.0
+    theta_rad, h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2=GRAVITY_M_S2, *, edge_pa=0.0
 ):
     """Static multiplier λ(θ) of a rigid block on a no-tension elastic base.
 
@@ -311,7 +311,7 @@ def capacity_compliant_base(
     return (eccentricity * cos - 0.5 * h_m * sin) / (0.5 * (h_m * cos + b_m * sin))
 
 
-def tip_over_compliant_base(h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2=G_M_S2):
+def tip_over_compliant_base(h_m, b_m, density_kg_m3, jkn_pa_m, gravity_m_s2=GRAVITY_M_S2):
     """Rotation [rad] and value of the largest λ of `capacity_compliant_base`: static tip-over.
 
     Small-angle check: θ* = (√(2q)/(3h))^{2/3}. Returns (nan, 0) if the base is so

@@ -28,7 +28,7 @@ import math
 import numpy as np
 from scipy.optimize import brentq
 
-from rocking.mechanics.closed_forms import G_M_S2, _positive
+from rocking.mechanics.closed_forms import GRAVITY_M_S2, _positive
 from rocking.runtime.compiled import compiled
 
 PIECES = 400  # of the column: λ within 1e-4
@@ -37,7 +37,7 @@ STEP = 0.02  # of b/h, by which λ is bracketed
 BUCKLES = 7.837 / 12.0  # Γ at which an uncracked column falls by its own weight (Greenhill)
 
 
-def compliance(h_m, b_m, density_kg_m3, e_pa, gravity_m_s2=G_M_S2):
+def compliance(h_m, b_m, density_kg_m3, e_pa, gravity_m_s2=GRAVITY_M_S2):
     """Γ = ρ g h³/(E b²), how compliant a wall is under its own weight [-]."""
     _positive(h_m=h_m, b_m=b_m, density_kg_m3=density_kg_m3, e_pa=e_pa)
     return density_kg_m3 * gravity_m_s2 * h_m**3 / (e_pa * b_m**2)

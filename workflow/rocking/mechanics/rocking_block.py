@@ -12,8 +12,9 @@ import math
 
 import numpy as np
 
-from rocking.mechanics.closed_forms import G_M_S2, _positive, block, restitution_one_sided
+from rocking.mechanics.closed_forms import GRAVITY_M_S2, _positive, block, restitution_one_sided
 from rocking.runtime.compiled import compiled
+from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2 as G_M_S2
 
 STEP_S = 5e-4
 
@@ -81,7 +82,7 @@ def peak_rotation(
     steps = max(1, math.ceil(dt_s / STEP_S))
     values = np.asarray(acceleration_m_s2, float)
     found = _march(
-        values, dt_s, alpha, p * p, kept, G_M_S2, float(factor), fallen, start_rad, steps
+        values, dt_s, alpha, p * p, kept, GRAVITY_M_S2, float(factor), fallen, start_rad, steps
     )
     return found / alpha
 

@@ -194,8 +194,8 @@ def joint_forces(forces, config):
     )
     facade, w3 = config["facade"], config["w3"]
     courses = round(facade["height_m"] / w3["course_height_m"])
-    unit = facade["density_kg_m3"] * closed_forms.G_M_S2 * config["return_wall"]["thickness_m"]
-    each = unit * w3["overlap_m"] * w3["course_height_m"]
+    unit = facade["density_kg_m3"] * closed_forms.GRAVITY_M_S2
+    each = unit * config["return_wall"]["thickness_m"] * w3["overlap_m"] * w3["course_height_m"]
     table["weight_n"] = each * (courses - table["course"])
     table["ratio"] = table["normal_n"] / table["weight_n"]
     return table

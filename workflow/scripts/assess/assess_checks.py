@@ -3,8 +3,9 @@
 import json
 
 from rocking.assessment.code_checks import failing_pga, mechanism_of, pulse_share
-from rocking.records import load, measures
+from rocking.records import load
 from rocking.runtime.script import run
+from rocking.studies.sufficiency import properties
 from rocking.tables import write_table
 
 
@@ -17,12 +18,11 @@ def main(job):
     rows = []
     for name, station in job.params.records.items():
         record = load(name, job.params.table, baseline=settings["baseline"], seed=settings["seed"])
-        peaks = measures(record)
         of_record = {
             "record": name,
             "station": station,
             "pulse_share": pulse_share(record),
-            "pgv_over_pga_s": peaks["pgv_cm_s"] / 100.0 / (9.80665 * peaks["pga_g"]),
+            "pgv_over_pga_s": properties(record)["pgv_over_pga_s"],
         }
         found = failing_pga(
             mechanism, facade, chain, own, record, settings["directions"], settings["ida.max_pga_g"]
