@@ -39,6 +39,7 @@ def test_the_study_s_four_motions():
         "duration_s": 29.0,
     }
     assert rows["BUCAR0"].about["mw"] == 7.5
+    assert rows["BUCAR0"].station == "Building Research Institute"
     assert {row.source for row in rows.values()} == {"surrogate"}
 
 
@@ -52,7 +53,8 @@ def test_a_user_s_table_needs_few_columns(table, tmp_path):
         "",
         f"absolute\t{tmp_path / sample.name}\t#2",
     )
-    assert list(read_table(path)) == ["mine", "absolute"]
+    stations = {name: row.station for name, row in read_table(path).items()}
+    assert stations == {"mine": "mine", "absolute": "absolute"}  # a record without one is its own
     mine = load("mine", path)
     np.testing.assert_allclose(mine.acceleration_m_s2, sample.acceleration_m_s2, atol=6e-5)
     assert mine.name == "mine"

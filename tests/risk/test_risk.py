@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.risk import nrml, rates
+from rocking.risk.collapse import risk_of
 from rocking.risk.hazard import Hazard, HazardError, imt_of, read_hazard
 from rocking.studies.fragility import Fragility
 from run_script import script
@@ -60,12 +61,13 @@ def test_rate_and_its_parts_agree_with_quadrature():
 def test_a_hazard_table_in_a_rate_with_its_interval_out(tmp_path):
     """Both by hand: moments of ln PGA, and F summed over the drops of the table's hazard.
 
-    Twenty records, both directions; the interval by drawing them again with other numbers.
+    Twenty stations, both components and directions; the interval by drawing stations again with
+    other numbers.
     """
     x, rate = np.array([0.05, 0.1, 0.3, 1.0]), np.array([2e-2, 6e-3, 5e-4, 1.5e-5])
     rng = np.random.default_rng(11)
-    record = rng.normal(np.log(THETA), 0.4, 20)
-    ln_pga = record[:, None] + rng.normal(0.0, 0.2, (20, 2))
+    station = rng.normal(np.log(THETA), 0.4, 20)
+    ln_pga = station[:, None, None] + rng.normal(0.0, 0.2, (20, 2, 2))
 
     grid = np.linspace(np.log(1e-3), np.log(30.0), 1500)
     inside = np.interp(grid, np.log(x), np.log(rate))
@@ -74,21 +76,16 @@ def test_a_hazard_table_in_a_rate_with_its_interval_out(tmp_path):
     drops, middle = -np.diff(np.exp(inside + ends)), 0.5 * (grid[1:] + grid[:-1])
 
     def by_hand(samples):
-        mean, deviation = samples.mean(axis=(1, 2)), samples.std(axis=(1, 2))
+        samples = samples.reshape(len(samples), -1)
+        mean, deviation = samples.mean(axis=1), samples.std(axis=1)
         return stats.norm.cdf((middle - mean[:, None]) / deviation[:, None]) @ drops
 
     drawn = by_hand(ln_pga[rng.integers(0, 20, (2000, 20))])
     (tmp_path / "hazard.csv").write_text(
         "pga_g,annual_rate\n" + "".join(f"{a},{b}\n" for a, b in zip(x, rate, strict=True))
     )
-    rows = [
-        ("W1", f"R{i}", d, "pga_g", 0.999 * np.exp(v), 1.001 * np.exp(v), 1.0)
-        for (i, d), v in np.ndenumerate(ln_pga)
-    ]
-    names = ["model", "record", "direction", "im", "low", "high", "weight"]
-    pd.DataFrame(rows, columns=names).to_csv(tmp_path / "brackets.csv", index=False)
-    settings = {"confidence": 0.9, "resamples": 2000, "seed": 1, "min_records": 12}
-    params = {"risk": {"site": None, "years": 50, "bins": 6}, "fragility": settings}
+    brackets(ln_pga).to_csv(tmp_path / "brackets.csv", index=False)
+    params = {"risk": {"site": None, "years": 50, "bins": 6}, "fragility": SETTINGS}
     script(
         "risk_rate",
         tmp_path,
@@ -106,6 +103,51 @@ def test_a_hazard_table_in_a_rate_with_its_interval_out(tmp_path):
     assert row["probability"] == pytest.approx(in_50_years, rel=1e-4)
     parts = pd.read_csv(tmp_path / "parts.csv")
     assert parts["annual_rate"].sum() == pytest.approx(row["annual_rate"], rel=1e-4)
+
+
+SETTINGS = {"confidence": 0.9, "resamples": 2000, "seed": 1, "min_stations": 12}
+
+
+def brackets(ln_pga):
+    """Brackets of collapses, an axis each for stations, components and directions."""
+    rows = [
+        ("W1", f"R{i}{c}", d, f"S{i}", "pga_g", 0.999 * np.exp(v), 1.001 * np.exp(v), 1.0)
+        for (i, c, d), v in np.ndenumerate(ln_pga)
+    ]
+    names = ["model", "record", "direction", "station", "im", "low", "high", "weight"]
+    return pd.DataFrame(rows, columns=names)
+
+
+def risk(ln_pga):
+    hazard = Hazard("pga_g", CURVED, bent(CURVED))
+    row, parts = risk_of("W1", brackets(ln_pga), hazard, {"years": 50, "bins": 6}, SETTINGS)
+    return row, np.array([values[2:] for values in parts])
+
+
+@pytest.mark.parametrize("n", [1, 2, 4, 6])
+def test_too_few_stations_give_a_rate_without_an_interval_and_say_so(n):
+    ln_pga = np.random.default_rng(3).normal(np.log(THETA), 0.4, (n, 2, 2))
+    row, parts = risk(ln_pga)
+    assert row["annual_rate"] > 0.0
+    assert row["probability"] > 0.0
+    assert np.isnan([row["rate_low"], row["rate_high"]]).all()
+    assert np.isnan([row["probability_low"], row["probability_high"]]).all()
+    assert np.isnan(parts[:, -2:]).all()
+    assert np.isfinite(parts[:, -3]).all()
+    stations = "1 station:" if n == 1 else f"{n} stations:"
+    assert f"no interval from {2 * n} records of {stations} it takes at least 7" in row["remark"]
+
+
+def test_every_motion_twice_narrows_nothing():
+    """A second component like the first says nothing new: same rate, same interval."""
+    ln_pga = np.random.default_rng(5).normal(np.log(THETA), 0.4, (9, 1, 2))
+    (once, parts), (twice, again) = risk(ln_pga), risk(np.repeat(ln_pga, 2, axis=1))
+    for name in ("annual_rate", "rate_low", "rate_high", "probability_low", "probability_high"):
+        assert twice[name] == pytest.approx(once[name], rel=1e-4), name
+    np.testing.assert_allclose(again, parts, rtol=1e-3, atol=1e-9)
+    assert (once["n_records"], twice["n_records"]) == (9, 18)
+    assert once["remark"] == "indicative: 9 records of 9 stations"
+    assert twice["remark"] == "indicative: 18 records of 9 stations"
 
 
 def test_many_fragilities_at_once_and_the_two_without_a_fit():

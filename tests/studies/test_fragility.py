@@ -166,8 +166,8 @@ def coverage(records, trials=120):
     hits = 0
     for trial in range(trials):
         low, high = climb(draws(records, 1000 + trial), top=0.6)
-        interval = fragility.bootstrap(low, high, np.arange(records), 300, trial)
-        a, b = interval.interval("median", 0.9)
+        found = fragility.bootstrap(low, high, np.arange(records), 300, trial)
+        a, b = found.interval(found.median, 0.9)
         hits += a <= MEDIAN <= b
     return hits / trials
 
@@ -177,26 +177,39 @@ def test_interval_covers_the_median_as_often_as_it_says_with_a_suite_of_records(
     assert 0.82 <= coverage(44) <= 0.97
 
 
-def test_records_are_drawn_whole():
-    """The same curve twice under one record's name must not narrow the interval."""
+def test_stations_are_drawn_whole():
+    """The same curve twice at one station must not narrow the interval."""
     low, high = climb(draws(15, 7))
     names = np.arange(15)
     once = fragility.bootstrap(low, high, names, 400, 5)
     twice = fragility.bootstrap(np.tile(low, 2), np.tile(high, 2), np.tile(names, 2), 400, 5)
     np.testing.assert_allclose(twice.median, once.median, rtol=1e-5)
-    assert once.interval("median", 0.9) == fragility.bootstrap(low, high, names, 400, 5).interval(
-        "median", 0.9
-    )
+    for name in ("median", "dispersion"):
+        one, other = (draws.interval(getattr(draws, name), 0.9) for draws in (once, twice))
+        np.testing.assert_allclose(other, one, rtol=1e-4)
+    as_if_apart = np.concatenate([names, 15 + names])
+    apart = fragility.bootstrap(np.tile(low, 2), np.tile(high, 2), as_if_apart, 400, 5)
+    width = [np.ptp(np.log(draws.interval(draws.median, 0.9))) for draws in (once, apart)]
+    assert width[1] / width[0] == pytest.approx(1 / np.sqrt(2), abs=0.12)  # what it would feign
 
 
-def test_band_holds_the_curve_and_widens_with_fewer_records():
+def test_six_stations_give_neither_interval_nor_band_however_many_curves():
+    low, high = climb(draws(48, 7))
+    few, enough = (fragility.bootstrap(low, high, np.arange(48) % n, 100, 5) for n in (6, 7))
+    assert np.isnan(few.interval(few.median, 0.9)).all()
+    assert np.isnan(few.band([0.1, 0.3], 0.9)).all()
+    assert np.isfinite(enough.interval(enough.median, 0.9)).all()
+    assert np.isfinite(enough.band([0.1, 0.3], 0.9)).all()
+
+
+def test_band_holds_the_curve_and_widens_with_fewer_stations():
     low, high = climb(draws(40, 8))
     x = np.geomspace(0.1, 1.0, 20)
     curve = fragility.fit(low, high).probability(x)
     lower, upper = fragility.bootstrap(low, high, np.arange(40), 500, 1).band(x, 0.9)
     assert np.all(lower <= curve)
     assert np.all(curve <= upper)
-    few = fragility.bootstrap(low[:6], high[:6], np.arange(6), 500, 1).band(x, 0.9)
+    few = fragility.bootstrap(low[:7], high[:7], np.arange(7), 500, 1).band(x, 0.9)
     assert np.mean(few[1] - few[0]) > 1.5 * np.mean(upper - lower)
 
 
@@ -266,21 +279,24 @@ def test_incremental_velocity_takes_the_largest_lobe_exactly():
 
 
 def test_sufficiency_finds_the_slope_that_is_there_and_holds_zero_where_none_is():
-    """Intervals of 60 samples of 40 records: as often right as they say, and as wide as theory."""
+    """Intervals of 60 samples of 40 stations: as often right as they say, and as wide as theory."""
     rng = np.random.default_rng(11)
     names = np.repeat(np.arange(40), 2)
     held, widths = 0, []
     for trial in range(60):
         x = np.repeat(rng.standard_normal(40), 2)
-        noise = np.repeat(0.3 * rng.standard_normal(40), 2)  # of the record, in both directions
+        noise = np.repeat(0.3 * rng.standard_normal(40), 2)  # of the station, in both directions
         found = slope(x, 0.5 * x + noise, names, 0.9, 300, trial)
         assert found.value == pytest.approx(np.polyfit(x, 0.5 * x + noise, 1)[0])
         held += found.low < 0.5 < found.high
-        # standard error of a slope, s/(σ_x √n), by records and not by curves
+        # standard error of a slope, s/(σ_x √n), by stations and not by curves
         widths.append((found.high - found.low) / (2 * 1.645 * 0.3 / (np.std(x) * np.sqrt(40))))
     assert 0.75 <= held / 60 <= 0.98
     assert np.mean(widths) == pytest.approx(1.0, abs=0.12)
     assert np.isnan(slope(x[:4], noise[:4], names[:4], 0.9, 100, 1).value)
+    few = slope(x[:12], noise[:12], names[:12], 0.9, 100, 1)  # a slope of six, and no interval
+    assert np.isfinite(few.value)
+    assert np.isnan([few.low, few.high]).all()
 
 
 def test_properties_of_a_motion_do_not_change_with_its_scale():

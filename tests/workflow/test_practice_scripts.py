@@ -18,6 +18,8 @@ pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).resolve().parents[2]
 OUTPUTS = ("fragility", "measures", "sufficiency", "brackets", "curves")
+PERIODS = [0.5, 0.63, 0.8, 1.0, 1.25, 1.6, 2.0]
+STATIONS = {f"R{i}": f"S{i}" for i in range(len(PERIODS))}
 HEAD = "model,record,direction,pga_g,d_over_b,collapsed,status,dt_s,steps,wall_s\n"
 
 
@@ -52,7 +54,7 @@ def collapse_tables(folder, curves, ending="", scans=()):
 def fragility(tmp_path_factory):
     """Façade that falls at a PGV of 40 cm/s exactly, whatever the record; one curve never does."""
     folder = tmp_path_factory.mktemp("fragility")
-    periods = [0.5, 0.8, 1.0, 1.25, 2.0]
+    periods = PERIODS
     records = [record(folder, f"R{i}", 1 + i, period) for i, period in enumerate(periods)]
     curves = []
     for i, period in enumerate(periods):
@@ -64,15 +66,16 @@ def fragility(tmp_path_factory):
         "measures": ["pgv_cm_s", "pga_g", "p_pgv_over_g"],
         "confidence": 0.9,
         "resamples": 200,
-        "min_records": 12,
+        "min_stations": 12,
         "seed": 1,
     }
     script(
         "fragility_table",
         folder,
-        input={**collapse_tables(folder, curves[:5]), "records": records},
+        input={**collapse_tables(folder, curves[:-1]), "records": records},
         output=names,
         params={
+            "stations": STATIONS,
             "fragility": settings,
             "facade": {"height_m": 6.48, "thickness_m": 0.375},
             "smdof": {"period_s": 0.27, "damping_ratio": 0.05},
@@ -85,6 +88,7 @@ def fragility(tmp_path_factory):
         input={**collapse_tables(folder, curves, "_all"), "records": records},
         output=with_never,
         params={
+            "stations": STATIONS,
             "fragility": settings,
             "facade": {"height_m": 6.48, "thickness_m": 0.375},
             "smdof": {"period_s": 0.27, "damping_ratio": 0.05},
@@ -99,11 +103,11 @@ def test_the_measure_that_governs_has_no_dispersion_and_its_median_is_the_capaci
     fits = tables["fragility"].set_index("im")
     assert fits.loc["pgv_cm_s", "median"] == pytest.approx(40.0, rel=0.01)
     assert fits.loc["pgv_cm_s", "dispersion"] <= 0.02
-    logs = -np.log([0.5, 0.8, 1.0, 1.25, 2.0])  # collapse PGA is inverse to the period
+    logs = -np.log(PERIODS)  # collapse PGA is inverse to the period
     assert fits.loc["pga_g", "dispersion"] == pytest.approx(np.std(logs), rel=0.01)
     p = np.sqrt(0.75 * 9.81 / (0.5 * np.hypot(6.48, 0.375)))
     assert fits.loc["p_pgv_over_g", "median"] == pytest.approx(p * 0.40 / 9.80665, rel=0.01)
-    assert set(fits["remark"]) == {"indicative: 5 records"}
+    assert set(fits["remark"]) == {"indicative: 7 records of 7 stations"}
     share = tables["measures"].set_index("im")["less_than_pga"]
     assert share["pgv_cm_s"] > 0.95
 
@@ -113,7 +117,7 @@ def test_a_curve_without_collapse_counts(fragility):
     tables, with_never = fragility
     row = with_never[with_never["im"] == "pga_g"].iloc[0]
     before = tables["fragility"].set_index("im").loc["pga_g"]
-    assert (row["n"], row["n_censored"], row["n_records"]) == (6, 1, 5)
+    assert (row["n"], row["n_censored"], row["n_records"], row["n_stations"]) == (8, 1, 7, 7)
     assert row["median"] > before["median"]
     assert row["dispersion"] > before["dispersion"]
 

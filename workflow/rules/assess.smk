@@ -60,12 +60,6 @@ def last_dry(run):
     return dry(run)[-1]
 
 
-def stations(wildcards):
-    """Station of every record; the record's own name where the table states none."""
-    rows, names = RUNS.tables[wildcards.run], RUNS.records[wildcards.run]
-    return {name: str(rows[name].about.get("station") or name) for name in names}
-
-
 def compared_facades(wildcards):
     """What each run's façade is and which files are its own, as JSON."""
     found = {}
@@ -116,7 +110,7 @@ rule assess_checks:
         logs("assess_checks"),
     params:
         table=lambda w: RUNS.table_path(w.run),
-        records=stations,
+        records=RUNS.stations,
         settings=RUNS.params_of(*CHECKED, "directions", "baseline", "seed", "ida.max_pga_g"),
     script:
         "../scripts/assess/assess_checks.py"
@@ -133,7 +127,7 @@ rule assess_levels:
         logs("assess_levels"),
     params:
         table=lambda w: RUNS.table_path(w.run),
-        stations=stations,
+        stations=RUNS.stations,
         settings=RUNS.params_of(*CHECKED, "directions", "baseline", "seed", "vertical_motion"),
     script:
         "../scripts/assess/assess_levels.py"
@@ -225,7 +219,7 @@ rule assess_dynamic:
     log:
         logs("assess_dynamic"),
     params:
-        stations=stations,
+        stations=RUNS.stations,
         period_s=lambda w: RUNS.cfg(w)["smdof"]["period_s"],
         site=lambda w: RUNS.cfg(w)["risk"]["site"],
         resamples=lambda w: RUNS.cfg(w)["assessment"]["resamples"],
@@ -248,7 +242,7 @@ rule assess_selection:
         logs("assess_selection"),
     params:
         table=lambda w: RUNS.table_path(w.run),
-        stations=stations,
+        stations=RUNS.stations,
         settings=OF_CODE,
     script:
         "../scripts/assess/assess_selection.py"
@@ -336,7 +330,7 @@ rule assess_report:
     params:
         run=lambda w: w.run,
         table=lambda w: RUNS.table_path(w.run),
-        stations=stations,
+        stations=RUNS.stations,
         given=stated,
         commit=COMMIT,
         config=lambda w: RUNS.cfg(w),

@@ -30,6 +30,7 @@ rule fragility_table:
     log:
         logs("fragility_table"),
     params:
+        stations=RUNS.stations,
         fragility=lambda w: RUNS.cfg(w)["fragility"],
         facade=lambda w: {k: RUNS.cfg(w)["facade"][k] for k in ("height_m", "thickness_m")},
         smdof=lambda w: {k: RUNS.cfg(w)["smdof"][k] for k in ("period_s", "damping_ratio")},
@@ -50,7 +51,7 @@ rule fragility_figure:
         logs("fragility_figure"),
     params:
         confidence=lambda w: RUNS.cfg(w)["fragility"]["confidence"],
-        min_records=lambda w: RUNS.cfg(w)["fragility"]["min_records"],
+        min_stations=lambda w: RUNS.cfg(w)["fragility"]["min_stations"],
         facade=lambda w: RUNS.cfg(w)["facade"],
         smdof=lambda w: RUNS.cfg(w)["smdof"],
     script:
@@ -69,7 +70,7 @@ rule figure_intensity_measures:
         logs("figure_intensity_measures"),
     params:
         confidence=lambda w: RUNS.cfg(w)["fragility"]["confidence"],
-        min_records=lambda w: RUNS.cfg(w)["fragility"]["min_records"],
+        min_stations=lambda w: RUNS.cfg(w)["fragility"]["min_stations"],
     script:
         "../scripts/fragility/figure_intensity_measures.py"
 

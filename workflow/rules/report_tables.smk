@@ -25,8 +25,8 @@ REPORT_TABLES = {
         "Fragility",
         "fitted curves",
         "Median and dispersion (standard deviation of the logarithm) of the lognormal collapse"
-        " intensity, by maximum likelihood with censoring; interval of the median from records"
-        " drawn with replacement; curves in all and without collapse.",
+        " intensity, by maximum likelihood with censoring; interval of the median from stations"
+        " drawn with replacement, none from fewer than seven; curves in all and without collapse.",
     ),
     "intensity_measures": (
         "Fragility",
@@ -44,7 +44,7 @@ REPORT_TABLES = {
         "Risk",
         "rate of collapse",
         "Annual rate of collapse and its probability within the stated years, from the hazard curve and"
-        " the fitted fragility; intervals from records drawn with replacement. They hold neither the"
+        " the fitted fragility; intervals from stations drawn with replacement, none from fewer than seven. They hold neither the"
         " uncertainty of the hazard nor that of the façade. Outside share: part of the rate from"
         " intensities beyond the hazard table, where its outer slopes go on.",
     ),

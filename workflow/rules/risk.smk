@@ -44,6 +44,7 @@ rule figure_risk:
     params:
         risk=lambda w: RUNS.cfg(w)["risk"],
         confidence=lambda w: RUNS.cfg(w)["fragility"]["confidence"],
+        min_stations=lambda w: RUNS.cfg(w)["fragility"]["min_stations"],
         period_s=lambda w: RUNS.cfg(w)["smdof"]["period_s"],
     script:
         "../scripts/risk/figure_risk.py"

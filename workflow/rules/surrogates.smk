@@ -2,11 +2,6 @@
 # draws of one surrogate differ. Ask for `surrogates`.
 
 
-def station(wildcards):
-    """Station of a record; itself where its table names none."""
-    return RUNS.record_row(wildcards).about.get("station") or wildcards.record
-
-
 def has_recordings(run):
     """Whether a run has a record with a file of its own."""
     return any(RUNS.tables[run][name].path for name in RUNS.records[run])
@@ -30,7 +25,7 @@ rule surrogate_collapse:
         smdof=lambda w: RUNS.cfg(w)["smdof"],
         seed=lambda w: RUNS.cfg(w)["seed"],
         directions=lambda w: RUNS.cfg(w)["directions"],
-        station=station,
+        station=RUNS.station,
     script:
         "../scripts/surrogates/surrogate_collapse.py"
 

@@ -24,7 +24,7 @@ rule vertical_collapse:
         benchmarks("vertical_{record}")
     params:
         table=lambda w: RUNS.table_path(w.run),
-        station=station,
+        station=RUNS.station,
         settings=RUNS.params_of("directions", "baseline", "seed", "ida.max_pga_g"),
     script:
         "../scripts/vertical/vertical_collapse.py"

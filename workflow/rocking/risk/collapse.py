@@ -2,13 +2,14 @@
 
 import numpy as np
 
+from rocking import stations
 from rocking.risk import rates
 from rocking.studies import fragility
 
 MUCH = 0.1  # share of the rate from beyond the hazard table that is worth a word
 COLUMNS = ["model", "im", "median", "dispersion", "annual_rate", "rate_low", "rate_high"]
 COLUMNS += ["years", "probability", "probability_low", "probability_high"]
-COLUMNS += ["outside_share", "n_records", "remark"]
+COLUMNS += ["outside_share", "n_records", "n_stations", "remark"]
 PARTS = ["model", "im", "intensity_low", "intensity_high", "annual_rate"]
 PARTS += ["share", "share_low", "share_high"]
 
@@ -16,7 +17,7 @@ PARTS += ["share", "share_low", "share_high"]
 def risk_of(model, part, hazard, risk, settings):
     """Annual rate of collapse of a model, and where on the intensities it comes from.
 
-    Intervals come from records drawn with replacement, as those of the fragility curves do.
+    Intervals come from stations drawn with replacement, as those of the fragility curves do.
 
     Parameters
     ----------
@@ -25,51 +26,44 @@ def risk_of(model, part, hazard, risk, settings):
         Its brackets in the hazard's measure, see `studies.fragility_tables.brackets`.
     hazard : rocking.risk.hazard.Hazard
     risk, settings : dict
-        Sections risk (years, bins) and fragility (confidence, resamples, min_records; seed).
+        Sections risk (years, bins) and fragility (confidence, resamples, min_stations; seed).
 
     Returns
     -------
     dict, list of tuple
         A row with COLUMNS, NaN where the brackets determine no fragility; rows with PARTS.
     """
-    tails = 50.0 * (1.0 - settings["confidence"]) * np.array([1.0, -1.0]) + [0.0, 100.0]
     fit, draws = fragility.fit_table(part, settings)
-    records = part["record"].nunique()
+    many, confidence = (part["record"].nunique(), draws.stations), settings["confidence"]
+    few = stations.remark(*many, settings["min_stations"])
     if not np.isfinite(fit.median):
-        words = remark(np.nan, 0.0, records, settings)
         known = {"model": model, "im": hazard.measure, "years": risk["years"]}
-        return known | {"n_records": records, "remark": words}, []
+        known |= dict(zip(("n_records", "n_stations"), many, strict=True))
+        return known | {"remark": remark(np.nan, 0.0, few)}, []
     (rate,), (outside,) = rates.collapse_rate(hazard, fit.median, fit.dispersion)
     drawn, _ = rates.collapse_rate(hazard, draws.median, draws.dispersion)
-    few = records < rates.FEWEST
-    ends = [np.nan] * 2 if few else np.percentile(drawn, tails, method="inverted_cdf")
+    ends = draws.interval(drawn, confidence)
     within = rates.probability_within([rate, *ends], risk["years"])
-    words = remark(rate, outside, records, settings)
+    words = remark(rate, outside, few)
     own = (model, hazard.measure, fit.median, fit.dispersion, rate, *ends, risk["years"])
-    row = dict(zip(COLUMNS, (*own, *within, outside, records, words), strict=True))
+    row = dict(zip(COLUMNS, (*own, *within, outside, *many, words), strict=True))
     inner = np.geomspace(hazard.intensity[0], hazard.intensity[-1], risk["bins"] + 1)
     inner[[0, -1]] = hazard.intensity[[0, -1]]
     edges, (by_bin,) = _bins(hazard, fit.median, fit.dispersion, inner)
     _, by_bin_drawn = _bins(hazard, draws.median, draws.dispersion, inner)
     usable = np.isfinite(drawn) & (drawn > 0.0)
-    lower, upper = np.percentile(by_bin_drawn[usable] / drawn[usable, None], tails, axis=0)
-    if few:
-        lower, upper = np.full((2, lower.size), np.nan)
+    lower, upper = draws.interval(by_bin_drawn[usable] / drawn[usable, None], confidence)
     bins = zip(edges[:-1], edges[1:], by_bin, by_bin / rate, lower, upper, strict=True)
     return row, [(model, hazard.measure, *values) for values in bins]
 
 
-def remark(rate, outside, records, settings):
-    """What the reader of a row has to know, in a few words."""
-    words = []
+def remark(rate, outside, few):
+    """What the reader of a row has to know, in a few words; `few` of `stations.remark`."""
+    words = [few] if few else []
     if not np.isfinite(rate):
         words.append("fragility not determined")
     if outside > MUCH:
-        words.append(f"{outside:.0%} of the rate from beyond the hazard table")
-    if records < rates.FEWEST:
-        words.append(f"no interval: {records} of at least {rates.FEWEST} records")
-    elif records < settings["min_records"]:
-        words.append(f"indicative: {records} records")
+        words.append(f"{100 * outside:.0f} % of the rate from beyond the hazard table")
     return "; ".join(words)
 
 

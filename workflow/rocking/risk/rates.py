@@ -11,15 +11,10 @@ Where λ = k₀ x⁻ᵏ, the second form is exact on any interval, by completing
 and over all x it is Jalayer's (2003) k₀ θ⁻ᵏ exp(k²β²/2). A table of hazard is such a power law
 between its points; the outer ones go on beyond its ends, and the share of the rate that comes from
 there is stated. Collapse within t years has the probability 1 − exp(−λ_c t) of a Poisson process.
-
-Intervals come from records drawn with replacement. From fewer than `FEWEST` there are so few
-different draws that the interval is no interval: one record gives none, two one of no width.
 """
 
 import numpy as np
 from scipy.special import log_ndtr, ndtr
-
-FEWEST = 7  # stations (or records): an interval drawn from fewer says nothing
 
 
 def _pieces(hazard, edges):

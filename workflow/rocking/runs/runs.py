@@ -159,6 +159,15 @@ class Runs:
         """Row of the records table."""
         return self.tables[wildcards.run][wildcards.record]
 
+    def station(self, wildcards):
+        """Station of a record."""
+        return self.record_row(wildcards).station
+
+    def stations(self, wildcards):
+        """Station of every record of a run."""
+        names = self.records[wildcards.run]
+        return {name: self.tables[wildcards.run][name].station for name in names}
+
     def record_file(self, wildcards):
         """The accelerogram's file; nothing for a surrogate.
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rocking.records import G_M_S2, measures
+from rocking.stations import drawn, interval
 
 
 @dataclass(frozen=True)
@@ -45,38 +46,34 @@ def properties(record):
     }
 
 
-def slope(x, y, groups, confidence, resamples, seed):
-    """Slope of y on x by least squares; interval from groups drawn with replacement.
+def slope(x, y, stations, confidence, resamples, seed):
+    """Slope of y on x by least squares; interval from stations drawn with replacement.
 
     Parameters
     ----------
     x, y : array_like, shape (n,)
         Logarithms; rows without a finite value are left out.
-    groups : sequence, length n
-        Name of the record of each row; rows of one are drawn together.
+    stations : sequence, length n
+        Of each row; rows of one are drawn together (`rocking.stations`).
     confidence : float
     resamples, seed : int
 
     Returns
     -------
     Slope
-        NaN with fewer than three groups or where x does not vary.
+        NaN with fewer than three stations or where x does not vary.
     """
-    x, y, groups = np.asarray(x, float), np.asarray(y, float), np.asarray(groups)
+    x, y, stations = np.asarray(x, float), np.asarray(y, float), np.asarray(stations)
     known = np.isfinite(x) & np.isfinite(y)
-    x, y = x[known], y[known]
-    names, index = np.unique(groups[known], return_inverse=True)
-    if len(names) < 3 or np.ptp(x) == 0.0:
+    x, y, stations = x[known], y[known], stations[known]
+    number = len(set(stations))
+    if number < 3 or np.ptp(x) == 0.0:
         return Slope(np.nan, np.nan, np.nan, int(known.sum()))
-    rng = np.random.default_rng(seed)
-    counts = rng.multinomial(len(names), np.full(len(names), 1.0 / len(names)), resamples)
-    weights = np.vstack([np.ones(x.size), counts[:, index]])
+    weights = np.vstack([np.ones(x.size), drawn(stations, resamples, seed)])
     total = weights.sum(axis=1)
     mean_x, mean_y = weights @ x / total, weights @ y / total
     spread = weights @ x**2 / total - mean_x**2
     with np.errstate(divide="ignore", invalid="ignore"):
         slopes = (weights @ (x * y) / total - mean_x * mean_y) / spread
-    drawn = slopes[1:][spread[1:] > 1e-12]
-    tail = 50.0 * (1.0 - confidence)
-    low, high = np.percentile(drawn, [tail, 100.0 - tail])
+    low, high = interval(slopes[1:][spread[1:] > 1e-12], number, confidence)
     return Slope(float(slopes[0]), float(low), float(high), int(known.sum()))

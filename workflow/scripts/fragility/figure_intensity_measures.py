@@ -6,6 +6,7 @@ import pandas as pd
 from rocking.figures import style
 from rocking.records.intensity_measures import MEASURES
 from rocking.runtime.script import run
+from rocking.stations import heading
 from rocking.studies.sufficiency import PROPERTIES
 
 from yade_scripts.model.registry import MODELS
@@ -49,11 +50,9 @@ def main(job):
         axis.set_ylabel(f"slope on\n{words} [-]")
     axes[-1].set_xticks(range(len(names)), [MEASURES[name].symbol for name in names])
     axes[0].legend(ncols=table["model"].nunique(), loc="best")
-    records = int(table["n_records"].max())
-    note = f"{records} records, {100 * job.params.confidence:g} % intervals"
-    if records < job.params.min_records:
-        note += "; too few for more than an indication"
-    axes[0].set_title(note, loc="left")
+    many = (int(table[name].max()) for name in ("n_records", "n_stations"))
+    words = f"{100 * job.params.confidence:g} % intervals"
+    axes[0].set_title(heading(*many, words, job.params.min_stations), loc="left")
     style.save(figure, job.output, job.input.facts)
 
 

@@ -9,6 +9,7 @@ from matplotlib import ticker
 from rocking.figures import style
 from rocking.records.intensity_measures import MEASURES
 from rocking.runtime.script import run
+from rocking.stations import heading
 from scipy import stats
 
 from yade_scripts.model.registry import MODELS
@@ -78,11 +79,9 @@ def main(job):
         axis.remove()
     for axis in axes[:, 0]:
         axis.set_ylabel("probability of collapse [-]")
-    records = brackets["record"].nunique()
-    note = f"{records} records, {100 * job.params.confidence:g} % bands"
-    if records < job.params.min_records:
-        note += "; too few for more than an indication"
-    figure.suptitle(note)
+    many = brackets["record"].nunique(), brackets["station"].nunique()
+    words = f"{100 * job.params.confidence:g} % bands"
+    figure.suptitle(heading(*many, words, job.params.min_stations))
     style.save(figure, job.output, job.input.facts)
 
 

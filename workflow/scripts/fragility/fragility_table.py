@@ -27,9 +27,10 @@ def main(job):
         for record in records
     }
     curves = pd.read_csv(job.input.collapse)
-    slopes = fragility_tables.slopes(curves, factors, properties, settings)
+    stations = job.params.stations
+    slopes = fragility_tables.slopes(curves, factors, properties, settings, stations)
     dense = pd.read_csv(job.input.probability)
-    brackets = fragility_tables.brackets(curves, dense, factors, settings["measures"])
+    brackets = fragility_tables.brackets(curves, dense, factors, settings["measures"], stations)
     fits, efficiency, fitted = fragility_tables.fits(brackets, settings)
     write_table(slopes, job.output.sufficiency)
     write_table(brackets, job.output.brackets)

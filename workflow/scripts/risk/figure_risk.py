@@ -9,6 +9,7 @@ from rocking.figures import style
 from rocking.records.intensity_measures import MEASURES
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
+from rocking.stations import heading
 
 from yade_scripts.model.registry import MODELS
 
@@ -69,10 +70,10 @@ def main(job):
     axes[2].xaxis.set_major_formatter(lambda v, _: f"{v:g}")
     if models:
         figure.legend(loc="outside lower center", fontsize=8)
-    records = int(table["n_records"].max())
-    known = table["rate_low"].notna().any()
-    said = f"{100 * job.params.confidence:g} % intervals" if known else "too few for an interval"
-    figure.suptitle(f"{records} records, {said}; hazard: {Path(str(job.input.hazard)).name}")
+    many = (int(table[name].max()) for name in ("n_records", "n_stations"))
+    words = f"{100 * job.params.confidence:g} % intervals"
+    said = heading(*many, words, job.params.min_stations)
+    figure.suptitle(f"{said}\nhazard: {Path(str(job.input.hazard)).name}")
     style.save(figure, job.output, job.input.facts)
 
 

@@ -1,0 +1,83 @@
+"""Intervals over motions: stations are drawn with replacement, never records or curves.
+
+Both components of a station come from one earthquake and one ground, and both directions of a
+component from one motion, so they are not independent and are drawn together (a cluster bootstrap;
+Davison and Hinkley, 1997, Bootstrap Methods and their Application, section 3.8). From fewer than
+`FEWEST` stations there are so few different draws that the interval is no interval: one station
+gives none, two one of no width. A table of records names the station; a record without one is its
+own.
+"""
+
+import numpy as np
+
+FEWEST = 7  # an interval drawn from fewer says nothing
+
+
+def drawn(stations, resamples, seed):
+    """How often each row stands in every draw.
+
+    Parameters
+    ----------
+    stations : sequence, length n
+        Station of each row.
+    resamples, seed : int
+
+    Returns
+    -------
+    ndarray of int, shape (resamples, n)
+    """
+    names, index = np.unique(np.asarray(stations), return_inverse=True)
+    share = np.full(len(names), 1.0 / len(names))
+    return np.random.default_rng(seed).multinomial(len(names), share, resamples)[:, index]
+
+
+def interval(values, stations, confidence):
+    """Percentile interval of what the draws give.
+
+    Parameters
+    ----------
+    values : array_like, shape (resamples, ...)
+        May be infinite.
+    stations : int
+        How many were drawn from.
+    confidence : float
+        From 0 to 1.
+
+    Returns
+    -------
+    low, high : ndarray, shape (...)
+        NaN from fewer than `FEWEST` stations.
+    """
+    values, tail = np.asarray(values, float), 50.0 * (1.0 - confidence)
+    if stations < FEWEST:
+        return np.full((2, *values.shape[1:]), np.nan)
+    return np.percentile(values, (tail, 100.0 - tail), axis=0, method="inverted_cdf")
+
+
+def counted(records, stations):
+    """Numbers in words: "8 records of 4 stations"."""
+    many = ((records, "record"), (stations, "station"))
+    return " of ".join(f"{n} {word}{'' if n == 1 else 's'}" for n, word in many)
+
+
+def remark(records, stations, least):
+    """What to say of so few stations; empty where they are enough.
+
+    Parameters
+    ----------
+    records, stations : int
+    least : int
+        Stations below which a result is an indication.
+    """
+    said = counted(records, stations)
+    if stations < FEWEST:
+        return f"no interval from {said}: it takes at least {FEWEST} stations"
+    return f"indicative: {said}" if stations < least else ""
+
+
+def heading(records, stations, words, least):
+    """Heading of a figure: its motions, and `words` for its intervals where it has them."""
+    if stations < FEWEST:
+        return remark(records, stations, least)
+    few = "; too few for more than an indication" if stations < least else ""
+    return f"{counted(records, stations)}, {words}{few}"
