@@ -92,6 +92,11 @@ def test_what_is_recommended_hangs_on_what_fails():
     for other in ("vertical bending from 0.00 to 3.50 m", "left corner above 0.00 m"):  # feet at 0
         said = next_steps(CHECKS, mechanisms(whole=0.3, **{other: 0.25}), verdicts(True), "")
         assert f"{other}, is judged by the kinematic checks alone." in said[-1]
+    second = CHECKS.assign(ratio=0.62)
+    worse = second.assign(ratio=0.15)
+    found = [second.assign(check="en_sd_height"), worse.assign(check="parts_height"), CHECKS]
+    (said,) = next_steps(pd.concat(found), mechanisms(whole=0.25), verdicts(True), "")
+    assert "do not pass: EN 1998-3 at 62 %, NZS 1170.5 at 15 % of the demand's PGA." in said
     lost = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, False), "")
     assert "The kinematic check passes and the dynamic one does not (W2)" in lost[0]
     unsure = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, agree=0.9), "")

@@ -77,8 +77,8 @@ def _rests_on(data):
         f"The demand is {data.demand_said}, a PGA of {g3(demand)} g.",
         f"The façade is rigid blocks of {f['density_kg_m3']:g} kg/m³ on dry joints; it does not "
         "crush or fall apart, and the mechanisms know ties and anchors but no friction of floors.",
-        "Every part of it turns over the whole width; corners alone take a part of it. They end at "
-        "the eaves, with return walls without openings.",
+        "Every part turns over the whole width, but for the corners, which end at the eaves and "
+        "take the return wall as one without openings.",
         "In the dynamic models the whole façade turns as one block that leans on its return walls"
         + _floors_said(f["floors"]),
         "The Circolare was read in a public transcription with page numbers, EN 1998-3 and NZS "

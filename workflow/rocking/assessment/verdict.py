@@ -6,6 +6,7 @@ from rocking.assessment.mechanism import WHOLE
 from rocking.stations import FEWEST
 
 ROUNDED = 1e-4  # relative; tables have six figures
+OTHERS = {"en": "EN 1998-3", "parts": "NZS 1170.5"}  # by the first part of a check's key
 SURE = 0.005  # of a probability that rounds to 0 or 100 %
 
 
@@ -152,6 +153,14 @@ def next_steps(checks, mechanisms, verdicts, *more):
         lines.append(
             "The linear check with q = 2 fails, the non-linear one passes. The Circolare takes the "
             "first where no capacity curve is at hand, so the second stands."
+        )
+    fails = checks[checks["ratio"] < 1.0]
+    worst = fails.groupby(fails["check"].str.split("_").str[0])["ratio"].min()
+    failed = [f"{OTHERS[k]} at {per_cent(r)}" for k, r in worst.items() if k in OTHERS]
+    if failed and not len(weak):
+        lines.append(
+            f"Checks outside the Circolare do not pass: {', '.join(failed)} of the demand's PGA. "
+            "They were read at second hand and decide nothing here; know why before you sign."
         )
     lost = [r.model for r in verdicts.itertuples() if not r.slv]
     if lost and not len(weak):
