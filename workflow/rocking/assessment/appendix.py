@@ -1,9 +1,13 @@
 """The report's data, and its appendix: numbers between, formulas, every value, provenance."""
 
+import hashlib
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from rocking.assessment.code_checks import CHECKS
 from rocking.assessment.document import Heading, Paragraph, Table
+from rocking.assessment.family import Candidate, Family
+from rocking.assessment.selection import fit_of
 from rocking.assessment.sources import FORMULAS
 from rocking.assessment.values import values
 
@@ -20,27 +24,52 @@ class Data:
         Keys that the user stated.
     tables : dict of str to DataFrame
         By file name; verdicts and yade of all models.
+    demand_said, program, commit : str
+    provenance : list of (what, value)
     family, weakest
         `family.Family`, and its `Candidate` that fails first.
-    demand_said, program, commit : str
-    fit : (low, high, fits) or None
-        Of the selected motions' mean.
-    range_s : tuple of float
-        Periods of that fit.
-    provenance : list of (what, value)
+    fit, range_s
+        Of the selected motions' mean, see `selection.fit_of`.
     """
 
     config: dict
     given: list
     tables: dict
-    family: object
-    weakest: object
     demand_said: str
     program: str
     commit: str
-    fit: tuple | None
-    range_s: tuple
-    provenance: list = field(default_factory=list)
+    provenance: list
+    family: Family = field(init=False)
+    weakest: Candidate = field(init=False)
+    fit: tuple | None = field(init=False)
+    range_s: tuple = field(init=False)
+
+    def __post_init__(self):
+        """Find the weakest mechanism of the tables among the façade's."""
+        self.family = Family(*(self.config[k] for k in ("facade", "return_wall", "assessment")))
+        found = self.tables["mechanisms"]
+        found = found[found["kind"] == "as stated"].sort_values("pga_fails_g")
+        least = found["mechanism"].iloc[0]
+        self.weakest = next(one for one in self.family.all() if one.name == least)
+        self.fit, self.range_s = fit_of(self.tables["selected_spectra"])
+
+
+def _checksum(path):
+    """First digits of a file's SHA-256."""
+    return f"SHA-256 {hashlib.sha256(Path(path).read_bytes()).hexdigest()[:16]}…"
+
+
+def provenance(given, made, stations, table, run, seed, dynamic):
+    """Inputs and tables with their checksums, and what stands in which file: (what, value)."""
+    places, histories = len(set(stations.values())), int(dynamic["histories"].sum())
+    return [
+        *((f"input {Path(str(f)).name}", f"{f}, {_checksum(f)}") for f in given),
+        ("motions", f"{len(stations)} from {places} stations; {table}"),
+        ("histories of the suite", f"{histories} by the planar solver (rocking.solver)"),
+        ("every key, defaults included", f"results/{run}/config.yaml"),
+        ("seed of the intervals", str(seed)),
+        *((Path(f).name, _checksum(f)) for f in sorted(map(str, made))),
+    ]
 
 
 def blocks(data, folder):

@@ -21,6 +21,30 @@ COLUMNS = [
 ]
 
 
+KEYS = ["record", "direction"]
+LEVELS = {"pga_p10_g": "p10", "pga_median_g": "median"}
+FACTS = ("height_m", "slenderness", "period_s")
+
+
+def gather(runs):
+    """One row a run, model, record, direction, check and level, for `compare`.
+
+    Parameters
+    ----------
+    runs : dict of dict
+        By run: FACTS, and the files checks (one) and collapse (one a model).
+    """
+    parts = []
+    for name, facts in runs.items():
+        checks = pd.read_csv(facts["checks"])
+        for path in facts["collapse"]:
+            given = [*KEYS, "model", "pga_max_g"]
+            long = pd.read_csv(path).melt(given, [*LEVELS], "level", "pga_dynamic_g")
+            both = long.assign(level=long["level"].map(LEVELS)).merge(checks, on=KEYS)
+            parts.append(both.assign(**{key: facts[key] for key in FACTS}, run=name))
+    return pd.concat(parts, ignore_index=True)
+
+
 def intervals(check_g, dynamic_g, max_g):
     """Ratio check/dynamic as low and high, 0 and ∞ where open.
 

@@ -107,6 +107,29 @@ def for_demand(demand, stations, spectra_g, period_s, own):
     return choose(names, places, spectra_g, period_s, target_g, count, bounds)
 
 
+def fit_of(spectra):
+    """Least and largest deviation of the chosen mean from its target; whether both are in bounds.
+
+    Parameters
+    ----------
+    spectra : DataFrame
+        Columns period_s, mean_g, target_g.
+
+    Returns
+    -------
+    (low, high, fits) or None
+        None without motions.
+    (first_s, last_s) : tuple of float
+        Periods between which they fit.
+    """
+    if spectra.empty:
+        return None, (0.0, 0.0)
+    ratio = spectra["mean_g"] / spectra["target_g"] - 1.0
+    low, high = float(ratio.min()), float(ratio.max())
+    fits = low >= -BELOW - 1e-3 and high <= ABOVE + 1e-3
+    return (low, high, fits), (spectra["period_s"].min(), spectra["period_s"].max())
+
+
 def _misfit(ratio):
     """Mean square of a set's logarithmic distance, what is out of bounds counted tenfold."""
     log = np.log(ratio)

@@ -1,6 +1,7 @@
 """The shaking to assess a façade for: a spectrum from a file, or a shape at a hazard's PGA."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 
@@ -16,6 +17,21 @@ PERIODS_S = np.concatenate(([0.0], np.geomspace(0.05, 4.0, 31)))
 
 class SpectrumError(ValueError):
     """A spectrum that cannot be used; its text is one line."""
+
+
+def demand_said(own, sites):
+    """Where the demand is from, in words: of section assessment and the site's files."""
+    if own["spectrum"]:
+        return f"the spectrum in {own['spectrum']}"
+    if own["ag_g"] is not None:
+        return (
+            f"the spectrum of NTC 2018 for a_g = {own['ag_g']:g} g, F0 = {own['f0']:g}, "
+            f"T_C* = {own['tc_star_s']:g} s, subsoil {own['soil']}, topography {own['topography']}"
+        )
+    return (
+        f"that of {', '.join(Path(str(s)).name for s in sites)} once in "
+        f"{own['return_period_years']:g} years, with the median shape of the motions' spectra"
+    )
 
 
 def read_spectrum(path):

@@ -4,41 +4,19 @@ import json
 
 import matplotlib.pyplot as plt
 import numpy as np
-import pandas as pd
 from rocking.assessment.code_checks import CHECKS
-from rocking.assessment.comparison import compare
+from rocking.assessment.comparison import compare, gather
 from rocking.figures import style
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
 from yade_scripts.model.registry import MODELS
 
-KEYS = ["record", "direction"]
 GROUPS = ("height", "slenderness", "T1", "pulse share", "PGV/PGA")
 SHOWN = ("linear_ground", "slv_ground", "slv_both", "slc_both")
 MARKS = ("o", "s", "^", "D")
 HEADINGS = {"height": "height [m]", "slenderness": "h/b [-]", "T1": "T1 [s]"}
 HEADINGS |= {"pulse share": "pulse share [-]", "PGV/PGA": "PGV/PGA [s]"}
-
-
-def gather(job):
-    """One row a run, model, record, direction, check and level."""
-    parts = []
-    for name, facts in json.loads(job.params.runs).items():
-        checks = pd.read_csv(facts["checks"])
-        for path in facts["collapse"]:
-            long = pd.read_csv(path).melt(
-                [*KEYS, "model", "pga_max_g"],
-                ["pga_p10_g", "pga_median_g"],
-                "level",
-                "pga_dynamic_g",
-            )
-            long["level"] = long["level"].map({"pga_p10_g": "p10", "pga_median_g": "median"})
-            both = long.merge(checks, on=KEYS)
-            for key in ("height_m", "slenderness", "period_s"):
-                both[key] = facts[key]
-            parts.append(both.assign(run=name))
-    return pd.concat(parts, ignore_index=True)
 
 
 def draw_ratios(table, output, facts):
@@ -118,7 +96,7 @@ def draw_groups(table, output, facts):
 
 
 def main(job):
-    table = gather(job)
+    table = gather(json.loads(job.params.runs))
     write_table(table, job.output.ratios)
     found = compare(table, job.params.resamples, job.params.seed)
     write_table(found, job.output.table)
