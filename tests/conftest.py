@@ -1,6 +1,7 @@
 """What all tests share: an end for every process, one thread in each, long tests first."""
 
 import functools
+import gc
 import os
 import signal
 import subprocess
@@ -43,3 +44,8 @@ def pytest_collection_modifyitems(items):
             item._id = type(item.id).parse(grouped)
     weight = {"slow": 2, "yade": 1}
     items.sort(key=lambda test: -sum(weight.get(mark.name, 0) for mark in test.iter_markers()))
+
+
+def pytest_collection_finish():
+    """What was imported and collected is no garbage: it is looked through no more."""
+    gc.freeze()

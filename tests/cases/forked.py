@@ -7,6 +7,7 @@ environment and output of its own. Tests of how a command line itself starts tak
 
 import atexit
 import contextlib
+import functools
 import importlib
 import json
 import os
@@ -19,6 +20,7 @@ import sys
 import tempfile
 import threading
 import traceback
+from multiprocessing import util
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -159,6 +161,7 @@ def _obey(order):
     sys.argv = order["argv"]
     match sys.argv:
         case "snakemake", *_:
+            util.spawnv_passfds = functools.partial(_spawn, util.spawnv_passfds)
             sys.exit(importlib.import_module("snakemake.cli").main())
         case "yade_scripts", *words:
             sys.exit(importlib.import_module("yade_scripts.__main__").main(words))
@@ -167,6 +170,23 @@ def _obey(order):
         case script, *_:
             sys.path.insert(0, str(Path(script).parent))
             runpy.run_path(script, run_name="__main__")
+
+
+def _spawn(plain, path, words, passed):
+    """Fork the standard library's server of processes, with what is imported; start others."""
+    if not words[-1].startswith("from multiprocessing.forkserver import main"):
+        return plain(path, words, passed)
+    if number := os.fork():
+        return number
+    alive = os.stat(passed[-1])  # it ends when nobody else holds the other end of this pipe
+    for name in os.listdir("/proc/self/fd"):
+        with contextlib.suppress(OSError):
+            if int(name) not in passed and os.path.samestat(alive, os.stat(int(name))):
+                os.close(int(name))
+    try:
+        exec(words[-1])
+    finally:
+        os._exit(1)
 
 
 def _status(order):

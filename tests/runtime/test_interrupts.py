@@ -35,7 +35,8 @@ def lock_held():
 def dropped():
     try:
         Dropped()
-        time.sleep(20.0)
+        for _ in range(2000):  # a signal just before a sleep is seen after it
+            time.sleep(0.01)
     except KeyboardInterrupt:
         print("interrupted")
 

@@ -37,6 +37,14 @@ def test_contributing_names_places_and_targets_that_exist():
     assert [c for c in commands if c not in recipe] == []  # said to be what `make test` runs
 
 
+@pytest.mark.xdist_group("alone")
+def test_tests_of_a_group_run_in_one_process(request):
+    """pytest-xdist reads a group off a test's id; where it stands not there, all is made twice."""
+    if not getattr(request.config.option, "loadgroup", False):
+        pytest.skip("all tests run in one process")
+    assert request.node.nodeid.endswith("@alone")
+
+
 def test_results_are_not_committed():
     try:
         done = subprocess.run(
