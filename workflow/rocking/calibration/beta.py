@@ -132,6 +132,10 @@ class Law:
         omega = values["omega_c_rad_s"]
         return tuple(math.exp(mean + shift) / omega for shift in (0.0, -half, half))
 
+    def along(self, configs):
+        """β and the ends of its 90 % band [s] of several configurations, each of shape (n,)."""
+        return np.array([self.predict(groups(config)) for config in configs]).T
+
 
 def to_json(laws):
     """Text of the laws' file, with 9 significant digits; `laws` by the base they were fitted on."""

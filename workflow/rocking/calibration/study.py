@@ -237,16 +237,19 @@ def sensitivity_cases(settings):
     return cases
 
 
+def at_ratio(config, ratio):
+    """Configuration with return walls as thick together as a share of the façade's width."""
+    walls = config["return_wall"]
+    thickness_m = ratio * config["facade"]["width_m"] / walls["count"]
+    return {**config, "return_wall": {**walls, "thickness_m": thickness_m}}
+
+
 def wall_cases(settings, wall, ratios=(), betas=None):
     """Cases of one given wall: as configured, then at other return-wall ratios."""
     cases = []
     for ratio in (None, *ratios):
-        config = copy.deepcopy(wall)
-        config["numerics"].update(study_numerics(settings))
-        if ratio is not None:
-            config["return_wall"]["thickness_m"] = (
-                ratio * config["facade"]["width_m"] / config["return_wall"]["count"]
-            )
+        config = wall if ratio is None else at_ratio(wall, ratio)
+        config = {**config, "numerics": {**config["numerics"], **study_numerics(settings)}}
         grid = beta_grid(config)
         listed = [] if betas is None else list(betas)
         name = f"{wall['run']}" + ("" if ratio is None else f" r{ratio:g}")

@@ -33,16 +33,8 @@ def draw_ratios(table, output, facts):
         middle, spread = own["median_ratio"], np.exp(own["log_scatter"])
         axis.axvspan(1.0, 100.0, color="0.92", lw=0)
         axis.axvline(1.0, color="0.3", lw=0.8)
-        axis.errorbar(
-            middle,
-            y,
-            xerr=[middle - middle / spread, middle * spread - middle],
-            fmt=MODELS[model].marker,
-            color="0.1",
-            ms=4,
-            capsize=2,
-            lw=0.9,
-        )
+        error, mark = [middle - middle / spread, middle * spread - middle], MODELS[model].marker
+        axis.errorbar(middle, y, xerr=error, fmt=mark, color="0.1", ms=4, capsize=2, lw=0.9)
         for at, (_, row) in zip(y, own.iterrows(), strict=True):
             words = f"{100 * row['unsafe_share']:.0f} %"
             axis.text(1.02, at, words, transform=axis.get_yaxis_transform(), va="center", size=7)
@@ -72,18 +64,10 @@ def draw_groups(table, output, facts):
             for i, (check, mark) in enumerate(zip(SHOWN, MARKS, strict=True)):
                 part = own[own["check"] == check].set_index("value").reindex(values)
                 x = np.arange(len(values)) + 0.16 * (i - 1.5)
-                low, high = part["unsafe_share"] - part["ci_low"], part["ci_high"]
-                axis.errorbar(
-                    x,
-                    100 * part["unsafe_share"],
-                    yerr=100 * np.array([low, high - part["unsafe_share"]]).clip(0.0),
-                    fmt=mark,
-                    color=str(0.18 * i),
-                    mfc="none" if i % 2 else str(0.18 * i),
-                    ms=4,
-                    lw=0.8,
-                    label=CHECKS[check],
-                )
+                share, grey = part["unsafe_share"], str(0.18 * i)
+                error = 100 * np.array([share - part["ci_low"], part["ci_high"] - share]).clip(0.0)
+                look = {"color": grey, "mfc": "none" if i % 2 else grey, "ms": 4, "lw": 0.8}
+                axis.errorbar(x, 100 * share, error, fmt=mark, label=CHECKS[check], **look)
             axis.set_xticks(range(len(values)), [v.replace(" ", "\n") for v in values])
             axis.set(ylim=(-3, 103), xlim=(-0.5, len(values) - 0.5))
             if group == GROUPS[0]:

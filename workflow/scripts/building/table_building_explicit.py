@@ -24,6 +24,11 @@ from yade_scripts.studies.explicit_building import corner
 MODES = 300
 HIGHEST_HZ = 150.0
 POINTS = ("top floor", "wall corner")
+RUNS = (
+    ("YADE", "sudden gravity", "#D55E00", "-"),
+    ("modal", "sudden gravity", "black", ":"),
+    ("YADE", "without dead load", "#0072B2", "-"),
+)
 
 
 def main(job):
@@ -34,13 +39,8 @@ def main(job):
     modes = Solver(building.scene).modes(MODES)
     record = read_csv(job.input.record)
     points = [building.scene.index(building.scene.monitor), corner(building.scene)]
-    explicit = {
-        name: np.loadtxt(path, delimiter=",", skiprows=1)
-        for name, path in (
-            ("without dead load", job.input.plain),
-            ("sudden gravity", job.input.loaded),
-        )
-    }
+    files = {"without dead load": job.input.plain, "sudden gravity": job.input.loaded}
+    explicit = {name: np.loadtxt(f, delimiter=",", skiprows=1) for name, f in files.items()}
     keep = record.time_s <= explicit["sudden gravity"][-1, 0] + record.dt_s
     ground = record.acceleration_m_s2[keep]
     modal = {
@@ -65,40 +65,23 @@ def _figure(job, explicit, modal, second_s):
     for row, point in enumerate(POINTS):
         history, power = axes[row]
         peak = 0.0
-        for name, source, load, colour, line in (
-            ("YADE, sudden gravity", "yade", "sudden gravity", "#D55E00", "-"),
-            ("modal, sudden gravity", "modal", "sudden gravity", "black", ":"),
-            ("YADE, without dead load", "yade", "without dead load", "#0072B2", "-"),
-        ):
-            if source == "yade":
+        for source, load, colour, line in RUNS:
+            if source == "YADE":
                 x, y = explicit[load][:, 0], explicit[load][:, 1 + row]
             else:
                 x, y = modal[load].time_s, modal[load].acceleration_m_s2[row]
+            name = f"{source}, {load}"
             history.plot(x, y / G_M_S2, line, color=colour, lw=1.0, label=name)
             peak = max(peak, np.abs(y[x <= 1.0]).max() / G_M_S2)
             spectrum = top_motion(x, y, 0.5, HIGHEST_HZ).curves["power_spectrum"]
             power.loglog(*spectrum, line, color=colour, lw=1.0)
-        history.set(
-            xlabel="time [s]",
-            ylabel=f"acceleration along y, {point} [g]",
-            xlim=(0, 1.0),
-            ylim=(-1.1 * peak, 1.1 * peak),
-        )
-        power.set(
-            xlabel="frequency [Hz]",
-            ylabel="power density [(m/s²)²/Hz]",
-            xlim=(0.5, HIGHEST_HZ),
-            ylim=(1e-5, None),
-        )
+        history.set(xlabel="time [s]", ylabel=f"acceleration along y, {point} [g]")
+        history.set(xlim=(0, 1.0), ylim=(-1.1 * peak, 1.1 * peak))
+        power.set(xlabel="frequency [Hz]", ylabel="power density [(m/s²)²/Hz]")
+        power.set(xlim=(0.5, HIGHEST_HZ), ylim=(1e-5, None))
         power.axvline(1.0 / second_s, color="0.5", lw=0.8, ls="--")
-        power.text(
-            1.05 / second_s,
-            0.97,
-            f"second mode along y,\nT = {second_s:.3f} s",
-            transform=power.get_xaxis_transform(),
-            fontsize=7,
-            va="top",
-        )
+        words, across = f"second mode along y,\nT = {second_s:.3f} s", power.get_xaxis_transform()
+        power.text(1.05 / second_s, 0.97, words, transform=across, fontsize=7, va="top")
         history.set_title(f"({'ac'[row]}) {point}, first second", loc="left")
         power.set_title(f"({'bd'[row]}) {point}, power spectrum of the run", loc="left")
     figure.suptitle(f"SBDEM, explicit and modal: {style.provenance(read_json(job.input.facts))}")

@@ -37,14 +37,8 @@ def first_row(fit, measured):
         remark += "; no β of the range gives three impacts"
     elif fit["at_edge"]:
         remark += "; at the end of the range that could be judged"
-    return {
-        "source": "free rocking of this wall",
-        "beta_s": fit["beta_s"],
-        "low_s": fit["low_s"],
-        "high_s": fit["high_s"],
-        "misfit": fit["misfit"],
-        "remark": remark,
-    }
+    known = {key: fit[key] for key in ("beta_s", "low_s", "high_s", "misfit")}
+    return {"source": "free rocking of this wall", **known, "remark": remark}
 
 
 def law_rows(config, law_file):
@@ -60,13 +54,8 @@ def law_rows(config, law_file):
         return
     groups = calibration.groups(config)
     beta, low, high = law.predict(groups)
-    yield {
-        "source": "fitted law",
-        "beta_s": beta,
-        "low_s": low,
-        "high_s": high,
-        "remark": law.outside(groups) or "band: 90 %",
-    }
+    found = {"beta_s": beta, "low_s": low, "high_s": high}
+    yield {"source": "fitted law", **found, "remark": law.outside(groups) or "band: 90 %"}
 
 
 def draw(job, config, wall, targets, rows, fit):
@@ -80,14 +69,9 @@ def draw(job, config, wall, targets, rows, fit):
     if math.isfinite(fit["beta_s"]):
         left.axvline(1e3 * fit["beta_s"], c="#D55E00", label=f"best: {1e3 * fit['beta_s']:.3g} ms")
         left.axvspan(1e3 * fit["low_s"], 1e3 * fit["high_s"], color="#D55E00", alpha=0.1, lw=0)
-    for row, style_of in zip(rows[1:], ("--", "-."), strict=False):
-        left.axvline(
-            1e3 * row["beta_s"],
-            c="0.4",
-            ls=style_of,
-            lw=0.9,
-            label=f"{row['source']}: {1e3 * row['beta_s']:.3g} ms",
-        )
+    for row, line in zip(rows[1:], ("--", "-."), strict=False):
+        at_ms = 1e3 * row["beta_s"]
+        left.axvline(at_ms, c="0.4", ls=line, lw=0.9, label=f"{row['source']}: {at_ms:.3g} ms")
     left.set(xscale="log", xlabel="β [ms]", ylabel="e$_{exp}$ [–]", ylim=(0.0, None))
     ticks = [float(f"{b:.2g}") for b in beta]
     left.set_xticks(ticks, [f"{b:g}" for b in ticks])
@@ -96,18 +80,12 @@ def draw(job, config, wall, targets, rows, fit):
     left.legend(fontsize=6.3)
     error = misfit(wall["e"] / wall["e_1sr"], 1.0, targets)
     shown = range(0, len(beta), 2)
-    for i, colour in zip(
-        shown, plt.get_cmap("viridis")(np.linspace(0.0, 0.85, len(shown))), strict=False
-    ):
+    colours = plt.get_cmap("viridis")(np.linspace(0.0, 0.85, len(shown)))
+    for i, colour in zip(shown, colours, strict=False):
         h = wall["histories"][i]
         text = "fewer than 3 impacts" if np.isnan(error[i]) else f"misfit {error[i]:.2f}"
-        right.plot(
-            h["time_s"],
-            h["theta_over_alpha"],
-            c=colour,
-            lw=0.9,
-            label=f"β = {beta[i]:.2g} ms, {text}",
-        )
+        label = f"β = {beta[i]:.2g} ms, {text}"
+        right.plot(h["time_s"], h["theta_over_alpha"], c=colour, lw=0.9, label=label)
     right.set(xlabel="time [s]", ylabel="θ/α [–]")
     right.set_title("(b) free rocking", loc="left")
     right.legend(fontsize=6.3)

@@ -14,6 +14,7 @@ from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from rocking.collapse import probability
 from rocking.collapse.ida import branches, curve_key, read_curve
 from rocking.figures import style
+from rocking.mechanics.closed_forms import capacity_rigid
 from rocking.runtime.script import run
 from rocking.studies.pushover import smoothed
 from rocking.tables import read_json
@@ -25,18 +26,14 @@ LOG_RATIO = 8.0  # between the strongest and the weakest model of a record
 BESIDE = (1.06, 0.0, 0.2, 1.0)  # place of the probability, over the panel's width and height
 
 
-def rigid_pushover(b, h):
-    """Rigid block about its toe: λ(θ) = tan(α − θ) against d/b = h sin θ / b, tan α = b/h."""
-    alpha = np.arctan2(b, h)
-    theta = np.linspace(0.0, alpha, 50)
-    return h * np.sin(theta) / b, np.tan(alpha - theta)
-
-
 def draw_pushover(axis, path, facade):
     """Static curve of a model in grey; without a table, the rigid block's."""
     grey = {"color": style.GREY, "lw": 1.6, "zorder": 1}
     if path is None:
-        axis.plot(*rigid_pushover(*shape_of(facade).lever_m), label="pushover, rigid block", **grey)
+        b, h = shape_of(facade).lever_m
+        theta = np.linspace(0.0, np.arctan2(b, h), 50)
+        d_over_b, value = h * np.sin(theta) / b, capacity_rigid(theta, h, b)
+        axis.plot(d_over_b, value, label="pushover, rigid block", **grey)
         return
     curve, kind = pd.read_csv(path), MODELS[Path(path).stem]
     value = smoothed(curve, "lambda_dem") if kind.walls == "bricks" else curve["lambda_dem"]
@@ -47,17 +44,8 @@ def draw_scan(axis, scan):
     """Outcomes of the dense scan, one faint dot each; where many differ, a cloud."""
     colour = MODELS[curve_key(scan)[0]].colour
     valid = scan[scan["status"] != "failed"]
-    axis.plot(
-        valid["d_over_b"],
-        valid["pga_g"],
-        ".",
-        color=colour,
-        ms=2.2,
-        mew=0,
-        alpha=0.3,
-        zorder=2,
-        rasterized=True,
-    )
+    faint = {"color": colour, "ms": 2.2, "mew": 0, "alpha": 0.3, "zorder": 2, "rasterized": True}
+    axis.plot(valid["d_over_b"], valid["pga_g"], ".", **faint)
 
 
 def draw_curve(axis, curve, top, joined):
@@ -111,7 +99,8 @@ def main(job):
     facts = {f["name"]: f for f in (read_json(path) for path in job.input.facts)}
     scans = {curve_key(table): table for table in map(pd.read_csv, job.input.scans)}
     curves = {curve_key(table): table for table in map(read_curve, job.input.ida)}
-    rows = {tuple(r[k] for k in probability.KEY): r for r in records(job.input.collapse)}
+    collapse = pd.read_csv(job.input.collapse).to_dict("records")
+    rows = {tuple(r[k] for k in probability.KEY): r for r in collapse}
     tables = dict(list(pd.read_csv(job.input.probability).groupby(probability.KEY)))
     shape = (len(p.records), len(p.directions))
     size = (max(5.0, 4.0 * shape[1]), 0.9 + 2.0 * shape[0])
@@ -157,15 +146,9 @@ def main(job):
     for axis in axes.flat:
         for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
             legend.setdefault(label, handle)
-    figure.legend(
-        legend.values(), legend.keys(), loc="outside upper center", ncols=min(len(legend), 5)
-    )
+    ncols = min(len(legend), 5)
+    figure.legend(legend.values(), legend.keys(), loc="outside upper center", ncols=ncols)
     style.save(figure, job.output, job.input.facts)
-
-
-def records(path):
-    """Rows of a table as dictionaries."""
-    return pd.read_csv(path).to_dict("records")
 
 
 run(main, globals())

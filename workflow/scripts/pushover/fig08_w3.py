@@ -29,6 +29,7 @@ RULE_LINES = {
     "study": {"color": "k", "ls": ":", "lw": 1.6},
 }
 FILLS = {"façade": "0.85", "header": "#E69F00", "brick": "#56B4E9", "half": "#9ad0ee"}
+WORDS = ("façade", "header", "return brick", "its half brick")
 SCHEME_D = 0.3
 SHOWN_D = 0.05  # d/b at which the joints are compared
 
@@ -69,30 +70,20 @@ def draw_blocks(axis, scene, config, theta=0.0):
                 axis.add_patch(Polygon(half, fc=FILLS["half"], ec="k", lw=0.4))
         else:
             continue
-        axis.add_patch(
-            Polygon(shape, fc=FILLS[kind], ec="k", lw=0.4, zorder=2 + (kind == "header"))
-        )
+        over = 2 + (kind == "header")
+        axis.add_patch(Polygon(shape, fc=FILLS[kind], ec="k", lw=0.4, zorder=over))
     axis.axhline(0.0, color="k", lw=0.8)
-    b = config["facade"]["thickness_m"]
-    axis.set(
-        aspect="equal",
-        xlim=(-0.1 - w3["brick_length_m"], 1.6 * b + SCHEME_D * b),
-        ylim=(-0.15, h + 0.25),
-        xlabel="y [m]",
-    )
+    right = (1.6 + SCHEME_D) * config["facade"]["thickness_m"]
+    axis.set(xlim=(-0.1 - w3["brick_length_m"], right), ylim=(-0.15, h + 0.25))
+    axis.set(aspect="equal", xlabel="y [m]")
 
 
 def draw_elements(axes, scene, config):
     draw_blocks(axes[0], scene, config)
     axes[0].set(ylabel="z [m]")
     axes[0].set_title("(a) elements", loc="left")
-    for kind, text in (
-        ("façade", "façade"),
-        ("header", "header"),
-        ("brick", "return brick"),
-        ("half", "its half brick"),
-    ):
-        axes[1].add_patch(Polygon([[9, 9]] * 3, fc=FILLS[kind], ec="k", lw=0.4, label=text))
+    for fill, text in zip(FILLS.values(), WORDS, strict=True):
+        axes[1].add_patch(Polygon([[9, 9]] * 3, fc=fill, ec="k", lw=0.4, label=text))
     draw_blocks(axes[1], scene, config, theta=float(theta_of(SCHEME_D, config["facade"])))
     axes[1].set_title(f"(b) d/b = {SCHEME_D:g}", loc="left")
 
@@ -100,20 +91,14 @@ def draw_elements(axes, scene, config):
 def draw_capacity(axis, curve, config):
     d = np.linspace(1e-4, 1.0, 400)
     upper, lower, shift = closed_form(d, config, "W3")
-    axis.fill_between(
-        d, lower, upper, color=style.GREY, alpha=0.5, lw=0, label="kinematic bounds, rigid base"
-    )
+    grey, label = {"color": style.GREY, "alpha": 0.5, "lw": 0}, "kinematic bounds, rigid base"
+    axis.fill_between(d, lower, upper, **grey, label=label)
     axis.plot(d, upper + shift, color="k", ls="--", lw=0.8, label="bounds, compliant base")
     axis.plot(d, lower + shift, color="k", ls="--", lw=0.8)
     colour = MODELS["W3"].colour
-    axis.plot(curve["d_over_b"], smoothed(curve, "lambda_dem"), color=colour, label="YADE")
-    axis.plot(
-        curve["d_over_b"],
-        smoothed(curve, "lambda_dem_corrected"),
-        color=colour,
-        ls=":",
-        label="YADE, base corrected",
-    )
+    for name, line, label in (("", "-", "YADE"), ("_corrected", ":", "YADE, base corrected")):
+        value = smoothed(curve, f"lambda_dem{name}")
+        axis.plot(curve["d_over_b"], value, color=colour, ls=line, label=label)
     upper_block = closed_form(d, config, "free")[0]
     axis.plot(d, upper_block, color=style.GREY, lw=1, label="bare façade, tan(α − θ)")
     axis.set(xlim=(0, 1), ylim=(0, 0.32), xlabel="d/b [-]", ylabel="λ [-]")
@@ -126,12 +111,8 @@ def draw_rules(axes, cases):
         curve, joints = cases[rule]
         line = RULE_LINES[rule]
         part = curve[curve["d_over_b"] > 0.002]
-        axes[0].semilogy(
-            part["d_over_b"],
-            np.maximum(smoothed(part, "lambda_dem"), 1e-3),
-            label=rule,
-            **line,
-        )
+        value = np.maximum(smoothed(part, "lambda_dem"), 1e-3)
+        axes[0].semilogy(part["d_over_b"], value, label=rule, **line)
         nearest = joints["d_over_b"].unique()
         nearest = nearest[np.argmin(np.abs(nearest - SHOWN_D))]
         at = joints[joints["d_over_b"] == nearest]
@@ -152,11 +133,9 @@ def draw_rules(axes, cases):
 
 
 def main(job):
-    configs = [read_json(p) for p in job.input.scenes]
-    cases = {}
-    for name, config, raw, forces in zip(
-        [*DRAWN, "default"], configs, job.input.raw, job.input.forces, strict=True
-    ):
+    configs, cases = [read_json(p) for p in job.input.scenes], {}
+    files = zip(configs, job.input.raw, job.input.forces, strict=True)
+    for name, (config, raw, forces) in zip([*DRAWN, "default"], files, strict=True):
         curve = complete_curve(pd.read_csv(raw), config, "W3")
         cases[name] = curve, joint_forces(pd.read_csv(forces), config)
     figure = plt.figure(figsize=(9.2, 7.4))

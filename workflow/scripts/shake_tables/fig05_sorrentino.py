@@ -12,6 +12,10 @@ from rocking.mechanics import closed_forms
 from rocking.runtime.script import run
 from rocking.tables import read_json
 
+MEASURED = {"fmt": "D", "mfc": "white", "mec": "k", "ecolor": "k", "ms": 4, "capsize": 4}
+MEASURED |= {"lw": 1.2, "zorder": 5}
+SINGLE = (("first", "#0072B2"), ("second", "#009E73"), ("third", "#CC79A7"))
+
 
 def nearest(wall, beta):
     """Index of the run at the listed β."""
@@ -50,15 +54,9 @@ def main(job):
     axes["b"].set_title("(b) after the first impact", loc="left")
     for n, (low, high) in enumerate(TARGETS, 1):
         low, high = low * wall["e_1sr"], high * wall["e_1sr"]
-        axes["c"].fill_between(
-            [n - 0.2, n + 0.2],
-            low - 0.004,
-            high + 0.004,
-            color="#D55E00",
-            alpha=0.45,
-            lw=0,
-            label="test: 64–72, 74–86, 100 % of |e$_{1SR}$|" if n == 1 else None,
-        )
+        label = "test: 64–72, 74–86, 100 % of |e$_{1SR}$|" if n == 1 else None
+        bar = [n - 0.2, n + 0.2], low - 0.004, high + 0.004
+        axes["c"].fill_between(*bar, color="#D55E00", alpha=0.45, lw=0, label=label)
     axes["c"].axhline(wall["e_1sr"], c="k", ls=":", label=f"|e$_{{1SR}}$| = {wall['e_1sr']:.3f}")
     axes["c"].set(
         xlabel="impact n", ylabel="e$_{exp}$ [–]", xticks=range(1, IMPACTS + 1), ylim=(0.0, 0.9)
@@ -77,21 +75,10 @@ def measured_rebounds(axes, wall):
     for n, limits in enumerate(TARGETS, 1):
         restitution = np.array(limits) * wall["e_1sr"]
         low, high = closed_forms.amplitude_after_impacts(best.release, restitution, n)
+        label = "test, from e$_{exp}$" if n == 1 else None
         for key in "ab":
-            axes[key].errorbar(
-                best.peak_time_s[n - 1],
-                0.5 * (low + high),
-                yerr=0.5 * (high - low),
-                fmt="D",
-                mfc="white",
-                mec="k",
-                ecolor="k",
-                ms=4,
-                capsize=4,
-                lw=1.2,
-                zorder=5,
-                label="test, from e$_{exp}$" if n == 1 else None,
-            )
+            at = best.peak_time_s[n - 1], 0.5 * (low + high), 0.5 * (high - low)
+            axes[key].errorbar(*at, label=label, **MEASURED)
 
 
 def panel_ratio(axes, walls, facade, law):
@@ -104,9 +91,7 @@ def panel_ratio(axes, walls, facade, law):
     rows = 1e3 * np.array(sorted(rows))
     r = rows[:, 0] / 1e3
     axes.plot(r, rows[:, 1], "ko-", label="best fit to three impacts")
-    for n, (name, colour) in enumerate(
-        (("first", "#0072B2"), ("second", "#009E73"), ("third", "#CC79A7")), 2
-    ):
+    for n, (name, colour) in enumerate(SINGLE, 2):
         axes.plot(r, rows[:, n], "s--", c=colour, lw=0.8, label=f"{name} impact alone")
     whole = next(w for w in walls if w["case"]["id"].count(" r") == 0)
     e = whole["e"][:, 0] / whole["e_1sr"]
@@ -118,33 +103,20 @@ def panel_ratio(axes, walls, facade, law):
     axes.plot(r0, 1e3 * one, "*", c="#D55E00", ms=9, label="first impact with e = |e$_{1SR}$|")
     grid = np.geomspace(r[0], r[-1], 40)
     config = whole["case"]["config"]
-    band = []
-    for ratio in grid:
-        thickness = ratio * facade["width_m"] / config["return_wall"]["count"]
-        return_wall = {**config["return_wall"], "thickness_m": thickness}
-        band.append(law.predict(calibration.groups({**config, "return_wall": return_wall})))
-    beta, low, high = 1e3 * np.array(band).T
+    beta, low, high = 1e3 * law.along(study.at_ratio(config, ratio) for ratio in grid)
     axes.fill_between(grid, low, high, color="0.5", alpha=0.18, lw=0)
     axes.plot(grid, beta, c="0.4", lw=0.9, label="fitted law, 90 % band")
-    printed = closed_forms.beta_one_sided(
-        facade["thickness_m"], facade["height_m"], facade["e_mpa"]
-    )
+    own = (facade[key] for key in ("thickness_m", "height_m", "e_mpa"))
+    printed = closed_forms.beta_one_sided(*own)
     axes.axhline(1e3 * printed, c="k", ls=":", label=f"eq. 5: {1e3 * printed:.3f} ms")
     for beta, text in ((0.25, "first bounce"), (1.0, "second and third")):
         axes.axhline(beta, c="#56B4E9", ls="-.", lw=1.0)
         axes.text(r[0], beta + 0.015, f"the study: {text}", fontsize=6.5)
-    axes.set(
-        xscale="log",
-        xlabel="return-wall ratio r = total thickness/width [–]",
-        ylabel="β [ms]",
-        ylim=(0.0, 1.3),
-        xticks=list(r),
-        xticklabels=[f"{v:g}" for v in r],
-    )
+    axes.set(xscale="log", xlabel="return-wall ratio r = total thickness/width [–]")
+    axes.set(ylabel="β [ms]", ylim=(0.0, 1.3), xticks=list(r), xticklabels=[f"{v:g}" for v in r])
     axes.minorticks_off()
-    axes.set_title(
-        "(d) sensitivity to the widths, which are not stated; β of the study's text", loc="left"
-    )
+    title = "(d) sensitivity to the widths, which are not stated; β of the study's text"
+    axes.set_title(title, loc="left")
     axes.legend(ncols=2, fontsize=6.5)
 
 

@@ -22,15 +22,10 @@ def main(job):
     names = list(dict.fromkeys(t["about"]["record"] for t in tests))
     scales = sorted({t["about"]["scale"] for t in tests})
     shown = min(scales, key=lambda s: abs(s - 1.0))
-    figure, axes = plt.subplots(
-        len(names),
-        3,
-        figsize=(7.4, 2.1 * len(names) + 0.4),
-        squeeze=False,
-        width_ratios=(1.25, 1.25, 1.0),
-    )
+    size = {"figsize": (7.4, 2.1 * len(names) + 0.4), "width_ratios": (1.25, 1.25, 1.0)}
+    figure, axes = plt.subplots(len(names), 3, squeeze=False, **size)
     for row, name in zip(axes, names, strict=True):
-        mine = [(t, d) for t, d in runs if t["about"]["record"] == name]
+        mine = [(t, d) for t, d in runs if has(t, record=name)]
         for axis, direction in zip(row, ("pos", "neg"), strict=False):
             histories(axis, mine, direction, shown)
             places(axis, mine[0][0]["about"], mine[0][0]["config"]["facade"])
@@ -67,27 +62,31 @@ def places(axis, about, facade):
         axis.axhline(level, c="0.45", ls=line, lw=0.8, label=text)
 
 
+def has(test, **wanted):
+    """Whether a test is of these values."""
+    return all(test["about"][key] == value for key, value in wanted.items())
+
+
 def relative(test, done):
     """Top displacement relative to the table and from the tilted rest position [mm]."""
     facade = test["config"]["facade"]
     return 1e3 * (done["d_m"] - facade["height_m"] * math.sin(math.radians(facade["tilt_deg"])))
 
 
+def largest(test, done):
+    """Largest outward displacement [mm]; the thickness where it fell, NaN where it failed."""
+    ends = {"overturned": 1e3 * test["config"]["facade"]["thickness_m"], "failed": np.nan}
+    return ends[done["status"]] if done["status"] in ends else float(relative(test, done).max())
+
+
 def histories(axis, mine, direction, shown):
     for test, done in mine:
         about = test["about"]
-        if about["scale"] != shown or about["direction"] != direction:
+        if not has(test, scale=shown, direction=direction):
             continue
-        d = relative(test, done)
-        colour = COLOURS[about["law"]]
-        axis.plot(
-            done["time_s"],
-            d,
-            c=colour,
-            ls=LINES[about["law"]],
-            lw=0.8,
-            label=f"{NAMES[about['law']]}, β = {1e3 * test['beta_s']:.2f} ms",
-        )
+        d, colour, line = relative(test, done), COLOURS[about["law"]], LINES[about["law"]]
+        label = f"{NAMES[about['law']]}, β = {1e3 * test['beta_s']:.2f} ms"
+        axis.plot(done["time_s"], d, c=colour, ls=line, lw=0.8, label=label)
         if done["status"] == "overturned":
             axis.plot(done["time_s"][-1], d[-1], "x", c=colour, ms=6)
 
@@ -96,28 +95,10 @@ def peaks(axis, mine, scales):
     b = 1e3 * mine[0][0]["config"]["facade"]["thickness_m"]
     for law, colour in COLOURS.items():
         for direction, marker, fill in (("pos", "o", colour), ("neg", "v", "none")):
-            wanted = (law, direction)
-            chosen = [
-                (t, d) for t, d in mine if (t["about"]["law"], t["about"]["direction"]) == wanted
-            ]
-            chosen.sort(key=lambda pair: pair[0]["about"]["scale"])
-            y = [
-                b
-                if d["status"] == "overturned"
-                else np.nan
-                if d["status"] == "failed"
-                else float(relative(t, d).max())
-                for t, d in chosen
-            ]
-            axis.plot(
-                [t["about"]["scale"] for t, _ in chosen],
-                y,
-                marker,
-                c=colour,
-                mfc=fill,
-                ls=LINES[law],
-                lw=0.7,
-            )
+            own = [(t, d) for t, d in mine if has(t, law=law, direction=direction)]
+            places = sorted((t["about"]["scale"], largest(t, d)) for t, d in own)
+            x, y = np.reshape(places, (-1, 2)).T
+            axis.plot(x, y, marker, c=colour, mfc=fill, ls=LINES[law], lw=0.7)
     axis.axhline(b, c="0.5", ls=":", lw=0.9)
     axis.axvline(1.0, c="0.8", lw=4.0, zorder=0)  # as recorded: what the tests are taken to be
     axis.text(scales[0], b, "overturned", va="bottom", fontsize=6.5, color="0.4")
