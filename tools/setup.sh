@@ -41,6 +41,8 @@ if [ "$(cat $stamp 2>/dev/null)" != "$wanted" ]; then
   $pip --require-hashes -r requirements.lock
   $pip --no-deps --no-build-isolation --editable .
   say "compiling the solvers"
-  .venv/bin/python -m rocking.compile_ahead
+  # Python's own compiling too, of what runs import: the environment may forbid Python to keep it
+  .venv/bin/python -m compileall -q smdof yade_scripts workflow/rocking
+  env -u PYTHONDONTWRITEBYTECODE .venv/bin/python -m rocking.compile_ahead
   printf '%s' "$wanted" > $stamp
 fi

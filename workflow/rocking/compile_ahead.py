@@ -1,9 +1,13 @@
 """Compile every loop before the first run: `python -m rocking.compile_ahead`, a part of the set-up.
 
-Each is called once on three samples at rest, as runs call it, so that numba's cache holds what they
-ask for; in processes side by side, since a loop takes up to half a minute.
+What every run imports is compiled too, which an environment may forbid Python to keep later (as
+those of containers often do): each start of Snakemake would take half as long again.
+
+Each loop is called once on three samples at rest, as runs call it, so that numba's cache holds what
+they ask for; in processes side by side, since a loop takes up to half a minute.
 """
 
+import importlib
 import multiprocessing
 from concurrent.futures import ProcessPoolExecutor
 
@@ -15,6 +19,7 @@ from rocking.configuration.config import resolve
 from rocking.mechanics import column, rocking_block
 from rocking.reference import Motion, simulate, simulate_batch
 from rocking.reference.facade import wall_of
+from rocking.runtime import warm
 from rocking.solver import spatial
 from yade_scripts.model.models import build_scene
 
@@ -54,12 +59,20 @@ def others():
     column.capacity(0.5, 0.05, 0.06)
 
 
+def imports():
+    """What Snakemake and the scripts of its rules import."""
+    for name in (*warm.LIBRARIES, "nbformat", "scipy.optimize", "scipy.signal", "smart_open"):
+        importlib.import_module(name)
+    importlib.import_module("snakemake.cli").get_argument_parser()  # its plugins
+
+
 JOBS = (
     (planar, "W2"),
     (others,),
     (planar, "W3"),
     (planar, "W2", 8),
     (in_space,),
+    (imports,),
 )  # the longest first
 
 
