@@ -74,6 +74,7 @@ def test_the_set_up_compiles_what_runs_call():
         "march_block",
         "march_lanes",
         "march_stack",
+        "march_stack_lanes",
         "march_spatial",
         "march",
     }

@@ -40,22 +40,64 @@ def drawn(seed, model):
         },
     )
     beta = float(draw.choice([0.0, 3e-4, 2.76e-3]))
-    scene = build_scene({**config, "model": model, "beta_s": beta})
+    return shaken(draw, {**config, "model": model, "beta_s": beta}, seed % 2)
+
+
+def shaken(draw, case, lifted):
+    """A case's plane and what else `peaks` takes, under motions drawn at random."""
+    scene = build_scene(case)
     time = np.arange(0.0, 2.0, 0.01)
     shape = np.sin(np.pi * time / time[-1])
     rows = shape * draw.normal(0.0, 2.0, (2 + len(moving_supports(scene)), time.size))
     slow = shape * 3.0 * np.sin(2.0 * np.pi * draw.uniform(0.5, 1.5) * time)
-    motions = Motions(time, rows[0] + slow, rows[2:] + slow, rows[1] * (seed % 2))
+    motions = Motions(time, rows[0] + slow, rows[2:] + slow, rows[1] * lifted)
     factors = draw.choice([-1.0, 1.0]) * np.geomspace(0.02, 3.0, int(draw.integers(3, 28)))
-    return to_plane(scene), motions, config["numerics"], draw.permutation(factors)
+    return to_plane(scene), motions, case["numerics"], draw.permutation(factors)
 
 
-@pytest.mark.parametrize(("seed", "model"), [(k, ("W1", "W2")[k // 2 % 2]) for k in range(10)])
+def bricks(seed, **w3):
+    """W3 with courses of twice the default height."""
+    nodes = dict.fromkeys(("nodes_thickness", "nodes_height", "nodes_per_block"), 5)
+    config = resolved(w3={"course_height_m": 0.648, **w3}, numerics=nodes)
+    draw = np.random.default_rng(seed)
+    *given, factors = shaken(draw, {**config, "model": "W3", "beta_s": 2.76e-3}, seed % 2)
+    return *given, factors[: WIDTH + 2]
+
+
+MODELS = ("W1", "W2", "W1c", "W2c")
+
+
+@pytest.mark.parametrize(("seed", "model"), [(k, MODELS[k // 2 % 4]) for k in range(14)])
 def test_every_digit_is_that_of_one_after_the_other(monkeypatch, seed, model):
     given = drawn(seed, model)
     one, many = alone(monkeypatch, *given), peaks(*given)
     assert same(one, many)
     assert np.unique(one.end_s).size > 1  # of unequal length: lanes are filled anew
+
+
+@pytest.mark.parametrize(
+    ("seed", "w3"),
+    [
+        (0, {}),  # hinged headers: ties
+        (1, {"lower_courses": 0}),  # headers leave their slots
+        (2, {"header_joint": "sliding"}),
+        (3, {"header_joint": "study", "lower_courses": 9, "split_inclination_deg": 5.0}),
+    ],
+)
+def test_every_digit_of_bricks_is_that_of_one_after_the_other(monkeypatch, seed, w3):
+    given = bricks(seed, **w3)
+    one, many = alone(monkeypatch, *given), peaks(*given)
+    assert same(one, many)
+    assert one.overturned.any()
+    assert np.unique(one.end_s).size > 1
+
+
+def test_a_header_that_left_its_slot_is_out_in_its_own_history_alone(monkeypatch):
+    plane, *given = bricks(1, lower_courses=0)
+    held = peaks(plane._replace(debris=np.zeros_like(plane.debris)), *given)
+    left = peaks(plane, *given)
+    differs = held.end_s != left.end_s
+    assert 0 < differs.sum() < differs.size
 
 
 def test_the_drawn_facades_stand_and_fall():
@@ -90,8 +132,6 @@ def test_what_lanes_do_not_know_goes_one_by_one():
         config = resolved(facade=facade)
         plane = to_plane(build_scene({**config, "model": "W1", "beta_s": 0.0}))
         assert runs._side_by_side(plane, carriers.NO_BODIES) == known
-        bonded = plane._replace(bonded=np.ones_like(plane.bonded))
-        assert not runs._side_by_side(bonded, carriers.NO_BODIES)
     chain = bodies([1e5], [[1e7]], [[0.0]])
     config = resolved()
     plane = to_plane(build_scene({**config, "model": "W2", "beta_s": 0.0}))

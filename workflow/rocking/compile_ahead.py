@@ -70,6 +70,7 @@ JOBS = (
     (planar, "W2"),
     (others,),
     (planar, "W3"),
+    (planar, "W3", 8),
     (planar, "W2", 8),
     (in_space,),
     (imports,),

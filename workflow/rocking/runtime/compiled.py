@@ -25,5 +25,9 @@ def compiled(function):
 
 
 def inlined(function):
-    """Compile into whatever calls it, so that cutting a loop into named steps costs nothing."""
-    return njit(nogil=True, forceinline=True, error_model="numpy")(function)
+    """Compile into whatever calls it, so that cutting a loop into named steps costs nothing.
+
+    It does not count who refers to an array, which in a loop may take longer than all the rest: so
+    it may neither make nor return any.
+    """
+    return njit(nogil=True, forceinline=True, error_model="numpy", _nrt=False)(function)

@@ -4,21 +4,19 @@ import numpy as np
 
 from rocking.runtime.compiled import compiled, inlined
 
+from .vectors import choose
+
 
 @inlined
-def solve(own, block, mass, inertia, free, force):
-    """Solve (M + C)·a = f of one block in place, for those of its freedoms that it has.
+def solved(own, mass, inertia, free, force):
+    """Accelerations (M + C)⁻¹·f of one block, of those of its freedoms that it has.
 
-    C by its entries 00, 01, 02, 11, 12, 22.
+    C by its entries 00, 01, 02, 11, 12, 22; for one number and for lanes of them.
     """
-    c00, c01, c02 = own[block, 0], own[block, 1], own[block, 2]
-    c11, c12, c22 = own[block, 3], own[block, 4], own[block, 5]
-    y, z, turn = free[block, 0], free[block, 1], free[block, 2]
-    f0 = force[block, 0] if y else 0.0
-    f1 = force[block, 1] if z else 0.0
-    f2 = force[block, 2] if turn else 0.0
-    c01, c02 = c01 if y and z else 0.0, c02 if y and turn else 0.0
-    c12 = c12 if z and turn else 0.0
+    c00, c01, c02, c11, c12, c22 = own
+    y, z, turn = free
+    f0, f1, f2 = choose(y, force[0], 0.0), choose(z, force[1], 0.0), choose(turn, force[2], 0.0)
+    c01, c02, c12 = choose(y & z, c01, 0.0), choose(y & turn, c02, 0.0), choose(z & turn, c12, 0.0)
     upper = 1.0 / (mass + c00)
     l10, l20 = c01 * upper, c02 * upper
     r12 = c12 - l10 * c02
@@ -27,7 +25,26 @@ def solve(own, block, mass, inertia, free, force):
     f1 -= l10 * f0
     f2 = (f2 - l20 * f0 - l21 * f1) / (inertia + c22 - l20 * c02 - l21 * r12)
     f1 = (f1 - r12 * f2) * middle
-    force[block, 0], force[block, 1], force[block, 2] = (f0 - c01 * f1 - c02 * f2) * upper, f1, f2
+    return (f0 - c01 * f1 - c02 * f2) * upper, f1, f2
+
+
+@inlined
+def solve(own, block, mass, inertia, free, force):
+    """Solve as `solved` in place, by arrays."""
+    force[block, 0], force[block, 1], force[block, 2] = solved(
+        (
+            own[block, 0],
+            own[block, 1],
+            own[block, 2],
+            own[block, 3],
+            own[block, 4],
+            own[block, 5],
+        ),
+        mass,
+        inertia,
+        (free[block, 0], free[block, 1], free[block, 2]),
+        (force[block, 0], force[block, 1], force[block, 2]),
+    )
 
 
 @inlined

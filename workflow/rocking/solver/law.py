@@ -105,7 +105,8 @@ def dry(depth_m, rate_m_s, speed_m_s, slip_m, step_m, fresh, joint, dt_s):
 def bond_breaks(depth_m, slip_m, strength, joint):
     """Whether a bond breaks at this penetration and slip; `strength`: tension, cohesion over kn."""
     pull, hold = strength
-    return -depth_m >= pull or joint[1] * abs(slip_m) > hold + joint[2] * max(0.0, depth_m)
+    torn = -depth_m >= pull
+    return torn | (joint[1] * abs(slip_m) > hold + joint[2] * max(0.0, depth_m))
 
 
 @inlined

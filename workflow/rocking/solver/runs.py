@@ -14,6 +14,7 @@ from .lanes import march_lanes
 from .plane import matrices
 from .stack import Stack, stack_matrices
 from .stack_kernel import march_stack
+from .stack_lanes import march_stack_lanes
 
 STATUS = ("ok", "overturned", "failed")
 STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
@@ -231,8 +232,8 @@ def _loop(planar):
 
 
 def _side_by_side(planar, carried):
-    """Whether `lanes` knows all that acts: one block, dry joints, driven supports."""
-    if isinstance(planar, Stack) or carried.mass_kg.size or planar.bonded.any():
+    """Whether loops of lanes know all that acts: driven supports, no ties, floors and links."""
+    if carried.mass_kg.size or isinstance(planar, Stack) and (planar.in_row or planar.link_a.size):
         return False
     return not planar.bars.tie_body.size and not planar.bars.floor_body.size
 
@@ -349,8 +350,9 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
     if factors.size > FEW and _side_by_side(planar, carried):
         motion, _, speed = (np.broadcast_to(one, factors.shape).copy() for one in own)
         parts = [slice(i, i + AT_ONCE) for i in range(0, factors.size, AT_ONCE)]
+        march = march_stack_lanes if isinstance(planar, Stack) else march_lanes
         found = np.concatenate(
-            [march_lanes(planar, table, factors[at], rules, motion[at], speed[at]) for at in parts]
+            [march(planar, table, factors[at], rules, motion[at], speed[at]) for at in parts]
         )
     else:
         rows = np.zeros((0, COLUMNS))
