@@ -6,6 +6,7 @@ from typing import Any
 
 from numba import njit
 
+UNCOUNTED: dict[str, Any] = {"_nrt": False}  # without numba's counts of who refers to an array
 
 def compiled(function):
     """Compile without the interpreter's lock; cached on disk where some folder can be written.
@@ -30,4 +31,4 @@ def inlined(function):
     It does not count who refers to an array, which in a loop may take longer than all the rest: so
     it may neither make nor return any.
     """
-    return njit(nogil=True, forceinline=True, error_model="numpy", _nrt=False)(function)
+    return njit(nogil=True, forceinline=True, error_model="numpy", **UNCOUNTED)(function)
