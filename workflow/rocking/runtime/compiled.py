@@ -8,6 +8,7 @@ from numba import njit
 
 UNCOUNTED: dict[str, Any] = {"_nrt": False}  # without numba's counts of who refers to an array
 
+
 def compiled(function):
     """Compile without the interpreter's lock; cached on disk where some folder can be written.
 

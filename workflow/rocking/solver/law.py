@@ -9,8 +9,8 @@ tension or |r u| its cohesion + μ max(δ, 0); from then on the node is a dry on
 
 It is written for one number and for lanes of them (`vectors`): `choose` where they part.
 
-The loop of several blocks, one history at a time (`stack_kernel`), states the same law in its own lines: taken
-from here, its steps were thirteen times slower.
+The loop of several blocks that takes one history at a time (`stack_kernel`) states the same law in
+its own lines: taken from here, its steps were thirteen times slower.
 """
 
 import math
