@@ -1,8 +1,9 @@
 """Commands run by processes forked from one that has loaded the libraries.
 
-A start of Snakemake takes four seconds, half of them imports, a script two, YADE two thirds of one.
-Here one process a test session and Python imports the libraries; each command has a folder,
-environment and output of its own. Tests of how a command line itself starts take a plain process.
+Imports are most of what a start of Snakemake, of a script or of YADE takes, and at its end Python
+takes the libraries down again for most of a second. Here one process a test session and Python
+imports them; each command has a folder, environment and output of its own, and ends at once. Tests
+of how a command line itself starts take a plain process.
 """
 
 import atexit
