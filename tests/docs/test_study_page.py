@@ -116,6 +116,9 @@ def test_a_row_takes_numbers_and_verdicts_from_the_tables():
         "recorded: 0.9 | partly |  |"
     )
     assert paper.row(entry, {}).count(paper.NOT_RUN) == 3
+    elsewhere = modes.rename(columns={"model": "record"})
+    spec = {"table": "modes", "where": {"record": "C"}, "column": "period_s", "digits": 1}
+    assert paper.value(elsewhere, spec) == paper.NOT_RUN  # of a record that the run has not
     with pytest.raises(ValueError, match="2 rows"):
         paper.value(
             modes, {"table": "modes", "where": {"model": "A"}, "column": "mass", "digits": 1}

@@ -12,7 +12,7 @@ CLAIMS = ("claims_building", "claims_calibration", "claims")
 
 
 def value(table, spec):
-    """One number of a table, as text.
+    """One number of a table, as text; without the table, its record or its model: not run.
 
     Parameters
     ----------
@@ -29,6 +29,8 @@ def value(table, spec):
     if table is None:
         return NOT_RUN
     for column, wanted in spec["where"].items():
+        if column in ("record", "model") and wanted not in set(table[column]):
+            return NOT_RUN
         table = table[table[column] == wanted]
     if spec.get("largest"):
         table = table.loc[[table[spec["largest"]].idxmax()]]
