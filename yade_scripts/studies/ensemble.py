@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from yade_scripts.engine import adapter, simulate
+from yade_scripts.engine import simulate
 from yade_scripts.files import read_json, write_atomic
 from yade_scripts.studies import command, perturb
 from yade_scripts.studies.confirm import Confirmation, turns
@@ -190,7 +190,6 @@ def main(arguments=None):
     case, time_s, columns = command.opened(args)
     say = command.speaker(case, args)
     status, d_over_b = read_curve(args.curve)
-    adapter.load_yade()
     runner = Runner(case, time_s, columns, args.record, args.direction, Journal(args.journal), say)
     plan = read_json(args.plan) if args.plan else None
     rows, sensitivity_rows = analyse(runner, status, d_over_b, plan)
