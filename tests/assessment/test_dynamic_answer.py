@@ -35,6 +35,8 @@ def test_curves_that_all_collapse_have_their_own_median_and_jalayers_rate():
     at = np.interp(DEMAND_G, curve["pga_g"], curve["probability"])
     assert row["probability"] == pytest.approx(at, abs=1e-3)
     assert row["probability_low"] < row["probability"] < row["probability_high"]
+    width = np.log(row["ci_high_g"] / row["ci_low_g"])  # of 95 %: ± 1.96 standard errors
+    assert width == pytest.approx(2.0 * 1.96 * beta / np.sqrt(PGA_G.size), rel=0.15)
 
 
 def test_curves_that_stand_raise_the_median_above_those_that_fall():

@@ -42,6 +42,18 @@ def test_impacts_that_disagree_give_a_band_and_a_misfit():
     assert fit["misfit"] > 0.02
 
 
+def test_the_middle_of_what_fits_as_well_is_taken():
+    """The third impact leaves 1 by 0.4 a unit of ln β below 4e-4 s and by 0.1 above it: the misfit,
+    its distance over √3, is less than AS_GOOD from 0.043 below to 0.173 above."""
+    x = np.log(BETAS / 4e-4)
+    third = 1.0 - np.where(x < 0.0, 0.4, 0.1) * x
+    e = np.stack([0.68 + 0.0 * x, 0.80 + 0.0 * x, third], axis=1)
+    reach = study.AS_GOOD * math.sqrt(3.0)
+    middle = 0.5 * (reach / 0.1 - reach / 0.4)
+    assert study.AS_GOOD == 0.01
+    assert study.best_fit(BETAS, e)["beta_s"] == pytest.approx(4e-4 * math.exp(middle), rel=2e-3)
+
+
 def test_missing_impacts_are_not_bridged():
     """A run without its third impact has no misfit, nor have the β beside it."""
     e = np.stack([line(3e-4, t) for t in (0.68, 0.80, 1.0)], axis=1)
@@ -89,6 +101,28 @@ def test_two_blocks_are_stiffer_than_one():
     assert found < study.single_block_maximum(config)
 
 
+def test_stiffest_mode_of_two_halves():
+    """K by hand: base and cut of k along z, r k along y and k b²/12 in rotation, half a block's
+    half height from the centres."""
+    config = sorrentino()
+    f = config["facade"]
+    b, half, r = f["thickness_m"], 0.5 * f["height_m"], f["shear_stiffness_ratio"]
+    mass = f["density_kg_m3"] * b * half * f["width_m"]
+    k = f["e_mpa"] * 1e6 / half * b * f["width_m"]
+    stiffness, arm = np.zeros((6, 6)), 0.5 * half
+    for low, high in ((None, 0), (0, 1)):
+        row = np.zeros((3, 6))  # opening, slip and turn of the joint by y, z, rotation of each half
+        for block, sign, lever in ((low, -1.0, -arm), (high, 1.0, arm)):
+            if block is not None:
+                row[:, 3 * block : 3 * block + 3] = sign * np.array(
+                    [[0.0, 1.0, 0.0], [1.0, 0.0, lever], [0.0, 0.0, 1.0]]
+                )
+        stiffness += row.T @ np.diag([k, r * k, k * b**2 / 12.0]) @ row
+    inertia = np.tile([mass, mass, mass * (b**2 + half**2) / 12.0], 2)
+    values = np.linalg.eigvals(stiffness / inertia[:, None]).real
+    assert study.two_block_minimum(config) == pytest.approx(1.0 / math.sqrt(values.max()))
+
+
 def test_similar_walls_have_similar_ranges():
     """At one h/b every frequency goes as √(E/ρ)/h."""
     one = study.batch_wall(SETTINGS, 0.1, 1000.0, 8.0, 0.22)
@@ -111,6 +145,16 @@ def test_walls_of_a_batch():
         assert c["limit_s"] > fall + sum(2 * closed_forms.quarter_period(t, p) for t in peaks[:2])
 
 
+def test_a_given_wall_before_return_walls_of_other_ratios():
+    """As configured first, then with a ratio of all walls' thickness to the façade's width."""
+    wall = {**sorrentino(), "run": "mine"}
+    wall["facade"] = {**wall["facade"], "width_m": 3.0}
+    own, *others = study.wall_cases(SETTINGS, wall, (0.1, 0.5))
+    assert beta.groups(own["config"])["return_wall_ratio"] == pytest.approx(0.22 / 3.0)
+    found = [beta.groups(case["config"])["return_wall_ratio"] for case in others]
+    assert found == pytest.approx([0.1, 0.5])
+
+
 def test_sensitivity_changes_one_thing():
     """The unchanged wall comes first; a change of width at the same ratio changes no group."""
     cases = study.sensitivity_cases(SETTINGS)
@@ -120,3 +164,6 @@ def test_sensitivity_changes_one_thing():
         assert groups[f"wall {number}: width ×0.5, same ratio"] == pytest.approx(base)
         assert groups[f"wall {number}: L/h 1"]["stiffness_ratio"] == pytest.approx(1.0)
         assert base["stiffness_ratio"] == pytest.approx(2.0)
+        assert groups[f"wall {number}: L/h 0.25"]["stiffness_ratio"] == pytest.approx(4.0)
+        assert groups[f"wall {number}: base jkn ×2"]["stiffness_ratio"] == pytest.approx(1.0)
+        assert groups[f"wall {number}: ratio 0.05"]["return_wall_ratio"] == pytest.approx(0.05)

@@ -43,6 +43,15 @@ def test_the_law_that_is_taken_has_the_groups_that_made_the_walls(powers):
     assert float(printed["residual_std"]) == pytest.approx(np.log(1.25), abs=1e-4)
 
 
+@pytest.mark.parametrize(("power", "taken"), [(0.02, False), (0.03, True)])
+def test_a_group_is_taken_where_it_lowers_the_error_by_a_tenth(power, taken):
+    """Of new walls, leave-one-out: by 7 % it is not worth it, by 16 % it is."""
+    chosen, rows = laws.compare(walls({"return_wall_ratio": power}))
+    none, one = (float(rows[i]["loo_error"]) for i in (0, 2))
+    assert (1.0 - one / none > 0.15) if taken else (0.05 < 1.0 - one / none < 0.09)
+    assert chosen.names == (("return_wall_ratio",) if taken else ())
+
+
 def test_walls_with_a_remark_or_of_another_role_change_nothing():
     table = walls({"return_wall_ratio": -0.2})
     expected, _ = laws.compare(table)

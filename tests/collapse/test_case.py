@@ -4,6 +4,7 @@ import doctest
 import importlib
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -58,6 +59,16 @@ def test_a_variant_changes_what_it_names_and_nothing_else(case):
     same = {**changed["facade"], **{k: case["facade"][k] for k in ("friction_deg", "thickness_m")}}
     assert {**same, "ties": []} == case["facade"]
     assert case.varied(Variant()).scene == case.scene
+
+
+def test_a_variant_takes_a_share_of_the_vertical_motion(pulse):
+    up = np.linspace(0.0, 1.0, 160)
+    both = Motion(replace(pulse.record, vertical_m_s2=up))
+    half = both.varied(Variant(motion={"vertical": 0.5})).record
+    assert np.array_equal(half.vertical_m_s2, 0.5 * up)
+    assert np.array_equal(half.acceleration_m_s2, pulse.record.acceleration_m_s2)
+    assert both.varied(Variant(motion={"vertical": 0.0})).record.vertical_m_s2 is None
+    assert np.array_equal(both.varied(Variant()).record.vertical_m_s2, up)
 
 
 def test_what_cannot_be_is_refused_in_a_line(case, pulse):

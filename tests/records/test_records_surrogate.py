@@ -15,6 +15,7 @@ from rocking.records import (
     read_record,
     read_specs,
     read_table,
+    surrogate,
     write_csv,
 )
 from rocking.records.surrogate_model import Pulse
@@ -102,7 +103,8 @@ def test_a_record_without_parameters_gets_them_from_its_peaks(targets):
 @pytest.mark.parametrize(
     ("targets", "expected"),
     [
-        ((0.2, 60.0, 2.0, 20.0), r"PGA·PGD/PGV² = 0\.11"),
+        ((0.2, 60.0, 2.0, 20.0), r"PGA·PGD/PGV² = 0\.11; a motion that starts and ends at rest"),
+        ((0.2, 20.0, 0.92, 20.0), r"PGA·PGD/PGV² = 0\.45; a motion that starts and ends at rest"),
         ((0.2, 20.0, 5.0, 1e9), "duration_s is 1e"),
         ((9.0, 20.0, 5.0, 20.0), "pga_g is 9"),
         ((float("nan"), 20.0, 5.0, 20.0), "pga_g is nan"),
@@ -111,6 +113,16 @@ def test_a_record_without_parameters_gets_them_from_its_peaks(targets):
 def test_peaks_no_motion_can_have_are_refused(targets, expected):
     with pytest.raises(RecordError, match=expected):
         generate("x", *targets)
+
+
+@pytest.mark.parametrize(("error", "meets"), [(0.009, True), (0.011, False)])
+def test_peaks_that_are_missed_by_more_than_a_hundredth_are_refused(monkeypatch, error, meets):
+    monkeypatch.setattr(surrogate, "_solve", lambda model, spec, target: (spec, error))
+    if meets:
+        assert generate("x", 0.3, 20.0, 5.0, 20.0).details["peak_error"] == pytest.approx(error)
+    else:
+        with pytest.raises(RecordError, match=r"within 1% \(nearest 1\.1%"):
+            generate("x", 0.3, 20.0, 5.0, 20.0)
 
 
 GOOD = """

@@ -21,6 +21,15 @@ def test_every_change_can_be_made():
         assert len(after) - len(before) == len(change["new"]) - len(change["old"])
 
 
+def test_every_change_names_its_tests_and_every_survivor_its_reason():
+    for name, entry in TABLE.items():
+        for change in entry["changes"]:
+            named = [w for w in change.get("tests", entry.get("tests", "")).split() if "/" in w]
+            assert named, name
+            assert all((ROOT / word.split("::")[0]).exists() for word in named), named
+            assert len(change.get("left", "a reason in words").split()) > 3
+
+
 def test_an_ambiguous_change_is_refused():
     assert replaced("a b a", "a", "c", at=2) == "a b c"
     for old, at in (("a", None), ("d", None), ("a", 3)):

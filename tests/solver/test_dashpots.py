@@ -1,0 +1,64 @@
+"""Dashpots of blocks at the velocity of the step: what is solved in place, as dense matrices."""
+
+import numpy as np
+import pytest
+from rocking.solver import dashpots
+
+
+def full(own):
+    """The six entries of each block as a matrix."""
+    c00, c01, c02, c11, c12, c22 = own
+    return np.array([[c00, c01, c02], [c01, c11, c12], [c02, c12, c22]])
+
+
+def placed(draw, count):
+    """Direction, its place as a moment arm, and constant of some dashpots."""
+    angle, arm, c = draw.uniform(0.0, 6.0, count), draw.normal(size=count), draw.random(count)
+    return zip(np.cos(angle), np.sin(angle), arm, 5.0 * c, strict=True)
+
+
+def test_a_dashpot_takes_the_square_of_the_speed_along_it():
+    """Its matrix is c·n nᵀ with n = (y, z, arm): power c (n·v)², nothing across."""
+    draw, own = np.random.default_rng(0), np.zeros((2, 6))
+    expected = np.zeros((3, 3))
+    for y, z, arm, c in placed(draw, 4):
+        dashpots.damp(own, 1, y, z, arm, c)
+        n = np.array([y, z, arm])
+        expected += c * np.outer(n, n)
+    assert full(own[1]) == pytest.approx(expected)
+    assert not own[0].any()
+
+
+@pytest.mark.parametrize("freedoms", [(1, 1, 1), (1, 0, 1), (0, 1, 1), (1, 1, 0), (0, 1, 0)])
+def test_accelerations_of_one_block(freedoms):
+    draw, own, mass, inertia = np.random.default_rng(1), np.zeros((1, 6)), 2.0, 0.7
+    for y, z, arm, c in placed(draw, 5):
+        dashpots.damp(own, 0, y, z, arm, c)
+    free, force = np.array([freedoms], bool), draw.normal(size=(1, 3))
+    keep = np.flatnonzero(free[0])
+    whole = full(own[0]) + np.diag([mass, mass, inertia])
+    expected = np.zeros(3)
+    expected[keep] = np.linalg.solve(whole[np.ix_(keep, keep)], force[0, keep])
+    dashpots.solve(own, 0, mass, inertia, free, force)
+    assert force[0] == pytest.approx(expected)
+
+
+def test_accelerations_of_blocks_in_a_row():
+    """Dashpots between neighbours resist the difference of their speeds alone."""
+    draw, n = np.random.default_rng(2), 4
+    own, between = np.zeros((n, 6)), np.zeros((n - 1, 3, 3))
+    mass, inertia, c = 1.0 + draw.random(n), 0.5 + draw.random(n), np.zeros((3 * n, 3 * n))
+    for low in range(n - 1):
+        for y, z, arm, k in placed(draw, 3):
+            above = arm + draw.normal()
+            dashpots.damp(own, low, y, z, arm, k)
+            dashpots.damp(own, low + 1, y, z, above, k)
+            dashpots.couple(between, low, y, z, arm, above, k)
+            one = np.zeros(3 * n)
+            one[3 * low : 3 * low + 6] = (y, z, arm, -y, -z, -above)
+            c += k * np.outer(one, one)
+    force = draw.normal(size=(n, 3))
+    diagonal = np.column_stack([mass, mass, inertia]).ravel()
+    expected = np.linalg.solve(np.diag(diagonal) + c, force.ravel())
+    dashpots.solve_row(own, between, mass, inertia, force)
+    assert force.ravel() == pytest.approx(expected)

@@ -1,0 +1,121 @@
+"""Tables of fragility: brackets in every measure, what follows from them, what they leave open."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from rocking.collapse import probability
+from rocking.studies import fragility_tables as tables
+
+RECORDS = [f"r{i}" for i in range(24)]
+SETTINGS = {"measures": ["better", "pga_g"], "confidence": 0.9, "resamples": 200, "seed": 3}
+SETTINGS["min_records"] = 10
+LEVELS = np.geomspace(0.05, 4.0, 400)
+
+
+@pytest.fixture(scope="module")
+def made():
+    """Curves that fall at sharp PGA, and a measure in which they all but agree.
+
+    PGA at collapse is lognormal, 0.3 g and 0.5; its measure scatters by 0.1 about 6.
+    """
+    draw = np.random.default_rng(5)
+    collapse = 0.3 * np.exp(0.5 * draw.standard_normal(len(RECORDS)))
+    better = 6.0 * np.exp(0.1 * draw.standard_normal(len(RECORDS)))
+    factors = {
+        name: {"pga_g": 1.0, "better": m / c}
+        for name, m, c in zip(RECORDS, better, collapse, strict=True)
+    }
+    curves, dense = [], []
+    for name, g in zip(RECORDS, collapse, strict=True):
+        key = dict(zip(probability.KEY, ("W1", name, "pos"), strict=True))
+        known = {"pga_safe_g": 0.9 * g, "pga_collapse_g": g, "pga_max_g": 4.0, "pga_median_g": g}
+        curves.append({**key, **known})
+        share = (g <= LEVELS).astype(float)
+        dense.append(pd.DataFrame({"pga_g": LEVELS, "probability": share, "realisations": 9.0}))
+        dense[-1] = dense[-1].assign(**key, realisations_yade=np.nan, probability_yade=np.nan)
+    return pd.DataFrame(curves), pd.concat(dense), factors
+
+
+def test_brackets_hold_the_collapse_in_every_measure(made):
+    """Low below and high above, in units of the measure; weights of a curve sum to one."""
+    curves, dense, factors = made
+    found = tables.brackets(curves, dense, factors, SETTINGS["measures"])
+    assert found.groupby(["record", "im"])["weight"].sum().to_numpy() == pytest.approx(1.0)
+    for row in curves.to_dict("records"):
+        for name in SETTINGS["measures"]:
+            part = found[(found["record"] == row["record"]) & (found["im"] == name)]
+            at = row["pga_collapse_g"] * factors[row["record"]][name]
+            assert (part["low"] < at).all()
+            assert (part["high"] >= at).all()
+            assert part["high"].to_numpy() == pytest.approx(at, rel=0.02)
+
+
+def test_fits_find_medians_and_the_better_measure(made):
+    curves, dense, factors = made
+    found = tables.brackets(curves, dense, factors, SETTINGS["measures"])
+    rows, efficiency, fitted = tables.fits(found, SETTINGS)
+    by = {row["im"]: row for row in rows}
+    pga = np.log(curves["pga_collapse_g"])
+    assert by["pga_g"]["median"] == pytest.approx(np.exp(pga.mean()), rel=0.02)
+    assert by["pga_g"]["dispersion"] == pytest.approx(pga.std(ddof=0), rel=0.05)
+    assert by["better"]["median"] == pytest.approx(6.0, rel=0.1)
+    assert by["better"]["ci_low"] < by["better"]["median"] < by["better"]["ci_high"]
+    assert (by["pga_g"]["n"], by["pga_g"]["n_records"], by["pga_g"]["n_censored"]) == (24, 24, 0.0)
+    less = {row["im"]: row["less_than_pga"] for row in efficiency}
+    assert less["better"] > 0.99
+    assert np.isnan(less["pga_g"])
+    table = pd.DataFrame(fitted)
+    half = table[np.isclose(table["probability"], 0.5)].set_index("im")["intensity"]
+    assert half["pga_g"] == pytest.approx(by["pga_g"]["median"])
+    assert (table["band_low"] <= table["probability"] + 1e-9).mean() > 0.9
+    assert (table["band_high"] >= table["probability"] - 1e-9).mean() > 0.9
+
+
+@pytest.mark.parametrize(
+    ("standing", "words"),
+    [
+        (0, ""),
+        (6, ""),
+        (16, "median extrapolated: most curves do not collapse"),
+        (24, "not determined: no collapse"),
+    ],
+)
+def test_a_row_says_where_most_stood(made, standing, words):
+    curves, dense, factors = made
+    names = RECORDS[:standing]
+    dense = dense.copy()
+    dense.loc[dense["record"].isin(names), "probability"] = 0.0
+    found = tables.brackets(curves, dense, factors, ["pga_g"])
+    rows, *_ = tables.fits(found, {**SETTINGS, "measures": ["pga_g"], "resamples": 20})
+    assert rows[0]["remark"] == words
+    assert rows[0]["n_censored"] == standing
+
+
+def test_few_records_are_indicative(made):
+    curves, dense, factors = made
+    found = tables.brackets(curves[:3], dense, factors, ["pga_g"])
+    rows, *_ = tables.fits(found, {**SETTINGS, "measures": ["pga_g"], "resamples": 20})
+    assert rows[0]["remark"] == "indicative: 3 records"
+
+
+def test_a_measure_that_leaves_the_pulse_out_is_insufficient(made):
+    """PGA at collapse made to fall with PGV/PGA as its −0.8th power; another measure undoes it."""
+    curves, _, _ = made
+    draw = np.random.default_rng(9)
+    log_x, noise = draw.normal(scale=[[0.5], [0.05]], size=(2, len(RECORDS)))
+    noise -= np.polyval(np.polyfit(log_x, noise, 1), log_x)  # of its own, it has no slope
+    x = np.exp(log_x)
+    curves = curves.assign(pga_median_g=0.3 * x**-0.8 * np.exp(noise))
+    properties = {
+        name: {"significant_duration_s": 9.0 * d, "pgv_over_pga_s": v}
+        for name, v, d in zip(RECORDS, x, draw.permutation(x), strict=True)
+    }
+    factors = {name: {"pga_g": 1.0, "v": v**0.8} for name, v in zip(RECORDS, x, strict=True)}
+    settings = {**SETTINGS, "measures": ["pga_g", "v"]}
+    found = tables.slopes(curves, factors, properties, settings)
+    found = found.set_index(["im", "against"])
+    assert found.loc[("pga_g", "pgv_over_pga_s"), "slope"] == pytest.approx(-0.8)
+    assert found.loc[("pga_g", "pgv_over_pga_s"), "sufficient"] == 0
+    assert found.loc[("v", "pgv_over_pga_s"), "slope"] == pytest.approx(0.0, abs=1e-9)
+    assert found.loc[("v", "pgv_over_pga_s"), "sufficient"] == 1
+    assert (found["n"] == len(RECORDS)).all()
