@@ -55,6 +55,30 @@ def test_integration_of_a_motion_is_exact():
     assert (u[0], v[0]) == pytest.approx((1.3**2 + 0.5 * 1.3**3, 2.6 + 1.5 * 1.69))
 
 
+@pytest.mark.parametrize("segments", [1, 3])
+def test_nodes_of_a_wall_hold_what_its_faces_hold(segments):
+    """Base E/h over b·w and its b²/12; back E/(h/2) over t·h and its h²/12, about the centroid."""
+    h, b, w, t, e_pa = 6.0, 0.5, 3.0, 0.7, 2e9
+    wall = facade(
+        **{"h_m": h, "b_m": b, "w_m": w, "e_pa": e_pa, "return_thickness_m": t},
+        **{"segments": segments, "base_friction_deg": 40.0, "back_friction_deg": 20.0},
+    )
+    base, back = slice(0, wall.nodes_base), slice(wall.nodes_base, None)
+    for mine, place, across, stiffness, size, angle in (
+        (base, wall.eta_m, wall.zeta_m + 0.5 * h, e_pa / h * b * w, b, 40.0),
+        (back, wall.zeta_m, wall.eta_m + 0.5 * b, e_pa / (0.5 * h) * t * h, h, 20.0),
+    ):
+        kn, s = wall.kn_n_m[mine], place[mine]
+        assert kn.sum() == pytest.approx(stiffness)
+        assert kn @ s == pytest.approx(0.0, abs=1e-9 * stiffness)
+        assert kn @ s**2 == pytest.approx(stiffness * size**2 / 12.0)
+        assert across[mine] == pytest.approx(0.0, abs=1e-12)
+        assert wall.friction[mine] == pytest.approx(np.tan(np.radians(angle)))
+    assert wall.ks_n_m == pytest.approx(wall.shear_ratio * wall.kn_n_m)
+    assert wall.mass_kg == pytest.approx(1800.0 * h * b * w)
+    assert wall.inertia_kg_m2 == pytest.approx(wall.mass_kg * (h**2 + b**2) / 12.0)
+
+
 def test_small_vibrations_have_the_modes_of_k_and_m():
     """Eigenvalues of the linearised rates: λ² + βω²λ + ω² = 0 with K from the node list."""
     wall = facade(nodes_base=4, nodes_up=3, segments=2)
