@@ -41,6 +41,22 @@ def release(config, beta_s, ratio, vertical_m_s2, limit_s):
     }
 
 
+def set_up(config, beta_s, time_s, columns, factors):
+    """Accelerations of a W2 as it is set up for some factors, by motion; nothing is run."""
+    job = {**config, "model": "W2", "beta_s": beta_s}
+    scene, numerics = models.build_scene(job), models.numerics(job)
+    columns = {name: np.array(values) for name, values in columns.items()}
+    return [
+        {
+            name: motion.acceleration_m_s2[: len(time_s)].tolist()
+            for name, motion in shaking.set_up(
+                scene, numerics, np.array(time_s), columns, factor
+            ).motions.items()
+        }
+        for factor in factors
+    ]
+
+
 def every(releases, launched, shakings, books):
     """All that the tests of vertical motion ask of YADE, in one process."""
     found = {"releases": [release(**case) for case in releases], "peaks": {}}

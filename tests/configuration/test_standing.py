@@ -48,6 +48,22 @@ def test_margin_is_the_static_tip_over_on_a_compliant_base():
     assert restoring(case(6.48)) == pytest.approx(multiplier, rel=1e-3)
 
 
+@pytest.mark.parametrize("height_m", [3.0, 6.0])
+def test_a_tie_rights_by_its_force_times_its_height(height_m):
+    """On a rigid base, turned by θ until its rods yield: [W (b/2 − θ h/2) + F z]/(W h/2)."""
+    tie = {"height_m": height_m, "count": 2, "diameter_mm": 16.0, "length_m": 4.0}
+    config = resolve({"numerics": NODES, "models": ["W1"], "facade": {"ties": [tie]}})
+    config = {**config, "facade": {**config["facade"], "base_stiffness_pa_m": 1e13}}
+    f = config["facade"]
+    (row,), b, h = f["ties"], f["thickness_m"], f["height_m"]
+    weight = f["density_kg_m3"] * GRAVITY_M_S2 * h * b * f["width_m"]
+    force = 2 * np.pi * 8.0**2 * row["yield_mpa"]
+    strain = row["yield_mpa"] / row["e_mpa"]
+    turn = (4.0 * strain + 1e-3 * row["slack_mm"]) / height_m
+    expected = (weight * (0.5 * b - 0.5 * turn * h) + force * height_m) / (weight * 0.5 * h)
+    assert restoring(config) == pytest.approx(expected, rel=0.01)
+
+
 @pytest.mark.parametrize("facade", [SOFT, {**SOFT, "gable_height_m": 1.5}])
 def test_stiffness_less_that_of_gravity_changes_sign_where_the_facade_stops_standing(facade):
     limit = highest(1.0, 40.0, **facade)

@@ -1,6 +1,7 @@
 """Integration, measures, baseline treatment and the normalised file."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -86,6 +87,10 @@ def test_baseline_takes_out_its_polynomial_and_leaves_what_is_orthogonal(method,
         treat(drifting, method, order=degree).acceleration_m_s2, clean.acceleration_m_s2, atol=1e-12
     )
     assert "removed" in clean.baseline
+    next_one = 0.3 * np.polynomial.legendre.Legendre.basis(degree + 1)(x)  # but for the samples
+    bent = replace(record, acceleration_m_s2=record.acceleration_m_s2 + next_one)
+    left = treat(bent, method, order=degree).acceleration_m_s2 - clean.acceleration_m_s2
+    np.testing.assert_allclose(left, next_one, atol=0.02 * 0.3)
 
 
 def test_no_treatment_is_the_record_as_given():

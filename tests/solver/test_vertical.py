@@ -167,6 +167,24 @@ def test_yade_agrees_with_the_planar_solver(in_engine, model):
     assert abs(found[1] / peak - 1.0) > 0.015
 
 
+@pytest.mark.yade
+def test_a_factor_turns_what_is_level_and_sizes_what_is_vertical():
+    """In YADE's motions: the sign of the factor is the direction, which the vertical has not."""
+    config, _ = case("W2")
+    time_s, columns = motions(**BURST)
+    given = {name: row.tolist() for name, row in columns.items()}
+    factors = (0.7, -0.7)
+    found = in_yade(
+        "vertical_cases", "set_up",
+        config=config, beta_s=BETA_S, time_s=time_s.tolist(), columns=given, factors=factors,
+    )  # fmt: skip
+    for factor, by_name in zip(factors, found, strict=True):
+        assert set(by_name) == set(columns)
+        for name, values in by_name.items():
+            size = abs(factor) if name == "vertical" else factor
+            assert np.array(values) == pytest.approx(size * columns[name], rel=1e-12)
+
+
 @pytest.mark.xdist_group("vertical")
 @pytest.mark.yade
 def test_books_balance_under_vertical_motion(in_engine):
