@@ -1,6 +1,6 @@
 """Change one sign, factor or unit at a time and see whether the tests notice.
 
-    python tests/trials/mutations/run.py [--only WORD] [--output changes.csv]
+    python tests/trials/mutations/run.py [--only WORD] [--change WORD] [--output changes.csv]
 
 Each change of `table.yaml` is made in a copy of the tracked files, never in the checkout, and the
 tests named beside it, or beside its group, run there until the first failure. A change that they
@@ -111,9 +111,10 @@ def spent_s():
     return used.ru_utime + used.ru_stime
 
 
-def rows_of(folder, group, entry):
-    """Try every change of a group: its rows of the table."""
+def rows_of(folder, group, entry, word):
+    """Try every change of a group whose new text contains a word: its rows of the table."""
     changes = [{"tests": entry.get("tests"), **change} for change in entry["changes"]]
+    changes = [change for change in changes if word in change["new"]]
     for tests in dict.fromkeys(change["tests"] for change in changes):
         if not passes(folder, tests):
             raise SystemExit(f"error: {group}: {tests} fails before anything is changed")
@@ -130,6 +131,7 @@ def main(arguments=None):
     """Try every change; return the exit status."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--only", default="", help="the group of this name, or all that contain it")
+    parser.add_argument("--change", default="", help="changes whose new text contains this")
     parser.add_argument("--output", help="CSV of every change and whether it was noticed")
     options = parser.parse_args(arguments)
     table = yaml.safe_load((Path(__file__).parent / "table.yaml").read_text(encoding="utf-8"))
@@ -141,7 +143,7 @@ def main(arguments=None):
         only = options.only
         for group in [only] if only in table else [group for group in table if only in group]:
             began = spent_s()
-            rows = list(rows_of(folder, group, table[group]))
+            rows = list(rows_of(folder, group, table[group], options.change))
             writer.writerows(rows)
             handle.flush()
             reasons = [row[5] for row in rows if not row[4]]
