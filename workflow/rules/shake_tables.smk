@@ -174,6 +174,7 @@ rule damping_choice:
     input:
         scenes=of_run(rules.damping_choice_scene.output[0], cases=choices),
         ida=of_run(rules.damping_choice_ida.output[0], cases=choices),
+        scans=of_run(rules.damping_choice_planar.output.scan, cases=choices),
         facts=of_run(rules.own_record.output.facts, record=CHOICE_RECORD),
         modules=code("shake_tables/calibrate_choice"),
     output:
@@ -181,5 +182,7 @@ rule damping_choice:
         table=results("tables/damping_choice.csv"),
     log:
         logs("damping_choice"),
+    params:
+        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
     script:
         "../scripts/shake_tables/calibrate_choice.py"

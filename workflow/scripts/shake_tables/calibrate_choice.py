@@ -1,7 +1,8 @@
 """What the law of β changes in an IDA: curves and collapse intensities."""
 
 import matplotlib.pyplot as plt
-import numpy as np
+import pandas as pd
+from rocking.collapse import probability
 from rocking.collapse.ida import branches, read_curve
 from rocking.figures import style
 from rocking.runtime.script import run
@@ -9,18 +10,23 @@ from rocking.tables import read_json, write_table
 
 COLOURS = {"eq5": "#0072B2", "fitted": "#D55E00"}
 NAMES = {"eq5": "eq. 5", "fitted": "fitted law"}
-COLUMNS = ("model", "record", "direction", "law", "beta_s", "pga_safe_g", "pga_collapse_g")
+COLUMNS = ("model", "record", "direction", "law", "beta_s")
+CAPACITY = ("pga_safe_g", "pga_collapse_g", "pga_median_g")
 
 
 def main(job):
     rows, curves = [], {}
     record = style.provenance(read_json(job.input.facts))
-    for scene_path, path in zip(job.input.scenes, job.input.ida, strict=True):
+    inputs = zip(job.input.scenes, job.input.ida, job.input.scans, strict=True)
+    for scene_path, path, scan_path in inputs:
         scene = read_json(scene_path)
         curve = read_curve(path)
         stood, fell = branches(curve)
-        collapse = fell["pga_g"].min() if len(fell) else np.nan
-        below = stood[~(stood["pga_g"] >= collapse)]
+        # YADE runs few levels once they confirm the scan: where it falls, both say
+        found = probability.summary(
+            pd.read_csv(scan_path), curve, curve.iloc[:0], job.params.spread
+        )
+        collapse = found["pga_collapse_g"]
         key = scene["model"], curve["direction"].iloc[0]
         law = scene["damping"]["law"]
         rows.append(
@@ -30,12 +36,11 @@ def main(job):
                 "direction": key[1],
                 "law": law,
                 "beta_s": f"{scene['beta_s']:.6g}",
-                "pga_safe_g": below["pga_g"].max(),
-                "pga_collapse_g": collapse,
+                **{name: found[name] for name in CAPACITY},
             }
         )
         curves.setdefault(key, []).append((law, scene["beta_s"], stood, fell, collapse))
-    write_table(rows, job.output.table, COLUMNS, digits="%.4f")
+    write_table(rows, job.output.table, [*COLUMNS, *CAPACITY], digits="%.4f")
     models = list(dict.fromkeys(m for m, _ in curves))
     directions = list(dict.fromkeys(d for _, d in curves))
     figure, axes = plt.subplots(
