@@ -252,7 +252,7 @@ def _set_up(planar, motions, numerics, factors, carried, step_s):
         raise ValueError(f"planar solver: the scene has {wanted} moving supports, got {given}")
     if len(carried.roll) and np.any(planar.carried & (planar.support >= 0)):
         raise ValueError("planar solver: expected supports that turn to carry their own nodes")
-    factors = np.atleast_1d(np.asarray(factors, float))
+    factors = np.ascontiguousarray(factors, float)  # of one dimension at least
     step = step_s or STEP_FRACTION * stable_step(planar, carried)
     table = motions.table(step, supports=not carried.mass_kg.size)
     uplift = planar.gravity_m_s2 * planar.thickness_m / planar.height_m
