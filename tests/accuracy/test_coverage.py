@@ -47,6 +47,8 @@ def test_a_separate_range_counts_where_it_is_first_reached():
     assert found["coverage_pooled"] < 0.6
     assert found["reference_p90_g"] == pytest.approx(0.403, rel=2e-3)
     assert found["reference_reversals"] == 2
+    until = coverage.compare(table, reported(p10=0.39, p90=0.47), SPREAD)  # in the gap: none falls
+    assert until["coverage"] == pytest.approx(1.0)
 
 
 def test_what_is_never_reached_lies_above_everything():

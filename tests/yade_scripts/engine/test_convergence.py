@@ -214,6 +214,7 @@ def test_fidelity_takes_the_cheapest_pair_within_the_tolerance():
     config = {"numerics": {**open_values, "fidelity_tolerance": 0.01}, "w3": resolved()["w3"]}
     chosen, _ = fidelity.choose(config, "W1c", measured)
     assert (chosen["nodes_height"], chosen["step_fraction"]) == (9, 0.1)
+    assert chosen["nodes_thickness"] == 17  # across the base half as far apart as up a wall
     config["numerics"]["nodes_height"] = 9  # what is stated is kept, whatever its value
     config["numerics"]["fidelity_tolerance"] = None
     chosen, reason = fidelity.choose(config, "W1", measured)
@@ -243,6 +244,15 @@ def test_a_lucky_coarse_pair_is_not_taken_for_accurate():
     ]
     table = pd.DataFrame(rows)
     assert all(p["nodes"] == 9 for p in fidelity.fidelity_table(table, 1.0, 5)["W1"])
+    cheapest = [
+        (p["nodes"], p["step_fraction"]) for p in fidelity.fidelity_table(table, 1.0, 3)["W1"]
+    ]
+    assert cheapest == [
+        (3, 0.2),
+        (9, 0.2),
+        (3, 0.1),
+        (9, 0.1),
+    ]  # twice the nodes for half the steps
 
     def errors(share):
         measured = fidelity.fidelity_table(table, share, 3)["W1"]
