@@ -8,7 +8,8 @@ from rocking.studies import fragility_tables as tables
 
 RECORDS = [f"r{i}" for i in range(24)]
 SETTINGS = {"measures": ["better", "pga_g"], "confidence": 0.9, "resamples": 200, "seed": 3}
-SETTINGS["min_records"] = 10
+SETTINGS["min_stations"] = 10
+STATIONS = {name: name for name in RECORDS}
 LEVELS = np.geomspace(0.05, 4.0, 400)
 
 
@@ -39,7 +40,7 @@ def made():
 def test_brackets_hold_the_collapse_in_every_measure(made):
     """Low below and high above, in units of the measure; weights of a curve sum to one."""
     curves, dense, factors = made
-    found = tables.brackets(curves, dense, factors, SETTINGS["measures"])
+    found = tables.brackets(curves, dense, factors, SETTINGS["measures"], STATIONS)
     assert found.groupby(["record", "im"])["weight"].sum().to_numpy() == pytest.approx(1.0)
     for row in curves.to_dict("records"):
         for name in SETTINGS["measures"]:
@@ -52,7 +53,7 @@ def test_brackets_hold_the_collapse_in_every_measure(made):
 
 def test_fits_find_medians_and_the_better_measure(made):
     curves, dense, factors = made
-    found = tables.brackets(curves, dense, factors, SETTINGS["measures"])
+    found = tables.brackets(curves, dense, factors, SETTINGS["measures"], STATIONS)
     rows, efficiency, fitted = tables.fits(found, SETTINGS)
     by = {row["im"]: row for row in rows}
     pga = np.log(curves["pga_collapse_g"])
@@ -85,17 +86,17 @@ def test_a_row_says_where_most_stood(made, standing, words):
     names = RECORDS[:standing]
     dense = dense.copy()
     dense.loc[dense["record"].isin(names), "probability"] = 0.0
-    found = tables.brackets(curves, dense, factors, ["pga_g"])
+    found = tables.brackets(curves, dense, factors, ["pga_g"], STATIONS)
     rows, *_ = tables.fits(found, {**SETTINGS, "measures": ["pga_g"], "resamples": 20})
     assert rows[0]["remark"] == words
     assert rows[0]["n_censored"] == standing
 
 
-def test_few_records_are_indicative(made):
+def test_few_stations_are_indicative(made):
     curves, dense, factors = made
-    found = tables.brackets(curves[:3], dense, factors, ["pga_g"])
+    found = tables.brackets(curves[:8], dense, factors, ["pga_g"], STATIONS)
     rows, *_ = tables.fits(found, {**SETTINGS, "measures": ["pga_g"], "resamples": 20})
-    assert rows[0]["remark"] == "indicative: 3 records"
+    assert rows[0]["remark"] == "indicative: 8 records of 8 stations"
 
 
 def test_a_measure_that_leaves_the_pulse_out_is_insufficient(made):
@@ -112,7 +113,7 @@ def test_a_measure_that_leaves_the_pulse_out_is_insufficient(made):
     }
     factors = {name: {"pga_g": 1.0, "v": v**0.8} for name, v in zip(RECORDS, x, strict=True)}
     settings = {**SETTINGS, "measures": ["pga_g", "v"]}
-    found = tables.slopes(curves, factors, properties, settings)
+    found = tables.slopes(curves, factors, properties, settings, STATIONS)
     found = found.set_index(["im", "against"])
     assert found.loc[("pga_g", "pgv_over_pga_s"), "slope"] == pytest.approx(-0.8)
     assert found.loc[("pga_g", "pgv_over_pga_s"), "sufficient"] == 0
