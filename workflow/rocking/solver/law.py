@@ -1,4 +1,4 @@
-"""The law of a contact node, which the loops of one block and in space take.
+"""The law of a contact node, which all loops of the compiled solvers take.
 
 With δ > 0 the penetration, u the slip since the node closed and r = ks/kn, all forces over kn:
 
@@ -8,9 +8,6 @@ A bond acts both ways and without a limit, N = δ + β δ̇ and T = r (u + β u�
 tension or |r u| its cohesion + μ max(δ, 0); from then on the node is a dry one. A tie has no ks.
 
 It is written for one number and for lanes of them (`vectors`): `choose` where they part.
-
-The loop of several blocks that takes one history at a time (`stack_kernel`) states the same law in
-its own lines: taken from here, its steps were thirteen times slower.
 """
 
 import math

@@ -13,7 +13,7 @@ from rocking.runtime.compiled import compiled
 from .bars import act, advance, at_rest
 from .dashpots import couple, damp, solve, solve_row
 from .inputs import drive, verdict
-from .law import since_closed
+from .law import bond_breaks, bonded, dry, released
 
 
 @compiled
@@ -122,51 +122,33 @@ def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed
                 gz -= past * (v[b, 1] + v[b, 2] * by)
             else:
                 ry, gy = ry - sv[j], gy - sdu[j]
-            kn, beta, ratio = p.kn_n_m[i], p.beta_s[i], p.shear_ratio[i]
+            kn, beta, ratio, friction = p.kn_n_m[i], p.beta_s[i], p.shear_ratio[i], p.friction[i]
             ty, tz = -nz, ny
-            rate, speed, step = -(ny * ry + nz * rz), ty * ry + tz * rz, ty * gy + tz * gz
-            share, normal, sticks = 1.0, depth + beta * rate, True
+            rate, speed, way = -(ny * ry + nz * rz), ty * ry + tz * rz, ty * gy + tz * gz
+            joint = beta, ratio, friction
             if intact[i]:
-                if p.tie[i]:  # it transmits no shear
-                    step = speed = 0.0
-                    sticks = False
-                held = ratio * abs(slip[i] + step)
-                limit = p.hold_m[i] + p.friction[i] * max(0.0, depth)
-                if -depth >= p.pull_m[i] or held > limit:
-                    spent += 0.5 * kn * (ratio * slip[i] ** 2 + min(depth, 0.0) ** 2)
-                    intact[i], slip[i], step = False, 0.0, 0.0
+                grip = beta, 0.0 if p.tie[i] else ratio, friction  # a tie transmits no shear
+                if bond_breaks(depth, slip[i] + way, (p.pull_m[i], p.hold_m[i]), grip):
+                    spent += kn * released(depth, slip[i], grip[1])
+                    intact[i], slip[i], way = False, 0.0, 0.0
                     closed[i] = depth > 0.0
                     broken += 1
                     if depth <= 0.0:
                         continue
             if intact[i]:
-                slip[i] += step
-                shear = ratio * (slip[i] + beta * speed)
-                spent += dt * kn * beta * (rate * rate + ratio * speed * speed)
-                pressed = beta * kn
+                joint = grip
+                acts = bonded(depth, rate, speed, slip[i] + way, joint, dt)
             else:
-                if not closed[i] and rate > 0.0 and k > 0:
-                    share, part = since_closed(depth, rate, dt)
-                    step *= part
+                fresh = not closed[i] and k > 0
+                acts = dry(depth, rate, speed, slip[i], way, fresh, joint, dt)
                 closed[i] = True
-                normal = max(normal, 0.0)
-                limit, held = p.friction[i] * normal, ratio * (slip[i] + step)
-                sticks = abs(held) <= limit
-                if sticks:
-                    slip[i] += step
-                    shear = held + ratio * beta * speed
-                    spent += share * dt * kn * ratio * beta * speed * speed
-                else:
-                    shear = math.copysign(limit, held)
-                    mean = 0.5 * (limit + min(ratio * abs(slip[i]), abs(held)))
-                    spent += kn * mean * abs(held - shear) / ratio
-                    slip[i] = shear / ratio
-                spent += share * dt * kn * (normal - depth) * rate
-                pressed = beta * kn if normal > 0.0 else 0.0
-            elastic += 0.5 * kn * (depth * depth + ratio * slip[i] * slip[i])
+            normal, shear, share, slip[i], pushes, sticks, stored, taken = acts
+            spent += kn * taken
+            elastic += kn * stored
             fy = share * kn * (ny * normal - ty * shear)
             fz = share * kn * (nz * normal - tz * shear)
-            dragged = beta * kn * ratio if sticks else 0.0
+            pressed = beta * kn if pushes else 0.0
+            dragged = beta * kn * joint[1] if sticks else 0.0
             if a >= 0:
                 force[a, 0] += fy
                 force[a, 1] += fz
