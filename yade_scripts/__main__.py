@@ -7,8 +7,13 @@ says what one takes.
 """
 
 import importlib
+import os
 import sys
 from pathlib import Path
+
+# As in the workflow's jobs: sums over more threads have other last digits, and a step that differs
+# in them makes another history of a wall that is near collapse. It is read when numpy is loaded.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 HERE = Path(__file__).resolve().parent
 if __package__ in (None, ""):
