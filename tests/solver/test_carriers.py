@@ -19,13 +19,18 @@ def still(carried):
     return carriers.at_rest(carried), standing(len(carried.hang), carried.roll.size > 0)
 
 
+def moving(carried, draw):
+    """Carriers in a drawn state, and the supports that they have moved through a step of 0.1 s."""
+    ride, supports = still(carried)
+    ride.u[:], ride.v[:], ride.a[:] = draw.normal(size=(3, 3))
+    carriers.carry(ride, 0.05, 0.1, supports)
+    return ride, supports
+
+
 def test_supports_move_by_what_each_coordinate_adds():
     """Along y, along z and about x: place, velocity at the step, way since the last one."""
     carried = chain()
-    ride, supports = still(carried)
-    draw = np.random.default_rng(7)
-    ride.u[:], ride.v[:], ride.a[:] = draw.normal(size=(3, 3))
-    carriers.carry(ride, 0.05, 0.1, supports)
+    ride, supports = moving(carried, np.random.default_rng(7))
     now = ride.v + 0.05 * ride.a
     for rows, found in (
         (carried.hang, (supports.y, supports.vy, supports.dy)),
@@ -40,10 +45,8 @@ def test_supports_move_by_what_each_coordinate_adds():
 def test_forces_reach_the_carriers_by_virtual_work():
     """M a = Hᵀ f − K u − C w − M r a_g, at the velocity of the step."""
     carried = chain()
-    ride, supports = still(carried)
     draw = np.random.default_rng(8)
-    ride.u[:], ride.v[:], ride.a[:] = draw.normal(size=(3, 3))
-    carriers.carry(ride, 0.05, 0.1, supports)
+    ride, supports = moving(carried, draw)
     supports.fy[:2], supports.fz[:2], supports.moment[:2] = draw.normal(size=(3, 2))
     given = carried.hang.T @ supports.fy[:2] + carried.lift.T @ supports.fz[:2]
     given += carried.roll.T @ supports.moment[:2]
