@@ -25,8 +25,11 @@ def group(wall):
     return column.compliance(h, b, density, 1e6 * e_mpa), b / h
 
 
-def by_bvp(d_over_b, gamma, ratio):
-    """λ by collocation of θ' = −κ, M' = N-weighted inclination, d' = sin θ over s from the top."""
+def by_bvp(ds_over_b, gamma, ratio):
+    """λ(d) by collocation of θ' = −κ, M' = N-weighted inclination, d' = sin θ over s from the top.
+
+    Each displacement starts from the solution of the last.
+    """
 
     def rates(s, y, parameters):
         theta, moment, _ = y
@@ -46,24 +49,34 @@ def by_bvp(d_over_b, gamma, ratio):
             ]
         )
 
-    def ends(top, foot, parameters):
-        return np.array([top[1], top[2], foot[0], foot[2] - d_over_b])
+    s, found, before, multipliers = column.graded(300), None, None, []
+    for d in ds_over_b:
 
-    s = column.graded(300)
-    theta = d_over_b * ratio * np.minimum(1.0, (1.0 - s) / 0.1)
-    guess = np.array([theta, 0.4 * s**2, d_over_b * s])
-    found = solve_bvp(rates, ends, s, guess, p=[0.7 * ratio], tol=1e-6, max_nodes=20000)
-    assert found.success
-    return found.p[0]
+        def ends(top, foot, parameters, d=d):
+            return np.array([top[1], top[2], foot[0], foot[2] - d])
+
+        if found is None:
+            theta = d * ratio * np.minimum(1.0, (1.0 - s) / 0.1)
+            guess, start = np.array([theta, 0.4 * s**2, d * s]), 0.7 * ratio
+        else:
+            s, start = found.x, found.p[0]
+            guess = found.y * np.array([[d / before], [1.0], [d / before]])
+        before = d
+        found = solve_bvp(rates, ends, s, guess, p=[start], tol=1e-6, max_nodes=20000)
+        assert found.success
+        multipliers.append(found.p[0])
+    return multipliers
 
 
-@pytest.mark.parametrize("wall", ["façade", "thick", "slender, soft"])
+@pytest.mark.parametrize("wall", WALLS)
 def test_against_collocation(wall):
-    """The same equations by SciPy's boundary-value solver: λ within 0.2 %."""
+    """The same equations by SciPy's boundary-value solver: λ within 0.05 %.
+
+    If its axis did not lengthen where it opens, λ of the stiff wall were 1.4 % higher at d/b 0.8.
+    """
     gamma, ratio = group(wall)
-    for d in (0.05, 0.2, 0.5):
-        expected = by_bvp(d, gamma, ratio)
-        assert column.capacity(d, gamma, ratio)[0] == pytest.approx(expected, rel=2e-3)
+    d = np.array([0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.65, 0.8])
+    assert column.capacity(d, gamma, ratio) == pytest.approx(by_bvp(d, gamma, ratio), rel=5e-4)
 
 
 @pytest.mark.parametrize("ratio", [0.04, 0.14])
@@ -116,11 +129,11 @@ def test_courses_converge_to_the_column(wall):
 
 @pytest.mark.parametrize("wall", WALLS)
 def test_twenty_courses_beside_the_column(wall):
-    """Within 1.3 % of the peak up to d/b 0.8; of λ itself 2 %, if the stiff wall's foot is cut."""
+    """Within 1 % of the peak up to d/b 0.8; of λ itself 2 %, if the stiff wall's foot is cut."""
     gamma, ratio = group(wall)
     exact = column.capacity(D, gamma, ratio)
     error = column.capacity(D, gamma, ratio, column.courses(20)) - exact
-    assert np.abs(error).max() < 0.013 * exact.max()
+    assert np.abs(error).max() < 0.01 * exact.max()
     if wall != "Shawa":
         assert np.abs(error / exact).max() < 0.02
     cut = np.append(column.courses(20)[:-1], np.linspace(0.95, 1.0, 5)[1:])  # the lowest in four
@@ -128,7 +141,7 @@ def test_twenty_courses_beside_the_column(wall):
 
 
 def test_the_stiff_walls_hinge_is_thinner_than_a_course():
-    """Twenty joints gathered at the foot follow it within 0.2 %, twenty equal ones within 6 %.
+    """Twenty joints gathered at the foot follow it within 0.2 %, twenty equal ones within 4.2 %.
 
     So it is where the joints lie, not how many there are, nor the law of a joint.
     """
@@ -136,7 +149,7 @@ def test_the_stiff_walls_hinge_is_thinner_than_a_course():
     exact = column.capacity(D, gamma, ratio)
     equal = column.capacity(D, gamma, ratio, column.courses(20)) / exact - 1.0
     gathered = column.capacity(D, gamma, ratio, column.graded(20, 1e-2)) / exact - 1.0
-    assert equal[-1] == pytest.approx(-0.058, abs=0.003)
+    assert equal[-1] == pytest.approx(-0.041, abs=0.002)
     assert np.abs(gathered).max() < 0.002
 
 

@@ -34,6 +34,7 @@ from rocking.runtime.compiled import compiled
 PIECES = 400  # of the column: λ within 1e-4
 FINEST = 1e-3  # of the pieces at the foot over those at the top
 STEP = 0.02  # of b/h, by which λ is bracketed
+WIDER = 1.1  # by which the top's inclination is
 BUCKLES = 7.837 / 12.0  # Γ at which an uncracked column falls by its own weight (Greenhill)
 
 
@@ -104,7 +105,7 @@ def _down(multiplier, top_rad, gamma, ratio, edges):
             bent = 2.0 / width**2
             opened = bent * (0.5 - width)
         turn = math.copysign(gamma * ratio * normal * length * bent, moment)
-        lift = gamma * ratio**2 * normal * length * opened  # of the axis at the joint, over b
+        lift = gamma * ratio * normal * length * opened  # of the axis at the joint, over b
         moment += lift * low * (math.sin(theta - turn) + multiplier * math.cos(theta - turn))
         d += lift * math.sin(theta - 0.5 * turn)
         theta -= turn
@@ -135,7 +136,8 @@ def capacity(d_over_b, gamma, ratio, edges=None):
     Raises
     ------
     ValueError
-        For a d/b out of range, or a wall that falls by its own weight, Γ ≥ 0.653.
+        For a d/b out of range or without an equilibrium, or a wall that falls by its own weight,
+        Γ ≥ 0.653.
     """
     wanted = np.atleast_1d(np.asarray(d_over_b, float))
     edges = graded() if edges is None else np.asarray(edges, float)
@@ -158,6 +160,11 @@ def capacity(d_over_b, gamma, ratio, edges=None):
         def excess(top):
             return _down(multiplier(top), top, gamma, ratio, edges)[1] - d
 
-        return multiplier(brentq(excess, 0.9 * d * ratio, 2.0 * d * ratio, xtol=1e-13))
+        low = 0.9 * d * ratio
+        while excess(WIDER * low) < 0.0:
+            low *= WIDER
+            if low > 0.5 * math.pi:
+                raise ValueError(f"d_over_b = {d:.4g}: no equilibrium was found")
+        return multiplier(brentq(excess, low, WIDER * low, xtol=1e-13))
 
     return np.array([found(d) for d in wanted])
