@@ -2,6 +2,7 @@
 
 import doctest
 import importlib
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -9,9 +10,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import rocking
-from rocking import Case, Motion, Variant, collapse_curve
+from rocking import Case, Curve, Motion, Variant, collapse_curve, history
 from rocking.configuration.config import ConfigError
-from rocking.records import Record
+from rocking.records import Record, RecordError
 
 from yade_scripts.model import models
 
@@ -79,12 +80,106 @@ def test_what_cannot_be_is_refused_in_a_line(case, pulse):
         Case.configured("W1", {"facade.hight_m": 1.0})
     with pytest.raises(ValueError, match="unknown change of the motion"):
         pulse.varied(Variant(motion={"loudness": 2.0}))
+    with pytest.raises(ValueError, match="record pulse has no vertical motion"):
+        pulse.varied(Variant(motion={"vertical": 0.5}))
     with pytest.raises(ValueError, match="building_mass_kg"):
         collapse_curve(Case.configured("W2m"), pulse)
     with pytest.raises(ValueError, match="expected planar or yade"):
         collapse_curve(case, pulse, solver="scipy")
     with pytest.raises(ValueError, match="expected scan, climb"):
         collapse_curve(case, pulse, search="bisect")
+
+
+@pytest.mark.parametrize(
+    ("variant", "words"),
+    [
+        ({"facade.thickness_m": -0.5}, "facade.thickness_m = -0.5: expected a number > 0"),
+        ({"facade.thickness_m": "42 cm"}, "facade.thickness_m = '42 cm': expected a number"),
+        ({"facade.thicknes_m": 0.5}, "did you mean 'thickness_m'?"),
+        ({"model": "W4"}, "unknown façade model 'W4'"),
+        ({"model": "W3"}, "a case that was configured with bricks"),
+        (Variant(factors={"facade.thickness_m": -1.0}), "facade.thickness_m = -0.375: expected"),
+        (Variant(factors={"return_wall.length_m": 2.0}), "return_wall.length_m = null: expected"),
+        (Variant(factors={"damping.law": 2.0}), "damping.law = 'value': expected a number"),
+        (Variant(added={"facade.height_m": [1.0]}), "facade.height_m: expected rows added to"),
+        (Variant(added={"facade.ties": {"height_m": 5.0}}), "facade.ties: expected rows added to"),
+        (Variant(added={"facade.ties": [{"hieght_m": 5.0}]}), "'facade.ties[1].hieght_m'"),
+        (Variant(added={"facade.ties": [{"diameter_mm": 9}]}), "facade.ties[1].height_m: missing"),
+        (Variant(added={"facade.ties": [{"height_m": 60}]}), "expected at most facade.height_m"),
+        ({"facade": {"height_m": 5.0}}, "facade: expected single values by dotted key"),
+    ],
+)
+def test_a_variant_is_held_to_what_the_configuration_allows(case, variant, words):
+    with pytest.raises(ValueError, match=re.escape(words)) as caught:
+        case.varied(variant)
+    assert str(caught.value).isprintable()
+
+
+def test_numbers_of_numpy_are_numbers(case):
+    thick = np.linspace(0.3, 0.4, 3)
+    assert case.varied({"facade.thickness_m": thick[1]}).get("facade.thickness_m") == thick[1]
+    chain = Case.configured("W2", {"smdof.n_dof": np.arange(4)[3]})
+    assert chain["smdof"]["n_dof"] == 3
+    assert Case(chain.scene).to_json()  # plain, so that it can be written
+
+
+def test_samples_in_memory_are_a_motion_whatever_their_units():
+    g = [0.0, 0.1, -0.2, 0.0]
+    one = Motion.sampled(g, 0.02, "g", name="mine")
+    other = Motion.sampled(980.665 * np.array(g), 0.02, "cm/s2")
+    np.testing.assert_allclose(one.record.acceleration_m_s2, other.record.acceleration_m_s2)
+    assert (one.name, one.record.dt_s) == ("mine", 0.02)
+    for given, words in (
+        ((g, 0.02, "cm/s"), "units 'cm/s'; expected one of g, m/s2"),
+        ((g, 2.0), "time step 2 s; expected"),
+        (([0.0], 0.02), "expected at least 2 samples"),
+        (([g, g], 0.02), "expected at least 2 samples"),
+        (([0.0, np.nan], 0.02), "not all samples are finite"),
+        ((np.array(g) * 980.0, 0.02, "g"), "are the units right?"),
+    ):
+        with pytest.raises(RecordError, match=re.escape(words)):
+            Motion.sampled(*given)
+    with pytest.raises(TypeError, match=r"Motion of list: .*Motion\.sampled"):
+        Motion(g)
+
+
+def test_what_a_curve_is_asked_for_is_checked_before_anything_runs(case, pulse):
+    for given, words in (
+        ({"direction": "outward"}, "direction = 'outward': expected pos or neg"),
+        ({"search": "climb", "settings": {"levelratio": 0.1}}, "did you mean 'level_ratio'?"),
+        ({"search": "climb", "settings": {"level_ratio": -0.1}}, "expected a number > 0"),
+        ({"search": "climb", "settings": {"max_pga_g": "1 g"}}, "expected a number > 0"),
+        ({"search": "list"}, "expected settings={'pga_g'"),
+        ({"search": "list", "settings": {"pga_g": [0.1, -0.1]}}, "-0.1: expected a number > 0"),
+    ):
+        with pytest.raises(ValueError, match=re.escape(words)):
+            collapse_curve(case, pulse, **given)
+    for wrong in ((case, "RRS228"), (pulse, case), ({"model": "W1"}, pulse)):
+        with pytest.raises(TypeError, match="expected a (Case|Motion)"):
+            collapse_curve(*wrong)
+    with pytest.raises(ValueError, match=r"pga_g = -0\.1: expected a number > 0"):
+        history(case, pulse, "pos", -0.1)
+    one = collapse_curve(case, pulse, search="list", settings={"pga_g": 0.05})
+    assert isinstance(one, Curve)
+    assert repr(one) == "Curve W1 pulse pos: 1 histories, none fell up to 0.050 g"
+
+
+def test_a_configuration_file_is_read_as_the_workflow_reads_it(tmp_path):
+    path = tmp_path / "mine.yaml"
+    for text, words in (
+        ("facade: {height_m: 5}\nfacade: {width_m: 4}\n", "line 2: key 'facade' stands twice"),
+        ("facade:\n\theight_m: 5\n", "mine.yaml line 2"),
+        ("grid: {facade.height_m: [5, 6]}\n", "grid: describes several cases"),
+    ):
+        path.write_text(text)
+        with pytest.raises(ValueError, match=re.escape(words)):
+            Case.configured("W1", path)
+    with pytest.raises(ConfigError, match="No such file"):
+        Case.configured("W1", tmp_path / "none.yaml")
+
+
+def test_a_prompt_shows_the_public_names():
+    assert {"Case", "Motion", "collapse_curve"} <= set(dir(rocking))
 
 
 def test_a_curve_knows_where_it_collapses(case, pulse):

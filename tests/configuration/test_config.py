@@ -98,6 +98,10 @@ def test_text_from_the_command_line_resolves_like_numbers():
         "run": "2024",
         "smdof": {},
     }
+    assert resolve({"facade": {"courses": "6"}})["facade"]["courses"] == 6
+    assert "facade.courses = 1: expected 0 or a whole number from 2" in refusal(
+        {"facade": {"courses": "1"}}
+    )
     text = {
         "facade": {"height_m": "7.0", "gap_m": "1e-3", "base_stiffness_pa_m": "null"},
         "numerics": {"nodes_height": "7", "retry_half_step": "false"},
@@ -132,6 +136,8 @@ def test_resolving_leaves_its_input_and_the_schemas_alone():
             {"facade": {"height_m": "9", "5": None}},
             "'5' in 'facade' is no key: for a",
         ),
+        ({"facade": {"thickness_m": 0, 42: None}}, "'42' in 'facade' is no key: for a decimal"),
+        ({"record": "A"}, "unknown key 'record'; did you mean 'records' or 'pictures.record'?"),
         ({"facade": {"height_m:9.5": None}}, "'height_m:9.5' in 'facade': write a space after"),
         ({"facade": {"height_m": "9,5"}}, "facade.height_m = '9,5': expected a number > 0"),
         ({"facade": {"beta_s": 1}}, "unknown key 'facade.beta_s'; did you mean 'damping.beta_s'?"),
@@ -180,6 +186,19 @@ def test_refusals_name_the_key_and_what_was_expected(config, message):
         ({"facade": {"gap_m": 0.01}, "models": "W2c"}, "facade.gap_m = 0.01: expected 0 (m)"),
         ({"facade": {"tilt_deg": 0.2}, "models": "W1c"}, "facade.tilt_deg = 0.2: expected 0 (°)"),
         ({"baseline": {"highpass_hz": 9, "lowpass_hz": 9}}, "baseline.highpass_hz = 9: expected"),
+        (
+            {"models": "W3", "facade": {"height_m": 5.75}},
+            "w3.course_height_m = 0.324: expected a divisor of facade.height_m = 5.75 (m), so that "
+            "whole courses fill the height, as 0.319444 (18 courses), with model W3",
+        ),
+        (
+            {"models": "W3m", "w3": {"header_joint": "study"}},
+            "w3.header_joint = 'study': expected another rule for W3m",
+        ),
+        (
+            {"models": "W3", "w3": {"header_joint": "study", "split_inclination_deg": 30}},
+            "w3.split_inclination_deg = 30: expected less than 21.1 (°)",
+        ),
         ({"ida": {"start_g": 3}}, "ida.start_g = 3: expected a value below ida.max_pga_g = 3"),
         ({"ensemble": {"percentiles": [60, 90]}}, "ensemble.percentiles = [60, 90]: expected one"),
     ],

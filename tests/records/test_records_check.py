@@ -140,6 +140,7 @@ def test_doubtful_peaks_and_offsets_are_said():
     assert "above 3 g" in module.warnings(_record(3.1 * G_M_S2 * wave))[0]
     assert module.warnings(_record(wave + 0.0099)) == []
     assert "offset 1.0" in module.warnings(_record(wave + 0.0105))[0]
+    assert "61 samples, 0.6 s in all" in module.warnings(_record(wave[:61] - np.mean(wave[:61])))[0]
     # A fast sine of 1 g at 0.5 Hz moves at 3.1 m/s.
     slow = module.warnings(_record(G_M_S2 * np.sin(np.pi * t)))
     assert len(slow) == 1

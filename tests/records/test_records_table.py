@@ -110,6 +110,8 @@ def test_plain_names_are_taken(table, name):
         (["record\tpga", "a\t1"], "did you mean 'pga_g'?"),
         (["record file", "a b"], "not tab-separated"),
         (["record,file", "a,b"], "not tab-separated"),
+        (["record;file", "a;b"], "not tab-separated"),
+        (["record\tdt_s", "a\t0,01"], "found '0,01'; write a decimal point, not a comma"),
         (["file", "a"], "no column 'record'"),
         (["record\trecord", "a\ta"], "appears twice"),
         (["record"], "no record below"),

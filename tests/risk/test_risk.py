@@ -192,6 +192,8 @@ def test_an_export_of_openquake_and_a_table_of_rates_are_one_curve(tmp_path):
         ("pga_g,annual_rate\n0.1,0.1\n0.2,0.2\n", "line 3: rate 0.2 at 0.2, 0.1 at 0.1"),
         ("pga_g,annual_rate\n0.2,0.1\n0.1,0.05\n", "line 3: intensity 0.1 after 0.2"),
         ("pga_g,annual_rate\n0.1,0.1\nx,0.05\n", "line 3: expected a number, found 'x'"),
+        ("pga_g;annual_rate\n0,1;0.1\n", "found '0,1'; write a decimal point, not a comma"),
+        ("pga_g,annual_rate\n49,0.1\n98,0.05\n", "line 2: pga_g begins at 49; expected g: are"),
         ("pga_g,annual_rate\n0.1,0.1\n0.2,0.05,1\n", "line 3: 3 values; expected 2"),
         ("pga_g,annual_rate\n0,0.1\n0.2,0.05\n", "expected positive numbers"),
         (OPENQUAKE.format(t="50", imt="SA(0.3)") + "1,1,0,.2,.1,.1,0\n", "SA(0.3); Sa(T1) of this"),

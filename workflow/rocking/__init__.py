@@ -29,3 +29,8 @@ def __getattr__(name):
     if name not in _PUBLIC:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(importlib.import_module(f"rocking.collapse.{_PUBLIC[name]}"), name)
+
+
+def __dir__():
+    """Return the names that are there or can be loaded, for completion at a prompt."""
+    return sorted({*globals(), *__all__})

@@ -19,7 +19,7 @@ except ModuleNotFoundError as error:
     )
 from rocking.collapse.case import SECTIONS
 from rocking.configuration import config as configuration
-from rocking.configuration import renamed
+from rocking.configuration import doubts, renamed
 from rocking.configuration.chosen import chosen
 from rocking.records.intensity_measures import MEASURES
 from rocking.studies.pushover import DRAWN, VARIANTS
@@ -69,7 +69,7 @@ RUNS.refuse(FINDINGS)
 if workflow.is_main_process and "check" not in sys.argv:  # that target says so itself
     terminal.warn([str(f) for f in FINDINGS if f.status == "warning"])
 if workflow.is_main_process:
-    terminal.warn(renamed.lines(config))
+    terminal.warn([*renamed.lines(config), *doubts.lines(RUNS.settings)])
 
 SHARED = RUNS.shared
 

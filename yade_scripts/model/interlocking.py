@@ -73,10 +73,52 @@ def interlocking_scene(config, beta_s, *, two_way=False):
     Raises
     ------
     ValueError
-        If the courses do not fill the height, the overlap does not leave a half brick,
-        or a rule is unknown.
+        See `check`.
     """
     return _Assembly(config, beta_s, two_way).scene()
+
+
+def check(config, two_way=False):
+    """Refuse bricks that cannot be laid.
+
+    Parameters
+    ----------
+    config : dict
+        Sections facade and w3.
+    two_way : bool
+
+    Raises
+    ------
+    ValueError
+        In one line, if the courses do not fill the height, the overlap does not leave a half brick,
+        a cut misses its brick, or a rule is unknown or not for these walls.
+    """
+    height, w3 = config["facade"]["height_m"], config["w3"]
+    course, overlap = w3["course_height_m"], w3["overlap_m"]
+    courses = round(height / course)
+    if abs(courses * course - height) > 1e-6 * height or courses < 2:
+        near = max(courses, 2)
+        raise ValueError(
+            f"w3.course_height_m = {course:g}: expected a divisor of facade.height_m = "
+            f"{height:g} (m), so that whole courses fill the height, as {height / near:.6g} "
+            f"({near} courses)"
+        )
+    if not 0.0 < overlap < w3["brick_length_m"]:
+        raise ValueError(
+            f"w3.overlap_m = {overlap:g}: expected less than w3.brick_length_m = "
+            f"{w3['brick_length_m']:g} (m), so that a part of each brick stays in the wall"
+        )
+    if w3["header_joint"] not in HEADER_JOINTS:
+        raise ValueError(
+            f"w3.header_joint = '{w3['header_joint']}': expected {', '.join(HEADER_JOINTS)}"
+        )
+    if w3["header_joint"] == "study" and w3["lower_courses"]:
+        split_bricks.lowest_edge(course, overlap, math.radians(w3["split_inclination_deg"]))
+        if two_way:
+            raise ValueError(
+                "w3.header_joint = 'study': expected another rule for W3m, whose bricks hang "
+                "on the building's masses and cannot be cut"
+            )
 
 
 class _Assembly:
@@ -92,30 +134,10 @@ class _Assembly:
             w3["brick_length_m"],
         )
         self.t, self.density, self.w3 = wall["thickness_m"], facade["density_kg_m3"], w3
+        check(config, two_way)
         self.courses = round(self.h / self.course)
-        if abs(self.courses * self.course - self.h) > 1e-6 * self.h or self.courses < 2:
-            raise ValueError(
-                f"w3.course_height_m = {self.course:g}: expected a divisor of facade.height_m = "
-                f"{self.h:g} (m), so that whole courses fill the height"
-            )
-        if not 0.0 < self.v < self.length:
-            raise ValueError(
-                f"w3.overlap_m = {self.v:g}: expected less than w3.brick_length_m = "
-                f"{self.length:g} (m), so that a part of each brick stays in the wall"
-            )
-        if w3["header_joint"] not in HEADER_JOINTS:
-            raise ValueError(
-                f"w3.header_joint = '{w3['header_joint']}': expected {', '.join(HEADER_JOINTS)}"
-            )
         self.split_inclination = math.radians(w3["split_inclination_deg"])
         self.split = w3["lower_courses"] if w3["header_joint"] == "study" else 0
-        if self.split:
-            split_bricks.lowest_edge(self.course, self.v, self.split_inclination)
-            if two_way:
-                raise ValueError(
-                    "w3.header_joint = 'study': expected another rule for W3m, whose bricks hang "
-                    "on the building's masses and cannot be cut"
-                )
         # in a half model everything is halved: weight and stiffness, hence no number changes
         self.walls = 1 if w3["half_model"] else wall["count"]
         self.share = self.walls / wall["count"]

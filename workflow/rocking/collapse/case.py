@@ -19,7 +19,9 @@ from rocking.accuracy.fidelity import choose, read_fidelity
 from rocking.calibration.beta import LAW_FILE, beta_for
 from rocking.configuration import config as configuration
 from rocking.configuration import schema
-from rocking.configuration.facade import WEAKEST
+from rocking.configuration.facade import WEAKEST, check_bars
+from rocking.configuration.files import check_files
+from rocking.records.reader import nearest
 from yade_scripts.files import read_json
 from yade_scripts.model import registry
 
@@ -67,6 +69,8 @@ class Case:
     --------
     >>> from rocking import Case, Variant
     >>> case = Case.configured("W1", {"facade.height_m": 5.0})
+    >>> case
+    Case W1: façade 5 m high, 0.375 m thick, 4.4 m wide; building of 0.27 s; β 0.00276 s
     >>> case.model, case["facade"]["height_m"], case["numerics"]["nodes_height"] > 0
     ('W1', 5.0, True)
     >>> case.varied(Variant("thick", factors={"facade.thickness_m": 2.0}))["facade"]["thickness_m"]
@@ -94,13 +98,18 @@ class Case:
 
         Raises
         ------
-        ConfigError
-            In one line, naming the key.
+        ValueError
+            In one line that names the model, the key, or file and line.
         """
         registry.model(model)
         given = config or {}
         if not isinstance(given, Mapping):
+            check_files([given])
             given = yaml.safe_load(Path(given).read_text("utf-8")) or {}
+        if several := [key for key in schema.STUDY_KEYS if given.get(key)]:
+            raise ValueError(
+                f"{several[0]}: describes several cases; expected one, and others by Case.varied"
+            )
         resolved = configuration.resolve({**configuration.nested(given), "models": [model]})
         return cls.chosen({key: resolved[key] for key in (*SECTIONS, "w3")}, model)
 
@@ -132,6 +141,15 @@ class Case:
         scene["numerics"], _ = choose(scene, model, read_fidelity(fidelity))
         return cls(scene)
 
+    def __repr__(self):
+        """Return one line: model, façade, building, β."""
+        size = self["facade"]
+        return (
+            f"Case {self.model}: façade {size['height_m']:g} m high, {size['thickness_m']:g} m "
+            f"thick, {size['width_m']:g} m wide; building of {self['smdof']['period_s']:g} s; "
+            f"β {self['beta_s']:.3g} s"
+        )
+
     def __getitem__(self, key):
         """Return a section, or model or beta_s."""
         return self.scene[key]
@@ -159,21 +177,41 @@ class Case:
     def varied(self, variant):
         """Return the case with a variant's changes; β and numerics stay unless it names them.
 
+        Parameters
+        ----------
+        variant : Variant, or mapping of str to value
+            New values by dotted key are a variant too.
+
         Raises
         ------
         ValueError
-            In one line, for a key that the case has not.
+            In one line, for a key that the case has not, or a value that the configuration would
+            refuse there.
         """
+        if isinstance(variant, Mapping):
+            variant = Variant(changes=variant)
         scene = copy.deepcopy(self.scene)
         for key, value in variant.changes.items():
             part, name = _place(scene, key)
-            part[name] = value
+            part[name] = _allowed(key, value)
+            if key == "model" and registry.model(value).walls == "bricks" and "w3" not in scene:
+                raise ValueError(
+                    f"model = {value}: expected a case that was configured with bricks"
+                )
         for key, factor in variant.factors.items():
             part, name = _place(scene, key)
-            part[name] *= factor
+            if isinstance(part[name], bool) or not isinstance(part[name], (int, float)):
+                raise ValueError(
+                    f"{key} = {schema.show(part[name])}: expected a number to multiply"
+                )
+            part[name] = _allowed(key, part[name] * factor)
         for key, rows in variant.added.items():
             part, name = _place(scene, key)
-            part[name] = [*part[name], *(_completed(key, row) for row in rows)]
+            if not isinstance(part[name], list) or not isinstance(rows, (list, tuple)):
+                raise ValueError(f"{key}: expected rows added to a list, as [{{…}}]")
+            part[name] = [*part[name], *_allowed(key, [_completed(key, row) for row in rows])]
+        if variant.added and "model" in scene:
+            check_bars({**scene, "models": [scene["model"]]})
         return Case(scene)
 
     def calibrated(self, law=LAW_FILE):
@@ -210,8 +248,21 @@ def _place(scene, key):
     for section in path:
         part = part.get(section) if isinstance(part, dict) else None
     if not isinstance(part, dict) or name not in part:
-        raise ValueError(f"{key}: the case has no such key")
+        near = nearest(name, part) if isinstance(part, dict) else ""
+        raise ValueError(f"{key}: the case has no such key{near}")
     return part, name
+
+
+def _allowed(key, value):
+    """Value of a dotted key, if the configuration allows it there; β has no key of its own."""
+    if key == "model":
+        return registry.model(value).name
+    if isinstance(value, Mapping):
+        raise ValueError(f"{key}: expected single values by dotted key, as 'facade.height_m'")
+    value = schema.plain(value, key)
+    if key != "beta_s":
+        schema.refuse_invalid(configuration.nested({key: value}), schema.whole())
+    return value
 
 
 def _completed(key, row):

@@ -1,15 +1,24 @@
 """One curve of a case under a motion: outcomes at intensities, and where it collapses."""
 
+import math
 import time
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+import numpy as np
 import pandas as pd
 
 from rocking.collapse import probability, search
+from rocking.collapse.case import Case
+from rocking.collapse.motion import Motion
 from rocking.collapse.scan import Screen, scan_settings
+from rocking.records.reader import nearest
 from rocking.solver import runs
+from yade_scripts.model.motion import SIGNS
+
+OF_A_SEARCH = ("from_g", "pga_g", "scatter")  # settings that no section of a case has
 
 
 @dataclass(frozen=True)
@@ -37,6 +46,16 @@ class Curve:
     found: Any = None
     wall_s: float = float("nan")
 
+    def __repr__(self):
+        """Return one line: what it is of, histories, where it collapses."""
+        found = self.summary()
+        line = f"Curve {self.model} {self.record} {self.direction}: {self.runs} histories, "
+        if math.isnan(found["pga_collapse_g"]):
+            return f"{line}none fell up to {found['pga_max_g']:.3f} g"
+        line += f"lowest collapse {found['pga_collapse_g']:.3f} g"
+        half = found["pga_median_g"]
+        return line if math.isnan(half) else f"{line}, half collapse {half:.3f} g"
+
     @property
     def pga_g(self):
         """Intensities that were run [g]."""
@@ -58,7 +77,15 @@ class Curve:
         return probability.from_scan(self.table, self.spread)
 
     def summary(self):
-        """Collapse intensities, as `probability.summary`: pga_safe_g … pga_max_g, reversals."""
+        """Collapse intensities by name, as `tables/ida_collapse.csv` has them.
+
+        Returns
+        -------
+        dict
+            pga_safe_g, pga_collapse_g (lowest collapse), pga_p10_g, pga_median_g (half collapse),
+            pga_p90_g, pga_all_g, pga_max_g [g], NaN where nothing fell; reversals, and the
+            histories behind them. docs/collapse.md says what each means.
+        """
         none = pd.DataFrame()
         return probability.summary(self.table, none, none, self.spread)
 
@@ -80,8 +107,8 @@ def collapse_curve(
         A name of `search.SEARCHES`: "scan", "climb", "crossings" or "list".
     settings : dict, optional
         What differs from the case's sections ida and ensemble (level_ratio, beyond, max_pga_g,
-        realisations, amplitude_spread); from_g, where a climb begins; of a list, pga_g, and scatter
-        to run them as realisations.
+        power, realisations, amplitude_spread); from_g, where a climb begins; of a list, pga_g, and
+        scatter to run them as realisations.
     options
         Of the solver, see `Screen` and `yade.YadeRuns`.
 
@@ -92,7 +119,10 @@ def collapse_curve(
     Raises
     ------
     ValueError
-        In one line, for an unknown solver or search, or a case that the solver cannot run.
+        In one line, for an unknown direction, solver, search or setting, or a case that the solver
+        cannot run.
+    TypeError
+        For what is no Case or no Motion.
 
     Examples
     --------
@@ -104,7 +134,8 @@ def collapse_curve(
     began = time.monotonic()
     outcomes = run_by(solver, case, motion, direction, **options)
     power = {} if solver == "planar" else {"power": 0.0}  # a run of YADE takes seconds
-    given = {**scan_settings(case.scene), **power, **(settings or {})}
+    given = {**scan_settings(case.scene), **power}
+    given |= _known(settings or {}, given, search)
     table, found = outcomes.seen(strategy(search, case, outcomes, given))
     return Curve(
         case.model,
@@ -119,7 +150,7 @@ def collapse_curve(
 
 def run_by(solver, case, motion, direction, **options):
     """Outcomes at any amplitudes by a solver: an object with `seen` and `static_g`."""
-    case.checked()
+    _shaken(case, motion, direction)
     if solver == "planar":
         if not case.kind.scanned:
             raise ValueError(f"model {case.model}: expected return walls, for the planar solver")
@@ -133,8 +164,48 @@ def run_by(solver, case, motion, direction, **options):
     raise ValueError(f"solver = {solver!r}: expected planar or yade")
 
 
+def _shaken(case, motion, direction):
+    """Refuse what is no case, no motion or no direction."""
+    for value, kind in ((case, Case), (motion, Motion)):
+        if not isinstance(value, kind):
+            raise TypeError(f"{type(value).__name__} given: expected a {kind.__name__}")
+    if direction not in SIGNS:
+        raise ValueError(f"direction = {direction!r}: expected {' or '.join(SIGNS)}")
+    case.checked()
+
+
+def _known(settings, of_case, search):
+    """Return the settings of a search, if it knows them all and can begin."""
+    if not isinstance(settings, Mapping):
+        raise TypeError(f"settings = {settings!r}: expected a mapping, as {{'level_ratio': 0.02}}")
+    known = (*of_case, *OF_A_SEARCH)
+    for key, value in settings.items():
+        if key not in known:
+            raise ValueError(f"settings: unknown {key!r}{nearest(str(key), known)}")
+        if key in ("level_ratio", "max_pga_g", "amplitude_spread", "from_g") and value is not None:
+            _positive(f"settings[{key!r}]", value)
+    if search == "list":
+        levels = np.ravel(settings.get("pga_g", []))
+        if not levels.size:
+            raise ValueError("search = 'list': expected settings={'pga_g': [0.1, 0.2]} (g)")
+        for level in levels.tolist():
+            _positive("settings['pga_g']", level)
+        return {**settings, "pga_g": levels}
+    return dict(settings)
+
+
+def _positive(name, value):
+    """Refuse what is no finite number above 0."""
+    try:
+        good = 0.0 < value < math.inf
+    except TypeError:
+        good = False
+    if not good:
+        raise ValueError(f"{name} = {value!r}: expected a number > 0")
+
+
 def strategy(name, case, outcomes, settings):
-    """Search of a name, from half the static capacity, or `start_g` of the settings."""
+    """Search of a name, from half the static capacity, or `from_g` of the settings."""
     start = settings.get("from_g") or 0.5 * outcomes.static_g
     if name == "list":
         return search.listed(settings["pga_g"], settings.get("scatter", False))
@@ -166,6 +237,10 @@ class History:
     status: str
     broken: int | None = None
 
+    def __repr__(self):
+        """Return one line: outcome, peak, rows."""
+        return f"History {self.status}: peak d/b {self.d_over_b:.3f}, {len(self.table)} rows"
+
 
 def history(case, motion, direction="pos", pga_g=0.1, *, solver="planar", sample_s=0.01):
     """One history of a case under a motion at one intensity.
@@ -175,6 +250,7 @@ def history(case, motion, direction="pos", pga_g=0.1, *, solver="planar", sample
     case, motion, direction
         As of `collapse_curve`.
     pga_g : float
+        Peak acceleration of the ground, whatever the record's own.
     solver : str
         "planar" or "yade".
     sample_s : float
@@ -184,6 +260,11 @@ def history(case, motion, direction="pos", pga_g=0.1, *, solver="planar", sample
     -------
     History
 
+    Raises
+    ------
+    ValueError, TypeError
+        As `collapse_curve`, and for an intensity or interval that is no number above 0.
+
     Examples
     --------
     >>> from rocking import Case, Motion, history
@@ -191,10 +272,13 @@ def history(case, motion, direction="pos", pga_g=0.1, *, solver="planar", sample
     >>> found.status, bool(found.table["d_over_b"].abs().max() <= found.d_over_b)
     ('ok', True)
     """
+    for name, value in (("pga_g", pga_g), ("sample_s", sample_s)):
+        _positive(name, value)
     if solver == "yade":
         from rocking.collapse.yade import yade_history
 
-        return yade_history(case.checked(), motion, direction, pga_g)
+        _shaken(case, motion, direction)
+        return yade_history(case, motion, direction, pga_g)
     screen = run_by(solver, case, motion, direction)
     plane = screen.planes[0]
     motions, factor = screen.shaking(pga_g)

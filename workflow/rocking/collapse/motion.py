@@ -4,8 +4,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from rocking.records import load, read_record
+import numpy as np
+
+from rocking.records import Record, RecordError, load, read_record
 from rocking.records.floors import floor_columns
+from rocking.records.record import UNITS_M_S2, check_plausible, measures, unit_name
 from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import amplitude
 
@@ -35,8 +38,10 @@ class Motion:
     Examples
     --------
     >>> from rocking import Motion
-    >>> Motion.named("RRS228").name
-    'RRS228'
+    >>> Motion.named("RRS228")
+    Motion RRS228: 1491 samples of 0.01 s, peak 0.840 g
+    >>> Motion.sampled([0.0, 0.2, -0.1, 0.0], 0.02, "g", name="mine")
+    Motion mine: 4 samples of 0.02 s, peak 0.200 g
     """
 
     record: Any = None
@@ -45,6 +50,26 @@ class Motion:
     first: "Motion | None" = None
     first_pga_g: float = 0.0
     pause_s: float = PAUSE_S
+
+    def __post_init__(self):
+        """Check that there is a motion."""
+        if self.floors is None and not isinstance(self.record, Record):
+            raise TypeError(
+                f"Motion of {type(self.record).__name__}: expected Motion.named(name), "
+                "Motion.read(path) or, of samples in memory, Motion.sampled(acceleration, dt_s)"
+            )
+
+    def __repr__(self):
+        """Return one line: name, samples, peak, what comes before."""
+        if self.floors is not None:
+            return f"Motion {self.name}: floor motions, {len(self.floors[0])} samples"
+        peak = measures(self.record)["pga_g"]
+        line = f"Motion {self.name}: {len(self.record)} samples of {self.record.dt_s:g} s, "
+        line += f"peak {peak:.3f} g"
+        line += ", vertical too" if self.record.vertical_m_s2 is not None else ""
+        if self.first is not None and self.first_pga_g:
+            line += f", after {self.first.name} at {self.first_pga_g:g} g"
+        return line
 
     @classmethod
     def named(cls, name, table=TABLE, **how):
@@ -55,6 +80,34 @@ class Motion:
     def read(cls, path, **how):
         """Motion of an accelerogram's file; `how` as of `rocking.records.read_record`."""
         return cls(read_record(str(path), **how))
+
+    @classmethod
+    def sampled(cls, acceleration, dt_s, units="m/s2", name="motion"):
+        """Motion of samples in memory, as an instrument or another program gives them.
+
+        Parameters
+        ----------
+        acceleration : array_like, shape (n,)
+            At equal steps, outward positive.
+        dt_s : float
+        units : str
+            Of the acceleration: "g", "m/s2", "cm/s2" or "mm/s2".
+        name : str
+
+        Raises
+        ------
+        RecordError
+            In one line, for unknown units, a step or samples that no record has.
+        """
+        unit = unit_name(str(units))
+        if unit is None:
+            raise RecordError(
+                f"record {name}: units {units!r}; expected one of {', '.join(UNITS_M_S2)}"
+            )
+        samples = np.array(acceleration, dtype=float) * UNITS_M_S2[unit]
+        record = Record(name, samples, float(dt_s), "file", unit)
+        check_plausible(samples, unit, f"record {name}")
+        return cls(record)
 
     @classmethod
     def read_floors(cls, path, name=""):
@@ -83,6 +136,11 @@ class Motion:
             out = replace(out, record=Motion.named(out.name, **how).record)
         if (share := given.pop("vertical", None)) is not None:
             up = out.record.vertical_m_s2
+            if share and up is None:
+                raise ValueError(
+                    f"variant '{variant.name}': record {out.name} has no vertical motion; expected "
+                    "Motion.named(…, vertical_motion='on')"
+                )
             record = replace(out.record, vertical_m_s2=share * up if share else None)
             out = replace(out, record=record)
         if (how := given.pop("first", None)) is not None:

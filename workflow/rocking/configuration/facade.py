@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from rocking.configuration.schema import ConfigError, show
 from rocking.configuration.standing import WEAKEST, check_standing
-from yade_scripts.model import registry
+from yade_scripts.model import interlocking, registry
 from yade_scripts.model.base import STUDY
 from yade_scripts.model.shape import Shape, is_plain, shape_of
 
@@ -36,9 +36,21 @@ def check_facade(resolved: Mapping) -> None:
                 f"models {show(bonded)}"
             )
     _check_shape(resolved)
-    _check_bars(resolved)
+    check_bars(resolved)
     _check_hinges(resolved)
+    _check_bricks(resolved)
     check_standing(resolved)
+
+
+def _check_bricks(resolved: Mapping) -> None:
+    """Refuse return walls of bricks that cannot be laid up to the façade's height."""
+    for name in resolved["models"]:
+        kind = registry.model(name)
+        if kind.walls == "bricks":
+            try:
+                interlocking.check(resolved, kind.two_way)
+            except ValueError as error:
+                raise ConfigError(f"{error}, with model {name}") from None
 
 
 def _check_geometry(facade: Mapping, wall: Mapping) -> None:
@@ -65,8 +77,14 @@ def _check_geometry(facade: Mapping, wall: Mapping) -> None:
         )
 
 
-def _check_bars(resolved: Mapping) -> None:
-    """Refuse ties and floors that nothing carries, that snap early or that hold nothing."""
+def check_bars(resolved: Mapping) -> None:
+    """Refuse ties and floors that nothing carries, that snap early or that hold nothing.
+
+    Raises
+    ------
+    ConfigError
+        In one line with the row, its value and what was expected.
+    """
     facade = resolved["facade"]
     several = [name for name in resolved["models"] if not registry.model(name).single_block]
     rows = [(key, *row) for key in ("ties", "floors") for row in enumerate(facade[key], 1)]

@@ -16,6 +16,7 @@ import copy
 import datetime
 import difflib
 import math
+import numbers
 import re
 import reprlib
 from collections.abc import Iterator, Mapping
@@ -112,6 +113,8 @@ def plain(value: Any, path: str = "", depth: int = 0, budget: list | None = None
     if isinstance(value, Mapping):
         out = {}
         for key, item in value.items():
+            if isinstance(key, int) and item is None:  # "b: 0,42" in braces: b: 0 and a key 42
+                raise decimal_comma(str(key), path)
             if not isinstance(key, str):
                 raise ConfigError(f"key {show(key)} {within(path)}: expected text; quote it")
             out[key] = plain(item, f"{path}.{key}" if path else key, depth + 1, budget)
@@ -120,11 +123,11 @@ def plain(value: Any, path: str = "", depth: int = 0, budget: list | None = None
         return [plain(v, f"{path}[{i + 1}]", depth + 1, budget) for i, v in enumerate(value)]
     if value is None or isinstance(value, bool):
         return value
-    if isinstance(value, int):
-        if abs(value) >= 2**63:
+    if isinstance(value, numbers.Integral):  # NumPy's too
+        if abs(int(value)) >= 2**63:
             raise ConfigError(f"{path}: expected a number of fewer digits")
         return int(value)
-    if isinstance(value, float):
+    if isinstance(value, numbers.Real):
         if not math.isfinite(value):
             raise ConfigError(f"{path} = {value}: expected a finite number")
         return float(value)
@@ -284,6 +287,13 @@ def _range(schema: dict) -> str:
     return " " + " and ".join(limits) if limits else ""
 
 
+def decimal_comma(digits: str, path: str) -> ConfigError:
+    """Refuse what follows a decimal comma, which braces take for a key of its own."""
+    return ConfigError(
+        f"'{digits}' {within(path)} is no key: for a decimal comma write a point, as in 9.5"
+    )
+
+
 def unknown_key(path: str, known: dict) -> ConfigError:
     """Refuse a key by name, with the nearest known one or those of its section."""
     if slip := re.fullmatch(r"(?:(.*)\.)?(\w+):(\S+)", path):
@@ -293,13 +303,13 @@ def unknown_key(path: str, known: dict) -> ConfigError:
         )
     if re.fullmatch(r"(.*\.)?[0-9]+", path):
         where, _, digits = path.rpartition(".")
-        return ConfigError(
-            f"'{digits}' {within(where)} is no key: for a decimal comma write a point, as in 9.5"
-        )
+        return decimal_comma(digits, where)
     paths = [p for p, _ in leaves(known)]
     section, _, leaf = path.rpartition(".")
     same = [p for p in paths if p.rpartition(".")[2] == leaf]
     near = same
+    if same and not section:  # "record" at the top level is rather "records" than "pictures.record"
+        near = [*difflib.get_close_matches(leaf, known["properties"], 1, 0.85), *same]
     if not near and len(path) < 100:  # long junk is near nothing and would only cost time
         own = {p.rpartition(".")[2]: p for p in paths if p.rpartition(".")[0] == section}
         others = {p.rpartition(".")[2]: p for p in paths}

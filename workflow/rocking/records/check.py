@@ -26,6 +26,7 @@ from .surrogate import DEFAULT_SEED, check_surrogate, generate
 
 WARN_PGA_G = 3.0
 WARN_OFFSET = 0.01  # mean over peak
+WARN_DURATION_S = 1.0  # a façade takes longer to fall
 # Only a handful of recorded motions are faster or farther, and few pass 1 g as well as the
 # second pair. Of the shipped suite's 44 horizontal motions, none does; of the same in m/s²
 # called g, 42 do (or pass 3 g).
@@ -123,6 +124,11 @@ def warnings(record):
     said = []
     if pga_g > WARN_PGA_G:
         said.append(f"peak of {pga_g:.2f} g, above {WARN_PGA_G:g} g: are the units right?")
+    if record.duration_s < WARN_DURATION_S:
+        said.append(
+            f"{len(record)} samples, {record.duration_s:g} s in all, less than "
+            f"{WARN_DURATION_S:g} s: is the step right, and the file whole?"
+        )
     if offset > WARN_OFFSET * pga_g * G_M_S2:
         said.append(
             f"mean offset {100 * offset / (pga_g * G_M_S2):.1f} % of the peak, above "

@@ -131,7 +131,7 @@ def read_table(path) -> dict[str, Row]:
 def _check_columns(text, number, columns):
     for column in columns:
         if column not in COLUMNS:
-            hint = "; the header is not tab-separated" if " " in column or "," in column else ""
+            hint = "; the header is not tab-separated" if re.search("[ ,;]", column) else ""
             raise text.error(
                 number, f"unknown column {column[:60]!r}{hint or nearest(column, COLUMNS)}"
             )

@@ -129,7 +129,13 @@ def parse_number(text, number, token, what):
         else:
             if math.isfinite(value):
                 return value
-    raise text.error(number, f"expected {what}, found {token[:40]!r}")
+    raise text.error(number, f"expected {what}, found {token[:40]!r}{comma_hint(token)}")
+
+
+def comma_hint(token):
+    """What to say of a number with a decimal comma where a point is expected; else nothing."""
+    comma = re.fullmatch(r"\s*[+-]?\d*,\d+([eE][+-]?\d+)?\s*", token)
+    return "; write a decimal point, not a comma" if comma else ""
 
 
 def parse_count(text, number, token, what):
@@ -144,7 +150,7 @@ def _numbers(text, number, tokens, values):
     """Append the tokens of one line to `values`, refusing anything but finite decimals."""
     if not _NUMERIC.fullmatch("".join(tokens)):
         bad = next(token for token in tokens if not _NUMERIC.fullmatch(token))
-        raise text.error(number, f"expected a number, found {bad.strip()[:40]!r}")
+        raise text.error(number, f"expected a number, found {bad.strip()[:40]!r}{comma_hint(bad)}")
     try:
         values.extend(map(float, tokens))
     except ValueError:

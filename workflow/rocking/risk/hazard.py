@@ -20,12 +20,13 @@ import numpy as np
 
 from rocking.records.errors import RecordError
 from rocking.records.intensity_measures import MEASURES
-from rocking.records.text import read_text
+from rocking.records.text import comma_hint, read_text
 
 RATE = "annual_rate"
 LONGEST = 10_000  # rows of a table, or sites of an export
 SAME_PERIOD = 1e-3  # relative; a hazard curve for Sa at another period is another measure
 SAME_PLACE = 1e-4  # degrees
+STRONG_G = 2.0  # a curve in g that begins above it is in percent of g or in cm/s²
 
 
 class HazardError(ValueError):
@@ -133,7 +134,8 @@ def _number(path, line, word, what):
     except ValueError:
         value = np.nan
     if not np.isfinite(value):
-        raise _fault(path, line, f"expected {what}, found {word.strip()[:40]!r}")
+        hint = comma_hint(word)
+        raise _fault(path, line, f"expected {what}, found {word.strip()[:40]!r}{hint}")
     return value
 
 
@@ -151,6 +153,11 @@ def _curve(path, measure, points):
             raise _fault(path, line, f"intensity {x:g}, rate {y:g}; expected positive numbers")
     if len(points) < 2:
         raise HazardError(f"{path}: {len(points)} usable points; expected two or more")
+    line, lowest, _ = points[0]
+    if lowest > STRONG_G and measure.endswith("_g"):
+        raise _fault(
+            path, line, f"{measure} begins at {lowest:g}; expected g: are the units right?"
+        )
     _, x, y = np.array(points, float).T
     return Hazard(measure, x, y)
 
