@@ -38,8 +38,9 @@ LEFT_OUT = {"logs", "benchmarks", "cache", "figures", "report"}  # folders of a 
 LEFT_OUT |= {"config.yaml", "yade.txt"}  # a new key or another YADE changes no result
 # columns and keys that are measured on the machine; others that hold one of these words as well
 MEASURED = re.compile(
-    r"(^|_)(wall|cpu|runs)_s($|_)|(memory|rss)_mb$|realtime|per_simulated_s|(wall|cpu)_time"
-    r"|^(cost_exponent|started|version|python|platform|commit|code)$"
+    r"(^|_)(wall|cpu|runs?|build|factorise|modes)_s($|_)|(memory|rss)(_at_start)?_mb$|realtime"
+    r"|per_simulated_s|(wall|cpu)_time|^(cpu|memory)_growth$"
+    r"|^(cost|cost_exponent|started|version|python|platform|commit|code)$"
 )
 DIGITS = 10  # of numbers in JSON files; tables have fewer
 LIMIT_S = 1800.0  # of one trial

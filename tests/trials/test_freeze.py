@@ -42,7 +42,13 @@ def test_files_that_come_and_go_are_named(tmp_path):
     assert freeze.compare(old, new, words) == []
 
 
-@pytest.mark.parametrize("name", ["wall_s", "run_cpu_s", "max_rss_mb", "cpu_s_per_simulated_s"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("wall_s", "run_cpu_s", "run_s", "build_s", "factorise_s", "modes_s", "max_rss_mb"),
+        *("memory_at_start_mb", "cpu_s_per_simulated_s", "cpu_growth", "memory_growth", "cost"),
+    ],
+)
 def test_what_is_measured_on_the_machine_is_left_out(tmp_path, name):
     path = tmp_path / "a.json"
     path.write_text(f'{{"{name}": 1.5, "walls": [{{"{name}": 2, "period_s": 0.27}}]}}')
