@@ -19,7 +19,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import threading
 import traceback
 from multiprocessing import util
 from pathlib import Path
@@ -44,6 +43,7 @@ LIBRARIES = (
 )
 LIMIT_S = 600.0
 _servers: dict = {}
+_ended: list = []  # exit status of a forked process
 
 
 def snakemake(folder, *words, snakefile="workflow/Snakefile", cores=1):
@@ -162,7 +162,8 @@ def _obey(order):
     sys.argv = order["argv"]
     match sys.argv:
         case "snakemake", *_:
-            util.spawnv_passfds = functools.partial(_spawn, util.spawnv_passfds)
+            if plain := getattr(util, "spawnv_passfds", None):
+                util.spawnv_passfds = functools.partial(_spawn, plain)
             sys.exit(importlib.import_module("snakemake.cli").main())
         case "yade_scripts", *words:
             sys.exit(importlib.import_module("yade_scripts.__main__").main(words))
@@ -174,7 +175,12 @@ def _obey(order):
 
 
 def _spawn(plain, path, words, passed):
-    """Fork the standard library's server of processes, with what is imported; start others."""
+    """Fork the standard library's server of processes, with what is imported; start others.
+
+    The public ways to that server, `set_forkserver_preload` and `set_executable`, start an
+    interpreter that imports anew. This one goes by a private name; a Python that does not know it
+    starts the server as it is used to.
+    """
     if not words[-1].startswith("from multiprocessing.forkserver import main"):
         return plain(path, words, passed)
     if number := os.fork():
@@ -205,13 +211,16 @@ def _status(order):
     return 0
 
 
-def _end(status):
-    """End without taking the libraries down object by object, which takes most of a second."""
-    threading._shutdown()
-    atexit._run_exitfuncs()
-    sys.stdout.flush()
-    sys.stderr.flush()
-    os._exit(status)
+def _end_at_once():
+    """Let a forked process end after the last exit function that anybody registered.
+
+    Registered before all others this runs after them, when threads have ended too. Python would
+    then take the libraries down object by object, for most of a second.
+    """
+    if _ended:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(_ended[0])
 
 
 def _call(function):
@@ -223,6 +232,7 @@ def _call(function):
 
 
 if __name__ == "__main__":
+    atexit.register(_end_at_once)
     if sys.argv[1] == "yade":
         from yade_scripts.engine import adapter
 
@@ -233,4 +243,4 @@ if __name__ == "__main__":
             importlib.import_module(name)
         _plan_ahead()
     if (taken := _serve()) is not None:
-        _end(_status(taken))
+        _ended.append(_status(taken))
