@@ -42,6 +42,13 @@ def test_the_page_needs_nothing_else_and_says_what_its_pictures_show():
     assert page(BLOCKS) == text  # same input, same bytes
 
 
+def test_a_heading_parts_between_words_and_a_narrow_cell_at_hyphens_too():
+    title = "Old town hall, west façade above the arcade of the market: out-of-plane assessment"
+    for size in range(8, 30):
+        assert " ".join(pages._wrapped(title, size)) == title
+    assert pages._wrapped("out-of-plane", 8, 10.0)[0].endswith("-")
+
+
 def test_the_same_blocks_make_the_same_pdf(tmp_path):
     paths = [tmp_path / "a.pdf", tmp_path / "b.pdf"]
     for path in paths:

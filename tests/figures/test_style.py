@@ -91,6 +91,19 @@ def test_what_records_are_is_said_by_kind_and_counted_where_they_are_many(tmp_pa
     assert style.origins([], 20.0) == ""
 
 
+def test_what_records_are_stands_in_lines_alike_long_that_part_at_no_hyphen(tmp_path):
+    """As few lines as the width takes; the last holds no lone word."""
+    about = {"about": {"event": "Somewhere, 2011-06-13 and 2011-02-21, " + "both " * 5 + "there"}}
+    path = facts(tmp_path, "A", "file", about)
+    (text,) = style.origins([path], 20.0).splitlines()
+    for width_in, count in ((2.0, 3), (2.6, 2), (4.0, 2), (4.2, 1)):
+        lines = style.origins([path], width_in).splitlines()
+        assert " ".join(lines) == text
+        assert max(map(len, lines)) <= 20 * width_in
+        assert len(lines) == count
+        assert min(map(len, lines)) > 0.6 * max(map(len, lines))
+
+
 def test_a_record_of_several_runs_is_one_and_another_of_its_name_is_not(tmp_path):
     paths = []
     for folder, digest in (("a", "1"), ("b", "1"), ("c", "2")):

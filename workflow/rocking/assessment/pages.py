@@ -37,7 +37,8 @@ def _line_mm(size):
 
 def _wrapped(text, size, width_mm=TEXT_MM):
     characters = max(4, int(width_mm / (CHARACTER * size / 72.0 * 25.4)))
-    return textwrap.wrap(text, characters, break_long_words=True) or [""]
+    narrow = width_mm < 0.5 * TEXT_MM  # there alone words part at their hyphens
+    return textwrap.wrap(text, characters, break_on_hyphens=narrow) or [""]
 
 
 class _Pages:

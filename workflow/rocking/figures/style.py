@@ -168,7 +168,17 @@ def origins(facts, width_in):
     """
     paths = [facts] if isinstance(facts, str) else facts
     lines = sources([read_json(path) for path in paths])
-    return "\n".join(textwrap.fill(line, int(20 * width_in)) for line in lines)
+    return "\n".join(_balanced(line, int(20 * width_in)) for line in lines)
+
+
+def _balanced(text, most):
+    """Break a text into lines of at most so many characters, as few as it takes and alike long."""
+    few = textwrap.wrap(text, most, break_on_hyphens=False)
+    for width in range(-(-len(text) // len(few)), most):
+        lines = textwrap.wrap(text, width, break_on_hyphens=False)
+        if len(lines) == len(few):
+            return "\n".join(lines)
+    return "\n".join(few)
 
 
 def sources(facts):
