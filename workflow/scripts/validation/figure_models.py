@@ -17,35 +17,60 @@ def main(job):
     models = [validation.read(Path(path).parent) for path in job.input.specimens]
     tables = [pd.read_csv(path) for path in job.input.tables]
     tables = [table[table["how"] == validation.ALONE] for table in tables]
-    top = max(table[["peak_mm", "measured_mm"]].max().max() for table in tables)
+    whole = pd.concat(tables)
+    fallen_mm = FALL * whole[["peak_mm", "measured_mm"]].max().max()
     down = -(-len(models) // ACROSS)
     figure, axes = plt.subplots(
-        down, ACROSS, figsize=(9.0, 2.9 * down), sharex=True, sharey=True, layout="constrained",
-        squeeze=False,
-    )  # fmt: skip
+        down, ACROSS, figsize=(9.0, 1.2 + 2.6 * down), sharex=True, sharey=True, squeeze=False
+    )
+    looks = {name: look(i) for i, name in enumerate(whole["variant"].unique())}
     for axis, model, table in zip(axes.flat, models, tables, strict=False):
-        panel(axis, model, table, FALL * top)
+        panel(axis, model, table, looks, fallen_mm)
     for axis in axes.flat[len(models) :]:
         axis.set_axis_off()
     about = models[0].specimen["observed"]
-    for axis in axes[:, 0]:
-        axis.set_ylabel(f"{about['quantity']}\n[{about['unit']}]", size=7)
+    figure.supylabel(f"{about['quantity']} [{about['unit']}]", size=8)
     for axis in axes[-1]:
         axis.set_xlabel("run")
-    figure.supxlabel(f"motions: {validation.motions_of(pd.concat(tables))}", size=8)
+    signs = {"ls": "", "ms": 5, "c": "0.4"}
+    last = axes[0, 0]
+    if (whole["solver"] == "YADE").any():
+        last.plot([], [], "^", mfc="none", label="YADE, colour of its planar line", **signs)
+    if "p10_mm" in whole and whole["p10_mm"].notna().any():
+        band = "10 to 90 % of amplitudes near the stated one"
+        last.fill_between([], [], color="0.4", alpha=0.15, lw=0, label=band)
+    if (whole["status"] != "ok").any():
+        last.plot([], [], "*", label="fell", **signs)
+    found: dict = {}  # one legend for all panels
+    for axis in axes.flat:
+        for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
+            found.setdefault(label, handle)
+    names = [*(name for name in found if name not in looks), *looks]
+    figure.legend(
+        [found[name] for name in names],
+        names,
+        loc="outside lower center",
+        ncols=3,
+        title=f"motions: {validation.motions_of(whole)}; lines: planar solver",
+    )
     style.save(figure, job.output)
 
 
-def panel(axis, model, table, fallen_mm):
+def look(number):
+    """Colour and line of a variant, in every panel alike; a colour comes back with another line."""
+    again, place = divmod(number, len(style.LOOKS))
+    return style.LOOKS[place][0], style.LOOKS[(place + again) % len(style.LOOKS)][1]
+
+
+def panel(axis, model, table, looks, fallen_mm):
     """One model: its readings by the planar solver as lines, by YADE as open triangles."""
     measured = table.drop_duplicates("run")
     axis.plot(measured["run"], measured["measured_mm"], "k-o", ms=4, lw=1.6, label="measured")
     if "another_mm" in measured:
         code = model.specimen["another"]
         axis.plot(measured["run"], measured["another_mm"], "kx", ms=5, label=code)
-    for number, (variant, part) in enumerate(table.groupby("variant", sort=False)):
-        again, place = divmod(number, len(style.LOOKS))  # a colour comes back with another line
-        colour, line = style.LOOKS[place][0], style.LOOKS[(place + again) % len(style.LOOKS)][1]
+    for variant, part in table.groupby("variant", sort=False):
+        colour, line = looks[variant]
         plane, yade = (part[part["solver"] == solver] for solver in ("planar", "YADE"))
         peaks = plane["peak_mm"].where(plane["status"] == "ok", np.nan)
         axis.plot(plane["run"], peaks, ls=line, marker=".", ms=3, lw=1.2, c=colour, label=variant)
@@ -55,17 +80,8 @@ def panel(axis, model, table, fallen_mm):
         axis.plot(yade["run"], yade["peak_mm"], "^", c=colour, ms=4, mfc="none")
         fell = plane[plane["status"] != "ok"]
         axis.plot(fell["run"], np.full(len(fell), fallen_mm), "*", c=colour, ms=7)
-    for sign, label, shown in (
-        ("^", "YADE", (table["solver"] == "YADE").any()),
-        ("*", "fell", (table["status"] != "ok").any()),
-    ):
-        if shown:
-            axis.plot(
-                [], [], sign, c="0.4", ms=5, mfc="none" if sign == "^" else "0.4", label=label
-            )
     axis.set(yscale="log", xticks=list(measured["run"])[::2])
     axis.set_title(model.specimen["title"], fontsize=8)
-    axis.legend(fontsize=6, ncols=2, loc="upper left")
 
 
 run(main, globals())
