@@ -25,3 +25,21 @@ def test_a_building_lighter_than_its_façade_is_doubted_where_its_mass_counts(ma
     assert all("less than the façade's own 12000 kg" in line for line in found)
     given["return_wall"] = {"building_mass_kg": 12001.0}
     assert not lines({"main": resolve(given)})
+
+
+def test_settings_of_the_scan_that_w3_has_of_its_own_are_named():
+    """Once, where they would be expected to hold: W3 is scanned, and its own are not stated."""
+
+    def said(**config):
+        given = resolve({"models": ["W1", "W3"], "ida": {"level_ratio": 0.05}, **config})
+        return lines({"one": given, "two": given})
+
+    line = "ida.level_ratio = 0.05 is not for the dense scan of W3, which takes w3.scan.level_ratio"
+    assert said() == [f"{line} = 0.02"]
+    both = said(ensemble={"realisations": 3}, models=["W3", "W3m"])
+    assert both[1].startswith("ensemble.realisations = 3 is not for the dense scan of W3 and W3m")
+    assert said(w3={"scan": {"level_ratio": 0.04}}) == []
+    assert said(models=["W1", "W2"]) == []
+    assert said(ida={"mode": "grid", "level_ratio": 0.05}) == []
+    assert said(ida={"level_ratio": 0.02}) == []  # as W3's own
+    assert said(ida={}) == []

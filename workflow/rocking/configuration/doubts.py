@@ -1,13 +1,14 @@
-"""What a configuration may say, but hardly means: numbers in another unit than the key's."""
+"""What a configuration may say, but hardly means: in another unit, or to a model that passes it."""
 
 import math
 from collections.abc import Iterator, Mapping
 
-from rocking.configuration.schema import show
+from rocking.configuration.schema import leaves, show, whole
 from yade_scripts.model import registry
 from yade_scripts.model.shape import shape_of
 
 COEFFICIENT = 2.0  # an angle of friction [°] below it is rather a coefficient
+OWN_SCAN = {"level_ratio": "ida", "power": "ida", "realisations": "ensemble"}  # of w3.scan, else of
 
 
 def lines(settings: Mapping[str, Mapping]) -> list[str]:
@@ -32,3 +33,24 @@ def _doubts(resolved: Mapping) -> Iterator[str]:
             f"return_wall.building_mass_kg = {show(mass)}: less than the façade's own "
             f"{own:.0f} kg, behind {', '.join(pushed)}; is it in kg?"
         )
+    yield from _not_for_bricks(resolved)
+
+
+def _not_for_bricks(resolved: Mapping) -> Iterator[str]:
+    """Settings of the dense scan that were changed, and in whose place W3 has defaults of its own.
+
+    What W3 takes is in `collapse.scan.scan_settings`.
+    """
+    kinds = map(registry.model, resolved["models"])
+    bricks = " and ".join(kind.name for kind in kinds if kind.scanned and not kind.single_block)
+    if not bricks or resolved["ida"]["mode"] == "grid":
+        return
+    defaults = {path: schema.get("default") for path, schema in leaves(whole())}
+    for key, section in OWN_SCAN.items():
+        stated, own = resolved[section][key], resolved["w3"]["scan"][key]
+        untouched = own == defaults[f"w3.scan.{key}"]
+        if untouched and stated not in (own, defaults[f"{section}.{key}"]):
+            yield (
+                f"{section}.{key} = {show(stated)} is not for the dense scan of {bricks}, "
+                f"which takes w3.scan.{key} = {show(own)}"
+            )
