@@ -5,7 +5,8 @@ component from one motion, so they are not independent and are drawn together (a
 Davison and Hinkley, 1997, Bootstrap Methods and their Application, section 3.8). From fewer than
 `FEWEST` stations there are so few different draws that the interval is no interval: one station
 gives none, two one of no width. A table of records names the station; a record without one is its
-own.
+own. For two components of one instrument that is wrong: where they are alike, the interval is too
+narrow by 1/√2.
 """
 
 import numpy as np
@@ -52,6 +53,23 @@ def interval(values, stations, confidence):
     if stations < FEWEST:
         return np.full((2, *values.shape[1:]), np.nan)
     return np.percentile(values, (tail, 100.0 - tail), axis=0, method="inverted_cdf")
+
+
+def unnamed(rows):
+    """What to say of records whose table names no station; empty where no interval hangs on it.
+
+    Parameters
+    ----------
+    rows : sequence of records.table.Row
+        Those that are used.
+    """
+    alone = sum(not row.about.get("station") for row in rows)
+    if alone < 2 or len({row.station for row in rows}) < FEWEST:
+        return ""
+    return (
+        f"{alone} of {len(rows)} records name no station, so each counts as one of its own; if two"
+        " are components of one instrument, intervals come out too narrow: fill the column station"
+    )
 
 
 def counted(records, stations):

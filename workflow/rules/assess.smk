@@ -110,7 +110,7 @@ rule assess_checks:
         logs("assess_checks"),
     params:
         table=lambda w: RUNS.table_path(w.run),
-        records=RUNS.stations,
+        records=stations,
         settings=RUNS.params_of(*CHECKED, "directions", "baseline", "seed", "ida.max_pga_g"),
     script:
         "../scripts/assess/assess_checks.py"
@@ -127,7 +127,7 @@ rule assess_levels:
         logs("assess_levels"),
     params:
         table=lambda w: RUNS.table_path(w.run),
-        stations=RUNS.stations,
+        stations=stations,
         settings=RUNS.params_of(*CHECKED, "directions", "baseline", "seed", "vertical_motion"),
     script:
         "../scripts/assess/assess_levels.py"
@@ -219,7 +219,7 @@ rule assess_dynamic:
     log:
         logs("assess_dynamic"),
     params:
-        stations=RUNS.stations,
+        stations=stations,
         period_s=lambda w: RUNS.cfg(w)["smdof"]["period_s"],
         site=lambda w: RUNS.cfg(w)["risk"]["site"],
         resamples=lambda w: RUNS.cfg(w)["assessment"]["resamples"],
@@ -242,7 +242,7 @@ rule assess_selection:
         logs("assess_selection"),
     params:
         table=lambda w: RUNS.table_path(w.run),
-        stations=RUNS.stations,
+        stations=stations,
         settings=OF_CODE,
     script:
         "../scripts/assess/assess_selection.py"
@@ -330,7 +330,7 @@ rule assess_report:
     params:
         run=lambda w: w.run,
         table=lambda w: RUNS.table_path(w.run),
-        stations=RUNS.stations,
+        stations=stations,
         given=stated,
         commit=COMMIT,
         config=lambda w: RUNS.cfg(w),

@@ -86,6 +86,19 @@ def study_code(name):
     return lambda w: str(stamps.stamp(path))
 
 
+@cache
+def warn_once(line):
+    """Print a warning that several jobs lead to."""
+    terminal.warn([line])
+
+
+def stations(wildcards):
+    """Params function of what draws intervals: station of every record of a run."""
+    if workflow.is_main_process and (said := RUNS.unnamed_stations(wildcards)):
+        warn_once(said)
+    return RUNS.stations(wildcards)
+
+
 def plan_option(wildcards, input):
     """Option that hands a dense scan's plan to YADE; empty where there is none."""
     return f"--plan {shlex.quote(input.plan)}" if input.plan else ""

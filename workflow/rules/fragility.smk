@@ -30,7 +30,7 @@ rule fragility_table:
     log:
         logs("fragility_table"),
     params:
-        stations=RUNS.stations,
+        stations=stations,
         fragility=lambda w: RUNS.cfg(w)["fragility"],
         facade=lambda w: {k: RUNS.cfg(w)["facade"][k] for k in ("height_m", "thickness_m")},
         smdof=lambda w: {k: RUNS.cfg(w)["smdof"][k] for k in ("period_s", "damping_ratio")},

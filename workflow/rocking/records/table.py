@@ -3,8 +3,9 @@
 Columns: record, file (relative to the table's folder or absolute; empty: surrogate),
 format, dt_s, units (empty: from the file), component (label, azimuth or "#n" in a file
 with several), vertical and vertical_file (component and, where it is another, file of the
-vertical motion), then event, station, mw, distance_km, soil for the reader and pga_g,
-pgv_cm_s, pgd_cm, duration_s, which a surrogate must have. Only `record` is required.
+vertical motion), station (of the instrument: components of one are drawn together in every
+interval), then event, mw, distance_km, soil for the reader and pga_g, pgv_cm_s, pgd_cm,
+duration_s, which a surrogate must have. Only `record` is required.
 Lines that start with # are comments.
 """
 

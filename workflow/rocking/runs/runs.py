@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 from rocking.configuration import config as configuration
 from rocking.records import read_table, surrogates_for
 from rocking.runs.shared import Shared
+from rocking.stations import unnamed
 from yade_scripts.model.registry import MODELS, PUSHED
 from yade_scripts.model.shape import is_plain, refuse
 
@@ -165,8 +166,15 @@ class Runs:
 
     def stations(self, wildcards):
         """Station of every record of a run."""
-        names = self.records[wildcards.run]
-        return {name: self.tables[wildcards.run][name].station for name in names}
+        return {row.record: row.station for row in self._rows(wildcards.run)}
+
+    def unnamed_stations(self, wildcards):
+        """What follows where a run's table names no stations; empty where nothing does."""
+        said = unnamed(self._rows(wildcards.run))
+        return f"{self.table_path(wildcards.run)}: {said}" if said else ""
+
+    def _rows(self, run):
+        return [self.tables[run][name] for name in self.records[run]]
 
     def record_file(self, wildcards):
         """The accelerogram's file; nothing for a surrogate.
@@ -180,7 +188,7 @@ class Runs:
 
     def record_files(self, wildcards):
         """Files of all records of a run, vertical motions included."""
-        rows = [self.tables[wildcards.run][name] for name in self.records[wildcards.run]]
+        rows = self._rows(wildcards.run)
         paths = [path for row in rows for path in (row.path, row.vertical_path) if path]
         return list(dict.fromkeys(paths))
 
