@@ -114,13 +114,15 @@ def test_the_thread_prints(tmp_path):
 def test_the_terminal_shows_what_matters_and_the_file_all(tmp_path, asked):
     logger, screen = logging.Logger("trial"), io.StringIO()
     logger.addHandler(logging.StreamHandler(screen))
-    logger.addHandler(logging.FileHandler(tmp_path / "log"))
+    file = logging.FileHandler(tmp_path / "log")
+    logger.addHandler(file)
     settings = dict.fromkeys(("dryrun", "verbose", "printshellcmds"), False)
     thin_out(SimpleNamespace(**settings | ({asked: True} if asked else {})), logger)
     logger.info("rule ida:", extra={"event": LogEvent.JOB_INFO})
     logger.info("Select jobs to execute...")
     logger.error("Error in rule ida", extra={"event": LogEvent.JOB_ERROR})
     logger.info("Complete log(s): x")
+    file.close()
     everything = (tmp_path / "log").read_text()
     assert everything.count("\n") == 4
     few = "Error in rule ida\nComplete log(s): x\n"
