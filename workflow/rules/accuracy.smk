@@ -127,7 +127,7 @@ rule accuracy_reference:
 rule accuracy_engine:
     input:
         plan=rules.accuracy_plan.output.plan,
-        modules=code("accuracy/engine_{engine}"),
+        modules=code("accuracy/engine"),
     output:
         results("accuracy/engine_{engine}.csv"),
     log:
@@ -135,7 +135,7 @@ rule accuracy_engine:
     wildcard_constraints:
         engine="drake|mujoco",
     script:
-        "../scripts/accuracy/engine_{wildcards.engine}.py"
+        "../scripts/accuracy/engine.py"
 
 
 rule speed_accuracy:
