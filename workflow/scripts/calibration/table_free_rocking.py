@@ -1,9 +1,9 @@
 """Rebounds and e_exp of every free-rocking run; an impact that did not happen stays blank."""
 
-from rocking.calibration import study
-from rocking.calibration.restitution import IMPACTS, read_archive
+from rocking.calibration.fits import walls_of
+from rocking.calibration.restitution import IMPACTS
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_table
+from rocking.tables import write_table
 
 COLUMNS = ("wall", "beta_s", "n", "time_s", "theta_over_alpha", "e_exp", "e_1sr")
 
@@ -24,10 +24,8 @@ def rows_of(wall):
 
 
 def main(job):
-    rows = []
-    for cases, histories in zip(job.input.cases, job.input.histories, strict=True):
-        for wall in study.evaluate(read_json(cases), read_archive(histories)):
-            rows += rows_of(wall)
+    files = zip(job.input.cases, job.input.histories, strict=True)
+    rows = [row for pair in files for wall in walls_of(*pair) for row in rows_of(wall)]
     write_table(rows, job.output[0], COLUMNS)
 
 
