@@ -4,6 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 from rocking.building.case import (
     PAPER_PERIODS_S,
@@ -23,6 +24,7 @@ from rocking.building.search import (
     loaded,
     modes_of_study,
     not_dominated,
+    reached,
     refine,
     sample,
     variant,
@@ -246,3 +248,12 @@ def test_refinement_descends_inside_the_cube():
 def test_front_of_errors():
     errors = [[1, 4], [2, 2], [4, 1], [3, 3], [2, 2]]
     assert not_dominated(errors).tolist() == [True, True, True, False, True]
+
+
+def test_a_variant_is_reached_by_its_complete_building_and_best_by_all_four_periods():
+    columns = [f"{model.lower()}_{kind}_s" for model, kind in PAPER_PERIODS_S]
+    exact = np.array(list(PAPER_PERIODS_S.values()))
+    off = 1e-3 * np.array([[1, 1, 1, 1], [2, 1, 1, 1], [0, 9, 0, 0], [20, 0, 0, 0]])
+    met, best = reached(pd.DataFrame(exact + off, columns=columns), 0.01)
+    assert met.tolist() == [True, True, True, False]  # the last misses CBDEM's translation
+    assert best.tolist() == [True, False, True, False]  # the second is bettered by the first

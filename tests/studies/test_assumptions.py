@@ -77,3 +77,32 @@ def test_every_variant_changes_the_scene_or_its_motion(model):
     two_way = case.varied(known["return walls feel the façade, building's mass"])
     assert two_way.model == f"{model}m"
     assert two_way["return_wall"]["building_mass_kg"] == STAGE["mass_kg"]
+
+
+def test_every_pair_of_couplings_stands_once_and_then_each_over_the_reference():
+    """W1 has no walls that move: its own counterpart is none."""
+    pga_g = {"W1": 0.4, "W2": 0.2, "W2m": 0.3, "other": 0.1}
+    rows = [
+        {"model": m, "record": "R", "direction": "pos", "pga_median_g": v} for m, v in pga_g.items()
+    ]
+    table = pd.DataFrame(rows).assign(pga_p10_g=0.2, pga_p90_g=0.2)
+    for reference, expected in (
+        ("W2m", [("W2", "W2m"), ("W1", "W2m"), ("other", "W2m")]),
+        ("W1", [("W2", "W2m"), ("W2", "W1"), ("W2m", "W1"), ("other", "W1")]),
+    ):
+        found = assumptions.pairs(table, reference)
+        assert list(zip(found["model"], found["reference"], strict=True)) == expected
+        ratio = [pga_g[one] / pga_g[two] for one, two in expected]
+        np.testing.assert_allclose(found["ratio_median"], ratio)
+
+
+def test_a_scan_counts_as_planar_and_yades_own_runs_as_yades():
+    pga_g = np.linspace(0.1, 0.4, 31)
+    runs = pd.DataFrame({"pga_g": pga_g, "collapsed": (pga_g > 0.25).astype(int), "d_over_b": 0.5})
+    runs["status"] = np.where(runs["collapsed"], "overturned", "ok")
+    for planar in (True, False):
+        found, dense = assumptions.measured(runs, 0.01, planar)
+        assert found["runs_planar"] == (31 if planar else 0)
+        assert found["pga_collapse_g"] == pytest.approx(0.26)
+        assert found["pga_mean_g"] == pytest.approx(0.255)  # stands up to the middle of the step
+        assert len(dense) == 31

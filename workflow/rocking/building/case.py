@@ -5,6 +5,7 @@ from functools import cache
 import yaml
 from scipy.optimize import brentq
 
+from yade_scripts.files import read_json
 from yade_scripts.model.building.assembly import build
 from yade_scripts.model.building.bricks import Brick
 from yade_scripts.model.building.contacts import Joints
@@ -82,6 +83,12 @@ def build_model(settings, plan, model, load_kg_m2=None, coarsening=None):
         density_kg_m3=settings["density_kg_m3"],
         timber_density_kg_m3=settings["timber_density_kg_m3"],
     )
+
+
+def fitted_model(settings, plan, fit, model, coarsening=None):
+    """Build a model from the file of its plan and that of its fitted floor load, `building_fit`."""
+    load = read_json(fit)["floor_load_kg_m2"]
+    return build_model(settings, read_plan(plan), model, load, coarsening)
 
 
 def mass_behind_facade(settings, plan, load_kg_m2):

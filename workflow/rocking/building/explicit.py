@@ -3,6 +3,7 @@
 import numpy as np
 
 import smdof
+from rocking.building.history import LOADS, modal_history
 
 AFTER_S = 0.3  # by then a push is over, and short modes have died down
 LOUD = 0.05  # of the largest displacement: what still tells a period
@@ -62,3 +63,22 @@ def differences(explicit, modal, points):
                     grid = smdof.common_grid(two.time_s, value, one[:, 0], one[:, first + i])
                     rows.append((name, other, point, quantity, smdof.weighted_mean_error(*grid)))
     return rows
+
+
+def read_histories(plain, loaded):
+    """Explicit histories of files, without dead load and with sudden gravity, by what acts."""
+    files = {"without dead load": plain, "sudden gravity": loaded}
+    return {name: np.loadtxt(path, delimiter=",", skiprows=1) for name, path in files.items()}
+
+
+def modal_histories(modes, points, record, rate_1_s, until_s):
+    """Modal superposition of the same motion up to a time, by what acts besides (`LOADS`).
+
+    Returns
+    -------
+    dict of str to `history.History`
+        Of the points, blocks of the scene.
+    """
+    ground = record.acceleration_m_s2[record.time_s <= until_s + record.dt_s]
+    given = modes, points, ground, record.dt_s, rate_1_s
+    return {name: modal_history(*given, gravity_m_s2=g) for name, g in LOADS.items()}

@@ -221,6 +221,29 @@ def _folded(x):
     return np.where(part > 1.0, 2.0 - part, part)
 
 
+def reached(table, near_s):
+    """Which rows of a search have both of CBDEM's periods, and which of these are not bettered.
+
+    Parameters
+    ----------
+    table : DataFrame
+        Rows of `fitted`.
+    near_s : float
+        What a period may be off.
+
+    Returns
+    -------
+    met, best : ndarray of bool, shape (n,)
+        Not bettered: in all four periods together, see `not_dominated`.
+    """
+    off = {key: table[f"{key[0].lower()}_{key[1]}_s"] - PAPER_PERIODS_S[key] for key in WANTED}
+    off = np.abs(np.array([off[key] for key in WANTED]).T)
+    met = np.all(off[:, [model == "CBDEM" for model, _ in WANTED]] <= near_s, axis=1)
+    best = met.copy()
+    best[met] = not_dominated(off[met])
+    return met, best
+
+
 def not_dominated(errors):
     """Return which rows of `errors` no other row equals or betters in every column.
 

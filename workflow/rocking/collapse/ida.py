@@ -1,5 +1,6 @@
 """Post-processing of incremental dynamic analyses."""
 
+import numpy as np
 import pandas as pd
 
 COLUMNS = {
@@ -37,6 +38,11 @@ def curve_key(table):
     return head["model"], head["record"], head["direction"]
 
 
+def by_curve(paths, read=pd.read_csv):
+    """Return tables of files, each of one curve, by `curve_key`; empty ones are left out."""
+    return {curve_key(table): table for table in map(read, paths) if len(table)}
+
+
 def branches(curve):
     """Split a curve into runs that stood and runs that overturned.
 
@@ -46,3 +52,12 @@ def branches(curve):
         Rows with status "ok" and "overturned"; failed runs are in neither.
     """
     return curve[curve["status"] == "ok"], curve[curve["status"] == "overturned"]
+
+
+def highest(row):
+    """Largest intensity worth showing for a curve: where all collapse, or what was reached.
+
+    NaN where every run failed.
+    """
+    known = [row[f"pga_{name}_g"] for name in ("all", "collapse", "max")]
+    return next((g for g in known if np.isfinite(g)), np.nan)

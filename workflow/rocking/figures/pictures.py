@@ -2,11 +2,15 @@
 
 import numpy as np
 from matplotlib.collections import PolyCollection
+from matplotlib.patches import Polygon
 
+from yade_scripts.model.facade import FACADE
 from yade_scripts.model.shape import is_plain, shape_of
 
 DEPTH = np.array([0.42, 0.22])  # screen displacement per metre of x, into the page
 RETURN_WALL_SHOWN_M = 2.2  # of the return-wall supports, which are longer than needed
+HALF = "its half brick"
+FILLS = {"façade": "0.85", "header": "#E69F00", "return brick": "#56B4E9", HALF: "#9ad0ee"}
 STRIPS = 20  # pieces of the façade, so that its colour follows the displacement
 
 
@@ -47,7 +51,7 @@ def boxes(frames, walls, config):
 
 
 def _w3_boxes(block, i, places, config):
-    """Boxes of a header, or of a return brick with its half brick."""
+    """Boxes of a header, or of a return brick with its half brick behind it."""
     w3, h = config["w3"], config["facade"]["height_m"]
     centre, size = np.array(block["centre_m"]), np.array(block["size_m"])
     if " header " in block["name"] or block["name"].endswith(" front"):
@@ -127,6 +131,48 @@ def turned(points, pivot, angle):
     y = c * r[:, 1] - s * r[:, 2]
     z = s * r[:, 1] + c * r[:, 2]
     return pivot + np.stack([r[:, 0], y, z], axis=1)
+
+
+def outline(centre, size, moved=(0.0, 0.0, 0.0)):
+    """Corners of a box seen along x, shape (4, 2), moved by (dy, dz) and turned about its centre.
+
+    The angle is about x [rad], as in YADE's poses: positive where an outward top moves inward.
+    """
+    (_, y, z), (_, depth, height), (dy, dz, angle) = centre, size, moved
+    c, s = np.cos(angle), np.sin(angle)
+    x = 0.5 * np.array([(-depth, -height), (depth, -height), (depth, height), (-depth, height)])
+    return x @ np.array([[c, s], [-s, c]]) + (y + dy, z + dz)
+
+
+def leaning(block, theta, toe_m):
+    """How a block has moved in W3 when its façade has turned outward by θ about its toe.
+
+    Headers go with the façade and stay level (rule hinged); bricks rest.
+
+    Returns
+    -------
+    dy, dz [m], angle [rad]
+        Of the centre, and about x as in `outline`.
+    """
+    _, y, z = block.centre_m
+    if " header " in block.name:
+        return np.sin(theta) * z, 0.0, 0.0
+    if block.name != FACADE:
+        return 0.0, 0.0, 0.0
+    c, s = np.cos(theta), np.sin(theta)
+    return (c - 1.0) * (y - toe_m) + s * z, -s * (y - toe_m) + (c - 1.0) * z, -theta
+
+
+def side_view(axis, scene, config, theta=0.0):
+    """Draw the side of a scene of W3 with its façade turned outward by θ."""
+    last = None
+    for centre, size, i in boxes({"blocks": [vars(b) for b in scene.blocks]}, 1, config):
+        block = scene.blocks[i]  # of a brick's two boxes the second is the half brick
+        kind = "façade" if block.name == FACADE else "return brick" if i != last else HALF
+        kind, last = "header" if " header " in block.name else kind, i
+        shape = outline(centre, size, leaning(block, theta, config["facade"]["thickness_m"]))
+        over = 2 + (kind == "header")
+        axis.add_patch(Polygon(shape, fc=FILLS[kind], ec="k", lw=0.4, zorder=over))
 
 
 def draw(axis, frames, frame, walls, config, *, magnification=1.0, largest_m, limits, cmap):

@@ -127,7 +127,7 @@ def _settle(axis):
 
 
 def save(figure, output, facts=()):
-    """Save a figure to the job's outputs (png, pdf) without dates, then close it.
+    """Save a figure to those of the job's outputs that are pictures, without dates; close it.
 
     Parameters
     ----------
@@ -148,14 +148,19 @@ def save(figure, output, facts=()):
         box[1] = line.get_window_extent().y0 / figure.dpi - MARGIN_IN
     plain = {"png": {"Software": None}, "pdf": {"CreationDate": None, "Producer": None}}
     for path in [str(p) for p in output]:
-        kind = path.rpartition(".")[2]
-        figure.savefig(path, metadata=plain[kind], bbox_inches=Bbox.from_extents(*box))
+        if (kind := path.rpartition(".")[2]) in plain:
+            figure.savefig(path, metadata=plain[kind], bbox_inches=Bbox.from_extents(*box))
     plt.close(figure)
 
 
 def provenance(facts):
     """Say where a record comes from, for titles: one of `records.record.SOURCES`."""
     return f"{facts['name']} ({facts['source']})"
+
+
+def titles(facts):
+    """Return {record: what `provenance` says of it}, of provenance files."""
+    return {known["name"]: provenance(known) for known in map(read_json, facts)}
 
 
 def origins(facts, width_in):

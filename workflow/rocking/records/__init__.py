@@ -31,6 +31,7 @@ __all__ = [
     "generate",
     "integrate",
     "load",
+    "load_as",
     "measures",
     "read_csv",
     "read_record",
@@ -42,6 +43,7 @@ __all__ = [
     "write_csv",
 ]
 
+TREATMENT = ("baseline", "seed", "vertical_motion")  # what is done to a row of the records table
 RECORDS_COLUMNS = ("record", "source", "dt_s", "duration_s", "pga_g", "pgv_cm_s", "pgd_cm")
 
 
@@ -123,6 +125,11 @@ def load(
         spec = read_specs(surrogates_path).get(name) if surrogates_path else None
         record = generate(name, **row.targets, spec=spec, seed=seed)
     return replace(record, details=record.details | {"about": row.about}) if row.about else record
+
+
+def load_as(settings, name, table_path):
+    """Load a motion as a run treats it, by the keys of `TREATMENT` that its settings have."""
+    return load(name, table_path, **{k: settings[k] for k in TREATMENT if k in settings})
 
 
 def _beside(record, up, table_path):

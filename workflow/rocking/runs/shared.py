@@ -9,7 +9,7 @@ under its own name (`records/…`, `smdof/…`, `figures/…`), a hard link wher
 import hashlib
 import json
 
-TREATMENT = ("baseline", "seed", "vertical_motion")  # what is done to a row of the records table
+from rocking.records import TREATMENT
 
 
 def _key(*settings):

@@ -13,6 +13,7 @@ from rocking.collapse import probability
 from rocking.collapse.case import Variant
 from rocking.collapse.curve import collapse_curve
 from rocking.collapse.ratios import Ratios
+from yade_scripts.model.registry import MODELS
 
 MEASURES = ("collapse", "p10", "median", "p90", "all")
 CAPACITY = [f"pga_{name}_g" for name in MEASURES]
@@ -171,6 +172,28 @@ def standing(pga_g, share):
     return float(pga_g[0] + np.trapezoid(1.0 - share, pga_g))
 
 
+def measured(runs, spread, planar):
+    """Collapse intensities and probability of one curve that was run.
+
+    Parameters
+    ----------
+    runs : DataFrame
+        pga_g, status, collapsed; by the planar solver's scan or by YADE alone.
+    spread : float
+        See `probability.probability`.
+
+    Returns
+    -------
+    dict
+        Of `probability.summary`, and pga_mean_g.
+    DataFrame
+        pga_g, probability, realisations.
+    """
+    found = probability.summary(runs if planar else None, runs, (), spread)
+    dense = probability.from_scan(runs, spread)
+    return found | {"pga_mean_g": standing(dense["pga_g"], dense["probability"])}, dense
+
+
 def given(table):
     """Collapse intensities of one curve of which only probabilities are known.
 
@@ -230,6 +253,24 @@ def compared(capacity, reference):
     table["side"] = np.where(table["ratio_median"].notna(), side, "")
     table.loc[table["model"] == reference, "side"] = ""
     return table
+
+
+def pairs(capacity, reference):
+    """Every one-way coupled model over its two-way counterpart, then each over the reference.
+
+    Returns
+    -------
+    DataFrame
+        See `compared`; a pair that is both stands once.
+    """
+    there, found = list(capacity["model"].unique()), []
+    for kind in (MODELS[name] for name in there if name in MODELS):
+        if kind.two_way and kind.one_way_model in there:
+            ratio = compared(capacity, kind.name)
+            found.append(ratio[ratio["model"] == kind.one_way_model])
+    ratio = compared(capacity, reference)
+    found.append(ratio[ratio["model"] != reference])
+    return pd.concat(found).drop_duplicates(["model", "reference", *KEY])
 
 
 def losses(capacity):
