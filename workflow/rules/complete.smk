@@ -215,7 +215,6 @@ rule table_complete_checks:
         ring=linear_history("ring"),
         apart=linear_history("apart"),
         motion=CHECK_MOTION,
-        pulse=rules.complete_pulse.output[0],
         modules=code("complete/table_complete_checks"),
     output:
         shown_table("complete_checks", "Complete building", "periods and linear answer"),

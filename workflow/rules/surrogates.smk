@@ -22,7 +22,6 @@ rule surrogate_collapse:
     params:
         surrogates=lambda w: RUNS.cfg(w)["surrogates"],
         table=lambda w: RUNS.table_path(w.run),
-        smdof=lambda w: RUNS.cfg(w)["smdof"],
         seed=lambda w: RUNS.cfg(w)["seed"],
         directions=lambda w: RUNS.cfg(w)["directions"],
         station=RUNS.station,

@@ -41,14 +41,19 @@ def lowest(axes, count):
     return list(axes.flat[max(0, count - axes.shape[1]) : count])
 
 
-def common_legend(figure, **place):
-    """Give a figure one legend, where it has labels: each once, as it is drawn first."""
+def common_legend(figure, last=(), **place):
+    """Give a figure one legend, where it has labels: each once, as it is drawn first.
+
+    Labels of `last` come after the others, in its order.
+    """
     entries: dict = {}
     for axis in figure.axes:
         for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
             entries.setdefault(label, handle)
-    if entries:
-        figure.legend(entries.values(), entries.keys(), **place)
+    names = [name for name in entries if name not in last]
+    names += [name for name in last if name in entries]
+    if names:
+        figure.legend([entries[name] for name in names], names, **place)
 
 
 def ticks(side, values, labels=None):

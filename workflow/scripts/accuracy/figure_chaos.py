@@ -4,52 +4,32 @@ What stood lies at its d/b, what fell at 1. The collapse probability runs over t
 that of the dense scan, where there is one, and YADE's share at each level.
 """
 
-import math
-
-import matplotlib.pyplot as plt
-import pandas as pd
 from rocking.collapse.ensemble import bands
-from rocking.collapse.ida import curve_key
+from rocking.collapse.ida import by_curve
 from rocking.collapse.probability import first_crossing, from_scan
 from rocking.figures import style
+from rocking.figures.panels import common_legend, panels
 from rocking.runtime.script import run
 
 from yade_scripts.model.registry import MODELS
 
 COLUMNS = 4  # panels side by side
+LEAST_IN = 4.0  # width of the figure
 AROUND = (0.9, 1.1)  # of the levels, as factors
 SHARE_OF = 3  # realisations at one level that have a share
 
 
 def main(job):
-    tables = [pd.read_csv(path) for path in job.input.ensembles]
-    tables = [t for t in tables if len(t)]
-    scans = {curve_key(pd.read_csv(path, nrows=1)): path for path in job.input.scans}
-    count = max(1, len(tables))
-    columns = min(COLUMNS, count)
-    rows = math.ceil(count / columns)
-    figure, axes = plt.subplots(
-        rows,
-        columns,
-        figsize=(max(4.0, 2.3 * columns), 2.1 * rows + 0.5),
-        squeeze=False,
-        sharey=True,
-        layout="constrained",
-    )
-    for axis in axes.flat[len(tables) :]:
-        axis.set_axis_off()
-    for axis, table in zip(axes.flat, tables, strict=False):
-        key = tuple(table.iloc[0][["model", "record", "direction"]])
-        scan = from_scan(pd.read_csv(scans[key]), job.params.spread) if key in scans else None
+    tables, scans = by_curve(job.input.ensembles), by_curve(job.input.scans)
+    figure, axes = panels(len(tables), COLUMNS, (2.3, 2.1), around=(0.0, 0.5), sharey=True)
+    figure.set_figwidth(max(LEAST_IN, figure.get_figwidth()))
+    for axis, (key, table) in zip(axes.flat, tables.items(), strict=False):
+        scan = from_scan(scans[key], job.params.spread) if key in scans else None
         draw(axis, table, scan, job.params.percentiles)
         axis.set_title(f"{key[0]} {key[1]} {style.SIGNS[key[2]]}", fontsize=8)
     if not tables:
         axes[0, 0].set_title("every history repeats: no ensemble was needed")
-    legend = {}
-    for axis in axes.flat:
-        legend |= dict(zip(*axis.get_legend_handles_labels()[::-1], strict=True))
-    if legend:
-        figure.legend(legend.values(), legend.keys(), loc="outside upper center", ncols=6)
+    common_legend(figure, loc="outside upper center", ncols=6)
     axes[0, 0].set(ylim=(-0.03, 1.06))
     figure.supxlabel("PGA [g]", fontsize=8)
     figure.supylabel("peak d/b; collapse probability [-]", fontsize=8)

@@ -1,11 +1,10 @@
 """Error against wall time, a panel a model: every method on the same cases, with its spread."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from rocking.accuracy.study import ADAPTIVE, COMPILED, pareto_front, same_cases, summary
 from rocking.figures import style
+from rocking.figures.panels import common_legend, panels, plain_log
 from rocking.runtime.script import run
 
 GRID = "nodes and step"
@@ -40,12 +39,11 @@ def panel(axis, table, cases, counts):
     for method, (marker, colour) in METHODS.items():
         mine = table[table["method"] == method]
         for nodes, group in mine.groupby("nodes", dropna=False):
-            grid = method in (GRID, COMPILED)
-            name = "YADE" if method == GRID else method
-            face = {"mfc": ("none", colour, "0.8")[counts.index(nodes) % 3]} if grid else {}
-            points(
-                axis, group, marker, colour, f"{name}, {nodes:g} nodes" if grid else name, **face
-            )
+            name, face = "YADE" if method == GRID else method, {}
+            if method in (GRID, COMPILED):
+                name = f"{name}, {nodes:g} nodes"
+                face = {"mfc": ("none", colour, "0.8")[counts.index(nodes) % 3]}
+            points(axis, group, marker, colour, name, **face)
     default = table[table["default"] == 1]
     if len(default):
         points(axis, default, "*", "black", "default")
@@ -54,10 +52,8 @@ def panel(axis, table, cases, counts):
     axis.axhline(1.0, color="0.4", lw=0.8, ls=":")
     axis.set(xscale="log", yscale="log", xlabel="wall time over simulated time (-)")
     axis.set_title(f"{table['model'].iloc[0]}: {cases} histories, the same for all")
-    axis.xaxis.set_major_locator(LogLocator())
-    for side in (axis.xaxis, axis.yaxis):
-        side.set_major_formatter(FormatStrFormatter("%g"))
-        side.set_minor_formatter(NullFormatter())
+    plain_log(axis.xaxis)
+    plain_log(axis.yaxis)
 
 
 def main(job):
@@ -67,18 +63,12 @@ def main(job):
     cases = common.groupby("model")["scene"].nunique()
     spread = summary(common, keys=("model",)).replace(np.inf, 1.0)
     models = sorted(spread["model"].unique())
-    size = (3.6 * len(models) + 2.0, 4.0)
-    figure, axes = plt.subplots(
-        1, len(models), figsize=size, sharey=True, squeeze=False, layout="constrained"
-    )
-    grid = spread["method"].isin([GRID, COMPILED])
-    counts, handles = sorted(spread.loc[grid, "nodes"].unique()), {}
-    for axis, model in zip(axes[0], models, strict=True):
+    figure, axes = panels(len(models), len(models), (3.6, 4.0), around=(2.0, 0.0), sharey=True)
+    counts = sorted(spread.loc[spread["method"].isin([GRID, COMPILED]), "nodes"].unique())
+    for axis, model in zip(axes.flat, models, strict=True):
         panel(axis, spread[spread["model"] == model], cases[model], counts)
-        lines, labels = axis.get_legend_handles_labels()
-        handles.update(dict(zip(labels, lines, strict=True)))
     axes[0, 0].set_ylabel("error in peak d/b (%): median, 90 %, worst")
-    figure.legend(handles.values(), handles.keys(), loc="outside right upper", fontsize=7)
+    common_legend(figure, loc="outside right upper", fontsize=7)
     style.save(figure, job.output, job.input.facts)
 
 

@@ -3,7 +3,7 @@
 import json
 
 from rocking.assessment.code_checks import failing_pga, mechanism_of, pulse_share
-from rocking.records import load
+from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.studies.sufficiency import properties
 from rocking.tables import write_table
@@ -17,7 +17,7 @@ def main(job):
     mechanism = mechanism_of(facade, wall, own)
     rows = []
     for name, station in job.params.records.items():
-        record = load(name, job.params.table, baseline=settings["baseline"], seed=settings["seed"])
+        record = load_as(settings, name, job.params.table)
         of_record = {
             "record": name,
             "station": station,

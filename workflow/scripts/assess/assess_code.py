@@ -5,15 +5,14 @@ import json
 from rocking.assessment import code_tables, site
 from rocking.assessment.code_checks import governing
 from rocking.assessment.family import Family
-from rocking.records import load
+from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
 
 def main(job):
     settings, out = json.loads(job.params.settings), job.output
-    how = {"baseline": settings["baseline"], "seed": settings["seed"]}
-    records = [load(name, job.params.table, **how) for name in job.params.records]
+    records = [load_as(settings, name, job.params.table) for name in job.params.records]
     facade, wall, chain, own = (settings[k] for k in code_tables.SECTIONS)
     demand = site.demand_from(settings, records, job.input.spectrum, job.input.hazard)
     every = Family(facade, wall, own).all()

@@ -4,7 +4,7 @@ import json
 
 from rocking import Case, Motion
 from rocking.collapse.quick import crossings
-from rocking.records import measures
+from rocking.records import load_as, measures
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
@@ -15,10 +15,9 @@ COLUMNS += ["pga_max_g", "runs_planar"]
 def main(job):
     case, settings = Case.read(job.input.scene), json.loads(job.params.settings)
     limit = {"max_pga_g": settings["ida.max_pga_g"]}
-    how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}
     rows = []
     for name in job.params.records:
-        motion = Motion.named(name, job.params.table, **how)
+        motion = Motion(load_as(settings, name, job.params.table))
         peak = measures(motion.record)["pga_g"]
         for direction in settings["directions"]:
             key = {"model": case.model, "record": name, "direction": direction}

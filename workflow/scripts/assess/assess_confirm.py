@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pandas as pd
 from rocking.assessment.dynamic_check import width_of
-from rocking.records import load
+from rocking.records import load_as
 from rocking.records.floors import floor_columns
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
@@ -22,7 +22,6 @@ def main(job):
     scene = read_json(job.input.scene)
     settings = json.loads(job.params.settings)
     table, (found,) = pd.read_csv(job.input.histories), _rows(job.input.verdict)
-    how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}
     rows, folder = [], Path(job.params.folder)
     folder.mkdir(parents=True, exist_ok=True)
     for which in ("worst", "nearest"):
@@ -30,7 +29,7 @@ def main(job):
             break
         own = table[(table["record"] == found[which]) & (table["realisation"] == 0)]
         row = own.sort_values("d_m").iloc[-1]
-        record = load(row["record"], job.params.table, **how)
+        record = load_as(settings, row["record"], job.params.table)
         time_s, columns = floor_columns(record, scene["smdof"])
         vertical = columns.pop(floor_motions.VERTICAL, None)
         ground, *floors = columns.values()

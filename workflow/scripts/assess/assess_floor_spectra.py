@@ -6,7 +6,8 @@ import matplotlib.pyplot as plt
 import pandas as pd
 from rocking.assessment.floor_spectra import VARIANTS, beside, spread
 from rocking.figures import style
-from rocking.records import load
+from rocking.figures.panels import ticks
+from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
@@ -14,13 +15,8 @@ from rocking.tables import write_table
 def main(job):
     settings = json.loads(job.params.settings)
     chain = settings["smdof"]
-    parts = [
-        beside(
-            load(name, job.params.table, baseline=settings["baseline"], seed=settings["seed"]),
-            chain,
-        )
-        for name in job.params.records
-    ]
+    records = (load_as(settings, name, job.params.table) for name in job.params.records)
+    parts = [beside(record, chain) for record in records]
     table = spread(pd.concat(parts, ignore_index=True))
     write_table(table, job.output.table)
     figure, axes = plt.subplots(1, len(VARIANTS), figsize=(8.6, 2.9), sharey=True)
@@ -49,12 +45,11 @@ def main(job):
         axis.axhline(1.0, color="0.3", lw=0.8)
         axis.set(xscale="log", yscale="log", ylim=(0.1, 5.0), xlabel="T/T1 [-]")
         axis.set_title(variant, size=8)
-        axis.set_xticks([0.1, 0.3, 1, 3, 8], ["0.1", "0.3", "1", "3", "8"])
-        axis.set_yticks([0.1, 0.2, 0.5, 1, 2, 5], ["0.1", "0.2", "0.5", "1", "2", "5"])
-        axis.minorticks_off()
+        ticks(axis.xaxis, (0.1, 0.3, 1, 3, 8))
+        ticks(axis.yaxis, (0.1, 0.2, 0.5, 1, 2, 5))
     axes[0].set_ylabel("formula / exact [-]")
     axes[0].legend(loc="lower left", fontsize=7)
-    style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

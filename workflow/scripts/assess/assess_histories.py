@@ -5,7 +5,7 @@ import json
 import pandas as pd
 from rocking.assessment.code_checks import mechanism_of
 from rocking.assessment.dynamic_check import COLUMNS, histories, limits_of, verdict
-from rocking.records import load
+from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
 
@@ -14,10 +14,9 @@ def main(job):
     scene = read_json(job.input.scene)
     settings = json.loads(job.params.settings)
     motions = pd.read_csv(job.input.motions)
-    how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}
     parts = []
     for row in motions.itertuples():
-        record = load(row.record, job.params.table, **how)
+        record = load_as(settings, row.record, job.params.table)
         for direction in settings["directions"]:
             realisations = settings["assessment"]["dynamic_realisations"]
             parts.append(histories(scene, record, direction, [row.pga_g], realisations))

@@ -9,7 +9,7 @@ from rocking.assessment.code_checks import code_checks, least, mechanism_of
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.dynamic_check import histories, limits_of, verdict
 from rocking.collapse.quick import LONG_STEP
-from rocking.records import load, measures
+from rocking.records import load_as, measures
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
 
@@ -22,8 +22,7 @@ SECTIONS = ("facade", "return_wall", "smdof", "assessment")
 def main(job):
     settings, stations = json.loads(job.params.settings), job.params.stations
     facade, wall, chain, own = (settings[k] for k in SECTIONS)
-    how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}
-    records = {name: load(name, job.params.table, **how) for name in stations}
+    records = {name: load_as(settings, name, job.params.table) for name in stations}
     period_s = selection.periods(own["match_low_s"], HIGH_S, POINTS)
     spectra_g = selection.spectra_of(records.values(), period_s)
     peaks = {name: measures(record)["pga_g"] for name, record in records.items()}

@@ -4,7 +4,7 @@ import json
 
 import pandas as pd
 from rocking.assessment import selection, site
-from rocking.records import load, measures
+from rocking.records import load_as, measures
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
@@ -12,11 +12,9 @@ from rocking.tables import write_table
 def main(job):
     settings = json.loads(job.params.settings)
     own, stations = settings["assessment"], job.params.stations
-    how = {"baseline": settings["baseline"], "seed": settings["seed"]}
-    records = {name: load(name, job.params.table, **how) for name in stations}
-    demand = site.demand_from(
-        settings, list(records.values()), job.input.spectrum, job.input.hazard
-    )
+    records = {name: load_as(settings, name, job.params.table) for name in stations}
+    given = settings, list(records.values()), job.input.spectrum, job.input.hazard
+    demand = site.demand_from(*given)
     motions = pd.DataFrame(columns=["record", "station", "factor", "pga_g"])
     spectra = pd.DataFrame(columns=["period_s", "target_g", "mean_g"])
     if len(set(stations.values())) >= own["motions"]:

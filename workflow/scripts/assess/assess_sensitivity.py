@@ -6,6 +6,7 @@ import numpy as np
 import pandas as pd
 from rocking import Case, Motion, Variant
 from rocking.collapse.quick import crossings
+from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
@@ -41,12 +42,11 @@ def main(job):
     case, settings = Case.read(job.input.scene), json.loads(job.params.settings)
     names, most = job.params.records, settings["ida.max_pga_g"]
     direction = settings["directions"][0]
-    how = {key: settings[key] for key in ("baseline", "seed", "vertical_motion")}
     known = pd.read_csv(job.input.collapse).query("direction == @direction")
     known = known.set_index("record")["pga_median_g"]
     rows = []
     for name in names[:: max(1, len(names) // RECORDS)][:RECORDS]:
-        motion, stated_g = Motion.named(name, job.params.table, **how), float(known[name])
+        motion, stated_g = Motion(load_as(settings, name, job.params.table)), float(known[name])
         for one in VARIANTS:
             found = half_collapse(case.varied(one), motion, direction, most, stated_g)
             rows.append((case.model, name, one.about["key"], one.about["factor"], stated_g, found))

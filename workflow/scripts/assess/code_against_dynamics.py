@@ -2,11 +2,11 @@
 
 import json
 
-import matplotlib.pyplot as plt
 import numpy as np
 from rocking.assessment.code_checks import CHECKS
 from rocking.assessment.comparison import compare, gather
 from rocking.figures import style
+from rocking.figures.panels import common_legend, intervals, panels, ticks
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
@@ -23,9 +23,7 @@ def draw_ratios(table, output, facts):
     """A panel a model: median ratio with one logarithmic deviation, unsafe share beside."""
     table = table[(table["group"] == "all") & (table["level"] == "median")]
     models = list(dict.fromkeys(table["model"]))
-    figure, axes = plt.subplots(
-        1, len(models), figsize=(2.2 + 2.6 * len(models), 4.0), sharey=True, squeeze=False
-    )
+    figure, axes = panels(len(models), len(models), (2.6, 4.0), around=(2.2, 0.0), sharey=True)
     keys = [k for k in CHECKS if (table["check"] == k).any()]
     for axis, model in zip(axes.flat, models, strict=True):
         own = table[table["model"] == model].set_index("check").reindex(keys)
@@ -33,13 +31,13 @@ def draw_ratios(table, output, facts):
         middle, spread = own["median_ratio"], np.exp(own["log_scatter"])
         axis.axvspan(1.0, 100.0, color="0.92", lw=0)
         axis.axvline(1.0, color="0.3", lw=0.8)
-        error, mark = [middle - middle / spread, middle * spread - middle], MODELS[model].marker
-        axis.errorbar(middle, y, xerr=error, fmt=mark, color="0.1", ms=4, capsize=2, lw=0.9)
+        look = {"marker": MODELS[model].marker, "color": "0.1", "ms": 4, "lw": 0.9}
+        intervals(axis, y, middle, middle / spread, middle * spread, along="x", **look)
         for at, (_, row) in zip(y, own.iterrows(), strict=True):
             words = f"{100 * row['unsafe_share']:.0f} %"
             axis.text(1.02, at, words, transform=axis.get_yaxis_transform(), va="center", size=7)
         axis.set(xscale="log", xlim=(0.02, 15.0), ylim=(-0.7, len(keys) - 0.3))
-        axis.set_xticks([0.1, 0.3, 1.0, 3.0, 10.0], ["0.1", "0.3", "1", "3", "10"])
+        ticks(axis.xaxis, (0.1, 0.3, 1.0, 3.0, 10.0))
         axis.set_title(f"{model}; right: share unsafe", size=8)
         axis.set_xlabel("PGA check / PGA collapse [-]")
         axis.set_yticks(y, [CHECKS[k] for k in keys])
@@ -50,11 +48,11 @@ def draw_groups(table, output, facts):
     """Share on the unsafe side by what façades and records have in common."""
     table = table[table["level"] == "median"]
     models = list(dict.fromkeys(table["model"]))
-    figure, axes = plt.subplots(
-        len(models), len(GROUPS), figsize=(9.0, 0.9 + 1.7 * len(models)), sharey=True, squeeze=False
-    )
-    for number, model in enumerate(models, 1):
-        for axis, group in zip(axes[number - 1], GROUPS, strict=True):
+    count = len(models) * len(GROUPS)
+    figure, axes = panels(count, len(GROUPS), (1.8, 1.7), around=(0.0, 0.9), sharey=True)
+    for row, model in zip(axes, models, strict=True):
+        row[0].set_ylabel(f"{model}: unsafe [%]")
+        for axis, group in zip(row, GROUPS, strict=True):
             own = table[(table["model"] == model) & (table["group"] == group)]
             values = list(dict.fromkeys(own["value"]))
             if not values:
@@ -63,19 +61,16 @@ def draw_groups(table, output, facts):
                 continue
             for i, (check, mark) in enumerate(zip(SHOWN, MARKS, strict=True)):
                 part = own[own["check"] == check].set_index("value").reindex(values)
-                x = np.arange(len(values)) + 0.16 * (i - 1.5)
-                share, grey = part["unsafe_share"], str(0.18 * i)
-                error = 100 * np.array([share - part["ci_low"], part["ci_high"] - share]).clip(0.0)
+                x, grey = np.arange(len(values)) + 0.16 * (i - 1.5), str(0.18 * i)
+                share = (100 * part[name] for name in ("unsafe_share", "ci_low", "ci_high"))
                 look = {"color": grey, "mfc": "none" if i % 2 else grey, "ms": 4, "lw": 0.8}
-                axis.errorbar(x, 100 * share, error, fmt=mark, label=CHECKS[check], **look)
+                look |= {"marker": mark, "capsize": 0, "label": CHECKS[check]}
+                intervals(axis, x, *share, **look)
             axis.set_xticks(range(len(values)), [v.replace(" ", "\n") for v in values])
             axis.set(ylim=(-3, 103), xlim=(-0.5, len(values) - 0.5))
-            if group == GROUPS[0]:
-                axis.set_ylabel(f"{model}: unsafe [%]")
-            if number == len(models):
-                axis.set_xlabel(HEADINGS[group])
-    handles, labels = axes[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=4, fontsize=7)
+    for axis, group in zip(axes[-1], GROUPS, strict=True):
+        axis.set_xlabel(HEADINGS[group])
+    common_legend(figure, loc="outside upper center", ncols=4, fontsize=7)
     style.save(figure, output, facts)
 
 

@@ -2,34 +2,31 @@
 
 import itertools
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
+from rocking.figures.panels import lowest, panels
 from rocking.runtime.script import run
-from rocking.tables import read_json
 
 from yade_scripts.model.registry import COMPLETE, MODELS, Model
 
 PANELS = 8  # of the first records; the table has them all
+SINGLE = 3  # realisations at a level, below which the curve has symbols
 LANE = 0.8  # height of a probability of one, in lanes
 OTHERS = ["#8B4513", "#006400", "#4B4B4B", "#000080"]
 
 
 def main(job):
     table = pd.read_csv(job.input.probability)
-    facts = [read_json(path) for path in job.input.facts]
-    title = {fact["name"]: style.provenance(fact) for fact in facts}
+    title = style.titles(job.input.facts)
     models = list(table["model"].unique())
     known = {**MODELS, **COMPLETE}
     unknown = [name for name in models if name not in known]
     colours = itertools.cycle(OTHERS)
     kinds = known | {name: Model(name, "", colour=next(colours)) for name in unknown}
     keys = list(table.groupby(["record", "direction"], sort=False).groups)[:PANELS]
-    columns = 2 if len(keys) > 1 else 1
-    rows = -(-len(keys) // columns)
-    size = (3.4 * columns, 0.5 + rows * (0.7 + 0.3 * len(models)))
-    figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, sharey=True)
+    size = (3.4, 0.7 + 0.3 * len(models))
+    figure, axes = panels(len(keys), 2, size, around=(0.0, 0.5), sharey=True)
     lanes = range(len(models))[::-1]  # the first model at the top
     for axis, (record, direction) in zip(axes.flat, keys, strict=False):
         mine = table[(table["record"] == record) & (table["direction"] == direction)]
@@ -39,9 +36,8 @@ def main(job):
             colour = kinds[name].colour
             axis.plot(part["pga_g"], share, color=colour, lw=0.8)
             axis.fill_between(part["pga_g"], base, share, color=colour, alpha=0.35, lw=0)
-            if (
-                part["realisations"].fillna(part["realisations_yade"]).fillna(1.0).max() < 3
-            ):  # single runs
+            runs = part["realisations"].fillna(part["realisations_yade"]).fillna(1.0)
+            if runs.max() < SINGLE:
                 axis.plot(part["pga_g"], share, ls="", marker=kinds[name].marker, ms=3, c=colour)
         axis.set_title(f"{title[record]}, {style.SIGNS[direction]}", loc="left")
         first = mine[mine["probability"] > 0].groupby("model")["pga_g"].min()
@@ -51,13 +47,11 @@ def main(job):
             axis.set_xlim(0.7 * first.min(), end)
         axis.set_yticks(lanes, models)
         axis.set_ylim(-0.1, len(models))
-    for axis in axes[-1]:
+    for axis in lowest(axes, len(keys)):
         axis.set_xlabel("PGA [g]")
     for axis in axes[:, 0]:
         axis.set_ylabel("P(collapse), 0 to 1 in a lane")
-    for axis in axes.flat[len(keys) :]:
-        axis.set_visible(False)
-    style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

@@ -1,14 +1,14 @@
 """Tornado chart of a model: what each assumption moves, sorted, a panel a record."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
+from rocking.figures.panels import common_legend, panels, ticks
 from rocking.runtime.script import run
 from rocking.studies.assumptions import BASE
-from rocking.tables import read_json
 
-PANELS = 8
+PANELS, COLUMNS = 8, 4
+TICKS = (0.5, 0.7, 1.0, 1.4, 2.0)
 LIMIT = 1.1  # natural logarithm of a ratio; longer bars end in an arrow
 BAR, LOWEST, BAND = "#56B4E9", "#D55E00", "0.25"
 
@@ -16,8 +16,7 @@ BAR, LOWEST, BAND = "#56B4E9", "#D55E00", "0.25"
 def main(job):
     table = pd.read_csv(job.input.table)
     table["level"] = table["level"].fillna("")
-    facts = [read_json(path) for path in job.input.facts]
-    title = {fact["name"]: style.provenance(fact) for fact in facts}
+    title = style.titles(job.input.facts)
     levels = table[table["assumption"] != BASE].copy()
     levels["swing"] = np.abs(np.log(levels[["ratio_median", "ratio_collapse"]])).max(axis=1)
     # one order for all panels: the largest median swing of an assumption's levels at the top
@@ -29,13 +28,8 @@ def main(job):
     ]
     place = {row: i for i, row in enumerate(rows)}
     keys = list(levels.groupby(["record", "direction"], sort=False).groups)[:PANELS]
-    columns = min(len(keys), 4)
-    lines = -(-len(keys) // columns)
-    size = (1.9 + 1.75 * columns, 0.9 + lines * (0.5 + 0.165 * len(rows)))
-    figure, axes = plt.subplots(
-        lines, columns, figsize=size, sharex=True, sharey=True, squeeze=False
-    )
-    ticks = [0.5, 0.7, 1.0, 1.4, 2.0]
+    size, around = (1.75, 0.5 + 0.165 * len(rows)), (1.9, 0.9)
+    figure, axes = panels(len(keys), COLUMNS, size, around, sharex=True, sharey=True)
     for axis, (record, direction) in zip(axes.flat, keys, strict=False):
         mine = table[(table["record"] == record) & (table["direction"] == direction)]
         base = mine[mine["assumption"] == BASE].iloc[0]
@@ -53,23 +47,18 @@ def main(job):
                 mark = "d" if abs(lowest) < LIMIT else (">" if lowest > 0 else "<")
                 spot = np.clip(lowest, -LIMIT, LIMIT)
                 axis.plot(spot, y, mark, color=LOWEST, ms=3.6, mec="white", mew=0.4, zorder=4)
-        sign = "+" if direction == "pos" else "−"
-        names = f"{title[record]}, {sign}\np50 {base['pga_median_g']:.2f} g, "
+        names = f"{title[record]}, {style.SIGNS[direction]}\np50 {base['pga_median_g']:.2f} g, "
         axis.set_title(f"{names}lowest {base['pga_collapse_g']:.2f} g", loc="left", fontsize=7)
-        axis.set_xlim(-LIMIT, LIMIT)
-        axis.set_xticks(np.log(ticks), [f"{t:g}" for t in ticks])
+        ticks(axis.xaxis, np.log(TICKS), [f"{t:g}" for t in TICKS])
         axis.set_yticks(range(len(rows)), [f"{a}: {b}" for a, b in rows], fontsize=7)
-        axis.set_ylim(-0.6, len(rows) - 0.4)
-    for axis in axes.flat[len(keys) :]:
-        axis.set_visible(False)
+        axis.set(xlim=(-LIMIT, LIMIT), ylim=(-0.6, len(rows) - 0.4))
     figure.supxlabel("collapse PGA over that as configured [-]", fontsize=8)
     axes[0, 0].barh(np.nan, 0.0, color=BAR, label="half collapse (p50)")
     axes[0, 0].plot([], [], color=BAND, lw=1.0, label="p10 to p90 of amplitude scatter")
     axes[0, 0].plot([], [], "d", color=LOWEST, ms=3.6, label="lowest collapse")
     axes[0, 0].fill_between([], [], color="0.9", label="scatter as configured")
-    handles, labels = axes[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=2 if columns < 3 else 4)
-    style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
+    common_legend(figure, loc="outside upper center", ncols=2 if axes.shape[1] < 3 else 4)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

@@ -10,8 +10,6 @@ from rocking.runtime.script import run
 from rocking.studies import assumptions
 from rocking.tables import read_json, write_table
 
-from yade_scripts.model.registry import MODELS
-
 SIDE = [f"pga_{name}_g" for name in assumptions.SIDE]
 RATIOS = [f"ratio_{name}" for name in assumptions.SIDE]
 COLUMNS = ["model", "record", "source", "direction", "method", "runs", "cpu_s", *SIDE]
@@ -29,19 +27,11 @@ def cpu_s(folder, rule, key):
 def curves(job, records):
     """Key, method, runs, cost, intensities and probability of every curve of these records."""
     spread, folder = job.params.spread, job.params.benchmarks
-    for path in job.input.scans:
-        scan = pd.read_csv(path)
-        key = curve_key(scan)
-        found = probability.summary(scan, scan, (), spread)
-        dense = probability.from_scan(scan, spread)
-        found["pga_mean_g"] = assumptions.standing(dense["pga_g"], dense["probability"])
+    for scan in map(pd.read_csv, job.input.scans):
+        key, (found, dense) = curve_key(scan), assumptions.measured(scan, spread, planar=True)
         yield key, "planar", len(scan), cpu_s(folder, "planar_ida", key), found, dense
-    for path in job.input.bricks:
-        curve = read_curve(path)
-        key = curve_key(curve)
-        found = probability.summary(None, curve, (), spread)
-        dense = probability.from_scan(curve, spread)
-        found["pga_mean_g"] = assumptions.standing(dense["pga_g"], dense["probability"])
+    for curve in map(read_curve, job.input.bricks):
+        key, (found, dense) = curve_key(curve), assumptions.measured(curve, spread, planar=False)
         yield key, "YADE", len(curve), cpu_s(folder, "ida", key), found, dense
     for path in job.input.others:
         whole = pd.read_csv(path)
@@ -71,15 +61,7 @@ def main(job):
     dense = pd.concat(parts).reindex(columns=probability.PROBABILITY_COLUMNS)
     write_table(dense, job.output.probability, digits="%.4f")
     write_table(assumptions.losses(table), job.output.losses, digits="%.4f")
-    # every one-way coupled model over its own two-way counterpart, then every model over the
-    # reference
-    pairs = []
-    for model in table["model"].unique():
-        kind = MODELS.get(model)
-        if kind is not None and kind.two_way and kind.one_way_model in set(table["model"]):
-            pairs.append(assumptions.compared(table, model).query("model == @kind.one_way_model"))
-    pairs.append(beside[beside["model"] != job.params.reference])
-    whole = pd.concat(pairs).drop_duplicates(["model", "reference", *assumptions.KEY])
+    whole = assumptions.pairs(table, job.params.reference)
     ratios = assumptions.spread_of(whole, RATIOS, ["model", "reference"])
     write_table(ratios, job.output.ratios, digits="%.4f")
 

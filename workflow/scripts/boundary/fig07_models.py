@@ -1,11 +1,10 @@
 """Figure 7: the models at the same instant, coloured by displacement, from YADE's state."""
 
 import json
-import math
 
-import matplotlib.pyplot as plt
 import numpy as np
 from rocking.figures import pictures, style
+from rocking.figures.panels import panels
 from rocking.runtime.script import run
 from rocking.tables import read_json
 
@@ -33,29 +32,16 @@ def main(job):
         pictures.faces(f, i, walls, config)[1].max() for f, i in zip(frames, at, strict=True)
     )
     limits = ((-3.4, 3.1), (-0.7, h + 0.9))
-    columns = len(frames) if len(frames) <= COLUMNS + 1 else COLUMNS
-    rows = math.ceil(len(frames) / columns)
-    size = (1.75 * columns, 0.3 + 2.6 * rows)
-    figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False)
-    for axis in axes.flat[len(frames) :]:
-        axis.set_axis_off()
+    most = COLUMNS + (len(frames) == COLUMNS + 1)  # one more does not go into a row of its own
+    figure, axes = panels(len(frames), most, (1.75, 2.6), around=(0.0, 0.3))
+    look = {"magnification": k, "largest_m": largest, "limits": limits, "cmap": "viridis"}
     for axis, f, i in zip(axes.flat, frames, at, strict=False):
-        drawn = pictures.draw(
-            axis,
-            f,
-            i,
-            walls,
-            config,
-            magnification=k,
-            largest_m=largest,
-            limits=limits,
-            cmap="viridis",
-        )
+        drawn = pictures.draw(axis, f, i, walls, config, **look)
         axis.set_title(f"{f['model']}: d/b = {abs(f['d_over_b'][i]):.2f}")
     bar = figure.colorbar(drawn, ax=axes.ravel().tolist(), shrink=0.6, pad=0.01)
     bar.set_label("displacement relative to the ground [m]")
     head = frames[0]
-    sign = {"pos": "+", "neg": "−"}[head["direction"]]
+    sign = style.SIGNS[head["direction"]]
     figure.suptitle(
         f"{head['record']}{sign}, PGA {head['pga_g']:g} g, t = {instant:.2f} s; "
         f"displacements × {k:g}",

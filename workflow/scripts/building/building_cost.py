@@ -3,10 +3,10 @@
 import resource
 import time
 
-from rocking.building.case import build_model, read_plan, translation_mode, twist_mode
+from rocking.building.case import fitted_model, translation_mode, twist_mode
 from rocking.building.modes import Solver
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_json
+from rocking.tables import write_json
 
 
 def memory_mb():
@@ -16,11 +16,10 @@ def memory_mb():
 
 def main(job):
     settings = dict(job.params.building)
-    load = read_json(job.input.fit)["floor_load_kg_m2"]
     model, coarsening = job.wildcards.building, float(job.wildcards.coarsening)
     at_start = memory_mb()
     began, began_cpu = time.perf_counter(), time.process_time()
-    building = build_model(settings, read_plan(job.input.plan), model, load, coarsening)
+    building = fitted_model(settings, job.input.plan, job.input.fit, model, coarsening)
     built = time.perf_counter()
     solver = Solver(building.scene)
     factorised = time.perf_counter()

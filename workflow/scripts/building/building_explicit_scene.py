@@ -1,19 +1,17 @@
 """Scene, damping rate and step of the explicit run of SBDEM (building/explicit_….json)."""
 
-from rocking.building.case import build_model, read_plan, translation_mode
+from rocking.building.case import fitted_model, translation_mode
 from rocking.building.history import mass_damping_rate
 from rocking.building.modes import Solver, largest_frequency
 from rocking.runtime.script import run
-from rocking.tables import read_json
 
 from yade_scripts.model.scene import to_json
 
 
 def main(job):
     settings = dict(job.params.building)
-    load = read_json(job.input.fit)["floor_load_kg_m2"]
-    plan = read_plan(job.input.plan)
-    building = build_model(settings, plan, "SBDEM", load, float(job.wildcards.coarsening))
+    size = float(job.wildcards.coarsening)
+    building = fitted_model(settings, job.input.plan, job.input.fit, "SBDEM", size)
     solver = Solver(building.scene)
     modes = solver.modes(12)
     highest = largest_frequency(solver.k, solver.mass)

@@ -44,8 +44,7 @@ def main(job):
 
         best = mine.loc[mine["rms_error_s"].idxmin(), "variant"]
         refine(score, places[best], search["refinements"])
-    table = pd.DataFrame(rows)
-    write_table(table, job.output[0])
+    write_table(rows, job.output[0])
 
 
 run(main, globals())

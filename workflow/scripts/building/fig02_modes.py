@@ -3,25 +3,16 @@
 import matplotlib.pyplot as plt
 import numpy as np
 from rocking.building import drawing
-from rocking.building.case import (
-    PAPER_PERIODS_S,
-    build_model,
-    read_plan,
-    translation_mode,
-    twist_mode,
-)
+from rocking.building.case import PAPER_PERIODS_S, fitted_model, translation_mode, twist_mode
 from rocking.building.modes import Modes
 from rocking.figures import style
 from rocking.runtime.script import run
-from rocking.tables import read_json
 
 LARGEST_M = 0.7  # drawn displacement of the block that moves most
 
 
 def main(job):
     settings = dict(job.params.building)
-    plan = read_plan(job.input.plan)
-    load = read_json(job.input.fit)["floor_load_kg_m2"]
     figure, axes = plt.subplots(2, 2, figsize=(7.0, 7.6))
     colours = plt.get_cmap("viridis")
     letters = iter("abcd")
@@ -31,18 +22,12 @@ def main(job):
         for column, model in enumerate(("CBDEM", "SBDEM")):
             ax = axes[row, column]
             modes = Modes.load(job.input.cbdem if model == "CBDEM" else job.input.sbdem)
-            building = build_model(settings, plan, model, load)
+            building = fitted_model(settings, job.input.plan, job.input.fit, model)
             mode = choose(modes)
             motion = drawing.block_motion(modes, mode, len(building.scene.blocks))
             size = np.linalg.norm(motion[:, :3], axis=1).max()
-            drawing.draw(
-                ax,
-                building,
-                motion=motion,
-                scale=LARGEST_M / size,
-                colour_map=colours,
-                edge_width=0.08,
-            )
+            look = {"scale": LARGEST_M / size, "colour_map": colours, "edge_width": 0.08}
+            drawing.draw(ax, building, motion=motion, **look)
             title = f"({next(letters)}) {model}, mode {mode + 1}: {name}, "
             title += f"T = {modes.period_s[mode]:.3f} s"
             if job.params.paper:

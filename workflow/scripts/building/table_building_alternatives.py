@@ -1,6 +1,5 @@
 """The study's four periods for each plan, floor load fitted (tables/building_alternatives.csv)."""
 
-import pandas as pd
 from rocking.building.case import (
     MODELS,
     PAPER_PERIODS_S,
@@ -13,6 +12,9 @@ from rocking.building.case import (
 from rocking.building.modes import DIRECTIONS, Solver
 from rocking.runtime.script import run
 from rocking.tables import write_table
+
+COLUMNS = ["plan", "floor_load_kg_m2", "masonry_mass_kg", "mass_kg", "model", "mode", "direction"]
+COLUMNS += ["period_s", "effective_mass_ratio", "period_paper_s", "relative_difference"]
 
 
 def main(job):
@@ -27,36 +29,10 @@ def main(job):
             for direction, mode in (("y", translation_mode(modes)), ("rz", twist_mode(modes))):
                 period, paper = modes.period_s[mode], PAPER_PERIODS_S[model, direction]
                 ratio = modes.effective_ratio[mode, DIRECTIONS.index(direction)]
-                rows.append(
-                    (
-                        plan.name,
-                        load,
-                        building.masonry_mass_kg,
-                        building.mass_kg,
-                        model,
-                        mode + 1,
-                        direction,
-                        period,
-                        round(ratio, 6),
-                        paper,
-                        period / paper - 1.0,
-                    )
-                )
-    columns = [
-        "plan",
-        "floor_load_kg_m2",
-        "masonry_mass_kg",
-        "mass_kg",
-        "model",
-        "mode",
-        "direction",
-        "period_s",
-        "effective_mass_ratio",
-        "period_paper_s",
-        "relative_difference",
-    ]
-    table = pd.DataFrame(rows, columns=columns)
-    write_table(table, job.output[0])
+                masses = load, building.masonry_mass_kg, building.mass_kg
+                found = mode + 1, direction, period, round(ratio, 6), paper, period / paper - 1.0
+                rows.append((plan.name, *masses, model, *found))
+    write_table(rows, job.output[0], COLUMNS)
 
 
 run(main, globals())

@@ -9,10 +9,9 @@ identifies it. Writes tables/building_explicit.csv and figures/fig03_rattling…
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from rocking.building.case import build_model, read_plan
+from rocking.building.case import fitted_model
 from rocking.building.comparison import top_motion
-from rocking.building.explicit import differences, second_along_y
-from rocking.building.history import LOADS, modal_history
+from rocking.building.explicit import differences, modal_histories, read_histories, second_along_y
 from rocking.building.modes import Solver
 from rocking.figures import style
 from rocking.records import G_M_S2, read_csv
@@ -32,21 +31,14 @@ RUNS = (
 
 
 def main(job):
-    settings = dict(job.params.building)
-    load = read_json(job.input.fit)["floor_load_kg_m2"]
-    notes = read_json(job.input.scene)["notes"]
-    building = build_model(settings, read_plan(job.input.plan), "SBDEM", load, notes["coarsening"])
+    settings, given = dict(job.params.building), job.input
+    notes = read_json(given.scene)["notes"]
+    building = fitted_model(settings, given.plan, given.fit, "SBDEM", notes["coarsening"])
     modes = Solver(building.scene).modes(MODES)
-    record = read_csv(job.input.record)
     points = [building.scene.index(building.scene.monitor), corner(building.scene)]
-    files = {"without dead load": job.input.plain, "sudden gravity": job.input.loaded}
-    explicit = {name: np.loadtxt(f, delimiter=",", skiprows=1) for name, f in files.items()}
-    keep = record.time_s <= explicit["sudden gravity"][-1, 0] + record.dt_s
-    ground = record.acceleration_m_s2[keep]
-    modal = {
-        name: modal_history(modes, points, ground, record.dt_s, notes["rate_1_s"], gravity_m_s2=g)
-        for name, g in LOADS.items()
-    }
+    explicit = read_histories(given.plain, given.loaded)
+    until_s = explicit["sudden gravity"][-1, 0]
+    modal = modal_histories(modes, points, read_csv(given.record), notes["rate_1_s"], until_s)
     facts = {
         "record": job.wildcards.record,
         "bricks": building.scene.notes["bricks"],
@@ -86,7 +78,7 @@ def _figure(job, explicit, modal, second_s):
         power.set_title(f"({'bd'[row]}) {point}, power spectrum of the run", loc="left")
     figure.suptitle(f"SBDEM, explicit and modal: {style.provenance(read_json(job.input.facts))}")
     figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3)
-    style.save(figure, (job.output.png, job.output.pdf), job.input.facts)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pandas as pd
-from rocking.building.case import build_model, read_plan, translation_mode
+from rocking.building.case import fitted_model, read_plan, translation_mode
 from rocking.building.comparison import PAPER_WME, QUANTITIES
 from rocking.building.history import mass_damping_rate, modal_history
 from rocking.building.modes import Modes
@@ -10,14 +10,13 @@ from rocking.building.readings import errors, highest_brick, readings
 from rocking.building.search import first_mode
 from rocking.records import read_csv
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_table
+from rocking.tables import write_table
 
 
 def main(job):
     settings = dict(job.params.building)
     plan = read_plan(job.input.plan)
-    load = read_json(job.input.fit)["floor_load_kg_m2"]
-    building = build_model(settings, plan, "SBDEM", load)
+    building = fitted_model(settings, job.input.plan, job.input.fit, "SBDEM")
     modes = Modes.load(job.input.modes)
     left, right = plan.floors[0].walls
     top = building.scene.index(building.scene.monitor)
@@ -44,9 +43,8 @@ def main(job):
                     paper = PAPER_WME.get((quantity, name)) if job.params.paper else None
                     known = paper[n - 1] if paper else np.nan
                     rows.append((title, name, n, quantity, values[quantity], known))
-    table = pd.DataFrame(
-        rows, columns=["reading", "record", "n_dof", "quantity", "wme", "wme_paper"]
-    )
+    names = ["reading", "record", "n_dof", "quantity", "wme", "wme_paper"]
+    table = pd.DataFrame(rows, columns=names)
     write_table(table, job.output.readings)
     lowest = []
     for key, part in table.groupby(["reading", "record", "quantity"], sort=False):

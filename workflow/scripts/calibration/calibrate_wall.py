@@ -5,57 +5,27 @@ import math
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rocking.calibration import beta as calibration
 from rocking.calibration import study
-from rocking.calibration.restitution import misfit, read_archive
+from rocking.calibration.beta import groups
+from rocking.calibration.fits import WALL_COLUMNS, rows_of_own, walls_of
+from rocking.calibration.restitution import misfit
 from rocking.figures import style
-from rocking.mechanics import closed_forms
+from rocking.figures.panels import ticks
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_table
+from rocking.tables import write_table
 
-COLUMNS = ("source", "beta_s", "low_s", "high_s", "misfit", "remark")
 COLOURS = ("#0072B2", "#009E73", "#CC79A7")
 
 
 def main(job):
     config = json.loads(job.params.config)
     measured = config["calibration"]["measured_e"]
-    cases = read_json(job.input.cases)
-    wall = study.evaluate(cases, read_archive(job.input.histories))[0]
+    wall = walls_of(job.input.cases, job.input.histories)[0]
     targets = study.targets_of(measured, wall["e_1sr"])
     fit = study.best_fit(wall["beta_s"], wall["e"] / wall["e_1sr"], targets)
-    rows = [first_row(fit, measured), *law_rows(config, job.input.law)]
-    write_table(rows, job.output.table, COLUMNS)
+    rows = list(rows_of_own(fit, measured, config, job.input.law))
+    write_table(rows, job.output.table, WALL_COLUMNS)
     draw(job, config, wall, targets, rows, fit)
-
-
-def first_row(fit, measured):
-    remark = "targets: fractions of |e_1SR|"
-    if measured:
-        remark = f"measured e for {len(measured)} of 3 impacts"
-    if not math.isfinite(fit["beta_s"]):
-        remark += "; no β of the range gives three impacts"
-    elif fit["at_edge"]:
-        remark += "; at the end of the range that could be judged"
-    known = {key: fit[key] for key in ("beta_s", "low_s", "high_s", "misfit")}
-    return {"source": "free rocking of this wall", **known, "remark": remark}
-
-
-def law_rows(config, law_file):
-    """β of the two laws for the same wall; a law that cannot be used is left out."""
-    facade = config["facade"]
-    values = facade["thickness_m"], facade["height_m"], facade["e_mpa"]
-    printed = closed_forms.beta_one_sided(*values)
-    if printed > 0.0:
-        yield {"source": "eq. 5", "beta_s": printed}
-    try:
-        law = calibration.read_law(law_file, facade["base"])
-    except calibration.CalibrationError:
-        return
-    groups = calibration.groups(config)
-    beta, low, high = law.predict(groups)
-    found = {"beta_s": beta, "low_s": low, "high_s": high}
-    yield {"source": "fitted law", **found, "remark": law.outside(groups) or "band: 90 %"}
 
 
 def draw(job, config, wall, targets, rows, fit):
@@ -73,9 +43,7 @@ def draw(job, config, wall, targets, rows, fit):
         at_ms = 1e3 * row["beta_s"]
         left.axvline(at_ms, c="0.4", ls=line, lw=0.9, label=f"{row['source']}: {at_ms:.3g} ms")
     left.set(xscale="log", xlabel="β [ms]", ylabel="e$_{exp}$ [–]", ylim=(0.0, None))
-    ticks = [float(f"{b:.2g}") for b in beta]
-    left.set_xticks(ticks, [f"{b:g}" for b in ticks])
-    left.minorticks_off()
+    ticks(left.xaxis, [float(f"{b:.2g}") for b in beta])
     left.set_title("(a) restitution against its targets (bars)", loc="left")
     left.legend(fontsize=6.3)
     error = misfit(wall["e"] / wall["e_1sr"], 1.0, targets)
@@ -89,12 +57,12 @@ def draw(job, config, wall, targets, rows, fit):
     right.set(xlabel="time [s]", ylabel="θ/α [–]")
     right.set_title("(b) free rocking", loc="left")
     right.legend(fontsize=6.3)
-    facade, r = config["facade"], calibration.groups(config)["return_wall_ratio"]
+    facade, r = config["facade"], groups(config)["return_wall_ratio"]
     figure.suptitle(
         f"h = {facade['height_m']:g} m, b = {facade['thickness_m']:g} m, "
         f"E = {facade['e_mpa']:g} MPa, ρ = {facade['density_kg_m3']:g} kg/m³, r = {r:.3g}"
     )
-    style.save(figure, (job.output.png, job.output.pdf))
+    style.save(figure, job.output)
 
 
 run(main, globals())

@@ -7,41 +7,30 @@ import numpy as np
 import pandas as pd
 from matplotlib.colors import Normalize
 from rocking.calibration import beta as calibration
-from rocking.calibration import study
-from rocking.calibration.restitution import misfit, read_archive
+from rocking.calibration import fits, study
 from rocking.figures import style
+from rocking.figures.panels import band, ticks
 from rocking.mechanics import closed_forms
 from rocking.runtime.script import run
-from rocking.tables import read_json
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")
 RATIO_MARKERS = "v^sDP*X<>"
 MS = 1e3  # β is drawn in ms
+FEWER = "fewer than three impacts"
 ENDS = (study.two_block_minimum, study.single_block_maximum)
 
 
-def panel_runs(axes, cases_path, histories_path, walls, limits):
+def panel_runs(axes, runs, best, limits):
     """(a) Every β of one batch, coloured by misfit; the best is ringed."""
-    cases = [c for c in read_json(cases_path) if c["about"]["role"] == "reference"]
-    keep = {c["id"] for c in cases}
-    histories = [h for h in read_archive(histories_path) if h["id"] in keep]
-    scale = Normalize(0.0, 0.6)
-    for wall in study.evaluate(cases, histories):
-        facade = wall["case"]["config"]["facade"]
-        s = facade["height_m"] / facade["thickness_m"]
-        error = misfit(wall["e"] / wall["e_1sr"], 1.0)
-        missing = np.isnan(error)
-        axes.plot(np.full(missing.sum(), s), wall["beta_s"][missing] * MS, "x", c="0.6", ms=4)
-        judged = wall["beta_s"][~missing] * MS
-        colours = {"c": error[~missing], "cmap": "viridis", "norm": scale}
-        drawn = axes.scatter(np.full(len(judged), s), judged, **colours, s=16, zorder=3)
-        row = walls[walls.wall == wall["case"]["id"]].iloc[0]
-        axes.plot(s, row.beta_fit_s * MS, "o", mfc="none", mec="#D55E00", ms=8, mew=1.4, zorder=4)
+    judged, missing = runs[runs.misfit.notna()], runs[runs.misfit.isna()]
+    axes.plot(missing.slenderness, missing.beta_s * MS, "x", c="0.6", ms=4, label=FEWER)
+    colours = {"c": judged.misfit, "cmap": "viridis", "norm": Normalize(0.0, 0.6)}
+    drawn = axes.scatter(judged.slenderness, judged.beta_s * MS, **colours, s=16, zorder=3)
+    ring = {"mfc": "none", "mec": "#D55E00", "ms": 8, "mew": 1.4, "zorder": 4, "label": "best fit"}
+    axes.plot(best.slenderness, best.beta_fit_s * MS, "o", **ring)
     x, low, high = limits
     axes.plot(x, low * MS, "k:", lw=1, label="two stacked blocks, single block")
     axes.plot(x, high * MS, "k:", lw=1)
-    axes.plot([], [], "x", c="0.6", label="fewer than three impacts")
-    axes.plot([], [], "o", mfc="none", mec="#D55E00", ms=7, label="best fit")
     axes.set(yscale="log", xlabel="h/b [–]", ylabel="β [ms]")
     axes.legend(loc="upper left", fontsize=6.5)
     axes.yaxis.set_major_formatter("{x:g}")
@@ -60,15 +49,16 @@ def main(job):
     along = {batch: [study.batch_wall(settings, *batch, s, r0) for s in x] for batch in batches}
     first_b, first_e = batches[0]
     ends = np.array([[end(wall) for wall in along[batches[0]]] for end in ENDS])
-    panel_runs(axes["a"], job.input.cases, job.input.histories, walls, (x, *ends))
+    runs = fits.misfits(fits.walls_of(job.input.cases, job.input.histories, "reference"))
+    reference = walls[walls.role == "reference"].sort_values("slenderness")
+    best = reference[(reference.b_m == first_b) & (reference.e_mpa == first_e)]
+    panel_runs(axes["a"], runs, best, (x, *ends))
     axes["a"].set_title(f"(a) b = {first_b:g} m, E = {first_e:g} MPa, r = {r0:g}", loc="left")
 
     for (b, e_mpa), colour in zip(batches, COLOURS, strict=False):
-        part = walls[(walls.role == "reference") & (walls.b_m == b) & (walls.e_mpa == e_mpa)]
-        part = part.sort_values("slenderness")
+        part = reference[(reference.b_m == b) & (reference.e_mpa == e_mpa)]
         beta, low, high = law.along(along[b, e_mpa])
-        axes["b"].fill_between(x, low * MS, high * MS, color=colour, alpha=0.13, lw=0)
-        axes["b"].plot(x, beta * MS, c=colour)
+        band(axes["b"], x, beta * MS, low * MS, high * MS, colour, alpha=0.13)
         printed = np.array([closed_forms.beta_one_sided(b, s * b, e_mpa) for s in x])
         axes["b"].plot(x, printed * MS, "--", c=colour, lw=0.9)
         label = f"b = {b:g} m, E = {e_mpa:g} MPa"
@@ -78,8 +68,7 @@ def main(job):
     axes["b"].set(xlabel="h/b [–]", ylabel="best-fitting β [ms]", yscale="log")
     axes["b"].set_title(f"(b) best fits at r = {r0:g}", loc="left")
     axes["b"].set_ylim(0.4 * axes["b"].get_ylim()[0], None)
-    axes["b"].set_yticks([0.1, 0.2, 0.5, 1.0, 2.0], ["0.1", "0.2", "0.5", "1", "2"])
-    axes["b"].minorticks_off()
+    ticks(axes["b"].yaxis, (0.1, 0.2, 0.5, 1.0, 2.0))
     axes["b"].legend(loc="lower right", ncols=2, fontsize=6, columnspacing=0.8, handletextpad=0.3)
 
     fitted = walls[walls.role.isin(["reference", "ratio"])]
@@ -93,8 +82,7 @@ def main(job):
     first = along[batches[0]]
     omega = np.array([calibration.groups(wall)["omega_c_rad_s"] for wall in first])
     beta, low, high = omega * law.along(first)
-    axes["c"].fill_between(x, low, high, color="0.5", alpha=0.15, lw=0)
-    axes["c"].plot(x, beta, "0.3", label=f"fitted law at r = {r0:g}, 90 % band")
+    band(axes["c"], x, beta, low, high, "0.3", label=f"fitted law at r = {r0:g}, 90 % band")
     axes["c"].set(xlabel="h/b [–]", ylabel="β·ω$_c$ [–]", ylim=(0.5, 1.45))
     axes["c"].set_title(
         "(c) the same and the other return-wall ratios r, "

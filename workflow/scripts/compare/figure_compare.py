@@ -65,7 +65,7 @@ def main(job):
     axis.set_xticks(range(len(names)), [label(n, differing[n]) for n in names], fontsize=6.5)
     axis.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     Path(job.output.png).parent.mkdir(parents=True, exist_ok=True)
-    style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

@@ -1,37 +1,31 @@
 """Runs of the complete building, cracked and bonded, beside the two-way models' probability."""
 
 import matplotlib.pyplot as plt
-import pandas as pd
-from rocking.collapse.ida import curve_key, read_curve
+from rocking.collapse.ida import by_curve, read_curve
 from rocking.collapse.probability import from_scan
 from rocking.figures import style
+from rocking.figures.panels import panels
 from rocking.runtime.script import run
 
 from yade_scripts.model.registry import COMPLETE, MODELS
 
+WIDTH_IN = 7.2
 SPREAD = 0.01  # of the scans' realisations
 KINDS = {**MODELS, **COMPLETE}
 LINES = {False: "-", True: ":"}
 
 
 def main(job):
-    curves = {curve_key(c): c for c in map(read_curve, job.input.ida) if len(c)}
-    scans = {curve_key(s): s for s in map(pd.read_csv, job.input.scans) if len(s)}
+    curves, scans = by_curve(job.input.ida, read_curve), by_curve(job.input.scans)
     cases = list(dict.fromkeys(key[1:] for key in curves))
-    columns = min(2, len(cases))
-    figure, axes = plt.subplots(
-        -(-len(cases) // columns),
-        columns,
-        figsize=(7.2, 2.6 * -(-len(cases) // columns)),
-        squeeze=False,
-    )
+    wide = WIDTH_IN / min(2, len(cases))
+    figure, axes = panels(len(cases), 2, (wide, 2.6))
     for axis, (record, direction) in zip(axes.flat, cases, strict=False):
         for (model, *case), scan in scans.items():
-            if case != [record, direction]:
-                continue
-            share, kind = from_scan(scan, SPREAD), KINDS[model]
-            line = LINES[kind.bonded]
-            axis.plot(share["pga_g"], share["probability"], line, color=kind.colour, lw=0.9)
+            if case == [record, direction]:
+                share, kind = from_scan(scan, SPREAD), KINDS[model]
+                look = {"ls": LINES[kind.bonded], "color": kind.colour, "lw": 0.9}
+                axis.plot(share["pga_g"], share["probability"], **look)
         high = 0.0
         for model, kind in COMPLETE.items():
             curve = curves.get((model, record, direction))
@@ -41,11 +35,10 @@ def main(job):
             fell = valid["collapsed"] == 1
             peak = valid["d_over_b"].where(~fell, 1.0)
             high = max(high, valid["pga_g"].max())
+            look = {"color": kind.colour, "marker": kind.marker, "ms": 5}
             axis.plot(valid["pga_g"], peak, color=kind.colour, lw=0.6, ls=LINES[kind.bonded])
             for own, fill in ((fell, kind.colour), (~fell, "white")):
-                axis.plot(
-                    valid["pga_g"][own], peak[own], kind.marker, color=kind.colour, mfc=fill, ms=5
-                )
+                axis.plot(valid["pga_g"][own], peak[own], ls="", mfc=fill, **look)
         axis.set(
             xlim=(0.0, 1.15 * high),
             ylim=(-0.03, 1.06),
@@ -53,31 +46,19 @@ def main(job):
             ylabel="d/b [-], probability [-]",
             title=f"{record} {direction}",
         )
-    for axis in axes.flat[len(cases) :]:
-        axis.axis("off")
     handles = [
-        plt.Line2D(
-            [],
-            [],
-            color=k.colour,
-            ls=LINES[k.bonded],
-            marker=k.marker,
-            label=f"{k.name}: d/b, filled where it fell",
-        )
-        for k in COMPLETE.values()
+        look_of(kind, f"{kind.name}: d/b, filled where it fell", marker=kind.marker)
+        for kind in COMPLETE.values()
     ]
-    handles += [
-        plt.Line2D(
-            [],
-            [],
-            color=KINDS[m].colour,
-            ls=LINES[KINDS[m].bonded],
-            label=f"{m}: collapse probability",
-        )
-        for m in dict.fromkeys(key[0] for key in scans)
-    ]
+    models = dict.fromkeys(key[0] for key in scans)
+    handles += [look_of(KINDS[model], f"{model}: collapse probability") for model in models]
     figure.legend(handles=handles, loc="outside lower center", ncols=2)
-    style.save(figure, (job.output.png, job.output.pdf), job.input.facts)
+    style.save(figure, job.output, job.input.facts)
+
+
+def look_of(kind, label, **symbol):
+    """Entry of the legend."""
+    return plt.Line2D([], [], color=kind.colour, ls=LINES[kind.bonded], label=label, **symbol)
 
 
 run(main, globals())

@@ -5,23 +5,14 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 from rocking.building.drawing import JOINT, MASONRY
 from rocking.figures import style
+from rocking.figures.pictures import outline
 from rocking.runtime.script import run
 from rocking.tables import read_json
 
 VIEWS = (0.0, 0.25, 0.6, 1.0)  # of the largest d/b
 FACADE = "façade"
+BOX = ("centre_m", "size_m")
 GREY = (0.62, 0.66, 0.72)
-
-
-def side(block, moved):
-    """Corners of a block seen along x after translation and rotation about x, shape (4, 2)."""
-    (_, y, z), (_, depth, height) = block["centre_m"], block["size_m"]
-    dy, dz, angle = moved
-    c, s = np.cos(angle), np.sin(angle)
-    corners = 0.5 * np.array(
-        [(-depth, -height), (depth, -height), (depth, height), (-depth, height)]
-    )
-    return corners @ np.array([[c, s], [-s, c]]) + (y + dy, z + dz)
 
 
 def main(job):
@@ -42,10 +33,9 @@ def main(job):
     for axis, frame in zip(axes, chosen, strict=True):
         moved = frames["moved"][frame]
         for indices, colour in ((wall, MASONRY), ([facade], GREY)):
-            shapes = [side(blocks[i], moved[i]) for i in indices]
-            axis.add_collection(
-                PolyCollection(shapes, facecolors=[colour], edgecolors=[JOINT], linewidths=0.3)
-            )
+            shapes = [outline(*(blocks[i][k] for k in BOX), moved[i]) for i in indices]
+            look = {"facecolors": [colour], "edgecolors": [JOINT], "linewidths": 0.3}
+            axis.add_collection(PolyCollection(shapes, **look))
         axis.axhline(0.0, color="0.3", lw=0.8)
         axis.set(
             xlim=(-0.4, 8.2),
@@ -58,7 +48,7 @@ def main(job):
     source = style.provenance(read_json(job.input.facts))
     case = f"{frames['model']}, {job.wildcards.record} {job.wildcards.direction}"
     figure.suptitle(f"{case}, {frames['pga_g']:.3g} g: {source}", fontsize=8)
-    style.save(figure, (job.output.png, job.output.pdf), job.input.facts)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

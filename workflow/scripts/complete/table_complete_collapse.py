@@ -6,16 +6,15 @@ realisation there, and disagrees where the scan's outcomes within the spread are
 
 import pandas as pd
 from rocking.collapse import agreement, probability
-from rocking.collapse.ida import curve_key, read_curve
+from rocking.collapse.ida import by_curve, read_curve
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
 
 def main(job):
-    curves = {curve_key(curve): curve for curve in map(read_curve, job.input.ida)}
+    curves = by_curve(job.input.ida, read_curve)
     spread, rows, parts = job.params.spread, [], []
-    for scan in map(pd.read_csv, job.input.scans):
-        key = curve_key(scan)
+    for key, scan in by_curve(job.input.scans).items():
         curve = curves.get(key, pd.DataFrame())
         named = dict(zip(probability.KEY, key, strict=True))
         row = named | probability.summary(scan, curve, pd.DataFrame(), spread)

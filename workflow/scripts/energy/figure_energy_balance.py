@@ -3,6 +3,7 @@
 import matplotlib.pyplot as plt
 import pandas as pd
 from rocking.figures import style
+from rocking.figures.panels import common_legend
 from rocking.runtime.script import run
 
 LOSSES = {
@@ -32,7 +33,7 @@ def panel(top, bottom, history):
         t, lost, lost + stored, color=style.GREY, lw=0, label="kinetic, potential, elastic"
     )
     top.plot(t, energy["input_j"], color="black", lw=0.8, label="input")
-    sign = "+" if facts["direction"] == "pos" else "−"
+    sign = style.SIGNS[facts["direction"]]
     top.set_title(f"{facts['model']} {facts['record']} {sign}, {facts['pga_g']:.3f} g")
     bottom.semilogy(t, 100.0 * energy["residual_j"].abs().clip(lower=LEAST), color="#D55E00")
     bottom.set(xlabel="time (s)", ylim=(100.0 * LEAST, 10.0))
@@ -47,17 +48,13 @@ def main(job):
         figsize=(2.3 * len(histories) + 1.8, 4.4),
         squeeze=False,
         sharex="col",
-        layout="constrained",
         height_ratios=[2, 1],
     )
-    handles = {}
     for (top, bottom), history in zip(axes.T, histories, strict=True):
         panel(top, bottom, history)
-        lines, labels = top.get_legend_handles_labels()
-        handles.update(dict(zip(labels, lines, strict=True)))
     axes[0, 0].set_ylabel("energy over m g (R − h/2) (-)")
     axes[1, 0].set_ylabel("|residual| (%)")
-    figure.legend(handles.values(), handles.keys(), loc="outside right upper", fontsize=7)
+    common_legend(figure, loc="outside right upper", fontsize=7)
     style.save(figure, job.output, job.input.facts)
 
 

@@ -4,6 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
+from rocking.figures.panels import intervals
 from rocking.records.intensity_measures import MEASURES
 from rocking.runtime.script import run
 from rocking.stations import heading
@@ -12,25 +13,15 @@ from rocking.studies.sufficiency import PROPERTIES
 from yade_scripts.model.registry import MODELS
 
 
-def intervals(axis, table, names, value):
+def beside(axis, table, names, value):
     """Values with their intervals, a group a measure, a symbol a model."""
     models = list(dict.fromkeys(table["model"]))
     width = 0.6 / len(models)
     for i, model in enumerate(models):
         part = table[table["model"] == model].set_index("im").loc[names]
         x = np.arange(len(names)) + (i - 0.5 * (len(models) - 1)) * width
-        middle = part[value].to_numpy()
-        error = np.abs(part[["ci_low", "ci_high"]].to_numpy().T - middle)
-        axis.errorbar(
-            x,
-            middle,
-            np.where(np.isfinite(error), error, 0.0),
-            ls="",
-            capsize=2,
-            marker=MODELS[model].marker,
-            color=MODELS[model].colour,
-            label=model,
-        )
+        look = {"marker": MODELS[model].marker, "color": MODELS[model].colour, "label": model}
+        intervals(axis, x, part[value], part["ci_low"], part["ci_high"], **look)
     axis.set_xlim(-0.6, len(names) - 0.4)
 
 
@@ -41,11 +32,11 @@ def main(job):
     figure, axes = plt.subplots(
         1 + len(PROPERTIES), 1, figsize=(5.6, 2.6 + 1.7 * len(PROPERTIES)), sharex=True
     )
-    intervals(axes[0], table, names, "dispersion")
+    beside(axes[0], table, names, "dispersion")
     axes[0].set_ylabel("dispersion β of\ncollapse intensity [-]")
     axes[0].set_ylim(bottom=0)
     for axis, (against, words) in zip(axes[1:], PROPERTIES.items(), strict=True):
-        intervals(axis, slopes[slopes["against"] == against], names, "slope")
+        beside(axis, slopes[slopes["against"] == against], names, "slope")
         axis.axhline(0.0, color=style.GREY, lw=0.8, zorder=0)
         axis.set_ylabel(f"slope on\n{words} [-]")
     axes[-1].set_xticks(range(len(names)), [MEASURES[name].symbol for name in names])

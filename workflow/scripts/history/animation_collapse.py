@@ -30,7 +30,8 @@ def main(job):
     time_s, d = np.array(frames["time_s"]), np.array(frames["d_over_b"])
     shown = window(frames)
     walls, h = config["return_wall"]["count"], config["facade"]["height_m"]
-    largest = config["facade"]["thickness_m"]
+    look = {"largest_m": config["facade"]["thickness_m"], "cmap": "viridis"}
+    look["limits"] = ((-3.4, 4.6), (-0.7, h + 0.9))
     figure, (left, right) = plt.subplots(1, 2, figsize=(6.4, 4.0), width_ratios=(1.35, 1.0), dpi=90)
     right.plot(time_s, d, color=style.GREY, lw=0.8)
     right.axhline(1.0, color="k", ls=":", lw=0.8)
@@ -42,22 +43,13 @@ def main(job):
         ylabel="top displacement d/b [-]",
         ylim=(-0.1, 1.1 * d.max()),
     )
-    sign = {"pos": "+", "neg": "−"}[frames["direction"]]
+    sign = style.SIGNS[frames["direction"]]
     figure.suptitle(f"{frames['model']}, {frames['record']}{sign}, PGA {frames['pga_g']:.3g} g")
 
     def update(k):
         i = shown[k]
         left.clear()
-        pictures.draw(
-            left,
-            frames,
-            i,
-            walls,
-            config,
-            largest_m=largest,
-            cmap="viridis",
-            limits=((-3.4, 4.6), (-0.7, h + 0.9)),
-        )
+        pictures.draw(left, frames, i, walls, config, **look)
         left.set_title(f"t = {time_s[i]:.2f} s, d/b = {d[i]:.2f}")
         line.set_data(time_s[: i + 1], d[: i + 1])
         dot.set_data([time_s[i]], [d[i]])

@@ -61,7 +61,7 @@ def main(job):
         f"largest |d|/b {history['d_over_b'].abs().max():.3f}{ending}",
         fontsize=9,
     )
-    style.save(figure, [job.output[0]], job.input.facts)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

@@ -2,20 +2,14 @@
 
 import pandas as pd
 from rocking.collapse import agreement, probability
-from rocking.collapse.ida import curve_key, read_curve
+from rocking.collapse.ida import by_curve, read_curve
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
 
-def tables(paths):
-    """Tables by model, record and direction; empty ones are left out."""
-    found = [pd.read_csv(path) for path in paths]
-    return {curve_key(table): table for table in found if len(table)}
-
-
 def main(job):
-    scans, ensembles = tables(job.input.scans), tables(job.input.ensemble)
-    curves = {curve_key(curve): curve for curve in map(read_curve, job.input.ida)}
+    scans, ensembles = by_curve(job.input.scans), by_curve(job.input.ensemble)
+    curves = by_curve(job.input.ida, read_curve)
     spread, none = job.params.spread, pd.DataFrame()
     rows, parts = [], []
     for key in map(tuple, job.params.curves):
@@ -31,8 +25,7 @@ def main(job):
         row["confirmed"] = agreement.confirmed(scan, realisations, spread)
         rows.append(row)
         parts.append(table)
-    table = pd.DataFrame(rows, columns=probability.COLUMNS)
-    write_table(table, job.output.collapse, digits="%.4f")
+    write_table(rows, job.output.collapse, probability.COLUMNS, digits="%.4f")
     write_table(pd.concat(parts), job.output.probability, digits="%.4f")
 
 

@@ -3,8 +3,9 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from matplotlib.patches import Polygon
+from matplotlib.patches import Patch
 from rocking.figures import style
+from rocking.figures.pictures import FILLS, side_view
 from rocking.runtime.script import run
 from rocking.studies.pushover import (
     DRAWN,
@@ -17,7 +18,6 @@ from rocking.studies.pushover import (
 )
 from rocking.tables import read_json
 
-from yade_scripts.model.facade import FACADE
 from yade_scripts.model.interlocking import interlocking_scene
 from yade_scripts.model.registry import MODELS
 
@@ -28,64 +28,22 @@ RULE_LINES = {
     "hinged": {"color": "#009E73", "ls": "-", "lw": 2.0},
     "study": {"color": "k", "ls": ":", "lw": 1.6},
 }
-FILLS = {"façade": "0.85", "header": "#E69F00", "brick": "#56B4E9", "half": "#9ad0ee"}
-WORDS = ("façade", "header", "return brick", "its half brick")
 SCHEME_D = 0.3
+TITLES = ("(a) elements", f"(b) d/b = {SCHEME_D:g}")
 SHOWN_D = 0.05  # d/b at which the joints are compared
 
 
-def corners(y, z, dy, dz):
-    """Corners of a rectangle about (y, z)."""
-    return np.array([[y - dy, z - dz], [y + dy, z - dz], [y + dy, z + dz], [y - dy, z + dz]])
-
-
-def turned(points, theta, pivot):
-    """Points turned outward by θ about the pivot."""
-    c, s = np.cos(theta), np.sin(theta)
-    r = points - pivot
-    return pivot + np.stack([c * r[:, 0] + s * r[:, 1], -s * r[:, 0] + c * r[:, 1]], axis=1)
-
-
-def draw_blocks(axis, scene, config, theta=0.0):
-    """Side view of a scene; headers move with the façade but stay level (rule hinged)."""
-    w3, h = config["w3"], config["facade"]["height_m"]
-    pivot = np.array([config["facade"]["thickness_m"], 0.0])
-    rear = w3["brick_length_m"] - w3["overlap_m"]
-    for block in scene.blocks:
-        _, y, z = block.centre_m
-        dy, dz = 0.5 * block.size_m[1], 0.5 * block.size_m[2]
-        if block.name == FACADE:
-            shape, kind = turned(corners(y, z, dy, dz), theta, pivot), "façade"
-        elif " header " in block.name:
-            shape, kind = corners(y + np.sin(theta) * z, z, dy, dz), "header"
-        elif block.name.endswith(" front"):
-            shape, kind = corners(y, z, dy, dz), "brick"
-        elif " brick " in block.name:
-            course = int(block.name.split()[-1])
-            low = (course - 1) * w3["course_height_m"]
-            shape = corners(dy - w3["brick_length_m"], low + dz, dy, dz)
-            kind = "brick"
-            if low + 4 * dz <= h + 1e-9:
-                half = corners(-w3["overlap_m"] - 0.5 * rear, low + 3 * dz, 0.5 * rear, dz)
-                axis.add_patch(Polygon(half, fc=FILLS["half"], ec="k", lw=0.4))
-        else:
-            continue
-        over = 2 + (kind == "header")
-        axis.add_patch(Polygon(shape, fc=FILLS[kind], ec="k", lw=0.4, zorder=over))
-    axis.axhline(0.0, color="k", lw=0.8)
-    right = (1.6 + SCHEME_D) * config["facade"]["thickness_m"]
-    axis.set(xlim=(-0.1 - w3["brick_length_m"], right), ylim=(-0.15, h + 0.25))
-    axis.set(aspect="equal", xlabel="y [m]")
-
-
-def draw_elements(axes, scene, config):
-    draw_blocks(axes[0], scene, config)
+def draw_elements(axes, config):
+    """(a), (b) Side views as built and at SCHEME_D."""
+    scene = interlocking_scene(config, config["beta_s"])
+    ahead = (1.6 + SCHEME_D) * config["facade"]["thickness_m"]
+    for axis, d, title in zip(axes, (0.0, SCHEME_D), TITLES, strict=True):
+        side_view(axis, scene, config, float(theta_of(d, config["facade"])))
+        axis.axhline(0.0, color="k", lw=0.8)
+        axis.set(xlim=(-0.1 - config["w3"]["brick_length_m"], ahead), xlabel="y [m]")
+        axis.set(ylim=(-0.15, config["facade"]["height_m"] + 0.25), aspect="equal")
+        axis.set_title(title, loc="left")
     axes[0].set(ylabel="z [m]")
-    axes[0].set_title("(a) elements", loc="left")
-    for fill, text in zip(FILLS.values(), WORDS, strict=True):
-        axes[1].add_patch(Polygon([[9, 9]] * 3, fc=fill, ec="k", lw=0.4, label=text))
-    draw_blocks(axes[1], scene, config, theta=float(theta_of(SCHEME_D, config["facade"])))
-    axes[1].set_title(f"(b) d/b = {SCHEME_D:g}", loc="left")
 
 
 def draw_capacity(axis, curve, config):
@@ -142,8 +100,9 @@ def main(job):
     above, below = figure.subfigures(2, 1, height_ratios=(1.15, 1.0))
     top = above.subplots(1, 3, width_ratios=(1.0, 1.0, 3.6))
     low = below.subplots(1, 3)
-    draw_elements(top[:2], interlocking_scene(configs[-1], configs[-1]["beta_s"]), configs[-1])
-    above.legend(*top[1].get_legend_handles_labels(), loc="outside lower left", ncols=4)
+    draw_elements(top[:2], configs[-1])
+    elements = [Patch(fc=fill, ec="k", lw=0.4, label=name) for name, fill in FILLS.items()]
+    above.legend(handles=elements, loc="outside lower left", ncols=4)
     draw_capacity(top[2], cases["default"][0], configs[-1])
     draw_rules(low, cases)
     style.save(figure, job.output)

@@ -1,9 +1,9 @@
 """Sensitivity of W3's static capacity: λ0 in YADE and of the kinematic curve, by variant."""
 
 import matplotlib.pyplot as plt
-import numpy as np
 import pandas as pd
 from rocking.figures import style
+from rocking.figures.panels import ticks
 from rocking.runtime.script import run
 
 from yade_scripts.model.registry import MODELS
@@ -34,37 +34,27 @@ def main(job):
     table["name"] = table["case"].str[3:]
     default = table[table["name"] == "default"].iloc[0]
     figure, axis = plt.subplots(figsize=(6.2, 5.6))
-    y, ticks, labels = 0.0, [], []
+    y, places, labels = 0.0, [], []
     for key, title in GROUPS:
         y -= 0.6
-        axis.text(
-            0.155, y, title, fontsize=7.5, fontweight="bold", va="center", backgroundcolor="white"
-        )
+        look = {"fontsize": 7.5, "fontweight": "bold", "backgroundcolor": "white"}
+        axis.text(0.155, y, title, va="center", **look)
         rows = table[[group_of(n) == key for n in table["name"]]]
         for _, row in rows.iterrows():
             y -= 1.0
-            axis.plot(
-                [row["lambda0_kinematic"], row["lambda0_dem"]], [y, y], color=style.GREY, lw=1
-            )
+            ends = row[["lambda0_kinematic", "lambda0_dem"]]
+            axis.plot(ends, [y, y], color=style.GREY, lw=1)
             axis.plot(row["lambda0_dem"], y, "o", color=MODELS["W3"].colour)
             axis.plot(row["lambda0_kinematic"], y, "|", color="k", ms=9, mew=1.5)
-            ticks.append(y)
+            places.append(y)
             labels.append(row["name"].removeprefix(key + "_").replace("_", " "))
         y -= 0.6
     axis.plot([], [], "o", color=MODELS["W3"].colour, label="YADE, base corrected")
     axis.plot([], [], "|", color="k", ms=9, mew=1.5, label="kinematic curve")
     axis.axvline(default["lambda0_dem"], color=MODELS["W3"].colour, ls=":", lw=1, label="default")
-    axis.set(
-        yticks=ticks,
-        yticklabels=labels,
-        ylim=(y, 0.5),
-        xscale="log",
-        xlabel="λ$_0$ up to d/b = 0.5 [-]",
-        xlim=(0.15, 5.0),
-    )
-    shown = np.array([0.2, 0.3, 0.5, 1.0, 2.0, 5.0])
-    axis.set_xticks(shown, [f"{v:g}" for v in shown])
-    axis.minorticks_off()
+    axis.set(ylim=(y, 0.5), xlim=(0.15, 5.0), xscale="log", xlabel="λ$_0$ up to d/b = 0.5 [-]")
+    ticks(axis.yaxis, places, labels)
+    ticks(axis.xaxis, (0.2, 0.3, 0.5, 1.0, 2.0, 5.0))
     axis.legend(loc="lower right")
     style.save(figure, job.output)
 

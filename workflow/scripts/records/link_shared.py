@@ -4,7 +4,6 @@ import os
 import shutil
 from pathlib import Path
 
-import pandas as pd
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
@@ -27,8 +26,7 @@ def main(job):
         name = "/".join(source.parts[-2:])
         link(source, folder / name)
         rows.append((name, source.as_posix()))
-    table = pd.DataFrame(rows, columns=["file", "kept_in"])
-    write_table(table, job.output[0], digits=None)
+    write_table(rows, job.output[0], ["file", "kept_in"], digits=None)
 
 
 run(main, globals())

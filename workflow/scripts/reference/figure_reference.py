@@ -2,13 +2,13 @@
 
 import math
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from matplotlib.ticker import MaxNLocator
 from rocking.accuracy.coverage import KEY
 from rocking.collapse import probability
 from rocking.figures import style
+from rocking.figures.panels import panels
 from rocking.runtime.script import run
 
 from yade_scripts.model.registry import MODELS
@@ -30,9 +30,8 @@ def draw(axis, key, scan, row, reported, spread):
     high = valid["pga_g"].max() if math.isnan(high) else high
     axis.plot([low, high], [0.5, 0.5], color=colour, lw=4, alpha=0.35, solid_capstyle="butt")
     axis.plot(row["pga_collapse_g"], -0.1, marker="^", color=colour, ms=5, clip_on=False)
-    axis.set_title(
-        f"{key[0]} {key[1]} {'+' if key[2] == 'pos' else '−'}: {row['coverage']:.2f}", fontsize=8
-    )
+    name = f"{key[0]} {key[1]} {style.SIGNS[key[2]]}"
+    axis.set_title(f"{name}: {row['coverage']:.2f}", fontsize=8)
     fell = valid.loc[valid["collapsed"] == 1, "pga_g"]
     stood = valid.loc[valid["collapsed"] == 0, "pga_g"]
     if len(fell):
@@ -45,17 +44,7 @@ def main(job):
     scans = dict(list(pd.read_csv(job.input.scan).groupby(KEY, sort=False)))
     bands = pd.read_csv(job.input.bands).set_index(KEY)
     known = dict(list(pd.read_csv(job.input.probability).groupby(KEY)))
-    rows = math.ceil(len(scans) / COLUMNS)
-    figure, axes = plt.subplots(
-        rows,
-        COLUMNS,
-        figsize=(10.0, 1.6 * rows + 0.5),
-        sharey=True,
-        squeeze=False,
-        layout="constrained",
-    )
-    for axis in axes.flat[len(scans) :]:
-        axis.set_visible(False)
+    figure, axes = panels(len(scans), COLUMNS, (2.5, 1.6), around=(0.0, 0.5), sharey=True)
     for axis, (key, scan) in zip(axes.flat, scans.items(), strict=False):
         draw(axis, key, scan, bands.loc[key], known[key], job.params.spread)
     figure.supxlabel("PGA (g)")

@@ -19,8 +19,7 @@ def main(job):
     start_g = 0.5 * (models.static_multiplier(scene) if math.isnan(lowest) else lowest)
     table = scan(scene, job.input.motion, w.direction, settings, start_g)
     table = table.assign(model=scene["model"], record=job.params.record, direction=w.direction)
-    table = table[list(SCAN_COLUMNS)]
-    write_table(table, job.output[0])
+    write_table(table, job.output[0], SCAN_COLUMNS)
 
 
 run(main, globals())

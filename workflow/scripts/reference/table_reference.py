@@ -13,8 +13,7 @@ def main(job):
         compare(table, reported.loc[key], job.params.spread)
         for key, table in scans.groupby(KEY, sort=False)
     ]
-    bands = pd.DataFrame(rows, columns=list(BAND_COLUMNS))
-    write_table(bands, job.output.bands, digits="%.4f")
+    write_table(rows, job.output.bands, BAND_COLUMNS, digits="%.4f")
     write_table(scans, job.output.scan)
 
 

@@ -39,8 +39,7 @@ def main(job):
             times = pd.read_csv(measured, sep="\t").iloc[0]
             row += [times["s"], times["cpu_time"], times["max_rss"]]
         rows.append(row + [None] * (len(COLUMNS) - len(row)))
-    table = pd.DataFrame(rows, columns=COLUMNS)
-    write_table(table, job.output[0], digits="%.4g")
+    write_table(rows, job.output[0], COLUMNS, digits="%.4g")
 
 
 run(main, globals())

@@ -1,8 +1,8 @@
 """Collapse PGA against the friction of a loaded roof, a panel a model, with YADE's runs."""
 
-import matplotlib.pyplot as plt
 import pandas as pd
 from rocking.figures import style
+from rocking.figures.panels import band, panels
 from rocking.runtime.script import run
 from rocking.tables import read_json
 
@@ -14,11 +14,8 @@ def panel(axis, found, yade):
     for (load, part), look in zip(loaded.groupby("load_kn"), style.LOOKS, strict=False):
         colour, line, marker = look
         low, high = part["pga_p10_g"], part["pga_p90_g"].fillna(part["pga_max_g"])
-        axis.fill_between(part["friction"], low, high, color=colour, alpha=0.15, lw=0)
-        axis.plot(
-            part["friction"], part["pga_median_g"], line, color=colour, marker=marker, ms=3.5,
-            label=f"load of {load:g} kN",
-        )  # fmt: skip
+        look = {"ls": line, "marker": marker, "ms": 3.5, "label": f"load of {load:g} kN"}
+        band(axis, part["friction"], part["pga_median_g"], low, high, colour, **look)
     valid = yade[yade["status"] != "failed"]
     for (force, pga), part in valid.groupby(["force_kn", "pga_g"]):
         at, share = (force / loaded["load_kn"].max(), pga), part["collapsed"].mean()
@@ -33,8 +30,7 @@ def main(job):
     tables = [pd.read_csv(path) for path in job.input.tables]
     runs = [pd.read_csv(path) for path in job.input.yade]
     facts = read_json(job.input.facts)
-    size = (1.6 + 3.1 * len(tables), 3.4)
-    figure, axes = plt.subplots(1, len(tables), figsize=size, sharey=True, squeeze=False)
+    figure, axes = panels(len(tables), len(tables), (3.1, 3.4), around=(1.6, 0.0), sharey=True)
     for axis, found, yade in zip(axes[0], tables, runs, strict=True):
         panel(axis, found, yade)
     axes[0, 0].set(ylabel="collapse PGA [g]", ylim=(0.0, None))
@@ -44,7 +40,7 @@ def main(job):
     figure.suptitle(
         f"{style.provenance(facts)} {style.SIGNS[tables[0]['direction'].iloc[0]]}", fontsize=9
     )
-    style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

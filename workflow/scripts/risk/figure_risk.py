@@ -6,6 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
+from rocking.figures.panels import intervals
 from rocking.records.intensity_measures import MEASURES
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
@@ -44,26 +45,17 @@ def main(job):
         curve = curves[curves["model"] == model]
         x = curve["intensity"]
         if np.isfinite(row["rate_low"]):
-            axes[1].fill_between(
-                x, curve["band_low"], curve["band_high"], alpha=0.18, lw=0, color=colour
-            )
+            band = curve["band_low"], curve["band_high"]
+            axes[1].fill_between(x, *band, alpha=0.18, lw=0, color=colour)
         axes[1].plot(x, curve["probability"], ls=LINES[i % len(LINES)], color=colour)
         part = parts[parts["model"] == model].iloc[1:-1]  # the table's own intensities
         beside = (i - 0.5 * (len(models) - 1)) * 0.5 / len(models)
         ratio = (part["intensity_high"] / part["intensity_low"]) ** (0.5 + beside)
-        error = np.abs(part[["share_low", "share_high"]].to_numpy().T - part["share"].to_numpy())
-        axes[2].errorbar(
-            part["intensity_low"] * ratio,
-            part["share"],
-            error,
-            ls="",
-            marker=MODELS[model].marker,
-            ms=4,
-            capsize=2,
-            color=colour,
-            label=f"{model}: {row['annual_rate']:.2g} a year{interval(row)},"
-            f" {100 * row['probability']:.2g} % in {risk['years']:g} years",
-        )
+        label = f"{model}: {row['annual_rate']:.2g} a year{interval(row)},"
+        label += f" {100 * row['probability']:.2g} % in {risk['years']:g} years"
+        look = {"marker": MODELS[model].marker, "ms": 4, "color": colour, "label": label}
+        shares = part["share"], part["share_low"], part["share_high"]
+        intervals(axes[2], part["intensity_low"] * ratio, *shares, **look)
     axes[1].set(ylabel="probability\nof collapse [-]", ylim=(0, 1))
     axes[2].set(ylabel="share of the rate\nof collapse [-]", xlabel=measure.label, xlim=(low, high))
     axes[2].set_ylim(bottom=0)

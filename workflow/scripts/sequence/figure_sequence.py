@@ -1,9 +1,9 @@
 """Collapse PGA after a first shock over that without, against the first shock's PGA."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
+from rocking.figures.panels import panels
 from rocking.runtime.script import run
 
 from yade_scripts.model.registry import MODELS
@@ -12,8 +12,7 @@ from yade_scripts.model.registry import MODELS
 def main(job):
     table = pd.read_csv(job.input.table)
     models = list(dict.fromkeys(table["model"]))
-    size = (1.2 + 1.75 * len(models), 3.2)
-    figure, axes = plt.subplots(1, len(models), figsize=size, sharey=True, squeeze=False)
+    figure, axes = panels(len(models), len(models), (1.75, 3.2), around=(1.2, 0.0), sharey=True)
     levels = sorted(set(table["first_pga_g"]))
     at = {level: k for k, level in enumerate(levels)}
     for axis, model in zip(axes.flat, models, strict=True):

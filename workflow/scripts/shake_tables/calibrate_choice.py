@@ -69,7 +69,7 @@ def main(job):
             axis.set_title(f"{model}, {record} {style.SIGNS[direction]}", loc="left")
             axis.set(xlabel="d/b [–]", ylabel="PGA [g]", xlim=(0, 1.02), ylim=(0, None))
     axes[0, 0].legend()
-    style.save(figure, (job.output.png, job.output.pdf), job.input.facts)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

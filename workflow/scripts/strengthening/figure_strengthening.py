@@ -6,6 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
+from rocking.figures.panels import band, ticks
 from rocking.runtime.script import run
 from rocking.tables import read_json
 
@@ -27,17 +28,14 @@ def main(job):
     for k, (height, part) in enumerate(table.groupby("height_m")):
         colour, line, marker = style.LOOKS[k % len(style.LOOKS)]
         x = place(part["force_kn"], first)
-        left.fill_between(x, part["low"], part["high"], color=colour, alpha=0.15, lw=0)
         share = height / job.params.height_m
-        left.plot(
-            x, part["probability"], line, color=colour, marker=marker, ms=2.5,
-            label=f"tie at {height:.2f} m ({share:.0%} of the height)",
-        )  # fmt: skip
+        label = f"tie at {height:.2f} m ({share:.0%} of the height)"
+        look = {"ls": line, "marker": marker, "ms": 2.5, "label": label}
+        band(left, x, part["probability"], part["low"], part["high"], colour, **look)
     for force, part in yade[yade["status"] != "failed"].groupby("force_kn"):
         label = f"YADE, {len(part)} realisations" if force == yade["force_kn"].max() else None
-        left.plot(
-            place(force, first), part["collapsed"].mean(), "k*", ms=9, mfc="none", label=label
-        )
+        at = place(force, first), part["collapsed"].mean()
+        left.plot(*at, "k*", ms=9, mfc="none", label=label)
     left.axhline(settings["probability"], color="k", lw=0.7)
     left.set(ylabel=f"collapse probability at {settings['pga_g']:g} g [-]", ylim=(-0.03, 1.03))
     left.legend(loc="best", fontsize=7)
@@ -55,16 +53,15 @@ def main(job):
     for axis in (left, right):
         axis.set_xscale("log")
         axis.set_xlabel("force of the row of ties at yield [kN]")
-        ticks = [t for t in TICKS_KN if first <= t <= settings["forces_kn"][1]]
-        axis.set_xticks([0.6 * first, *ticks], ["none", *(f"{t:g}" for t in ticks)])
-        axis.minorticks_off()
+        forces = [t for t in TICKS_KN if first <= t <= settings["forces_kn"][1]]
+        ticks(axis.xaxis, [0.6 * first, *forces], ["none", *(f"{t:g}" for t in forces)])
     found = f"least tie {held['force_kn'].min():.3g} kN" if len(held) else "no tie tried holds"
     left.set_title(
         f"{table['model'].iloc[0]}, {style.provenance(facts)} "
         f"{style.SIGNS[table['direction'].iloc[0]]}: {found}",
         loc="left",
     )
-    style.save(figure, [job.output.png, job.output.pdf], job.input.facts)
+    style.save(figure, job.output, job.input.facts)
 
 
 run(main, globals())

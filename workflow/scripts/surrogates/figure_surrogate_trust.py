@@ -1,9 +1,9 @@
 """Collapse of surrogates over that of their records, and whether the weak side is the same."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
+from rocking.figures.panels import distribution, panels, ticks
 from rocking.runtime.script import run
 from rocking.studies.surrogate_trust import pairs, sides
 
@@ -22,37 +22,27 @@ def main(job):
     kinds = sorted(found["pulses"].unique())
     models = list(dict.fromkeys(found["model"]))
     both = found["direction"].nunique() > 1  # else no side is the weak one
-    figure, axes = plt.subplots(
-        1 + both,
-        len(kinds),
-        figsize=(2.2 + 2.2 * len(kinds), 3.0 + 2.4 * both),
-        sharex="row",
-        sharey="row",
-        squeeze=False,
-    )
+    size, around = (2.2, 3.0 if not both else 2.7), (2.2, 0.0)
+    count = (1 + both) * len(kinds)
+    figure, axes = panels(count, len(kinds), size, around, sharex="row", sharey="row")
     for column, pulses in enumerate(kinds):
         top = axes[0, column]
         for i, model in enumerate(models):
             colour = MODELS[model].colour
             part = found[(found["pulses"] == pulses) & (found["model"] == model)]
-            ratio = np.sort(part["ratio"].dropna())
             facts = trust.loc[model, pulses]
             label = f"{model}: {facts['ratio_median']:.2f}, scatter {facts['scatter']:.2f}"
-            shares = (np.arange(len(ratio)) + 0.5) / len(ratio)
             look = {"color": colour, "ls": ("-", "--")[i % 2], "drawstyle": "steps-mid"}
-            top.plot(ratio, shares, label=label, **look)
+            distribution(top, part["ratio"], label=label, **look)
             known = sides(part)
             if known is None:
                 continue
             x, y = (known[name] / np.log(2.0) for name in ("recorded", "surrogate"))
-            marker = MODELS[model].marker
-            axes[1, column].plot(
-                x, y, ls="", marker=marker, ms=4, alpha=0.8, label=model, color=colour
-            )
+            look = {"marker": MODELS[model].marker, "ms": 4, "alpha": 0.8, "color": colour}
+            axes[1, column].plot(x, y, ls="", label=model, **look)
         top.axvline(1.0, color=style.GREY, lw=0.8, zorder=0)
         top.set(xscale="log", title=title(pulses), ylim=(0, 1))
-        top.set_xticks([0.33, 0.5, 1.0, 2.0, 3.0], ["1/3", "1/2", "1", "2", "3"])
-        top.minorticks_off()
+        ticks(top.xaxis, (0.33, 0.5, 1.0, 2.0, 3.0), ("1/3", "1/2", "1", "2", "3"))
         top.set_xlabel("collapse PGA, surrogate / recorded [-]")
         top.legend(loc="lower right", fontsize=7)
         for bottom in axes[1:, column]:

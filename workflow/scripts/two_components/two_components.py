@@ -1,7 +1,6 @@
 """Collapse of one record's curves under one and under both horizontal components."""
 
 import numpy as np
-import pandas as pd
 from rocking.runtime.script import run
 from rocking.studies.two_components import COLUMNS, Curve
 from rocking.tables import read_json, write_table
@@ -20,8 +19,7 @@ def main(job):
             found = Curve(scene, time_s, columns, direction, p.settings).compare()
             own = (scene["model"], job.wildcards.record, p.second, direction, ratio)
             rows.append((*own, *found))
-    table = pd.DataFrame(rows, columns=COLUMNS)
-    write_table(table, job.output[0])
+    write_table(rows, job.output[0], COLUMNS)
 
 
 run(main, globals())

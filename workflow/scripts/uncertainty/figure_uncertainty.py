@@ -4,6 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
+from rocking.figures.panels import intervals
 from rocking.runtime.script import run
 from rocking.studies.fragility import Fragility
 
@@ -20,22 +21,19 @@ WORDS = {
     "length_m": "length L",
 }
 LINES = ("-", "--", "-.", ":")
-
-
-def spans(axis, place, best, low, high, scale=100.0, **look):
-    """Symbols with intervals along x."""
-    ends = scale * np.abs([best - low, high - best])
-    axis.errorbar(scale * best, place, xerr=ends, ls="", capsize=2, lw=0.9, ms=4, **look)
+ENDS = ("", "_low", "_high")
+SPAN = {"lw": 0.9, "ms": 4}
 
 
 def main(job):
     found, slopes, curves = (
         pd.read_csv(path) for path in (job.input.parts, job.input.sensitivity, job.input.fragility)
     )
-    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(10.5, 3.8), layout="constrained")
+    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(10.5, 3.8))
     parts = found[found["part"] != "total"][::-1]
     place = np.arange(len(parts))
-    spans(left, place, *(parts[f"share{e}"] for e in ("", "_low", "_high")), marker="o", color="k")
+    shares = (100.0 * parts[f"share{end}"] for end in ENDS)
+    intervals(left, place, *shares, along="x", marker="o", color="k", **SPAN)
     labels = [f"{p} ({b:.2f})" for p, b in zip(parts["part"], parts["beta"], strict=True)]
     left.set_yticks(place, [label.replace(" x ", " × ") for label in labels], fontsize=7)
     left.set(xlabel="share of the variance of ln PGA [%]", xlim=(0, None))
@@ -52,7 +50,8 @@ def main(job):
         kind, other = MODELS[model.split()[0]], " " in model  # on another base: open symbols
         look = {"marker": kind.marker, "color": kind.colour, "label": model}
         look |= {"mfc": "white"} if other else {}
-        spans(middle, y, *(np.expm1(part[f"slope{e}"]) for e in ("", "_low", "_high")), **look)
+        changes = (100.0 * np.expm1(part[f"slope{end}"]) for end in ENDS)
+        intervals(middle, y, *changes, along="x", **look, **SPAN)
     middle.axvline(0.0, color=style.GREY, lw=0.8, zorder=0)
     middle.set_yticks(np.arange(len(names)), [WORDS[name] for name in names])
     middle.set(xlabel="change of collapse PGA for one\nstandard deviation [%]")

@@ -21,8 +21,7 @@ def main(job):
             same = int(status == yade["status"])
             both = (value, status, yade["d_over_b"], yade["status"], same)
             rows.append((Path(path).stem, *known, yade["pga_g"], *both))
-    table = pd.DataFrame(rows, columns=COLUMNS)
-    write_table(table, job.output[0])
+    write_table(rows, job.output[0], COLUMNS)
 
 
 run(main, globals())

@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
+from rocking.figures.panels import common_legend, lowest, panels
 from rocking.runtime.script import run
 from rocking.studies import validation
 
@@ -19,18 +19,14 @@ def main(job):
     tables = [table[table["how"] == validation.ALONE] for table in tables]
     whole = pd.concat(tables)
     fallen_mm = FALL * whole[["peak_mm", "measured_mm"]].max().max()
-    down = -(-len(models) // ACROSS)
-    figure, axes = plt.subplots(
-        down, ACROSS, figsize=(9.0, 1.2 + 2.6 * down), sharex=True, sharey=True, squeeze=False
-    )
+    size, around = (4.5, 2.6), (0.0, 1.2)
+    figure, axes = panels(len(models), ACROSS, size, around, sharex=True, sharey=True)
     looks = {name: look(i) for i, name in enumerate(whole["variant"].unique())}
     for axis, model, table in zip(axes.flat, models, tables, strict=False):
         panel(axis, model, table, looks, fallen_mm)
-    for axis in axes.flat[len(models) :]:
-        axis.set_axis_off()
     about = models[0].specimen["observed"]
     figure.supylabel(f"{about['quantity']} [{about['unit']}]", size=8)
-    for axis in axes[-1]:
+    for axis in lowest(axes, len(models)):
         axis.set_xlabel("run")
     signs = {"ls": "", "ms": 5, "c": "0.4"}
     last = axes[0, 0]
@@ -41,18 +37,8 @@ def main(job):
         last.fill_between([], [], color="0.4", alpha=0.15, lw=0, label=band)
     if (whole["status"] != "ok").any():
         last.plot([], [], "*", label="fell", **signs)
-    found: dict = {}  # one legend for all panels
-    for axis in axes.flat:
-        for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
-            found.setdefault(label, handle)
-    names = [*(name for name in found if name not in looks), *looks]
-    figure.legend(
-        [found[name] for name in names],
-        names,
-        loc="outside lower center",
-        ncols=3,
-        title=f"motions: {validation.motions_of(whole)}; lines: planar solver",
-    )
+    title = f"motions: {validation.motions_of(whole)}; lines: planar solver"
+    common_legend(figure, last=looks, loc="outside lower center", ncols=3, title=title)
     style.save(figure, job.output)
 
 

@@ -21,7 +21,7 @@ def main(job):
     variants = list(dict.fromkeys(table["variant"]))
     shown = variants[: json.loads(job.params.settings)["validation"]["main_variants"]]
     figure, axes = plt.subplots(
-        len(shown) + 1, 1, figsize=(7.0, 2.6 * (len(shown) + 1)), layout="constrained", sharex=True
+        len(shown) + 1, 1, figsize=(7.0, 2.6 * (len(shown) + 1)), sharex=True
     )
     measured = table.drop_duplicates("run")
     for axis in axes:

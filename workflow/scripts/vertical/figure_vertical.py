@@ -4,6 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from rocking.figures import style
+from rocking.figures.panels import distribution, ticks
 from rocking.runtime.script import run
 from rocking.studies.vertical import ratios
 
@@ -20,7 +21,7 @@ def main(job):
     found = ratios(table)
     found = found[found["measure"] == "median"]
     reach = max(LEAST, 1.03 * float(np.exp(np.log(found["ratio"]).abs().max())))
-    figure, (left, right) = plt.subplots(1, 2, figsize=(7.0, 3.4), layout="constrained")
+    figure, (left, right) = plt.subplots(1, 2, figsize=(7.0, 3.4))
     for i, model in enumerate(dict.fromkeys(found["model"])):
         kind, ls = MODELS[model], LINES[i % len(LINES)]
         of_model = found[found["model"] == model]
@@ -28,31 +29,21 @@ def main(job):
             ("hundredth", SMALL, f"{model}, a hundredth of it"),
             ("whole", {"color": kind.colour}, model),
         ):
-            part = of_model[of_model["vertical"] == share].dropna(subset="ratio")
-            ratio = np.sort(part["ratio"])
-            shares = (np.arange(len(ratio)) + 0.5) / len(ratio)
-            left.plot(ratio, shares, ls=ls, drawstyle="steps-mid", label=label, **look)
-        right.plot(
-            part["vertical_over_horizontal"],
-            part["ratio"],
-            ls="",
-            marker=kind.marker,
-            ms=4,
-            mfc="none" if i % 2 else kind.colour,
-            color=kind.colour,
-            label=model,
-        )
+            part = of_model[of_model["vertical"] == share]
+            look = {"ls": ls, "drawstyle": "steps-mid", "label": label, **look}
+            distribution(left, part["ratio"], **look)
+        look = {"color": kind.colour, "mfc": "none" if i % 2 else kind.colour, "label": model}
+        x, y = part["vertical_over_horizontal"], part["ratio"]
+        right.plot(x, y, ls="", marker=kind.marker, ms=4, **look)
     left.axvline(1.0, color=style.GREY, lw=0.8, zorder=0)
     right.axhline(1.0, color=style.GREY, lw=0.8, zorder=0)
     label = "collapse PGA, with over without vertical motion [-]"
     left.set(ylim=(0, 1), ylabel="share of curves [-]")
     right.set(xlabel="PGA, vertical over horizontal [-]")
-    ticks = [t for t in TICKS if 1.0 / reach < t < reach]
-    for axis, name in ((left, "x"), (right, "y")):
-        axis.set(**{f"{name}scale": "log", f"{name}lim": (1.0 / reach, reach)})
-        axis.minorticks_off()
-        axis.set(**{f"{name}ticks": ticks, f"{name}ticklabels": [f"{t:g}" for t in ticks]})
-        axis.set(**{f"{name}label": label})
+    left.set(xscale="log", xlim=(1.0 / reach, reach), xlabel=label)
+    right.set(yscale="log", ylim=(1.0 / reach, reach), ylabel=label)
+    for side in (left.xaxis, right.yaxis):
+        ticks(side, [t for t in TICKS if 1.0 / reach < t < reach])
     left.legend(loc="upper left", fontsize=7)
     right.legend(loc="upper right", fontsize=7)
     figure.suptitle(f"{table['record'].nunique()} components with their vertical motions")

@@ -3,6 +3,7 @@
 import json
 
 from rocking import Case, Motion
+from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.studies.vertical import collapse
 from rocking.tables import write_table
@@ -10,9 +11,8 @@ from rocking.tables import write_table
 
 def main(job):
     p = job.params
-    settings = json.loads(p.settings)
-    how = {key: settings[key] for key in ("baseline", "seed")}
-    motion = Motion.named(job.wildcards.record, p.table, vertical_motion="on", **how)
+    settings = {**json.loads(p.settings), "vertical_motion": "on"}
+    motion = Motion(load_as(settings, job.wildcards.record, p.table))
     cases = [Case.read(path) for path in job.input.scenes]
     write_table(collapse(cases, motion, settings["directions"], p.station), job.output[0])
 
