@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from rocking.calibration import fits, study
+from rocking.calibration.beta import groups, read_law
 from rocking.calibration.restitution import TARGETS, Rebounds
 from rocking.mechanics import closed_forms
 
@@ -70,3 +71,21 @@ def test_a_row_has_every_column_and_eq_5():
     assert set(fits.CONTRACT) <= set(row)
     assert row["beta_eq5_s"] == closed_forms.beta_one_sided(0.11, 1.1, 1800.0)
     assert row["runs"] == len(BETAS)
+
+
+def test_a_law_is_followed_over_the_slenderness_of_every_batch():
+    settings = {"thickness_m": [0.11, 0.3], "e_mpa": [1800.0], "slenderness": [5.0, 15.0]}
+    settings |= {"reference_ratio": 0.22, "density_kg_m3": 2000.0, "base": "study"}
+    settings |= {"nodes_thickness": 5, "nodes_height": 5, "step_fraction": 0.4}
+    law = read_law()
+    table = fits.along_slenderness(settings, law, count=3)
+    assert table["slenderness"].tolist() == [5.0, 10.0, 15.0] * 2
+    assert (table["low_s"] < table["beta_s"]).all()
+    assert (table["beta_s"] < table["high_s"]).all()
+    row = table.iloc[4]
+    config = study.batch_wall(settings, 0.3, 1800.0, 10.0, 0.22)
+    assert row["beta_s"] == pytest.approx(law.predict(groups(config))[0])
+    assert row["eq5_s"] == closed_forms.beta_one_sided(0.3, 3.0, 1800.0)
+    low, high = fits.study_range(settings, 0.3, 1800.0, [5.0, 10.0])
+    assert (low < high).all()
+    assert high[1] == study.single_block_maximum(config)

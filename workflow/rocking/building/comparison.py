@@ -93,6 +93,35 @@ def chain_top(ground_m_s2, dt_s, n_dof, period_s, damping_ratio, duration_s=None
     return motion.time_s[keep], motion.floors_m_s2[-1][keep]
 
 
+def against_chains(history, record, period_s, settings):
+    """Top motion of a building under a record, and of equal chains of its period with their errors.
+
+    Parameters
+    ----------
+    history : path
+        CSV with time and top acceleration in its first and third column.
+    record : Record
+    period_s : float
+    settings : dict
+        Section building: damping_ratio, wme_longest_period_s, wme_highest_frequency_hz.
+
+    Returns
+    -------
+    reference : TopMotion
+    chains : dict of int to (TopMotion, dict)
+        By N_DOF; the errors by quantity.
+    """
+    time_s, _, top_m_s2, *_ = np.loadtxt(history, delimiter=",", skiprows=1).T
+    ranges = settings["wme_longest_period_s"], settings["wme_highest_frequency_hz"]
+    reference, chains = top_motion(time_s, top_m_s2, *ranges), {}
+    given = record.acceleration_m_s2, record.dt_s
+    for n in N_DOF:
+        top = chain_top(*given, n, period_s, settings["damping_ratio"])
+        motion = top_motion(top[0], top[1], ranges[0], ranges[1])
+        chains[n] = motion, reference.wme(motion)
+    return reference, chains
+
+
 def choose_n(rows, gain):
     """Return the smallest n for which no larger n lowers the mean WME by more than `gain`.
 

@@ -144,6 +144,42 @@ def rebounds_meant(wall):
     return (best.peak_time_s[: len(TARGETS)], *np.array(ends).T)
 
 
+def along_slenderness(settings, law, count=60):
+    """What a law and eq. 5 say of the study's walls, from its least to its largest slenderness.
+
+    Parameters
+    ----------
+    settings : dict
+        Section calibration.
+    law : `beta.Law`
+    count : int
+
+    Returns
+    -------
+    DataFrame
+        b_m, e_mpa of each batch, slenderness, beta_s with low_s and high_s (90 % band), eq5_s,
+        omega_c_rad_s; at the reference return-wall ratio.
+    """
+    x = np.linspace(min(settings["slenderness"]), max(settings["slenderness"]), count)
+    parts = []
+    for b, e_mpa in study.batches(settings):
+        walls = [study.batch_wall(settings, b, e_mpa, s, settings["reference_ratio"]) for s in x]
+        part = pd.DataFrame({"b_m": b, "e_mpa": e_mpa, "slenderness": x})
+        part["beta_s"], part["low_s"], part["high_s"] = law.along(walls)
+        part["eq5_s"] = [closed_forms.beta_one_sided(b, s * b, e_mpa) for s in x]
+        part["omega_c_rad_s"] = [calibration.groups(w)["omega_c_rad_s"] for w in walls]
+        parts.append(part)
+    return pd.concat(parts, ignore_index=True)
+
+
+def study_range(settings, b, e_mpa, slenderness):
+    """Smallest and largest β of the study's range [s] for a batch, of shape (2, n)."""
+    r = settings["reference_ratio"]
+    walls = [study.batch_wall(settings, b, e_mpa, s, r) for s in slenderness]
+    ends = study.two_block_minimum, study.single_block_maximum
+    return np.array([[end(wall) for wall in walls] for end in ends])
+
+
 def at_listed(wall, betas_s):
     """Return the numbers of a wall's runs that are nearest to some β, in ln β."""
     return [int(np.argmin(np.abs(np.log(wall["beta_s"] / beta)))) for beta in betas_s]

@@ -1,14 +1,16 @@
 """Realisations that a stable median needs, and the planar solver's median where they spread."""
 
 import numpy as np
-import pandas as pd
 from rocking.collapse.ensemble import realisations_needed
+from rocking.collapse.ida import by_curve
 from rocking.reference.facade import ensemble_peaks
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
 
 TOLERANCE = 0.05  # half width of the interval about the median of d/b
 LEVELS = 2
+COLUMNS = ["model", "record", "direction", "pga_g", "realisations", "d_over_b_median"]
+COLUMNS += ["d_over_b_std", "realisations_needed", "d_over_b_median_reference"]
 
 
 def compare(scenes, motions, table):
@@ -33,46 +35,16 @@ def compare(scenes, motions, table):
 
 def main(job):
     motions = dict(zip(job.params.records, job.input.motions, strict=True))
-    scenes = {}
-    for path in job.input.scenes:
-        scene = read_json(path)
-        scenes[scene["model"]] = scene
+    scenes = {scene["model"]: scene for scene in map(read_json, job.input.scenes)}
     rows = []
-    for path in job.input.ensembles:
-        table = pd.read_csv(path)
-        if table.empty:
-            continue
+    for key, table in by_curve(job.input.ensembles).items():
         reference = compare(scenes, motions, table)
         for pga_g, part in table.groupby("pga_g"):
             values = part["d_over_b"].dropna().clip(upper=1.0)
-            first = part.iloc[0]
-            rows.append(
-                {
-                    "model": first["model"],
-                    "record": first["record"],
-                    "direction": first["direction"],
-                    "pga_g": pga_g,
-                    "realisations": len(values),
-                    "d_over_b_median": values.median(),
-                    "d_over_b_std": values.std(),
-                    "realisations_needed": realisations_needed(values, TOLERANCE, 1)
-                    if len(values)
-                    else None,
-                    "d_over_b_median_reference": reference.get(pga_g),
-                }
-            )
-    columns = [
-        "model",
-        "record",
-        "direction",
-        "pga_g",
-        "realisations",
-        "d_over_b_median",
-        "d_over_b_std",
-        "realisations_needed",
-        "d_over_b_median_reference",
-    ]
-    write_table(rows, job.output[0], columns)
+            needed = realisations_needed(values, TOLERANCE, 1) if len(values) else None
+            known = len(values), values.median(), values.std(), needed, reference.get(pga_g)
+            rows.append((*key, pga_g, *known))
+    write_table(rows, job.output[0], COLUMNS)
 
 
 run(main, globals())

@@ -12,11 +12,9 @@ from rocking.tables import write_table
 
 from yade_scripts.model.registry import MODELS
 
-GROUPS = ("height", "slenderness", "T1", "pulse share", "PGV/PGA")
-SHOWN = ("linear_ground", "slv_ground", "slv_both", "slc_both")
-MARKS = ("o", "s", "^", "D")
-HEADINGS = {"height": "height [m]", "slenderness": "h/b [-]", "T1": "T1 [s]"}
-HEADINGS |= {"pulse share": "pulse share [-]", "PGV/PGA": "PGV/PGA [s]"}
+GROUPS = {"height": "height [m]", "slenderness": "h/b [-]", "T1": "T1 [s]"}
+GROUPS |= {"pulse share": "pulse share [-]", "PGV/PGA": "PGV/PGA [s]"}
+SHOWN = {"linear_ground": "o", "slv_ground": "s", "slv_both": "^", "slc_both": "D"}
 
 
 def draw_ratios(table, output, facts):
@@ -59,7 +57,7 @@ def draw_groups(table, output, facts):
                 axis.set_axis_off()
                 axis.text(0.5, 50.0, f"{model} has no {group}", ha="center", size=7)
                 continue
-            for i, (check, mark) in enumerate(zip(SHOWN, MARKS, strict=True)):
+            for i, (check, mark) in enumerate(SHOWN.items()):
                 part = own[own["check"] == check].set_index("value").reindex(values)
                 x, grey = np.arange(len(values)) + 0.16 * (i - 1.5), str(0.18 * i)
                 share = (100 * part[name] for name in ("unsafe_share", "ci_low", "ci_high"))
@@ -68,8 +66,8 @@ def draw_groups(table, output, facts):
                 intervals(axis, x, *share, **look)
             axis.set_xticks(range(len(values)), [v.replace(" ", "\n") for v in values])
             axis.set(ylim=(-3, 103), xlim=(-0.5, len(values) - 0.5))
-    for axis, group in zip(axes[-1], GROUPS, strict=True):
-        axis.set_xlabel(HEADINGS[group])
+    for axis, heading in zip(axes[-1], GROUPS.values(), strict=True):
+        axis.set_xlabel(heading)
     common_legend(figure, loc="outside upper center", ncols=4, fontsize=7)
     style.save(figure, output, facts)
 

@@ -3,7 +3,7 @@
 Two explicit runs: without dead load, and with gravity that acts from the first
 step on, as in a run that starts from the drawing. The second rings vertically;
 the modal solution with the same sudden gravity shows the same ringing, which
-identifies it. Writes tables/building_explicit.csv and figures/fig03_rattling….
+identifies it.
 """
 
 import matplotlib.pyplot as plt
@@ -58,10 +58,9 @@ def _figure(job, explicit, modal, second_s):
         history, power = axes[row]
         peak = 0.0
         for source, load, colour, line in RUNS:
+            x, y = modal[load].time_s, modal[load].acceleration_m_s2[row]
             if source == "YADE":
                 x, y = explicit[load][:, 0], explicit[load][:, 1 + row]
-            else:
-                x, y = modal[load].time_s, modal[load].acceleration_m_s2[row]
             name = f"{source}, {load}"
             history.plot(x, y / G_M_S2, line, color=colour, lw=1.0, label=name)
             peak = max(peak, np.abs(y[x <= 1.0]).max() / G_M_S2)

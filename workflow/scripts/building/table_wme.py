@@ -1,20 +1,11 @@
 """WME of equal chains n = 1 … 5 against SBDEM, and the chain they choose.
 
-Writes tables/wme.csv, tables/building_chain.csv and building/chain.yaml, a
-configuration file that gives the chain to the façade stage.
+That also as a configuration file, which gives the chain to the façade stage.
 """
 
-import numpy as np
 import pandas as pd
 from rocking.building.case import translation_mode
-from rocking.building.comparison import (
-    N_DOF,
-    PAPER_WME,
-    QUANTITIES,
-    chain_top,
-    choose_n,
-    top_motion,
-)
+from rocking.building.comparison import PAPER_WME, QUANTITIES, against_chains, choose_n
 from rocking.building.modes import Modes
 from rocking.records import read_csv
 from rocking.runtime.script import run
@@ -26,19 +17,11 @@ def main(job):
     modes = Modes.load(job.input.modes)
     mode = translation_mode(modes)
     period = float(modes.period_s[mode])
-    ranges = (settings["wme_longest_period_s"], settings["wme_highest_frequency_hz"])
     rows = []
-    for name, history, motion in zip(
-        job.params.records, job.input.histories, job.input.records, strict=True
-    ):
-        data = np.loadtxt(history, delimiter=",", skiprows=1)
-        reference = top_motion(data[:, 0], data[:, 2], *ranges)
-        record = read_csv(motion)
-        for n in N_DOF:
-            chain = chain_top(
-                record.acceleration_m_s2, record.dt_s, n, period, settings["damping_ratio"]
-            )
-            errors = reference.wme(top_motion(*chain, *ranges))
+    files = zip(job.params.records, job.input.histories, job.input.records, strict=True)
+    for name, history, motion in files:
+        _, chains = against_chains(history, read_csv(motion), period, settings)
+        for n, (_, errors) in chains.items():
             for quantity in QUANTITIES:
                 paper = PAPER_WME.get((quantity, name))
                 known = paper[n - 1] if paper and job.params.paper else None

@@ -3,21 +3,26 @@
 import json
 
 import matplotlib.pyplot as plt
-import numpy as np
 import pandas as pd
 from matplotlib.colors import Normalize
 from rocking.calibration import beta as calibration
 from rocking.calibration import fits, study
 from rocking.figures import style
 from rocking.figures.panels import band, ticks
-from rocking.mechanics import closed_forms
 from rocking.runtime.script import run
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")
 RATIO_MARKERS = "v^sDP*X<>"
 MS = 1e3  # β is drawn in ms
 FEWER = "fewer than three impacts"
-ENDS = (study.two_block_minimum, study.single_block_maximum)
+TITLE_C = (
+    "(c) the same and the other return-wall ratios r, ω$_c$ = √(j$_{kn}$r/ρb); colours as in (b)"
+)
+
+
+def of_batch(table, b, e_mpa):
+    """Rows of the walls of one thickness and stiffness."""
+    return table[(table.b_m == b) & (table.e_mpa == e_mpa)]
 
 
 def panel_runs(axes, runs, best, limits):
@@ -44,23 +49,20 @@ def main(job):
     walls = pd.read_csv(job.input.walls)
     law = calibration.read_law(job.input.law, settings["base"])
     figure, axes = plt.subplot_mosaic("ab;cc", figsize=(7.4, 6.0))
-    x = np.linspace(min(settings["slenderness"]), max(settings["slenderness"]), 60)
-    r0, batches = settings["reference_ratio"], study.batches(settings)
-    along = {batch: [study.batch_wall(settings, *batch, s, r0) for s in x] for batch in batches}
-    first_b, first_e = batches[0]
-    ends = np.array([[end(wall) for wall in along[batches[0]]] for end in ENDS])
-    runs = fits.misfits(fits.walls_of(job.input.cases, job.input.histories, "reference"))
+    r0, curves = settings["reference_ratio"], fits.along_slenderness(settings, law)
     reference = walls[walls.role == "reference"].sort_values("slenderness")
-    best = reference[(reference.b_m == first_b) & (reference.e_mpa == first_e)]
-    panel_runs(axes["a"], runs, best, (x, *ends))
-    axes["a"].set_title(f"(a) b = {first_b:g} m, E = {first_e:g} MPa, r = {r0:g}", loc="left")
+    batches = study.batches(settings)
+    (b, e_mpa), first = batches[0], of_batch(curves, *batches[0])
+    ends = fits.study_range(settings, b, e_mpa, first.slenderness)
+    runs = fits.misfits(fits.walls_of(job.input.cases, job.input.histories, "reference"))
+    panel_runs(axes["a"], runs, of_batch(reference, b, e_mpa), (first.slenderness, *ends))
+    axes["a"].set_title(f"(a) b = {b:g} m, E = {e_mpa:g} MPa, r = {r0:g}", loc="left")
 
     for (b, e_mpa), colour in zip(batches, COLOURS, strict=False):
-        part = reference[(reference.b_m == b) & (reference.e_mpa == e_mpa)]
-        beta, low, high = law.along(along[b, e_mpa])
-        band(axes["b"], x, beta * MS, low * MS, high * MS, colour, alpha=0.13)
-        printed = np.array([closed_forms.beta_one_sided(b, s * b, e_mpa) for s in x])
-        axes["b"].plot(x, printed * MS, "--", c=colour, lw=0.9)
+        part, own = of_batch(reference, b, e_mpa), of_batch(curves, b, e_mpa)
+        law_ms = (own[name] * MS for name in ("beta_s", "low_s", "high_s"))
+        band(axes["b"], own.slenderness, *law_ms, colour, alpha=0.13)
+        axes["b"].plot(own.slenderness, own.eq5_s * MS, "--", c=colour, lw=0.9)
         label = f"b = {b:g} m, E = {e_mpa:g} MPa"
         axes["b"].plot(part.slenderness, part.beta_fit_s * MS, "o", c=colour, label=label)
     axes["b"].plot([], [], "0.4", label="fitted law, 90 % band")
@@ -75,20 +77,15 @@ def main(job):
     by_ratio = fitted.groupby("return_wall_ratio")
     for (ratio, of_ratio), marker in zip(by_ratio, RATIO_MARKERS, strict=False):
         for (b, e_mpa), colour in zip(batches, COLOURS, strict=False):
-            part = of_ratio[(of_ratio.b_m == b) & (of_ratio.e_mpa == e_mpa)]
+            part = of_batch(of_ratio, b, e_mpa)
             scaled = part.beta_fit_s * part.omega_c_rad_s
             axes["c"].plot(part.slenderness, scaled, marker, c=colour, ms=4.5, alpha=0.85)
         axes["c"].plot([], [], marker, c="0.3", label=f"r = {ratio:g}")
-    first = along[batches[0]]
-    omega = np.array([calibration.groups(wall)["omega_c_rad_s"] for wall in first])
-    beta, low, high = omega * law.along(first)
-    band(axes["c"], x, beta, low, high, "0.3", label=f"fitted law at r = {r0:g}, 90 % band")
+    law_omega = (first[name] * first.omega_c_rad_s for name in ("beta_s", "low_s", "high_s"))
+    label = f"fitted law at r = {r0:g}, 90 % band"
+    band(axes["c"], first.slenderness, *law_omega, "0.3", label=label)
     axes["c"].set(xlabel="h/b [–]", ylabel="β·ω$_c$ [–]", ylim=(0.5, 1.45))
-    axes["c"].set_title(
-        "(c) the same and the other return-wall ratios r, "
-        "ω$_c$ = √(j$_{kn}$r/ρb); colours as in (b)",
-        loc="left",
-    )
+    axes["c"].set_title(TITLE_C, loc="left")
     axes["c"].legend(ncols=4)
     style.save(figure, job.output)
 
