@@ -78,5 +78,6 @@ def test_curves_are_tabled_in_the_form_of_the_other_models(tmp_path):
         tmp_path,
         input={"ida": ["curve.csv"], "scans": ["scan.csv"], "facts": []},
         output={"png": "figure.png", "pdf": "figure.pdf"},
+        params={"spread": 0.01},
     )
     assert (tmp_path / "figure.png").stat().st_size > 10_000

@@ -67,9 +67,9 @@ rule accuracy_plan:
     benchmark:
         benchmarks("accuracy_plan")
     params:
-        accuracy=lambda w: RUNS.cfg(w)["accuracy"],
-        ensemble=lambda w: RUNS.cfg(w)["ensemble"],
-        max_pga_g=lambda w: RUNS.cfg(w)["ida"]["max_pga_g"],
+        accuracy=value_of("accuracy"),
+        ensemble=value_of("ensemble"),
+        max_pga_g=value_of("ida.max_pga_g"),
         records=lambda w: RUNS.records[w.run],
     script:
         "../scripts/accuracy/accuracy_plan.py"
@@ -84,7 +84,7 @@ rule accuracy_compiled:
     log:
         logs("accuracy_compiled"),
     params:
-        accuracy=lambda w: RUNS.cfg(w)["accuracy"],
+        accuracy=value_of("accuracy"),
     script:
         "../scripts/accuracy/accuracy_compiled.py"
 
@@ -118,7 +118,7 @@ rule accuracy_reference:
         benchmarks("accuracy_reference")
     threads: 2
     params:
-        accuracy=lambda w: RUNS.cfg(w)["accuracy"],
+        accuracy=value_of("accuracy"),
     script:
         "../scripts/accuracy/accuracy_reference.py"
 
@@ -161,7 +161,7 @@ rule speed_accuracy:
     log:
         logs("speed_accuracy"),
     params:
-        accuracy=lambda w: RUNS.cfg(w)["accuracy"],
+        accuracy=value_of("accuracy"),
     script:
         "../scripts/accuracy/table_speed_accuracy.py"
 
@@ -209,8 +209,8 @@ rule figure_chaos:
     log:
         logs("figure_chaos"),
     params:
-        percentiles=lambda w: RUNS.cfg(w)["ensemble"]["percentiles"],
-        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
+        percentiles=value_of("ensemble.percentiles"),
+        spread=value_of("ensemble.amplitude_spread"),
     script:
         "../scripts/accuracy/figure_chaos.py"
 
@@ -247,7 +247,7 @@ rule table_energy_balance:
     log:
         logs("table_energy_balance"),
     params:
-        share=lambda w: RUNS.cfg(w)["accuracy"]["energy_share"],
+        share=value_of("accuracy.energy_share"),
     script:
         "../scripts/energy/table_energy_balance.py"
 
@@ -262,7 +262,7 @@ rule figure_energy_balance:
     log:
         logs("figure_energy_balance"),
     params:
-        share=lambda w: RUNS.cfg(w)["accuracy"]["energy_share"],
+        share=value_of("accuracy.energy_share"),
     script:
         "../scripts/energy/figure_energy_balance.py"
 

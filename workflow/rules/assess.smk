@@ -159,18 +159,20 @@ rule compare_code_and_dynamics:
     output:
         table=f"{COMPARED}/code_against_dynamics.csv",
         ratios=f"{COMPARED}/code_ratios.csv",
-        png=report(
+        png=shown(
             f"{COMPARED}/code_against_dynamics.png",
-            caption=caption("code_against_dynamics"),
-            category="Code of practice",
-            labels={"run": RUNS.name, "result": "PGA of checks over PGA of collapse"},
+            "code_against_dynamics",
+            "Code of practice",
+            "PGA of checks over PGA of collapse",
+            run=RUNS.name,
         ),
         pdf=f"{COMPARED}/code_against_dynamics.pdf",
-        groups_png=report(
+        groups_png=shown(
             f"{COMPARED}/code_unsafe_share.png",
-            caption=caption("code_against_dynamics"),
-            category="Code of practice",
-            labels={"run": RUNS.name, "result": "where the checks are unsafe"},
+            "code_against_dynamics",
+            "Code of practice",
+            "where the checks are unsafe",
+            run=RUNS.name,
         ),
         groups_pdf=f"{COMPARED}/code_unsafe_share.pdf",
     log:
@@ -220,10 +222,10 @@ rule assess_dynamic:
         logs("assess_dynamic"),
     params:
         stations=stations,
-        period_s=lambda w: RUNS.cfg(w)["smdof"]["period_s"],
-        site=lambda w: RUNS.cfg(w)["risk"]["site"],
-        resamples=lambda w: RUNS.cfg(w)["assessment"]["resamples"],
-        seed=lambda w: RUNS.cfg(w)["seed"],
+        period_s=value_of("smdof.period_s"),
+        site=value_of("risk.site"),
+        resamples=value_of("assessment.resamples"),
+        seed=value_of("seed"),
     script:
         "../scripts/assess/assess_dynamic.py"
 

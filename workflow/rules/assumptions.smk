@@ -34,8 +34,8 @@ rule table_assumptions:
     log:
         logs("table_assumptions"),
     params:
-        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
-        reference=lambda w: ASSUMPTIONS(w.run)["reference"],
+        spread=value_of("ensemble.amplitude_spread"),
+        reference=value_of("assumptions.reference"),
         benchmarks=results("benchmarks"),
     script:
         "../scripts/assumptions/table_assumptions.py"
@@ -66,7 +66,7 @@ rule figure_assumptions_ratios:
     log:
         logs("figure_assumptions_ratios"),
     params:
-        reference=lambda w: ASSUMPTIONS(w.run)["reference"],
+        reference=value_of("assumptions.reference"),
     script:
         "../scripts/assumptions/figure_assumptions_ratios.py"
 
@@ -83,11 +83,10 @@ rule assumptions_map:
     benchmark:
         benchmarks("assumptions_map_{record}")
     params:
-        assumptions=lambda w: {
-            key: ASSUMPTIONS(w.run)[key]
-            for key in ("mass_ratios", "periods_s", "damping_ratios", "level_ratio")
-        },
-        directions=lambda w: RUNS.cfg(w)["directions"],
+        assumptions=values_of(
+            "assumptions", "mass_ratios", "periods_s", "damping_ratios", "level_ratio"
+        ),
+        directions=value_of("directions"),
     script:
         "../scripts/assumptions/assumptions_map.py"
 
@@ -118,7 +117,7 @@ rule figure_assumptions_map:
     log:
         logs("figure_assumptions_map"),
     params:
-        smdof=lambda w: RUNS.cfg(w)["smdof"],
+        smdof=value_of("smdof"),
         records=lambda w: len(RUNS.records[w.run]),
         directions=lambda w: len(RUNS.cfg(w)["directions"]),
     script:
@@ -153,9 +152,9 @@ rule assumptions_varied:
     benchmark:
         benchmarks("assumptions_varied_{model}_{record}")
     params:
-        directions=lambda w: RUNS.cfg(w)["directions"],
+        directions=value_of("directions"),
         surrogates_table=lambda w: RUNS.find_file(ASSUMPTIONS(w.run)["surrogates_table"]),
-        seed=lambda w: RUNS.cfg(w)["seed"],
+        seed=value_of("seed"),
     script:
         "../scripts/assumptions/assumptions_varied.py"
 

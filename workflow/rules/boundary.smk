@@ -21,8 +21,8 @@ rule frames:
     params:
         yade=YADE,
         record=lambda w: picture_record(w.run),
-        direction=lambda w: RUNS.cfg(w)["pictures"]["direction"],
-        pga=lambda w: RUNS.cfg(w)["pictures"]["pga_g"],
+        direction=value_of("pictures.direction"),
+        pga=value_of("pictures.pga_g"),
     shell:
         "{params.yade} frames --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction:q} --pga {params.pga:q}"
@@ -46,8 +46,8 @@ rule collapse_frames:
     params:
         yade=YADE,
         record=lambda w: picture_record(w.run),
-        direction=lambda w: RUNS.cfg(w)["pictures"]["direction"],
-        interval=lambda w: RUNS.cfg(w)["pictures"]["frame_interval_s"],
+        direction=value_of("pictures.direction"),
+        interval=value_of("pictures.frame_interval_s"),
     shell:
         "{params.yade} frames --scene {input.scene:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction:q} --collapse {input.ida:q}"

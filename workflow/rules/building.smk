@@ -23,11 +23,6 @@ wildcard_constraints:
     coarsening=r"[0-9.]+",
 
 
-def building_settings(*keys):
-    """Params function: keys of the section that a rule depends on."""
-    return lambda w: {key: RUNS.cfg(w)["building"][key] for key in keys}
-
-
 def plan_file(key):
     """Input function: the plan, or the list of plans, that a key names."""
 
@@ -65,7 +60,7 @@ rule building_fit:
     benchmark:
         benchmarks("building_fit")
     params:
-        building=building_settings(*BRICK_MODEL),
+        building=values_of("building", *BRICK_MODEL),
     script:
         "../scripts/building/building_fit.py"
 
@@ -82,7 +77,7 @@ rule building_modal:
     benchmark:
         benchmarks("building_modal_{building}")
     params:
-        building=building_settings(*BRICK_MODEL, "modes"),
+        building=values_of("building", *BRICK_MODEL, "modes"),
     script:
         "../scripts/building/building_modal.py"
 
@@ -111,7 +106,7 @@ rule table_building_alternatives:
     log:
         logs("table_building_alternatives"),
     params:
-        building=building_settings(*BRICK_MODEL),
+        building=values_of("building", *BRICK_MODEL),
     script:
         "../scripts/building/table_building_alternatives.py"
 
@@ -130,7 +125,7 @@ rule building_cost:
     resources:
         mem_mb=lambda w: 6000 if float(w.coarsening) < 1.2 else 1500,
     params:
-        building=building_settings(*BRICK_MODEL),
+        building=values_of("building", *BRICK_MODEL),
     script:
         "../scripts/building/building_cost.py"
 
@@ -163,7 +158,7 @@ rule building_history:
     log:
         logs("building_history_{building}_{record}"),
     params:
-        building=building_settings(*BRICK_MODEL, "damping_ratio"),
+        building=values_of("building", *BRICK_MODEL, "damping_ratio"),
     script:
         "../scripts/building/building_history.py"
 
@@ -185,7 +180,7 @@ rule table_wme:
     log:
         logs("table_wme"),
     params:
-        building=building_settings(*CHAINS),
+        building=values_of("building", *CHAINS),
         records=lambda w: RUNS.named("building.wme_records")(w.run),
         paper=lambda w: is_case_study(w.run),
     script:
@@ -201,7 +196,7 @@ rule fig01_building:
     log:
         logs("fig01_building"),
     params:
-        building=building_settings(*BRICK_MODEL),
+        building=values_of("building", *BRICK_MODEL),
     script:
         "../scripts/building/fig01_building.py"
 
@@ -218,7 +213,7 @@ rule fig02_modes:
     log:
         logs("fig02_modes"),
     params:
-        building=building_settings(*BRICK_MODEL),
+        building=values_of("building", *BRICK_MODEL),
         paper=lambda w: is_case_study(w.run),
     script:
         "../scripts/building/fig02_modes.py"
@@ -242,7 +237,7 @@ rule fig03_wme:
     log:
         logs("fig03_{record}"),
     params:
-        building=building_settings(*CHAINS),
+        building=values_of("building", *CHAINS),
     script:
         "../scripts/building/fig03_wme.py"
 

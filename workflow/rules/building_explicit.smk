@@ -17,7 +17,8 @@ rule building_explicit_scene:
     log:
         logs("building_explicit_scene_{coarsening}"),
     params:
-        building=building_settings(
+        building=values_of(
+            "building",
             *BRICK_MODEL,
             "damping_ratio",
             "explicit_step_fraction",
@@ -74,7 +75,7 @@ rule table_building_explicit:
     log:
         logs("table_building_explicit_{record}"),
     params:
-        building=building_settings(*BRICK_MODEL),
+        building=values_of("building", *BRICK_MODEL),
     script:
         "../scripts/building/table_building_explicit.py"
 
@@ -95,7 +96,7 @@ rule building_explicit_cost:
         logs("building_explicit_cost_{coarsening}"),
     params:
         yade=YADE,
-        steps=lambda w: RUNS.cfg(w)["building"]["explicit_cost_steps"],
+        steps=value_of("building.explicit_cost_steps"),
     shell:
         "{params.yade} explicit_building --scene {input.scene:q} --motion {input.record:q}"
         " --steps {params.steps} --output {output.history:q} --cost {output.cost:q}"
@@ -114,6 +115,6 @@ rule table_building_explicit_cost:
     log:
         logs("table_building_explicit_cost"),
     params:
-        coarsenings=lambda w: RUNS.cfg(w)["building"]["explicit_convergence"],
+        coarsenings=value_of("building.explicit_convergence"),
     script:
         "../scripts/building/table_building_explicit_cost.py"

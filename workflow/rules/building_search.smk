@@ -17,7 +17,7 @@ rule table_building_search:
     benchmark:
         benchmarks("table_building_search")
     params:
-        building=building_settings(*BRICK_MODEL),
+        building=values_of("building", *BRICK_MODEL),
         search=search_settings,
     script:
         "../scripts/building/building_search.py"
@@ -41,7 +41,7 @@ rule table_building_search_best:
     benchmark:
         benchmarks("table_building_search_best")
     params:
-        building=building_settings(*BRICK_MODEL),
+        building=values_of("building", *BRICK_MODEL),
         search=search_settings,
     script:
         "../scripts/building/building_search_verify.py"
@@ -74,7 +74,8 @@ rule table_wme_readings:
     benchmark:
         benchmarks("table_wme_readings")
     params:
-        building=building_settings(
+        building=values_of(
+            "building",
             *BRICK_MODEL,
             "damping_ratio",
             "wme_longest_period_s",

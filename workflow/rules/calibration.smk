@@ -102,7 +102,7 @@ rule beta_law:
     log:
         logs("beta_law"),
     params:
-        base=lambda w: RUNS.cfg(w)["calibration"]["base"],
+        base=value_of("calibration.base"),
     script:
         "../scripts/calibration/calibrate_law.py"
 

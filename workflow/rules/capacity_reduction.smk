@@ -77,9 +77,9 @@ rule figure_capacity_reduction:
     params:
         w1=of_run(rules.ida.output[0], model="W1"),
         w2=of_run(rules.reduction_ida.output[0], **BUILDINGS),
-        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
-        facade=lambda w: RUNS.cfg(w)["facade"],
-        smdof=lambda w: RUNS.cfg(w)["smdof"],
+        spread=value_of("ensemble.amplitude_spread"),
+        facade=value_of("facade"),
+        smdof=value_of("smdof"),
     script:
         "../scripts/capacity_reduction/figure_capacity_reduction.py"
 

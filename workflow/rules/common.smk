@@ -99,6 +99,16 @@ def stations(wildcards):
     return RUNS.stations(wildcards)
 
 
+def value_of(dotted):
+    """Params function: a key of a run's configuration, such as `ensemble.amplitude_spread`."""
+    return lambda w: RUNS.key(dotted)(w.run)
+
+
+def values_of(section, *keys):
+    """Params function: the keys of a section that a rule depends on."""
+    return lambda w: {key: RUNS.cfg(w)[section][key] for key in keys}
+
+
 def plan_option(wildcards, input):
     """Option that hands a dense scan's plan to YADE; empty where there is none."""
     return f"--plan {shlex.quote(input.plan)}" if input.plan else ""

@@ -70,11 +70,12 @@ rule compare_runs:
         modules=code("compare/figure_compare"),
     output:
         table=results("compare/collapse.csv").format(run=RUNS.name),
-        png=report(
+        png=shown(
             results("compare/collapse.png").format(run=RUNS.name),
-            caption=caption("compare"),
-            category="Answer",
-            labels={"run": RUNS.name, "result": "runs side by side"},
+            "compare",
+            "Answer",
+            "runs side by side",
+            run=RUNS.name,
         ),
         pdf=results("compare/collapse.pdf").format(run=RUNS.name),
     log:

@@ -151,9 +151,9 @@ rule complete_plan:
     log:
         logs("complete_plan_{complete}_{record}_{direction}"),
     params:
-        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
-        step=lambda w: complete_settings(w.run)["level_ratio"],
-        most=lambda w: RUNS.cfg(w)["ida"]["max_collapse_ranges"],
+        spread=value_of("ensemble.amplitude_spread"),
+        step=value_of("complete.level_ratio"),
+        most=value_of("ida.max_collapse_ranges"),
     script:
         "../scripts/complete/complete_plan.py"
 
@@ -221,8 +221,8 @@ rule table_complete_checks:
     log:
         logs("table_complete_checks"),
     params:
-        direction=lambda w: complete_settings(w.run)["check_direction"],
-        pga_g=lambda w: complete_settings(w.run)["linear_pga_g"],
+        direction=value_of("complete.check_direction"),
+        pga_g=value_of("complete.linear_pga_g"),
     script:
         "../scripts/complete/table_complete_checks.py"
 
@@ -256,7 +256,7 @@ rule complete_collapse:
     log:
         logs("complete_collapse"),
     params:
-        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
+        spread=value_of("ensemble.amplitude_spread"),
     script:
         "../scripts/complete/table_complete_collapse.py"
 
@@ -278,6 +278,8 @@ rule figure_complete:
         **figure("complete_ida", "Complete building", "IDA of the complete building"),
     log:
         logs("figure_complete"),
+    params:
+        spread=value_of("ensemble.amplitude_spread"),
     script:
         "../scripts/complete/figure_complete.py"
 

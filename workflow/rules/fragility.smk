@@ -31,9 +31,9 @@ rule fragility_table:
         logs("fragility_table"),
     params:
         stations=stations,
-        fragility=lambda w: RUNS.cfg(w)["fragility"],
-        facade=lambda w: {k: RUNS.cfg(w)["facade"][k] for k in ("height_m", "thickness_m")},
-        smdof=lambda w: {k: RUNS.cfg(w)["smdof"][k] for k in ("period_s", "damping_ratio")},
+        fragility=value_of("fragility"),
+        facade=values_of("facade", "height_m", "thickness_m"),
+        smdof=values_of("smdof", "period_s", "damping_ratio"),
     script:
         "../scripts/fragility/fragility_table.py"
 
@@ -50,10 +50,10 @@ rule fragility_figure:
     log:
         logs("fragility_figure"),
     params:
-        confidence=lambda w: RUNS.cfg(w)["fragility"]["confidence"],
-        min_stations=lambda w: RUNS.cfg(w)["fragility"]["min_stations"],
-        facade=lambda w: RUNS.cfg(w)["facade"],
-        smdof=lambda w: RUNS.cfg(w)["smdof"],
+        confidence=value_of("fragility.confidence"),
+        min_stations=value_of("fragility.min_stations"),
+        facade=value_of("facade"),
+        smdof=value_of("smdof"),
     script:
         "../scripts/fragility/fragility_figure.py"
 
@@ -69,8 +69,8 @@ rule figure_intensity_measures:
     log:
         logs("figure_intensity_measures"),
     params:
-        confidence=lambda w: RUNS.cfg(w)["fragility"]["confidence"],
-        min_stations=lambda w: RUNS.cfg(w)["fragility"]["min_stations"],
+        confidence=value_of("fragility.confidence"),
+        min_stations=value_of("fragility.min_stations"),
     script:
         "../scripts/fragility/figure_intensity_measures.py"
 
@@ -84,7 +84,7 @@ rule fragility_nrml:
     log:
         logs("fragility_nrml_{im}_{form}"),
     params:
-        period_s=lambda w: RUNS.cfg(w)["smdof"]["period_s"],
+        period_s=value_of("smdof.period_s"),
     script:
         "../scripts/fragility/fragility_nrml.py"
 

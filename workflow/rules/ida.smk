@@ -89,7 +89,7 @@ rule ida_collapse:
         logs("ida_collapse"),
     params:
         curves=lambda w: list(map(tuple, RUNS.curves(w.run))),
-        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
+        spread=value_of("ensemble.amplitude_spread"),
     script:
         "../scripts/ida/table_ida_collapse.py"
 
@@ -109,8 +109,8 @@ rule fig09_ida:
         logs("fig09_ida"),
     params:
         records=lambda w: RUNS.records[w.run],
-        models=lambda w: RUNS.cfg(w)["models"],
-        directions=lambda w: RUNS.cfg(w)["directions"],
+        models=value_of("models"),
+        directions=value_of("directions"),
         facade=RUNS.params_of("facade"),
     script:
         "../scripts/ida/fig09_ida.py"

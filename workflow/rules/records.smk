@@ -65,8 +65,8 @@ rule records_check:
     params:
         table=lambda w: RUNS.table_path(w.run),
         records=lambda w: RUNS.records[w.run],
-        baseline=lambda w: RUNS.cfg(w)["baseline"],
-        seed=lambda w: RUNS.cfg(w)["seed"],
+        baseline=value_of("baseline"),
+        seed=value_of("seed"),
     script:
         "../scripts/records/check_records.py"
 

@@ -23,14 +23,9 @@ rule reference_scan:
         benchmarks("reference_scan_{model}_{record}_{direction}")
     params:
         record=lambda w: w.record,
-        accuracy=lambda w: {
-            key: RUNS.cfg(w)["accuracy"][key]
-            for key in (
-                "reference_nodes",
-                "reference_tolerance",
-                "reference_scan_step",
-            )
-        },
+        accuracy=values_of(
+            "accuracy", "reference_nodes", "reference_tolerance", "reference_scan_step"
+        ),
     script:
         "../scripts/reference/reference_scan.py"
 
@@ -51,7 +46,7 @@ rule reference_bands:
     log:
         logs("reference_bands"),
     params:
-        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
+        spread=value_of("ensemble.amplitude_spread"),
     script:
         "../scripts/reference/table_reference.py"
 
@@ -72,7 +67,7 @@ rule figure_reference:
     log:
         logs("figure_reference"),
     params:
-        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
+        spread=value_of("ensemble.amplitude_spread"),
     script:
         "../scripts/reference/figure_reference.py"
 

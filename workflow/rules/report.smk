@@ -64,7 +64,7 @@ rule report_provenance:
     log:
         logs("report_provenance"),
     params:
-        table=lambda w: RUNS.cfg(w)["records_table"],
+        table=value_of("records_table"),
     script:
         "../scripts/report/report_provenance.py"
 

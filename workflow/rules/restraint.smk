@@ -41,11 +41,11 @@ rule figure_restraint:
         facts=rules.own_record.output.facts,
         modules=code("restraint/figure_restraint"),
     output:
-        png=report(
+        png=shown(
             results("restraint/{record}_{direction}.png"),
-            caption=caption("restraint"),
-            category="Strengthening",
-            labels={"run": "{run}", "result": "roof, {record} {direction}"},
+            "restraint",
+            "Strengthening",
+            "roof, {record} {direction}",
         ),
         pdf=results("restraint/{record}_{direction}.pdf"),
     log:

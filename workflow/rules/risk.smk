@@ -22,9 +22,9 @@ rule risk_rate:
     log:
         logs("risk_rate"),
     params:
-        risk=lambda w: RUNS.cfg(w)["risk"],
-        fragility=lambda w: RUNS.cfg(w)["fragility"],
-        period_s=lambda w: RUNS.cfg(w)["smdof"]["period_s"],
+        risk=value_of("risk"),
+        fragility=value_of("fragility"),
+        period_s=value_of("smdof.period_s"),
     script:
         "../scripts/risk/risk_rate.py"
 
@@ -42,10 +42,10 @@ rule figure_risk:
     log:
         logs("figure_risk"),
     params:
-        risk=lambda w: RUNS.cfg(w)["risk"],
-        confidence=lambda w: RUNS.cfg(w)["fragility"]["confidence"],
-        min_stations=lambda w: RUNS.cfg(w)["fragility"]["min_stations"],
-        period_s=lambda w: RUNS.cfg(w)["smdof"]["period_s"],
+        risk=value_of("risk"),
+        confidence=value_of("fragility.confidence"),
+        min_stations=value_of("fragility.min_stations"),
+        period_s=value_of("smdof.period_s"),
     script:
         "../scripts/risk/figure_risk.py"
 

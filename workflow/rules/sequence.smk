@@ -26,7 +26,7 @@ rule sequence_collapse:
     benchmark:
         benchmarks("sequence_{model}_{record}_{direction}")
     params:
-        settings=lambda w: RUNS.cfg(w)["sequence"],
+        settings=value_of("sequence"),
         first=first_shock,
         record=lambda w: w.record,
     script:

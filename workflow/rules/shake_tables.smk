@@ -62,8 +62,8 @@ rule shake_table_tests:
         logs("shake_table_tests"),
     params:
         settings=RUNS.params_of("calibration"),
-        baseline=lambda w: RUNS.cfg(w)["baseline"],
-        seed=lambda w: RUNS.cfg(w)["seed"],
+        baseline=value_of("baseline"),
+        seed=value_of("seed"),
     script:
         "../scripts/shake_tables/calibrate_shake_table.py"
 
@@ -183,6 +183,6 @@ rule damping_choice:
     log:
         logs("damping_choice"),
     params:
-        spread=lambda w: RUNS.cfg(w)["ensemble"]["amplitude_spread"],
+        spread=value_of("ensemble.amplitude_spread"),
     script:
         "../scripts/shake_tables/calibrate_choice.py"

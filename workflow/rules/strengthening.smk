@@ -79,7 +79,7 @@ rule figure_strengthening:
         logs("figure_strengthening_{model}_{record}_{direction}"),
     params:
         settings=RUNS.params_of("strengthening"),
-        height_m=lambda w: RUNS.cfg(w)["facade"]["height_m"],
+        height_m=value_of("facade.height_m"),
     script:
         "../scripts/strengthening/figure_strengthening.py"
 

@@ -20,10 +20,10 @@ rule surrogate_collapse:
     benchmark:
         benchmarks("surrogates_{record}")
     params:
-        surrogates=lambda w: RUNS.cfg(w)["surrogates"],
+        surrogates=value_of("surrogates"),
         table=lambda w: RUNS.table_path(w.run),
-        seed=lambda w: RUNS.cfg(w)["seed"],
-        directions=lambda w: RUNS.cfg(w)["directions"],
+        seed=value_of("seed"),
+        directions=value_of("directions"),
         station=RUNS.station,
     script:
         "../scripts/surrogates/surrogate_collapse.py"

@@ -44,8 +44,8 @@ rule two_components_curves:
     benchmark:
         benchmarks("two_components_{record}")
     params:
-        settings=lambda w: RUNS.cfg(w)["two_components"],
-        directions=lambda w: RUNS.cfg(w)["directions"],
+        settings=value_of("two_components"),
+        directions=value_of("directions"),
         second=second_component,
     script:
         "../scripts/two_components/two_components.py"
@@ -88,7 +88,7 @@ rule two_components_runs:
     log:
         logs("two_components_runs_{model}_{record}_{direction}"),
     params:
-        settings=lambda w: RUNS.cfg(w)["two_components"],
+        settings=value_of("two_components"),
     script:
         "../scripts/two_components/two_components_runs.py"
 

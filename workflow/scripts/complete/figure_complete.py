@@ -10,7 +10,6 @@ from rocking.runtime.script import run
 from yade_scripts.model.registry import COMPLETE, MODELS
 
 WIDTH_IN = 7.2
-SPREAD = 0.01  # of the scans' realisations
 KINDS = {**MODELS, **COMPLETE}
 LINES = {False: "-", True: ":"}
 
@@ -23,7 +22,7 @@ def main(job):
     for axis, (record, direction) in zip(axes.flat, cases, strict=False):
         for (model, *case), scan in scans.items():
             if case == [record, direction]:
-                share, kind = from_scan(scan, SPREAD), KINDS[model]
+                share, kind = from_scan(scan, job.params.spread), KINDS[model]
                 look = {"ls": LINES[kind.bonded], "color": kind.colour, "lw": 0.9}
                 axis.plot(share["pga_g"], share["probability"], **look)
         high = 0.0
