@@ -167,14 +167,6 @@ rule compare_code_and_dynamics:
             run=RUNS.name,
         ),
         pdf=f"{COMPARED}/code_against_dynamics.pdf",
-        groups_png=shown(
-            f"{COMPARED}/code_unsafe_share.png",
-            "code_against_dynamics",
-            "Code of practice",
-            "where the checks are unsafe",
-            run=RUNS.name,
-        ),
-        groups_pdf=f"{COMPARED}/code_unsafe_share.pdf",
     log:
         logs("compare_code_and_dynamics").format(run=RUNS.name),
     params:
@@ -183,6 +175,26 @@ rule compare_code_and_dynamics:
         seed=lambda w: next(iter(RUNS.settings.values()))["seed"],
     script:
         "../scripts/assess/code_against_dynamics.py"
+
+
+rule figure_code_unsafe:
+    input:
+        table=rules.compare_code_and_dynamics.output.table,
+        facts=every_run(rules.record.output.facts),
+        modules=code("assess/figure_code_unsafe"),
+    output:
+        png=shown(
+            f"{COMPARED}/code_unsafe_share.png",
+            "code_against_dynamics",
+            "Code of practice",
+            "where the checks are unsafe",
+            run=RUNS.name,
+        ),
+        pdf=f"{COMPARED}/code_unsafe_share.pdf",
+    log:
+        logs("figure_code_unsafe").format(run=RUNS.name),
+    script:
+        "../scripts/assess/figure_code_unsafe.py"
 
 
 rule assess_code:
@@ -363,4 +375,5 @@ rule compare_kinematic_and_dynamic:
 rule code_against_dynamics:
     input:
         rules.compare_code_and_dynamics.output.table,
+        rules.figure_code_unsafe.output.png,
         rules.compare_kinematic_and_dynamic.output.table,

@@ -3,10 +3,11 @@
 import html
 from pathlib import Path
 
-from report_table import page
+from rocking.report_pages import page, table_of
 from rocking.runtime.script import run
 from rocking.tables import read_json
 
+HEADS = ("record", "source", "stands for", "step [s]", "units read", "baseline", "details")
 KINDS = ("short", "short", "words", "number", "short", "words", "words")
 
 
@@ -20,7 +21,7 @@ def listed(values):
 
 
 def main(job):
-    body = []
+    rows = []
     for path in job.input.facts:
         facts = read_json(path)
         about = facts["details"].pop("about", {})
@@ -36,20 +37,12 @@ def main(job):
             html.escape(facts["baseline"]),
             listed(facts["details"]),
         ]
-        body.append(
-            "<tr>"
-            + "".join(f'<td class="{k}">{c}</td>' for k, c in zip(KINDS, cells, strict=True))
-            + "</tr>"
-        )
-    heads = ("record", "source", "stands for", "step [s]", "units read", "baseline", "details")
-    head = "".join(f"<th>{h}</th>" for h in heads)
+        rows.append(cells)
     text = (
         f"Records table: {job.params.table}. A surrogate has the peaks and duration of the motion"
         " it stands for and is not that motion; its details are the solved parameters and the seed."
     )
-    rows = "\n".join(body)
-    table = f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}\n</tbody>\n</table>"
-    whole = page("Provenance of every record", text, table, job.input.style)
+    whole = page("Provenance of every record", text, table_of(HEADS, KINDS, rows), job.input.style)
     Path(job.output[0]).write_text(whole)
 
 

@@ -11,8 +11,8 @@ import sys
 from pathlib import Path
 
 import pandas as pd
-from report_table import page, rows
 from rocking.collapse.cautions import BANDS, LARGE_FACTOR, cautions, scale_factors
+from rocking.report_pages import page, result_table
 from rocking.runtime.script import run
 from rocking.tables import read_tables, write_table
 
@@ -26,6 +26,7 @@ def content(p, records, runs, collapse, factors, figure):
     # in short lines, which reStructuredText asks for and a browser joins again
     data = base64.encodebytes(Path(figure).read_bytes()).decode()
     columns = [name for name in (*SHOWN, *BANDS, *BEHIND) if name in collapse]
+    table = result_table(collapse[columns].dropna(axis=1, how="all"))
     motions = ", ".join(
         f"{row.record} ({row.source}, {row.pga_g:.2g} g)" for row in records.itertuples()
     )
@@ -37,7 +38,7 @@ def content(p, records, runs, collapse, factors, figure):
         f"<b>Return walls:</b> {html.escape('; '.join(p.models))}.<br>"
         f"<b>Records:</b> {html.escape(motions)}.</p>\n"
         f'<p><img alt="Figure 9" src="data:image/png;base64,{data}"></p>\n'
-        f"<h2>At what shaking it falls</h2>\n{rows(collapse[columns].dropna(axis=1, how='all'))}\n"
+        f"<h2>At what shaking it falls</h2>\n{table}\n"
         f"<h2>What to trust</h2>\n<ul>{points}</ul>\n"
     )
 
