@@ -4,7 +4,7 @@ import accuracy_cases
 import numpy as np
 
 from yade_scripts.engine import adapter, energy_check, simulate
-from yade_scripts.model import facade, models
+from yade_scripts.model import facade, floor_motions, models
 from yade_scripts.studies import shaking
 
 
@@ -25,7 +25,7 @@ def release(config, beta_s, ratio, vertical_m_s2, limit_s):
     scene = facade.facade_scene(config, "free", beta_s, release_ratio=ratio)
     time_s = np.array([0.0, limit_s])
     columns = {"ground": np.zeros(2), "vertical": np.full(2, vertical_m_s2)}
-    scene, columns = models.shaken(scene, columns)
+    scene, columns = floor_motions.shaken(scene, columns)
     motions = {name: adapter.Motion(time_s, columns[name]) for name in scene.motions}
     step, _ = simulate.choose_step(scene, config["numerics"])
     rules = simulate.StopRules(0.0, 0.99 * limit_s, overturn_ratio=1e9)

@@ -14,7 +14,7 @@ from rocking import Case, Curve, Motion, Variant, collapse_curve, history
 from rocking.configuration.config import ConfigError
 from rocking.records import Record, RecordError
 
-from yade_scripts.model import models
+from yade_scripts.model import floor_motions
 
 
 @pytest.fixture(scope="module")
@@ -202,16 +202,16 @@ def test_a_curve_knows_where_it_collapses(case, pulse):
 def test_two_shocks_on_one_time_axis():
     """Each as it shakes, rest between them, the vertical motion upward in either direction."""
     t, s = np.arange(0.0, 0.05, 0.01), np.arange(0.0, 0.03, 0.005)
-    first = models.scaled({"ground": np.ones(5), "vertical": np.ones(5)}, -2.0)
+    first = floor_motions.scaled({"ground": np.ones(5), "vertical": np.ones(5)}, -2.0)
     assert first["vertical"][0] == 2.0
-    times, both = models.after((t, first, 1.0), s, {"ground": 3.0 * np.ones(6)})
+    times, both = floor_motions.after((t, first, 1.0), s, {"ground": 3.0 * np.ones(6)})
     assert np.all(np.diff(times) > 0.0)
     assert times[-1] == pytest.approx(0.04 + 1.0 + 0.025)
     at = np.interp([0.02, 0.5, 1.045, 1.06], times, both["ground"])
     assert at == pytest.approx([-2.0, 0.0, 3.0, 3.0])
     assert np.interp(1.06, times, both["vertical"]) == 0.0
     with pytest.raises(ValueError, match=r"pause of 0\.01 s"):
-        models.after((t, first, 0.01), s, {"ground": np.ones(6)})
+        floor_motions.after((t, first, 0.01), s, {"ground": np.ones(6)})
 
 
 def test_a_shock_that_leaves_nothing_changes_no_answer(case, pulse):

@@ -8,7 +8,8 @@ from rocking.solver.runs import stable_step
 from rocking.solver.stack import stack_matrices
 from yade_process import in_yade, resolved
 
-from yade_scripts.model.models import build_scene, motion_columns
+from yade_scripts.model.floor_motions import motion_columns
+from yade_scripts.model.models import build_scene
 from yade_scripts.model.stiffness import assemble
 
 FLOORS = [f"floor{j}" for j in range(1, 5)]

@@ -13,7 +13,7 @@ from rocking.solver.spatial_kernel import roll
 from rocking.studies.two_components import Curve
 from yade_process import ROOT, in_yade, resolved
 
-from yade_scripts.model import models
+from yade_scripts.model import floor_motions
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.floor_motions import VERTICAL
 from yade_scripts.model.motion import along
@@ -239,7 +239,7 @@ def test_curve_of_both_components():
 def test_components_on_one_time_axis():
     """The first one's step, to the end of the longer; zero after either's end."""
     t, s = np.arange(0.0, 0.05, 0.01), np.arange(0.0, 0.1, 0.005)
-    longer, columns = models.with_second(t, {"ground": 1.0 + t}, s, {"ground": 2.0 + s})
+    longer, columns = floor_motions.with_second(t, {"ground": 1.0 + t}, s, {"ground": 2.0 + s})
     assert longer == pytest.approx(np.arange(0.0, 0.101, 0.01))
     assert columns["ground"] == pytest.approx(np.where(longer < 0.045, 1.0 + longer, 0.0))
     assert columns[along("ground")][:-1] == pytest.approx(2.0 + longer[:-1])

@@ -309,7 +309,7 @@ def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, mot
     masses = config["smdof"]["n_dof"] if kind.chain else 1
     parts = PARTS if kind.chain and wall["motion"] == "interpolated" else 1
     count = masses * parts
-    nodes_up = numerics["nodes_per_block" if kind.chain else "nodes_height"]
+    nodes_up = numerics[kind.nodes_up]
     points, weights = gauss_lobatto(
         1 + math.ceil((nodes_up - 1) / parts) if parts > 1 else nodes_up
     )

@@ -1,13 +1,19 @@
-"""The floor-motion file: columns time_s, ground_m_s2, floor1_m_s2 … of absolute accelerations.
+"""Floor motions: their file, and what is done with their columns before they shake a scene.
 
-A last column vertical_m_s2, where there is one, is the vertical acceleration of ground and walls
-alike, positive upward: the building is taken as rigid along its height.
+The file has time_s, ground_m_s2, floor1_m_s2 … of absolute accelerations. A last column
+vertical_m_s2, where there is one, is the vertical acceleration of ground and walls alike, positive
+upward: the building is taken as rigid along its height.
 
 Written by the workflow, read by it and inside YADE: `smdof/{record}_{n}dof.csv`, and with the
 ground alone the motions of a shake table.
 """
 
+import math
+from dataclasses import replace
+
 import numpy as np
+
+from yade_scripts.model.motion import along
 
 GROUND = "ground"
 VERTICAL = "vertical"
@@ -55,3 +61,129 @@ def write(path, time_s, ground_m_s2, floors_m_s2=(), vertical_m_s2=None):
         names, rows = [*names, VERTICAL + UNIT], [*rows, vertical_m_s2]
     columns = np.column_stack(rows)
     np.savetxt(path, columns, fmt="%.9g", delimiter=",", header=",".join(names), comments="")
+
+
+def with_second(time_s, columns, second_time_s, second):
+    """Floor motions of two components on one time axis: those along the façade as `along(name)`.
+
+    Parameters
+    ----------
+    time_s, columns
+        Of the component out of plane, see `floor_motions.read`.
+    second_time_s, second
+        Of the component along the façade.
+
+    Returns
+    -------
+    time_s : ndarray
+        Of the first, to the end of the longer.
+    columns : dict of str to ndarray
+        Linear between samples, zero after either's end.
+    """
+    step = time_s[1] - time_s[0]
+    last = max(time_s[-1], second_time_s[-1])
+    longer = time_s[0] + step * np.arange(math.ceil((last - time_s[0]) / step - 1e-6) + 1)
+
+    def on(times, values):
+        return np.interp(longer, times, values, right=0.0)
+
+    return longer, {
+        **{name: on(time_s, values) for name, values in columns.items()},
+        **{along(name): on(second_time_s, values) for name, values in second.items()},
+    }
+
+
+def scaled(columns, factor):
+    """Floor motions times a factor; its sign turns the horizontal ones, not the vertical one."""
+    size = {VERTICAL: abs(factor)}
+    return {name: size.get(name, factor) * values for name, values in columns.items()}
+
+
+def after(before, time_s, columns):
+    """Floor motions of two shocks one after the other, on one time axis.
+
+    Parameters
+    ----------
+    before : (time_s, columns, pause_s)
+        The first shock, as it shakes, and the rest from its last sample to the second's first.
+    time_s, columns
+        The second, as it shakes.
+
+    Returns
+    -------
+    time_s : ndarray
+        The samples of both, and one where each rests: motions are linear between samples.
+    columns : dict of str to ndarray
+        Those of either; what one has not is zero there.
+
+    Raises
+    ------
+    ValueError
+        If the pause is shorter than a step of the first.
+    """
+    first_s, first, pause_s = before
+    step, still = first_s[1] - first_s[0], time_s[1] - time_s[0]
+    if not pause_s > step + still:
+        raise ValueError(f"pause of {pause_s:g} s: expected more than {step + still:g} s")
+    begin = first_s[-1] + pause_s
+    times = np.concatenate((first_s, [first_s[-1] + step, begin - still], begin + time_s))
+    names = dict.fromkeys((*first, *columns))
+    none = [np.zeros(len(first_s)), np.zeros(len(time_s))]
+    return times, {
+        name: np.concatenate((first.get(name, none[0]), [0.0, 0.0], columns.get(name, none[1])))
+        for name in names
+    }
+
+
+def shaken(scene, columns):
+    """A scene and the motions it needs: shaken vertically too where the motions say how.
+
+    Returns
+    -------
+    scene : Scene
+    columns : dict of str to ndarray
+        See `motion_columns`.
+
+    Raises
+    ------
+    ValueError
+        If a motion is missing.
+    """
+    scene = replace(scene, vertical=VERTICAL if VERTICAL in columns else None)
+    columns = motion_columns(scene, columns)
+    _refuse_missing(scene.motions, columns)
+    return scene, columns
+
+
+def motion_columns(scene, columns):
+    """Add the motions between floors that a scene needs.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its note "motions" holds, by name, the weights of the columns.
+    columns : dict of str to ndarray
+        "ground", "floor1", … [m/s²]; what is there already stays.
+
+    Returns
+    -------
+    dict of str to ndarray
+
+    Raises
+    ------
+    ValueError
+        If a floor is missing.
+    """
+    found = dict(columns)
+    for name, weights in scene.notes.get("motions", {}).items():
+        if name in columns:
+            continue
+        _refuse_missing(weights, columns)
+        found[name] = sum(weight * columns[column] for column, weight in weights.items())
+    return found
+
+
+def _refuse_missing(names, columns):
+    missing = [name for name in names if name not in columns]
+    if missing:
+        raise ValueError(f"the motion file has no column for {', '.join(missing)}")

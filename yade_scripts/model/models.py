@@ -1,14 +1,9 @@
 """Which assembly builds the scene of a model, so that entry points need not know."""
 
 import math
-from dataclasses import replace
-
-import numpy as np
 
 from yade_scripts.model import facade, interlocking, registry
-from yade_scripts.model.floor_motions import VERTICAL
 from yade_scripts.model.gravity import GRAVITY_M_S2
-from yade_scripts.model.motion import along
 from yade_scripts.model.scene import from_dict, observed_at
 from yade_scripts.model.shape import is_plain, shape_of
 
@@ -63,6 +58,14 @@ def numerics(case):
     return section
 
 
+def with_nodes(case, nodes):
+    """Copy of a case with n nodes a return wall, 2n − 1 at the base; None: its own."""
+    if nodes is None:
+        return case
+    own = {"nodes_thickness": 2 * nodes - 1, "nodes_height": nodes, "nodes_per_block": nodes}
+    return {**case, "numerics": {**case["numerics"], **own}}
+
+
 def static_multiplier(case):
     """Static λ at which the façade starts to turn [-]: b/h, and more for W1c and W3.
 
@@ -91,118 +94,3 @@ def static_multiplier(case):
     friction = math.tan(math.radians(w3["friction_deg"])) * wall["thickness_m"]
     moment = wall["count"] * friction * w3["overlap_m"] * course * arms
     return b / h + moment / (h * b * section["width_m"] * 0.5 * h)
-
-
-def shaken(scene, columns):
-    """A scene and the motions it needs: shaken vertically too where the motions say how.
-
-    Returns
-    -------
-    scene : Scene
-    columns : dict of str to ndarray
-        See `motion_columns`.
-    """
-    vertical = VERTICAL if VERTICAL in columns else None
-    return replace(scene, vertical=vertical), motion_columns(scene, columns)
-
-
-def with_second(time_s, columns, second_time_s, second):
-    """Floor motions of two components on one time axis: those along the façade as `along(name)`.
-
-    Parameters
-    ----------
-    time_s, columns
-        Of the component out of plane, see `floor_motions.read`.
-    second_time_s, second
-        Of the component along the façade.
-
-    Returns
-    -------
-    time_s : ndarray
-        Of the first, to the end of the longer.
-    columns : dict of str to ndarray
-        Linear between samples, zero after either's end.
-    """
-    step = time_s[1] - time_s[0]
-    last = max(time_s[-1], second_time_s[-1])
-    longer = time_s[0] + step * np.arange(math.ceil((last - time_s[0]) / step - 1e-6) + 1)
-
-    def on(times, values):
-        return np.interp(longer, times, values, right=0.0)
-
-    return longer, {
-        **{name: on(time_s, values) for name, values in columns.items()},
-        **{along(name): on(second_time_s, values) for name, values in second.items()},
-    }
-
-
-def scaled(columns, factor):
-    """Floor motions times a factor; its sign turns the horizontal ones, not the vertical one."""
-    size = {VERTICAL: abs(factor)}
-    return {name: size.get(name, factor) * values for name, values in columns.items()}
-
-
-def after(before, time_s, columns):
-    """Floor motions of two shocks one after the other, on one time axis.
-
-    Parameters
-    ----------
-    before : (time_s, columns, pause_s)
-        The first shock, as it shakes, and the rest from its last sample to the second's first.
-    time_s, columns
-        The second, as it shakes.
-
-    Returns
-    -------
-    time_s : ndarray
-        The samples of both, and one where each rests: motions are linear between samples.
-    columns : dict of str to ndarray
-        Those of either; what one has not is zero there.
-
-    Raises
-    ------
-    ValueError
-        If the pause is shorter than a step of the first.
-    """
-    first_s, first, pause_s = before
-    step, still = first_s[1] - first_s[0], time_s[1] - time_s[0]
-    if not pause_s > step + still:
-        raise ValueError(f"pause of {pause_s:g} s: expected more than {step + still:g} s")
-    begin = first_s[-1] + pause_s
-    times = np.concatenate((first_s, [first_s[-1] + step, begin - still], begin + time_s))
-    names = dict.fromkeys((*first, *columns))
-    none = [np.zeros(len(first_s)), np.zeros(len(time_s))]
-    return times, {
-        name: np.concatenate((first.get(name, none[0]), [0.0, 0.0], columns.get(name, none[1])))
-        for name in names
-    }
-
-
-def motion_columns(scene, columns):
-    """Add the motions between floors that a scene needs.
-
-    Parameters
-    ----------
-    scene : Scene
-        Its note "motions" holds, by name, the weights of the columns.
-    columns : dict of str to ndarray
-        "ground", "floor1", … [m/s²]; what is there already stays.
-
-    Returns
-    -------
-    dict of str to ndarray
-
-    Raises
-    ------
-    ValueError
-        If a floor is missing.
-    """
-    found = dict(columns)
-    for name, weights in scene.notes.get("motions", {}).items():
-        if name in columns:
-            continue
-        missing = [column for column in weights if column not in columns]
-        if missing:
-            raise ValueError(f"the motion file has no column for {', '.join(missing)}")
-        found[name] = sum(weight * columns[column] for column, weight in weights.items())
-    return found

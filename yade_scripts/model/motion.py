@@ -64,16 +64,26 @@ class Motion:
             self.time_s = np.append(self.time_s, end)
             self.acceleration_m_s2 = np.append(self.acceleration_m_s2, 0.0)
 
+    @classmethod
+    def none(cls, duration_s):
+        """Rest for so long [s]."""
+        return cls(np.array([0.0, duration_s]), np.zeros(2))
+
     @property
     def duration_s(self):
         """Time of the last sample [s]."""
         return float(self.time_s[-1])
 
+    @property
+    def velocity_m_s(self):
+        """Velocity from rest at every sample, integrated exactly, shape (n,)."""
+        step, a = np.diff(self.time_s), self.acceleration_m_s2
+        return np.concatenate(([0.0], np.cumsum(0.5 * step * (a[1:] + a[:-1]))))
+
     def position(self, time_s):
         """Position from rest [m], integrated exactly; constant speed after the last sample."""
-        t, a = self.time_s, self.acceleration_m_s2
+        t, a, v = self.time_s, self.acceleration_m_s2, self.velocity_m_s
         step = np.diff(t)
-        v = np.concatenate(([0.0], np.cumsum(0.5 * step * (a[1:] + a[:-1]))))
         y = np.concatenate(
             ([0.0], np.cumsum(v[:-1] * step + step**2 * (2.0 * a[:-1] + a[1:]) / 6.0))
         )
@@ -86,6 +96,4 @@ class Motion:
 
     def peak_speed(self):
         """Largest |velocity| of the integrated motion [m/s]."""
-        steps = np.diff(self.time_s) * 0.5
-        a = self.acceleration_m_s2
-        return float(np.max(np.abs(np.concatenate(([0.0], np.cumsum(steps * (a[1:] + a[:-1])))))))
+        return float(np.max(np.abs(self.velocity_m_s)))

@@ -51,7 +51,7 @@ def motion_of(rule, height_m, facade_height_m, n, motions):
     n : int
         Masses.
     motions : dict
-        Weights by name, see `models.motion_columns`.
+        Weights by name, see `floor_motions.motion_columns`.
     """
     ratio = height_m / facade_height_m
     storey, weight = storey_of(ratio, n), weight_of(rule, ratio, n)

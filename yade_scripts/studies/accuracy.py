@@ -21,8 +21,8 @@ import numpy as np
 from yade_scripts.engine import adapter, loop, polyhedra, simulate
 from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import facade, floor_motions, registry
+from yade_scripts.model.models import with_nodes
 from yade_scripts.model.motion import amplitude
-from yade_scripts.model.nodes import with_nodes
 from yade_scripts.studies import command, shaking
 from yade_scripts.studies.tables import to_csv
 
@@ -66,8 +66,7 @@ def drive_from_python(motions):
         drives = [e for e in omega.engines if isinstance(e, w.InterpolatingDirectedForceEngine)]
         table, dt = [], omega.dt
         for drive, name in zip(drives, sorted(motions), strict=True):
-            t, a = motions[name].time_s, motions[name].acceleration_m_s2
-            velocity = np.concatenate(([0.0], np.cumsum(0.5 * np.diff(t) * (a[1:] + a[:-1]))))
+            t, velocity = motions[name].time_s, motions[name].velocity_m_s
             half_steps = np.arange(0.5 * dt, t[-1] + dt, dt)
             states = [omega.bodies[i].state for i in drive.ids]
             for state in states:
@@ -164,8 +163,7 @@ def main(arguments=None):
         time_s, columns = motions[spec["record"]]
         case = with_nodes(cases[spec["model"]], spec["nodes"])
         history, ratio = run_case(case, time_s, columns, spec)
-        chain = registry.model(spec["model"]).chain
-        nodes = case["numerics"]["nodes_per_block" if chain else "nodes_height"]
+        nodes = case["numerics"][registry.model(spec["model"]).nodes_up]
         rows.append(as_row(spec, nodes, history, ratio))
         print(to_csv(rows[-1:], COLUMNS).splitlines()[1], file=sys.stderr, flush=True)
     write_atomic(args.output, to_csv(rows, COLUMNS))

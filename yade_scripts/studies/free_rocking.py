@@ -17,8 +17,6 @@ The cases file holds a list; each case is one wall:
 import math
 import time
 
-import numpy as np
-
 from yade_scripts.engine import adapter, simulate
 from yade_scripts.files import write_atomic
 from yade_scripts.model import facade
@@ -82,7 +80,7 @@ def free_rocking(config, model, beta_s, release_ratio, limit_s, samples=SAMPLES)
         rest_velocity_m_s=REST_SPEED * speed,
         rest_time_s=REST_BOUNCES / p,
     )
-    quiet = {facade.GROUND: adapter.Motion(np.array([0.0, limit_s + 1.0]), np.zeros(2))}
+    quiet = {facade.GROUND: adapter.Motion.none(limit_s + 1.0)}
     return simulate.run(
         scene,
         quiet,

@@ -139,7 +139,7 @@ def push(scene, numerics, *, speed_m_s=0.02, reach=1.0, samples=400, force_sampl
     step, _ = simulate.choose_step(scene, numerics)
     travel = 0.5 * reach * scene.thickness_m
     motion = push_motion(0.5 * speed_m_s, travel)
-    still = adapter.Motion(np.array([0.0, motion.duration_s]), np.zeros(2))
+    still = adapter.Motion.none(motion.duration_s)
     motions = {name: still for name in scene.motions} | {PUSH: motion}
     built = adapter.build(scene, motions, step, node_radius_m=numerics["node_radius_m"])
     steps = int(motion.duration_s / step)

@@ -1,7 +1,7 @@
 """Runs of one case under one motion, of which finished ones come from the journal."""
 
 from yade_scripts.engine import memory
-from yade_scripts.model import models
+from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.scene import to_json
 from yade_scripts.sources import digest
@@ -24,7 +24,7 @@ class Runner:
     say : callable
         Receives a line of progress.
     before : tuple or None
-        A shock before the motion; see `models.after`.
+        A shock before the motion; see `floor_motions.after`.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class Runner:
         """Scene with so many extra nodes, and the hash of it and of its motions."""
         if extra_nodes not in self.scenes:
             case = {**self.case, "numerics": numerics}
-            scene, self.columns = models.shaken(models.build_scene(case), self.columns)
+            scene, self.columns = floor_motions.shaken(models.build_scene(case), self.columns)
             motion = b"".join(self.columns[n].tobytes() for n in scene.motions)
             self.scenes[extra_nodes] = (
                 scene,
@@ -70,11 +70,11 @@ class Runner:
         key = run_key(base, numerics, factor)
         row = self.journal.get(key)
         if row is None:
-            motion = self.time_s, self.columns
+            time_s, columns = self.time_s, self.columns
             if self.before is not None:
-                motion = models.after(self.before, *motion[:1], models.scaled(motion[1], factor))
-                factor = 1.0
-            self.history = shaking.set_up(scene, numerics, *motion, factor).retried()
+                second = floor_motions.scaled(columns, factor)
+                (time_s, columns), factor = floor_motions.after(self.before, time_s, second), 1.0
+            self.history = shaking.set_up(scene, numerics, time_s, columns, factor).retried()
             row = run_row(self.case["model"], self.record, self.direction, pga_g, self.history)
             self.journal.put(key, row, self.history.reason)
             if self.ceiling.reached():

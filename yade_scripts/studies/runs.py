@@ -24,7 +24,7 @@ import numpy as np
 
 from yade_scripts.engine import adapter
 from yade_scripts.files import read_json, write_atomic
-from yade_scripts.model import floor_motions, models
+from yade_scripts.model import floor_motions
 from yade_scripts.model.motion import SIGNS, amplitude
 from yade_scripts.studies import command, perturb
 from yade_scripts.studies.ensemble import run_realisations
@@ -49,12 +49,12 @@ def motion_of(case):
     """Time and accelerations that shake a case, and the shock before them; None: there is none."""
     time_s, columns = read_motion(case["motion"])
     if case.get("second"):
-        time_s, columns = models.with_second(time_s, columns, *read_motion(case["second"]))
+        time_s, columns = floor_motions.with_second(time_s, columns, *read_motion(case["second"]))
     if not (before := case.get("before")):
         return time_s, columns, None
     first_s, first = read_motion(before["motion"])
     factor = amplitude(first["ground"], case["direction"], before["pga_g"])
-    return time_s, columns, (first_s, models.scaled(first, factor), before["pause_s"])
+    return time_s, columns, (first_s, floor_motions.scaled(first, factor), before["pause_s"])
 
 
 def run_case(case, journal, say):

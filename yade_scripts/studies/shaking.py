@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from yade_scripts.engine import adapter, energy_check, simulate
-from yade_scripts.model import models
+from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import amplitude
 
 RETRY_SAMPLING = 0.1  # of the sampling interval, for a run tried once more
@@ -95,12 +95,9 @@ def set_up(scene, numerics, time_s, columns, factor):
     ValueError
         If the motion lacks a floor, or the stated step is beyond the critical one.
     """
-    scene, columns = models.shaken(scene, columns)
-    missing = [name for name in scene.motions if name not in columns]
-    if missing:
-        raise ValueError(f"the motion file has no column for {', '.join(missing)}")
-    factors = dict.fromkeys(scene.motions, factor) | {scene.vertical: abs(factor)}
-    motions = {n: adapter.Motion(time_s, factors[n] * columns[n]) for n in scene.motions}
+    scene, columns = floor_motions.shaken(scene, columns)
+    moved = floor_motions.scaled({name: columns[name] for name in scene.motions}, factor)
+    motions = {name: adapter.Motion(time_s, values) for name, values in moved.items()}
     level = {name: motion for name, motion in motions.items() if name != scene.vertical}
     step, critical = simulate.choose_step(scene, numerics)
     return Shaking(

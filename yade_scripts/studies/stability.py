@@ -183,7 +183,7 @@ def growth(scene, dt_s, *, press_m_s2=3.0, relax_steps=500, steps=3000, seed=1):
     w = adapter.load_yade()
     has_walls = any(name.startswith("return wall") for name in scene.joints)
     gravity = np.array([0.0, -press_m_s2 if has_walls else 0.0, -scene.gravity_m_s2])
-    zero = adapter.Motion(np.array([0.0, 1e6]), np.zeros(2))
+    zero = adapter.Motion.none(1e6)
     small = 0.3 * critical_step(scene)
     built = adapter.build(pressed(scene, gravity), {name: zero for name in scene.motions}, small)
     omega = built.omega

@@ -10,7 +10,7 @@ from rocking.studies.pushover import closed_form, friction_moment_ratio, joint_f
 from yade_process import in_yade, resolved
 
 from yade_scripts.engine.faces import BITS, Faces
-from yade_scripts.model import interlocking, models
+from yade_scripts.model import floor_motions, interlocking, models
 from yade_scripts.model.stiffness import assemble, critical_step
 
 COURSES = 10
@@ -58,13 +58,13 @@ def test_motion_between_floors_is_linear_in_height():
     data["return_wall"]["motion"] = "interpolated"
     scene = models.build_scene(data)
     columns = {name: np.full(3, float(i)) for i, name in enumerate(MOTIONS)}
-    found = models.motion_columns(scene, columns)
+    found = floor_motions.motion_columns(scene, columns)
     assert scene.notes["motions"]
     for name in scene.notes["motions"]:
         z = float(name.split()[1])
         assert np.allclose(found[name], z / (6.48 / 4)), name
     with pytest.raises(ValueError, match="floor4"):
-        models.motion_columns(scene, {k: v for k, v in columns.items() if k != "floor4"})
+        floor_motions.motion_columns(scene, {k: v for k, v in columns.items() if k != "floor4"})
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from rocking.solver.runs import Motions, history
 from scipy.integrate import solve_ivp
 from yade_process import in_yade, resolved
 
-from yade_scripts.model import models
+from yade_scripts.model import floor_motions, models
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.shape import shape_of
 from yade_scripts.model.stiffness import assemble
@@ -136,7 +136,7 @@ def test_base_above_the_ground():
     scene = facade_scene(config, "W2", BETA_S)
     t = np.linspace(0.0, 1.0, 11)
     columns = {"ground": t, **{f"floor{j}": 10.0**j * t for j in range(1, 5)}}
-    found = models.motion_columns(scene, columns)
+    found = floor_motions.motion_columns(scene, columns)
     # masses at 2.25, 4.5, 6.75, 9 m
     assert found[scene.blocks[0].motion] == pytest.approx((2 / 3 * 10.0 + 1 / 3 * 100.0) * t)
     walls = [b for b in scene.blocks if b.name.startswith("return wall")]
@@ -161,7 +161,7 @@ def test_yade_and_the_compiled_solver():
     scene = facade_scene(config, "W2", BETA_S)
     t, ground = pulses(1.2)
     columns = {f"floor{j}": ground * (1.0 + 0.1 * j) for j in range(1, 5)} | {"ground": ground}
-    moved = models.motion_columns(scene, columns)
+    moved = floor_motions.motion_columns(scene, columns)
     planar = history(
         to_plane(scene),
         Motions(t, moved[scene.blocks[0].motion], [moved[m] for m in moving_supports(scene)]),

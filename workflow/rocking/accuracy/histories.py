@@ -15,7 +15,6 @@ from rocking.collapse.scan import driving
 from rocking.solver import peaks, stable_step, to_plane
 from yade_scripts.model import models
 from yade_scripts.model.motion import amplitude
-from yade_scripts.model.nodes import with_nodes
 from yade_scripts.studies.search import drive
 
 CHOOSING, REPORTING = "choosing", "reporting"
@@ -64,13 +63,13 @@ class Solver:
         """Keep the scene and its motion."""
         self.case, self.direction, self.ground = case, direction, columns["ground"]
         self.planes = {}
-        scene = models.build_scene(with_nodes(case, SCAN_NODES))
+        scene = models.build_scene(models.with_nodes(case, SCAN_NODES))
         self.motions = driving(scene, time_s, columns)
 
     def plane(self, nodes):
         """Scene with n nodes a return wall, and the stable step [s] of the scheme."""
         if nodes not in self.planes:
-            plane = to_plane(models.build_scene(with_nodes(self.case, nodes)))
+            plane = to_plane(models.build_scene(models.with_nodes(self.case, nodes)))
             self.planes[nodes] = plane, float(stable_step(plane))
         return self.planes[nodes]
 

@@ -9,7 +9,7 @@ import numpy as np
 from rocking.records import Record, RecordError, load, read_record
 from rocking.records.floors import floor_columns
 from rocking.records.record import UNITS_M_S2, check_plausible, measures, unit_name
-from yade_scripts.model import floor_motions, models
+from yade_scripts.model import floor_motions
 from yade_scripts.model.motion import amplitude
 
 TABLE = Path(__file__).resolve().parents[3] / "config" / "records.tsv"
@@ -168,4 +168,4 @@ class Motion:
             return None
         time_s, columns = self.first.columns(case)
         factor = amplitude(columns["ground"], direction, self.first_pga_g)
-        return time_s, models.scaled(columns, factor), self.pause_s
+        return time_s, floor_motions.scaled(columns, factor), self.pause_s

@@ -9,7 +9,7 @@ from rocking.solver.carriers import Bodies, bodies
 from rocking.solver.plane import moving_supports, to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, Peaks, peaks, stable_step
 from smdof.chain import shear_chain
-from yade_scripts.model import models, registry
+from yade_scripts.model import floor_motions, models, registry
 from yade_scripts.model.floor_motions import VERTICAL
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.wall_motion import floor_motion
@@ -178,7 +178,8 @@ class Screen(Scan):
         if self.before is None:
             return super().shaking(pga_g)
         factor = amplitude(self.ground, self.direction, pga_g)
-        both = models.after(self.before, self.time_s, models.scaled(self.columns, factor))
+        second = floor_motions.scaled(self.columns, factor)
+        both = floor_motions.after(self.before, self.time_s, second)
         return self._motions(*both), 1.0
 
     def peaks(self, plane, pga_g, step_s):
@@ -214,7 +215,7 @@ def scan_settings(case):
 
 def driving(scene, time_s, columns):
     """`Motions` of a scene whose supports are driven, by floor motions as `floor_motions.read`."""
-    columns = models.motion_columns(scene, columns)
+    columns = floor_motions.motion_columns(scene, columns)
     base = columns[scene.blocks[scene.index(scene.reference)].motion]
     supports = [columns[name] for name in moving_supports(scene)]
     return Motions(time_s, base, supports, columns.get(VERTICAL))

@@ -78,7 +78,8 @@ def two_motions(motions_of, scene, time_s, columns):
         `runs.Motions`.
     scene : Scene
     time_s, columns
-        Of every motion of the scene, see `models.motion_columns`; what is missing along is zero.
+        Of every motion of the scene, see `floor_motions.motion_columns`; what is missing along
+        is zero.
     """
     base = scene.blocks[scene.index(scene.reference)].motion
     names = [base, *moving_supports(scene)]

@@ -13,7 +13,7 @@ from rocking.collapse.ratios import Ratios
 from rocking.solver import spatial
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, peaks, stable_step
-from yade_scripts.model import models
+from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import amplitude
 from yade_scripts.studies.perturb import NODE_KEYS
 from yade_scripts.studies.search import drive
@@ -69,7 +69,7 @@ class Curve:
     case : dict
         A scene file of W1 or W2.
     time_s, columns
-        Floor motions with the second component, see `models.with_second`.
+        Floor motions with the second component, see `floor_motions.with_second`.
     direction : str
         "neg" turns the building by half a turn: both components change sign.
     settings : dict
@@ -82,7 +82,7 @@ class Curve:
         self.settings, self.numerics = settings, case["numerics"]
         scene = models.build_scene(full(case, settings))
         self.block = spatial.to_block(scene)
-        columns = models.motion_columns(scene, columns)
+        columns = floor_motions.motion_columns(scene, columns)
         self.motions = spatial.two_motions(Motions, scene, time_s, columns)
         plans = [models.build_scene(with_nodes(case, more)) for more in (0, 1)]
         self.planes = [(plane, stable_step(plane)) for plane in map(to_plane, plans)]

@@ -5,14 +5,14 @@ from rocking.runtime.script import run
 from rocking.studies.two_components import COLUMNS, Curve
 from rocking.tables import read_json, write_table
 
-from yade_scripts.model import floor_motions, models
+from yade_scripts.model import floor_motions
 
 
 def main(job):
     p, rows = job.params, []
     first, second = (floor_motions.read(path) for path in (job.input.motion, job.input.second))
     ratio = np.abs(second[1]["ground"]).max() / np.abs(first[1]["ground"]).max()
-    time_s, columns = models.with_second(*first, *second)
+    time_s, columns = floor_motions.with_second(*first, *second)
     for path in job.input.scenes:
         scene = read_json(path)
         for direction in p.directions:
