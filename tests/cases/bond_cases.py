@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from yade_scripts.model.quadrature import gauss_lobatto
-from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
+from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia, held
 
 JKN, JKS = 5.0e8, 2.0e8  # Pa/m
 TENSION, COHESION = 7.0e4, 1.0e5  # Pa
@@ -52,9 +52,7 @@ def bonded_scene(normal, nodes_up, *, free, gravity=0.0, tension=TENSION, cohesi
         JKN,
         JKS,
         beta_s=BETA,
-        friction_rad=FRICTION,
-        tension_pa=tension,
-        cohesion_pa=cohesion,
+        **held(tension, cohesion, FRICTION),
     )
     return Scene(blocks, nodes.joints, nodes.done(), "block", (0, 0, 0), "support", 1.0, gravity)
 
@@ -149,14 +147,11 @@ def peeling():
             JKN,
             1.0,
             beta_s=BETA,
-            friction_rad=FRICTION,
-            tension_pa=TENSION,
-            cohesion_pa=1e9,
+            **held(TENSION, 1e9, FRICTION),
         )
         # the foot is a stiff tie: it holds y and leaves the rotation free
-        joints.add_joint(
-            "foot", 1, 0, [(0, 0, 0)], (0, 1, 0), [1.0], 3e11, 1.0, beta_s=1e-5, tension_pa=1e15
-        )
+        tie = held(1e15, 0.0, 0.0)
+        joints.add_joint("foot", 1, 0, [(0, 0, 0)], (0, 1, 0), [1.0], 3e11, 1.0, beta_s=1e-5, **tie)
         scene = Scene(
             scene.blocks, joints.joints, joints.done(), "block", (0, 0, 0), "support", 1.0, 0.0
         )

@@ -15,6 +15,7 @@ from scipy.stats import binomtest
 from yade_process import in_yade, resolved
 
 from yade_scripts.model.facade import facade_scene
+from yade_scripts.model.scene import TIE
 from yade_scripts.model.stiffness import assemble
 from yade_scripts.model.ties import rod
 
@@ -104,7 +105,7 @@ def test_a_taut_tie_is_a_bonded_node():
         "a": 1, "b": 2, "joint": len(bare.joints), "position_m": [0.0, 0.0, ROW["height_m"]],
         "normal": [0.0, 1.0, 0.0], "area_m2": 1.0, "kn_n_m": tie.stiffness_n_m,
         "ks_n_m": tie.stiffness_n_m, "beta_s": 0.0, "friction_rad": 0.0, "gap_m": 0.0,
-        "tension_n": 1e12, "cohesion_n": 0.0,
+        "tension_n": 1e12, "cohesion_n": 0.0, "kind": TIE,
     }  # fmt: skip
     for name, value in extra.items():
         column = getattr(nodes, name)

@@ -26,41 +26,60 @@ from dataclasses import replace
 import numpy as np
 
 from yade_scripts.model import registry
-from yade_scripts.model.base import base_jkn, shares
-from yade_scripts.model.chain import chain_links, chain_matrices
+from yade_scripts.model.base import base_jkn, shares, total
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.floors import facade_floors, level_loads
+from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.hinges import hinge_stiffness, pieces
 from yade_scripts.model.motion import along
-from yade_scripts.model.panels import Hanging, building_mass
-from yade_scripts.model.quadrature import gauss_lobatto
+from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
 from yade_scripts.model.rest import at_rest
-from yade_scripts.model.scene import Block, NodeList, Scene
+from yade_scripts.model.return_walls import WALL, add_return_walls, back_jkn
+from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 from yade_scripts.model.shape import is_plain, shape_of
 from yade_scripts.model.ties import facade_ties
-from yade_scripts.model.wall_motion import PARTS, motion_of
+from yade_scripts.model.wall_motion import motion_of
 
 BASE = "base"
 FACADE = "façade"
-WALL = "return wall"
-MIDDLE = np.array([0.0]), np.array([1.0])  # the column of nodes of a planar scene
 NO_SHEAR = 1e-6  # jks/jkn of a joint that slides freely
-PIECE_M = 0.25  # depth of wall that moves with the contact, where the masses are elsewhere
 
 
 def joint_stiffness(config):
     """Joint stiffnesses of base and back joint [Pa/m], paper section 3.
 
-    That of the base is `base.base_jkn`, over which `base.shares` says where it sits; E/L at the
-    return walls with L = h/2, the mean length of the 45° triangle behind the crack, unless stated.
+    See `base.base_jkn`, over which `base.shares` says where it sits, and `return_walls.back_jkn`.
 
     Returns
     -------
     base, back : float
     """
-    facade, wall = config["facade"], config["return_wall"]
-    e_pa = facade["e_mpa"] * 1e6
-    return base_jkn(facade), e_pa / (wall["length_m"] or 0.5 * facade["height_m"])
+    return base_jkn(config["facade"]), back_jkn(config)
+
+
+def ground_block(facade, motion):
+    """The base that a façade stands on, at rest or driven."""
+    b = facade["thickness_m"]
+    size = (2 * facade["width_m"], 4 * facade["height_m"], 1.0)
+    still = (1.0, 1.0, 1.0)
+    return Block(BASE, (0.0, 0.5 * b, -0.5), size, 1.0, still, free="", motion=motion)
+
+
+def plain_block(facade, free, x_m=0.0, back_m=0.0):
+    """A plain façade settled on its base, the middle of its back face at x and y."""
+    h, b, width = facade["height_m"], facade["thickness_m"], facade["width_m"]
+    mass = facade["density_kg_m3"] * h * b * width
+    sunk = mass * GRAVITY_M_S2 / (total(facade) * base_jkn(facade) * b * width)
+    size = (width, b, h)
+    return Block(
+        FACADE,
+        (x_m, back_m + 0.5 * b, 0.5 * h),
+        size,
+        mass,
+        box_inertia(mass, size),
+        free=free,
+        displacement_m=(0.0, 0.0, -sunk),
+    )
 
 
 def facade_scene(
@@ -111,24 +130,13 @@ def facade_scene(
         )
     if two_components and (planar or kind.two_way or shape.hinges_m):
         raise ValueError(f"{model}: two components need a full scene, one block, driven supports")
-    jkn_base, jkn_back = joint_stiffness(config)
     motions: dict = {}
     ground = GROUND
     if raised:
         whole = raised + h
         ground = motion_of("interpolated", raised, whole, config["smdof"]["n_dof"], motions)
 
-    blocks = [
-        Block(
-            BASE,
-            (0.0, 0.5 * b, -0.5),
-            (2 * width, 4 * h, 1.0),
-            1.0,
-            (1.0, 1.0, 1.0),
-            free="",
-            motion=None if kind.two_way else ground,
-        )
-    ]
+    blocks = [ground_block(facade, None if kind.two_way else ground)]
     nodes = NodeList()
     points, weights = gauss_lobatto(numerics["nodes_thickness"])
     # Debris under the base (tilt) belongs to the block as protruding nodes: it
@@ -138,7 +146,7 @@ def facade_scene(
     columns = None if planar else _columns(shape.base_strips, width_nodes)
     add_base(config, beta_s, nodes, 1, 0, planar=planar, protrusion_m=protrusion, columns=columns)
     walls_stand = kind.walls != "none" and facade.get("sides") != "two"
-    kn = shares(facade, weights) * b * (width - shape.base_lost_m) * jkn_base
+    kn = shares(facade, weights) * b * (width - shape.base_lost_m) * base_jkn(facade)
     displacement, rotation = at_rest(facade, shape, kn, points, release_ratio, walls_stand)
     upright = Block(
         FACADE,
@@ -159,9 +167,7 @@ def facade_scene(
     tops = [(blocks[k].name, (0.0, 0.5 * b, z)) for k, z in enumerate(shape.hinges_m, 1)]
     links: list = []
     if walls_stand:
-        links = _add_return_walls(
-            config, kind, beta_s, blocks, nodes, jkn_back, planar, motions, shape
-        )
+        links = add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape)
     if two_components:
         blocks = [b if b.free else replace(b, motion_x=along(b.motion)) for b in blocks]
         motions |= {
@@ -238,18 +244,16 @@ def add_base(
     """
     section = config["facade"]
     b, width = section["thickness_m"], section["width_m"]
-    name, jkn = joint or (BASE, joint_stiffness(config)[0])
+    name, jkn = joint or (BASE, base_jkn(section))
     points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
     stiff = np.ones(weights.shape) if joint else shares(section, weights) / weights
     protrusion = np.broadcast_to(protrusion_m, points.shape)
     line = np.stack([origin[0] + 0 * points, origin[1] + points * b, height_m - protrusion], axis=1)
     gauss = np.array([-0.5, 0.5]) * (width / math.sqrt(3.0)), np.array([0.5, 0.5])
-    columns, column_weights = MIDDLE if planar else columns or gauss
+    columns = MIDDLE if planar else columns or gauss
     standing = width - (0.0 if joint else shape_of(section).base_lost_m)
-    positions, areas, gaps = _spread(
-        line, weights * b * standing, columns, column_weights, gap_m=-protrusion
-    )
-    jkn = jkn * np.tile(stiff, len(columns))
+    positions, areas, gaps = over_columns(line, weights * b * standing, columns, gap_m=-protrusion)
+    jkn = jkn * np.tile(stiff, len(columns[0]))
     nodes.add_joint(
         name,
         facade,
@@ -265,15 +269,6 @@ def add_base(
     )
 
 
-def wall_strips(width_m, wall):
-    """Where the return walls stand along the façade: (x0, x1) of each, evenly apart [m]."""
-    half = 0.5 * wall["thickness_m"]
-    if wall["count"] == 1:
-        return [(-half, half)]
-    spread = 0.5 * width_m - half
-    return [(x - half, x + half) for x in np.linspace(-spread, spread, wall["count"]).tolist()]
-
-
 def _columns(strips, count):
     """Places in x and weights of so many columns along each strip (x0, x1), ends included."""
     points, weights = gauss_lobatto(count)
@@ -282,102 +277,3 @@ def _columns(strips, count):
         np.concatenate([a + points * (b - a) for a, b in strips]),
         np.concatenate([weights * (b - a) / whole for a, b in strips]),
     )
-
-
-def _middles(strips):
-    """Places in x and weights of one column in the middle of each strip (x0, x1)."""
-    width = np.array([b - a for a, b in strips])
-    return np.array([0.5 * (a + b) for a, b in strips]), width / width.sum()
-
-
-def _spread(line_xyz, areas, columns, column_weights, gap_m=0.0):
-    """Repeat a line of nodes at x = 0 over the columns; return positions, areas and gaps."""
-    gaps = np.broadcast_to(gap_m, areas.shape)
-    positions = np.concatenate([line_xyz + np.array([x, 0.0, 0.0]) for x in columns])
-    return (
-        positions,
-        np.concatenate([areas * share for share in column_weights]),
-        np.concatenate([gaps for _ in columns]),
-    )
-
-
-def _add_return_walls(config, kind, beta_s, blocks, nodes, jkn_back, planar, motions, shape):
-    """Append return walls, one-way or two-way coupled, and back joints; return the links."""
-    facade, wall, numerics = config["facade"], config["return_wall"], config["numerics"]
-    h, width = facade["height_m"], facade["width_m"]
-    total = wall["count"] * wall["thickness_m"]
-    masses = config["smdof"]["n_dof"] if kind.chain else 1
-    parts = PARTS if kind.chain and wall["motion"] == "interpolated" else 1
-    count = masses * parts
-    nodes_up = numerics[kind.nodes_up]
-    points, weights = gauss_lobatto(
-        1 + math.ceil((nodes_up - 1) / parts) if parts > 1 else nodes_up
-    )
-    apart = kind.two_way and wall["motion"] != "top"  # else each block is a mass of the chain
-    hanging = Hanging(config, blocks, nodes, wall["count"], PIECE_M) if apart else None
-    mass, motion, own = 1.0, None, []
-    if kind.two_way:
-        light = facade["density_kg_m3"] * total * PIECE_M * h / count
-        mass = light if hanging else building_mass(config) / count
-    raised = facade.get("base_height_m", 0.0)
-    whole = raised + h
-    strips = wall_strips(width, wall)
-    for j in range(1, count + 1):
-        low, tall = (j - 1) * whole / count, whole / count
-        if raised and kind.chain:  # of the building's height what is behind the façade
-            low, tall = max(low, raised) - raised, min(tall, low + tall - raised)
-            if tall <= 1e-9:
-                continue
-        elif raised:
-            low, tall = 0.0, h
-        middle = low + 0.5 * tall
-        name = f"{WALL} {j}"
-        if not kind.two_way:
-            motion = blocks[0].motion
-            if kind.chain:
-                motion = motion_of(wall["motion"], raised + middle, whole, masses, motions)
-        blocks.append(
-            Block(
-                name,
-                (0.0, -0.5 * h - facade["gap_m"], middle),
-                (total, h, tall),
-                mass,
-                (1.0, 1.0, 1.0),
-                free="y" if kind.two_way else "",
-                motion=motion,
-            )
-        )
-        own.append(len(blocks) - 1)
-        if hanging:
-            hanging.hang(own[-1], 0.0)
-        pieces = shape.back_parts(low, tall, strips)
-        for number, (foot, length, y, lost, own_strips) in enumerate(pieces, 1):
-            columns, column_weights = MIDDLE if planar else _middles(own_strips)
-            at, share = points, weights
-            if len(pieces) > 1:
-                fewer = 1 + math.ceil((nodes_up - 1) * length / tall)
-                at, share = gauss_lobatto(max(3, fewer))
-            line = np.stack([0 * at, y + 0 * at, foot + at * length], axis=1)
-            areas = share * length * (total - lost)
-            positions, areas, _ = _spread(line, areas, columns, column_weights)
-            nodes.add_joint(
-                name if len(pieces) == 1 else f"{name} part {number}",
-                1 + shape.piece_at(foot + 0.5 * length),
-                own[-1],
-                positions,
-                (0, 1, 0),
-                areas,
-                jkn_back,
-                facade["shear_stiffness_ratio"] * jkn_back,
-                beta_s=beta_s,
-                friction_rad=math.radians(wall["friction_deg"]),
-                gap_m=facade["gap_m"],
-                tension_pa=wall["tension_mpa"] * 1e6 if kind.bonded else 0.0,
-                cohesion_pa=wall["cohesion_mpa"] * 1e6 if kind.bonded else 0.0,
-            )
-    if hanging:
-        return hanging.finish(own)
-    if not kind.two_way:
-        return []
-    _, stiffness, damping = chain_matrices(config["smdof"], building_mass(config))
-    return chain_links(stiffness, damping, own, 0, [blocks[i].centre_m[2] for i in own])

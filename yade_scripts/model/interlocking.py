@@ -39,18 +39,16 @@ import math
 import numpy as np
 
 from yade_scripts.model import split_bricks
-from yade_scripts.model.base import shares, total
-from yade_scripts.model.facade import BASE, FACADE, joint_stiffness
+from yade_scripts.model.facade import BASE, FACADE, add_base, ground_block, plain_block
 from yade_scripts.model.floor_motions import GROUND
-from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.panels import Hanging
-from yade_scripts.model.quadrature import gauss_lobatto
-from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
+from yade_scripts.model.quadrature import GAUSS
+from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia, held
+from yade_scripts.model.split_bricks import DOWN, ONTO_BRICK, UP
 from yade_scripts.model.wall_motion import motion_of
 
 HEADER_JOINTS = ("rigid", "bonded", "sliding", "hinged", "study")
-UP, DOWN, BACK = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0), (0.0, -1.0, 0.0)
-GAUSS = 0.5 / math.sqrt(3.0)
+BACK = (0.0, -1.0, 0.0)
 
 
 def interlocking_scene(config, beta_s, *, two_way=False):
@@ -146,12 +144,10 @@ class _Assembly:
         self.x = [0.0] if self.walls == 1 else np.linspace(-spread, spread, self.walls).tolist()
         self.blocks, self.nodes, self.rims, self.motions = [], NodeList(), {}, {}
         self.beds, self.bricks, self.hanging, self.partial = [], [], None, []
-        self.bed = dict(
-            jkn_pa_m=w3["jkn_pa_m"],
-            jks_pa_m=w3["jks_pa_m"],
-            beta_s=w3["joint_beta_s"],
-            friction_rad=math.radians(w3["friction_deg"]),
+        self.brick = dict(
+            jkn_pa_m=w3["jkn_pa_m"], jks_pa_m=w3["jks_pa_m"], beta_s=w3["joint_beta_s"]
         )
+        self.bed = {**self.brick, "friction_rad": math.radians(w3["friction_deg"])}
 
     def scene(self):
         """Assemble everything."""
@@ -187,46 +183,11 @@ class _Assembly:
 
     def _facade(self):
         """Ground, façade and the base joint between them."""
-        facade = self.config["facade"]
-        mass = self.density * self.h * self.b * self.width
-        size = (self.width, self.b, self.h)
-        jkn, _ = joint_stiffness(self.config)
-        points, weights = gauss_lobatto(self.config["numerics"]["nodes_thickness"])
-        settlement = mass * GRAVITY_M_S2 / (total(facade) * jkn * self.b * self.width)
-        jkn = jkn * (shares(facade, weights) / weights)
-        self.blocks += [
-            Block(
-                BASE,
-                (0.0, 0.5 * self.b, -0.5),
-                (2 * self.width, 4 * self.h, 1.0),
-                1.0,
-                (1.0, 1.0, 1.0),
-                free="",
-                motion=None if self.two_way else GROUND,
-            ),
-            Block(
-                FACADE,
-                (0.0, 0.5 * self.b, 0.5 * self.h),
-                size,
-                mass,
-                box_inertia(mass, size),
-                free="yzX",
-                displacement_m=(0.0, 0.0, -settlement),
-            ),
-        ]
-        line = np.stack([0 * points, points * self.b, 0 * points], axis=1)
-        self.nodes.add_joint(
-            BASE,
-            1,
-            0,
-            line,
-            UP,
-            weights * self.b * self.width,
-            jkn,
-            facade["shear_stiffness_ratio"] * jkn,
-            beta_s=self.beta,
-            friction_rad=math.radians(facade["friction_deg"]),
-        )
+        section = {**self.config["facade"], "width_m": self.width}
+        ground = ground_block(section, None if self.two_way else GROUND)
+        self.blocks += [ground, plain_block(section, "yzX")]
+        own = {**self.config, "facade": section}
+        add_base(own, self.beta, self.nodes, 1, 0, planar=True)
 
     def _wall(self, wall, x):
         """One return wall: bricks, headers, and their joints from the bottom up."""
@@ -257,8 +218,19 @@ class _Assembly:
                 "jks_pa_m": 0.5 * self.bed["jks_pa_m"],
             }
             self.nodes.add_joint(name, below, rear, place, DOWN, 0.5 * self.t * length, **soft)
-            self.rims[name] = self._brick_rim()
+            self.rims[name] = ONTO_BRICK
             self._back(wall, course + 1, front, x)
+
+    def bond(self, place):
+        """What holds a joint with the strengths and the friction of section w3.
+
+        Parameters
+        ----------
+        place : {"header", "lower"}
+            Of headers on the façade, or of what breaks among the lowest courses.
+        """
+        tension, cohesion = (self.w3[f"{place}_{what}_mpa"] for what in ("tension", "cohesion"))
+        return held(tension * 1e6, cohesion * 1e6, math.radians(self.w3["friction_deg"]))
 
     def _brick_or_parts(self, wall, course, x):
         """Append a return brick, cut if it is one of the lowest; return its rear and front."""
@@ -328,43 +300,26 @@ class _Assembly:
         )
         header, area = len(self.blocks) - 1, self.t * self.course
         name = f"{wall} header joint {course}"
-        stiffness = dict(
-            jkn_pa_m=w3["jkn_pa_m"], jks_pa_m=w3["jks_pa_m"], beta_s=w3["joint_beta_s"]
-        )
         pair = [(x, 0.0, middle - GAUSS * self.course), (x, 0.0, middle + GAUSS * self.course)]
         # a plane through the joint along which façade and header part as it rises
         inclined = rule != "study" and course <= w3["lower_courses"]
+        slope = math.radians(w3["lower_inclination_deg"]) if inclined else 0.0
         if inclined or rule in ("bonded", "study"):
-            slope = math.radians(w3["lower_inclination_deg"]) if inclined else 0.0
-            strength = "lower" if inclined else "header"
-            self.nodes.add_joint(
-                name,
-                header,
-                1,
-                pair,
-                (0.0, -math.cos(slope), -math.sin(slope)),
-                0.5 * area,
-                friction_rad=math.radians(w3["friction_deg"]),
-                tension_pa=w3[f"{strength}_tension_mpa"] * 1e6,
-                cohesion_pa=w3[f"{strength}_cohesion_mpa"] * 1e6,
-                **stiffness,
-            )
+            places, bond = pair, self.bond("lower" if inclined else "header")
         else:
-            tied = pair if rule == "sliding" else [(x, 0.0, middle)]
-            self.nodes.add_joint(
-                name,
-                header,
-                1,
-                tied,
-                BACK,
-                area / len(tied),
-                tension_pa=w3["header_tension_mpa"] * 1e6,
-                **stiffness,
-            )
+            places = pair if rule == "sliding" else [(x, 0.0, middle)]
+            bond = held(w3["header_tension_mpa"] * 1e6, 0.0, 0.0)
+        self.nodes.add_joint(
+            name,
+            header,
+            1,
+            places,
+            (0.0, -math.cos(slope), -math.sin(slope)),
+            area / len(places),
+            **self.brick,
+            **bond,
+        )
         return header
-
-    def _brick_rim(self):
-        return ((0.0, 1.0, 0.0), 0.0)
 
     def _bed(self, wall, lower, brick, header, x, header_above):
         """Bed joint above course `lower`, between a return brick and a header."""
@@ -374,7 +329,7 @@ class _Assembly:
         # header's rear edge on the brick's face; brick's front edge on the header's face
         edge, front = f"{name} rear edge", f"{name} front edge"
         self.nodes.add_joint(edge, header, brick, [(x, -self.v, z)], onto, area, **self.bed)
-        self.rims[edge] = self._brick_rim()
+        self.rims[edge] = ONTO_BRICK
         self.nodes.add_joint(front, brick, header, [(x, 0.0, z)], under, area, **self.bed)
         self.rims[front] = ((0.0, -1.0, 0.0), self.v)
         self.beds.append(name)

@@ -12,7 +12,7 @@ moves by interpolation of height and reactions reach the masses by the same leve
 from dataclasses import replace
 
 from yade_scripts.model.chain import chain_links, chain_matrices
-from yade_scripts.model.scene import Block, box_inertia
+from yade_scripts.model.scene import Block, box_inertia, held
 from yade_scripts.model.wall_motion import storey_of
 
 OUT = (0.0, -1.0, 0.0)
@@ -78,7 +78,7 @@ class Hanging:
         """Join two blocks along y at one point, in tension and compression, without shear."""
         k = self.walls * TIE_N_M
         self.nodes.add_joint(
-            name, a, b, [place], OUT, 1.0, k, k, beta_s=TIE_BETA_S, tension_pa=1e30
+            name, a, b, [place], OUT, 1.0, k, k, beta_s=TIE_BETA_S, **held(1e30, 0.0, 0.0)
         )
 
     def hang(self, index, x_m):

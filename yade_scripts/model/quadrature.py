@@ -1,7 +1,12 @@
-"""Gauss–Lobatto points: contact nodes whose end points sit on the edges."""
+"""Where the nodes of a joint stand, and what part of its area each of them has."""
+
+import math
 
 import numpy as np
 from numpy.polynomial import legendre
+
+GAUSS = 0.5 / math.sqrt(3.0)  # of two Gauss points from the middle of a length of 1
+MIDDLE = np.array([0.0]), np.array([1.0])  # the column of nodes of a planar scene
 
 
 def gauss_lobatto(count):
@@ -39,3 +44,31 @@ def gauss_lobatto(count):
     points = np.concatenate(([-1.0], interior, [1.0]))
     weights = 2.0 / (count * (count - 1) * last(points) ** 2)
     return (points + 1.0) / 2.0, weights / 2.0
+
+
+def over_columns(line_m, areas_m2, columns, gap_m=0.0):
+    """Repeat a line of nodes over columns along the façade.
+
+    Parameters
+    ----------
+    line_m : ndarray, shape (n, 3)
+        At x = 0.
+    areas_m2 : ndarray, shape (n,)
+        Of all columns together.
+    columns : (ndarray, ndarray), shape (c,)
+        Places in x [m], and weights whose sum is 1.
+    gap_m : float or ndarray, shape (n,)
+
+    Returns
+    -------
+    positions_m : ndarray, shape (c·n, 3)
+    areas_m2, gaps_m : ndarray, shape (c·n,)
+    """
+    places, weights = columns
+    gaps = np.broadcast_to(gap_m, areas_m2.shape)
+    positions = np.concatenate([line_m + np.array([x, 0.0, 0.0]) for x in places])
+    return (
+        positions,
+        np.concatenate([areas_m2 * share for share in weights]),
+        np.concatenate([gaps for _ in places]),
+    )

@@ -7,12 +7,17 @@ Axes: x along the façade, y out of plane and positive outward, z up. SI units.
 A contact node is a point of block `a`; block `b` stands opposite it as the
 plane through that point with `normal` pointing from b into a. Penetration is
 positive when a has moved against the normal; node force on a along the normal
-is kn·penetration + β·kn·(its rate), never tensile unless the node is bonded.
+is kn·penetration + β·kn·(its rate), never tensile unless the node is bonded. A node is
+
+    DRY   compression and friction alone
+    BOND  linear both ways, in shear too, until it reaches a strength; dry from then on
+    TIE   as a bond, but it transmits no shear: a smooth joint that holds in tension
+    WELD  linear both ways, and never breaks
 """
 
 import json
 import math
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any
 
 import numpy as np
@@ -20,7 +25,7 @@ import numpy as np
 from yade_scripts.model.bars import Floor, Link, Tie
 from yade_scripts.model.gravity import GRAVITY_M_S2
 
-WELD_N = 1e15  # strength from which a bonded node is meant never to break
+DRY, BOND, TIE, WELD = range(4)  # kinds of nodes
 DOFS = "xyzXYZ"  # translations, then rotations about the same axes (YADE's letters)
 
 
@@ -100,59 +105,47 @@ def box_inertia(mass_kg, size_m):
     )
 
 
-NODE_FIELDS = (
-    "a",  # index of the block that carries the node
-    "b",  # index of the block whose face the node touches
-    "joint",  # index into Scene.joints
-    "position_m",  # (3,) in the reference position
-    "normal",  # (3,) unit vector from b into a
-    "area_m2",  # tributary area
-    "kn_n_m",  # normal stiffness jkn·area
-    "ks_n_m",  # shear stiffness jks·area
-    "beta_s",  # stiffness-proportional damping: dashpots β·kn, β·ks
-    "friction_rad",
-    "gap_m",  # clearance in the reference position; negative protrudes into b
-    "tension_n",  # tensile strength of a bonded node; 0 with cohesion 0: no bond
-    "cohesion_n",  # cohesive shear strength of a bonded node
-)
-
-
 @dataclass
 class Nodes:
-    """Contact nodes as columns of equal length n (see NODE_FIELDS for units)."""
+    """Contact nodes as columns of equal length n."""
 
-    a: np.ndarray
-    b: np.ndarray
-    joint: np.ndarray
-    position_m: np.ndarray
-    normal: np.ndarray
-    area_m2: np.ndarray
-    kn_n_m: np.ndarray
-    ks_n_m: np.ndarray
-    beta_s: np.ndarray
+    a: np.ndarray  # index of the block that carries the node
+    b: np.ndarray  # index of the block whose face the node touches
+    joint: np.ndarray  # index into Scene.joints
+    position_m: np.ndarray  # (n, 3) in the reference position
+    normal: np.ndarray  # (n, 3) unit vector from b into a
+    area_m2: np.ndarray  # tributary area
+    kn_n_m: np.ndarray  # normal stiffness jkn·area
+    ks_n_m: np.ndarray  # shear stiffness jks·area
+    beta_s: np.ndarray  # stiffness-proportional damping: dashpots β·kn, β·ks
     friction_rad: np.ndarray
-    gap_m: np.ndarray
-    tension_n: np.ndarray
-    cohesion_n: np.ndarray
+    gap_m: np.ndarray  # clearance in the reference position; negative protrudes into b
+    tension_n: np.ndarray  # tensile strength of a bond or tie
+    cohesion_n: np.ndarray  # cohesive shear strength of a bond
+    kind: np.ndarray  # DRY, BOND, TIE or WELD
 
     def __len__(self):
         """Return the number of nodes."""
         return len(self.a)
 
+    def select(self, which, **others):
+        """Return the nodes of a mask or slice, with some of their columns replaced."""
+        return Nodes(**{name: column[which] for name, column in vars(self).items()} | others)
+
     @property
     def welded(self):
-        """Mask of the nodes that are linear both ways and never break, shape (n,)."""
-        return (self.tension_n >= WELD_N) & (self.cohesion_n >= WELD_N)
+        """Mask of the nodes that never break, shape (n,)."""
+        return self.kind == WELD
 
     @property
     def bonded(self):
         """Mask of the nodes that start with a strength that they may reach, shape (n,)."""
-        return ((self.tension_n > 0.0) | (self.cohesion_n > 0.0)) & ~self.welded
+        return (self.kind == BOND) | (self.kind == TIE)
 
     @property
     def tie(self):
-        """Mask of the bonded nodes that transmit no shear: neither cohesion nor friction."""
-        return self.bonded & (self.cohesion_n == 0.0) & (self.friction_rad == 0.0)
+        """Mask of the bonded nodes that transmit no shear, shape (n,)."""
+        return self.kind == TIE
 
 
 @dataclass
@@ -237,13 +230,25 @@ class Scene:
         return any(block.motion_x for block in self.blocks)
 
 
+def held(tension_pa, cohesion_pa, friction_rad):
+    """What holds the nodes of a joint with these strengths, as `NodeList.add_joint` takes it.
+
+    Without strength it is dry; where nothing resists shear, neither cohesion nor friction, a tie.
+    """
+    kind = BOND if tension_pa > 0.0 or cohesion_pa > 0.0 else DRY
+    if kind == BOND and cohesion_pa == 0.0 and friction_rad == 0.0:
+        kind = TIE
+    strengths = {"tension_pa": tension_pa, "cohesion_pa": cohesion_pa}
+    return {"kind": kind, "friction_rad": friction_rad, **strengths}
+
+
 class NodeList:
     """Collects the nodes of a scene joint by joint; `done()` gives the columns."""
 
     def __init__(self):
         """Start without joints."""
         self.joints = []
-        self._rows: dict[str, list] = {name: [] for name in NODE_FIELDS}
+        self._rows: dict[str, list] = {own.name: [] for own in fields(Nodes)}
 
     def add_joint(
         self,
@@ -259,6 +264,7 @@ class NodeList:
         beta_s=0.0,
         friction_rad=0.0,
         gap_m=0.0,
+        kind=DRY,
         tension_pa=0.0,
         cohesion_pa=0.0,
     ):
@@ -280,13 +286,15 @@ class NodeList:
         beta_s : float
             Stiffness-proportional damping [s].
         friction_rad, gap_m : float or array_like, shape (n,)
+        kind : int
         tension_pa, cohesion_pa : float
-            Strengths of the bond; both 0 means dry.
+            Strengths of a bond or tie, see `held`.
 
         Raises
         ------
         ValueError
-            If a value is not finite, or an area or stiffness is not positive.
+            If a value is not finite, an area or stiffness is not positive, or a dry joint has
+            a strength.
         """
         positions = np.atleast_2d(np.asarray(positions_m, float))
         count = len(positions)
@@ -298,6 +306,8 @@ class NodeList:
                 raise ValueError(f"joint '{name}': {label} must be positive and finite")
         if not np.all(np.isfinite(positions)):
             raise ValueError(f"joint '{name}': node positions must be finite")
+        if kind == DRY and (tension_pa or cohesion_pa):
+            raise ValueError(f"joint '{name}': a dry joint has no strength")
         if beta_s < 0.0:
             raise ValueError(f"joint '{name}': β must not be negative, got {beta_s} s")
         self.joints.append(name)
@@ -313,6 +323,7 @@ class NodeList:
             "gap_m": gap_m,
             "tension_n": tension_pa * areas,
             "cohesion_n": cohesion_pa * areas,
+            "kind": kind,
         }
         for key, value in columns.items():
             self._rows[key].append(np.broadcast_to(np.asarray(value), (count,)))
@@ -323,7 +334,7 @@ class NodeList:
         """Return the collected `Nodes`."""
         columns = {}
         for key, parts in self._rows.items():
-            dtype = int if key in ("a", "b", "joint") else float
+            dtype = int if key in ("a", "b", "joint", "kind") else float
             shape = (0, 3) if key in ("position_m", "normal") else (0,)
             columns[key] = np.concatenate(parts).astype(dtype) if parts else np.zeros(shape, dtype)
         return Nodes(**columns)

@@ -18,8 +18,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from yade_scripts.model.intervals import without
 from yade_scripts.model.scene import box_inertia
 
+SLIVER_M = 1e-9
 FLUSH = ("outer", "inner")
 OWN_KEYS = ("thickness_steps", "openings", "gable_height_m", "parapet_height_m")
 
@@ -88,7 +90,7 @@ class Shape:
     def base_strips(self):
         """Parts (x0, x1) of the base that stand on something: the piers between its doors."""
         doors = [(x0, x1) for x0, x1, z0, _ in self.openings if z0 <= 0.0]
-        return _less((-0.5 * self.width_m, 0.5 * self.width_m), doors)
+        return without([(-0.5 * self.width_m, 0.5 * self.width_m)], doors, SLIVER_M)
 
     @property
     def base_lost_m(self):
@@ -131,20 +133,11 @@ class Shape:
             middle = foot + 0.5 * tall
             y, _ = self.faces_at(middle)
             holes = [(x0, x1) for x0, x1, z0, z1 in near if z0 < middle < z1]
-            strips = [part for wall in walls for part in _less(wall, holes)]
+            strips = without(walls, holes, SLIVER_M)
             lost = sum(b - a for a, b in walls) - sum(b - a for a, b in strips) if holes else 0.0
             if strips:
                 found.append((foot, tall, y, lost, strips))
         return found
-
-
-def _less(interval, holes):
-    """What is left of an interval without holes, as intervals."""
-    left = [interval]
-    for low, high in holes:
-        parts = [part for a, b in left for part in ((a, min(b, low)), (max(a, high), b))]
-        left = [(a, b) for a, b in parts if b - a > 1e-9]
-    return left
 
 
 def is_plain(facade):

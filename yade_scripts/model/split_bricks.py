@@ -18,10 +18,11 @@ import math
 
 import numpy as np
 
+from yade_scripts.model.quadrature import GAUSS
 from yade_scripts.model.scene import Block, box_inertia
 
 UP, DOWN = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)
-GAUSS = 0.5 / math.sqrt(3.0)
+ONTO_BRICK = ((0.0, 1.0, 0.0), 0.0)  # rim of a brick's face: it ends where the façade begins
 
 
 def lowest_edge(height_m, overlap_m, inclination_rad):
@@ -132,7 +133,7 @@ def add_bed(assembly, name, lower, rear, front, header, x):
         ]
         assembly.partial += [f"{name} {row[0]}" for row in rows[1:]]
     else:
-        rows.append(("rear edge", header, front, -v, DOWN, -low, ((0.0, 1.0, 0.0), 0.0)))
+        rows.append(("rear edge", header, front, -v, DOWN, -low, ONTO_BRICK))
     for edge, a, b, y, normal, length, rim in rows:
         area = 0.5 * assembly.t * length
         assembly.nodes.add_joint(f"{name} {edge}", a, b, [(x, y, z)], normal, area, **assembly.bed)
@@ -154,7 +155,7 @@ def _solid(assembly, polygons):
 
 def _plane(assembly, name, x, rear, front, low, high):
     """Bond two Gauss points of the plane, from the front's rear face into the rear."""
-    w3, low, high = assembly.w3, np.array(low), np.array(high)
+    low, high = np.array(low), np.array(high)
     middle, along = 0.5 * (low + high), high - low
     s = assembly.split_inclination
     places = [(x, *(middle + sign * GAUSS * along)) for sign in (-1.0, 1.0)]
@@ -165,10 +166,6 @@ def _plane(assembly, name, x, rear, front, low, high):
         places,
         (0.0, -math.cos(s), -math.sin(s)),
         0.5 * assembly.t * float(np.hypot(*along)),
-        w3["jkn_pa_m"],
-        w3["jks_pa_m"],
-        beta_s=w3["joint_beta_s"],
-        friction_rad=math.radians(w3["friction_deg"]),
-        tension_pa=w3["lower_tension_mpa"] * 1e6,
-        cohesion_pa=w3["lower_cohesion_mpa"] * 1e6,
+        **assembly.brick,
+        **assembly.bond("lower"),
     )

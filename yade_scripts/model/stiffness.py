@@ -266,14 +266,9 @@ def link_factor(scene, dt_s):
     masses = sorted({i for x in scene.links for i in (x.a, x.b) if scene.blocks[i].free})
     if not masses:
         return 1.0
-    bare = replace(
-        scene,
-        nodes=type(scene.nodes)(*(v[:0] for v in vars(scene.nodes).values())),
-        ties=[],
-        floors=[],
-    )
     blocks = [b if i in masses else replace(b, free="") for i, b in enumerate(scene.blocks)]
-    matrices = assemble(replace(bare, blocks=blocks))
+    none = scene.nodes.select(slice(0))
+    matrices = assemble(replace(scene, blocks=blocks, nodes=none, ties=[], floors=[]))
     k, c = matrices.dense()
     scale = 1.0 / np.sqrt(matrices.mass)
     first = np.linalg.eigh(k * np.outer(scale, scale))[1][:, 0] * scale

@@ -11,7 +11,6 @@ from scipy import sparse
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 from yade_scripts.model import stiffness
-from yade_scripts.model.scene import Nodes
 
 from .ordering import equation_order
 
@@ -37,8 +36,7 @@ def matrices(scene, chunk=CHUNK_NODES):
     """
     total = None
     for start in range(0, len(scene.nodes), chunk):
-        part = slice(start, start + chunk)
-        nodes = Nodes(**{f.name: getattr(scene.nodes, f.name)[part] for f in fields(Nodes)})
+        nodes = scene.nodes.select(slice(start, start + chunk))
         triplets = stiffness.assemble(replace(scene, nodes=nodes))
         size = len(triplets.mass)
         piece = sparse.coo_array(

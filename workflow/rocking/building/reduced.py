@@ -16,8 +16,8 @@ from rocking.collapse.scan import Scan
 from rocking.solver.carriers import bodies
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, stable_step
-from yade_scripts.model.building.complete import GROUND_MOTION, apart
-from yade_scripts.model.scene import Nodes
+from yade_scripts.model.building.complete import apart
+from yade_scripts.model.floor_motions import GROUND
 
 from .modes import Solver
 
@@ -122,7 +122,7 @@ def in_plane(scene, ends):
     back = nodes.b == facade
     held = [(i, tuple(_middle(nodes, back & (nodes.a == i)))) for i in ends]
     blocks = [
-        replace(scene.blocks[ground], free="", motion=GROUND_MOTION),
+        replace(scene.blocks[ground], free="", motion=GROUND),
         *(replace(scene.blocks[i], free="", motion=f"end{i}", centre_m=at) for i, at in held),
         replace(scene.blocks[facade], free="yzX"),
     ]
@@ -130,9 +130,8 @@ def in_plane(scene, ends):
     mine = (nodes.a == facade) | back
     place = np.full(len(scene.blocks), -1)
     place[kept] = np.arange(len(kept))
-    columns = {name: getattr(nodes, name)[mine] for name in vars(nodes)}
-    columns |= {"a": place[columns["a"]], "b": place[columns["b"]]}
-    return replace(scene, blocks=blocks, nodes=Nodes(**columns))
+    own = nodes.select(mine, a=place[nodes.a[mine]], b=place[nodes.b[mine]])
+    return replace(scene, blocks=blocks, nodes=own)
 
 
 class ReducedScan(Scan):

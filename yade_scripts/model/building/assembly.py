@@ -4,11 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from yade_scripts.model import floor_motions
 from yade_scripts.model.building.bricks import Brick, Bricks, lay
 from yade_scripts.model.building.contacts import KINDS, Interfaces, Joints, interfaces, weakened
 from yade_scripts.model.building.floors import floor_boxes
 from yade_scripts.model.building.plan import TOLERANCE_M, Plan, PlanError
-from yade_scripts.model.scene import WELD_N, Block, Nodes, Scene, box_inertia
+from yade_scripts.model.scene import WELD, Block, Nodes, Scene, box_inertia
 
 GROUND = "ground"
 # Points of equal weight in a rectangle of half sides 1 with its zeroth, first and second moments
@@ -116,7 +117,7 @@ def build(
             1e9,
             (1e9, 1e9, 1e9),
             free="",
-            motion="ground",
+            motion=floor_motions.GROUND,
         )
     )
     monitor = _monitor(plan, blocks, floors)
@@ -170,8 +171,9 @@ def _nodes(faces, ground):
         beta_s=zero,
         friction_rad=zero.copy(),
         gap_m=zero.copy(),
-        tension_n=np.full(count * n, WELD_N),
-        cohesion_n=np.full(count * n, WELD_N),
+        tension_n=zero.copy(),
+        cohesion_n=zero.copy(),
+        kind=np.full(count * n, WELD),
     )
 
 

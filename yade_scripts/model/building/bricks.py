@@ -20,6 +20,7 @@ from yade_scripts.model.building.plan import (
     overlap_in_height,
     overlap_in_plan,
 )
+from yade_scripts.model.intervals import without
 
 
 @dataclass(frozen=True)
@@ -124,33 +125,19 @@ def _crossings(plan, wall):
     return out
 
 
-def _subtract(segments, span):
-    """Cut `span` out of a list of segments."""
-    out = []
-    for low, high in segments:
-        if span[1] <= low + TOLERANCE_M or span[0] >= high - TOLERANCE_M:
-            out.append((low, high))
-            continue
-        if span[0] > low + TOLERANCE_M:
-            out.append((low, span[0]))
-        if span[1] < high - TOLERANCE_M:
-            out.append((span[1], high))
-    return out
+def _between(low, high, bottom, top):
+    """Whether what reaches from `low` to `high` lies beside a course."""
+    return low < top - TOLERANCE_M and high > bottom + TOLERANCE_M
 
 
 def _course_cuts(wall, grid, course, bottom, top, crossings, cavities):
     """Return the brick ends (low, high) along one course of a wall."""
-    segments = [(0.0, wall.length_m)]
-    for opening in wall.openings:
-        if opening.sill_m < top - TOLERANCE_M and opening.head_m > bottom + TOLERANCE_M:
-            segments = _subtract(segments, wall.span(opening))
-    for other, span in crossings:
-        beside = other.base_m < top - TOLERANCE_M and other.top_m > bottom + TOLERANCE_M
-        if beside and wall.axis != course % 2:
-            segments = _subtract(segments, span)
+    holes = [wall.span(o) for o in wall.openings if _between(o.sill_m, o.head_m, bottom, top)]
+    if wall.axis != course % 2:
+        holes += [span for w, span in crossings if _between(w.base_m, w.top_m, bottom, top)]
     joints = grid if course % 2 == 0 else 0.5 * (grid[:-1] + grid[1:])
     bricks = []
-    for low, high in segments:
+    for low, high in without([(0.0, wall.length_m)], holes, TOLERANCE_M):
         inside = joints[(joints > low + TOLERANCE_M) & (joints < high - TOLERANCE_M)]
         ends = [low, high, *inside]
         ends += [s for _, span, _ in cavities for s in span if low < s < high]
@@ -191,8 +178,7 @@ def lay(plan, brick):
             active = [
                 c
                 for c in cavities
-                if c[0].level_m < top - TOLERANCE_M
-                and c[0].level_m + c[0].beam_height_m > bottom + TOLERANCE_M
+                if _between(c[0].level_m, c[0].level_m + c[0].beam_height_m, bottom, top)
             ]
             ends = _course_cuts(wall, grid, course, bottom, top, crossings, active)
             for place, (s0, s1) in enumerate(ends):

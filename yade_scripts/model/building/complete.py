@@ -13,21 +13,19 @@ their dead load adds a static answer and no more. The plan need not be symmetric
 is not, so the whole building is modelled and the façade moves in space.
 """
 
-import math
 from dataclasses import replace
 
 import numpy as np
 
-from yade_scripts.model.base import total
 from yade_scripts.model.building.contacts import Joints
-from yade_scripts.model.building.plan import TOLERANCE_M, Opening, PlanError, Wall
-from yade_scripts.model.facade import FACADE, add_base, joint_stiffness
-from yade_scripts.model.gravity import GRAVITY_M_S2
-from yade_scripts.model.scene import Block, NodeList, Nodes, Scene, box_inertia
+from yade_scripts.model.building.plan import TOLERANCE_M, PlanError, Wall, shortened
+from yade_scripts.model.facade import FACADE, add_base, plain_block
+from yade_scripts.model.floor_motions import GROUND
+from yade_scripts.model.return_walls import back_jkn, back_strength
+from yade_scripts.model.scene import DOFS, NodeList, Nodes, Scene
 from yade_scripts.model.shape import refuse
 
 BACK_JOINTS = ("bricks", "facade")
-GROUND_MOTION = "ground"
 
 
 def front_wall(plan):
@@ -64,28 +62,19 @@ def behind(plan):
         end = wall.origin_m + wall.length_m
         if wall.axis == 1 and end >= crack - TOLERANCE_M:
             met = True
-            wall = _shortened(wall, crack)
+            wall = shortened(wall, wall.origin_m, crack)
+            _refuse_across(wall)
         walls.append(wall)
     if not met:
         raise PlanError(f"plan '{plan.name}': no wall along y meets the façade '{front.name}'")
     return replace(plan, walls=tuple(walls)), crack
 
 
-def _shortened(wall, end):
-    """Return a wall along y that ends at y = `end`, its openings where they were."""
-    flipped = wall.start_m[1] > wall.end_m[1]
-    cut = wall.origin_m + wall.length_m - end
-    x = wall.offset_m
-    openings = tuple(
-        Opening(o.name, o.from_start_m - cut * flipped, o.width_m, o.sill_m, o.height_m)
-        for o in wall.openings
-    )
-    for opening in openings:
-        if opening.from_start_m < -TOLERANCE_M or opening.end_m > wall.length_m - cut + TOLERANCE_M:
+def _refuse_across(wall):
+    """Refuse a wall that was cut through one of its openings."""
+    for opening in wall.openings:
+        if opening.from_start_m < -TOLERANCE_M or opening.end_m > wall.length_m + TOLERANCE_M:
             raise PlanError(f"wall '{wall.name}', opening '{opening.name}' lies across the crack")
-    if flipped:
-        return replace(wall, start_m=(x, end), openings=openings)
-    return replace(wall, end_m=(x, end), openings=openings)
 
 
 def complete_scene(
@@ -144,19 +133,8 @@ def complete_scene(
         raise ValueError("the complete building: no brick ends at the crack")
     middle = 0.5 * float(bricks.low_m[ends, 0].min() + bricks.high_m[ends, 0].max())
     facade = len(blocks)
-    mass = section["density_kg_m3"] * h * b * width
-    kn_base = total(section) * joint_stiffness(config)[0] * b * width
     back = crack_m + section["gap_m"]
-    blocks.append(
-        Block(
-            FACADE,
-            (middle, back + 0.5 * b, 0.5 * h),
-            (width, b, h),
-            mass,
-            box_inertia(mass, (width, b, h)),
-            displacement_m=(0.0, 0.0, -mass * GRAVITY_M_S2 / kn_base),
-        )
-    )
+    blocks.append(plain_block(section, DOFS, middle, back))
     nodes = NodeList()
     add_base(config, beta_s, nodes, facade, ground, planar=False, origin=(middle, back))
     moduli = None
@@ -176,7 +154,7 @@ def complete_scene(
         monitor_point_m=(middle, back + 0.5 * b, h),
         reference=blocks[ground].name,
         thickness_m=b,
-        shaking=GROUND_MOTION,
+        shaking=GROUND,
         notes={**base.notes, "mass_behind_kg": building.mass_kg, "top": base.monitor},
     )
 
@@ -197,7 +175,7 @@ def _touch(nodes, config, bricks, brick, facade, face, beta_s, bonded, moduli):
     moduli : (float, float) or None
         Of the half brick behind the joint, normal and shear [Pa]; None: jkn of the other models.
     """
-    section, wall = config["facade"], config["return_wall"]
+    section = config["facade"]
     (x0, y0, z0), (x1, _, z1) = bricks.low_m[brick], bricks.high_m[brick]
     left_m, right_m, crack_m = face
     z1 = min(z1, section["height_m"])
@@ -209,7 +187,7 @@ def _touch(nodes, config, bricks, brick, facade, face, beta_s, bonded, moduli):
     line = np.stack(
         [0 * points + 0.5 * (x0 + x1), 0 * points + crack_m, z0 + points * (z1 - z0)], axis=1
     )
-    jkn_back = joint_stiffness(config)[1]
+    jkn_back = back_jkn(config)
     jkn, jks = jkn_back, section["shear_stiffness_ratio"] * jkn_back
     if moduli is not None:
         jkn, jks = (2.0 * e / (crack_m - y0) for e in moduli)
@@ -223,10 +201,8 @@ def _touch(nodes, config, bricks, brick, facade, face, beta_s, bonded, moduli):
         jkn,
         jks,
         beta_s=beta_s * jkn_back / jkn,
-        friction_rad=math.radians(wall["friction_deg"]),
         gap_m=section["gap_m"],
-        tension_pa=wall["tension_mpa"] * 1e6 if bonded else 0.0,
-        cohesion_pa=wall["cohesion_mpa"] * 1e6 if bonded else 0.0,
+        **back_strength(config["return_wall"], bonded),
     )
 
 
@@ -262,9 +238,8 @@ def with_rigid_floors(building):
     nodes = scene.nodes
     a, b = place[index[nodes.a]], place[index[nodes.b]]
     between = a != b
-    columns = {name: getattr(nodes, name)[between] for name in vars(nodes)}
-    columns |= {"a": a[between], "b": b[between]}
-    return replace(scene, blocks=[blocks[i] for i in kept], nodes=Nodes(**columns))
+    nodes = nodes.select(between, a=a[between], b=b[between])
+    return replace(scene, blocks=[blocks[i] for i in kept], nodes=nodes)
 
 
 def joined(one, two, joints):
@@ -279,6 +254,4 @@ def joined(one, two, joints):
 def apart(scene):
     """Return the scene without the nodes between façade and building: each stands alone."""
     facade = scene.index(scene.monitor)
-    kept = scene.nodes.b != facade
-    columns = {name: getattr(scene.nodes, name)[kept] for name in vars(scene.nodes)}
-    return replace(scene, nodes=Nodes(**columns))
+    return replace(scene, nodes=scene.nodes.select(scene.nodes.b != facade))

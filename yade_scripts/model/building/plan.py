@@ -7,6 +7,8 @@ along the façade, y out of plane, z up; lengths in metres.
 
 from dataclasses import dataclass, fields, replace
 
+from yade_scripts.model.intervals import without
+
 TOLERANCE_M = 1e-6
 
 
@@ -72,6 +74,11 @@ class Wall:
     def offset_m(self):
         """Coordinate of the centre line across the wall."""
         return self.start_m[1 - self.axis]
+
+    def inner(self, cut_m):
+        """Return the coordinates of its ends with so much taken off either [m]."""
+        low, high = sorted((self.start_m[self.axis], self.end_m[self.axis]))
+        return low + cut_m, high - cut_m
 
     def span(self, opening):
         """Return the reach of an opening along the wall, counted from `origin_m` [m]."""
@@ -140,7 +147,7 @@ class Plan:
         elif self.corner_m < 0.0:
             crossing = [any(overlap_in_plan(s, f) for f in facades) for s in sides]
             sides = [
-                _shortened(s, -self.corner_m) if crosses else s
+                shortened(s, *s.inner(-self.corner_m)) if crosses else s
                 for s, crosses in zip(sides, crossing, strict=True)
             ]
         return replace(self, walls=tuple(sides))
@@ -162,14 +169,11 @@ def _corners_of(facade, sides, kept_m):
     starts = [0.0, *(high + kept_m for _, high in spans)]
     ends = [*(low - kept_m for low, _ in spans), facade.length_m]
     gaps = [(a, b) for a, b in zip(starts, ends, strict=True) if b - a > TOLERANCE_M]
-    pieces = [(opening, *facade.span(opening)) for opening in facade.openings]
-    for low, high in gaps:
-        pieces = [
-            (opening, *part)
-            for opening, a, b in pieces
-            for part in ((a, min(b, low)), (max(a, high), b))
-            if part[1] - part[0] > TOLERANCE_M
-        ]
+    pieces = [
+        (opening, *piece)
+        for opening in facade.openings
+        for piece in without([facade.span(opening)], gaps, TOLERANCE_M)
+    ]
     openings = [
         Opening(f"{o.name}, {k}", a, b - a, o.sill_m, o.height_m)
         for k, (o, a, b) in enumerate(pieces)
@@ -182,14 +186,13 @@ def _corners_of(facade, sides, kept_m):
     return replace(facade, start_m=start, end_m=end, openings=tuple(openings))
 
 
-def _shortened(wall, cut_m):
-    """Return a wall with `cut_m` taken off both ends, its openings where they were."""
-    low, high = sorted((wall.start_m, wall.end_m))
-    start, end = list(low), list(high)
-    start[wall.axis] += cut_m
-    end[wall.axis] -= cut_m
-    openings = tuple(replace(o, from_start_m=wall.span(o)[0] - cut_m) for o in wall.openings)
-    return replace(wall, start_m=tuple(start), end_m=tuple(end), openings=openings)
+def shortened(wall, start_m, end_m):
+    """Return a wall between two coordinates along its axis, its openings where they were."""
+    ends = [list(end) for end in sorted((wall.start_m, wall.end_m))]
+    ends[0][wall.axis], ends[1][wall.axis] = start_m, end_m
+    cut = start_m - wall.origin_m
+    openings = tuple(replace(o, from_start_m=wall.span(o)[0] - cut) for o in wall.openings)
+    return replace(wall, start_m=tuple(ends[0]), end_m=tuple(ends[1]), openings=openings)
 
 
 def _record(cls, data, where, convert=None):

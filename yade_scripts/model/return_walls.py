@@ -1,0 +1,171 @@
+"""Return walls behind a façade of one block: their blocks, and their joints with its back face.
+
+One block up the height, or one for each lumped mass of the chain (PARTS of it where their motion is
+interpolated). One-way coupled they are supports with a motion; two-way coupled they are masses of
+the chain, or hang on them as `panels` says.
+"""
+
+import math
+
+import numpy as np
+
+from yade_scripts.model.chain import chain_links, chain_matrices
+from yade_scripts.model.panels import Hanging, building_mass
+from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
+from yade_scripts.model.scene import Block, held
+from yade_scripts.model.wall_motion import PARTS, motion_of
+
+WALL = "return wall"
+PIECE_M = 0.25  # depth of wall that moves with the contact, where the masses are elsewhere
+
+
+def back_jkn(config):
+    """Stiffness of the joint with the return walls, E/L [Pa/m].
+
+    Unless stated L = h/2, the mean length of the 45° triangle behind the crack.
+    """
+    facade = config["facade"]
+    length = config["return_wall"]["length_m"] or 0.5 * facade["height_m"]
+    return facade["e_mpa"] * 1e6 / length
+
+
+def back_strength(wall, bonded):
+    """Friction of the joint with the return walls, and its strengths if it is bonded."""
+    friction = math.radians(wall["friction_deg"])
+    if not bonded:
+        return held(0.0, 0.0, friction)
+    return held(wall["tension_mpa"] * 1e6, wall["cohesion_mpa"] * 1e6, friction)
+
+
+def wall_strips(width_m, wall):
+    """Where the return walls stand along the façade: (x0, x1) of each, evenly apart [m]."""
+    half = 0.5 * wall["thickness_m"]
+    if wall["count"] == 1:
+        return [(-half, half)]
+    spread = 0.5 * width_m - half
+    return [(x - half, x + half) for x in np.linspace(-spread, spread, wall["count"]).tolist()]
+
+
+def _middles(strips):
+    """Places in x and weights of one column in the middle of each strip (x0, x1)."""
+    width = np.array([b - a for a, b in strips])
+    return np.array([0.5 * (a + b) for a, b in strips]), width / width.sum()
+
+
+def _spans(count, raised_m, height_m, chain):
+    """Number, foot and height of each block behind the façade, from the façade's base [m]."""
+    whole = raised_m + height_m
+    for number in range(1, count + 1):
+        low, tall = (number - 1) * whole / count, whole / count
+        if raised_m and chain:  # of the building's height what is behind the façade
+            low, tall = max(low, raised_m) - raised_m, min(tall, low + tall - raised_m)
+        elif raised_m:
+            low, tall = 0.0, height_m
+        if tall > 1e-9:
+            yield number, low, tall
+
+
+def _contact(parts, tall_m, total_m, nodes_up, planar):
+    """Nodes of a block's contact with the façade, on each part of the back face before it.
+
+    Parameters
+    ----------
+    parts : list
+        See `Shape.back_parts`.
+    tall_m, total_m : float
+        Height of the block, and thickness of all walls together.
+    nodes_up : (int, int)
+        Up a block whose contact is in one part, and up one that is cut into several.
+    planar : bool
+
+    Returns
+    -------
+    list of (middle_m, positions_m, areas_m2)
+    """
+    found, (whole, cut) = [], nodes_up
+    for foot, length, y, lost, strips in parts:
+        count = whole if len(parts) == 1 else max(3, 1 + math.ceil((cut - 1) * length / tall_m))
+        points, weights = gauss_lobatto(count)
+        line = np.stack([0 * points, y + 0 * points, foot + points * length], axis=1)
+        columns = MIDDLE if planar else _middles(strips)
+        places, areas, _ = over_columns(line, weights * length * (total_m - lost), columns)
+        found.append((foot + 0.5 * length, places, areas))
+    return found
+
+
+def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape):
+    """Append return walls and their joints with the façade; return the links between them.
+
+    Parameters
+    ----------
+    config, beta_s, planar
+        See `facade.facade_scene`.
+    kind : Model
+        See `registry`.
+    blocks : list of Block
+        Block 0 is the base; those after it are the façade's, as `shape` numbers its pieces.
+    nodes : NodeList
+    motions : dict
+        Weights of mixed motions by name, to which theirs are added.
+    shape : Shape
+
+    Returns
+    -------
+    list of Link
+    """
+    facade, wall, numerics = config["facade"], config["return_wall"], config["numerics"]
+    h, raised = facade["height_m"], facade.get("base_height_m", 0.0)
+    total = wall["count"] * wall["thickness_m"]
+    masses = config["smdof"]["n_dof"] if kind.chain else 1
+    parts = PARTS if kind.chain and wall["motion"] == "interpolated" else 1
+    count = masses * parts
+    cut = numerics[kind.nodes_up]
+    nodes_up = 1 + math.ceil((cut - 1) / parts) if parts > 1 else cut, cut
+    apart = kind.two_way and wall["motion"] != "top"  # else each block is a mass of the chain
+    hanging = Hanging(config, blocks, nodes, wall["count"], PIECE_M) if apart else None
+    jkn, strips = back_jkn(config), wall_strips(facade["width_m"], wall)
+    mass, motion, own = 1.0, None, []
+    if kind.two_way:
+        light = facade["density_kg_m3"] * total * PIECE_M * h / count
+        mass = light if hanging else building_mass(config) / count
+    for number, low, tall in _spans(count, raised, h, kind.chain):
+        middle = low + 0.5 * tall
+        if not kind.two_way:
+            motion = blocks[0].motion
+        if kind.chain and not kind.two_way:
+            motion = motion_of(wall["motion"], raised + middle, raised + h, masses, motions)
+        blocks.append(
+            Block(
+                f"{WALL} {number}",
+                (0.0, -0.5 * h - facade["gap_m"], middle),
+                (total, h, tall),
+                mass,
+                (1.0, 1.0, 1.0),
+                free="y" if kind.two_way else "",
+                motion=motion,
+            )
+        )
+        own.append(len(blocks) - 1)
+        if hanging:
+            hanging.hang(own[-1], 0.0)
+        contact = _contact(shape.back_parts(low, tall, strips), tall, total, nodes_up, planar)
+        for part, (at_m, places, areas) in enumerate(contact, 1):
+            nodes.add_joint(
+                blocks[-1].name if len(contact) == 1 else f"{blocks[-1].name} part {part}",
+                1 + shape.piece_at(at_m),
+                own[-1],
+                places,
+                (0, 1, 0),
+                areas,
+                jkn,
+                facade["shear_stiffness_ratio"] * jkn,
+                beta_s=beta_s,
+                gap_m=facade["gap_m"],
+                **back_strength(wall, kind.bonded),
+            )
+    if hanging:
+        return hanging.finish(own)
+    if not kind.two_way:
+        return []
+    _, stiffness, damping = chain_matrices(config["smdof"], building_mass(config))
+    return chain_links(stiffness, damping, own, 0, [blocks[i].centre_m[2] for i in own])
