@@ -9,12 +9,17 @@ Nodes that never break are pairs of spheres (`welds`).
 import math
 from dataclasses import dataclass
 
-from yade_scripts.engine import floors, links, loop, members, ties, welds
+from yade_scripts.engine import drives, loop
+from yade_scripts.engine.attached import Attached
 from yade_scripts.engine.bonds import Bonds
 from yade_scripts.engine.faces import NODE_BITS, FaceError, Faces, Releases
+from yade_scripts.engine.floors import Floors
 from yade_scripts.engine.guide import GUIDE_INTERVAL_S, Guide
 from yade_scripts.engine.library import EngineError, load_yade
+from yade_scripts.engine.links import Links
 from yade_scripts.engine.parts import Parts
+from yade_scripts.engine.ties import Ties
+from yade_scripts.engine.welds import Welds
 from yade_scripts.model.motion import Motion
 from yade_scripts.model.scene import DOFS
 
@@ -101,88 +106,103 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     loop.reset(omega)
     faces = Faces(scene)
     parts = Parts(w, utils, omega, scene, faces, node_radius_m)
+    given = w, utils, omega, scene
+    linked, tied, held, welded = Links(*given), Ties(*given), Floors(*given), Welds(*given)
+    attached: list[Attached] = [linked, tied, held, welded]
     body: list[int] = []
-    drives: dict[tuple, list[int]] = {}
+    driven: dict[tuple, list[int]] = {}  # bodies by motion and axis
     unturned: dict[int, object] = {}
-    linked = links.place(w, utils, omega, scene)
-    pairs, tied = ties.place(w, utils, omega, scene)
-    resting, held = floors.place(w, utils, omega, scene)
-    welded = welds.Welds(w, utils, omega, scene)
-    heaviest = max([b.mass_kg for b in scene.blocks if b.free] or [1.0])
     for index, block in enumerate(scene.blocks):
-        keys = faces.of_block(index)
-        if not block.free:
-            ids = parts.faces_of(keys)
-            if block.motion is not None:
-                ids += linked.get(index, [])
-            if not ids:
-                ids = [omega.bodies.append(utils.box((0, 0, 0), (1, 1, 1), mask=0))]
-            if len(ids) > 1 and block.drives:
-                ids = [parts.joined(block, ids)]
-            ids += tied.get(index, []) + held.get(index, [])
-            for i in ids:
-                state = omega.bodies[i].state
-                state.mass = SUPPORT_MASS_RATIO * heaviest
-                state.inertia = (state.mass,) * 3
-                driven = [DOFS[axis] for axis, _ in block.drives]
-                state.blockedDOFs = "".join(dof for dof in DOFS if dof not in driven)
-            for axis, name in block.drives:
-                drives.setdefault((name, axis), []).extend(ids)
-            body.append(ids[0])
+        if block.free:
+            own = parts.members(index, faces.of_block(index))
+            for kind in attached:
+                own += kind.members.get(index, [])
+            clump, unturned[index] = parts.clump(block, own, full_rotation)
+            body.append(clump)
             continue
-        own = parts.members(index, keys)
-        for added in (linked, tied, held, welded.members):
-            own += added.get(index, [])
-        clump, unturned[index] = parts.clump(block, own, full_rotation)
-        body.append(clump)
-
-    shape, physics, law = (
-        [*a, *b] for a, b in zip(ties.functors(w, scene), floors.functors(w, scene), strict=True)
+        ids = _support(w, utils, scene, index, parts, attached)
+        for axis, name in block.drives:
+            driven.setdefault((name, axis), []).extend(ids)
+        body.append(ids[0])
+    omega.dt = dt_s
+    interactions = w.InteractionLoop(
+        sum((kind.geometry for kind in attached), [w.Ig2_Box_Sphere_ScGeom()]),
+        sum((kind.physics for kind in attached), [w.Ip2_ViscElMat_ViscElMat_ViscElPhys()]),
+        sum((kind.law for kind in attached), [w.Law2_ScGeom_ViscElPhys_Basic()]),
     )
-    bounds = [w.Bo1_Sphere_Aabb(), w.Bo1_Box_Aabb()]
-    collider = w.InsertionSortCollider(bounds, verletDist=BESIDE_M)
-    if faces.box_bit:  # nodes of neighbouring blocks must not touch each other
-        collider.avoidSelfInteractionMask = NODE_BITS
+    weighing, gravity = _weight(w, scene, body)
     engines = [
         w.ForceResetter(),
-        collider,
-        w.InteractionLoop(
-            [w.Ig2_Box_Sphere_ScGeom(), *shape, *welded.geometry],
-            [w.Ip2_ViscElMat_ViscElMat_ViscElPhys(), *physics, *welded.physics],
-            [w.Law2_ScGeom_ViscElPhys_Basic(), *law, *welded.law],
-        ),
+        _collider(w, faces),
+        interactions,
         *welded.drag,
+        *_moving(w, omega, scene, motions, body, driven),
+        *weighing,
+        *held.loads(motions.get(scene.vertical)),
+        w.NewtonIntegrator(damping=0.0, gravity=gravity, exactAsphericalRot=full_rotation),
     ]
-    for (name, axis), ids in sorted(drives.items()):
-        motion = motions[name]
-        engines.append(members.force(w, motion, omega.bodies[ids[0]].state.mass, axis, ids))
-        for i in ids:
-            members.set_back(omega.bodies[i].state, axis, motion.acceleration_m_s2[0], dt_s)
-    omega.dt = dt_s
-    if scene.shaking:
-        engines += links.shake(w, scene, motions[scene.shaking], body, omega)
-    if scene.vertical:
-        engines += links.shake(w, scene, motions[scene.vertical], body, omega, axis=2)
-    weighing, gravity = _weight(w, scene, body)
-    newton = w.NewtonIntegrator(damping=0.0, gravity=gravity, exactAsphericalRot=full_rotation)
-    engines += [*weighing, *floors.loads(w, scene, resting, motions.get(scene.vertical)), newton]
     _place_members(w, omega)
     omega.engines, omega.dt = engines, dt_s
-    ties.join(utils, omega, scene, pairs)
-    floors.join(utils, scene, resting)
-    welded.join()
+    for kind in attached:
+        kind.join()
     built = Built(
         omega,
         body,
         parts.node_body,
         unturned,
-        linked=linked,
+        linked=linked.members,
         links=scene.links,
-        ties=pairs,
-        floors=resting,
+        ties=tied.pairs,
+        floors=held.pairs,
     )
     _attach(scene, motions, built, parts.bonded, faces)
     return built
+
+
+def _support(w, utils, scene, index, parts, attached):
+    """Append the bodies of a support; return their ids."""
+    omega, block = w.Omega(), scene.blocks[index]
+    linked, tied, held, _ = (kind.members.get(index, []) for kind in attached)
+    ids = parts.faces_of(parts.faces.of_block(index))
+    if block.motion is not None:
+        ids += linked
+    if not ids:
+        ids = [omega.bodies.append(utils.box((0, 0, 0), (1, 1, 1), mask=0))]
+    if len(ids) > 1 and block.drives:
+        ids = [parts.joined(block, ids)]
+    ids += tied + held
+    freedoms = [DOFS[axis] for axis, _ in block.drives]
+    heaviest = max([b.mass_kg for b in scene.blocks if b.free] or [1.0])
+    for i in ids:
+        state = omega.bodies[i].state
+        state.mass = SUPPORT_MASS_RATIO * heaviest
+        state.inertia = (state.mass,) * 3
+        state.blockedDOFs = "".join(dof for dof in DOFS if dof not in freedoms)
+    return ids
+
+
+def _collider(w, faces):
+    """Engine that finds what is near each other."""
+    bounds = [w.Bo1_Sphere_Aabb(), w.Bo1_Box_Aabb()]
+    collider = w.InsertionSortCollider(bounds, verletDist=BESIDE_M)
+    if faces.box_bit:  # nodes of neighbouring blocks must not touch each other
+        collider.avoidSelfInteractionMask = NODE_BITS
+    return collider
+
+
+def _moving(w, omega, scene, motions, body, driven):
+    """Engines of the motions of supports and of the frames that the scene stands in."""
+    engines = []
+    for (name, axis), ids in sorted(driven.items()):
+        motion = motions[name]
+        engines.append(drives.force(w, motion, omega.bodies[ids[0]].state.mass, axis, ids))
+        for i in ids:
+            state = omega.bodies[i].state
+            drives.set_back(state, axis, motion.acceleration_m_s2[0], omega.dt)
+    for name, axis in ((scene.shaking, 1), (scene.vertical, 2)):
+        if name:
+            engines += drives.shake(w, scene, motions[name], body, omega, axis)
+    return engines
 
 
 def _weight(w, scene, body):

@@ -9,65 +9,59 @@ nothing. Their radii put the contact at the façade's sphere, and REACH_M is so 
 stays vertical. The spheres have mask 0, so no collider finds them.
 """
 
-from yade_scripts.engine import members as parts
+from yade_scripts.engine import drives
+from yade_scripts.engine.attached import Attached
 
 REACH_M, RADIUS_M = 1e3, 1e-5  # the contact shears a radius above the point
 NO_STIFFNESS = 1e-6  # N/m along the vertical
 
 
-def functors(w, scene):
-    """Geometry, physics and law of the interaction loop that floors need.
+class Floors(Attached):
+    """The spheres of each floor, and what holds it; those that hold nothing stay single.
 
     The geometry serves the wires of ties too: YADE has one for two spheres.
-    """
-    return parts.cohesive_functors(w) if scene.floors else ([], [], [])
 
-
-def place(w, utils, omega, scene):
-    """Append the spheres of each floor; those of floors that hold nothing stay single.
-
-    Returns
-    -------
+    Attributes
+    ----------
     pairs : list of (int, int or None)
         YADE ids of the spheres on the façade and on the carrier.
-    members : dict of int to list of int
-        YADE ids by block.
     """
-    pairs: list[tuple] = []
-    members: dict[int, list] = {}
-    if scene.floors:
-        material = parts.cohesive(w, frictionAngle=0.0, fragile=False)
-        omega.materials.append(material)
-    for floor in scene.floors:
-        x, y, z = floor.position_m
-        ends = [(floor.a, (x, y, z), RADIUS_M), (floor.b, (x, y, z + REACH_M), REACH_M + RADIUS_M)]
-        ids = []
-        for block, centre, radius in ends[: 1 + (floor.capacity_n > 0.0)]:
-            sphere = utils.sphere(centre, radius, fixed=False, material=material, mask=0)
-            ids.append(parts.append(omega, scene, block, sphere, members))
-        pairs.append((ids[0], ids[1] if len(ids) > 1 else None))
-    return pairs, members
 
+    def place(self):
+        """Append the spheres."""
+        self.pairs = []
+        if not self.scene.floors:
+            return
+        self.between_cohesive()
+        material = self.cohesive(frictionAngle=0.0, fragile=False)
+        for floor in self.scene.floors:
+            x, y, z = floor.position_m
+            above = (x, y, z + REACH_M)
+            ends = [(floor.a, (x, y, z), RADIUS_M), (floor.b, above, REACH_M + RADIUS_M)]
+            ids = []
+            for block, centre, radius in ends[: 1 + (floor.capacity_n > 0.0)]:
+                sphere = self.utils.sphere(centre, radius, fixed=False, material=material, mask=0)
+                ids.append(self.append(block, sphere))
+            self.pairs.append((ids[0], ids[1] if len(ids) > 1 else None))
 
-def loads(w, scene, pairs, lift=None):
-    """Engines of the loads; `lift` is the vertical motion in whose frame they act."""
-    found = []
-    for floor, (own, _) in zip(scene.floors, pairs, strict=True):
-        if floor.load_n > 0.0:
-            found.append(w.ForceEngine(force=(0.0, 0.0, -floor.load_n), ids=[own]))
-        if floor.load_n > 0.0 and lift is not None:
-            mass = floor.load_n / scene.gravity_m_s2
-            found.append(parts.force(w, lift, -mass, 2, [own]))
-    return found
+    def loads(self, lift=None):
+        """Engines of the loads; `lift` is the vertical motion in whose frame they act."""
+        w, found = self.w, []
+        for floor, (own, _) in zip(self.scene.floors, self.pairs, strict=True):
+            if floor.load_n > 0.0:
+                found.append(w.ForceEngine(force=(0.0, 0.0, -floor.load_n), ids=[own]))
+            if floor.load_n > 0.0 and lift is not None:
+                mass = floor.load_n / self.scene.gravity_m_s2
+                found.append(drives.force(w, lift, -mass, 2, [own]))
+        return found
 
-
-def join(utils, scene, pairs):
-    """Make the contacts, once engines stand and blocks are where they start."""
-    for floor, pair in zip(scene.floors, pairs, strict=True):
-        if pair[1] is not None:
-            physics = utils.createInteraction(*pair).phys
-            physics.kn, physics.ks = NO_STIFFNESS, floor.stiffness_n_m
-            physics.shearAdhesion = floor.capacity_n
+    def join(self):
+        """Make the contacts."""
+        for floor, pair in zip(self.scene.floors, self.pairs, strict=True):
+            if pair[1] is not None:
+                physics = self.utils.createInteraction(*pair).phys
+                physics.kn, physics.ks = NO_STIFFNESS, floor.stiffness_n_m
+                physics.shearAdhesion = floor.capacity_n
 
 
 class Raised:

@@ -9,7 +9,7 @@ FASTEST_M_S: 2e-2 1/s times c, below 1e-4 of a chain's stiffness. All links shar
 and stand side by side in x, out of each other's reach.
 """
 
-from yade_scripts.engine import members as parts
+from yade_scripts.engine.attached import Attached
 from yade_scripts.engine.bonds import NO_STIFFNESS
 from yade_scripts.model.scene import DOFS
 
@@ -27,36 +27,29 @@ def built_stiffness(link):
     return max(link.stiffness_n_m, link.dashpot_ns_m * FASTEST_M_S / REACH_M)
 
 
-def place(w, utils, omega, scene):
-    """Append the spheres and boxes of a scene's links.
+class Links(Attached):
+    """The spheres and boxes of a scene's links."""
 
-    Returns
-    -------
-    members : dict of int to list of int
-        YADE ids by block, for the clumps of the free and the driven ones.
-    """
-    rigid = w.ViscElMat(density=1e-30, kn=1e30, ks=1e30, cn=1e30, cs=1e30, frictionAngle=0.0)
-    if scene.links:
-        omega.materials.append(rigid)
-    members: dict[int, list] = {}
-    for number, link in enumerate(scene.links, 1):
-        for block in (scene.blocks[link.a], scene.blocks[link.b]):
-            guided = block.free and block.motion is not None
-            if guided or set(block.free) & set(DOFS[3:]):
-                raise LinkError(f"link '{link.name}': block '{block.name}' is guided or can turn")
-        half = w.ViscElMat(
-            density=1e-30,
-            kn=0.5 * built_stiffness(link),
-            cn=max(0.5 * link.dashpot_ns_m, NO_STIFFNESS),
-            ks=NO_STIFFNESS,
-            cs=NO_STIFFNESS,
-            frictionAngle=0.0,
-        )
-        omega.materials.append(half)
-        middle = (link.position_m[0] + 5.0 * REACH_M * number, *link.position_m[1:])
-        ids = {
-            link.a: [utils.sphere(middle, REACH_M + GAP_M, fixed=False, material=half, mask=BIT)],
-            link.b: [
+    def place(self):
+        """Append them, all on one mask bit."""
+        w, utils, scene = self.w, self.utils, self.scene
+        rigid = w.ViscElMat(density=1e-30, kn=1e30, ks=1e30, cn=1e30, cs=1e30, frictionAngle=0.0)
+        if scene.links:
+            self.omega.materials.append(rigid)
+        for number, link in enumerate(scene.links, 1):
+            _check(scene, link)
+            half = w.ViscElMat(
+                density=1e-30,
+                kn=0.5 * built_stiffness(link),
+                cn=max(0.5 * link.dashpot_ns_m, NO_STIFFNESS),
+                ks=NO_STIFFNESS,
+                cs=NO_STIFFNESS,
+                frictionAngle=0.0,
+            )
+            self.omega.materials.append(half)
+            middle = (link.position_m[0] + 5.0 * REACH_M * number, *link.position_m[1:])
+            sphere = utils.sphere(middle, REACH_M + GAP_M, fixed=False, material=half, mask=BIT)
+            boxes = [
                 utils.box(
                     [middle[i] + side * 2.0 * GAP_M * link.direction[i] for i in range(3)],
                     (GAP_M, GAP_M, GAP_M),
@@ -65,25 +58,15 @@ def place(w, utils, omega, scene):
                     mask=BIT,
                 )
                 for side in (-1.0, 1.0)
-            ],
-        }
-        for end, bodies in ids.items():
-            for body in bodies:
-                parts.append(omega, scene, end, body, members)
-    return members
+            ]
+            self.append(link.a, sphere)
+            for box in boxes:
+                self.append(link.b, box)
 
 
-def shake(w, scene, motion, body, omega, axis=1):
-    """Inertia forces −m·a of the blocks free along an axis (1: y, 2: z), as engines.
-
-    They belong to the frame that moves with the motion along that axis.
-    """
-    groups: dict[float, list] = {}
-    same: dict[str, float] = {}  # masses that differ by rounding alone share an engine
-    for index, block in enumerate(scene.blocks):
-        if DOFS[axis] in block.free:
-            mass = same.setdefault(f"{block.mass_kg:.10g}", block.mass_kg)
-            groups.setdefault(mass, []).append(body[index])
-            state = omega.bodies[body[index]].state
-            parts.set_back(state, axis, -motion.acceleration_m_s2[0], omega.dt)
-    return [parts.force(w, motion, -mass, axis, ids) for mass, ids in groups.items()]
+def _check(scene, link):
+    """Refuse a link on blocks that turn or are guided."""
+    for block in (scene.blocks[link.a], scene.blocks[link.b]):
+        guided = block.free and block.motion is not None
+        if guided or set(block.free) & set(DOFS[3:]):
+            raise LinkError(f"link '{link.name}': block '{block.name}' is guided or can turn")

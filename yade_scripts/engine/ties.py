@@ -9,21 +9,10 @@ geometry only between what has met.
 
 import math
 
-from yade_scripts.engine import members as parts
+from yade_scripts.engine.attached import Attached
 
 UNIT_DIAMETER_M = 2.0 / math.pi**0.5  # of a section of 1 m²: stresses are then forces
 RISE = 1e-9  # of the capacity along the plateau, whose ends YADE wants to differ
-
-
-def functors(w, scene):
-    """Functors of the interaction loop that ties need: geometry, physics and law."""
-    if not scene.ties:
-        return [], [], []
-    return (
-        [w.Ig2_Sphere_Sphere_ScGeom()],
-        [w.Ip2_WireMat_WireMat_WirePhys()],
-        [w.Law2_ScGeom_WirePhys_WirePM()],
-    )
 
 
 def _curve(tie):
@@ -38,39 +27,42 @@ def _reach(tie):
     return 2.0 * (tie.length_m + tie.slack_m + tie.elongation_m) / 3.0
 
 
-def place(w, utils, omega, scene):
-    """Append two spheres for each tie.
+class Ties(Attached):
+    """Two spheres for each tie, and the wire between them.
 
-    Returns
-    -------
+    Attributes
+    ----------
     pairs : list of (int, int)
         YADE ids of the ends on a and on b.
-    members : dict of int to list of int
-        YADE ids by block.
     """
-    pairs: list[tuple] = []
-    members: dict[int, list] = {}
-    for tie in scene.ties:
-        material = w.WireMat(density=1e-30, diameter=UNIT_DIAMETER_M)
-        omega.materials.append(material)
-        ids = []
-        for block, end in ((tie.a, tie.end_a_m), (tie.b, tie.end_b_m)):
-            sphere = utils.sphere(end, _reach(tie), fixed=False, material=material, mask=0)
-            ids.append(parts.append(omega, scene, block, sphere, members))
-        pairs.append(tuple(ids))
-    return pairs, members
 
+    def place(self):
+        """Append the spheres."""
+        w, self.pairs = self.w, []
+        if self.scene.ties:
+            self.geometry = [w.Ig2_Sphere_Sphere_ScGeom()]
+            self.physics = [w.Ip2_WireMat_WireMat_WirePhys()]
+            self.law = [w.Law2_ScGeom_WirePhys_WirePM()]
+        for tie in self.scene.ties:
+            material = w.WireMat(density=1e-30, diameter=UNIT_DIAMETER_M)
+            self.omega.materials.append(material)
+            ids = []
+            for block, end in ((tie.a, tie.end_a_m), (tie.b, tie.end_b_m)):
+                sphere = self.utils.sphere(end, _reach(tie), fixed=False, material=material, mask=0)
+                ids.append(self.append(block, sphere))
+            self.pairs.append(tuple(ids))
 
-def join(utils, omega, scene, pairs):
-    """Make the wires, once engines stand and blocks are where they start.
+    def join(self):
+        """Make the wires.
 
-    A wire's curve is stated by strains of the length at which it is made, and its slack by the
-    overlap from which it counts.
-    """
-    for tie, pair in zip(scene.ties, pairs, strict=True):
-        ends = [omega.bodies[i].state.pos for i in pair]
-        length = (ends[0] - ends[1]).norm()
-        curve = [(lengthening / length, pull) for lengthening, pull in _curve(tie)]
-        omega.bodies[pair[0]].mat.strainStressValues = curve
-        wire = utils.createInteraction(*pair).phys
-        wire.initD = 2.0 * _reach(tie) - tie.length_m - tie.slack_m
+        A wire's curve is stated by strains of the length at which it is made, and its slack by the
+        overlap from which it counts.
+        """
+        bodies = self.omega.bodies
+        for tie, pair in zip(self.scene.ties, self.pairs, strict=True):
+            ends = [bodies[i].state.pos for i in pair]
+            length = (ends[0] - ends[1]).norm()
+            curve = [(lengthening / length, pull) for lengthening, pull in _curve(tie)]
+            bodies[pair[0]].mat.strainStressValues = curve
+            wire = self.utils.createInteraction(*pair).phys
+            wire.initD = 2.0 * _reach(tie) - tie.length_m - tie.slack_m

@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from yade_scripts.engine import members as parts
+from yade_scripts.engine.attached import Attached
 
 # The normal of a pair turns by (shear displacement)/(2r). A radius far above any joint
 # displacement keeps the springs linear; without a collider it may exceed the brick.
@@ -31,25 +31,19 @@ class WeldError(ValueError):
     """A welded node cannot be built on these blocks."""
 
 
-class Welds:
+class Welds(Attached):
     """The spheres of welded nodes and of drag, and what steps them.
 
     Attributes
     ----------
-    members : dict of int to list of int
-        YADE ids by block.
-    geometry, physics, law : list
-        Functors for the interaction loop; empty without welded nodes.
     drag : list
         Engine of the drag; empty without any.
     """
 
-    def __init__(self, w, utils, omega, scene):
-        """Append the spheres; `join` follows once the engines stand."""
-        self.utils, self.nodes = utils, scene.nodes
-        self.members: dict[int, list] = {}
-        self.pairs: list[tuple] = []
-        self.geometry, self.physics, self.law, self.drag = [], [], [], []
+    def place(self):
+        """Append the spheres."""
+        w, scene = self.w, self.scene
+        self.pairs, self.drag = [], []
         self.welded = np.flatnonzero(scene.nodes.welded).tolist()
         dragged = [i for i, block in enumerate(scene.blocks) if block.drag_1_s > 0.0]
         if not (self.welded or dragged):
@@ -61,42 +55,42 @@ class Welds:
             raise WeldError(
                 "welded nodes share a mask bit with links, a shape with ties and floors"
             )
-        self.material = parts.cohesive(w, frictionAngle=0.5)
-        omega.materials.append(self.material)
-        self.omega, self.scene = omega, scene
+        self.material = self.cohesive(frictionAngle=0.5)
         for i in self.welded:
             self.pairs.append(tuple(self._half(i, *side) for side in (("a", 1.0), ("b", -1.0))))
         if self.welded:
-            self.geometry, self.physics, self.law = parts.cohesive_functors(w)
+            self.between_cohesive()
         if dragged:
             ids = [self._dragged(i) for i in dragged]
             self.drag = [w.LinearDragEngine(nu=DRAG_VISCOSITY_PA_S, ids=ids)]
 
     def _half(self, i, side, sign):
         """Append one sphere of node i; return its id."""
-        nodes, index = self.nodes, int(getattr(self.nodes, side)[i])
+        nodes = self.scene.nodes
+        index = int(getattr(nodes, side)[i])
         if self.scene.blocks[index].motion is not None:
             name = self.scene.blocks[index].name
             raise WeldError(f"block '{name}' is driven: no node on it can be welded")
-        return self._append(index, nodes.position_m[i] + sign * NODE_RADIUS_M * nodes.normal[i])
+        return self._sphere(index, nodes.position_m[i] + sign * NODE_RADIUS_M * nodes.normal[i])
 
     def _dragged(self, index):
         """Append the sphere that drags a block; return its id."""
         block = self.scene.blocks[index]
         radius = block.drag_1_s * block.mass_kg / (6.0 * math.pi * DRAG_VISCOSITY_PA_S)
-        return self._append(index, block.centre_m, radius)
+        return self._sphere(index, block.centre_m, radius)
 
-    def _append(self, index, centre, radius=NODE_RADIUS_M):
+    def _sphere(self, index, centre, radius=NODE_RADIUS_M):
         free = bool(self.scene.blocks[index].free)
         sphere = self.utils.sphere(
             tuple(float(v) for v in centre), radius, material=self.material, fixed=not free, mask=0
         )
         sphere.bounded = False
-        return parts.append(self.omega, self.scene, index, sphere, self.members)
+        return self.append(index, sphere)
 
     def join(self):
         """Make the contacts, with the stiffness of each node."""
+        nodes = self.scene.nodes
         for i, pair in zip(self.welded, self.pairs, strict=True):
             physics = self.utils.createInteraction(*pair).phys
-            physics.kn, physics.ks = float(self.nodes.kn_n_m[i]), float(self.nodes.ks_n_m[i])
+            physics.kn, physics.ks = float(nodes.kn_n_m[i]), float(nodes.ks_n_m[i])
             physics.normalAdhesion = physics.shearAdhesion = 1e30
