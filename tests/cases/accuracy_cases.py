@@ -31,7 +31,7 @@ def drift(config, seconds, ratio):
 
 
 def tumbling(config, seconds):
-    """A façade that turns about all its axes without weight: energies of books and check [J]."""
+    """A façade that turns about all its axes without weight: energies of energies and check [J]."""
     scene = facade.facade_scene(config, "W1", 0.0, planar=False, two_components=True)
     free = scene.index(scene.monitor)
     flight = {"displacement_m": (0.0, 50.0, 50.0), "angular_velocity_rad_s": (1.0, 0.5, 0.8)}
@@ -39,15 +39,15 @@ def tumbling(config, seconds):
     scene, motions = replace(scene, gravity_m_s2=1e-9), quiet(scene)
     check = energy_check.EnergyCheck(scene, motions)
     check.reason = "none"  # where nothing is needed to overturn, any energy would end the run
-    books = balance.EnergyBalance(scene, 0.1)
+    energies = balance.EnergyBalance(scene, 0.1)
     rules = simulate.StopRules(seconds, seconds, overturn_ratio=1e9)
-    simulate.run(scene, motions, 2e-3, rules, setup=books.attach, check=check)
+    simulate.run(scene, motions, 2e-3, rules, setup=energies.attach, check=check)
     block = scene.blocks[free]
     spin = np.array(block.angular_velocity_rad_s)
     return {
-        "kinetic": [row[2] for row in books.rows],
+        "kinetic": [row[2] for row in energies.rows],
         "check": check.energy,
-        "start": float(books.start[0]),
+        "start": float(energies.start[0]),
         "first": 0.5 * float(block.inertia_kg_m2 @ spin**2),
     }
 
@@ -122,8 +122,8 @@ def balanced(config, model, beta_s, time_s, columns, fraction):
     job = {**config, "numerics": numerics, "model": model, "beta_s": beta_s}
     columns = {k: np.array(v) for k, v in columns.items()}
     shaken = shaking.set_up(models.build_scene(job), numerics, np.array(time_s), columns, 1.0)
-    history, books = energy.balanced_run(shaken)
-    rows = np.array(books.rows)
+    history, energies = energy.balanced_run(shaken)
+    rows = np.array(energies.rows)
     return {
         "status": history.status,
         "peak": history.peak_d_over_b,

@@ -51,7 +51,7 @@ rule free_rocking:
     input:
         cases=rules.calibration_cases.output[0],
         yade=ancient(rules.yade_check.output[0]),
-        modules=study_code("free_rocking"),
+        modules=study_code("walls"),
     output:
         results("calibration/histories_{group}.npz"),
     log:
@@ -61,7 +61,7 @@ rule free_rocking:
     params:
         yade=YADE,
     shell:
-        "{params.yade} free_rocking --cases {input.cases:q} --output {output:q}" " 2> {log:q}"
+        "{params.yade} walls --list {input.cases:q} --output {output:q} 2> {log:q}"
 
 
 rule free_rocking_table:

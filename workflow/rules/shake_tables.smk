@@ -73,7 +73,7 @@ rule shake_table:
         tests=rules.shake_table_tests.output.tests,
         motions=rules.shake_table_tests.output.motions,
         yade=ancient(rules.yade_check.output[0]),
-        modules=study_code("shake_table"),
+        modules=study_code("walls"),
     output:
         results("calibration/shake_table_histories.npz"),
     log:
@@ -83,7 +83,7 @@ rule shake_table:
     params:
         yade=YADE,
     shell:
-        "{params.yade} shake_table --tests {input.tests:q} --output {output:q}" " 2> {log:q}"
+        "{params.yade} walls --list {input.tests:q} --output {output:q} 2> {log:q}"
 
 
 rule shake_table_table:

@@ -17,7 +17,7 @@ At every whole step, with the mean v of the velocities half a step before and af
     D_f   energy stored in bonds and ties when they break, and what ties took by yielding
 
 Each term follows from its own law, velocities and positions from the integrator, so the
-residual is the error of the time integration and of the books. Python at every step makes such
+residual is the error of the time integration and of this account. Python at every step makes such
 a run some ten times slower; for a run's own check see `energy_check`.
 """
 
@@ -76,7 +76,7 @@ class Contacts:
 
 
 class EnergyBalance:
-    """Keeps the books of a run; pass `attach` to `simulate.run` as `setup`.
+    """Adds up the energies of a run; pass `attach` to `simulate.run` as `setup`.
 
     Attributes
     ----------
@@ -85,7 +85,7 @@ class EnergyBalance:
     """
 
     def __init__(self, scene, sample_s=0.01, motions=None):
-        """Prepare the books of a run of `scene`, with a row every `sample_s`.
+        """Prepare for a run of `scene`, with a row every `sample_s`.
 
         `motions` as for `simulate.run`, needed where there are inertia forces only.
         """

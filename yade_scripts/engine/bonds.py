@@ -39,7 +39,7 @@ REFERENCE_ACCELERATION = 50.0  # m/s²: bound on relative acceleration between t
 PER_BOND = ("node", "matrix", "constant", "kn", "ks", "tension", "cohesion", "slope", "tie")
 
 
-def _quaternion(vector):
+def quaternion(vector):
     """YADE's quaternion of a rotation vector."""
     from yade.minieigenHP import Quaternion, Vector3
 
@@ -118,7 +118,7 @@ class _Pair:
             place = np.array([float(v) for v in state.pos]) - block.displacement_m
             self.shift.append(place - block.centre_m)
             self.states.append(state)
-            self.home.append(state.ori.inverse() * _quaternion(block.rotation_rad))
+            self.home.append(state.ori.inverse() * quaternion(block.rotation_rad))
             arms.append(columns.position_m[n] - np.array(block.centre_m, float))
         self.shift = _vector(self.shift[0] - self.shift[1])
         self.reach = 2.0 * float(np.linalg.norm(arms[0], axis=1).max())  # of a unit of quaternion

@@ -7,7 +7,7 @@ nodes are explained in `bonds`, welded ones in `welds`.
 
 import numpy as np
 
-from yade_scripts.engine.bonds import PRELOAD_M
+from yade_scripts.engine.bonds import PRELOAD_M, quaternion
 from yade_scripts.engine.library import EngineError
 
 LEAST_BETA_S = 1e-15  # a dashpot of exactly 0 in series with the face would become the face's
@@ -153,12 +153,9 @@ class Parts:
         state.inertia = tuple(block.inertia_kg_m2)
         state.blockedDOFs = "".join(d for d in "xyzXYZ" if d not in block.free)
         self.omega.bodies[clump].aspherical = full_rotation
-        rotation = np.array(block.rotation_rad)
-        angle = float(np.linalg.norm(rotation))
         state.pos = tuple(np.array(block.centre_m) + np.array(block.displacement_m))
-        if angle > 0.0:
-            turn = minieigenHP.Quaternion(minieigenHP.Vector3(*(rotation / angle)), angle)
-            state.ori = turn * state.ori
+        if any(block.rotation_rad):
+            state.ori = quaternion(block.rotation_rad) * state.ori
         state.vel = tuple(block.velocity_m_s)
         state.angVel = tuple(block.angular_velocity_rad_s)
         own = state.ori.inverse() * state.angVel  # a full rotation is integrated by its momentum

@@ -109,7 +109,7 @@ def run_case(case, time_s, columns, spec):
     shaken = shaking.set_up(scene, numerics, time_s, columns, factor)
     ratio = shaken.step_s / shaken.critical_step_s
     if method == "Polyhedra":
-        return _polyhedra(scene, shaken.motions[facade.GROUND], shaken.step_s), ratio
+        return _polyhedra(scene, shaken.motions[floor_motions.GROUND], shaken.step_s), ratio
     history = shaken.run(
         full_rotation=method == "full 3D",
         compensate_lag=method != "lag not compensated",

@@ -6,6 +6,8 @@ import sys
 from yade_scripts.files import read_json
 from yade_scripts.model import floor_motions
 from yade_scripts.model.motion import SIGNS
+from yade_scripts.studies.search import collapse_bounds, fallen_or_highest
+from yade_scripts.studies.tables import read_curve
 
 CURVE = ("scene", "motion", "record", "direction")  # what one model, record and direction needs
 WORDS = {
@@ -37,34 +39,44 @@ def parser(doc, *words, **own):
     return made
 
 
-def listed(path, what, keys):
-    """Cases or tests of a file: a list of objects, each with all of `keys`.
-
-    Raises
-    ------
-    ValueError
-        One line naming the file, and the one that lacks a key.
-    """
-    rows = read_json(path)
-    if not isinstance(rows, list) or not rows:
-        raise ValueError(f"{path}: expected a list of {what}s")
-    for number, row in enumerate(rows, 1):
-        missing = [key for key in keys if key not in row]
-        if missing:
-            raise ValueError(f"{path}: {what} {number} has no {', '.join(missing)}")
-    return rows
-
-
 def opened(args):
     """Scene file, and time and accelerations of the motion, that `--scene` and `--motion` name."""
     return read_json(args.scene), *floor_motions.read(args.motion)
 
 
-def teller(name):
+def progress(name):
     """Return what prints progress under a name, a line a call."""
     return lambda text: print(f"[{name}]", text, file=sys.stderr, flush=True)
 
 
-def speaker(case, args):
-    """Return what prints a case's progress, a line a call."""
-    return teller(f"{case['model']} {args.record} {args.direction}")
+def add_intensity(parser):
+    """Let --pga state an intensity, or --collapse name an IDA table that has it."""
+    parser.add_argument("--pga", type=float, help="intensity [g]")
+    parser.add_argument("--collapse", help="IDA table: the lowest intensity that overturned")
+
+
+def intensity(args, or_highest=False):
+    """Intensity that the options of `add_intensity` say [g].
+
+    Parameters
+    ----------
+    args : Namespace
+    or_highest : bool
+        Of a table of which nothing overturned the highest that was run.
+
+    Raises
+    ------
+    ValueError
+        If both or neither is stated, or nothing overturned.
+    """
+    if (args.pga is None) == (args.collapse is None):
+        raise ValueError("expected either --pga or --collapse")
+    if args.collapse is None:
+        return args.pga
+    status, _ = read_curve(args.collapse)
+    if or_highest:
+        return fallen_or_highest(status)
+    collapse = collapse_bounds(status)[1]
+    if collapse is None:
+        raise ValueError(f"{args.collapse}: expected at least one run that overturned")
+    return collapse

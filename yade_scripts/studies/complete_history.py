@@ -4,13 +4,13 @@
         --motion smdof/RRS228_4dof.csv --direction neg --pga 0.1 --output history.csv
         --cost history.json [--until 6] [--apart] [--frames frames.json]
 
-or, in place of --pga, --collapse ida/CB/RRS228_neg.csv: the lowest intensity that fell.
+or, in place of --pga, --collapse ida/CB/RRS228_neg.csv: the lowest intensity that fell, or the
+highest that was run.
 
 Displacements are relative to the ground. With --apart façade and building stand each alone:
 the nodes between them are left out.
 """
 
-import json
 import resource
 import time
 from dataclasses import replace
@@ -18,14 +18,12 @@ from dataclasses import replace
 import numpy as np
 
 from yade_scripts.engine import adapter, loop
-from yade_scripts.files import write_atomic
+from yade_scripts.files import write_atomic, write_json
+from yade_scripts.model import models
 from yade_scripts.model.building.complete import apart
 from yade_scripts.model.motion import amplitude
-from yade_scripts.model.scene import from_dict
 from yade_scripts.studies import command, shaking
-from yade_scripts.studies.ensemble import read_curve
 from yade_scripts.studies.frames import Camera
-from yade_scripts.studies.search import fallen_or_highest
 from yade_scripts.studies.tables import history_csv
 
 COLUMNS = ("time_s", "d_over_b", "top_m", "ends_m", "facade_m", "broken")
@@ -65,8 +63,7 @@ def main(arguments=None):
     words = [word for word in command.CURVE if word != "record"]
     texts = {"output": "history to write (CSV)", "cost": "outcome and cost (JSON)"}
     parser = command.parser(__doc__, *words, **texts)
-    parser.add_argument("--pga", type=float, help="intensity [g]")
-    parser.add_argument("--collapse", help="IDA table: its first collapse, or else its highest run")
+    command.add_intensity(parser)
     parser.add_argument("--until", type=float, help="end of motion and run [s]")
     parser.add_argument("--every", type=float, default=0.005, help="interval of samples [s]")
     parser.add_argument("--apart", action="store_true", help="nothing between façade and building")
@@ -74,15 +71,12 @@ def main(arguments=None):
     parser.add_argument("--interval", type=float, default=0.05, help="between frames [s]")
     parser.add_argument("--fall", type=float, default=1.0, help="d/b at which to stop")
     args = parser.parse_args(arguments)
-    if (args.pga is None) == (args.collapse is None):
-        raise ValueError("expected either --pga or --collapse")
-    pga_g = fallen_or_highest(read_curve(args.collapse)[0]) if args.collapse else args.pga
+    pga_g = command.intensity(args, or_highest=True)
     case, time_s, columns = command.opened(args)
-    scene = from_dict(case["scene"])
+    scene, numerics = models.build_scene(case), models.numerics(case)
     if args.apart:
         scene = apart(scene)
     factor = amplitude(columns["ground"], args.direction, pga_g)
-    numerics = case["numerics"]
     if args.until is not None:
         kept = time_s <= args.until + 1e-9
         time_s, columns = time_s[kept], {"ground": columns["ground"][kept]}
@@ -117,7 +111,7 @@ def main(arguments=None):
         "cpu_s": cpu,
         "memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0,
     }
-    write_atomic(args.cost, json.dumps(cost, indent=1, sort_keys=True) + "\n")
+    write_json(args.cost, cost, sort_keys=True)
     if camera:
         camera.write(args.frames, history, pga_g=pga_g, model=case["model"])
     return 0

@@ -10,15 +10,14 @@ The terms are explained in `balance`.
 from yade_scripts.engine import adapter, balance
 from yade_scripts.files import write_atomic
 from yade_scripts.studies import command, shaking
-from yade_scripts.studies.ensemble import read_curve
 from yade_scripts.studies.search import DIGITS, fallen_or_highest
-from yade_scripts.studies.tables import HEAD, history_csv
+from yade_scripts.studies.tables import HEAD, history_csv, history_facts, read_curve
 
 
 def balanced_run(shaken):
     """History of a `shaking.Shaking`, and its `balance.EnergyBalance`."""
-    books = balance.EnergyBalance(shaken.scene, shaken.sample_s, shaken.motions)
-    return shaken.run(setup=books.attach), books
+    energies = balance.EnergyBalance(shaken.scene, shaken.sample_s, shaken.motions)
+    return shaken.run(setup=energies.attach), energies
 
 
 def main(arguments=None):
@@ -32,10 +31,9 @@ def main(arguments=None):
     pga_g = round(args.share * fallen_or_highest(read_curve(args.curve)[0]), DIGITS)
     adapter.load_yade()
     shaken = shaking.of_case(case, time_s, columns, args.direction, pga_g)
-    history, books = balanced_run(shaken)
-    given = case["model"], args.record, args.direction, pga_g, history.status, history.dt_s
-    facts = dict(zip(HEAD, given, strict=True))
+    history, energies = balanced_run(shaken)
+    facts = history_facts(case, args, pga_g, history)
     facts["overturning_j"] = shaken.scene.overturning_energy_j
     formats = {**HEAD, "overturning_j": ".6g", "time_s": ".6f"}
-    write_atomic(args.output, history_csv(facts, balance.COLUMNS, books.rows, formats))
+    write_atomic(args.output, history_csv(facts, balance.COLUMNS, energies.rows, formats))
     return 0

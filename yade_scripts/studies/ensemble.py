@@ -7,7 +7,6 @@ Runs under YADE's own Python, after the study `ida`, whose curve it reads:
         --journal cache/ensemble.jsonl --output ensemble.csv --sensitivity sensitivity.csv
 """
 
-import csv
 import math
 from dataclasses import replace
 
@@ -20,7 +19,7 @@ from yade_scripts.studies.confirm import Confirmation, turns
 from yade_scripts.studies.journal import Journal
 from yade_scripts.studies.runner import Runner
 from yade_scripts.studies.search import drive, next_amplitude, one_by_one
-from yade_scripts.studies.tables import RUN_COLUMNS, to_csv
+from yade_scripts.studies.tables import RUN_COLUMNS, read_curve, to_csv
 
 COLUMNS = {
     "model": "",
@@ -42,28 +41,6 @@ SENSITIVITY_COLUMNS = {
     "change": ".3e",
     "repeats": "d",
 }
-
-
-def read_curve(path):
-    """Status and d/b by PGA of an IDA table.
-
-    Returns
-    -------
-    status : dict of float to str
-    d_over_b : dict of float to float
-        NaN where the run failed.
-
-    Raises
-    ------
-    ValueError
-        One line that names the file when a column is missing.
-    """
-    with open(path, newline="") as handle:
-        rows = list(csv.DictReader(handle))
-    if not rows or not {"pga_g", "status", "d_over_b"} <= set(rows[0]):
-        raise ValueError(f"{path}: expected an IDA table with columns pga_g, status, d_over_b")
-    status = {float(r["pga_g"]): r["status"] for r in rows}
-    return status, {float(r["pga_g"]): float(r["d_over_b"] or "nan") for r in rows}
 
 
 def measure_sensitivity(runner, status, d_over_b, settings):
@@ -188,7 +165,7 @@ def main(arguments=None):
     parser.add_argument("--plan", help="levels from the dense scan (JSON)")
     args = parser.parse_args(arguments)
     case, time_s, columns = command.opened(args)
-    say = command.speaker(case, args)
+    say = command.progress(f"{case['model']} {args.record} {args.direction}")
     status, d_over_b = read_curve(args.curve)
     runner = Runner(case, time_s, columns, args.record, args.direction, Journal(args.journal), say)
     plan = read_json(args.plan) if args.plan else None

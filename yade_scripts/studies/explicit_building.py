@@ -11,7 +11,6 @@ mass-proportional damping.
 """
 
 import csv
-import json
 import resource
 import time
 from dataclasses import replace
@@ -19,13 +18,13 @@ from dataclasses import replace
 import numpy as np
 
 from yade_scripts.engine import adapter, loop
-from yade_scripts.files import read_json, write_atomic
+from yade_scripts.files import read_json, write_atomic, write_json
+from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.motion import Motion
 from yade_scripts.model.scene import from_dict
 from yade_scripts.studies import command
 from yade_scripts.studies.tables import history_csv
 
-SHAKING = "ground"
 COLUMNS = ("time_s", "top_m_s2", "corner_m_s2", "top_m", "corner_m")
 
 
@@ -53,9 +52,9 @@ class ExplicitBuilding:
             replace(b, drag_1_s=rate_1_s) if b.free else replace(b, motion=None)
             for b in scene.blocks
         ]
-        self.scene = replace(scene, blocks=blocks, shaking=SHAKING, gravity_m_s2=gravity_m_s2)
+        self.scene = replace(scene, blocks=blocks, shaking=GROUND, gravity_m_s2=gravity_m_s2)
         self.step_s, self.motion = step_s, Motion(time_s, ground_m_s2)
-        self.built = adapter.build(self.scene, {SHAKING: self.motion}, step_s)
+        self.built = adapter.build(self.scene, {GROUND: self.motion}, step_s)
 
     def run(self, duration_s, points):
         """Run from rest and return the histories of some blocks.
@@ -161,4 +160,4 @@ def main(arguments=None):
             "run_cpu_s": clocks[2][1] - clocks[1][1],
             "memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0,
         }
-        write_atomic(options.cost, json.dumps(cost, indent=1))
+        write_json(options.cost, cost)

@@ -19,22 +19,6 @@ import numpy as np
 from yade_scripts.engine import adapter, balance, loop
 from yade_scripts.files import write_atomic
 from yade_scripts.studies import command, shaking
-from yade_scripts.studies.ensemble import read_curve
-from yade_scripts.studies.search import collapse_bounds
-
-
-def collapse_intensity(path):
-    """Lowest PGA of an IDA table that overturned [g].
-
-    Raises
-    ------
-    ValueError
-        If nothing overturned.
-    """
-    collapse = collapse_bounds(read_curve(path)[0])[1]
-    if collapse is None:
-        raise ValueError(f"{path}: expected at least one run that overturned")
-    return collapse
 
 
 class Camera:
@@ -43,7 +27,7 @@ class Camera:
     def __init__(self, scene, contacts=False):
         """Prepare for a scene; `attach` is the `setup` of `simulate.run`."""
         self.scene, self.rows, self.times = scene, [], []
-        self.books: Any = balance.EnergyBalance(scene) if contacts else None
+        self.balance: Any = balance.EnergyBalance(scene) if contacts else None
         self.velocities: list = []
         self.contacts: list = []
 
@@ -56,7 +40,7 @@ class Camera:
             self.states = [bodies[i].state for i in built.body]
             self.start = [tuple(float(v) for v in s.pos) for s in self.states]
             self.unturned = [built.unturned.get(i) for i in range(len(self.states))]
-            if self.books:
+            if self.balance:
                 self._number(built)
             omega.engines = [*omega.engines, loop.runner(self, round(interval_s / omega.dt))]
 
@@ -64,8 +48,8 @@ class Camera:
 
     def _number(self, built):
         """Know which block a contact's ends belong to, and which of two is to be named."""
-        self.books.hold(built)
-        self.block_of = {self.books.slot[body]: i for i, body in enumerate(built.body)}
+        self.balance.hold(built)
+        self.block_of = {self.balance.slot[body]: i for i, body in enumerate(built.body)}
         watched = {self.scene.index(name) for name, _ in self.scene.watched}
         blocks = enumerate(self.scene.blocks)
         self.rank = {i: (i not in watched, not block.free, i) for i, block in blocks}
@@ -83,14 +67,14 @@ class Camera:
             row.append([round(float(v), 7) for v in (dy, dz, angle)])
         self.rows.append(row)
         self.times.append(round(float(self.omega.time), 6))
-        if self.books:
+        if self.balance:
             self._act()
 
     def _act(self):
         """Keep the velocities of the blocks, and places and forces of their contacts."""
         rates = [(s.vel[1], s.vel[2], s.angVel[0]) for s in self.states]
         self.velocities.append(np.round(np.array(rates, float), 7).tolist())
-        self.contacts.append(self._forces(self.books.contacts()).tolist())
+        self.contacts.append(self._forces(self.balance.contacts()).tolist())
 
     def _forces(self, found):
         """Place [m], force [N] and block it acts on, a row a node; preloads of a bond cancel.
@@ -102,7 +86,7 @@ class Camera:
             ends = self.block_of.get(found.a[k], -1), self.block_of.get(found.b[k], -1)
             on = min((end for end in ends if end >= 0), key=lambda end: self.rank[end])
             force = found.force[k] if on == ends[1] else -found.force[k]
-            node = self.books.bond_of.get(one, self.books.bond_of.get(two, (one, two)))
+            node = self.balance.bond_of.get(one, self.balance.bond_of.get(two, (one, two)))
             rows.setdefault((node, on), []).append((found.point[k], force))
         acting = [
             (*np.mean([p for p, _ in parts], axis=0), *np.sum([f for _, f in parts], axis=0), on)
@@ -135,7 +119,7 @@ class Camera:
             "blocks": blocks,
             "d_over_b": np.round(d, 6).tolist(),
             "status": history.status,
-            **({"velocity": self.velocities, "contacts": self.contacts} if self.books else {}),
+            **({"velocity": self.velocities, "contacts": self.contacts} if self.balance else {}),
             **facts,
         }
         write_atomic(path, json.dumps(frames, separators=(",", ":")) + "\n")
@@ -144,16 +128,13 @@ class Camera:
 def main(arguments=None):
     """Parse the command line, run, write the frames; return the exit status."""
     parser = command.parser(__doc__, *command.CURVE, output="frames to write (JSON)")
-    parser.add_argument("--pga", type=float, help="intensity [g]")
-    parser.add_argument("--collapse", help="IDA table whose first collapse is filmed")
+    command.add_intensity(parser)
     parser.add_argument("--interval", type=float, default=0.02, help="between frames [s]")
     parser.add_argument("--fall", type=float, default=1.0, help="d/b at which to stop")
     parser.add_argument("--contacts", action="store_true", help="keep forces and velocities")
     parser.add_argument("--until", type=float, default=math.inf, help="end of the film [s]")
     args = parser.parse_args(arguments)
-    if (args.pga is None) == (args.collapse is None):
-        raise ValueError("expected either --pga or --collapse")
-    pga_g = args.pga if args.collapse is None else collapse_intensity(args.collapse)
+    pga_g = command.intensity(args)
     case, time_s, columns = command.opened(args)
     adapter.load_yade()
     shaken = shaking.of_case(case, time_s, columns, args.direction, pga_g)

@@ -3,7 +3,7 @@
     python3 yade_scripts history --scene cases/W2.json --motion smdof/RRS228_4dof.csv
         --record RRS228 --direction neg --pga 0.2 --output histories/W2/RRS228_neg_0.2g.csv
 
-The run is that of the analyses (step, ledger, stop rules), sampled every SAMPLE_S. Columns::
+The run is that of the analyses (step, energy check, stop rules), sampled every SAMPLE_S. Columns::
 
     d_over_b, velocity_m_s  top displacement relative to the base over b, and its rate
     rotation_rad            the façade's outward rotation
@@ -11,9 +11,8 @@ The run is that of the analyses (step, ledger, stop rules), sampled every SAMPLE
     base_y_n, base_z_n, walls_y_n, walls_z_n  contacts' force on the façade (half of it in W3's
                             half model), outward and upward; without the dashpots' shear
     ties_y_n, floors_y_n    pull of its ties, and of its floors, on it, where it has any
-    input_j                 in the frame of the base, work of inertia forces and one-way coupled
-    walls (see
-                            `energy_check`) since the start
+    input_j                 since the start, in the frame of the base: work of inertia forces and
+                            one-way coupled walls (see `energy_check`)
     kinetic_j, potential_j, elastic_j  of the free blocks and of the contacts' springs
     lost_j                  input − stored: dashpots, friction, broken bonds, the samples' error
 """
@@ -26,7 +25,7 @@ from yade_scripts.engine import adapter, balance, energy_check, loop
 from yade_scripts.files import write_atomic
 from yade_scripts.model import floor_motions
 from yade_scripts.studies import command, shaking
-from yade_scripts.studies.tables import HEAD, history_csv
+from yade_scripts.studies.tables import HEAD, history_csv, history_facts
 
 SAMPLE_S = 0.01
 FORCES = ("base_y_n", "base_z_n", "walls_y_n", "walls_z_n")
@@ -39,14 +38,14 @@ class Probe:
 
     def __init__(self, scene, check):
         """Prepare for a scene whose run has the energy check `check` beside it."""
-        self.books, self.check, self.scene = balance.EnergyBalance(scene), check, scene
+        self.balance, self.check, self.scene = balance.EnergyBalance(scene), check, scene
         self.rows: list[tuple] = []
         self.start = None
 
     def attach(self, built):
         """Start the samples, at the instants of the run's own."""
-        self.books.hold(built)
-        slots, scene = self.books.slot, self.scene
+        self.balance.hold(built)
+        slots, scene = self.balance.slot, self.scene
         self.facade = [slots[built.body[scene.index(name)]] for name, _ in scene.watched]
         self.base = slots[built.body[scene.index(scene.reference)]]
         self.chain = {body for parts in (built.linked or {}).values() for body in parts}
@@ -55,11 +54,11 @@ class Probe:
     def __call__(self):
         """Take a sample; the energy check comes after it, so bring that up to the same instant."""
         self.check()
-        c = self.books.contacts()
+        c = self.balance.contacts()
         sign = np.isin(c.b, self.facade).astype(float) - np.isin(c.a, self.facade)
         push = sign[:, None] * c.force[:, 1:]
         below = (c.a == self.base) | (c.b == self.base)
-        own_keys = [getattr(self.books, bar) for bar in BARS]
+        own_keys = [getattr(self.balance, bar) for bar in BARS]
         pulls = [np.array([key in keys for key in c.keys], bool) for keys in own_keys if keys]
         base, walls = push[below].sum(axis=0), push[~np.any([below, *pulls], axis=0)].sum(axis=0)
         bars = [push[mine, 0].sum() for mine in pulls]
@@ -99,7 +98,7 @@ def trace(shaken):
         values[f"{name}_m_s2"] = pulled
         values[f"{name}_m"] = motion.position(history.time_s)
     n = len(history.time_s)
-    bars = [f"{bar}_y_n" for bar in BARS if getattr(probe.books, bar)]
+    bars = [f"{bar}_y_n" for bar in BARS if getattr(probe.balance, bar)]
     return history, values | dict(
         zip(
             (*FORCES, *bars, *ENERGIES),
@@ -120,8 +119,7 @@ def main(arguments=None):
     adapter.load_yade()
     shaken = shaking.of_case(case, time_s, columns, args.direction, args.pga)
     history, values = trace(shaken)
-    given = (case["model"], args.record, args.direction, args.pga, history.status, history.dt_s)
-    facts = dict(zip(HEAD, given, strict=True))
+    facts = history_facts(case, args, args.pga, history)
     rows = zip(*(v.tolist() for v in values.values()), strict=True)
     write_atomic(args.output, history_csv(facts, values, rows, {**HEAD, "time_s": ".4f"}))
     return 0

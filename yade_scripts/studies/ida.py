@@ -68,8 +68,8 @@ def main(arguments=None):
     if "scene" in case:
         columns = {"ground": columns["ground"]}  # a building takes no other motion
     adapter.load_yade()
-    journal, say = Journal(args.journal), command.speaker(case, args)
-    runner = Runner(case, time_s, columns, args.record, args.direction, journal, say)
+    say = command.progress(f"{case['model']} {args.record} {args.direction}")
+    runner = Runner(case, time_s, columns, args.record, args.direction, Journal(args.journal), say)
     rows = analyse(runner, plan)
     write_atomic(args.output, to_csv(sorted(rows, key=lambda r: r["pga_g"]), COLUMNS))
     return 0

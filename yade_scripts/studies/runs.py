@@ -104,7 +104,7 @@ def main(arguments=None):
     adapter.load_yade()
     journal, rows = Journal(args.journal), []
     for case in cases:
-        rows += run_case(case, journal, command.teller(f"{case['record']} {case['direction']}"))
+        rows += run_case(case, journal, command.progress(f"{case['record']} {case['direction']}"))
     realisations = REALISATION if any(case.get("realisations") for case in cases) else {}
     own = listed.get("ahead", {})
     columns = {**own, **KEY, **own, **listed.get("beside", {}), **realisations, **RUN_COLUMNS}

@@ -17,7 +17,7 @@ import numpy as np
 
 from yade_scripts.engine import adapter, loop
 from yade_scripts.files import read_json, write_atomic
-from yade_scripts.model import facade
+from yade_scripts.model import facade, floor_motions
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
 from yade_scripts.model.stiffness import assemble, critical_step
@@ -85,7 +85,7 @@ def stack_scene(
             1.0,
             (1.0,) * 3,
             free="",
-            motion=facade.GROUND,
+            motion=floor_motions.GROUND,
         )
     ]
     listed = NodeList()

@@ -61,6 +61,34 @@ def to_csv(rows, columns):
     return text.getvalue()
 
 
+def read_curve(path):
+    """Status and d/b by PGA of an IDA table.
+
+    Returns
+    -------
+    status : dict of float to str
+    d_over_b : dict of float to float
+        NaN where the run failed.
+
+    Raises
+    ------
+    ValueError
+        One line that names the file when a column is missing.
+    """
+    with open(path, newline="") as handle:
+        rows = list(csv.DictReader(handle))
+    if not rows or not {"pga_g", "status", "d_over_b"} <= set(rows[0]):
+        raise ValueError(f"{path}: expected an IDA table with columns pga_g, status, d_over_b")
+    status = {float(r["pga_g"]): r["status"] for r in rows}
+    return status, {float(r["pga_g"]): float(r["d_over_b"] or "nan") for r in rows}
+
+
+def history_facts(case, args, pga_g, history):
+    """What does not change along one history: its HEAD, from a command line and its outcome."""
+    given = case["model"], args.record, args.direction, pga_g, history.status, history.dt_s
+    return dict(zip(HEAD, given, strict=True))
+
+
 def history_csv(facts, names, rows, formats):
     """One history as CSV text; what does not change stands in the first columns.
 

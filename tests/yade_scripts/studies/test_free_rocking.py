@@ -58,8 +58,8 @@ def run(cases, folder):
     """Run cases as the workflow does; returns the process and the archive's path."""
     (folder / "cases.json").write_text(json.dumps(cases))
     done = run_study(
-        "free_rocking",
-        "--cases",
+        "walls",
+        "--list",
         folder / "cases.json",
         "--output",
         folder / "histories.npz",
@@ -213,7 +213,7 @@ def test_missing_key_is_named(tmp_path):
     del broken["limit_s"]
     done, _ = run([broken], tmp_path)
     assert done.returncode == 1
-    assert "case 1 has no limit_s" in done.stderr
+    assert "wall 1 has no limit_s" in done.stderr
 
 
 @pytest.mark.slow

@@ -59,8 +59,8 @@ def shaken(folder, motions, **facade):
         )
     (folder / "tests.json").write_text(json.dumps(tests))
     done = run_study(
-        "shake_table",
-        "--tests",
+        "walls",
+        "--list",
         folder / "tests.json",
         "--output",
         folder / "out.npz",
@@ -116,12 +116,12 @@ def test_gap_lets_it_lean_back_that_far_only(tmp_path):
 def test_missing_key_is_named(tmp_path):
     (tmp_path / "tests.json").write_text(json.dumps([{"id": "a"}]))
     done = run_study(
-        "shake_table",
-        "--tests",
+        "walls",
+        "--list",
         tmp_path / "tests.json",
         "--output",
         tmp_path / "out.npz",
     )
     assert done.returncode == 1
-    assert "test 1 has no config" in done.stderr
+    assert "wall 1 has no config" in done.stderr
     assert done.stderr.count("\n") == 1

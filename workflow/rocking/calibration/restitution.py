@@ -171,13 +171,13 @@ def e_one_sided(h_m, b_m):
 
 
 def read_archive(path):
-    """Read an archive of `run_free_rocking` or `run_shake_table`.
+    """Read an archive of histories that the study `walls` wrote in YADE.
 
     Returns
     -------
     list of dict
         What the archive says of each run (id, status, reason, dt_s, steps, …), with its
-        columns: time_s, and theta_over_alpha or d_m.
+        columns: time_s, d_m and theta_over_alpha.
     """
     with np.load(Path(path), allow_pickle=False) as data:
         runs = json.loads(str(data["runs"]))

@@ -77,7 +77,7 @@ def beta_grid(config, whole_range=False):
 
 
 def wall_case(name, config, release_ratio, betas, *, end=END, **about):
-    """One case of `run_free_rocking`, with what the tables say about it."""
+    """One wall for the study `walls`, released, with what the tables say about it."""
     facade = config["facade"]
     p = closed_forms.block(facade["height_m"], facade["thickness_m"]).p_rad_s
     base = joint_stiffness(config)[0]
@@ -351,7 +351,7 @@ def evaluate(cases, histories):
     Parameters
     ----------
     cases : list of dict
-        As given to `run_free_rocking`.
+        As given to the study `walls`.
     histories : list of dict
         See `restitution.read_archive`; the same order.
 
