@@ -8,8 +8,8 @@ blocks
 
 changes by the work of three things only: the inertia forces −m a_g and, under a vertical motion,
 −m a_z; whatever moves relative to the base (one-way coupled return walls, bricks guided along y);
-and the contacts, which store and dissipate. Contacts cannot give more than they were given and what they hold at the start
-under the blocks' weight, U(0) = Σ N²/2kn + T²/2ks, so at every sample
+and the contacts, which store and dissipate. Contacts cannot give more than they were given and
+what they hold at the start under the blocks' weight, U(0) = Σ N²/2kn + T²/2ks, so at every sample
 
     E(t) − E(0) − ∫ Σ −m a_g (v − v_g) − m a_z v_z dt − ∫ Σ_j −F_j (v_j − v_g) dt ≤ U(0)
 
