@@ -14,8 +14,8 @@ RUN_PID = "ROCKING_RUN_PID"
 ORPHANED = 143  # exit status of a job whose run is gone
 
 
-def follow(pid=None):
-    """Watch process `pid` (default: the one named in RUN_PID) and end with it.
+def follow():
+    """Watch the process named in RUN_PID and end with it.
 
     The watch is a thread asleep on a process descriptor: it costs a run nothing.
     Does nothing where RUN_PID is not set, as when an entry point is run by hand,
@@ -26,7 +26,7 @@ def follow(pid=None):
     bool
         Whether a watch was started.
     """
-    pid = pid or os.environ.get(RUN_PID)
+    pid = os.environ.get(RUN_PID)
     if not pid or not hasattr(os, "pidfd_open"):
         return False
     try:

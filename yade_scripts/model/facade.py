@@ -34,8 +34,8 @@ from yade_scripts.model.hinges import hinge_stiffness, pieces
 from yade_scripts.model.motion import along
 from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
 from yade_scripts.model.rest import at_rest
-from yade_scripts.model.return_walls import WALL, add_return_walls, back_jkn
-from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
+from yade_scripts.model.return_walls import add_return_walls, back_jkn
+from yade_scripts.model.scene import DOFS, Block, NodeList, Scene, box_inertia
 from yade_scripts.model.shape import is_plain, shape_of
 from yade_scripts.model.ties import facade_ties
 from yade_scripts.model.wall_motion import motion_of
@@ -120,8 +120,7 @@ def facade_scene(
         raise ValueError(f"façade model '{model}' has an assembly of its own")
     if not 0.0 <= release_ratio < 1.0:
         raise ValueError(f"release θ0/α must lie in [0, 1), got {release_ratio}")
-    facade, numerics = config["facade"], config["numerics"]
-    h, b, width = facade["height_m"], facade["thickness_m"], facade["width_m"]
+    facade = config["facade"]
     shape, raised = shape_of(facade), facade.get("base_height_m", 0.0)
     if raised and kind.two_way:
         raise ValueError(
@@ -133,48 +132,23 @@ def facade_scene(
     motions: dict = {}
     ground = GROUND
     if raised:
-        whole = raised + h
+        whole = raised + facade["height_m"]
         ground = motion_of("interpolated", raised, whole, config["smdof"]["n_dof"], motions)
-
-    blocks = [ground_block(facade, None if kind.two_way else ground)]
-    nodes = NodeList()
-    points, weights = gauss_lobatto(numerics["nodes_thickness"])
-    # Debris under the base (tilt) belongs to the block as protruding nodes: it
-    # rests rotated by φ about its front toe and cannot come back to the vertical.
-    protrusion = (1.0 - points) * b * math.tan(math.radians(facade["tilt_deg"]))
-    # index 1 is the façade, appended to `blocks` below
-    columns = None if planar else _columns(shape.base_strips, width_nodes)
-    add_base(config, beta_s, nodes, 1, 0, planar=planar, protrusion_m=protrusion, columns=columns)
+    blocks, nodes = [ground_block(facade, None if kind.two_way else ground)], NodeList()
     walls_stand = kind.walls != "none" and facade.get("sides") != "two"
-    kn = shares(facade, weights) * b * (width - shape.base_lost_m) * base_jkn(facade)
-    displacement, rotation = at_rest(facade, shape, kn, points, release_ratio, walls_stand)
-    upright = Block(
-        FACADE,
-        shape.centre_m,
-        shape.size_m,
-        shape.mass_kg,
-        tuple(np.diag(shape.tensor_kg_m2).tolist()),
-        free="yzX" if planar else "xyzXYZ",
-        displacement_m=displacement,
-        rotation_rad=rotation,
-        lever_m=shape.lever_m,
-    )
-    blocks += pieces(facade, shape, upright) if shape.hinges_m else [upright]
-    stiffness = hinge_stiffness(facade, shape)
-    for k, z in enumerate(shape.hinges_m, 1):
-        joint = (f"hinge {k}", float(stiffness[k - 1]))
-        add_base(config, beta_s, nodes, k + 1, k, planar=planar, height_m=z, joint=joint)
-    tops = [(blocks[k].name, (0.0, 0.5 * b, z)) for k, z in enumerate(shape.hinges_m, 1)]
-    links: list = []
+    columns = None if planar else _columns(shape.base_strips, width_nodes)
+    _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_stand)
+    middle = 0.5 * facade["thickness_m"]
+    tops = [(blocks[k].name, (0.0, middle, z)) for k, z in enumerate(shape.hinges_m, 1)]
+    walls, links = [], []
     if walls_stand:
-        links = add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape)
+        walls, links = add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape)
     if two_components:
         blocks = [b if b.free else replace(b, motion_x=along(b.motion)) for b in blocks]
         motions |= {
             along(name): {along(floor): share for floor, share in mix.items()}
             for name, mix in list(motions.items())
         }
-    walls = [i for i, block in enumerate(blocks) if block.name.startswith(WALL)]
 
     def lay(above, below, name, jkn):
         joint = (name, jkn)
@@ -192,7 +166,7 @@ def facade_scene(
         monitor=blocks[1 + len(tops)].name,
         monitor_point_m=(0.0, 0.5 * sum(shape.storeys[-1][2:]), shape.top_m),
         reference=BASE,
-        thickness_m=shape.overturning_m if not is_plain(facade) else b,
+        thickness_m=shape.overturning_m if not is_plain(facade) else facade["thickness_m"],
         links=[*links, *springs],
         ties=facade_ties(facade.get("ties", ()), walls, blocks, shape),
         floors=floors,
@@ -202,6 +176,38 @@ def facade_scene(
             **({"watched": tops} if tops else {}),
         },
     )
+
+
+def _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_stand):
+    """Append the façade, whole or in pieces, and the joints that it stands on.
+
+    `columns` of its base as for `add_base`; None in a planar scene.
+    """
+    facade, planar = config["facade"], columns is None
+    b, width = facade["thickness_m"], facade["width_m"]
+    points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
+    # Debris under the base (tilt) belongs to the block as protruding nodes: it
+    # rests rotated by φ about its front toe and cannot come back to the vertical.
+    protrusion = (1.0 - points) * b * math.tan(math.radians(facade["tilt_deg"]))
+    add_base(config, beta_s, nodes, 1, 0, planar=planar, protrusion_m=protrusion, columns=columns)
+    kn = shares(facade, weights) * b * (width - shape.base_lost_m) * base_jkn(facade)
+    displacement, rotation = at_rest(facade, shape, kn, points, release_ratio, walls_stand)
+    upright = Block(
+        FACADE,
+        shape.centre_m,
+        shape.size_m,
+        shape.mass_kg,
+        tuple(np.diag(shape.tensor_kg_m2).tolist()),
+        free="yzX" if planar else DOFS,
+        displacement_m=displacement,
+        rotation_rad=rotation,
+        lever_m=shape.lever_m,
+    )
+    blocks += pieces(facade, shape, upright) if shape.hinges_m else [upright]
+    stiffness = hinge_stiffness(facade, shape)
+    for k, z in enumerate(shape.hinges_m, 1):
+        joint = (f"hinge {k}", float(stiffness[k - 1]))
+        add_base(config, beta_s, nodes, k + 1, k, planar=planar, height_m=z, joint=joint)
 
 
 def add_base(

@@ -143,7 +143,8 @@ class _Assembly:
         spread = 0.5 * (facade["width_m"] - self.t)
         self.x = [0.0] if self.walls == 1 else np.linspace(-spread, spread, self.walls).tolist()
         self.blocks, self.nodes, self.rims, self.motions = [], NodeList(), {}, {}
-        self.beds, self.bricks, self.hanging, self.partial = [], [], None, []
+        self.beds, self.bricks, self.headers, self.partial = [], [], [], []
+        self.hanging: Hanging | None = None
         self.brick = dict(
             jkn_pa_m=w3["jkn_pa_m"], jks_pa_m=w3["jks_pa_m"], beta_s=w3["joint_beta_s"]
         )
@@ -159,10 +160,9 @@ class _Assembly:
             self._wall(f"wall {wall}" if self.walls > 1 else "wall", x)
         if self.hanging:
             links = self.hanging.finish(self.bricks)
-        debris = [b.name for b in self.blocks if " header " in b.name]
         notes = {
             "rims": self.rims,
-            "debris": debris,
+            "debris": self.headers,
             "partial": self.partial,
             "motions": self.motions,
             "bed_joints": self.beds,
@@ -298,6 +298,7 @@ class _Assembly:
                 free="yzX",
             )
         )
+        self.headers.append(self.blocks[-1].name)
         header, area = len(self.blocks) - 1, self.t * self.course
         name = f"{wall} header joint {course}"
         pair = [(x, 0.0, middle - GAUSS * self.course), (x, 0.0, middle + GAUSS * self.course)]

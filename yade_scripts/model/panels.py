@@ -54,7 +54,7 @@ class Hanging:
             self._add(f"mass {j}", (0.0, -2.0 * length_m, z), (wall["thickness_m"], length_m, 0.1))
             for j, z in enumerate(self.heights, 1)
         ]
-        self.first, self.carriers = len(blocks), list(self.masses)
+        self.carriers, self.light = list(self.masses), []
         if wall["motion"] == "top":
             return
         size = (wall["thickness_m"], length_m, tall)
@@ -66,8 +66,10 @@ class Hanging:
             self._join(f"panel {j + 1} foot", panel, foot, (0.0, -length_m, j * tall))
             self._join(f"panel {j + 1} head", panel, head, (0.0, -length_m, (j + 1) * tall))
             self.carriers[j] = panel
+            self.light.append(panel)
             if wall["motion"] == "middle":
                 self.carriers[j] = self._add(f"slab {j + 1}", place, size, mass)
+                self.light.append(self.carriers[j])
                 self._join(f"slab {j + 1} tie", self.carriers[j], panel, place)
 
     def _add(self, name, centre, size, mass=1.0, inertia=(1.0, 1.0, 1.0), free="y"):
@@ -105,8 +107,7 @@ class Hanging:
         ValueError
             If nothing is left.
         """
-        own = [i for i in range(self.first, len(self.blocks)) if self._light(i)]
-        carried = sum(self.blocks[i].mass_kg for i in {*own, *hung})
+        carried = sum(self.blocks[i].mass_kg for i in {*self.light, *hung})
         if carried >= self.total:
             share = self.total / building_mass(self.config)
             raise ValueError(
@@ -117,6 +118,3 @@ class Hanging:
             self.blocks[i] = replace(self.blocks[i], mass_kg=(self.total - carried) / self.n)
         _, stiffness, damping = chain_matrices(self.config["smdof"], self.total)
         return chain_links(stiffness, damping, self.masses, 0, self.heights)
-
-    def _light(self, index):
-        return self.blocks[index].name.startswith(("panel ", "slab "))

@@ -94,7 +94,7 @@ def _contact(parts, tall_m, total_m, nodes_up, planar):
 
 
 def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape):
-    """Append return walls and their joints with the façade; return the links between them.
+    """Append return walls and their joints with the façade.
 
     Parameters
     ----------
@@ -111,7 +111,10 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
 
     Returns
     -------
-    list of Link
+    walls : list of int
+        Indices of their blocks.
+    links : list of Link
+        Between them, where they are masses of the chain.
     """
     facade, wall, numerics = config["facade"], config["return_wall"], config["numerics"]
     h, raised = facade["height_m"], facade.get("base_height_m", 0.0)
@@ -164,8 +167,8 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
                 **back_strength(wall, kind.bonded),
             )
     if hanging:
-        return hanging.finish(own)
+        return own, hanging.finish(own)
     if not kind.two_way:
-        return []
+        return own, []
     _, stiffness, damping = chain_matrices(config["smdof"], building_mass(config))
-    return chain_links(stiffness, damping, own, 0, [blocks[i].centre_m[2] for i in own])
+    return own, chain_links(stiffness, damping, own, 0, [blocks[i].centre_m[2] for i in own])

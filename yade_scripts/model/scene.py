@@ -179,6 +179,10 @@ class Scene:
         Name of the vertical motion that supports and ground share. The scene is described in the
         frame that moves with it: nothing prescribed moves along z, and every block that is free
         along z feels −m·a_z. Exactly the same, since all that is prescribed moves together.
+    notes : dict
+        What some scenes say beside: "motions", weights of floor motions by name (see
+        `floor_motions`); "watched", see below; "rims", "debris" and "partial", where contact ends
+        (see `engine.faces`); "critical_step_s", where it is known; facts for tables.
     """
 
     blocks: list

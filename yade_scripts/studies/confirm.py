@@ -3,8 +3,8 @@
 Wald's sequential probability ratio test (Wald, Sequential tests of statistical hypotheses, 1945)
 asks after every run whether the next one is still needed. At the run's amplitude the scan says that
 a share p of the realisations falls; two others are held against it, of a façade that falls more
-often, or less often. The scan is confirmed once all outcomes are 1/`error` times as likely by the
-scan as by either: then one of the two is taken for the scan in at most the share `error` of curves.
+often, or less often. The scan is confirmed once all outcomes are 1/ERROR times as likely by the
+scan as by either: then one of the two is taken for the scan in at most the share ERROR of curves.
 It is refuted once they are so much likelier by one of the others.
 """
 
@@ -16,10 +16,6 @@ ERROR = 0.1
 class Confirmation:
     """The test of one curve, run after run.
 
-    Parameters
-    ----------
-    error : float
-
     Attributes
     ----------
     evidence : list of 2 floats
@@ -27,9 +23,9 @@ class Confirmation:
         more often, and by the one that falls less often.
     """
 
-    def __init__(self, error=ERROR):
+    def __init__(self):
         """Nothing was run."""
-        self.bound, self.evidence = -math.log(error), [0.0, 0.0]
+        self.bound, self.evidence = -math.log(ERROR), [0.0, 0.0]
 
     def add(self, probabilities, collapsed):
         """Count one run that did not fail.

@@ -18,7 +18,7 @@ from yade_scripts.studies import command, perturb
 from yade_scripts.studies.confirm import Confirmation, turns
 from yade_scripts.studies.journal import Journal
 from yade_scripts.studies.runner import Runner
-from yade_scripts.studies.search import drive, next_amplitude, one_by_one
+from yade_scripts.studies.search import collapse_bounds, drive, next_amplitude, one_by_one
 from yade_scripts.studies.tables import RUN_COLUMNS, read_curve, to_csv
 
 COLUMNS = {
@@ -125,7 +125,7 @@ def analyse(runner, status, d_over_b, plan=None):
         return [], measure_sensitivity(runner, status, d_over_b, settings)
     rows: list[dict] = []
     if settings["enabled"] == "on":
-        first = min((g for g, s in status.items() if s == "overturned"), default=math.inf)
+        first = collapse_bounds(status)[1] or math.inf
         realisations = perturb.draw_realisations(settings)
         for g in sorted(g for g in status if g < first):
             rows += run_realisations(runner, g, realisations)[0]

@@ -6,9 +6,12 @@ millionth can decide between a third of the thickness and overturning. There one
 history says little; the share of slightly perturbed runs that collapse does.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
+
+from yade_scripts.studies.search import collapse_bounds
 
 NODE_KEYS = ("nodes_thickness", "nodes_height", "nodes_per_block")
 STEP_SPREAD = 0.1  # realisations step at 0.9 to 1 of the stated step: never beyond the critical one
@@ -85,6 +88,6 @@ def probe_intensities(curve):
     curve : dict of float to str
         Status by PGA.
     """
-    first = min((g for g, s in curve.items() if s == "overturned"), default=float("inf"))
-    lowest = NEAR_COLLAPSE * first if first < float("inf") else 0.0
-    return sorted(g for g, s in curve.items() if s != "failed" and lowest <= g <= first)
+    first = collapse_bounds(curve)[1]
+    low, high = (0.0, math.inf) if first is None else (NEAR_COLLAPSE * first, first)
+    return sorted(g for g, s in curve.items() if s != "failed" and low <= g <= high)

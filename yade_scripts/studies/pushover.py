@@ -24,6 +24,7 @@ from yade_scripts.studies import command
 from yade_scripts.studies.tables import history_csv, to_csv
 
 PUSH = "push"
+FIRST_SPEED, GROWTH_S = 0.005, 0.8  # share of the final speed, and time in which it grows by e
 COLUMNS = ("d_over_b", "lambda_dem")
 FORCE_COLUMNS = {
     **{"d_over_b": ".6f", "joint": "", "node": "d"},
@@ -40,15 +41,15 @@ def guided(scene):
     return replace(scene, blocks=blocks)
 
 
-def push_motion(speed_m_s, travel_m, start=0.005, growth_s=0.8):
+def push_motion(speed_m_s, travel_m):
     """Motion of the centroid whose speed grows exponentially to `speed_m_s`, then stays.
 
     Bonds crack within a tenth of a millimetre, so the first part must be slow: the
-    speed starts at `start` times the final one, after a smooth half of it.
+    speed starts at FIRST_SPEED times the final one, after a smooth half of it.
     """
-    growth = -np.log(start) * np.linspace(0.0, 1.0, 200)
-    speed = np.concatenate(([0.0], start * speed_m_s * np.exp(growth)))
-    time_s = np.concatenate(([0.0], 0.02 + growth_s * growth))
+    growth = -np.log(FIRST_SPEED) * np.linspace(0.0, 1.0, 200)
+    speed = np.concatenate(([0.0], FIRST_SPEED * speed_m_s * np.exp(growth)))
+    time_s = np.concatenate(([0.0], 0.02 + GROWTH_S * growth))
     covered = float(np.sum(0.5 * (speed[1:] + speed[:-1]) * np.diff(time_s)))
     left = max(travel_m - covered, 0.0) / speed_m_s
     time_s = np.concatenate((time_s, [time_s[-1] + left + 0.01]))

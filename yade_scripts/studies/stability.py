@@ -45,18 +45,16 @@ LIMIT_COLUMNS = {
 SCENES = ("W1", "W2", "stack")
 BETA_FACTORS = (0.0, 0.3, 1.0, 3.0, 10.0)
 STIFFNESS_FACTORS = (10**-1.5, 10**-0.75, 1.0, 10**0.75, 10**1.5)
+STACK_M = (1.0, 0.4, 0.3)  # edges of a block of the stack
+PRESS_M_S2 = 3.0  # of the façade against its return walls
+RELAX_STEPS, STEPS = 500, 3000
 UNSTABLE_GROWTH = 100.0  # undamped stable cases stay below 10, unstable ones pass 1000
 
 
 def stack_scene(
     count,
     beta_s,
-    *,
-    size_m=(1.0, 0.4, 0.3),
-    density_kg_m3=1800.0,
     jkn_pa_m=1e9,
-    ratio=0.33,
-    nodes=3,
 ):
     """Stack of equal blocks on a support, planar: a scene with many interfaces in series.
 
@@ -65,18 +63,15 @@ def stack_scene(
     count : int
         Number of blocks.
     beta_s : float
-    size_m : tuple of 3 floats
-    density_kg_m3, jkn_pa_m, ratio : float
-        Density, joint normal stiffness, and its share for shear.
-    nodes : int
-        Nodes across each joint.
+    jkn_pa_m : float
+        Normal stiffness of the joints.
 
     Returns
     -------
     Scene
     """
-    lx, ly, lz = size_m
-    mass = density_kg_m3 * lx * ly * lz
+    lx, ly, lz = STACK_M
+    mass = 1800.0 * lx * ly * lz
     blocks = [
         Block(
             "base",
@@ -89,15 +84,15 @@ def stack_scene(
         )
     ]
     listed = NodeList()
-    points, weights = gauss_lobatto(nodes)
+    points, weights = gauss_lobatto(3)
     for i in range(count):
         blocks.append(
             Block(
                 f"block {i + 1}",
                 (0.0, 0.5 * ly, (i + 0.5) * lz),
-                size_m,
+                STACK_M,
                 mass,
-                box_inertia(mass, size_m),
+                box_inertia(mass, STACK_M),
                 free="yzX",
             )
         )
@@ -110,7 +105,7 @@ def stack_scene(
             (0, 0, 1),
             weights * lx * ly,
             jkn_pa_m,
-            ratio * jkn_pa_m,
+            0.33 * jkn_pa_m,
             beta_s=beta_s,
             friction_rad=math.radians(60),
         )
@@ -168,7 +163,7 @@ def pressed(scene, acceleration_m_s2):
     return replace(scene, blocks=blocks)
 
 
-def growth(scene, dt_s, *, press_m_s2=3.0, relax_steps=500, steps=3000, seed=1):
+def growth(scene, dt_s):
     """Growth of a small disturbance of the pressed scene at one time step.
 
     A horizontal acceleration presses the façade against its return walls, so that
@@ -182,7 +177,7 @@ def growth(scene, dt_s, *, press_m_s2=3.0, relax_steps=500, steps=3000, seed=1):
     """
     w = adapter.load_yade()
     has_walls = any(name.startswith("return wall") for name in scene.joints)
-    gravity = np.array([0.0, -press_m_s2 if has_walls else 0.0, -scene.gravity_m_s2])
+    gravity = np.array([0.0, -PRESS_M_S2 if has_walls else 0.0, -scene.gravity_m_s2])
     zero = adapter.Motion.none(1e6)
     small = 0.3 * critical_step(scene)
     built = adapter.build(pressed(scene, gravity), {name: zero for name in scene.motions}, small)
@@ -193,10 +188,10 @@ def growth(scene, dt_s, *, press_m_s2=3.0, relax_steps=500, steps=3000, seed=1):
     newton = next(e for e in omega.engines if isinstance(e, w.NewtonIntegrator))
     newton.gravity = tuple(float(g) for g in gravity)
     newton.damping = 0.7
-    loop.run(omega, relax_steps)
+    loop.run(omega, RELAX_STEPS)
     newton.damping = 0.0
     free = [omega.bodies[built.body[i]].state for i, b in enumerate(scene.blocks) if b.free]
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(1)
     start = 0.0
     for state in free:
         kick = 1e-6 * scene.gravity_m_s2 * small * rng.uniform(-1.0, 1.0, 3)
@@ -210,17 +205,17 @@ def growth(scene, dt_s, *, press_m_s2=3.0, relax_steps=500, steps=3000, seed=1):
         speeds.append(np.max(np.abs([v for s in free for v in (*s.vel, *s.angVel)])))
 
     omega.engines = [*omega.engines, loop.runner(probe, 5, at_start=False)]
-    loop.run(omega, steps)
+    loop.run(omega, STEPS)
     return float(np.max(speeds)) / start if np.all(np.isfinite(speeds)) else math.inf
 
 
-def bisect(scene, label, *, low=0.9, high=1.1, tolerance=0.01):
+def bisect(scene, label, *, tolerance=0.01):
     """Observed over predicted critical step, by bisection, with every trial as a row.
 
     Returns
     -------
     ratio : float
-        Middle of the final bracket; NaN if [low, high] does not bracket the limit.
+        Middle of the final bracket; NaN if the limit is not within a tenth of the predicted one.
     rows : list of dict
     """
     critical = critical_step(scene)
@@ -240,6 +235,7 @@ def bisect(scene, label, *, low=0.9, high=1.1, tolerance=0.01):
         )
         return grown < UNSTABLE_GROWTH
 
+    low, high = 0.9, 1.1
     if not stable(low) or stable(high):
         return math.nan, rows
     while high - low > tolerance:
@@ -248,13 +244,7 @@ def bisect(scene, label, *, low=0.9, high=1.1, tolerance=0.01):
     return 0.5 * (low + high), rows
 
 
-def study(
-    case,
-    names=SCENES,
-    beta_factors=BETA_FACTORS,
-    stiffness_factors=STIFFNESS_FACTORS,
-    say=lambda text: None,
-):
+def study(case, say):
     """Map of the critical step over scenes, damping and stiffness.
 
     Returns
@@ -263,9 +253,9 @@ def study(
         Contracts of tables/stability.csv and tables/stability_limits.csv.
     """
     rows, limits = [], []
-    for name in names:
-        for factor in stiffness_factors:
-            for multiple in beta_factors:
+    for name in SCENES:
+        for factor in STIFFNESS_FACTORS:
+            for multiple in BETA_FACTORS:
                 beta = multiple * case["beta_s"]
                 scene = scene_of(case, name, factor, beta)
                 label = {"scene": name, "stiffness_factor": factor, "beta_s": beta}
