@@ -6,18 +6,18 @@ made of stands in `parts`; masks pair every node with its own face only (`faces`
 Nodes that never break are pairs of spheres (`welds`).
 """
 
-import math
 from dataclasses import dataclass
 
 from yade_scripts.engine import drives, loop
 from yade_scripts.engine.attached import Attached
 from yade_scripts.engine.bonds import Bonds
-from yade_scripts.engine.faces import NODE_BITS, FaceError, Faces, Releases
+from yade_scripts.engine.faces import NODE_BITS, FaceError, Faces
 from yade_scripts.engine.floors import Floors
 from yade_scripts.engine.guide import GUIDE_INTERVAL_S, Guide
 from yade_scripts.engine.library import EngineError, load_yade
 from yade_scripts.engine.links import Links
 from yade_scripts.engine.parts import Parts
+from yade_scripts.engine.releases import Releases
 from yade_scripts.engine.ties import Ties
 from yade_scripts.engine.welds import Welds
 from yade_scripts.model.motion import Motion
@@ -229,21 +229,6 @@ def _place_members(w, omega):
     omega.dt = 0.0
     omega.step()
     omega.resetTime()
-
-
-def planar_turn(state, unturned):
-    """Rotation of a free block about x since the reference position [rad], for planar motion.
-
-    Parameters
-    ----------
-    state : State
-        YADE's state of the block.
-    unturned : quaternion
-        Of the block, from `Built.unturned`.
-    """
-    q = state.ori * unturned
-    sign = 1.0 if q[3] >= 0.0 else -1.0  # q and −q are the same rotation
-    return 2.0 * math.atan2(sign * q[0], sign * q[3])
 
 
 def _attach(scene, motions, built, bonded, faces):

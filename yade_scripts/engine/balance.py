@@ -26,8 +26,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from yade_scripts.engine import adapter, floors, loop
-from yade_scripts.engine.bonds import FACE_OFFSET_M, PRELOAD_M, rotation
+from yade_scripts.engine.bonds import FACE_OFFSET_M, PRELOAD_M
 from yade_scripts.engine.links import REACH_M
+from yade_scripts.engine.poses import rotation
 
 COLUMNS = (
     "time_s",

@@ -28,6 +28,8 @@ from typing import Any
 
 import numpy as np
 
+from yade_scripts.engine.poses import quaternion, rotation, vector
+
 # Largest compression within which a bond stays linear. Press and hook act half of it off the node
 # on either side, so their shear springs resist a turn of the joint about it by ks·(preload/2)².
 PRELOAD_M = 0.005
@@ -39,37 +41,11 @@ REFERENCE_ACCELERATION = 50.0  # m/s²: bound on relative acceleration between t
 PER_BOND = ("node", "matrix", "constant", "kn", "ks", "tension", "cohesion", "slope", "tie")
 
 
-def quaternion(vector):
-    """YADE's quaternion of a rotation vector."""
-    from yade.minieigenHP import Quaternion, Vector3
-
-    angle = float(np.linalg.norm(vector))
-    axis = Vector3(*(float(v) / angle for v in vector)) if angle else Vector3(1, 0, 0)
-    return Quaternion(axis, angle)
-
-
-def _vector(values):
-    """YADE's vector of three numbers."""
-    from yade.minieigenHP import Vector3
-
-    return Vector3(*(float(v) for v in values))
-
-
 def _frame(normal):
     """Rows: the unit normal and two unit vectors across it."""
     first = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
     first /= np.linalg.norm(first)
     return np.array([normal, first, np.cross(normal, first)])
-
-
-def rotation(quaternion):
-    """Rotation matrix of a quaternion (x, y, z, w), by rows: nine floats."""
-    x, y, z, w = quaternion
-    return (
-        *(1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
-        *(2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)),
-        *(2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)),
-    )
 
 
 def safe_wait(left_m, speed_m_s):
@@ -120,7 +96,7 @@ class _Pair:
             self.states.append(state)
             self.home.append(state.ori.inverse() * quaternion(block.rotation_rad))
             arms.append(columns.position_m[n] - np.array(block.centre_m, float))
-        self.shift = _vector(self.shift[0] - self.shift[1])
+        self.shift = vector(self.shift[0] - self.shift[1])
         self.reach = 2.0 * float(np.linalg.norm(arms[0], axis=1).max())  # of a unit of quaternion
         # displacement of a past b at each node, in the frame of b, is matrix @ pose + constant
         axes = np.array([_frame(normal) for normal in columns.normal[n]])

@@ -7,8 +7,9 @@ nodes are explained in `bonds`, welded ones in `welds`.
 
 import numpy as np
 
-from yade_scripts.engine.bonds import PRELOAD_M, quaternion
+from yade_scripts.engine.bonds import PRELOAD_M
 from yade_scripts.engine.library import EngineError
+from yade_scripts.engine.poses import quaternion
 
 LEAST_BETA_S = 1e-15  # a dashpot of exactly 0 in series with the face would become the face's
 PARTNER_STIFFNESS = 1e30  # materials combine in series; the face must not soften the node

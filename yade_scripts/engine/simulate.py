@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from yade_scripts.engine import adapter, loop
-from yade_scripts.engine.bonds import rotation
+from yade_scripts.engine.poses import planar_turn, rotation
 from yade_scripts.model.stiffness import compensated, critical_step
 
 OK, OVERTURNED, FAILED = "ok", "overturned", "failed"
@@ -152,7 +152,7 @@ class _Monitor:
         d, v, turn, farthest = 0.0, 0.0, 0.0, -1.0
         for state, unturned, centre, point in self.points:
             _, y, z = point
-            angle = adapter.planar_turn(state, unturned)  # rotation about x alone carries d
+            angle = planar_turn(state, unturned)  # rotation about x alone carries d
             c, s = math.cos(angle), math.sin(angle)
             at = (state.pos[1] - centre) + (c * y - s * z - y) - moved
             if abs(at) <= farthest:

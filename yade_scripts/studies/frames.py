@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from yade_scripts.engine import adapter, balance, loop
+from yade_scripts.engine.poses import planar_turn
 from yade_scripts.files import write_atomic
 from yade_scripts.studies import command, shaking
 
@@ -61,7 +62,7 @@ class Camera:
             self.states, self.start, self.unturned, self.scene.blocks, strict=True
         ):
             p = state.pos  # a clump's own frame may be turned by half a turn
-            angle = 0.0 if unturned is None else adapter.planar_turn(state, unturned)
+            angle = 0.0 if unturned is None else planar_turn(state, unturned)
             dy = p[1] - start[1] + block.displacement_m[1]
             dz = p[2] - start[2] + block.displacement_m[2]
             row.append([round(float(v), 7) for v in (dy, dz, angle)])

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from yade_scripts.engine import adapter, loop, simulate
+from yade_scripts.engine.poses import planar_turn
 from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import models
 from yade_scripts.studies import command
@@ -103,7 +104,7 @@ class _Recorder:
         facade = scene.index(scene.monitor)
         body = self.built.body[facade]
         state, block = omega.bodies[body].state, scene.blocks[facade]
-        turn = adapter.planar_turn(state, self.built.unturned[facade])
+        turn = planar_turn(state, self.built.unturned[facade])
         y, z = np.subtract(scene.monitor_point_m, block.centre_m)[1:]
         d = state.pos[1] - block.centre_m[1] + np.cos(turn) * y - np.sin(turn) * z - y
         self.rows.append((d / scene.thickness_m, -omega.forces.f(body)[1] / self.weight))

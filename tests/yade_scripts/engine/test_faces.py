@@ -9,7 +9,8 @@ from yade_process import resolved
 
 from yade_scripts.engine import faces
 from yade_scripts.engine.bonds import FACE_OFFSET_M
-from yade_scripts.engine.faces import Faces, Releases
+from yade_scripts.engine.faces import Faces
+from yade_scripts.engine.releases import Releases
 from yade_scripts.model.models import build_scene
 
 
