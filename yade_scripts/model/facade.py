@@ -150,10 +150,9 @@ def facade_scene(
             for name, mix in list(motions.items())
         }
 
-    def lay(above, below, name, jkn):
-        joint = (name, jkn)
-        given = {"planar": planar, "height_m": shape.height_m, "joint": joint, "slides": True}
-        add_base(config, beta_s, nodes, above, below, **given)
+    def lay(upper, lower, name, jkn):
+        given = config, beta_s, nodes, name, upper, lower, shape.height_m, jkn
+        add_bed(*given, planar=planar, slides=True)
 
     level_loads(facade, shape, blocks, walls, lay)
     floors, springs = facade_floors(
@@ -206,8 +205,8 @@ def _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_s
     blocks += pieces(facade, shape, upright) if shape.hinges_m else [upright]
     stiffness = hinge_stiffness(facade, shape)
     for k, z in enumerate(shape.hinges_m, 1):
-        joint = (f"hinge {k}", float(stiffness[k - 1]))
-        add_base(config, beta_s, nodes, k + 1, k, planar=planar, height_m=z, joint=joint)
+        jkn = float(stiffness[k - 1])
+        add_bed(config, beta_s, nodes, f"hinge {k}", k + 1, k, z, jkn, planar=planar)
 
 
 def add_base(
@@ -221,11 +220,8 @@ def add_base(
     origin=(0.0, 0.0),
     protrusion_m=0.0,
     columns=None,
-    height_m=0.0,
-    joint=None,
-    slides=False,
 ):
-    """Add the joint between a façade's base and the ground, or between two of its pieces.
+    """Add the joint between a façade's base and the ground.
 
     Parameters
     ----------
@@ -241,38 +237,68 @@ def add_base(
         Of each node across the thickness below the base.
     columns : tuple of 2 ndarrays or None
         Places in x and weights; None: the middle of a planar scene, else two Gauss points.
-    height_m : float
-        Of the joint above the base.
-    joint : (str, float) or None
-        Its name and jkn [Pa/m]; None for the base's own.
+    """
+    section = config["facade"]
+    b, standing = section["thickness_m"], section["width_m"] - shape_of(section).base_lost_m
+    points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
+    low = np.broadcast_to(protrusion_m, points.shape)
+    line = np.stack([origin[0] + 0 * points, origin[1] + points * b, 0 * points - low], axis=1)
+    columns = columns or _two_columns(section, planar)
+    places, areas, gaps = over_columns(line, weights * b * standing, columns, gap_m=-low)
+    jkn = base_jkn(section) * np.tile(shares(section, weights) / weights, len(columns[0]))
+    nodes.add_joint(
+        BASE,
+        facade,
+        ground,
+        places,
+        (0, 0, 1),
+        areas,
+        jkn,
+        section["shear_stiffness_ratio"] * jkn,
+        beta_s=beta_s,
+        friction_rad=math.radians(section["friction_deg"]),
+        gap_m=gaps,
+    )
+
+
+def add_bed(config, beta_s, nodes, name, upper, lower, height_m, jkn, *, planar, slides=False):
+    """Add the joint between two pieces of a façade, or between it and a load that lies on it.
+
+    Parameters
+    ----------
+    config, beta_s, nodes, planar
+        See `add_base`.
+    name : str
+    upper, lower : int
+        Indices of the blocks.
+    height_m, jkn : float
+        Height above the base, and stiffness [Pa/m].
     slides : bool
-        It transmits no shear.
+        It transmits no shear; else it has the friction of the base.
     """
     section = config["facade"]
     b, width = section["thickness_m"], section["width_m"]
-    name, jkn = joint or (BASE, base_jkn(section))
     points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
-    stiff = np.ones(weights.shape) if joint else shares(section, weights) / weights
-    protrusion = np.broadcast_to(protrusion_m, points.shape)
-    line = np.stack([origin[0] + 0 * points, origin[1] + points * b, height_m - protrusion], axis=1)
-    gauss = np.array([-0.5, 0.5]) * (width / math.sqrt(3.0)), np.array([0.5, 0.5])
-    columns = MIDDLE if planar else columns or gauss
-    standing = width - (0.0 if joint else shape_of(section).base_lost_m)
-    positions, areas, gaps = over_columns(line, weights * b * standing, columns, gap_m=-protrusion)
-    jkn = jkn * np.tile(stiff, len(columns[0]))
+    line = np.stack([0 * points, points * b, height_m + 0 * points], axis=1)
+    places, areas, _ = over_columns(line, weights * b * width, _two_columns(section, planar))
     nodes.add_joint(
         name,
-        facade,
-        ground,
-        positions,
+        upper,
+        lower,
+        places,
         (0, 0, 1),
         areas,
         jkn,
         (NO_SHEAR if slides else section["shear_stiffness_ratio"]) * jkn,
         beta_s=beta_s,
         friction_rad=0.0 if slides else math.radians(section["friction_deg"]),
-        gap_m=gaps,
     )
+
+
+def _two_columns(facade, planar):
+    """Places in x and weights of two Gauss points of the width; the middle of a planar scene."""
+    half = facade["width_m"] / math.sqrt(3.0)
+    return MIDDLE if planar else (np.array([-0.5, 0.5]) * half, np.array([0.5, 0.5]))
 
 
 def _columns(strips, count):

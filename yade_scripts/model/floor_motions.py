@@ -45,6 +45,13 @@ def read(path):
     return data[:, 0], columns
 
 
+def write_columns(path, time_s, columns, *, digits=9):
+    """Write a floor-motion file from columns as `read` returns them, to so many digits."""
+    header = ",".join(["time_s", *(name + UNIT for name in columns)])
+    table, how = np.column_stack([time_s, *columns.values()]), f"%.{digits}g"
+    np.savetxt(path, table, fmt=how, delimiter=",", header=header, comments="")
+
+
 def write(path, time_s, ground_m_s2, floors_m_s2=(), vertical_m_s2=None):
     """Write a floor-motion file.
 
@@ -55,12 +62,11 @@ def write(path, time_s, ground_m_s2, floors_m_s2=(), vertical_m_s2=None):
         From the lowest floor up.
     vertical_m_s2 : ndarray, shape (nt,), or None
     """
-    names = ["time_s", GROUND + UNIT, *(f"floor{j + 1}{UNIT}" for j in range(len(floors_m_s2)))]
-    rows = [time_s, ground_m_s2, *floors_m_s2]
+    columns = {GROUND: ground_m_s2}
+    columns |= {f"floor{j}": floor for j, floor in enumerate(floors_m_s2, 1)}
     if vertical_m_s2 is not None:
-        names, rows = [*names, VERTICAL + UNIT], [*rows, vertical_m_s2]
-    columns = np.column_stack(rows)
-    np.savetxt(path, columns, fmt="%.9g", delimiter=",", header=",".join(names), comments="")
+        columns[VERTICAL] = vertical_m_s2
+    write_columns(path, time_s, columns)
 
 
 def with_second(time_s, columns, second_time_s, second):

@@ -8,15 +8,16 @@ import sys
 import tempfile
 from pathlib import Path
 
-import numpy as np
 import pandas as pd
 
 from rocking.collapse.curve import History
 from rocking.collapse.scan import Scan
-from yade_scripts.model import floor_motions, models
+from yade_scripts.model import models
+from yade_scripts.model.floor_motions import write_columns
 
 SCRIPTS = Path(models.__file__).resolve().parents[1]
 LIMIT_S = 1800.0  # of one call
+WHOLE = 17  # digits: what YADE reads is what was computed
 BLOCK = 4  # amplitudes that a climb asks for at once: each takes seconds
 COLUMNS = ["pga_g", "d_over_b", "status", "collapsed", "dt_s", "steps", "wall_s"]
 
@@ -42,18 +43,6 @@ def run_yade(*words, folder, limit_s=LIMIT_S):
         raise ValueError(f"YADE: {(done.stderr.strip().splitlines() or ['no message'])[-1]}")
 
 
-def _write(path, time_s, columns):
-    """Write floor motions at full length."""
-    np.savetxt(
-        path,
-        np.column_stack([time_s, *columns.values()]),
-        fmt="%.17g",
-        delimiter=",",
-        header=",".join(["time_s", *(f"{name}{floor_motions.UNIT}" for name in columns)]),
-        comments="",
-    )
-
-
 class YadeRuns:
     """Outcomes of a case at any amplitudes, by YADE; finished runs are kept while it lives.
 
@@ -74,7 +63,7 @@ class YadeRuns:
         self._folder = tempfile.TemporaryDirectory(prefix="rocking-")
         self.folder = Path(self._folder.name)
         (self.folder / "case.json").write_text(case.to_json())
-        _write(self.folder / "motion.csv", *motion.columns(case))
+        write_columns(self.folder / "motion.csv", *motion.columns(case), digits=WHOLE)
         self.case: dict = {
             "scene": "case.json",
             "motion": "motion.csv",
@@ -82,7 +71,7 @@ class YadeRuns:
             "direction": direction,
         }
         if motion.first is not None and motion.first_pga_g > 0.0:
-            _write(self.folder / "first.csv", *motion.first.columns(case))
+            write_columns(self.folder / "first.csv", *motion.first.columns(case), digits=WHOLE)
             self.case["before"] = {
                 "motion": "first.csv",
                 "pga_g": motion.first_pga_g,
@@ -114,7 +103,7 @@ def yade_history(case, motion, direction, pga_g, limit_s=LIMIT_S):
         raise ValueError("history by YADE: expected a motion without a first shock")
     with tempfile.TemporaryDirectory(prefix="rocking-") as folder:
         Path(folder, "case.json").write_text(case.to_json())
-        _write(Path(folder, "motion.csv"), *motion.columns(case))
+        write_columns(Path(folder, "motion.csv"), *motion.columns(case), digits=WHOLE)
         words = ["--scene", "case.json", "--motion", "motion.csv", "--direction", direction]
         words += ["--record", motion.name or "motion", "--pga", f"{pga_g:.17g}"]
         run_yade("history", *words, "--output", "history.csv", folder=folder, limit_s=limit_s)
