@@ -10,7 +10,7 @@ import time
 
 import numpy as np
 
-from yade_scripts.engine import adapter, loop
+from yade_scripts.engine import adapter, drives, loop
 
 
 def run(scene, motion, dt_s, limit_s, *, sample_s=0.005, damping=0.2):
@@ -70,7 +70,7 @@ def run(scene, motion, dt_s, limit_s, *, sample_s=0.005, damping=0.2):
     for support in supports:
         support.state.mass, support.state.inertia = heavy, (heavy,) * 3
         support.state.blockedDOFs = "xzXYZ"
-        support.state.vel = (0.0, -0.5 * dt_s * float(motion.acceleration_m_s2[0]), 0.0)
+        drives.set_back(support.state, 1, motion.acceleration_m_s2[0], dt_s)
     start = (block.state.pos[1], supports[0].state.pos[1])
     arm = np.subtract(scene.monitor_point_m, facade.centre_m)
     frame = block.state.ori
@@ -93,13 +93,7 @@ def run(scene, motion, dt_s, limit_s, *, sample_s=0.005, damping=0.2):
             [w.Ip2_PolyhedraMat_PolyhedraMat_PolyhedraPhys()],
             [w.Law2_PolyhedraGeom_PolyhedraPhys_Volumetric()],
         ),
-        w.InterpolatingDirectedForceEngine(
-            times=[float(t) for t in motion.time_s],
-            magnitudes=[float(heavy * a) for a in motion.acceleration_m_s2],
-            direction=(0, 1, 0),
-            ids=[s.id for s in supports],
-            wrap=False,
-        ),
+        drives.force(w, motion, heavy, 1, [s.id for s in supports]),
         w.NewtonIntegrator(damping=damping, gravity=(0, 0, -scene.gravity_m_s2)),
         loop.runner(sample, round(sample_s / dt_s), at_start=False),
     ]
