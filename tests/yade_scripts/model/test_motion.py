@@ -1,6 +1,9 @@
 import numpy as np
 import pytest
+from yade_process import resolved
 
+from yade_scripts.model import floor_motions
+from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.motion import Motion, amplitude, numbers
 
 
@@ -34,3 +37,21 @@ def test_amplitude_brings_the_peak_to_a_pga():
     ground = np.array([0.5, -4.0, 2.0])
     assert amplitude(ground, "pos", 0.2) == pytest.approx(0.2 * 9.80665 / 4.0, rel=1e-6)
     assert amplitude(ground, "neg", 0.2) == -amplitude(ground, "pos", 0.2)
+
+
+def test_a_scene_without_one_of_its_motions_is_refused():
+    """W2 of four masses is not shaken by the motions of three."""
+    scene = facade_scene(resolved(), "W2", 0.001)
+    columns = {name: np.zeros(3) for name in ("ground", "floor1", "floor2", "floor3")}
+    with pytest.raises(ValueError, match="the motion file has no column for floor4"):
+        floor_motions.shaken(scene, columns)
+    columns["floor4"] = columns["vertical"] = np.ones(3)
+    assert floor_motions.shaken(scene, columns)[0].vertical == "vertical"
+
+
+def test_floor_motions_are_read_as_they_were_written(tmp_path):
+    t, columns = np.arange(4) / 3.0, {"ground": np.sin(np.arange(4)), "vertical": np.ones(4) / 7.0}
+    floor_motions.write_columns(tmp_path / "whole.csv", t, columns, digits=17)
+    time_s, found = floor_motions.read(tmp_path / "whole.csv")
+    assert np.array_equal(time_s, t)
+    assert all(np.array_equal(found[name], values) for name, values in columns.items())

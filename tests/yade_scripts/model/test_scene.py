@@ -5,8 +5,9 @@ import pytest
 from yade_process import resolved
 
 from yade_scripts.model import facade, stiffness
+from yade_scripts.model import scene as scenes
 from yade_scripts.model.quadrature import gauss_lobatto
-from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia, to_json
+from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia, held, to_json
 
 
 @pytest.mark.parametrize("count", [2, 3, 4, 5, 9, 17])
@@ -126,3 +127,29 @@ def test_equal_scenes_serialise_equally():
     one = to_json(facade.facade_scene(resolved(), "W2", 0.001))
     assert one == to_json(facade.facade_scene(resolved(), "W2", 0.001))
     assert one != to_json(facade.facade_scene(resolved(), "W2", 0.0010001))
+
+
+@pytest.mark.parametrize(
+    ("strengths", "kind"),
+    [
+        ((0.0, 0.0, 0.5), scenes.DRY),
+        ((0.1e6, 0.2e6, 0.5), scenes.BOND),
+        ((0.0, 0.2e6, 0.0), scenes.BOND),
+        ((0.1e6, 0.0, 0.5), scenes.BOND),
+        ((0.1e6, 0.0, 0.0), scenes.TIE),
+    ],
+)
+def test_a_joint_says_what_holds_it(strengths, kind):
+    """Dry without strength; smooth where neither cohesion nor friction resists shear."""
+    nodes = NodeList()
+    nodes.add_joint("joint", 1, 0, [(0, 0, 0)], (0, 0, 1), [0.5], 1e9, 1e9, **held(*strengths))
+    found = nodes.done()
+    assert found.kind.tolist() == [kind]
+    assert found.tie.tolist() == [kind == scenes.TIE]
+    assert found.bonded.tolist() == [kind != scenes.DRY]
+    assert (found.tension_n[0], found.cohesion_n[0]) == (0.5 * strengths[0], 0.5 * strengths[1])
+
+
+def test_a_dry_joint_with_a_strength_is_refused():
+    with pytest.raises(ValueError, match="joint 'joint': a dry joint has no strength"):
+        NodeList().add_joint("joint", 1, 0, [(0, 0, 0)], (0, 0, 1), [1.0], 1e9, 1e9, tension_pa=1.0)
