@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from yade_process import resolved
 
-from yade_scripts.engine import faces
+from yade_scripts.engine import faces, releases
 from yade_scripts.engine.bonds import FACE_OFFSET_M
 from yade_scripts.engine.faces import Faces
+from yade_scripts.engine.poses import rotation
 from yade_scripts.engine.releases import Releases
 from yade_scripts.model.models import build_scene
 
@@ -99,7 +100,7 @@ class Turn(tuple):
 def rotated(angle_rad):
     """A turn about x, as a quaternion and as a matrix."""
     turn = Turn((math.sin(0.5 * angle_rad), 0.0, 0.0, math.cos(0.5 * angle_rad)))
-    return turn, np.array(faces.rotation(turn)).reshape(3, 3)
+    return turn, np.array(rotation(turn)).reshape(3, 3)
 
 
 def moved(monkeypatch, way_m, angle_rad=0.0, which="a"):
@@ -119,7 +120,7 @@ def moved(monkeypatch, way_m, angle_rad=0.0, which="a"):
     ]
     bodies = [SimpleNamespace(state=state) for state in states]
     omega, gone = SimpleNamespace(dt=1e-4, time=0.0, bodies=bodies), set()
-    monkeypatch.setattr(faces, "separate", lambda _, nodes: gone.update(nodes))
+    monkeypatch.setattr(releases, "separate", lambda _, nodes: gone.update(nodes))
     watch = Releases(scene, omega, range(len(states)), range(len(scene.nodes)), None)
     watch.debris = set()  # nodes are released one by one
     rims, names = scene.notes["rims"], [scene.joints[j] for j in scene.nodes.joint]
