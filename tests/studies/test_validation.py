@@ -193,9 +193,9 @@ def test_runs_that_follow_each_other():
 
 def test_ratios():
     """Geometric mean and scatter; a fall fails the goal, whatever the others did."""
-    assert validation.geometric([2.0, 0.5]) == pytest.approx(
-        [1.0, math.exp(math.sqrt(2) * math.log(2))]
-    )
+    pair = pd.DataFrame({"peak": [2.0, 0.5, np.nan], "measured": 1.0})
+    found = validation.ratio(pair, "peak", "measured")
+    assert found == pytest.approx((1.0, math.exp(math.sqrt(2) * math.log(2))))
     experiment = validation.read(US1)
     rows = [(7, 1.2, "ok"), (24, 29.0, "ok"), (6, 99.0, "ok")]
     table = pd.DataFrame(rows, columns=["run", "peak_mm", "status"]).assign(

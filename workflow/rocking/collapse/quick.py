@@ -18,8 +18,8 @@ def crossings(case, motion, direction, settings=None, step=LONG_STEP):
     ----------
     case, motion, direction, settings
         As of `collapse_curve`.
-    step : float
-        Of the stable step.
+    step : float or None
+        Of the stable step; None takes the dense scan's.
 
     Returns
     -------

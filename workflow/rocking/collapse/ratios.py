@@ -1,6 +1,7 @@
 """Ratios of collapse intensities, one curve each, and how they spread."""
 
 import numpy as np
+import pandas as pd
 
 
 class Ratios:
@@ -14,23 +15,29 @@ class Ratios:
     Attributes
     ----------
     known : ndarray
-    n, n_censored : int
-        Curves, and those of which the ratio is not known.
+    n, n_known, n_censored : int
+        Curves, those of which the ratio is known, and the others.
     """
 
     def __init__(self, values):
         """Keep the known ones."""
         values = np.asarray(values, float)
         self.known = values[np.isfinite(values)]
-        self.n, self.n_censored = values.size, values.size - self.known.size
+        self.n, self.n_known = values.size, self.known.size
+        self.n_censored = self.n - self.n_known
 
     def percentiles(self, levels, log=False):
         """Percentiles; `log`: linear between logarithms; NaN without a known ratio."""
         if not self.known.size:
-            return np.full(len(levels), np.nan)
+            return np.full(np.shape(levels), np.nan)
         if log:
             return np.exp(np.percentile(np.log(self.known), levels))
         return np.percentile(self.known, levels)
+
+    @property
+    def mean(self):
+        """Geometric mean; NaN without any."""
+        return float(np.exp(np.log(self.known).mean())) if self.known.size else np.nan
 
     @property
     def scatter(self):
@@ -41,3 +48,34 @@ class Ratios:
         """Share of the known ones above `low` and up to `high`; NaN without any."""
         inside = (self.known > low) & (self.known <= high)
         return float(np.mean(inside)) if self.known.size else np.nan
+
+    def said(self, what):
+        """Percentile by number, attribute by name, or what a function says of these ratios."""
+        if callable(what):
+            return what(self)
+        return getattr(self, what) if isinstance(what, str) else self.percentiles(what)
+
+
+def spread(table, by, columns, value="ratio"):
+    """How the ratios of a table spread, a row a group, in the order in which groups appear.
+
+    Parameters
+    ----------
+    table : DataFrame
+    by : list of str
+        Columns that make a group.
+    columns : dict of str to number, str or callable
+        What a row says, by column, see `Ratios.said`.
+    value : str
+        Column of the ratios.
+
+    Returns
+    -------
+    DataFrame
+        `by`, then `columns`.
+    """
+    rows = []
+    for key, part in table.groupby(by, sort=False):
+        found = Ratios(part[value])
+        rows.append((*key, *(found.said(what) for what in columns.values())))
+    return pd.DataFrame(rows, columns=[*by, *columns])

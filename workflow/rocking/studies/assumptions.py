@@ -4,15 +4,13 @@ A ratio above 1 says that a model stands more shaking than the one it is held ag
 substitute it is on the unsafe side.
 """
 
-from dataclasses import replace
-
 import numpy as np
 import pandas as pd
 
 from rocking.collapse import probability
 from rocking.collapse.case import Variant
-from rocking.collapse.curve import collapse_curve
-from rocking.collapse.ratios import Ratios
+from rocking.collapse.ratios import spread
+from rocking.collapse.varied import collapses, intensities
 from yade_scripts.model.registry import MODELS
 
 MEASURES = ("collapse", "p10", "median", "p90", "all")
@@ -20,9 +18,11 @@ CAPACITY = [f"pga_{name}_g" for name in MEASURES]
 SIDE = (*MEASURES, "mean")  # of models side by side, whose whole curve is known
 KEY = ["record", "direction"]
 BASE = "as configured"
+SPREAD = {"curves": "n_known", "low": 10, "median": 50, "high": 90}
+SPREAD |= {"share_unsafe": lambda found: found.share(low=1.0)}
 
 
-def variants(case, stage):
+def variants(case, stage, surrogate=None):
     """Every assumption of a driven case at another level.
 
     Parameters
@@ -31,12 +31,13 @@ def variants(case, stage):
         W2 or W3; β is the caller's to choose anew.
     stage : dict
         Answers of the building stage: period_s, complete_period_s [s], mass_kg.
+    surrogate : dict or None
+        Keywords of `Motion.named` for the record's surrogate; None: it has none.
 
     Returns
     -------
     list of Variant
-        `about` says the assumption and its level. The record's surrogate is marked by a change of
-        the motion whose table is the caller's to name.
+        `about` says the assumption and its level.
     """
     wall, bricks = case["return_wall"], not case.kind.single_block
     length = wall["length_m"] or 0.5 * case["facade"]["height_m"]
@@ -86,8 +87,10 @@ def variants(case, stage):
         ("width", "8 m", {"facade.width_m": 8.0}),
     ]
     changed = [Variant(f"{a}, {b}", changes=c, about=_about(a, b)) for a, b, c in rows]
-    other = Variant("surrogate", motion={"surrogate": {}}, about=_about("record", "surrogate"))
-    return [*changed, other]
+    if surrogate is None:
+        return changed
+    made = {"surrogate": surrogate}
+    return [*changed, Variant("surrogate", motion=made, about=_about("record", "surrogate"))]
 
 
 def _about(assumption, level):
@@ -103,31 +106,22 @@ def collapse(case, motion, directions, stage, law, surrogate=None):
     Parameters
     ----------
     case, motion, directions
-    stage : dict
+    stage, surrogate
         See `variants`.
     law : path
         Coefficients of the law of β.
-    surrogate : dict or None
-        Keywords of `Motion.named` for the record's surrogate; None: it has none.
 
     Returns
     -------
     list of dict
         model, record, direction, assumption, level, intensities, runs_planar.
     """
-    rows = []
-    for variant in (AS_CONFIGURED, *variants(case, stage)):
-        shaken = motion
-        if "surrogate" in variant.motion:
-            if surrogate is None:
-                continue
-            shaken = motion.varied(replace(variant, motion={"surrogate": surrogate}))
-        changed = case.varied(variant).calibrated(law)
-        for direction in directions:
-            key = {"model": case.model, "record": motion.name, "direction": direction}
-            curve = collapse_curve(changed, shaken, direction, settings={"power": 0.0})
-            rows.append({**key, **variant.about, **curve.summary()})
-    return rows
+
+    def find(changed, shaken, direction):
+        return intensities(changed.calibrated(law), shaken, direction, power=0.0)
+
+    every = [AS_CONFIGURED, *variants(case, stage, surrogate)]
+    return collapses([case], motion, directions, find, every)
 
 
 def buildings(case, settings):
@@ -243,8 +237,7 @@ def compared(capacity, reference):
     table = capacity.reset_index(drop=True).copy()
     names = [name for name in SIDE if f"pga_{name}_g" in capacity]
     columns = [f"pga_{name}_g" for name in names]
-    other = capacity[capacity["model"] == reference].set_index(KEY)[columns]
-    other = other.reindex(pd.MultiIndex.from_frame(table[KEY])).reset_index(drop=True)
+    other = table[KEY].join(table[table["model"] == reference].set_index(KEY)[columns], on=KEY)
     table["reference"] = reference
     for name in names:
         table[f"ratio_{name}"] = table[f"pga_{name}_g"] / other[f"pga_{name}_g"]
@@ -305,21 +298,14 @@ def losses(capacity):
 
 
 def spread_of(table, columns, by):
-    """Number, percentiles and share above 1 of ratios, by group.
+    """How ratios spread by group and measure, those of which any is known.
 
     Returns
     -------
     DataFrame
-        by, measure, curves, low, median, high (10, 50, 90 %), share_unsafe (ratio above 1).
+        by, measure, then SPREAD: 10, 50 and 90 %, share_unsafe (ratio above 1).
     """
-    rows = []
-    for key, group in table.groupby(by, sort=False):
-        named = dict(zip(by, key if isinstance(key, tuple) else (key,), strict=True))
-        for column in columns:
-            found = Ratios(group[column])
-            if found.known.size:
-                ends, share = found.percentiles([10.0, 50.0, 90.0]), found.share(low=1.0)
-                row = (column.removeprefix("ratio_"), found.known.size, *ends, share)
-                names = ("measure", "curves", "low", "median", "high", "share_unsafe")
-                rows.append({**named, **dict(zip(names, row, strict=True))})
-    return pd.DataFrame(rows)
+    wide = table.set_index(by)[columns].rename(columns=lambda name: name.removeprefix("ratio_"))
+    long = wide.stack(future_stack=True).rename_axis([*by, "measure"]).reset_index(name="ratio")
+    found = spread(long, [*by, "measure"], SPREAD)
+    return found[found["curves"] > 0]

@@ -5,12 +5,15 @@ of rigid courses on elastic joints, which converges to it. Both are compared wit
 `facade.base: study` and `column`.
 """
 
+from functools import partial
+
 import numpy as np
 import pandas as pd
 
 from rocking.collapse.case import Variant
-from rocking.collapse.curve import collapse_curve
-from rocking.collapse.ratios import Ratios
+from rocking.collapse.quick import PGA, crossings
+from rocking.collapse.ratios import spread
+from rocking.collapse.varied import collapses
 from rocking.mechanics import column
 from rocking.mechanics.closed_forms import capacity_compliant_base, capacity_rigid
 from yade_scripts.model import base
@@ -29,16 +32,19 @@ FACADES = {  # h, b [m], ρ [kg/m³], E [MPa]; none of them but the first chose 
 }
 STATIC = ["facade", "h_m", "b_m", "e_mpa", "gamma", "d_over_b", "lambda_rigid", "lambda_wall"]
 STATIC += ["lambda_courses", *(f"lambda_base_{name}" for name in BASES)]
-CAPACITY = ["pga_p10_g", "pga_median_g"]
-COLUMNS = ["model", "record", "direction", "facade", *CAPACITY, "ratio", "runs_planar"]
-SUMMARY = ["model", "facade", "n", "n_censored", "p10", "median", "p90", "scatter"]
+COLUMNS = ["model", "record", "direction", "facade", *PGA, "ratio", "runs_planar"]
+SUMMARY = {"n": "n", "n_censored": "n_censored", "p10": 10, "median": 50, "p90": 90}
+SUMMARY |= {"scatter": "scatter"}
 STACK = "courses"
 
 
 def variants():
     """The stack of courses, then the rigid block on either base."""
-    stack = Variant(STACK, {"facade.courses": COURSES, "facade.base": base.STUDY})
-    return [stack, *(Variant(name, {"facade.base": name, "facade.courses": 0}) for name in BASES)]
+    forms = [(STACK, base.STUDY, COURSES), *((name, name, 0) for name in BASES)]
+    return [
+        Variant(name, {"facade.base": law, "facade.courses": courses}, about={"facade": name})
+        for name, law, courses in forms
+    ]
 
 
 def static(facades=None):
@@ -81,22 +87,11 @@ def collapse(case, motion, direction):
     DataFrame
         COLUMNS; ratio of pga_median_g to the stack's.
     """
-    rows = []
-    for variant in variants():
-        found = collapse_curve(case.varied(variant), motion, direction, search="crossings")
-        row = {"model": case.model, "record": motion.name, "direction": direction}
-        row |= {"facade": variant.name, **dict(zip(CAPACITY, found.found, strict=True))}
-        rows.append({**row, "runs_planar": found.runs})
+    rows = collapses([case], motion, [direction], partial(crossings, step=None), variants())
     table = pd.DataFrame(rows).reindex(columns=COLUMNS)
     return table.assign(ratio=table["pga_median_g"] / table["pga_median_g"].iloc[0])
 
 
 def summary(table):
     """Spread of the ratios by model and base: 10, 50, 90 % of the curves, scatter of ln ratio."""
-    rows = []
-    blocks = table[table["facade"] != STACK]
-    for (model, name), part in blocks.groupby(["model", "facade"], sort=False):
-        found = Ratios(part["ratio"])
-        ends = found.percentiles([10, 50, 90])
-        rows.append((model, name, found.n, found.n_censored, *ends, found.scatter))
-    return pd.DataFrame(rows, columns=SUMMARY)
+    return spread(table[table["facade"] != STACK], ["model", "facade"], SUMMARY)

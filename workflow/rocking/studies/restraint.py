@@ -1,12 +1,17 @@
 """What a roof's load and friction are worth: collapse intensities by the planar solver."""
 
+from functools import partial
+
 import pandas as pd
 
+from rocking.collapse import probability
 from rocking.collapse.case import Variant
-from rocking.collapse.curve import collapse_curve
+from rocking.collapse.varied import collapses, intensities
 
 BELOW, ABOVE = 0.95, 1.05  # of the 10 and 90 % intensities: where few and most should fall
 INTENSITIES = tuple(f"pga_{name}_g" for name in ("collapse", "p10", "median", "p90", "max"))
+COLUMNS = [*probability.KEY, "load_kn", "friction", "capacity_kn", *INTENSITIES]
+SCANNED = partial(intensities, power=0.0)  # nothing is called safe here
 AHEAD = {"height_m": ".6g", "force_kn": ".6g"}  # columns of YADE's table
 
 
@@ -38,14 +43,10 @@ def table(case, motion, direction, settings):
     Returns
     -------
     DataFrame
-        load_kn, friction, capacity_kn (μ P), then `INTENSITIES`.
+        COLUMNS; capacity_kn is μ P.
     """
-    rows = []
-    for variant in variants(case["facade"]["height_m"], settings):
-        how = {"power": 0.0}  # nothing is called safe here
-        found = collapse_curve(case.varied(variant), motion, direction, settings=how).summary()
-        rows.append({**variant.about, **{name: found[name] for name in INTENSITIES}})
-    return pd.DataFrame(rows)
+    roofs = variants(case["facade"]["height_m"], settings)
+    return pd.DataFrame(collapses([case], motion, [direction], SCANNED, roofs), columns=COLUMNS)
 
 
 def to_confirm(case, found):

@@ -9,13 +9,16 @@ import pandas as pd
 
 from rocking.collapse.case import Variant
 from rocking.collapse.curve import collapse_curve, history
-from rocking.collapse.ratios import Ratios
+from rocking.collapse.quick import crossings
+from rocking.collapse.ratios import spread
+from rocking.collapse.varied import collapses
 
 KEY = ["model", "record", "first", "direction"]
 COLUMNS = [*KEY, "first_pga_g", "fell_first", "left_d_over_b", "left_broken"]
 COLUMNS += ["pga_p10_g", "pga_median_g", "ratio", "runs_planar"]
-SUMMARY = ["model", "first_pga_g", "n", "n_fell_first", "n_censored", "median", "least", "most"]
-SUMMARY += ["below_095"]
+BY = ["model", "first_pga_g"]
+SPREAD = {"n": "n", "n_censored": "n_censored", "median": 50, "least": 0, "most": 100}
+SPREAD |= {"below_095": lambda found: found.share(high=0.95)}
 BELOW, ABOVE = 0.9, 1.1  # of the PGA of 10 and of 50 % collapse, where YADE confirms
 AHEAD = {"first_pga_g": ".6g"}  # columns of YADE's table
 BESIDE = {"d_over_b_planar": ".6f", "status_planar": ""}
@@ -33,7 +36,11 @@ def variants(settings, first):
     levels = [0.0, *settings["first_pga_g"]]
     pause = {"first": first, "pause_s": settings["pause_s"]}
     return [
-        Variant(f"after {g:g} g", motion={**pause, "first_pga_g": g}, about={"first_pga_g": g})
+        Variant(
+            f"after {g:g} g",
+            motion={**pause, "first_pga_g": g},
+            about={"first": first.name, "first_pga_g": g},
+        )
         for g in levels
     ]
 
@@ -49,6 +56,12 @@ def left_by(case, first, direction, pga_g):
     return {"fell_first": 0, "left_d_over_b": rest, "left_broken": found.broken}
 
 
+def after_first(case, motion, direction):
+    """What the first shock of a motion leaves, and of the second where 10 and 50 % collapse."""
+    left = left_by(case, motion.first, direction, motion.first_pga_g)
+    return left if left["fell_first"] else left | crossings(case, motion, direction, step=None)
+
+
 def collapse(case, first, second, direction, settings):
     """Collapse of the second shock after the first, by the first one's PGA.
 
@@ -58,17 +71,7 @@ def collapse(case, first, second, direction, settings):
         COLUMNS; ratio of pga_median_g to that of the façade as it is, blank where the first shock
         alone overturns it or nothing falls up to ida.max_pga_g.
     """
-    rows = []
-    for variant in variants(settings, first):
-        pga_g = variant.about["first_pga_g"]
-        row = {"model": case.model, "record": second.name, "first": first.name}
-        row |= {"direction": direction, **variant.about, **left_by(case, first, direction, pga_g)}
-        if not row["fell_first"]:
-            shaken = second.varied(variant)
-            found = collapse_curve(case, shaken, direction, search="crossings")
-            row |= dict(zip(("pga_p10_g", "pga_median_g"), found.found, strict=True))
-            row["runs_planar"] = found.runs
-        rows.append(row)
+    rows = collapses([case], second, [direction], after_first, variants(settings, first))
     table = pd.DataFrame(rows).reindex(columns=COLUMNS)
     return table.assign(ratio=table["pga_median_g"] / table["pga_median_g"].iloc[0])
 
@@ -104,14 +107,11 @@ def summary(table):
     Returns
     -------
     DataFrame
-        SUMMARY: median, least and largest ratio; below_095, the share that loses over 5 %.
+        BY, then SPREAD: median, least and largest ratio; below_095, the share that loses over
+        5 %. Where the first shock alone overturns the façade it counts in n_fell_first.
     """
-    rows = []
     damaged = table[table["first_pga_g"] > 0.0]
-    for (model, pga_g), part in damaged.groupby(["model", "first_pga_g"], sort=False):
-        stood = part[part["fell_first"] == 0]
-        found = Ratios(stood["ratio"])
-        least, middle, most = found.percentiles([0, 50, 100])
-        key = (model, pga_g, len(part), len(part) - len(stood), found.n_censored)
-        rows.append((*key, middle, least, most, found.share(high=0.95)))
-    return pd.DataFrame(rows, columns=SUMMARY)
+    found = spread(damaged, BY, SPREAD)
+    fell = damaged.groupby(BY, sort=False)["fell_first"].sum().to_numpy()
+    found.insert(3, "n_fell_first", fell)
+    return found.assign(n_censored=found["n_censored"] - fell)

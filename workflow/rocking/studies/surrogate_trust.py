@@ -8,17 +8,13 @@ the half that may choose a kind of surrogate; the other half reports (`HALVES`).
 import numpy as np
 import pandas as pd
 
-from rocking.collapse.curve import collapse_curve
-from rocking.collapse.ratios import Ratios
+from rocking.collapse.ratios import Ratios, spread
+from rocking.collapse.varied import intensities
 
 HALVES = ("choosing", "reporting")
 COLUMNS = [
     *("record", "station", "model", "direction", "kind", "pulses", "pulses_kept", "draw"),
     *("pga_collapse_g", "pga_half_g", "pga_max_g"),
-]
-SUMMARY = [
-    *("half", "model", "pulses", "n", "n_censored", "ratio_median", "ratio_p10", "ratio_p90"),
-    *("scatter", "within_20_percent", "side_agrees", "n_sides", "side_recorded", "side_surrogate"),
 ]
 SCATTER = [
     *("record", "model", "direction", "pulses", "draws", "n_censored"),
@@ -26,6 +22,16 @@ SCATTER = [
 ]
 NEAR = 1.2  # ratios up to this, or down to its inverse, are near
 DISTINCT = 1.1  # directions whose collapse differs by less have no weak side
+BY = ["half", "model", "pulses"]
+SPREAD = {
+    **{"n": "n", "n_censored": "n_censored"},
+    "ratio_median": lambda found: found.percentiles(50, log=True),
+    "ratio_p10": lambda found: found.percentiles(10, log=True),
+    "ratio_p90": lambda found: found.percentiles(90, log=True),
+    "scatter": "scatter",
+    "within_20_percent": lambda found: found.share(NEAR**-1 * (1.0 - 1e-12), NEAR),
+}
+SIDES = ("side_agrees", "n_sides", "side_recorded", "side_surrogate")
 
 
 def outcome(case, motion, direction, level_ratio):
@@ -45,7 +51,7 @@ def outcome(case, motion, direction, level_ratio):
         NaN where nothing fell.
     """
     how = {"level_ratio": level_ratio, "amplitude_spread": (1.0 + level_ratio) ** 2 - 1.0}
-    found = collapse_curve(case, motion, direction, search="climb", settings=how).summary()
+    found = intensities(case, motion, direction, search="climb", **how)
     return {
         "pga_collapse_g": found["pga_collapse_g"],
         "pga_half_g": found["pga_median_g"],
@@ -103,6 +109,18 @@ def sides(group):
     return pd.DataFrame({name: np.log(wide[c, "pos"] / wide[c, "neg"]) for name, c in columns})
 
 
+def weak_side(group):
+    """Whether the weak side stays the weak side, see `summary`: SIDES, blank of one direction."""
+    known = sides(group)
+    if known is None:
+        return dict.fromkeys(SIDES, np.nan)
+    real, made = known["recorded"], known["surrogate"]
+    clear = np.abs(real) > np.log(DISTINCT)
+    agrees = np.mean(np.sign(real[clear]) == np.sign(made[clear]))
+    ends = np.median(np.abs(real)), np.median(np.abs(made))
+    return dict(zip(SIDES, (agrees, int(clear.sum()), *ends), strict=True))
+
+
 def summary(table):
     """Distribution of the ratio, and whether the weak side stays the weak side.
 
@@ -114,44 +132,16 @@ def summary(table):
     Returns
     -------
     DataFrame
-        Columns as `SUMMARY`: scatter is the standard deviation of ln ratio; side_agrees the share
-        of records, among those whose directions differ by more than a tenth, whose surrogate falls
-        at the lower PGA in the same direction (one half by chance); side_recorded and
-        side_surrogate the medians of |ln(pos/neg)| over all.
+        BY (half also "all"), SPREAD, SIDES: scatter is the standard deviation of ln ratio;
+        side_agrees the share of records, among those whose directions differ by more than a tenth,
+        whose surrogate falls at the lower PGA in the same direction (one half by chance);
+        side_recorded and side_surrogate the medians of |ln(pos/neg)| over all.
     """
     found = pairs(table)
-    rows = []
-    parts = [("all", found), *((half, found[found["half"] == half]) for half in HALVES)]
-    for half, of_half in parts:
-        for (model, pulses), group in of_half.groupby(["model", "pulses"], sort=False):
-            spread = Ratios(group["ratio"])
-            weak, known = {}, sides(group)
-            if known is not None:
-                real, made = known["recorded"], known["surrogate"]
-                clear = np.abs(real) > np.log(DISTINCT)
-                weak = {
-                    "side_agrees": np.mean(np.sign(real[clear]) == np.sign(made[clear])),
-                    "n_sides": int(clear.sum()),
-                    "side_recorded": np.median(np.abs(real)),
-                    "side_surrogate": np.median(np.abs(made)),
-                }
-            low, middle, high = spread.percentiles([10, 50, 90], log=True)
-            rows.append(
-                {
-                    "half": half,
-                    "model": model,
-                    "pulses": pulses,
-                    "n": spread.n,
-                    "n_censored": spread.n_censored,
-                    "ratio_median": middle,
-                    "ratio_p10": low,
-                    "ratio_p90": high,
-                    "scatter": spread.scatter,
-                    "within_20_percent": spread.share(NEAR**-1 * (1.0 - 1e-12), NEAR),
-                    **weak,
-                }
-            )
-    return pd.DataFrame(rows).reindex(columns=SUMMARY)
+    halves = [found[found["half"] == half] for half in HALVES]
+    parts = pd.concat([found.assign(half="all"), *halves])
+    weak = [weak_side(group) for _, group in parts.groupby(BY, sort=False)]
+    return pd.concat([spread(parts, BY, SPREAD), pd.DataFrame(weak, columns=SIDES)], axis=1)
 
 
 def scatter(table):
@@ -174,10 +164,9 @@ def scatter(table):
     rows = []
     key = ["record", "model", "direction", "pulses"]
     for names, group in found.groupby(key, sort=False, dropna=False):
-        half, recorded = group["pga_half_g"].dropna(), group["recorded_g"].iloc[0]
+        draws, recorded = Ratios(group["pga_half_g"]), group["recorded_g"].iloc[0]
         below = np.mean(group["pga_half_g"] < recorded) if np.isfinite(recorded) else np.nan
-        ends = np.percentile(half, [10, 50, 90]) if len(half) else [np.nan] * 3
-        rows.append(
-            (*names, len(group), len(group) - len(half), *ends, np.log(half).std(), recorded, below)
-        )
+        ends = draws.percentiles([10, 50, 90])
+        counts = draws.n, draws.n_censored
+        rows.append((*names, *counts, *ends, draws.scatter, recorded, below))
     return pd.DataFrame(rows, columns=SCATTER)

@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 from rocking.collapse import search
-from rocking.collapse.ratios import Ratios
+from rocking.collapse.ratios import spread
 from rocking.solver import spatial
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, peaks, stable_step
@@ -26,6 +26,8 @@ COLUMNS = (
 NODES = 9  # across the thickness and up each block of the walls, in both scenes
 AGAIN_STEP = 0.9  # of the planar solver's step, with one more node: what a repetition moves
 HALF = 0.5  # of the planar collapse: where histories repeat
+SUMMARY = {"curves": "n_known", "median": 50, "p10": 10, "p90": 90, "lowest": 0}
+SUMMARY |= {"below_095": lambda found: found.share(high=np.nextafter(0.95, 0.0))}
 
 
 def full(case, settings):
@@ -143,20 +145,15 @@ def summary(table):
     Returns
     -------
     DataFrame
-        model, compared, curves, median, p10, p90, lowest, below_095 (share of curves): of
-        two_g/one_g, of again_g/one_g and, at half the planar collapse, of d_one/d_two.
+        model, compared, then SUMMARY (below_095: share of curves): of two_g/one_g, of
+        again_g/one_g and, at half the planar collapse, of d_one/d_two.
     """
-    rows = []
-    for model, part in table.groupby("model", sort=True):
-        ratios = {
-            "both components": part["two_g"] / part["one_g"],
-            "repetition": part["again_g"] / part["one_g"],
-            "d/b at half": part["d_one"] / part["d_two"],
-        }
-        for name, ratio in ratios.items():
-            found = Ratios(ratio)
-            ends = found.percentiles([50, 10, 90, 0])
-            below = found.share(high=np.nextafter(0.95, 0.0))
-            rows.append((model, name, found.known.size, *ends, below))
-    names = ["model", "compared", "curves", "median", "p10", "p90", "lowest", "below_095"]
-    return pd.DataFrame(rows, columns=names)
+    compared = {
+        "both components": table["two_g"] / table["one_g"],
+        "repetition": table["again_g"] / table["one_g"],
+        "d/b at half": table["d_one"] / table["d_two"],
+    }
+    ratios = pd.DataFrame({"model": table["model"], **compared})
+    long = ratios.melt("model", var_name="compared", value_name="ratio")
+    long = long.sort_values("model", kind="stable")
+    return spread(long, ["model", "compared"], SUMMARY)

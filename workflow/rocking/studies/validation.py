@@ -14,6 +14,7 @@ import numpy as np
 import pandas as pd
 import yaml
 
+from rocking.collapse.ratios import Ratios
 from rocking.configuration.config import ConfigError
 from yade_scripts.model import registry
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
@@ -245,12 +246,10 @@ def factors(seed, runs, members, band):
     return np.column_stack([np.ones(runs), np.full(runs, 1.0 + NUDGE), drawn])
 
 
-def geometric(ratio):
-    """Geometric mean of ratios and their scatter, e to the standard deviation of ln ratio."""
-    logs = np.log(np.asarray(ratio, float))
-    logs = logs[np.isfinite(logs)]
-    scatter = np.exp(logs.std(ddof=1)) if len(logs) > 1 else math.nan
-    return (np.exp(logs.mean()) if len(logs) else math.nan), scatter
+def ratio(table, over, under):
+    """Geometric mean of the ratio of two columns, and e to its standard deviation of ln ratio."""
+    found = Ratios(table[over] / table[under])
+    return found.mean, math.exp(found.scatter)
 
 
 def summary(experiment, table):
@@ -272,7 +271,7 @@ def summary(experiment, table):
     late = table[table["run"] >= goal["from_run"]]
     rows = []
     for key, part in late.groupby(["variant", "how", "solver"], sort=False):
-        mean, scatter = geometric(part[f"peak_{unit}"] / part[f"measured_{unit}"])
+        mean, scatter = ratio(part, f"peak_{unit}", f"measured_{unit}")
         fell = int((part["status"] != "ok").sum())
         low, high = goal["mean"]
         met = fell == 0 and low <= mean <= high and scatter <= goal["scatter"]
@@ -281,7 +280,7 @@ def summary(experiment, table):
     if another in experiment.measured:
         part = experiment.measured
         part = part[(part["run"] >= goal["from_run"]) & part[another].notna()]
-        mean, scatter = geometric(part[another] / part[f"measured_{unit}"])
+        mean, scatter = ratio(part, another, f"measured_{unit}")
         name = experiment.specimen["another"]
         rows.append((name, ALONE, name, len(part), 0, mean, scatter, ""))
     names = ["variant", "how", "solver", "runs", "fell", "mean", "scatter", "goal_met"]

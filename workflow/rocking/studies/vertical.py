@@ -4,8 +4,8 @@ import numpy as np
 import pandas as pd
 
 from rocking.collapse.case import Variant
-from rocking.collapse.quick import crossings
-from rocking.collapse.ratios import Ratios
+from rocking.collapse.ratios import Ratios, spread
+from rocking.collapse.varied import collapses
 
 VARIANTS = [
     Variant(name, motion={"vertical": share}, about={"vertical": name})
@@ -14,8 +14,11 @@ VARIANTS = [
 MEASURES = ("p10", "median")
 KEY = ["record", "station", "model", "direction", "vertical_over_horizontal"]
 COLUMNS = [*KEY[:4], "vertical", KEY[4], *(f"pga_{name}_g" for name in MEASURES), "runs_planar"]
-SUMMARY = ["model", "measure", "vertical", "n", "n_censored", "ratio_median", "ratio_p10"]
-SUMMARY += ["ratio_p90", "ratio_min", "ratio_max", "scatter", "within_5_percent"]
+SUMMARY = {
+    **{"n": "n", "n_censored": "n_censored", "ratio_median": 50, "ratio_p10": 10},
+    **{"ratio_p90": 90, "ratio_min": 0, "ratio_max": 100, "scatter": "scatter"},
+    "within_5_percent": lambda found: Ratios(np.abs(found.known - 1.0)).share(high=0.05),
+}
 
 
 def collapse(cases, motion, directions, station):
@@ -36,20 +39,8 @@ def collapse(cases, motion, directions, station):
     """
     record = motion.record
     size = np.abs(record.vertical_m_s2).max() / np.abs(record.acceleration_m_s2).max()
-    key = {"record": record.name, "station": station, "vertical_over_horizontal": size}
-    return pd.DataFrame(
-        [
-            {
-                **key,
-                **{"model": case.model, "direction": direction, **variant.about},
-                **crossings(case, motion.varied(variant), direction),
-            }
-            for case in cases
-            for variant in VARIANTS
-            for direction in directions
-        ],
-        columns=COLUMNS,
-    )
+    table = pd.DataFrame(collapses(cases, motion, directions, variants=VARIANTS))
+    return table.assign(station=station, vertical_over_horizontal=size)[COLUMNS]
 
 
 def ratios(table):
@@ -83,12 +74,6 @@ def summary(table):
     Returns
     -------
     DataFrame
-        Columns as SUMMARY.
+        model, measure, vertical, then SUMMARY.
     """
-    rows = []
-    for key, part in ratios(table).groupby(["model", "measure", "vertical"], sort=False):
-        found = Ratios(part["ratio"])
-        ends, near = found.percentiles([50, 10, 90, 0, 100]), Ratios(np.abs(found.known - 1.0))
-        within = near.share(high=0.05)
-        rows.append((*key, found.n, found.n_censored, *ends, found.scatter, within))
-    return pd.DataFrame(rows, columns=SUMMARY)
+    return spread(ratios(table), ["model", "measure", "vertical"], SUMMARY)

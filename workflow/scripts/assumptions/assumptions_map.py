@@ -1,6 +1,11 @@
 """Collapse of W2, one-way and two-way, under one record and before many buildings."""
 
-from rocking import Case, Motion, collapse_curve
+from functools import partial
+from itertools import groupby
+from operator import itemgetter
+
+from rocking import Case, Motion
+from rocking.collapse.varied import collapses, intensities
 from rocking.records import read_csv
 from rocking.runtime.script import run
 from rocking.studies.assumptions import buildings
@@ -15,16 +20,12 @@ def main(job):
     case, settings = Case.read(job.input.scene), job.params.assumptions
     motion, ratio, rows = Motion(read_csv(job.input.record)), settings["level_ratio"], []
     how = {"level_ratio": ratio, "amplitude_spread": 0.5 * (MEMBERS - 1) * ratio}
-    every = buildings(case, settings)
-    chains = dict.fromkeys((v.about["period_s"], v.about["damping_ratio"]) for v in every)
-    for chain in chains:
-        mine = [v for v in every if (v.about["period_s"], v.about["damping_ratio"]) == chain]
+    find = partial(intensities, search="climb", **how)
+    chain = itemgetter("period_s", "damping_ratio")
+    for _, group in groupby(buildings(case, settings), lambda variant: chain(variant.about)):
+        mine = list(group)
         for direction in job.params.directions:
-            for variant in mine:
-                given = case.varied(variant), motion, direction
-                curve = collapse_curve(*given, search="climb", settings=how)
-                key = {"record": motion.name, "direction": direction}
-                rows.append({**key, **variant.about, **curve.summary()})
+            rows += collapses([case], motion, [direction], find, mine)
     write_table(rows, job.output[0], COLUMNS)
 
 

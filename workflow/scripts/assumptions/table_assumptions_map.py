@@ -5,19 +5,17 @@ from rocking.studies.assumptions import spread_of
 from rocking.tables import read_tables, write_table
 
 KEY = ["record", "direction", "period_s", "damping_ratio"]
-MEASURES = ("collapse", "median", "all")
+MEASURES = {f"pga_{name}_g": f"ratio_{name}" for name in ("collapse", "median", "all")}
 
 
 def main(job):
     table = read_tables(job.input.curves)
-    driven = table[table["mass_ratio"] == 0.0].set_index(KEY)
-    pushed = table[table["mass_ratio"] > 0.0].set_index(KEY)
-    for name in MEASURES:
-        column = f"pga_{name}_g"
-        pushed[f"ratio_{name}"] = driven[column].reindex(pushed.index) / pushed[column]
+    one_way = table[table["mass_ratio"] == 0.0].set_index(KEY)[[*MEASURES]]
+    two_way = table[table["mass_ratio"] > 0.0].join(one_way, on=KEY, rsuffix="_one_way")
+    for column, name in MEASURES.items():
+        two_way[name] = two_way[f"{column}_one_way"] / two_way[column]
     by = ["damping_ratio", "period_s", "mass_ratio"]
-    columns = [f"ratio_{name}" for name in MEASURES]
-    found = spread_of(pushed.reset_index().sort_values(by), columns, by)
+    found = spread_of(two_way.sort_values(by), [*MEASURES.values()], by)
     write_table(found, job.output[0], digits="%.4f")
 
 

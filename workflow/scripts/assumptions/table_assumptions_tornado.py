@@ -4,30 +4,24 @@ from rocking.runtime.script import run
 from rocking.studies import assumptions
 from rocking.tables import read_tables, write_table
 
-KEY = ["record", "direction"]
-WHAT = ["model", *KEY, "assumption", "level"]
-MEASURES = ("collapse", "median")
-RUNS = "runs"
+WHAT = ["model", *assumptions.KEY, "assumption", "level"]
+RATIOS = {  # of which intensity, over which of the base
+    "ratio_collapse": ("pga_collapse_g", "pga_collapse_g"),
+    "ratio_median": ("pga_median_g", "pga_median_g"),
+    "ratio_p10": ("pga_p10_g", "pga_median_g"),
+    "ratio_p90": ("pga_p90_g", "pga_median_g"),
+}
 
 
 def main(job):
     table = read_tables(job.input.curves)
-    table = table.rename(columns={"runs_planar": RUNS})
-    base = table[table["assumption"] == assumptions.BASE].set_index(KEY)
-    table = table.set_index(KEY)
-    for name in MEASURES:
-        column = f"pga_{name}_g"
-        table[f"ratio_{name}"] = table[column] / base[column].reindex(table.index)
-    middle = base["pga_median_g"].reindex(table.index)
-    table["ratio_p10"] = table["pga_p10_g"] / middle
-    table["ratio_p90"] = table["pga_p90_g"] / middle
-    columns = [
-        *WHAT,
-        *assumptions.CAPACITY,
-        *(f"ratio_{m}" for m in (*MEASURES, "p10", "p90")),
-        RUNS,
-    ]
-    write_table(table.reset_index()[columns], job.output[0], digits="%.4f")
+    table = table.rename(columns={"runs_planar": "runs"})
+    base = table[table["assumption"] == assumptions.BASE].set_index(assumptions.KEY)
+    base = table[assumptions.KEY].join(base[assumptions.CAPACITY], on=assumptions.KEY)
+    for name, (own, other) in RATIOS.items():
+        table[name] = table[own] / base[other]
+    columns = [*WHAT, *assumptions.CAPACITY, *RATIOS, "runs"]
+    write_table(table, job.output[0], columns, digits="%.4f")
 
 
 run(main, globals())

@@ -3,6 +3,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
+from rocking.collapse.probability import KEY
 from rocking.figures import style
 from rocking.runtime.script import run
 from rocking.studies.base_compliance import BASES, STACK
@@ -27,10 +28,10 @@ def static_curves(axis, table):
 
 
 def collapses(axis, table):
-    stack = table[table["facade"] == STACK].set_index(["model", "record", "direction"])
+    stack = table[table["facade"] == STACK].set_index(KEY)
     most = 0.0
     for name in BASES:
-        part = table[table["facade"] == name].set_index(["model", "record", "direction"])
+        part = table[table["facade"] == name].set_index(KEY)
         x = stack["pga_median_g"].reindex(part.index)
         axis.plot(x, part["pga_median_g"], "o", ms=4, color=COLOURS[name], label=LABELS[name])
         most = np.nanmax([most, x.max(), part["pga_median_g"].max()])

@@ -5,6 +5,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
+from rocking.collapse.probability import KEY
 from rocking.configuration.words import said
 from rocking.figures import style
 from rocking.runtime.script import run
@@ -12,7 +13,6 @@ from rocking.tables import headed, write_table
 
 from yade_scripts.model.registry import MODELS
 
-CURVE = ["model", "record", "direction"]
 SHOWN = 4  # differing keys below a run; the table has all
 
 
@@ -46,7 +46,7 @@ def main(job):
     table = joined(job.input.tables, differing)
     write_table(table, job.output.table, digits=None)
     names = list(differing)
-    wide = table.assign(pga_g=intensity(table)).pivot(index=CURVE, columns="run", values="pga_g")
+    wide = table.assign(pga_g=intensity(table)).pivot(index=KEY, columns="run", values="pga_g")
     wide = wide.reindex(columns=names)
     models = list(dict.fromkeys(table["model"]))
     figure, axis = plt.subplots(figsize=(max(4.5, 1.3 + 1.25 * len(names)), 4.2))

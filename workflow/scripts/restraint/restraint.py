@@ -5,15 +5,14 @@ import json
 from rocking import Case, Motion
 from rocking.runtime.script import run
 from rocking.studies import restraint
-from rocking.tables import headed, write_json, write_table
+from rocking.tables import write_json, write_table
 
 
 def main(job):
     settings, w = json.loads(job.params.settings)["restraint"], job.wildcards
-    case, motion = Case.read(job.input.scene), Motion.read_floors(job.input.motion)
+    case, motion = Case.read(job.input.scene), Motion.read_floors(job.input.motion, w.record)
     found = restraint.table(case, motion, w.direction, settings)
-    named = headed(found, model=w.model, record=w.record, direction=w.direction)
-    write_table(named, job.output.table)
+    write_table(found, job.output.table)
     cases = restraint.to_confirm(case, found)
     write_json(job.output.plan, {"ahead": restraint.AHEAD, "cases": cases})
 

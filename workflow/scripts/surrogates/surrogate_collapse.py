@@ -5,15 +5,19 @@ Of a record without a file there are surrogates alone, by its parameters.
 
 import itertools
 import sys
+from functools import partial
 
 import pandas as pd
-from rocking import Case, Motion
+from rocking import Case, Motion, Variant
+from rocking.collapse.varied import collapses
 from rocking.records import RecordError, load, measures, read_csv
 from rocking.records.pulses import pulse_spec
 from rocking.records.surrogate import generate
 from rocking.runtime.script import run
 from rocking.studies.surrogate_trust import COLUMNS, outcome
 from rocking.tables import write_table
+
+WHAT = ("station", "kind", "pulses", "pulses_kept", "draw")
 
 
 def surrogate(record, pulses, seed):
@@ -49,11 +53,9 @@ def main(job):
     cases = [Case.read(path) for path in job.input.scenes]
     rows = []
     for *what, motion in motions(record, p):
-        for case in cases:
-            for direction in p.directions:
-                found = outcome(case, Motion(motion), direction, ratio)
-                own = (record.name, p.station, case.model, direction, *what)
-                rows.append(dict(zip(COLUMNS, own, strict=False)) | found)
+        about = dict(zip(WHAT, (p.station, *what), strict=True))
+        find, alike = partial(outcome, level_ratio=ratio), [Variant(about=about)]
+        rows += collapses(cases, Motion(motion), p.directions, find, alike)
     table = pd.DataFrame(rows, columns=COLUMNS)
     for name in ("pulses", "pulses_kept"):
         table[name] = table[name].astype("Int64")

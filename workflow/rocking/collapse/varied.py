@@ -1,0 +1,42 @@
+"""Vary a façade or its motion and find collapse: the experiment that most targets are."""
+
+from rocking.collapse.case import Variant
+from rocking.collapse.curve import collapse_curve
+from rocking.collapse.quick import crossings
+
+AS_IT_IS = Variant()
+
+
+def intensities(case, motion, direction, search="scan", **settings):
+    """Collapse intensities of a curve, as of `Curve.summary`; settings as of `collapse_curve`."""
+    return collapse_curve(case, motion, direction, search=search, settings=settings).summary()
+
+
+def collapses(cases, motion, directions, find=crossings, variants=(AS_IT_IS,)):
+    """What is found of the collapse of every case, with every variant, in every direction.
+
+    Parameters
+    ----------
+    cases : iterable of Case
+    motion : Motion
+    directions : iterable of str
+    find : callable
+        Takes a case, a motion and a direction, returns a dict of columns: `crossings`,
+        `intensities`, or a study's own.
+    variants : iterable of Variant
+        Of the case and of the motion.
+
+    Returns
+    -------
+    list of dict
+        model (of the case before it is varied), record, direction, what the variant is `about`,
+        what `find` says.
+    """
+    rows = []
+    for case in cases:
+        for variant in variants:
+            varied, shaken = case.varied(variant), motion.varied(variant)
+            for direction in directions:
+                key = {"model": case.model, "record": motion.name, "direction": direction}
+                rows.append({**key, **variant.about, **find(varied, shaken, direction)})
+    return rows
