@@ -11,7 +11,7 @@ from rocking.assessment.demand import floor_demand
 from rocking.assessment.family import Family, stretched, ties_of
 from rocking.assessment.site import PERIODS_S, shapes
 from rocking.records import G_M_S2
-from smdof.chain import floor_motions
+from rocking.records.floors import chain_motions
 from smdof.spectra import response_spectrum
 
 CHECKS = ["mechanism", "check", "name", "capacity", "demand", "unit", "ratio", "pga_fails_g"]
@@ -127,15 +127,7 @@ def spectra(records, settings, demand, share):
     periods = PERIODS_S[1::2]
     exact = []
     for record in records:
-        motion = floor_motions(
-            record.acceleration_m_s2,
-            record.dt_s,
-            n,
-            chain["period_s"],
-            chain["damping_ratio"],
-            chain["damping_model"],
-            tail_s=chain["tail_s"],
-        )
+        motion = chain_motions(record, chain)
         levels = np.vstack([motion.ground_m_s2, motion.floors_m_s2])
         j = min(int(share * n), n - 1)
         weight = share * n - j

@@ -5,7 +5,7 @@ import pandas as pd
 
 from rocking.assessment.demand import RecordDemand, floor_demand
 from rocking.records import G_M_S2
-from smdof.chain import floor_motions
+from rocking.records.floors import chain_motions
 from smdof.spectra import response_spectrum
 
 PERIOD_RATIOS = np.geomspace(0.1, 8.0, 20)  # T over T1
@@ -35,15 +35,7 @@ def beside(record, chain, damping_ratio=0.05, period_ratios=PERIOD_RATIOS):
         See COLUMNS; both in g.
     """
     n, t1 = chain["n_dof"], chain["period_s"]
-    motion = floor_motions(
-        record.acceleration_m_s2,
-        record.dt_s,
-        n,
-        t1,
-        chain["damping_ratio"],
-        chain["damping_model"],
-        tail_s=chain["tail_s"],
-    )
+    motion = chain_motions(record, chain)
     ground = RecordDemand(record.acceleration_m_s2, record.dt_s)
     dt = record.dt_s / motion.refine
     rows = []

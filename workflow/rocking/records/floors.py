@@ -6,6 +6,19 @@ from smdof.chain import floor_motions
 from yade_scripts.model.floor_motions import GROUND, VERTICAL
 
 
+def chain_motions(record, chain):
+    """`smdof.chain.FloorMotions` of a chain of masses under a record; `chain` is section smdof."""
+    return floor_motions(
+        record.acceleration_m_s2,
+        record.dt_s,
+        chain["n_dof"],
+        chain["period_s"],
+        chain["damping_ratio"],
+        chain["damping_model"],
+        tail_s=chain["tail_s"],
+    )
+
+
 def floor_columns(record, chain):
     """Times and accelerations of ground and floors under a record, as scenes take them.
 
@@ -22,15 +35,7 @@ def floor_columns(record, chain):
     columns : dict of str to ndarray
         As `yade_scripts.model.floor_motions.read` gives them.
     """
-    motion = floor_motions(
-        record.acceleration_m_s2,
-        record.dt_s,
-        chain["n_dof"],
-        chain["period_s"],
-        chain["damping_ratio"],
-        chain["damping_model"],
-        tail_s=chain["tail_s"],
-    )
+    motion = chain_motions(record, chain)
     columns = {GROUND: motion.ground_m_s2}
     columns |= {f"floor{j}": row for j, row in enumerate(motion.floors_m_s2, 1)}
     up = vertical_at(record, motion.time_s)

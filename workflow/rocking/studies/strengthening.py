@@ -12,11 +12,8 @@ come in parts that each span the amplitudes, and end as soon as they have decide
 than may of all, or none of so many that the interval's upper end is within what is accepted.
 """
 
-import hashlib
-import json
 import math
 import time
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -24,14 +21,15 @@ from scipy.stats import binomtest
 
 from rocking.collapse.case import Variant
 from rocking.collapse.curve import collapse_curve
+from yade_scripts.studies.journal import Journal, run_key
 
 CONFIDENCE = 0.95
 NORMAL_95 = 1.959964  # two-sided
+AHEAD = {"height_m": ".6g", "force_kn": ".6g"}  # columns of YADE's table
 PARTS = 5  # in which a tie's realisations come: 37 of 61 are the first to be enough at 0.1
 STRIDE = 2  # of the forces that are tried first
 # of the scans behind the chart: probabilities are wanted, so no search for what hides below
 CHART = {"level_ratio": 0.03, "realisations": 7, "power": 0}
-AHEAD = {"height_m": ".6g", "force_kn": ".6g"}  # columns of YADE's table
 ROD_KEYS = ("count", "length_m", "yield_mpa", "elongation", "slack_mm")
 
 
@@ -111,55 +109,41 @@ def realisations(case, motion, direction, settings):
 
 
 class Kept:
-    """What was found of each tie, in a file, a line each, so that a broken search goes on.
+    """What was found of each tie, in a journal, so that a broken search goes on.
 
     Parameters
     ----------
     path : path or None
-        None keeps nothing.
+        None keeps it in memory alone.
     key : str
         Of what the results depend on; others in the file are left alone.
     """
 
     def __init__(self, path, key):
         """Read what is there."""
-        self.path, self.key, self.known = path and Path(path), key, {}
-        if self.path and self.path.is_file():
-            for line in self.path.read_text("utf-8").splitlines():
-                try:
-                    row = json.loads(line)
-                    if row["key"] == key:
-                        self.known[row["height_m"], row["force_kn"]] = row["found"]
-                except (ValueError, KeyError, TypeError):
-                    continue  # a line that was not written to its end
+        self.key, self.journal, self.known = f"{key}|", Journal(path) if path else None, {}
+        for place, found in self.journal.rows.items() if path else ():
+            if place.startswith(self.key):
+                self.known[place.removeprefix(self.key)] = found
 
     def get(self, height_m, force_kn):
         """What is known of a tie, or None."""
-        return self.known.get((round(height_m, 6), round(float(force_kn), 6)))
+        return self.known.get(f"{height_m:.6f}|{force_kn:.6f}")
 
     def put(self, height_m, force_kn, found):
         """Keep what was found, as JSON has it."""
-        place = round(height_m, 6), round(float(force_kn), 6)
+        place = f"{height_m:.6f}|{force_kn:.6f}"
         self.known[place] = found
-        if self.path is None:
-            return
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        row = dict(
-            zip(("key", "height_m", "force_kn", "found"), (self.key, *place, found), strict=True)
-        )
-        with self.path.open("a", encoding="utf-8") as handle:
-            handle.write(json.dumps(row) + "\n")
+        if self.journal:
+            self.journal.put(self.key + place, found)
 
 
 def key_of(case, motion, direction, settings, code=""):
     """Key of everything that a search's results depend on; `code` stands for the programs."""
     time_s, columns = motion.columns(case)
-    parts = [case.to_json(), direction, json.dumps(settings, sort_keys=True), code]
-    digest = hashlib.sha256("\n".join(parts).encode())
-    digest.update(np.ascontiguousarray(time_s).tobytes())
-    for name in sorted(columns):
-        digest.update(np.ascontiguousarray(columns[name]).tobytes())
-    return digest.hexdigest()[:16]
+    sampled = (time_s, *(columns[name] for name in sorted(columns)))
+    shaken = [np.ascontiguousarray(values).tobytes() for values in sampled]
+    return run_key(case.scene, direction, settings, code, *shaken)
 
 
 def search(case, motion, direction, settings, kept=None, say=lambda text: None):
