@@ -15,17 +15,21 @@ CONFIG = config.resolve(
         "smdof": {"n_dof": 3, "period_s": 0.8},
     }
 )
-FACADE, WALL, CHAIN, OWN = (CONFIG[k] for k in ("facade", "return_wall", "smdof", "assessment"))
 DEMAND = CodeDemand(0.2, 2.5, 0.3, "B")
 
 
 def family():
-    return Family(FACADE, WALL, OWN)
+    return Family(CONFIG)
+
+
+def stated(**own):
+    """The configuration with other values of section assessment."""
+    return {**CONFIG, "assessment": {**CONFIG["assessment"], **own}}
 
 
 def test_the_less_of_ground_and_floor_governs():
     """Before a soft building the floor asks for more than the ground; both stand in the table."""
-    found = code_checks(family().part(0.0, "whole"), FACADE, CHAIN, OWN, DEMAND)
+    found = code_checks(family().part(0.0, "whole"), CONFIG, DEMAND)
     ground, floor = found["slv_ground"].failing_pga_g, found["slv_height"].failing_pga_g
     assert floor < 0.95 * ground
     assert least(found) == floor
@@ -33,7 +37,7 @@ def test_the_less_of_ground_and_floor_governs():
 
 
 def test_mechanisms_come_the_weakest_first_and_off_the_ground_none_is_checked_on_it():
-    ranked = governing(family().all(), FACADE, CHAIN, OWN, DEMAND)
+    ranked = governing(family().all(), CONFIG, DEMAND)
     pga_g = [row[0] for row in ranked]
     assert pga_g == sorted(pga_g)
     for one, found in ((one, found) for _, one, found in ranked):
@@ -41,10 +45,9 @@ def test_mechanisms_come_the_weakest_first_and_off_the_ground_none_is_checked_on
 
 
 def test_confidence_is_level_one_unless_the_hinge_crushes():
-    known = {**OWN, "confidence_factor": 1.0}
-    whole = family().part(0.0, "whole")
-    without = code_checks(whole, FACADE, CHAIN, known, DEMAND)
-    crushing = code_checks(whole, FACADE, CHAIN, {**known, "hinge_inset_m": 1e-9}, DEMAND)
+    whole, known = family().part(0.0, "whole"), {"confidence_factor": 1.0}
+    without = code_checks(whole, stated(**known), DEMAND)
+    crushing = code_checks(whole, stated(**known, hinge_inset_m=1e-9), DEMAND)
     ratio = crushing["linear_ground"].capacity / without["linear_ground"].capacity
     assert ratio == pytest.approx(LEAST_KNOWN)
 
@@ -57,8 +60,8 @@ def test_every_reading_of_one_record_stands_beside_the_others():
     rng = np.random.default_rng(2)
     values = np.cumsum(rng.standard_normal(1500)) * 0.05
     record = Record("r", values - values.mean(), 0.01, source="file")
-    whole = Family(FACADE, WALL, OWN).part(0.0, "whole")
-    rows = failing_pga(whole, FACADE, CHAIN, OWN, record, ["pos"], 3.0)
+    whole = family().part(0.0, "whole")
+    rows = failing_pga(whole, CONFIG, record, ["pos"], 3.0)
     found = {key: pga_g for _, key, pga_g in rows}
     assert set(found) == set(CHECKS)
     assert found["slv_both"] == min(found["slv_ground"], found["slv_height"])

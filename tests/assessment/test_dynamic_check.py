@@ -125,7 +125,6 @@ def test_a_failed_history_is_no_collapse():
 def test_limits_are_those_of_the_facades_top():
     """h = 6, b = 0.6: d0 = 6 sin(atan 0.1) = 0.597, d_SLV = 0.4 of it, d_SLC = 0.6."""
     plain = {"height_m": 6.0, "thickness_m": 0.6, "width_m": 4.4, "density_kg_m3": 1800.0}
-    c = config.resolve({"facade": plain})
-    whole = Family(c["facade"], c["return_wall"], c["assessment"]).part(0.0, "whole")
+    whole = Family(config.resolve({"facade": plain})).part(0.0, "whole")
     found = limits_of(whole.mechanism)
     assert found == pytest.approx((0.5970, 0.2388, 0.3582), rel=1e-3)

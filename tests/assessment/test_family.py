@@ -29,7 +29,7 @@ GABLE = {
 
 def family(facade, added_n=0.0, **own):
     resolved = config.resolve({"facade": facade, "assessment": own})
-    return Family(resolved["facade"], resolved["return_wall"], resolved["assessment"], added_n)
+    return Family(resolved, added_n)
 
 
 def test_masses_have_the_shapes_weight_centroid_and_second_moment():
@@ -189,15 +189,15 @@ def test_a_corner_by_hand():
             "assessment": {"corner_crack_deg": 45.0},
         }
     )
-    parts = (resolved["facade"], resolved["return_wall"], resolved["assessment"])
-    found = Family(*parts).corner(1)
+    found = Family(resolved).corner(1)
     assert found.foot_m == 0.0
     reach = h - t
     area, back = 0.5 * h**2, 0.5 * reach**2
     lever = area * (h / 3.0 + 0.5 * t) + back * (t + reach / 3.0 + 0.5 * t)
     height = area * 2.0 * h / 3.0 + back * (t + 2.0 * reach / 3.0)
     assert found.mechanism.multiplier() == pytest.approx(math.sqrt(0.5) * lever / height, rel=1e-4)
-    inset = Family(parts[0], parts[1], {**parts[2], "hinge_inset_m": 0.1}).corner(1)
+    crushed = {**resolved["assessment"], "hinge_inset_m": 0.1}
+    inset = Family({**resolved, "assessment": crushed}).corner(1)
     assert inset.foot_m == 0.0  # every lever is shorter by 0.1 m along the bisector
     lost = found.mechanism.multiplier() - inset.mechanism.multiplier()
     assert lost == pytest.approx(0.1 * (area + back) / height, rel=1e-4)
@@ -220,7 +220,7 @@ def test_a_corner_beside_openings_and_a_setback_by_fine_strips():
             "assessment": {"hinge_inset_m": 0.03},
         }
     )
-    found = Family(*(resolved[k] for k in ("facade", "return_wall", "assessment")))
+    found = Family(resolved)
     for side in (-1, 1):
         lifted = pushed = 0.0
         for z in (np.arange(6300) + 0.5) * 1e-3:

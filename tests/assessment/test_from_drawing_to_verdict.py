@@ -30,15 +30,13 @@ CONFIG = config.resolve(
         "smdof": {"n_dof": 2, "period_s": 0.25},
     }
 )
-SECTIONS = tuple(CONFIG[k] for k in ("facade", "return_wall", "smdof", "assessment"))
 DEMAND = CodeDemand(0.12, 2.5, 0.3, "C")
 
 
 def numbers(name):
     """Steps of every check of one mechanism, and the checks."""
-    facade, wall, chain, own = SECTIONS
-    one = next(c for c in Family(facade, wall, own).all() if c.name == name)
-    found = code_checks(one, facade, chain, own, DEMAND)
+    one = next(c for c in Family(CONFIG).all() if c.name == name)
+    found = code_checks(one, CONFIG, DEMAND)
     return {k: {s: v for s, _, v, _ in check.steps} for k, check in found.items()}, found
 
 
@@ -73,8 +71,7 @@ def test_the_whole_façade_by_hand():
     which is the bound: the same 0.09557 m. a_g,SLD = 0.18·0.07422/(0.7404·1.35)/0.3272 = 0.0408 g;
     linear 2·0.0743 = 0.1485 g against 0.18 g and 0.3272 g: fails at 0.1485 g and 0.0817 g.
     """
-    facade, wall, _, own = SECTIONS
-    masses = Family(facade, wall, own).masonry.masses(0.0, 9.0)
+    masses = Family(CONFIG).masonry.masses(0.0, 9.0)
     weight = 1.8 * 9.81 * 0.45 * 61.0
     four(sum(w for w, *_ in masses), 1e3 * weight)
     four(sum(w * z for w, _, z in masses) / sum(w for w, *_ in masses), 3.985)
@@ -120,8 +117,7 @@ def test_the_part_above_the_sills_governs_and_the_sentence_says_so():
     four(steps["slv_height"]["S_De"], 0.09557)
     four(found["slv_height"].failing_pga_g, 0.22004)
     assert "slv_ground" not in found
-    facade, wall, chain, own = SECTIONS
-    ranked = governing(Family(facade, wall, own).all(), facade, chain, own, DEMAND)
+    ranked = governing(Family(CONFIG).all(), CONFIG, DEMAND)
     rows = [(one.name, "as stated", pga_g) for pga_g, one, _ in ranked]
     table = pd.DataFrame(rows, columns=["mechanism", "kind", "pga_fails_g"])
     said = verdict.kinematic(pd.DataFrame({"pga_demand_g": [0.18]}), table)

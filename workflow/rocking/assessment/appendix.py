@@ -46,7 +46,7 @@ class Data:
 
     def __post_init__(self):
         """Find the weakest mechanism of the tables among the façade's."""
-        self.family = Family(*(self.config[k] for k in ("facade", "return_wall", "assessment")))
+        self.family = Family(self.config)
         found = self.tables["mechanisms"]
         found = found[found["kind"] == "as stated"].sort_values("pga_fails_g")
         least = found["mechanism"].iloc[0]

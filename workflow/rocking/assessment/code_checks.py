@@ -63,24 +63,21 @@ def weakest_hinge(section):
     return float(found.x)
 
 
-def damaged(settings, chain):
+def damaged(sections):
     """Period factor and damping of the building at ultimate states, for `floor_demand`."""
-    factor, damping = settings["building_period_factor"], settings["building_damping"]
-    return factor, chain["damping_ratio"] if damping is None else damping
+    own, stated = sections["assessment"], sections["smdof"]["damping_ratio"]
+    damping = own["building_damping"]
+    return own["building_period_factor"], stated if damping is None else damping
 
 
-def code_checks(candidate, facade, chain, settings, demand, confidence_factor=None):
+def code_checks(candidate, sections, demand, confidence_factor=None):
     """Every check of one mechanism under one demand, but the oscillator's.
 
     Parameters
     ----------
     candidate : rocking.assessment.family.Candidate
-    facade : dict
-        Section facade.
-    chain : dict
-        Section smdof.
-    settings : dict
-        Section assessment.
+    sections : mapping
+        Sections facade, smdof and assessment of a configuration.
     demand : RecordDemand, TableDemand or CodeDemand
         Of the ground.
     confidence_factor : float or None
@@ -91,10 +88,11 @@ def code_checks(candidate, facade, chain, settings, demand, confidence_factor=No
     dict of str to Check
         By the keys of `CHECKS`; those on the ground only where the mechanism stands on it.
     """
+    facade, chain, settings = (sections[k] for k in ("facade", "smdof", "assessment"))
     mechanism, place, t0 = candidate.mechanism, candidate.place, candidate.t0_s
     inset, q = settings["hinge_inset_m"], settings["behaviour_factor"]
     fc = confidence_factor or checks.confidence(settings["confidence_factor"], inset)
-    floor = floor_demand(demand, place, chain, damaged=damaged(settings, chain))
+    floor = floor_demand(demand, place, chain, damaged=damaged(sections))
     places = {"height": (floor, f"at {place:.3g} of the height")}
     if candidate.on_ground:
         places = {"ground": (demand, "on the ground"), **places}
@@ -137,7 +135,7 @@ def least(found, limit="slv"):
     return min(found[key].failing_pga_g for key in keys if key in found)
 
 
-def governing(candidates, facade, chain, settings, demand, confidence_factor=None):
+def governing(candidates, sections, demand):
     """Mechanisms by the PGA at which their SLV check fails, the least first.
 
     Returns
@@ -146,17 +144,17 @@ def governing(candidates, facade, chain, settings, demand, confidence_factor=Non
     """
     rows = []
     for one in candidates:
-        found = code_checks(one, facade, chain, settings, demand, confidence_factor)
+        found = code_checks(one, sections, demand)
         rows.append((least(found), one, found))
     return sorted(rows, key=lambda row: row[0])
 
 
-def mechanism_of(facade, wall, settings):
+def mechanism_of(sections):
     """Overturning of the whole façade with its loads and ties, as a `Candidate`."""
-    return Family(facade, wall, settings).part(0.0, WHOLE)
+    return Family(sections).part(0.0, WHOLE)
 
 
-def failing_pga(whole, facade, chain, settings, record, directions, max_pga_g):
+def failing_pga(whole, sections, record, directions, max_pga_g):
     """PGA at which each check just fails under one record, its own spectrum scaled [g].
 
     FC is 1, for the dynamic answer knows its façade, but where a key says otherwise. Beside the
@@ -168,12 +166,13 @@ def failing_pga(whole, facade, chain, settings, record, directions, max_pga_g):
     -------
     list of (direction, key, pga_g)
     """
+    facade, chain = sections["facade"], sections["smdof"]
     demand = RecordDemand(record.acceleration_m_s2, record.dt_s)
-    own = code_checks(whole, facade, chain, settings, demand, 1.0)
+    own = code_checks(whole, sections, demand, 1.0)
     alike = {key: check.failing_pga_g for key, check in own.items() if key in CHECKS}
     for limit in ("slv", "slc"):  # whoever applies both takes the larger demand
         alike[f"{limit}_both"] = least(own, limit)
-    known = code_checks(whole, facade, chain, settings, demand, checks.LEAST_KNOWN)
+    known = code_checks(whole, sections, demand, checks.LEAST_KNOWN)
     alike["slv_both_fc"] = least(known)
     old = floor_demand(demand, whole.place, chain, modes="all", bounded=False)
     for limit in checks.LIMITS:

@@ -39,12 +39,11 @@ def checked(settings, demand, place, added_n=0.0):
     place : (int, int)
         Which of how many: names have heights in them, which change with what is varied.
     """
-    facade, wall, chain, own = (settings[k] for k in SECTIONS)
     which, count = place
-    known = Family(facade, wall, own, added_n).all()
+    known = Family(settings, added_n).all()
     if len(known) != count:
         return None, {}
-    return known[which], code_checks(known[which], facade, chain, own, demand)
+    return known[which], code_checks(known[which], settings, demand)
 
 
 def sensitivity(settings, demand, place):
@@ -98,10 +97,10 @@ def mechanism_row(one, found, tie_kn, kind):
 
 def mechanisms(settings, demand, ranked, place):
     """All mechanisms, the least first, and what more ties or a held top would do to them."""
-    facade, wall, _, own = (settings[k] for k in SECTIONS)
-    stated = 1e-3 * sum(force for force, *_ in ties_of(facade))
+    family, top = Family(settings), settings["facade"]["height_m"]
+    stated = 1e-3 * sum(force for force, *_ in ties_of(settings["facade"]))
     rows = [mechanism_row(one, found, stated, "as stated") for _, one, found in ranked]
-    masonry = Family(facade, wall, own).masonry
+    masonry = family.masonry
     weight = sum(w for w, *_ in masonry.masses(0.0, masonry.top_m))
     for share in TIE_SHARES:
         one, found = checked(settings, demand, place, share * weight)
@@ -109,12 +108,10 @@ def mechanisms(settings, demand, ranked, place):
             force = 1e-3 * share * weight
             words = f"one more row of {force:.3g} kN, {100 * share:g} % of the weight"
             rows.append(mechanism_row(one, found, stated + force, words))
-    family = Family(facade, wall, own)
-    top = facade["height_m"]
     highest = family.levels()[-1]
     if family.bends(highest, top):  # else it is held there already
         held = family.span(highest, top)
-        found = code_checks(held, facade, settings["smdof"], own, demand)
+        found = code_checks(held, settings, demand)
         rows.append(mechanism_row(held, found, np.nan, "top held"))
     return pd.DataFrame(rows)
 

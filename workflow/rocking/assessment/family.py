@@ -98,15 +98,17 @@ class Family:
 
     Parameters
     ----------
-    section, wall, settings : dict
-        Sections facade, return_wall and assessment.
+    sections : mapping
+        Sections facade, return_wall and assessment of a configuration.
     added_n : float
         See `ties_of`.
     """
 
-    def __init__(self, section, wall, settings, added_n=0.0):
+    def __init__(self, sections, added_n=0.0):
         """Read shape, loads and ties."""
-        self.section, self.wall, self.settings = section, wall, settings
+        names = "facade", "return_wall", "assessment"
+        self.section, self.wall, self.settings = (sections[name] for name in names)
+        section, settings = self.section, self.settings
         self.masonry = Masonry(section)
         self.base_m = section.get("base_height_m") or 0.0
         self.height_m = self.masonry.height_m

@@ -98,7 +98,7 @@ def check_facade(resolved):
     from rocking.assessment.family import Family  # slow to load
 
     try:
-        Family(facade, resolved["return_wall"], resolved["assessment"]).all()
+        Family(resolved).all()
     except ValueError as error:
         raise ValueError(f"assess: {error}") from None
 

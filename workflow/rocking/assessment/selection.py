@@ -72,8 +72,7 @@ def longest_period(settings, demand):
     own = settings["assessment"]
     if own["match_high_s"] is not None:
         return own["match_high_s"]
-    whole = mechanism_of(settings["facade"], settings["return_wall"], own)
-    found = code_checks(whole, settings["facade"], settings["smdof"], own, demand)
+    found = code_checks(mechanism_of(settings), settings, demand)
     slc = next(v for s, _, v, _ in found["slc_height"].steps if s == "T_SLC")
     return float(np.clip(slc, SHORTEST_HIGH_S, LONGEST_HIGH_S))
 

@@ -10,12 +10,8 @@ from rocking.tables import write_table
 
 
 def main(job):
-    settings = json.loads(job.params.settings)
-    facade, wall, chain, own = (
-        settings[k] for k in ("facade", "return_wall", "smdof", "assessment")
-    )
-    mechanism = mechanism_of(facade, wall, own)
-    rows = []
+    settings, rows = json.loads(job.params.settings), []
+    mechanism = mechanism_of(settings)
     for name, station in job.params.records.items():
         record = load_as(settings, name, job.params.table)
         of_record = {
@@ -24,12 +20,10 @@ def main(job):
             "pulse_share": pulse_share(record),
             "pgv_over_pga_s": properties(record)["pgv_over_pga_s"],
         }
-        found = failing_pga(
-            mechanism, facade, chain, own, record, settings["directions"], settings["ida.max_pga_g"]
-        )
+        given = mechanism, settings, record, settings["directions"], settings["ida.max_pga_g"]
         rows += [
             {**of_record, "direction": direction, "check": key, "pga_fails_g": pga_g}
-            for direction, key, pga_g in found
+            for direction, key, pga_g in failing_pga(*given)
         ]
     write_table(rows, job.output[0])
 

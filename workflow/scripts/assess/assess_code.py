@@ -13,10 +13,9 @@ from rocking.tables import write_table
 def main(job):
     settings, out = json.loads(job.params.settings), job.output
     records = [load_as(settings, name, job.params.table) for name in job.params.records]
-    facade, wall, chain, own = (settings[k] for k in code_tables.SECTIONS)
     demand = site.demand_from(settings, records, job.input.spectrum, job.input.hazard)
-    every = Family(facade, wall, own).all()
-    ranked = governing(every, facade, chain, own, demand)
+    every = Family(settings).all()
+    ranked = governing(every, settings, demand)
     least = ranked[0][1]
     place = [one.name for one in every].index(least.name), len(every)
     checks, steps, curves = code_tables.checks_of(ranked)

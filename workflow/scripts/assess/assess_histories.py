@@ -26,7 +26,7 @@ def main(job):
         return
     table = pd.concat(parts, ignore_index=True)
     write_table(table, job.output.histories)
-    whole = mechanism_of(scene["facade"], scene["return_wall"], settings["assessment"])
+    whole = mechanism_of({**scene, "assessment": settings["assessment"]})
     found = verdict(table, limits_of(whole.mechanism), settings["seed"])
     row = {"model": scene["model"], **found}
     write_table([row], job.output.verdict)

@@ -16,25 +16,22 @@ from rocking.tables import read_json, write_table
 LEVELS_G = (0.05, 0.10, 0.15, 0.20, 0.25, 0.30)  # a_g
 SITE = (2.5, 0.3, "B")  # F0, T_C*, subsoil
 HIGH_S, POINTS = 3.0, 20  # the motions fit from match_low_s to here
-SECTIONS = ("facade", "return_wall", "smdof", "assessment")
 
 
 def main(job):
     settings, stations = json.loads(job.params.settings), job.params.stations
-    facade, wall, chain, own = (settings[k] for k in SECTIONS)
+    own = settings["assessment"]
     records = {name: load_as(settings, name, job.params.table) for name in stations}
     period_s = selection.periods(own["match_low_s"], HIGH_S, POINTS)
     spectra_g = selection.spectra_of(records.values(), period_s)
     peaks = {name: measures(record)["pga_g"] for name, record in records.items()}
-    whole = mechanism_of(facade, wall, own)
+    whole = mechanism_of(settings)
     limits = limits_of(whole.mechanism)
     kinematic, wanted = [], {}
     for ag_g in LEVELS_G:
         demand = CodeDemand(ag_g, *SITE)
         chosen = selection.for_demand(demand, stations, spectra_g, period_s, own)
-        found = {
-            fc: code_checks(whole, facade, chain, own, demand, fc) for fc in (1.0, LEAST_KNOWN)
-        }
+        found = {fc: code_checks(whole, settings, demand, fc) for fc in (1.0, LEAST_KNOWN)}
         row = {"ag_g": ag_g, "pga_g": demand.pga_g, "fits": int(chosen.fits)}
         row |= {
             f"kinematic_{name}": int(least(found[fc]) >= demand.pga_g)
