@@ -180,14 +180,6 @@ def same_cases(table):
     return pd.concat(keep)
 
 
-def observed_rate(step, error):
-    """Observed order of convergence: least-squares slope of log error over log step."""
-    step, error = np.asarray(step, float), np.asarray(error, float)
-    if np.any(step <= 0.0) or np.any(error <= 0.0) or step.size < 2:
-        raise ValueError("observed_rate: expected at least 2 positive steps and errors")
-    return float(np.polyfit(np.log(step), np.log(error), 1)[0])
-
-
 def pareto_front(cost, error):
     """Mask of the points that no other point beats in both cost and error."""
     cost, error = np.asarray(cost, float), np.asarray(error, float)

@@ -9,7 +9,6 @@ import math
 from dataclasses import dataclass, field
 
 import numpy as np
-from scipy.optimize import brentq
 
 from rocking.assessment.demand import displacement, largest_displacement
 from rocking.assessment.sources import cited
@@ -143,18 +142,6 @@ def capacity_at(mechanism, displacement_m, confidence_factor, t0_s=0.0):
     if t0_s:
         a = min(a, (2.0 * math.pi / t0_s) ** 2 * displacement_m * per_control)
     return a
-
-
-def yielding(mechanism, confidence_factor, t0_s):
-    """Displacement of the control point at which the elastic branch meets the curve [m]."""
-    _, _, per_control = _shares(mechanism)
-
-    def gap(d):
-        return (2.0 * math.pi / t0_s) ** 2 * d * per_control - capacity_at(
-            mechanism, d, confidence_factor
-        )
-
-    return brentq(gap, 0.0, mechanism.ultimate()[1] * (1.0 - 1e-9))
 
 
 def nonlinear(mechanism, demand, where, limit="SLV", *, confidence_factor=1.0, t0_s=0.0):

@@ -10,6 +10,7 @@ from rocking.assessment.family import Family
 from rocking.assessment.mechanism import WHOLE
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from rocking.mechanics.rocking_block import overturning_pga
+from rocking.records import integrate
 from yade_scripts.model.floors import lever_of
 from yade_scripts.model.motion import SIGNS
 from yade_scripts.model.shape import refuse
@@ -206,8 +207,7 @@ def pulse_share(record):
     Near 1 for a single pulse, small for a long train of cycles. A half cycle lies between two zero
     crossings.
     """
-    a = record.acceleration_m_s2
-    v = np.concatenate(([0.0], np.cumsum(0.5 * record.dt_s * (a[1:] + a[:-1]))))
+    v, _ = integrate(record.acceleration_m_s2, record.dt_s)
     v = v - np.linspace(0.0, v[-1], v.size)
     cycle = np.concatenate(([0], np.cumsum(np.signbit(v[1:]) != np.signbit(v[:-1]))))
     mine = cycle == cycle[np.abs(v).argmax()]

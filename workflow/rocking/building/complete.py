@@ -1,10 +1,8 @@
 """The complete building of a configuration (CB, CBc): its scene, its modes, its linear answer."""
 
 import numpy as np
-from scipy import sparse
 from scipy.optimize import brentq
 from scipy.signal import cont2discrete, dlsim
-from scipy.sparse.linalg import eigsh
 
 from rocking.calibration.beta import beta_for
 from yade_scripts.files import read_json
@@ -15,7 +13,7 @@ from yade_scripts.studies.perturb import Realisation, perturbed_numerics
 
 from .case import build_model, read_plan, real_brick, real_joints, translation_mode
 from .history import mass_damping_rate
-from .modes import Solver
+from .modes import Solver, largest_eigenvalue, per_mass, sparse_of
 
 MODES = 12
 OWN = ("step_fraction", "quiet_ratio", "rest_velocity_m_s", "sample_interval_s")  # of numerics
@@ -100,21 +98,11 @@ def critical_step(scene):
         See `stiffness.assemble`.
     """
     triplets = stiffness.assemble(scene)
-    size = len(triplets.mass)
-    scale = sparse.diags_array(1.0 / np.sqrt(triplets.mass))
-    k, c = (
-        sparse.csr_array(
-            scale
-            @ sparse.coo_array((v, (triplets.rows, triplets.cols)), shape=(size, size)).tocsr()
-            @ scale
-        )
-        for v in (triplets.k, triplets.c)
-    )
-    start = np.random.default_rng(0).standard_normal(size)
+    parts = (sparse_of(triplets, values).tocsr() for values in (triplets.k, triplets.c))
+    k, c = (per_mass(part, triplets.mass) for part in parts)
 
     def largest(matrix):
-        found = eigsh(matrix, k=1, which="LA", v0=start, tol=1e-4, return_eigenvectors=False)
-        return float(found[0])
+        return largest_eigenvalue(matrix, 1e-4)
 
     limit = 2.0 / np.sqrt(largest(k))
     if largest(limit**2 * k + 2.0 * limit * c) <= 4.0:
@@ -145,8 +133,7 @@ def linear_history(scene, points, time_s, ground_m_s2, count=60):
     """
     modes = Solver(scene).modes(count)
     triplets = stiffness.assemble(scene)
-    size, n = len(triplets.mass), len(modes.omega)
-    c = sparse.coo_array((triplets.c, (triplets.rows, triplets.cols)), shape=(size, size)).tocsr()
+    c, n = sparse_of(triplets, triplets.c).tocsr(), len(modes.omega)
     zero, one = np.zeros((n, n)), np.eye(n)
     a = np.block([[zero, one], [-np.diag(modes.omega**2), -modes.phi.T @ (c @ modes.phi)]])
     b = np.concatenate([np.zeros(n), -modes.participation[:, 1]])[:, None]

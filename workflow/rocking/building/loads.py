@@ -8,7 +8,7 @@ import numpy as np
 from scipy.linalg import eigh
 
 from .case import panel_areas
-from .modes import Modes, Solver, rigid_motions
+from .modes import Modes, Solver
 
 HEAVY_KG_M2 = 1500.0
 
@@ -40,9 +40,5 @@ class LoadedModes:
         """Return the `Modes` under a load of 0 to about HEAVY_KG_M2 on every floor [kg/m²]."""
         mass = self.mass + load_kg_m2 * self.added
         squared, shapes = eigh(self.k, self.basis.T @ (mass[:, None] * self.basis))
-        phi = self.basis @ shapes[:, : self.count]
-        rigid = rigid_motions(self.scene, self.dof, mass)
-        participation = phi.T @ (mass[:, None] * rigid)
-        total = np.einsum("ni,n,ni->i", rigid, mass, rigid)
-        ratio = participation**2 / total
-        return Modes(np.sqrt(squared[: self.count]), phi, participation, ratio, self.dof, mass)
+        omega, phi = np.sqrt(squared[: self.count]), self.basis @ shapes[:, : self.count]
+        return Modes.of(self.scene, self.dof, mass, omega, phi)

@@ -18,6 +18,12 @@ DIRECTIONS = ("x", "y", "z", "rx", "ry", "rz")
 CHUNK_NODES = 16384
 
 
+def sparse_of(triplets, values):
+    """Sparse matrix of one value a triplet of `stiffness.assemble`: its k or its c."""
+    size = len(triplets.mass)
+    return sparse.coo_array((values, (triplets.rows, triplets.cols)), shape=(size, size))
+
+
 def matrices(scene, chunk=CHUNK_NODES):
     """Assemble the sparse K and the diagonal of M of a scene.
 
@@ -38,10 +44,7 @@ def matrices(scene, chunk=CHUNK_NODES):
     for start in range(0, len(scene.nodes), chunk):
         nodes = scene.nodes.select(slice(start, start + chunk))
         triplets = stiffness.assemble(replace(scene, nodes=nodes))
-        size = len(triplets.mass)
-        piece = sparse.coo_array(
-            (triplets.k, (triplets.rows, triplets.cols)), shape=(size, size)
-        ).tocsc()
+        piece = sparse_of(triplets, triplets.k).tocsc()
         total = piece if total is None else total + piece
     return total, triplets.mass, triplets.dof
 
@@ -96,6 +99,14 @@ class Modes:
     effective_ratio: np.ndarray
     dof: np.ndarray
     mass: np.ndarray
+
+    @classmethod
+    def of(cls, scene, dof, mass, omega, phi):
+        """Modes of a scene by their frequencies and shapes."""
+        rigid = rigid_motions(scene, dof, mass)
+        participation = phi.T @ (mass[:, None] * rigid)
+        total = np.einsum("ni,n,ni->i", rigid, mass, rigid)
+        return cls(omega, phi, participation, participation**2 / total, dof, mass)
 
     @property
     def period_s(self):
@@ -182,22 +193,22 @@ class Solver:
         phi = vectors[:, order] / root[:, None]
         peak = np.argmax(np.abs(phi), axis=0)
         phi *= np.sign(phi[peak, np.arange(count)])  # the sign of a mode is free: fix it
-        rigid = rigid_motions(self.scene, self.dof, mass)
-        participation = phi.T @ (mass[:, None] * rigid)
-        total = np.einsum("ni,n,ni->i", rigid, mass, rigid)
-        return Modes(omega, phi, participation, participation**2 / total, self.dof, mass)
+        return Modes.of(self.scene, self.dof, mass, omega, phi)
+
+
+def per_mass(matrix, mass):
+    """M^−½ K M^−½ of a sparse K and a diagonal M."""
+    scale = sparse.diags_array(1.0 / np.sqrt(mass))
+    return sparse.csr_array(scale @ matrix @ scale)
+
+
+def largest_eigenvalue(matrix, tolerance):
+    """Largest eigenvalue of a sparse symmetric matrix by Lanczos iteration."""
+    start = np.random.default_rng(0).standard_normal(matrix.shape[0])
+    how = {"which": "LA", "v0": start, "tol": tolerance, "return_eigenvectors": False}
+    return float(eigsh(matrix, k=1, **how)[0])
 
 
 def largest_frequency(k, mass):
     """Return the largest circular frequency of K and a diagonal M [rad/s], to 0.1 %."""
-    scale = sparse.diags_array(1.0 / np.sqrt(mass))
-    start = np.random.default_rng(0).standard_normal(len(mass))
-    value = eigsh(
-        sparse.csr_array(scale @ k @ scale),
-        k=1,
-        which="LA",
-        v0=start,
-        tol=1e-3,
-        return_eigenvectors=False,
-    )
-    return float(np.sqrt(value[0]))
+    return float(np.sqrt(largest_eigenvalue(per_mass(k, mass), 1e-3)))

@@ -14,7 +14,9 @@ there is stated. Collapse within t years has the probability 1 − exp(−λ_c t
 """
 
 import numpy as np
-from scipy.special import log_ndtr, ndtr
+from scipy.special import ndtr
+
+from rocking.studies.fragility import log_mass
 
 
 def _pieces(hazard, edges):
@@ -55,11 +57,7 @@ def by_interval(hazard, median, dispersion, inner=()):
         log_k0, k = _pieces(hazard, edges)
         z = np.log(edges[None, :] / theta) / beta
         low, high = z[:, :-1] + k * beta, z[:, 1:] + k * beta
-        # ln[Φ(high) − Φ(low)], without cancellation in the upper tail
-        flip = low > 0.0
-        low, high = np.where(flip, -high, low), np.where(flip, -low, high)
-        mass = log_ndtr(high) + np.log1p(-np.exp(log_ndtr(low) - log_ndtr(high)))
-        density = np.exp(log_k0 - k * np.log(theta) + 0.5 * (k * beta) ** 2 + mass)
+        density = np.exp(log_k0 - k * np.log(theta) + 0.5 * (k * beta) ** 2 + log_mass(low, high))
         at = hazard.rate(points) * ndtr(z[:, 1:-1])
     at = np.pad(at, ((0, 0), (1, 1)))  # λF vanishes at 0 and at ∞
     rate = np.nan_to_num(at[:, :-1] - at[:, 1:] + density, nan=0.0)

@@ -176,7 +176,7 @@ def fit_table(brackets, settings):
     return fit(low, high, weight), draws
 
 
-def _log_mass(a, b):
+def log_mass(a, b):
     """ln[Φ(b) − Φ(a)] for a < b, without cancellation in either tail."""
     flip = a > 0.0
     a, b = np.where(flip, -b, a), np.where(flip, -a, b)
@@ -270,13 +270,13 @@ def _narrowest(x, weights):
 
 def _log_likelihood(a, t, x, weights):
     z = t[:, None, None] * x[None] - a[:, None, None]
-    return np.sum(weights * np.maximum(_log_mass(z[:, 0], z[:, 1]), -1e6), axis=1)
+    return np.sum(weights * np.maximum(log_mass(z[:, 0], z[:, 1]), -1e6), axis=1)
 
 
 def _newton_step(a, t, x, weights):
     """Step −H⁻¹g in (a, t); steepest ascent where H is not usable."""
     z = t[:, None, None] * x[None] - a[:, None, None]
-    mass = np.maximum(_log_mass(z[:, 0], z[:, 1]), -600.0)[:, None]
+    mass = np.maximum(log_mass(z[:, 0], z[:, 1]), -600.0)[:, None]
     finite = np.isfinite(x)[None]
     z, x = np.where(finite, z, 0.0), np.where(np.isfinite(x), x, 0.0)[None]
     ratio = np.where(finite, np.exp(np.minimum(-0.5 * z**2 - _LOG_ROOT_2PI - mass, 600.0)), 0.0)
