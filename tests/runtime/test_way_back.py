@@ -3,9 +3,17 @@
 from types import SimpleNamespace
 
 import pytest
-from rocking.runtime import interrupts, progress, scheduling, warm
+from rocking.runtime import interrupts, progress, scheduling, terminal, warm
 from rocking.runtime.way_back import expect_parameters, left_out_if_unknown
 from snakemake.script import PythonScript
+
+RULE = SimpleNamespace(name="ida", norun=False)
+JOB = SimpleNamespace(rule=RULE, wildcards_dict={}, params=SimpleNamespace())
+
+
+def dag(**more):
+    """A DAG of one job that waits."""
+    return SimpleNamespace(needrun_jobs=lambda: [JOB], **more)
 
 
 @pytest.mark.parametrize(
@@ -14,9 +22,14 @@ from snakemake.script import PythonScript
         lambda: warm.serve(SimpleNamespace(dag=SimpleNamespace())),
         lambda: scheduling.choose_at_ends_only(SimpleNamespace(scheduler=SimpleNamespace())),
         lambda: progress.tasks_of(SimpleNamespace(dag=SimpleNamespace())),
+        lambda: progress.tasks_of(SimpleNamespace(dag=dag(), scheduler=SimpleNamespace())),
+        lambda: progress.tasks_of(
+            SimpleNamespace(dag=dag(finished=lambda job: False), scheduler=SimpleNamespace())
+        ),
         lambda: interrupts.heed(SimpleNamespace()),
+        lambda: terminal.thin_out(SimpleNamespace()),
     ],
-    ids=["scripts", "scheduling", "progress", "interrupts"],
+    ids=["scripts", "scheduling", "progress", "finished", "running", "interrupts", "terminal"],
 )
 def test_without_what_it_leans_on_it_is_left_out_with_a_line(lean, capsys):
     before = PythonScript.execute_script

@@ -37,7 +37,8 @@ BASE = Path(workflow.source_path("common.smk")).resolve().parents[2]
 if not (BASE / "yade_scripts").is_dir():
     BASE = Path(rocking.__file__).resolve().parents[2]
 if workflow.modifier.is_main_snakefile():  # as a module it leaves the terminal to others
-    terminal.thin_out(workflow.output_settings)
+    with left_out_if_unknown("a quiet terminal"):
+        terminal.thin_out(workflow.output_settings)
     terminal.name_targets(
         lambda: sorted(r.name for r in workflow.rules if not r.output and r.name != "main")
     )

@@ -208,7 +208,7 @@ def tasks_of(workflow, runs=lambda job: None):
             return "done"
         return "running" if job in scheduler.running else "waiting"
 
-    return [
+    tasks = [
         Task(
             job.rule.name,
             lambda job=job: state(job),  # type: ignore[misc]
@@ -219,6 +219,9 @@ def tasks_of(workflow, runs=lambda job: None):
         for job in dag.needrun_jobs()
         if not job.rule.norun
     ]
+    for task in tasks:
+        task.state()  # where Snakemake differs, it is told here and not in a thread
+    return tasks
 
 
 def opening(tasks, runs, cores):

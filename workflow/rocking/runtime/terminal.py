@@ -10,18 +10,9 @@ import logging
 import re
 import sys
 
-from snakemake_interface_logger_plugins.common import LogEvent
-
-HIDDEN = {
-    LogEvent.WORKFLOW_STARTED,
-    LogEvent.RUN_INFO,
-    LogEvent.RESOURCES_INFO,
-    LogEvent.JOB_INFO,
-    LogEvent.JOB_STARTED,
-    LogEvent.JOB_FINISHED,
-    LogEvent.GROUP_INFO,
-    LogEvent.PROGRESS,
-    LogEvent.SHELLCMD,
+HIDDEN = {  # names of snakemake_interface_logger_plugins.common.LogEvent
+    *("WORKFLOW_STARTED", "RUN_INFO", "RESOURCES_INFO", "JOB_INFO", "JOB_STARTED"),
+    *("JOB_FINISHED", "GROUP_INFO", "PROGRESS", "SHELLCMD"),
 }
 CHATTER = ("Assuming unrestricted", "Building DAG", "Using shell", "Select jobs to execute")
 
@@ -41,7 +32,8 @@ def wanted(record):
     """Whether a log record is for the terminal: what went wrong, and how the run ended."""
     if record.levelno >= logging.WARNING:
         return True
-    return getattr(record, "event", None) not in HIDDEN and not str(record.msg).startswith(CHATTER)
+    event = getattr(getattr(record, "event", None), "name", "")
+    return event not in HIDDEN and not str(record.msg).startswith(CHATTER)
 
 
 _NO_RULE = re.compile(r"No rule to produce (.+?) \(if you use.*?\)\.")
