@@ -44,7 +44,7 @@ def solver(model, cycle):
 def test_the_reference_is_what_the_adaptive_solver_converges_to(model, cycle):
     """Two independent schemes and codes; a single cycle repeats."""
     compiled, pga_g = solver(model, cycle), 0.9 / STANDARD_GRAVITY_M_S2
-    found = histories.judged(compiled, pga_g, LIMITS)
+    found = histories.reference_of(compiled, pga_g, LIMITS)
     expected, end_s = peak_and_end(compiled.case, cycle[0], "pos", pga_g, nodes=25, tolerance=1e-5)
     assert found["repeats"] == 1
     assert 0.1 < found["d_over_b"] < 0.9
@@ -64,9 +64,12 @@ def test_intensities_are_shares_of_the_lowest_collapse(cycle):
 
 def test_what_overturns_or_is_sensitive_is_not_trusted(cycle):
     compiled, pga_g = solver("W1", cycle), 0.9 / STANDARD_GRAVITY_M_S2
-    assert histories.judged(compiled, 3.0, LIMITS)["repeats"] == 0
-    assert histories.judged(compiled, pga_g, {**LIMITS, "trusted": 1e-3})["repeats"] == 0
-    assert histories.judged(compiled, pga_g, {**LIMITS, "repeat_tolerance": 1e-9})["repeats"] == 0
+    assert histories.reference_of(compiled, 3.0, LIMITS)["repeats"] == 0
+    assert histories.reference_of(compiled, pga_g, {**LIMITS, "trusted": 1e-3})["repeats"] == 0
+    assert (
+        histories.reference_of(compiled, pga_g, {**LIMITS, "repeat_tolerance": 1e-9})["repeats"]
+        == 0
+    )
 
 
 def test_components_of_one_motion_stay_in_one_half():

@@ -49,7 +49,7 @@ def test_a_substitute_that_stands_more_is_unsafe():
 def test_a_curve_of_probabilities_alone():
     """Crossings by straight lines; lowest amplitude at which any fell, first at which all did."""
     table = pd.DataFrame({"pga_g": [0.4, 0.1, 0.3, 0.2], "probability": [1.0, 0.0, 0.8, 0.2]})
-    found = assumptions.given(
+    found = assumptions.from_probabilities(
         table.assign(realisations=5, realisations_yade=np.nan, probability_yade=np.nan)
     )
     assert found["pga_collapse_g"] == 0.2
@@ -60,7 +60,7 @@ def test_a_curve_of_probabilities_alone():
     assert found["runs"] == 20
     # stands to 0.1 g, then 0.09 + 0.05 + 0.01 g in the three steps
     assert found["pga_mean_g"] == pytest.approx(0.25)
-    assert np.isnan(assumptions.standing([0.1, 0.2], [0.0, 0.5]))
+    assert np.isnan(assumptions.mean_intensity([0.1, 0.2], [0.0, 0.5]))
 
 
 @pytest.mark.parametrize("model", ["W2", "W3"])

@@ -15,21 +15,21 @@ def burst(dt_s=0.01):
 
 @pytest.mark.parametrize("model", ["W1", "W2"])
 def test_the_default_facade_is_agreed_upon(model):
-    found = limits.judged(model, {}, burst(), "pos")
+    found = limits.verdict_of(model, {}, burst(), "pos")
     assert found["verdict"] == "agree", found
     assert abs(found["error"]) <= limits.AGREE
     assert 0.0 < found["d_over_b"] < 1.0
 
 
 def test_what_cannot_stand_is_refused_with_what_would_work():
-    found = limits.judged("W1", {"facade": {"height_m": 18.0}}, burst(), "pos")
+    found = limits.verdict_of("W1", {"facade": {"height_m": 18.0}}, burst(), "pos")
     assert found["verdict"] == "refused"
     assert "expected at most 13.36 (m)" in found["why"]
 
 
 def test_a_long_scan_is_too_costly(monkeypatch):
     monkeypatch.setattr(limits, "LIMIT_S", 1e-6)
-    found = limits.judged("W1", {}, burst(), "pos")
+    found = limits.verdict_of("W1", {}, burst(), "pos")
     assert (found["verdict"], "scan would take" in found["why"]) == ("too costly", True)
 
 
@@ -55,8 +55,8 @@ def test_every_cell_is_asked_once():
 def test_light_walls_get_a_step_that_suits_their_mass(monkeypatch):
     """A history before walls of half a tonne repeats: half the step, other nodes, 1 %."""
     light = {"return_wall": {"building_mass_kg": 500.0}}
-    found = limits.judged("W2m", light, burst(), "pos")
+    found = limits.verdict_of("W2m", light, burst(), "pos")
     monkeypatch.setattr(limits, "LIMIT_S", 0.0)  # of the heavy ones the step is enough
-    heavy = limits.judged("W2m", {"return_wall": {"building_mass_kg": 66e3}}, burst(), "pos")
+    heavy = limits.verdict_of("W2m", {"return_wall": {"building_mass_kg": 66e3}}, burst(), "pos")
     assert found["verdict"] == "one solver", found
     assert found["step_s"] < 0.2 * heavy["step_s"]

@@ -98,7 +98,7 @@ class Solver:
         return highest_g if math.isnan(found) else found
 
 
-def judged(solver, pga_g, settings):
+def reference_of(solver, pga_g, settings):
     """Reference of one history and how it answers small changes.
 
     It repeats where a change of amplitude moves d/b by at most `trusted` times that change, and a
@@ -152,7 +152,7 @@ def histories(solver, labels, settings):
     labels : dict
         half, model, record, direction.
     settings : dict
-        As `judged`, with shares and max_pga_g.
+        As `reference_of`, with shares and max_pga_g.
     """
     lowest = solver.lowest_collapse(settings["max_pga_g"])
     rows = []
@@ -160,7 +160,7 @@ def histories(solver, labels, settings):
         pga_g = round(share * lowest, 4)
         name = f"{labels['model']} {labels['record']} {labels['direction']} {pga_g:g} g"
         row = {"case": name, **labels, "share": share, "pga_g": pga_g}
-        rows.append({**row, **judged(solver, pga_g, settings)})
+        rows.append({**row, **reference_of(solver, pga_g, settings)})
     return rows
 
 

@@ -189,10 +189,9 @@ def nonlinear(mechanism, demand, where, limit="SLV", *, confidence_factor=1.0, t
 
 
 def first_reading(mechanism, demand, where, limit="SLV", *, confidence_factor=1.0):
-    """The non-linear check as this project first took it from secondary transcriptions.
+    """The non-linear check as secondary transcriptions have it, to tell what the letter changes.
 
-    Demand at the secant period alone, no bound by the onset; kept beside `nonlinear` to tell what
-    the letter changes.
+    Demand at the secant period alone, and no bound by the onset.
     """
     share, factor, damping = LIMITS[limit]
     per_control = mechanism.participation()[2]

@@ -159,8 +159,8 @@ def failing_pga(whole, sections, record, directions, max_pga_g):
     """PGA at which each check just fails under one record, its own spectrum scaled [g].
 
     FC is 1, for the dynamic answer knows its façade, but where a key says otherwise. Beside the
-    code's letter stand its first reading in this project (demand at the secant period alone, all
-    modes, no bounds) and, of the floor check, all modes. The rocking oscillator is integrated, so
+    code's letter stand what secondary transcriptions make of it (`first_reading`, on all modes
+    without bounds) and, of the floor check, all modes. The rocking oscillator is integrated, so
     its answer depends on the direction; NaN where it stands up to `max_pga_g`.
 
     Returns

@@ -156,8 +156,8 @@ class FloorDemand:
     damping_ratio : float
         ξ_k of the building's modes.
     bounded : bool
-        With the lower bound of C7.2.5 and that of C8.7.1.12 (`displacement`). Without them it is
-        what earlier versions of this project took the code to say.
+        With the lower bound of C7.2.5 and that of C8.7.1.12 (`displacement`), which secondary
+        transcriptions leave out.
     """
 
     ground: Any

@@ -18,7 +18,7 @@ VARIANTS: dict[str, dict] = {  # keywords of `floor_demand`
 COLUMNS = ["record", "floor", "t_over_t1", "variant", "formula_g", "exact_g"]
 
 
-def beside(record, chain, damping_ratio=0.05, period_ratios=PERIOD_RATIOS):
+def formula_and_exact(record, chain, damping_ratio=0.05, period_ratios=PERIOD_RATIOS):
     """Formula and exact pseudo-acceleration on every floor of the chain, at the record's own PGA.
 
     Parameters

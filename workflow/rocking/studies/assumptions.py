@@ -154,7 +154,7 @@ def buildings(case, settings):
     ]
 
 
-def standing(pga_g, share):
+def mean_intensity(pga_g, share):
     """Mean collapse intensity, ∫(1 − P) dPGA [g]; NaN where the curve ends before all collapse.
 
     Where outcomes reverse, first crossings say where trouble begins; this says how much of the
@@ -185,10 +185,10 @@ def measured(runs, spread, planar):
     """
     found = probability.summary(runs if planar else None, runs, (), spread)
     dense = probability.from_scan(runs, spread)
-    return found | {"pga_mean_g": standing(dense["pga_g"], dense["probability"])}, dense
+    return found | {"pga_mean_g": mean_intensity(dense["pga_g"], dense["probability"])}, dense
 
 
-def given(table):
+def from_probabilities(table):
     """Collapse intensities of one curve of which only probabilities are known.
 
     Parameters
@@ -213,7 +213,7 @@ def given(table):
         "pga_collapse_g": fell.min() if fell.size else np.nan,
         **dict(zip(("pga_p10_g", "pga_median_g", "pga_p90_g"), crossings, strict=True)),
         "pga_all_g": above.min() if fell.size and above.size else np.nan,
-        "pga_mean_g": standing(pga_g, share),
+        "pga_mean_g": mean_intensity(pga_g, share),
         "runs": int(runs),
     }
 

@@ -83,7 +83,7 @@ def shaped(record, dt_s=None, duration_s=None):
     return replace(record, acceleration_m_s2=a, dt_s=step, vertical_m_s2=None)
 
 
-def judged(model, changes, record, direction):
+def verdict_of(model, changes, record, direction):
     """What becomes of one cell: verdict, why, and the numbers behind it (COLUMNS from verdict on).
 
     Parameters

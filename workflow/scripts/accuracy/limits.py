@@ -11,7 +11,7 @@ def main(job):
     for axis, value, thickness, model, changes, motion in limits.cells():
         about = {"model": model, "axis": axis, "value": value, "thickness_m": thickness}
         shaken = limits.shaped(record, **motion)
-        rows.append(about | limits.judged(model, changes, shaken, job.params.direction))
+        rows.append(about | limits.verdict_of(model, changes, shaken, job.params.direction))
     write_table(rows, job.output[0], limits.COLUMNS)
 
 

@@ -4,7 +4,7 @@ import json
 
 import matplotlib.pyplot as plt
 import pandas as pd
-from rocking.assessment.floor_spectra import VARIANTS, beside, spread
+from rocking.assessment.floor_spectra import VARIANTS, formula_and_exact, spread
 from rocking.figures import style
 from rocking.figures.panels import ticks
 from rocking.records import load_as
@@ -16,7 +16,7 @@ def main(job):
     settings = json.loads(job.params.settings)
     chain = settings["smdof"]
     records = (load_as(settings, name, job.params.table) for name in job.params.records)
-    parts = [beside(record, chain) for record in records]
+    parts = [formula_and_exact(record, chain) for record in records]
     table = spread(pd.concat(parts, ignore_index=True))
     write_table(table, job.output.table)
     figure, axes = plt.subplots(1, len(VARIANTS), figsize=(8.6, 2.9), sharey=True)
