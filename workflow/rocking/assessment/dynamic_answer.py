@@ -6,7 +6,7 @@ import pandas as pd
 from rocking.assessment.comparison import EXACT
 from rocking.risk.rates import collapse_rate
 from rocking.stations import FEWEST
-from rocking.studies.fragility import bootstrap, brackets_about, fit
+from rocking.studies.fragility import bootstrap, brackets_about, fit, points
 
 POINTS, REACH = 101, 3.0  # of a curve; dispersions either side of the median
 CONFIDENCE = 0.95
@@ -65,7 +65,5 @@ def answer(table, stations, demand_g, hazard, resamples, seed):
         )
         many, _ = collapse_rate(hazard, draws.median, draws.dispersion)
         row["rate_low"], row["rate_high"] = draws.interval(many, CONFIDENCE)
-    pga_g = found.median * np.exp(np.linspace(-REACH, REACH, POINTS) * found.dispersion)
-    lower, upper = draws.band(pga_g, CONFIDENCE)
-    points = zip(pga_g, found.probability(pga_g), lower, upper, strict=True)
-    return row, pd.DataFrame([(row["model"], *p) for p in points], columns=CURVES)
+    drawn = points(found, draws, CONFIDENCE, POINTS, REACH)
+    return row, pd.DataFrame([(row["model"], *p) for p in drawn], columns=CURVES)

@@ -15,8 +15,9 @@ from typing import NamedTuple
 import numpy as np
 import pandas as pd
 
-from rocking.collapse.scan import Screen
-from rocking.records.floors import floor_columns
+from rocking.collapse.case import Case
+from rocking.collapse.curve import run_by
+from rocking.collapse.motion import Motion
 from yade_scripts.model.shape import shape_of
 
 DRAWS = 2000
@@ -62,8 +63,7 @@ def histories(job, record, direction, pga_g, realisations, fraction=None):
     DataFrame
         See COLUMNS; realisation 0 is the one as it is.
     """
-    time_s, columns = floor_columns(record, job["smdof"])
-    screen = Screen(job, time_s, columns, direction, fraction)
+    screen = run_by("planar", Case(job), Motion(record), direction, fraction=fraction)
     spread, b = job["ensemble"]["amplitude_spread"], width_of(job["facade"])
     parts = []
     for level in pga_g:

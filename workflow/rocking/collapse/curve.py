@@ -104,7 +104,7 @@ def collapse_curve(
     solver : str
         "planar", the compiled one, or "yade".
     search : str
-        A name of `search.SEARCHES`: "scan", "climb", "crossings" or "list".
+        "scan", "climb", "crossings" or "list", see `search`.
     settings : dict, optional
         What differs from the case's sections ida and ensemble (level_ratio, beyond, max_pga_g,
         power, realisations, amplitude_spread); from_g, where a climb begins; of a list, pga_g, and
@@ -209,8 +209,10 @@ def strategy(name, case, outcomes, settings):
     start = settings.get("from_g") or 0.5 * outcomes.static_g
     if name == "list":
         return search.listed(settings["pga_g"], settings.get("scatter", False))
-    if name in ("climb", "scan"):
-        return search.SEARCHES[name](start, settings, outcomes.block)
+    if name == "climb":
+        return search.climb(start, settings, outcomes.block)
+    if name == "scan":
+        return search.scan(start, settings, outcomes.block)
     if name == "crossings":
         start = settings.get("from_g") or case.kind.climb_from * outcomes.static_g
         return search.crossings(start, settings["max_pga_g"], case.kind.climb_ratio)

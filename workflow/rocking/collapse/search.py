@@ -1,9 +1,9 @@
-"""Searches for collapse by name: which intensities a curve is asked for, whatever runs them.
+"""Searches for collapse: which intensities a curve is asked for, whatever runs them.
 
 A search yields intensities and is sent their outcomes (`yade_scripts.studies.search`, where those
-for runs of minutes stand). Nothing here knows a façade, a motion or a solver. By name::
+for runs of minutes stand). Nothing here knows a façade, a motion or a solver::
 
-    list       stated intensities
+    listed     stated intensities
     first      the lowest of ascending levels that falls
     climb      levels up to where all have fallen over a factor
     scan       a climb, realisations about every change of outcome, and more below the lowest fall
@@ -11,19 +11,16 @@ for runs of minutes stand). Nothing here knows a façade, a motion or a solver. 
     crossings  where 10 and 50 % of the realisations first collapse: a short climb for many curves
     dense      a climb, then equal steps from below its lowest fall to where all fall
     neighbour  the lowest level that falls, from a guess up or down
-    around     levels about the collapse of a cheaper model (`next_level`)
-    band       closing in on the changes among known outcomes (`next_amplitude`)
 """
 
 import math
-from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from rocking.collapse.hidden import CALM, WINDOW, doubtful, windows
 from rocking.collapse.probability import first_crossing, probability
-from yade_scripts.studies.search import Ask, next_amplitude, next_level, one_by_one
+from yade_scripts.studies.search import Ask
 
 BLOCK = 32  # amplitudes between two looks at whether the façade has fallen for good
 MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change
@@ -297,26 +294,3 @@ def neighbour(level, max_pga_g, guess=0):
         if (yield from falls(k)):
             return k
     return None
-
-
-def around(start_g, settings, ranges=()):
-    """Ask for levels about the collapse of a cheaper model, one at a time; see `next_level`."""
-    return one_by_one(lambda done: next_level(done, settings, start_g, ranges))
-
-
-def band(known, settings, ida):
-    """Ask for what closes in on the changes among known outcomes; see `next_amplitude`."""
-    return one_by_one(lambda done: next_amplitude(done, settings, ida), known)
-
-
-SEARCHES: dict[str, Callable] = {
-    "list": listed,
-    "first": first,
-    "climb": climb,
-    "scan": scan,
-    "crossings": crossings,
-    "dense": dense,
-    "neighbour": neighbour,
-    "around": around,
-    "band": band,
-}

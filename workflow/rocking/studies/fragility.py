@@ -176,6 +176,18 @@ def fit_table(brackets, settings):
     return fit(low, high, weight), draws
 
 
+def points(found, draws, confidence, count, reach):
+    """A fitted curve from `reach` dispersions below its median to as many above, with its band.
+
+    Returns
+    -------
+    iterator of tuple of float
+        Intensity, probability, lower and upper end of the band; evenly in ln intensity.
+    """
+    x = found.median * np.exp(np.linspace(-reach, reach, count) * found.dispersion)
+    return zip(x, found.probability(x), *draws.band(x, confidence), strict=True)
+
+
 def log_mass(a, b):
     """ln[Φ(b) − Φ(a)] for a < b, without cancellation in either tail."""
     flip = a > 0.0

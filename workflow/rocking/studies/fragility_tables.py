@@ -94,8 +94,7 @@ def fits(table, settings):
             rows.append(both | own | ends.get("median", {}))
             efficiency.append(both | {"less_than_pga": better} | ends.get("dispersion", {}))
             if known:
-                x = found.median * np.exp(np.linspace(-REACH, REACH, POINTS) * found.dispersion)
-                points = zip(x, found.probability(x), *draws.band(x, confidence), strict=True)
+                points = fragility.points(found, draws, confidence, POINTS, REACH)
                 curves += [dict(zip(CURVES, (model, name, *p), strict=True)) for p in points]
     return rows, efficiency, curves
 
