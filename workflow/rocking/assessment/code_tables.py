@@ -10,6 +10,7 @@ from rocking.assessment.code_checks import code_checks, least
 from rocking.assessment.demand import floor_demand
 from rocking.assessment.family import Family, stretched, ties_of
 from rocking.assessment.site import PERIODS_S, shapes
+from rocking.collapse.case import Case, Variant
 from rocking.records import G_M_S2
 from rocking.records.floors import chain_motions
 from smdof.spectra import response_spectrum
@@ -18,15 +19,16 @@ CHECKS = ["mechanism", "check", "name", "capacity", "demand", "unit", "ratio", "
 CHECKS += ["pga_demand_g", "source"]
 STEPS = ["mechanism", "check", "symbol", "meaning", "value", "unit"]
 TIE_SHARES = (0.02, 0.05, 0.10, 0.20)  # of the façade's weight
-VARIED = (
-    ("facade", "height_m", (0.95, 1.05)),
-    ("facade", "thickness_m", (0.95, 1.05)),
-    ("facade", "density_kg_m3", (0.9, 1.1)),
-    ("smdof", "period_s", (0.75, 1.25)),
-    ("smdof", "damping_ratio", (0.6, 1.4)),
-    ("assessment", "confidence_factor", (0.9, 1.1)),
-)
-DAMAGED = ((1.5, 0.10), (2.0, 0.20))  # period factor and damping of a damaged building
+VARIED = {  # factors by key
+    "facade.height_m": (0.95, 1.05),
+    "facade.thickness_m": (0.95, 1.05),
+    "facade.density_kg_m3": (0.9, 1.1),
+    "smdof.period_s": (0.75, 1.25),
+    "smdof.damping_ratio": (0.6, 1.4),
+    "assessment.confidence_factor": (0.9, 1.1),
+}
+DAMAGE = ("assessment.building_period_factor", "assessment.building_damping")
+DAMAGED = ((1.5, 0.10), (2.0, 0.20))  # of a damaged building
 SHOWN = ("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height")
 SECTIONS = ("facade", "return_wall", "smdof", "assessment")
 
@@ -46,30 +48,34 @@ def checked(settings, demand, place, added_n=0.0):
     return known[which], code_checks(known[which], settings, demand)
 
 
-def sensitivity(settings, demand, place):
-    """PGA of failure over the demand's, of one mechanism, one key at a time up and down."""
-    rows: list[tuple] = []
-
-    def add(key, factor, changed):
-        try:
-            _, found = checked(changed, demand, place)
-        except ValueError:  # no such façade
-            return
-        rows.extend((key, factor, k, found[k].ratio) for k in SHOWN if k in found)
-
-    for section, key, factors in VARIED:
+def variants(facade):
+    """One key at a time up and down, then a damaged building; a height with all that is on it."""
+    for key, factors in VARIED.items():
         for factor in factors:
-            changed = {part: dict(settings[part]) for part in SECTIONS}
-            if key == "height_m":
-                changed[section] = stretched(changed[section], factor)
-            else:
-                changed[section][key] *= factor
-            if changed["assessment"]["confidence_factor"] >= 1.0:
-                add(f"{section}.{key}", factor, changed)
+            how: dict = {"factors": {key: factor}}
+            if key == "facade.height_m":
+                how = {"changes": {"facade": stretched(facade, factor)}}
+            yield Variant(key, **how, about={"key": key, "factor": factor})
     for factor, damping in DAMAGED:
-        changed = {part: dict(settings[part]) for part in SECTIONS}
-        changed["assessment"] |= {"building_period_factor": factor, "building_damping": damping}
-        add(f"damaged building, {100 * damping:g} %", factor, changed)
+        name = f"damaged building, {100 * damping:g} %"
+        how = dict(zip(DAMAGE, (factor, damping), strict=True))
+        yield Variant(name, changes=how, about={"key": name, "factor": factor})
+
+
+def sensitivity(settings, demand, place):
+    """PGA of failure over the demand's, of one mechanism, by `variants`."""
+    rows, stated = [], Case({part: settings[part] for part in SECTIONS})
+    for variant in variants(settings["facade"]):
+        case = stated.varied(variant)
+        if case["assessment"]["confidence_factor"] < 1.0:
+            continue
+        try:
+            _, found = checked(case.scene, demand, place)
+        except ValueError:  # no such façade
+            continue
+        rows += [
+            {**variant.about, "check": k, "ratio": found[k].ratio} for k in SHOWN if k in found
+        ]
     return pd.DataFrame(rows, columns=["key", "factor", "check", "ratio"])
 
 

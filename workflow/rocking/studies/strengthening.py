@@ -121,10 +121,10 @@ class Kept:
 
     def __init__(self, path, key):
         """Read what is there."""
-        self.key, self.journal, self.known = f"{key}|", Journal(path) if path else None, {}
-        for place, found in self.journal.rows.items() if path else ():
-            if place.startswith(self.key):
-                self.known[place.removeprefix(self.key)] = found
+        self.key, self.journal = f"{key}|", Journal(path) if path else None
+        rows = self.journal.rows if self.journal else {}
+        own = (place for place in rows if place.startswith(self.key))
+        self.known = {place.removeprefix(self.key): rows[place] for place in own}
 
     def get(self, height_m, force_kn):
         """What is known of a tie, or None."""
