@@ -215,14 +215,16 @@ def search_of(falls, settings, monkeypatch, kept=None):
 
     def realisations(case, motion, direction, given):
         rows = case["facade"]["ties"]
-        force = rows[-1]["force"] if rows else 0.0
+        force = rows[-1]["anchor_kn"] if rows else 0.0
         tried.append(force)
         n = given["realisations"]
         return round(falls(force) * n), n
 
     monkeypatch.setattr(strengthening, "realisations", realisations)
     monkeypatch.setattr(
-        strengthening, "row_of_rods", lambda _, z, force: {"height_m": z, "force": force}
+        strengthening,
+        "row_of_rods",
+        lambda _, z, force: {"height_m": z, "diameter_mm": 20.0, "anchor_kn": force},
     )
     config, _ = tied(numerics=FEW)
     case = Case({**config, "model": "W1", "beta_s": BETA_S})
