@@ -40,7 +40,10 @@ def curves(job, records):
             raise ValueError(f"{path}: missing column(s) {', '.join(sorted(missing))}")
         measured = Path(path).parent.parent / "benchmarks"
         for key, table in whole[whole["record"].isin(records)].groupby(probability.KEY):
-            found, cost = assumptions.from_probabilities(table), cpu_s(measured, "complete_scan", key)
+            found, cost = (
+                assumptions.from_probabilities(table),
+                cpu_s(measured, "complete_scan", key),
+            )
             yield key, "given", found["runs"], cost, found, table
 
 
