@@ -224,6 +224,12 @@ def test_fidelity_takes_the_cheapest_pair_within_the_tolerance():
     with pytest.raises(ValueError, match="no convergence was measured for W2"):
         fidelity.choose(config, "W2", measured)
     assert fidelity.choose(config, "W3", measured)[0]["step_fraction"] == 0.8
+    stated = dict.fromkeys(fidelity.CHOSEN[:-1], 11) | {"step_fraction": 0.1}
+    config["numerics"] |= stated
+    for model in ("W1", "W2"):  # all of it stated: nothing measured is asked for
+        chosen, reason = fidelity.choose(config, model, measured)
+        assert {key: chosen[key] for key in fidelity.CHOSEN} == stated
+        assert reason == "stated"
 
 
 def test_a_lucky_coarse_pair_is_not_taken_for_accurate():

@@ -81,7 +81,7 @@ def choose(config, model, measured):
     Raises
     ------
     ValueError
-        One line when nothing measured meets the tolerance.
+        One line when nothing measured meets the tolerance, and not all of them are stated.
     """
     numerics, kind = config["numerics"], registry.model(model)
     stated = {key: numerics[key] for key in CHOSEN if numerics[key] is not None}
@@ -89,13 +89,16 @@ def choose(config, model, measured):
         own = {key: config["w3"][key] for key in ("nodes_thickness", "step_fraction")}
         return {**numerics, **own, **stated}, "section w3"
     tolerance = numerics["fidelity_tolerance"]
-    pairs = measured.get(kind.plain)
+    pairs = measured.get(kind.plain, [])
+    good = [pair for pair in pairs if pair["error"] <= tolerance] if tolerance else []
+    if not good and len(stated) == len(CHOSEN):
+        return {**numerics, **stated}, "stated"
     if not pairs:
         raise ValueError(
             f"no convergence was measured for {model}: state numerics.{', '.join(CHOSEN)}"
         )
     best = min(pairs, key=lambda pair: pair["error"])
-    good = [pair for pair in pairs if pair["error"] <= tolerance] if tolerance else [best]
+    good = good if tolerance else [best]
     if not good:
         raise ValueError(
             f"numerics.fidelity_tolerance = {tolerance:g}: the finest measured fidelity of {model} "

@@ -331,12 +331,13 @@ def beta_for(config: Mapping, law_file=LAW_FILE) -> float:
                 f"config: damping.law = eq5: β = {beta:.3g} s for thickness_m = {b:g}, "
                 f"e_mpa = {e_mpa:g}; expected a wall for which eq. 5 is positive"
             )
-        for name, value, (low, high) in (
-            ("thickness_m", b, EQ5_THICKNESS_M),
-            ("e_mpa", e_mpa, EQ5_MODULUS_MPA),
+        for name, unit, value, (low, high) in (
+            ("thickness_m", "m", b, EQ5_THICKNESS_M),
+            ("e_mpa", "MPa", e_mpa, EQ5_MODULUS_MPA),
         ):
             if not low <= value <= high:
-                _warn(f"eq5: {name} = {value:g} outside its walls, {low:g} to {high:g}")
+                fitted = f"eq. 5 was fitted to walls of {low:g} to {high:g} {unit}"
+                _warn(f"eq5: {name} = {value:g}, and {fitted}")
         return beta
     law, values = read_law(law_file, facade.get("base", bases.STUDY)), groups(config)
     problem = law.outside(values)

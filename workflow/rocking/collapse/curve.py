@@ -87,7 +87,8 @@ class Curve:
             histories behind them. docs/collapse.md says what each means.
         """
         none = pd.DataFrame()
-        return probability.summary(self.table, none, none, self.spread)
+        found = probability.summary(self.table, none, none, self.spread)
+        return {k: v.item() if isinstance(v, np.generic) else v for k, v in found.items()}
 
 
 def collapse_curve(

@@ -1,8 +1,9 @@
 """Scene file of a pushover: the parts of the configuration it depends on, one model or variant."""
 
 import json
+import warnings
 
-from rocking.calibration.beta import beta_for
+from rocking.calibration.beta import RangeWarning, beta_for
 from rocking.runtime.script import run
 from rocking.studies.pushover import variant
 from rocking.tables import write_json
@@ -14,6 +15,7 @@ def main(job):
     if name is not None:
         scene = variant(scene, name)
     scene["model"] = getattr(job.wildcards, "pushed", "W3")
+    warnings.simplefilter("ignore", RangeWarning)  # the run says it at its start, once
     scene["beta_s"] = beta_for(scene, job.input.law)
     for key in ("nodes_thickness", "nodes_height", "step_fraction"):
         scene["numerics"][key] = scene["pushover"][key]

@@ -1,0 +1,25 @@
+"""The code on docs/python.md runs from top to bottom, and prints what the page says."""
+
+import re
+from pathlib import Path
+
+import pytest
+from matplotlib import pyplot
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "python.md"
+
+
+@pytest.mark.slow
+def test_the_page_s_code_runs_and_prints_what_it_says(capsys):
+    page, names = PAGE.read_text("utf-8"), {}
+    for block in re.findall(r"```python\n(.*?)```", page, re.DOTALL):
+        exec(compile(block, PAGE.name, "exec"), names)
+    half_g, histories = capsys.readouterr().out.splitlines()[0].split()
+    assert f"half collapse, {float(half_g):.3f} g" in page
+    assert f"that {histories} histories" in page
+    half = names["half"]
+    assert half["RRS228"][0.45] == pytest.approx(float(half_g), rel=0.03)  # the page's first curve
+    assert half["1ST280"][0.45] < half["1ST280"][0.40]
+    assert half["RRS228"].diff().iloc[1:].tolist() == pytest.approx([0.04, 0.04], abs=0.005)
+    assert len(pyplot.gcf().axes) == 1
+    pyplot.close("all")
