@@ -13,6 +13,8 @@ from rocking.runtime.script import run
 
 MEASURED = {"marker": "D", "mfc": "white", "mec": "k", "color": "k", "ms": 4, "capsize": 4}
 MEASURED |= {"lw": 1.2, "zorder": 5, "label": "test, from e$_{exp}$"}
+RANGE = {"color": "#D55E00", "alpha": 0.45, "lw": 0}
+RANGE["label"] = "test: 64–72, 74–86, 100 % of |e$_{1SR}$|"
 SINGLE = (("first", "#0072B2"), ("second", "#009E73"), ("third", "#CC79A7"))
 
 
@@ -23,13 +25,13 @@ def main(job):
     listed = settings["free_rocking_beta_s"]
     colours = plt.get_cmap("viridis")(np.linspace(0.0, 0.92, len(listed)))
     figure, axes = plt.subplot_mosaic("aa;bc;dd", figsize=(7.4, 7.6))
-    at = fits.at_listed(wall, listed)
+    at, impacts = fits.at_listed(wall, listed), range(1, IMPACTS + 1)
     for i, beta, colour in zip(at, listed, colours, strict=True):
         history = wall["histories"][i]
         for key in "ab":
             line = history["time_s"], history["theta_over_alpha"]
             axes[key].plot(*line, c=colour, lw=1.0, label=f"{beta:g} s")
-        axes["c"].plot(range(1, IMPACTS + 1), wall["e"][i], "o-", c=colour, lw=0.8)
+        axes["c"].plot(impacts, wall["e"][i], "o-", c=colour, lw=0.8)
     time_s, low, high = fits.rebounds_meant(wall)
     for key in "ab":
         intervals(axes[key], time_s, 0.5 * (low + high), low, high, **MEASURED)
@@ -38,23 +40,16 @@ def main(job):
     axes["a"].legend(title="β", ncols=2)
     axes["a"].set(xlabel="time [s]", ylabel="θ/α [–]", xlim=(0.0, None))
     axes["a"].set_title("(a) complete histories", loc="left")
-    axes["b"].set(
-        xlabel="time [s]", ylabel="θ/α [–]", xlim=(first - 0.02, 1.05 * end), ylim=(-0.02, 0.2)
-    )
+    axes["b"].set(xlabel="time [s]", xlim=(first - 0.02, 1.05 * end))
+    axes["b"].set(ylabel="θ/α [–]", ylim=(-0.02, 0.2))
     axes["b"].set_title("(b) after the first impact", loc="left")
-    for n, (low, high) in enumerate(TARGETS, 1):
-        low, high = low * wall["e_1sr"], high * wall["e_1sr"]
-        label = "test: 64–72, 74–86, 100 % of |e$_{1SR}$|" if n == 1 else None
-        bar = [n - 0.2, n + 0.2], low - 0.004, high + 0.004
-        axes["c"].fill_between(*bar, color="#D55E00", alpha=0.45, lw=0, label=label)
+    low, high = wall["e_1sr"] * np.array(TARGETS).T
+    axes["c"].bar(impacts, high - low + 0.008, 0.4, low - 0.004, **RANGE)
     axes["c"].axhline(wall["e_1sr"], c="k", ls=":", label=f"|e$_{{1SR}}$| = {wall['e_1sr']:.3f}")
-    axes["c"].set(
-        xlabel="impact n", ylabel="e$_{exp}$ [–]", xticks=range(1, IMPACTS + 1), ylim=(0.0, 0.9)
-    )
+    axes["c"].set(xlabel="impact n", xticks=impacts, ylabel="e$_{exp}$ [–]", ylim=(0.0, 0.9))
     axes["c"].set_title("(c) restitution, eq. 4 (colours as in a)", loc="left")
     axes["c"].legend(loc="upper right")
-    law = calibration.read_law(job.input.law, settings["base"])
-    panel_ratio(axes["d"], walls, law)
+    panel_ratio(axes["d"], walls, calibration.read_law(job.input.law, settings["base"]))
     style.save(figure, job.output)
 
 
