@@ -19,9 +19,10 @@ def main(job):
         steps = grid["dt_crit_observed_s"].map("{:.2g}".format)
         off = 100.0 * (grid["ratio"] - 1.0)
         image = heat_map(axis, off, steps, cmap="RdBu_r", vmin=-5.0, vmax=5.0)
-        axis.set(title=TITLES.get(scene, scene), xlabel="stiffness factor (-)")
-    axes[0, 0].set_ylabel("damping β (ms)")
-    figure.colorbar(image, ax=axes, label="observed − predicted critical step (%)")
+        axis.set(title=TITLES.get(scene, scene), xlabel="stiffness factor [-]")
+    axes[0, 0].set_ylabel("damping β [ms]")
+    figure.colorbar(image, ax=axes, label="observed − predicted critical step [%]")
+    figure.suptitle("in each field: observed critical step [s]", fontsize=8)
     style.save(figure, job.output)
 
 

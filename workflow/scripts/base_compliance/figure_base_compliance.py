@@ -40,7 +40,8 @@ def collapses(axis, table):
     axis.set(xlabel="collapse PGA, stack of courses [g]", ylabel="collapse PGA, rigid block [g]")
     axis.set_xlim(ends)
     axis.set_ylim(ends)
-    axis.set_title("half collapse", loc="left")
+    models = ", ".join(table["model"].unique())
+    axis.set_title(f"half collapse, {models}; colours as on the left", loc="left")
 
 
 def main(job):

@@ -14,9 +14,9 @@ def main(job):
     figure = plt.figure(figsize=(7.0, 7.4))
     top, bottom = figure.subfigures(2, 1, height_ratios=(1.0, 1.7))
     axes = top.subplots(1, 1 + len(walls))
-    drawing.plan_view(axes[0], plan, f"(a) Plan of '{plan.name}' (m)")
+    drawing.plan_view(axes[0], plan, f"(a) plan of '{plan.name}' [m]")
     for ax, wall in zip(axes[1:], walls, strict=True):
-        drawing.elevation(ax, wall, f"wall '{wall.name}' (m)")
+        drawing.elevation(ax, wall, f"wall '{wall.name}' [m]")
     axes = bottom.subplots(1, 2)
     for ax, model, letter in zip(axes, ("CBDEM", "SBDEM"), "bc", strict=True):
         building = build_model(settings, plan, model, 0.0)

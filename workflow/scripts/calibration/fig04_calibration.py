@@ -49,6 +49,7 @@ def main(job):
     walls = pd.read_csv(job.input.walls)
     law = calibration.read_law(job.input.law, settings["base"])
     figure, axes = plt.subplot_mosaic("ab;cc", figsize=(7.4, 6.0))
+    figure.get_layout_engine().set(wspace=0.06)
     r0, curves = settings["reference_ratio"], fits.along_slenderness(settings, law)
     reference = walls[walls.role == "reference"].sort_values("slenderness")
     batches = study.batches(settings)

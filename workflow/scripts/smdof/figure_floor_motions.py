@@ -49,7 +49,7 @@ def main(job):
         textcoords="offset points",
     )
     axes[1].set(xlabel="period [s]", ylabel="pseudo-acceleration, 5 % damping [g]")
-    axes[1].set_title("colours as beside", loc="left")
+    axes[1].set_title("spectra, in the same colours", loc="left")
     figure.suptitle(
         f"{style.provenance(facts)} through {len(motions) - 1} lumped masses, "
         f"{100 * chain['damping_ratio']:g} % {chain['damping_model']} damping"
