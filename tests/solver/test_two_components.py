@@ -10,7 +10,7 @@ from rocking.solver.plane import moving_supports, to_plane
 from rocking.solver.runs import Motions
 from rocking.solver.runs import history as planar_history
 from rocking.solver.spatial_kernel import roll
-from rocking.studies.two_components import Curve
+from rocking.studies.two_components import Comparison
 from yade_process import ROOT, in_yade, resolved
 
 from yade_scripts.model import floor_motions
@@ -212,7 +212,7 @@ def test_energy_of_a_facade_that_tumbles():
 
 def test_lowest_collapse_from_any_start():
     """The lowest of levels that fall in one go above or below the start; None up to the end."""
-    curve = object.__new__(Curve)
+    curve = object.__new__(Comparison)
     curve.start_g, curve.max_g, curve.settings = 0.1, 0.5, {"level_ratio": 0.1}
     fall = {curve.level(k) for k in (4, 5, 6, 9)}
     assert [curve.lowest(lambda g: g in fall, k) for k in (0, 4, 6, 7)] == [4, 4, 4, 9]
@@ -228,7 +228,7 @@ def test_curve_of_both_components():
     found = []
     for beside in (0.0, 4.0):
         t, columns = shaken(1.0, beside)
-        found.append(Curve(job, t, columns, "pos", settings).compare())
+        found.append(Comparison(job, t, columns, "pos", settings).compare())
     (one, again, two, half, d_one, d_two, twist, slid, *_), moved = found
     assert one == again == two
     assert half == pytest.approx(0.5 * one)

@@ -26,7 +26,7 @@ def site(wildcards):
     """Files that say how the site shakes; what is missing ends the workflow in one line."""
     try:
         assessed.check_stated(config, RUNS.cfg(wildcards)["models"])
-        assessed.check_facade(RUNS.cfg(wildcards))
+        assessed.check_mechanisms(RUNS.cfg(wildcards))
         found = SPECTRUM(wildcards) + HAZARD(wildcards)
         assessed.check_demand(RUNS.cfg(wildcards), *found)
     except ValueError as error:

@@ -151,8 +151,7 @@ def _checks(checks, folder):
 
 
 def _dynamic_check(data, folder):
-    t = data.tables
-    verdicts, motions, yade = t["verdicts"], t["selected_motions"], t["yade"]
+    verdicts, yade = data.tables["verdicts"], data.tables["yade"]
     if verdicts.empty:
         return [
             Paragraph(
@@ -160,7 +159,6 @@ def _dynamic_check(data, folder):
                 f"says ({data.config['assessment']['motions']})."
             )
         ]
-    low, high, fits = data.fit
     rows = [
         (
             r.model,
@@ -172,8 +170,25 @@ def _dynamic_check(data, folder):
         )
         for r in verdicts.itertuples()
     ]
+    verdict_table = Table(
+        "The code's dynamic check (C8.7.1.2.1.9): fulfilled if no history exceeds d0 and "
+        "the mean of the largest displacements of the top does not exceed d_SLV (d_SLC). Last "
+        "column: share of draws with one perturbed history a motion that give the same verdict "
+        "on SLV.",
+        ("model", "beyond d0", "mean", "d_SLV, d_SLC", "SLV", "SLC", "same verdict"),
+        rows,
+        (0.08, 0.13, 0.12, 0.2, 0.165, 0.165, 0.14),
+        f"{folder}/dynamic_check_*.csv",
+    )
+    confirmed = [_in_yade(yade, folder)] if len(yade) else []
+    return [*_motions(data, folder), verdict_table, *confirmed]
+
+
+def _motions(data, folder):
+    """The selected motions and how their mean fits the demand."""
+    motions, (low, high, fits) = data.tables["selected_motions"], data.fit
     factors = motions["factor"]
-    blocks = [
+    return [
         Paragraph(
             f"{len(motions)} recorded motions, one horizontal component a station, factors "
             f"{factors.min():.2f} to {factors.max():.2f}. Their mean spectrum lies "
@@ -183,43 +198,32 @@ def _dynamic_check(data, folder):
             "Directions: " + ", ".join(data.config["directions"]) + "."
         ),
         Picture(
-            pictures.selected(t["selected_spectra"]),
+            pictures.selected(data.tables["selected_spectra"]),
             55.0,
             "Spectra of 5 %: the demand, the motions' mean, and each motion.",
             f"The mean lies {per_cent(low)} to {per_cent(high)} from the demand.",
             f"{folder}/selected_spectra.csv",
         ),
-        Table(
-            "The code's dynamic check (C8.7.1.2.1.9): fulfilled if no history exceeds d0 and "
-            "the mean of the largest displacements of the top does not exceed d_SLV (d_SLC). Last "
-            "column: share of draws with one perturbed history a motion that give the same verdict "
-            "on SLV.",
-            ("model", "beyond d0", "mean", "d_SLV, d_SLC", "SLV", "SLC", "same verdict"),
-            rows,
-            (0.08, 0.13, 0.12, 0.2, 0.165, 0.165, 0.14),
-            f"{folder}/dynamic_check_*.csv",
-        ),
     ]
-    if len(yade):
-        confirmed = []
-        names = {"worst": "the largest", "nearest": "nearest to d_SLV"}
-        one = ["model", "record", "direction", "pga_g", "d_m", "d_yade_m", "status_yade"]
-        for own, part in yade.groupby(one, sort=False, dropna=False):
-            model, record, direction, _, d_m, d_yade_m, status = own
-            which = " and ".join(names[w] for w in part["which"])
-            lengths = f"{1e3 * d_m:.0f} mm", f"{1e3 * d_yade_m:.0f} mm, {status}"
-            confirmed.append((f"{model}, {record} {direction}", which, *lengths))
-        blocks.append(
-            Table(
-                "Run again in YADE, the discrete element program: the history with the largest "
-                "displacement of each model, and the one nearest to d_SLV.",
-                ("history", "", "planar solver", "YADE"),
-                confirmed,
-                (0.3, 0.34, 0.16, 0.2),
-                f"{folder}/dynamic_check_*_yade.csv",
-            )
-        )
-    return blocks
+
+
+def _in_yade(yade, folder):
+    """Histories of the dynamic check that YADE ran again."""
+    rows, names = [], {"worst": "the largest", "nearest": "nearest to d_SLV"}
+    one = ["model", "record", "direction", "pga_g", "d_m", "d_yade_m", "status_yade"]
+    for own, part in yade.groupby(one, sort=False, dropna=False):
+        model, record, direction, _, d_m, d_yade_m, status = own
+        which = " and ".join(names[w] for w in part["which"])
+        lengths = f"{1e3 * d_m:.0f} mm", f"{1e3 * d_yade_m:.0f} mm, {status}"
+        rows.append((f"{model}, {record} {direction}", which, *lengths))
+    return Table(
+        "Run again in YADE, the discrete element program: the history with the largest "
+        "displacement of each model, and the one nearest to d_SLV.",
+        ("history", "", "planar solver", "YADE"),
+        rows,
+        (0.3, 0.34, 0.16, 0.2),
+        f"{folder}/dynamic_check_*_yade.csv",
+    )
 
 
 def _suite(dynamic, folder):

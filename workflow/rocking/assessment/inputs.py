@@ -87,7 +87,7 @@ def check_demand(resolved, *files):
         )
 
 
-def check_facade(resolved):
+def check_mechanisms(resolved):
     """Refuse a façade that has hinges stated, or a part that falls by its own weight."""
     facade = resolved["facade"]
     if given := next((key for key in ("hinges_m", "courses") if facade[key]), None):

@@ -190,11 +190,16 @@ def _agreement(found):
     return f"λ0 {ratio:.2f} times (header joint {rule}{by})", bool(abs(ratio - 1.0) <= AGREEMENT)
 
 
-def _largest_reduction(capacity):
+def _reduction(capacity):
+    """Share of its capacity under W1 that a façade lacks under W2, by case."""
     pair = _pair(capacity, "W2", "W1")
-    if pair is None:
+    return None if pair is None else 1.0 - pair[0] / pair[1]
+
+
+def _largest_reduction(capacity):
+    reduction = _reduction(capacity)
+    if reduction is None:
         return None
-    reduction = 1.0 - pair[0] / pair[1]
     where = reduction.idxmax()
     return (
         f"{100 * reduction.max():.0f} % ({where}); median {100 * reduction.median():.0f} %",
@@ -219,10 +224,9 @@ def _assumption(capacity):
 
 
 def _marginal(capacity):
-    pair = _pair(capacity, "W2", "W1")
-    if pair is None:
+    reduction = _reduction(capacity)
+    if reduction is None:
         return None
-    reduction = 1.0 - pair[0] / pair[1]
     small = reduction[reduction.index.isin(MARGINAL)]
     marked = reduction[~reduction.index.isin(MARGINAL)]
     if not len(small) or not len(marked):

@@ -22,8 +22,8 @@ import numpy as np
 
 from rocking.collapse import search
 from rocking.collapse.case import Case
+from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
-from rocking.collapse.scan import Screen
 from rocking.configuration.schema import ConfigError
 from rocking.reference.facade import answers, motion_of
 from rocking.solver.runs import STEP_FRACTION
@@ -96,12 +96,11 @@ def verdict_of(model, changes, record, direction):
     """
     try:
         case = Case.configured(model, changes)
-        motion = Motion(record)
-        time_s, columns = motion.columns(case)
-        own = Screen(case.scene, time_s, columns, direction)
-        half = Screen(case.scene, time_s, columns, direction, fraction=0.5 * STEP_FRACTION)
+        given = "planar", case, Motion(record), direction
+        own, half = run_by(*given), run_by(*given, fraction=0.5 * STEP_FRACTION)
     except (ConfigError, ValueError) as error:
         return {"verdict": "refused", "why": str(error)}
+    time_s, columns = own.time_s, own.columns
     step_s, steps = own.steps_s[0], math.ceil(time_s[-1] / own.steps_s[0])
     found, scan_s = {"step_s": step_s, "steps": steps}, SCAN_RUNS * steps * STEP_COST_S
     if scan_s > LIMIT_S:

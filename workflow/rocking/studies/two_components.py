@@ -63,7 +63,7 @@ def runs(case, row, settings):
     }
 
 
-class Curve:
+class Comparison:
     """One model, record and direction under one component and under both.
 
     Parameters

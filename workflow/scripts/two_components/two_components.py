@@ -2,7 +2,7 @@
 
 import numpy as np
 from rocking.runtime.script import run
-from rocking.studies.two_components import COLUMNS, Curve
+from rocking.studies.two_components import COLUMNS, Comparison
 from rocking.tables import read_json, write_table
 
 from yade_scripts.model import floor_motions
@@ -16,7 +16,7 @@ def main(job):
     for path in job.input.scenes:
         scene = read_json(path)
         for direction in p.directions:
-            found = Curve(scene, time_s, columns, direction, p.settings).compare()
+            found = Comparison(scene, time_s, columns, direction, p.settings).compare()
             own = (scene["model"], job.wildcards.record, p.second, direction, ratio)
             rows.append((*own, *found))
     write_table(rows, job.output[0], COLUMNS)
