@@ -21,6 +21,7 @@ myst_heading_anchors = 3
 
 autodoc_mock_imports = ["yade", "minieigen"]  # built for the system's Python alone
 autodoc_member_order = "bysource"
+autodoc_preserve_defaults = True  # as the code names them: a path would be that of this machine
 # a parameter's name may be an attribute of two classes; nothing is linked by such names
 suppress_warnings = ["ref.python"]
 napoleon_use_ivar = True

@@ -73,12 +73,41 @@ class Motion:
 
     @classmethod
     def named(cls, name, table=TABLE, **how):
-        """Motion of one row of a records table; `how` as of `rocking.records.load`."""
+        """Motion of one row of a records table.
+
+        Parameters
+        ----------
+        name : str
+            In the table's column record.
+        table : path
+            The project's four by default, which are surrogates.
+        how
+            Of `rocking.records.load`: baseline, seed; vertical_motion="on" adds the vertical one.
+
+        Raises
+        ------
+        RecordError
+            In one line that names the table, and row or file.
+        """
         return cls(load(name, str(table), **how))
 
     @classmethod
     def read(cls, path, **how):
-        """Motion of an accelerogram's file; `how` as of `rocking.records.read_record`."""
+        """Motion of an accelerogram's file.
+
+        Parameters
+        ----------
+        path : path
+            Of any format that a records table may name (docs/motions.md).
+        how
+            Of `rocking.records.read_record`: name, format, component, and dt_s and units where the
+            file does not state them.
+
+        Raises
+        ------
+        RecordError
+            In one line that names the file and the line.
+        """
         return cls(read_record(str(path), **how))
 
     @classmethod

@@ -2,7 +2,7 @@
 
 The dense scan finds every range of collapse of a curve; this takes some forty histories at steps
 four times as long (`search.crossings`). A separate range further below, narrower than a step of its
-climb, may be missed: what that changes is measured in docs/assessment.md.
+climb, may be missed: what that changes is measured in docs/log/assessment.md.
 """
 
 from rocking.collapse.curve import collapse_curve
