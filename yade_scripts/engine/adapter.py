@@ -47,7 +47,7 @@ class Built:
         Follows the bonded nodes, if there are any.
     guide : guide.Guide or None
         Moves the blocks that are driven along y but free otherwise, if there are any.
-    releases : faces.Releases or None
+    releases : releases.Releases or None
         Lets go of nodes that have slid past their rim, if faces have rims.
     linked : dict of int to list of int
         YADE ids of the parts of links, by block.
