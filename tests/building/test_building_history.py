@@ -183,8 +183,9 @@ def test_explicit_run_agrees_with_modal_superposition(wall, ground, tmp_path):
         grid = smdof.common_grid(history.time_s, values, explicit[:, 0], explicit[:, column])
         assert smdof.weighted_mean_error(*grid) < 0.02
     # the step that the stability limit forbids is noticed, not reported as a motion
-    step = str(scene.notes["step_s"] * 1.4)
-    failed = run_study(*words, "--output", "bad.csv", "--step", step, folder=tmp_path)
+    scene.notes["step_s"] *= 1.4
+    (tmp_path / "scene.json").write_text(to_json(scene))
+    failed = run_study(*words, "--output", "bad.csv", folder=tmp_path)
     assert failed.returncode != 0
     assert "step is too long" in failed.stderr
     assert not (tmp_path / "bad.csv").exists()

@@ -26,15 +26,16 @@ from yade_scripts.studies import command, shaking
 from yade_scripts.studies.frames import Camera
 from yade_scripts.studies.tables import history_csv
 
+SAMPLE_S, FRAME_S = 0.005, 0.05  # between samples, and between frames
 COLUMNS = ("time_s", "d_over_b", "top_m", "ends_m", "facade_m", "broken")
 
 
 class Recorder:
     """Displacements along y at every sample: see COLUMNS."""
 
-    def __init__(self, scene, every_s):
+    def __init__(self, scene):
         """`top` is the floor on top, `ends` the highest bricks behind the façade."""
-        self.scene, self.every_s, self.rows = scene, every_s, []
+        self.scene, self.rows = scene, []
         facade = scene.index(scene.monitor)
         behind = np.unique(scene.nodes.a[scene.nodes.b == facade])
         heights = np.array([scene.blocks[i].centre_m[2] for i in behind])
@@ -46,7 +47,7 @@ class Recorder:
         self.omega, self.bonds = built.omega, built.bonds
         states = [[built.omega.bodies[built.body[i]].state for i in g] for g in self.groups]
         self.states = [[(s, s.pos[1]) for s in group] for group in states]
-        loop.between(self.sample, max(1, round(self.every_s / built.omega.dt)), first=1)
+        loop.between(self.sample, round(SAMPLE_S / built.omega.dt), first=1)
 
     def sample(self):
         """Keep time, displacements and the number of broken bonds."""
@@ -65,10 +66,8 @@ def main(arguments=None):
     parser = command.parser(__doc__, *words, **texts)
     command.add_intensity(parser)
     parser.add_argument("--until", type=float, help="end of motion and run [s]")
-    parser.add_argument("--every", type=float, default=0.005, help="interval of samples [s]")
     parser.add_argument("--apart", action="store_true", help="nothing between façade and building")
     parser.add_argument("--frames", help="poses of all blocks (JSON)")
-    parser.add_argument("--interval", type=float, default=0.05, help="between frames [s]")
     parser.add_argument("--fall", type=float, default=1.0, help="d/b at which to stop")
     args = parser.parse_args(arguments)
     pga_g = command.intensity(args, or_highest=True)
@@ -84,13 +83,13 @@ def main(arguments=None):
     adapter.load_yade()
     shaken = shaking.set_up(scene, numerics, time_s, columns, factor)
     shaken = replace(shaken, rules=replace(shaken.rules, overturn_ratio=args.fall))
-    recorder = Recorder(scene, args.every)
+    recorder = Recorder(scene)
     camera = Camera(scene) if args.frames else None
 
     def setup(built):
         recorder(built)
         if camera:
-            camera.attach(args.interval)(built)
+            camera.attach(FRAME_S)(built)
 
     cpu = time.process_time()
     history = shaken.checked(setup=setup)

@@ -2,12 +2,12 @@
 
 Run by YADE's own Python:
 
-    python3 yade_scripts explicit_building --scene scene.json --motion motion.csv \
-        --rate 2.3 --step 2e-4 --duration 8 --output history.csv
+    python3 yade_scripts explicit_building --scene scene.json --motion motion.csv
+        --output history.csv
 
-The run works in the frame of the ground: the ground is fixed, every block feels −m·a_g along y
-and, where it is asked for, its weight from the first step on; `LinearDragEngine` gives
-mass-proportional damping.
+Step, duration and the rate of damping stand in the scene's notes. The run works in the frame of the
+ground: the ground is fixed, every block feels −m·a_g along y and, where it is asked for, its weight
+from the first step on; `LinearDragEngine` gives mass-proportional damping.
 """
 
 import csv
@@ -112,13 +112,10 @@ def corner(scene):
 
 
 def main(arguments=None):
-    """Read a scene and a motion, run, write the history (CSV) and the cost (JSON)."""
+    """Parse the command line, run, write history and cost; return the exit status."""
     texts = {"motion": "time_s, ground acceleration in m/s² (CSV)", "output": "history (CSV)"}
     parser = command.parser(__doc__, "scene", **texts)
-    parser.add_argument("--rate", type=float, help="damping rate a [1/s]; default the scene's note")
-    parser.add_argument("--step", type=float, help="time step [s]; default the scene's note")
-    parser.add_argument("--duration", type=float, help="[s]; default the scene's note")
-    parser.add_argument("--steps", type=int, help="number of steps instead of a duration")
+    parser.add_argument("--steps", type=int, help="number of steps; default the scene's duration")
     parser.add_argument("--gravity", type=float, default=0.0, help="downward, sudden [m/s²]")
     parser.add_argument("--cost", help="JSON with steps, wall time and memory")
     options = parser.parse_args(arguments)
@@ -126,14 +123,7 @@ def main(arguments=None):
     with open(options.motion, encoding="utf-8", newline="") as handle:
         rows = [row for row in csv.reader(line for line in handle if not line.startswith("#"))]
     motion = np.array([[float(v) for v in row[:2]] for row in rows[1:]])
-    rate, step, duration = (
-        scene.notes[key] if given is None else given
-        for key, given in (
-            ("rate_1_s", options.rate),
-            ("step_s", options.step),
-            ("duration_s", options.duration),
-        )
-    )
+    rate, step, duration = (scene.notes[key] for key in ("rate_1_s", "step_s", "duration_s"))
     if options.steps is not None:
         duration = options.steps * step
     duration = min(duration, motion[-1, 0])
@@ -161,3 +151,4 @@ def main(arguments=None):
             "memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0,
         }
         write_json(options.cost, cost)
+    return 0

@@ -11,7 +11,6 @@ like the rising one. The push is slow enough for inertia and dashpots to vanish 
 façade without headers (an eighth of a percent to three percent of it).
 """
 
-import sys
 from dataclasses import replace
 from typing import Any
 
@@ -184,9 +183,7 @@ def main(arguments=None):
     write_atomic(args.output, history_csv({}, COLUMNS, curve, dict.fromkeys(COLUMNS, ".9g")))
     if args.forces:
         write_atomic(args.forces, forces_csv(scene, forces))
-    print(
-        f"[{case['model']}] pushover: peak λ = {curve[:, 1].max():.4f}, "
-        f"{len(broken)} bonded nodes broke",
-        file=sys.stderr,
-    )
+    peak = curve[:, 1].max()
+    say = command.progress(case["model"])
+    say(f"pushover: peak λ = {peak:.4f}, {len(broken)} bonded nodes broke")
     return 0

@@ -10,7 +10,6 @@ magnitude. Bisection finds where.
 """
 
 import math
-import sys
 from dataclasses import replace
 
 import numpy as np
@@ -280,7 +279,7 @@ def main(arguments=None):
     texts = {"output": "every trial (CSV)", "limits": "observed limits (CSV)"}
     args = command.parser(__doc__, "scene", **texts).parse_args(arguments)
     case = read_json(args.scene)
-    rows, limits = study(case, say=lambda text: print(text, file=sys.stderr, flush=True))
+    rows, limits = study(case, command.progress("stability"))
     write_atomic(args.limits, to_csv(limits, LIMIT_COLUMNS))
     write_atomic(args.output, to_csv(rows, COLUMNS))
     return 0
