@@ -209,6 +209,18 @@ def summary(scan, curve, realisations, spread):
     }
 
 
+def half_collapse(table):
+    """PGA of half collapse of each curve, else the middle between what stood and what fell [g].
+
+    Parameters
+    ----------
+    table : DataFrame
+        Of tables/ida_collapse.csv.
+    """
+    middle = 0.5 * (table["pga_safe_g"].fillna(0.0) + table["pga_collapse_g"])
+    return table["pga_median_g"].fillna(middle)
+
+
 def outcomes(*tables):
     """Amplitude, outcome and d/b of every run that did not fail, by ascending amplitude."""
     parts = []

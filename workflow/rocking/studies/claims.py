@@ -10,6 +10,7 @@ Claims are made for surrogates and for recorded motions separately.
 import numpy as np
 import pandas as pd
 
+from rocking.collapse.probability import half_collapse
 from rocking.statements import COLUMNS, OURS, STUDY, statement
 
 MARGINAL = ("BUCAR0-", "BUCAR0+", "1ST280-", "HVSC1+", "RRS228+")
@@ -39,8 +40,7 @@ def capacities(collapse):
     table["case"] = table["record"] + sign
     numbers = ["pga_safe_g", "pga_collapse_g", "pga_median_g", "pga_p10_g", "pga_p90_g"]
     table[numbers] = table[numbers].astype(float)
-    middle = 0.5 * (table["pga_safe_g"].fillna(0.0) + table["pga_collapse_g"])
-    table["capacity"] = table["pga_median_g"].fillna(middle)
+    table["capacity"] = half_collapse(table)
     table["bound"] = table["pga_safe_g"].where(table["capacity"].isna())
     band = table["pga_p90_g"] - table["pga_p10_g"]
     table["width"] = band.fillna(table["pga_collapse_g"] - table["pga_safe_g"].fillna(0.0))

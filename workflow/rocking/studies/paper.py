@@ -4,6 +4,8 @@ import math
 
 import pandas as pd
 
+from rocking.collapse.probability import half_collapse
+
 MET = ("yes", "no", "partly", "given", "open")
 HEAD = "| | in the study | its value | here | met | why they differ |\n|---|---|---|---|---|---|\n"
 NOT_RUN = "not part of this run"
@@ -137,9 +139,8 @@ def collapse(data, tables):
     table = tables.get("ida_collapse")
     if table is None:
         return []
-    middle = 0.5 * (table["pga_safe_g"].fillna(0.0) + table["pga_collapse_g"])
     table = table.assign(
-        pga=table["pga_median_g"].fillna(middle),
+        pga=half_collapse(table),
         curve=table["record"] + table["direction"].map({"pos": "+", "neg": "−"}),
     )
     wide = table.pivot(index="curve", columns="model", values="pga")

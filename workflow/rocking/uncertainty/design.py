@@ -4,7 +4,7 @@ import math
 
 from rocking.collapse.case import Variant
 from rocking.collapse.quick import LONG_STEP, crossings
-from rocking.records import load
+from rocking.records import load_as
 from rocking.uncertainty import sampling
 from yade_scripts.model import models
 
@@ -109,8 +109,7 @@ def drawn_motions(runs, run):
 
 def _duration_s(runs, run, name):
     """Duration of a record, as its table states it or by reading it."""
-    row, resolved = runs.tables[run][name], runs.settings[run]
-    if "duration_s" in row.targets:
-        return row.targets["duration_s"]
-    how = {key: resolved[key] for key in ("baseline", "seed")}
-    return load(name, runs.table_path(run), **how).duration_s
+    targets = runs.tables[run][name].targets
+    if "duration_s" in targets:
+        return targets["duration_s"]
+    return load_as(runs.settings[run], name, runs.table_path(run)).duration_s
