@@ -80,7 +80,7 @@ def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=()):
     return Mechanism(name, tuple(weights), move(top), tuple(found), pieces=pieces)
 
 
-def bending(name, lower, upper, base, joint, top, loads=(), held=(), pushes=()):
+def bending(name, lower, upper, base, joint, top, loads=(), held=()):
     """Two blocks between held levels: vertical bending.
 
     The lower block turns outward about `base`, the upper one back about `joint`, the inner edge of
@@ -97,8 +97,6 @@ def bending(name, lower, upper, base, joint, top, loads=(), held=(), pushes=()):
         That move with the block they stand on.
     held : sequence of (weight_n, y_m, z_m)
         That bear on the upper block and are held.
-    pushes : sequence of (weight_n, height_m)
-        Between the levels.
     """
     first = turning(joint, base)
     dy, dz = top[0] - joint[0], top[1] - joint[1]
@@ -125,7 +123,6 @@ def bending(name, lower, upper, base, joint, top, loads=(), held=(), pushes=()):
     weights += [Weight(w, above((y, z))) for w, y, z in upper if w > 0.0]
     weights += [Weight(w, move((y, z))) for w, y, z in loads if w > 0.0]
     weights += [Weight(w, _part(above((y, z)), 1)) for w, y, z in held if w > 0.0]
-    weights += [Weight(w, _part(move((base[0], z)), 0)) for w, z in pushes if w > 0.0]
     rise = joint[1] - base[1]
     largest = math.asin(min(0.95 * length / rise, 0.95))  # the joint stays within its reach
     pieces = ((base[1], joint[1], below), (joint[1], top[1], above))

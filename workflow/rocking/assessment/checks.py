@@ -14,6 +14,7 @@ from rocking.assessment.demand import displacement, largest_displacement
 from rocking.assessment.sources import cited
 from rocking.mechanics.closed_forms import GRAVITY_M_S2, block
 from rocking.records import G_M_S2
+from rocking.records.intensity_measures import HOUSNER_S
 
 BEHAVIOUR = 2.0  # q of the linear check
 LEAST_KNOWN = 1.35  # FC of knowledge level 1
@@ -188,15 +189,15 @@ def nonlinear(mechanism, demand, where, limit="SLV", *, confidence_factor=1.0, t
     )
 
 
-def first_reading(mechanism, demand, where, limit="SLV", *, confidence_factor=1.0):
+def first_reading(mechanism, demand, where, limit="SLV"):
     """The non-linear check as secondary transcriptions have it, to tell what the letter changes.
 
-    Demand at the secant period alone, and no bound by the onset.
+    Demand at the secant period alone, no bound by the onset, FC = 1.
     """
     share, factor, damping = LIMITS[limit]
     per_control = mechanism.participation()[2]
     control = share * mechanism.ultimate()[1]
-    a = capacity_at(mechanism, control, confidence_factor)
+    a = capacity_at(mechanism, control, 1.0)
     d = control * per_control
     needed = displacement(demand, factor * math.pi * math.sqrt(d / a), damping)
     fails = demand.pga_g * d / needed
@@ -310,11 +311,11 @@ def parts(mechanism, demand, height_m, building_m, period_s, *, response_factor=
     return Check(name, cited("parts"), alpha, force, "-", demand.pga_g, fails, steps)
 
 
-def mean_pseudo_velocity(demand, damping_ratio=0.05, low_s=0.1, high_s=2.5, points=49):
-    """Mean pseudo-velocity from 0.1 to 2.5 s, Housner's spectrum intensity over 2.4 s [m/s]."""
-    t = np.linspace(low_s, high_s, points)
-    v = [demand.acceleration(p, damping_ratio) * G_M_S2 * p / (2.0 * np.pi) for p in t]
-    return float(np.trapezoid(v, t) / (high_s - low_s))
+def mean_pseudo_velocity(demand):
+    """Mean 5 % pseudo-velocity from 0.1 to 2.5 s, Housner's intensity over 2.4 s [m/s]."""
+    t = HOUSNER_S
+    v = [demand.acceleration(p) * G_M_S2 * p / (2.0 * np.pi) for p in t]
+    return float(np.trapezoid(v, t) / (t[-1] - t[0]))
 
 
 def housner(height_m, thickness_m, demand):

@@ -136,11 +136,10 @@ def first_mode(modes, reading):
     return int(np.argmax(modes.effective_ratio[:, 1] >= SIGNIFICANT))
 
 
-def loaded(settings, plan, coarsening, count=12):
+def loaded(settings, plan, coarsening):
     """Return {model: LoadedModes} of a plan."""
     return {
-        model: LoadedModes(build_model(settings, plan, model, 0.0, coarsening), count)
-        for model in MODELS
+        model: LoadedModes(build_model(settings, plan, model, 0.0, coarsening)) for model in MODELS
     }
 
 

@@ -8,6 +8,8 @@ left out; an overturned run counts as d/b = 1.
 import numpy as np
 import pandas as pd
 
+MOST = 201  # realisations that are tried
+
 
 def _valid(rows):
     """Rows as a table, without failed runs, overturned ones at d/b = 1."""
@@ -54,18 +56,18 @@ def bands(ensemble_rows, percentiles=(10.0, 90.0)):
     return pd.DataFrame(out, columns=columns)
 
 
-def realisations_needed(values, tolerance, seed, limit=201):
+def realisations_needed(values, tolerance, seed):
     """Smallest odd number of realisations whose median stays within ± tolerance in 90 % of draws.
 
     Returns
     -------
     int or None
-        None if more than `limit` are needed.
+        None if more than `MOST` are needed.
     """
     rng = np.random.default_rng(seed)
     values = np.asarray(values, float)
     centre = np.median(values)
-    for n in range(3, limit + 1, 2):
+    for n in range(3, MOST + 1, 2):
         medians = np.median(rng.choice(values, (2000, n)), axis=1)
         if np.mean(np.abs(medians - centre) <= tolerance) >= 0.9:
             return n

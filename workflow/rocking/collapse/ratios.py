@@ -56,18 +56,17 @@ class Ratios:
         return getattr(self, what) if isinstance(what, str) else self.percentiles(what)
 
 
-def spread(table, by, columns, value="ratio"):
+def spread(table, by, columns):
     """How the ratios of a table spread, a row a group, in the order in which groups appear.
 
     Parameters
     ----------
     table : DataFrame
+        With a column ratio.
     by : list of str
         Columns that make a group.
     columns : dict of str to number, str or callable
         What a row says, by column, see `Ratios.said`.
-    value : str
-        Column of the ratios.
 
     Returns
     -------
@@ -76,6 +75,6 @@ def spread(table, by, columns, value="ratio"):
     """
     rows = []
     for key, part in table.groupby(by, sort=False):
-        found = Ratios(part[value])
+        found = Ratios(part["ratio"])
         rows.append((*key, *(found.said(what) for what in columns.values())))
     return pd.DataFrame(rows, columns=[*by, *columns])

@@ -91,7 +91,7 @@ class YadeRuns:
     seen = Scan.seen
 
 
-def yade_history(case, motion, direction, pga_g, limit_s=LIMIT_S):
+def yade_history(case, motion, direction, pga_g):
     """One history by YADE, with contact forces and energies; see the study `history`.
 
     Raises
@@ -106,7 +106,7 @@ def yade_history(case, motion, direction, pga_g, limit_s=LIMIT_S):
         write_columns(Path(folder, "motion.csv"), *motion.columns(case), digits=WHOLE)
         words = ["--scene", "case.json", "--motion", "motion.csv", "--direction", direction]
         words += ["--record", motion.name or "motion", "--pga", f"{pga_g:.17g}"]
-        run_yade("history", *words, "--output", "history.csv", folder=folder, limit_s=limit_s)
+        run_yade("history", *words, "--output", "history.csv", folder=folder)
         table = pd.read_csv(Path(folder, "history.csv"))
     status = str(table["status"].iloc[0])
     peak = float("nan") if status == "failed" else float(table["d_over_b"].abs().max())

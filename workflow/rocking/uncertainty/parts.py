@@ -75,7 +75,7 @@ def components(y, numerical=0.0):
     }
 
 
-def cube(table, replicate=0):
+def cube(table):
     """Logarithms of collapse as (motions, points, models), and the motions that are complete.
 
     A motion under which some cell never collapsed is left out.
@@ -90,7 +90,7 @@ def cube(table, replicate=0):
     y : ndarray
     records, models : list of str
     """
-    mine = table[(table["replicate"] == replicate) & (table["sample"] > 0)]
+    mine = table[(table["replicate"] == 0) & (table["sample"] > 0)]
     wide = mine.pivot(index="record", columns=["sample", "model"], values="pga_median_g").dropna()
     models = list(dict.fromkeys(mine["model"]))
     points = sorted(set(mine["sample"]))
