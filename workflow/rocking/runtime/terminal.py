@@ -20,12 +20,13 @@ MAX_WARNINGS = 5
 
 
 def warn(lines, stream=None):
-    """Print warnings about records, a line each, the first of many."""
+    """Print warnings, a line each, the first of many."""
     lines = list(lines)
     for line in lines[:MAX_WARNINGS]:
         print(f"warning: {line}", file=stream or sys.stderr)
     if (more := len(lines) - MAX_WARNINGS) > 0:
-        print(f"warning: {more} more records: see the target check", file=stream or sys.stderr)
+        said = f"warning: {more} more; the target check lists all of records"
+        print(said, file=stream or sys.stderr)
 
 
 def wanted(record):

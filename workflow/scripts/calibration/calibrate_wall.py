@@ -42,7 +42,7 @@ def draw(job, config, wall, targets, rows, fit):
     for row, line in zip(rows[1:], ("--", "-."), strict=False):
         at_ms = 1e3 * row["beta_s"]
         left.axvline(at_ms, c="0.4", ls=line, lw=0.9, label=f"{row['source']}: {at_ms:.3g} ms")
-    left.set(xscale="log", xlabel="β [ms]", ylabel="e$_{exp}$ [–]", ylim=(0.0, None))
+    left.set(xscale="log", xlabel="β [ms]", ylabel="e$_{exp}$ [-]", ylim=(0.0, None))
     ticks(left.xaxis, [float(f"{b:.2g}") for b in beta])
     left.set_title("(a) restitution against its targets (bars)", loc="left")
     left.legend(fontsize=6.3)
@@ -54,7 +54,7 @@ def draw(job, config, wall, targets, rows, fit):
         text = "fewer than 3 impacts" if np.isnan(error[i]) else f"misfit {error[i]:.2f}"
         label = f"β = {beta[i]:.2g} ms, {text}"
         right.plot(h["time_s"], h["theta_over_alpha"], c=colour, lw=0.9, label=label)
-    right.set(xlabel="time [s]", ylabel="θ/α [–]")
+    right.set(xlabel="time [s]", ylabel="θ/α [-]")
     right.set_title("(b) free rocking", loc="left")
     right.legend(fontsize=6.3)
     facade, r = config["facade"], groups(config)["return_wall_ratio"]

@@ -36,11 +36,11 @@ def panel_runs(axes, runs, best, limits):
     x, low, high = limits
     axes.plot(x, low * MS, "k:", lw=1, label="two stacked blocks, single block")
     axes.plot(x, high * MS, "k:", lw=1)
-    axes.set(yscale="log", xlabel="h/b [–]", ylabel="β [ms]")
+    axes.set(yscale="log", xlabel="h/b [-]", ylabel="β [ms]")
     axes.legend(loc="upper left", fontsize=6.5)
     axes.yaxis.set_major_formatter("{x:g}")
     axes.set_ylim(None, 120.0)
-    label = "misfit of e$_{exp}$/|e$_{1SR}$| [–]"
+    label = "misfit of e$_{exp}$/|e$_{1SR}$| [-]"
     plt.colorbar(drawn, ax=axes, label=label, pad=0.01, extend="max")
 
 
@@ -68,7 +68,7 @@ def main(job):
         axes["b"].plot(part.slenderness, part.beta_fit_s * MS, "o", c=colour, label=label)
     axes["b"].plot([], [], "0.4", label="fitted law, 90 % band")
     axes["b"].plot([], [], "--", c="0.4", lw=0.9, label="eq. 5")
-    axes["b"].set(xlabel="h/b [–]", ylabel="best-fitting β [ms]", yscale="log")
+    axes["b"].set(xlabel="h/b [-]", ylabel="best-fitting β [ms]", yscale="log")
     axes["b"].set_title(f"(b) best fits at r = {r0:g}", loc="left")
     axes["b"].set_ylim(0.4 * axes["b"].get_ylim()[0], None)
     ticks(axes["b"].yaxis, (0.1, 0.2, 0.5, 1.0, 2.0))
@@ -85,7 +85,7 @@ def main(job):
     law_omega = (first[name] * first.omega_c_rad_s for name in ("beta_s", "low_s", "high_s"))
     label = f"fitted law at r = {r0:g}, 90 % band"
     band(axes["c"], first.slenderness, *law_omega, "0.3", label=label)
-    axes["c"].set(xlabel="h/b [–]", ylabel="β·ω$_c$ [–]", ylim=(0.5, 1.45))
+    axes["c"].set(xlabel="h/b [-]", ylabel="β·ω$_c$ [-]", ylim=(0.5, 1.45))
     axes["c"].set_title(TITLE_C, loc="left")
     axes["c"].legend(ncols=4)
     style.save(figure, job.output)

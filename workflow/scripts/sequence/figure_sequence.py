@@ -17,10 +17,10 @@ def main(job):
     at = {level: k for k, level in enumerate(levels)}
     for axis, model in zip(axes.flat, models, strict=True):
         part, kind = table[table["model"] == model], MODELS[model]
-        for _, curve in part.groupby(["record", "first", "direction"]):
-            x = curve["first_pga_g"].map(at)
+        for (_, _, direction), curve in part.groupby(["record", "first", "direction"]):
+            x, face = curve["first_pga_g"].map(at), kind.colour if direction == "pos" else "white"
             axis.plot(x, curve["ratio"], color=kind.colour, lw=0.8, alpha=0.6, zorder=2)
-            axis.plot(x, curve["ratio"], kind.marker, color=kind.colour, ms=3.5, zorder=3)
+            axis.plot(x, curve["ratio"], kind.marker, color=kind.colour, mfc=face, ms=3.5, zorder=3)
         for level in levels[1:]:
             fell = int(part.loc[part["first_pga_g"] == level, "fell_first"].sum())
             if fell:
@@ -31,7 +31,7 @@ def main(job):
         axis.set_xlim(-0.3, len(levels) - 0.7)
     top = 1.1 * max(1.0, float(np.nanmax(table["ratio"], initial=1.0)))
     axes[0, 0].set(ylabel="collapse PGA, after over before [-]", ylim=(0.0, top))
-    figure.supxlabel("PGA of the first shock [g]", fontsize=9)
+    figure.supxlabel("PGA of the first shock [g]; direction +: filled, −: open", fontsize=9)
     style.save(figure, job.output, job.input.facts)
 
 

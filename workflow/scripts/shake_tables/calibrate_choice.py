@@ -67,7 +67,7 @@ def main(job):
                     fell["d_over_b"], fell["pga_g"], "o", c=colour, mfc="white", clip_on=False
                 )
             axis.set_title(f"{model}, {record} {style.SIGNS[direction]}", loc="left")
-            axis.set(xlabel="d/b [–]", ylabel="PGA [g]", xlim=(0, 1.02), ylim=(0, None))
+            axis.set(xlabel="d/b [-]", ylabel="PGA [g]", xlim=(0, 1.02), ylim=(0, None))
     axes[0, 0].legend()
     style.save(figure, job.output, job.input.facts)
 

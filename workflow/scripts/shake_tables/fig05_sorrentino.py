@@ -38,15 +38,15 @@ def main(job):
     first = float(wall["found"][0].impact_time_s[0])
     end = max((t for i in at for t in wall["found"][i].peak_time_s[:IMPACTS]), default=0.0)
     axes["a"].legend(title="β", ncols=2)
-    axes["a"].set(xlabel="time [s]", ylabel="θ/α [–]", xlim=(0.0, None))
+    axes["a"].set(xlabel="time [s]", ylabel="θ/α [-]", xlim=(0.0, None))
     axes["a"].set_title("(a) complete histories", loc="left")
     axes["b"].set(xlabel="time [s]", xlim=(first - 0.02, 1.05 * end))
-    axes["b"].set(ylabel="θ/α [–]", ylim=(-0.02, 0.2))
+    axes["b"].set(ylabel="θ/α [-]", ylim=(-0.02, 0.2))
     axes["b"].set_title("(b) after the first impact", loc="left")
     low, high = wall["e_1sr"] * np.array(TARGETS).T
     axes["c"].bar(impacts, high - low + 0.008, 0.4, low - 0.004, **RANGE)
     axes["c"].axhline(wall["e_1sr"], c="k", ls=":", label=f"|e$_{{1SR}}$| = {wall['e_1sr']:.3f}")
-    axes["c"].set(xlabel="impact n", xticks=impacts, ylabel="e$_{exp}$ [–]", ylim=(0.0, 0.9))
+    axes["c"].set(xlabel="impact n", xticks=impacts, ylabel="e$_{exp}$ [-]", ylim=(0.0, 0.9))
     axes["c"].set_title("(c) restitution, eq. 4 (colours as in a)", loc="left")
     axes["c"].legend(loc="upper right")
     panel_ratio(axes["d"], walls, calibration.read_law(job.input.law, settings["base"]))
@@ -70,7 +70,7 @@ def panel_ratio(axes, walls, law):
     for beta, text in ((0.25, "first bounce"), (1.0, "second and third")):
         axes.axhline(beta, c="#56B4E9", ls="-.", lw=1.0)
         axes.text(r[0], beta + 0.015, f"the study: {text}", fontsize=6.5)
-    axes.set(xscale="log", xlabel="return-wall ratio r = total thickness/width [–]")
+    axes.set(xscale="log", xlabel="return-wall ratio r = total thickness/width [-]")
     axes.set(ylabel="β [ms]", ylim=(0.0, 1.3))
     ticks(axes.xaxis, r)
     title = "(d) sensitivity to the widths, which are not stated; β of the study's text"

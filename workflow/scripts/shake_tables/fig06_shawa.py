@@ -42,7 +42,7 @@ def main(job):
     figure.legend(handles=handles, loc="outside lower center", ncols=3, title=title)
     for axis in axes[-1, :2]:
         axis.set_xlabel("time [s]")
-    axes[-1, 2].set_xlabel("factor on the motion [–]")
+    axes[-1, 2].set_xlabel("factor on the motion [-]")
     for axis in axes[:, 0]:
         axis.set_ylabel("top displacement [mm]")
     style.save(figure, job.output)
