@@ -22,7 +22,7 @@ from rocking.configuration import config as configuration
 from rocking.configuration import doubts, renamed
 from rocking.configuration.chosen import chosen
 from rocking.records.intensity_measures import MEASURES
-from rocking.studies.pushover import DRAWN, VARIANTS
+from rocking.studies.pushover import DRAWN, VARIANTS, laid
 from rocking.records import RecordError, read_table
 from rocking.records.check import check_runs
 from rocking.runtime import file_times, first_page, interrupts, progress

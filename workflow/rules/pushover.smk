@@ -9,6 +9,14 @@ def pushover_curves(wildcards):
     return of_run(rules.pushover_curve.output[0], pushed=models)(wildcards)
 
 
+def laid_variants(run):
+    """Variants of W3 whose bricks can be laid in a run's façade."""
+    try:
+        return laid(RUNS.settings[run])
+    except ValueError as error:
+        stop(error)
+
+
 wildcard_constraints:
     pushed="|".join(PUSHED),
     variant="|".join(re.escape(name) for name in VARIANTS),
@@ -86,9 +94,9 @@ rule pushover_curve:
 rule table_pushover:
     input:
         curves=pushover_curves,
-        scenes=of_run(rules.pushover_variant_scene.output[0], variant=list(VARIANTS)),
-        raw=of_run(rules.pushover_variant.output.curve, variant=list(VARIANTS)),
-        forces=of_run(rules.pushover_variant.output.forces, variant=list(VARIANTS)),
+        scenes=of_run(rules.pushover_variant_scene.output[0], variant=laid_variants),
+        raw=of_run(rules.pushover_variant.output.curve, variant=laid_variants),
+        forces=of_run(rules.pushover_variant.output.forces, variant=laid_variants),
         modules=code("pushover/table_pushover"),
     output:
         shown_table("pushover", "Boundary conditions", "static capacities"),

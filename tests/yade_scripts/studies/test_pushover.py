@@ -5,8 +5,10 @@ import pandas as pd
 import pytest
 from rocking.mechanics import closed_forms
 from rocking.studies.pushover import (
+    VARIANTS,
     closed_form,
     complete_curve,
+    laid,
     smoothed,
     summary,
     theta_of,
@@ -18,6 +20,15 @@ from yade_scripts.model import models
 from yade_scripts.studies.pushover import push_motion
 
 H, B, W, RHO = 6.48, 0.375, 4.4, 1800.0
+
+
+def test_variants_whose_courses_fill_the_facade():
+    """Courses of 0.216 and 0.648 m fill 6.48 m; neither fills 5.76 m of courses of 0.32 m."""
+    assert set(laid(resolved())) == set(VARIANTS)
+    low = resolved(facade={"height_m": 5.76}, w3={"course_height_m": 0.32})
+    assert set(VARIANTS) - set(laid(low)) == {"course_0.216_m", "course_0.648_m"}
+    with pytest.raises(ValueError, match="w3.course_height_m = 0.324"):
+        laid(resolved(facade={"height_m": 5.75}))
 
 
 def job(model, **sections):

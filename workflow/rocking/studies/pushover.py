@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 
 from rocking.mechanics import closed_forms
-from yade_scripts.model import base, registry
+from yade_scripts.model import base, interlocking, registry
 from yade_scripts.model.shape import refuse
 
 CURVE_COLUMNS = [
@@ -61,6 +61,25 @@ def variant(config, name):
         section, key = path.split(".")
         out[section][key] = out[section][key] * value if path == scaled else value
     return out
+
+
+def laid(config):
+    """Names of the variants whose bricks can be laid in a façade; those of `config` itself must be.
+
+    Raises
+    ------
+    ValueError
+        See `interlocking.check`.
+    """
+    interlocking.check(config)
+    names = []
+    for name in VARIANTS:
+        try:
+            interlocking.check(variant(config, name))
+        except ValueError:  # courses of another height that do not fill this façade
+            continue
+        names.append(name)
+    return names
 
 
 def theta_of(d_over_b, facade):

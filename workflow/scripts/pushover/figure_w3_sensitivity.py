@@ -36,10 +36,12 @@ def main(job):
     figure, axis = plt.subplots(figsize=(6.2, 5.6))
     y, places, labels = 0.0, [], []
     for key, title in GROUPS:
+        rows = table[[group_of(n) == key for n in table["name"]]]
+        if rows.empty:  # no such course fills the façade
+            continue
         y -= 0.6
         look = {"fontsize": 7.5, "fontweight": "bold", "backgroundcolor": "white"}
         axis.text(0.155, y, title, va="center", **look)
-        rows = table[[group_of(n) == key for n in table["name"]]]
         for _, row in rows.iterrows():
             y -= 1.0
             ends = row[["lambda0_kinematic", "lambda0_dem"]]
