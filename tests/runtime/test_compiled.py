@@ -1,11 +1,14 @@
 """Compiled functions: a change of what they call is a change of theirs."""
 
 import json
+import math
 import os
 import subprocess
 import sys
 
 import pytest
+from rocking.runtime.compiled import compiled
+from rocking.solver.lanes import march_lanes
 
 SEEN = """
 import json
@@ -103,3 +106,37 @@ def test_a_change_in_the_file_beside_is_seen(tmp_path):
         assert done.returncode == 0, done.stderr
         answers.append(int(done.stdout))
     assert answers == [21, 22]
+
+
+def test_without_a_folder_for_its_cache_a_function_is_compiled_alike():
+    given = {}
+    exec("def over(x):\n    return 1.0 / x\n", given)  # of no file: numba finds no folder
+    over = compiled(given["over"])
+    assert over(0.0) == math.inf
+    assert over.stats.cache_path is None
+    assert march_lanes.stats.cache_path is not None
+    assert over.targetoptions == march_lanes.targetoptions
+
+
+@pytest.mark.slow
+def test_what_is_given_functions_is_kept_in_the_cache_of_what_gives_them(tmp_path):
+    (tmp_path / "outer.py").write_text(
+        "from rocking.runtime.compiled import compiled, inlined, taking_functions\n"
+        "@inlined\ndef more(x):\n    return x + 1\n"
+        "@taking_functions\ndef twice(f, x):\n    return f(f(x))\n"
+        "@compiled\ndef g(x):\n    return twice(more, x)\n"
+        "print(g(10), sum(g.stats.cache_hits.values()))\n"
+    )
+    answers = []
+    for _ in range(2):
+        done = subprocess.run(
+            [sys.executable, "-c", "import outer"],
+            cwd=tmp_path,
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(("", *sys.path))},
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
+        assert done.returncode == 0, done.stderr
+        answers.append(done.stdout.split())
+    assert answers == [["12", "0"], ["12", "1"]]

@@ -3,10 +3,22 @@
 import numpy as np
 import pytest
 from rocking.runtime.compiled import inlined
-from rocking.solver import Motions, bodies, carriers, law, moving_supports, peaks, runs, to_plane
+from rocking.solver import (
+    Motions,
+    bodies,
+    carriers,
+    law,
+    moving_supports,
+    peaks,
+    runs,
+    stable_step,
+    to_plane,
+)
 from rocking.solver.vectors import WIDTH, put, take
 from yade_process import resolved
 
+from tests.trials.side_by_side import differing
+from tests.trials.side_by_side import drawn as drawn_whole
 from yade_scripts.model.models import build_scene
 
 WHAT = ("d_over_b", "end_s", "overturned", "failed")
@@ -125,6 +137,30 @@ def test_a_history_that_fails_does_not_spoil_those_beside_it(monkeypatch):
     assert np.isnan(many.d_over_b[many.failed]).all()
     wild = plane, motions, numerics, [0.0, 0.1, 1.0, 10.0]
     assert same(alone(monkeypatch, *wild, step_s=0.05), peaks(*wild, step_s=0.05))
+
+
+@pytest.mark.parametrize("seed", range(16))
+def test_whatever_is_drawn_keeps_its_digits(seed):
+    names, _ = differing(*drawn_whole(seed, 0.2, ("few", "pulse", "odd", "uneven", "nothing")))
+    assert not names
+
+
+@pytest.mark.parametrize(("seed", "share"), [(1, 0.5), (2, 1.0), (3, 3.0)])
+def test_bricks_whose_numbers_ran_over_are_as_by_themselves(monkeypatch, seed, share):
+    """No rule ends them before, and forces of 0·∞ do not act on the façade."""
+    plane, motions, numerics, _ = bricks(seed)
+    loose = {**numerics, "max_speed_ratio": np.inf, "overturn_ratio": np.inf, "after_motion_s": 0.2}
+    huge = 10.0 ** np.array([8, 12, 16, 20, 40, 100, 200, 300])
+    given = plane, motions, loose, [*huge, 0.3, *-huge, -0.6]
+    step = share * stable_step(plane)
+    one, many = alone(monkeypatch, *given, step_s=step), peaks(*given, step_s=step)
+    assert one.failed.sum() > WIDTH
+    assert same(one, many)
+
+
+def test_no_amplitude_no_history():
+    plane, motions, numerics, _ = drawn(2, "W2")
+    assert peaks(plane, motions, numerics, []).d_over_b.shape == (0,)
 
 
 def test_what_lanes_do_not_know_goes_one_by_one():

@@ -6,19 +6,20 @@ from typing import Any
 
 from numba import njit
 
+OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}  # without the interpreter's lock
 UNCOUNTED: dict[str, Any] = {"_nrt": False}  # without numba's counts of who refers to an array
 
 
 def compiled(function):
-    """Compile without the interpreter's lock; cached on disk where some folder can be written.
+    """Compile; cached on disk where some folder can be written.
 
     numba's cache looks at the file of a function alone, and would keep what it calls from the
     files beside it as these were; here a change of any of them makes it anew.
     """
     try:
-        made: Any = njit(nogil=True, cache=True, error_model="numpy")(function)
+        made: Any = njit(cache=True, **OPTIONS)(function)
     except RuntimeError:  # numba found no folder for its cache
-        return njit(nogil=True)(function)
+        return njit(**OPTIONS)(function)
     beside = sorted(Path(function.__code__.co_filename).parent.glob("*.py"))
     digest = hashlib.sha256(b"".join(path.read_bytes() for path in beside)).hexdigest()
     index = made._cache._cache_file
@@ -32,4 +33,12 @@ def inlined(function):
     It does not count who refers to an array, which in a loop may take longer than all the rest: so
     it may neither make nor return any.
     """
-    return njit(nogil=True, forceinline=True, error_model="numpy", **UNCOUNTED)(function)
+    return njit(forceinline=True, **OPTIONS, **UNCOUNTED)(function)
+
+
+def taking_functions(function):
+    """Compile into whatever calls it what has compiled functions among its arguments.
+
+    Apart, it would hold the address of each, and with that could be kept in no cache.
+    """
+    return njit(forceinline=True, **OPTIONS)(function)

@@ -1,18 +1,18 @@
-"""Histories of one motion side by side: what loops of lanes share, whatever they march.
+"""Histories of one motion side by side: the loop over their steps, whatever marches.
 
 A chunk of `WIDTH` histories marches as one. Its memory has rows of `WIDTH` numbers: those named
-here, of every support its place, velocity and way since the last step, and what the loop itself
-keeps. Histories that ended leave their lanes idle until those that last fit into fewer chunks.
+here, of every support its place, velocity and way since the last step, and the state of what
+marches. Histories that ended leave their lanes idle until those that last fit into fewer chunks.
 """
 
 import math
 
 import numpy as np
 
-from rocking.runtime.compiled import compiled, inlined
+from rocking.runtime.compiled import compiled, inlined, taking_functions
 
 from .inputs import FAILED, OK, OVERTURNED
-from .vectors import WIDTH, choose, put, some, take, wide
+from .vectors import WIDTH, choose, put, put_where, rows_of_lanes, some, take, wide
 
 STRIDE = 256  # steps between two looks at which histories have ended
 # Largest |d|, when it last moved, factor, end of the motion, failing speed; whether it goes on, its
@@ -20,23 +20,16 @@ STRIDE = 256  # steps between two looks at which histories have ended
 PEAK, MOVED, FACTOR, MOTION, FASTEST, ALIVE, STATUS, END, SUPPORTS = range(9)
 
 
-@inlined
-def put_where(rows, row, mask, value):
-    """Write a row in the lanes of a mask."""
-    put(rows, row, choose(mask, value, take(rows, row)))
-
-
-@inlined
-def own_rows(table):
-    """First row of what the loop itself keeps."""
-    return SUPPORTS + 3 * (table.place_m.shape[1] + 1)
-
-
 @compiled
-def begun(rows, factors, motion_s, max_speed_m_s):
+def _begun(state, first, factors, motion_s, max_speed_m_s):
     """Memory of histories that begin, and which one each lane has (−1: none)."""
     chunks = (factors.size + WIDTH - 1) // WIDTH
-    memory, case = np.zeros((chunks, rows, WIDTH)), np.full((chunks, WIDTH), -1)
+    rows = first + state.size
+    memory = rows_of_lanes(chunks * rows).reshape(chunks, rows, WIDTH)
+    case = np.full((chunks, WIDTH), -1)
+    for c in range(chunks):
+        for row in range(state.size):
+            memory[c, first + row] = state[row]
     for i in range(factors.size):
         c, lane = divmod(i, WIDTH)
         case[c, lane] = i
@@ -46,7 +39,7 @@ def begun(rows, factors, motion_s, max_speed_m_s):
 
 
 @compiled
-def gathered(memory, case, chunks, found):
+def _gathered(memory, case, chunks, found):
     """Take over what ended, peak, status and end; fit what goes on into fewer chunks: how many."""
     left = 0
     for c in range(chunks):
@@ -72,7 +65,7 @@ def gathered(memory, case, chunks, found):
 
 
 @inlined
-def drive(table, factor, k, past_s, supports):
+def _drive(table, factor, k, past_s, supports):
     """Move the supports to step k, as `inputs.drive`."""
     last = table.ground_m_s2.size - 1
     row = min(k, last)
@@ -87,7 +80,7 @@ def drive(table, factor, k, past_s, supports):
 
 
 @inlined
-def judge(rules, chunk, k, dt, d, v, moved, alive):
+def _judge(rules, chunk, k, dt, d, v, moved, alive):
     """Lanes that go on after step k, and when each last moved; as `inputs.verdict`.
 
     Outcome and end of those that do not go on are noted.
@@ -108,3 +101,66 @@ def judge(rules, chunk, k, dt, d, v, moved, alive):
         alive = alive & ~over
         put(chunk, ALIVE, choose(alive, wide(1.0), 0.0))
     return alive, moved
+
+
+@inlined
+def _advance(step, p, room, table, rules, chunk, first, begin):
+    """March a chunk over `STRIDE` steps from `begin`, or until all its histories have ended."""
+    dt, last = table.step_s, table.ground_m_s2.size - 1
+    supports, state, goes_on = chunk[SUPPORTS:first], chunk[first:], chunk[ALIVE]
+    peak, moved = take(chunk, PEAK), take(chunk, MOVED)
+    factor, alive = take(chunk, FACTOR), take(chunk, ALIVE) > 0.0
+    size = abs(factor)
+    for k in range(begin, begin + STRIDE):
+        half, past, ahead = (0.5 * dt, dt, dt) if k > 0 else (0.0, 0.0, 0.5 * dt)
+        row = min(k, last)
+        ag = factor * table.ground_m_s2[row]
+        gravity = p.gravity_m_s2 + size * table.vertical_m_s2[row]
+        _drive(table, factor, k, past, supports)
+        time = half, past, ahead, dt
+        d, v = step(p, room, supports, state, alive, goes_on, (ag, gravity), time)
+        peak = choose(alive & (abs(d) > peak), abs(d), peak)
+        alive, moved = _judge(rules, chunk, k, dt, d, v, moved, alive)
+        if not some(alive):
+            break
+    put(chunk, PEAK, peak)
+    put(chunk, MOVED, moved)
+
+
+@taking_functions
+def march(step, p, room, state, table, factors, rules, motion_s, max_speed_m_s):
+    """Advance the histories of all factors until a rule ends each.
+
+    Parameters
+    ----------
+    step : compiled function
+        (p, room, supports, state, alive, goes_on, field, time): brings the state to the next
+        step, and returns place and speed of the watched point at this one. `alive` and the row
+        `goes_on` say which lanes still march; `field` is the acceleration of the ground, and
+        gravity with the vertical one; `time` the half step by which rates lag, the time since
+        the last step, that by which rates move on, and a step.
+    p : NamedTuple
+        The plane.
+    room : tuple of ndarrays
+        What all chunks share.
+    state : ndarray, shape (rows,)
+        At the start.
+    table, rules
+        As `kernel.march_block`.
+    factors, motion_s, max_speed_m_s : ndarray, shape (cases,)
+
+    Returns
+    -------
+    ndarray, shape (cases, 3)
+        Peak [m], status, end [s].
+    """
+    first = SUPPORTS + 3 * (table.place_m.shape[1] + 1)
+    memory, case = _begun(state, first, factors, motion_s, max_speed_m_s)
+    found = np.zeros((factors.size, 3))
+    k, chunks = 0, len(memory)
+    while chunks > 0:
+        for c in range(chunks):
+            _advance(step, p, room, table, rules, memory[c], first, k)
+        k += STRIDE
+        chunks = _gathered(memory, case, chunks, found)
+    return found

@@ -14,24 +14,11 @@ import numpy as np
 
 from rocking.runtime.compiled import compiled, inlined
 
-from .chunks import (
-    ALIVE,
-    FACTOR,
-    MOVED,
-    PEAK,
-    STRIDE,
-    SUPPORTS,
-    begun,
-    drive,
-    gathered,
-    judge,
-    own_rows,
-    put_where,
-)
+from .chunks import march
 from .joints import _added, _line, untouched
 from .kernel import _solve
 from .law import bond_breaks, bonded, dry
-from .vectors import WIDTH, choose, put, some, take, wide
+from .vectors import WIDTH, choose, put, put_where, rows_of_lanes, some, take, wide
 
 # Rows of the block: pose, rates half a step back, accelerations; then of each group, as `Touch`:
 BLOCK = 9
@@ -244,88 +231,48 @@ def _contact(p, inertia, supports, groups, nodes, pose, rates, last, past_s, dt,
 
 
 @inlined
-def _advance(p, inertia, table, rules, chunk, begin, trig):
-    """March a chunk over `STRIDE` steps from `begin`, or until all its histories have ended."""
-    dt, last = table.step_s, table.ground_m_s2.size - 1
-    own = own_rows(table)
-    first = own + BLOCK
-    rest = first + GROUP * p.level_m.size
-    supports, block, groups = chunk[SUPPORTS:own], chunk[own:first], chunk[first:rest]
-    nodes = chunk[rest : rest + p.place_m.size], chunk[rest + p.place_m.size :]
-    y, z, turn = take(block, 0), take(block, 1), take(block, 2)
-    vy, vz, spin = take(block, 3), take(block, 4), take(block, 5)
-    ay, az, at = take(block, 6), take(block, 7), take(block, 8)
-    peak, moved = take(chunk, PEAK), take(chunk, MOVED)
-    factor, alive = take(chunk, FACTOR), take(chunk, ALIVE) > 0.0
-    size, (my, mz) = abs(factor), (p.monitor_m[0], p.monitor_m[1])
-    for k in range(begin, begin + STRIDE):
-        half, past = (0.5 * dt, dt) if k > 0 else (0.0, 0.0)
-        row = min(k, last)
-        ag = factor * table.ground_m_s2[row]
-        gravity = p.gravity_m_s2 + size * table.vertical_m_s2[row]
-        drive(table, factor, k, past, supports)
-        rates = vy + half * ay, vz + half * az, spin + half * at
-        put(trig, 0, turn)
-        for lane in range(WIDTH):
-            trig[1, lane], trig[2, lane] = math.cos(trig[0, lane]), math.sin(trig[0, lane])
-        cos, sin = take(trig, 1), take(trig, 2)
-        pose, behind = (y, z, cos, sin), (vy, vz, spin)
-        force, dashpots = _contact(
-            p, inertia, supports, groups, nodes, pose, rates, behind, past, dt, alive
-        )
-        d = y + cos * my - sin * mz - my
-        v = rates[0] - rates[2] * (sin * my + cos * mz)
-        ay, az, at = _solve(
-            p.mass_kg, p.inertia_kg_m2, half, dashpots, (ay, az, at), force, (ag, gravity)
-        )
-        peak = choose(alive & (abs(d) > peak), abs(d), peak)
-        alive, moved = judge(rules, chunk, k, dt, d, v, moved, alive)
-        if not some(alive):
-            break
-        ahead = dt if k > 0 else 0.5 * dt
-        vy, vz, spin = vy + ahead * ay, vz + ahead * az, spin + ahead * at
-        y, z, turn = y + dt * vy, z + dt * vz, turn + dt * spin
+def _step(p, room, supports, state, alive, goes_on, field, time):
+    """Move the block on by a step; place and speed of its monitored point before."""
+    (inertia, trig), (half, past, ahead, dt) = room, time
+    my, mz = p.monitor_m[0], p.monitor_m[1]
+    rest = BLOCK + GROUP * p.level_m.size
+    slips = rest + p.place_m.size
+    groups, nodes = state[BLOCK:rest], (state[rest:slips], state[slips:])
+    y, z, turn = take(state, 0), take(state, 1), take(state, 2)
+    vy, vz, spin = take(state, 3), take(state, 4), take(state, 5)
+    ay, az, at = take(state, 6), take(state, 7), take(state, 8)
+    rates = vy + half * ay, vz + half * az, spin + half * at
+    put(trig, 0, turn)
+    for lane in range(WIDTH):
+        trig[1, lane], trig[2, lane] = math.cos(trig[0, lane]), math.sin(trig[0, lane])
+    cos, sin = take(trig, 1), take(trig, 2)
+    pose, behind = (y, z, cos, sin), (vy, vz, spin)
+    force, dashpots = _contact(
+        p, inertia, supports, groups, nodes, pose, rates, behind, past, dt, alive
+    )
+    d = y + cos * my - sin * mz - my
+    v = rates[0] - rates[2] * (sin * my + cos * mz)
+    ay, az, at = _solve(p.mass_kg, p.inertia_kg_m2, half, dashpots, (ay, az, at), force, field)
+    vy, vz, spin = vy + ahead * ay, vz + ahead * az, spin + ahead * at
+    y, z, turn = y + dt * vy, z + dt * vz, turn + dt * spin
     for row, value in enumerate((y, z, turn, vy, vz, spin, ay, az, at)):
-        put(block, row, value)
-    put(chunk, PEAK, peak)
-    put(chunk, MOVED, moved)
+        put(state, row, value)
+    return d, v
 
 
 @compiled
 def march_lanes(p, table, factors, rules, motion_s, max_speed_m_s):
-    """Advance the histories of all factors until a rule ends each: as `kernel.march_block`.
+    """Advance the histories of all factors until a rule ends each, as `chunks.march`.
 
-    Parameters
-    ----------
-    p : Planar
-        Without ties and floors.
-    table, rules
-        As there.
-    factors, motion_s, max_speed_m_s : ndarray, shape (cases,)
-
-    Returns
-    -------
-    ndarray, shape (cases, 3)
-        Peak [m], status, end [s].
+    `p` is a `Planar` without ties and floors.
     """
-    fresh, trig = untouched(p), np.zeros((3, WIDTH))
-    own, count = own_rows(table), p.place_m.size
-    first = own + BLOCK
-    held = first + GROUP * p.level_m.size + count
-    rows = held + (count if p.bonded.any() else 0)
-    memory, case = begun(rows, factors, motion_s, max_speed_m_s)
-    for c in range(len(memory)):
-        for row in range(6):
-            memory[c, own + row] = p.start[row]
-        for g in range(p.level_m.size):
-            memory[c, first + GROUP * g + BONDS] = fresh.bonds[g]
-        for row in range(held, rows):
-            memory[c, row] = p.bonded[row - held]
-    found = np.zeros((factors.size, 3))
-    k, chunks = 0, len(memory)
-    while chunks > 0:
-        for c in range(chunks):
-            _advance(p, fresh.inertia, table, rules, memory[c], k, trig)
-        k += STRIDE
-        chunks = gathered(memory, case, chunks, found)
-    return found
+    fresh, nodes = untouched(p), p.place_m.size
+    rest = BLOCK + GROUP * p.level_m.size
+    state = np.zeros(rest + (2 * nodes if p.bonded.any() else nodes))
+    state[:6] = p.start
+    for g in range(p.level_m.size):
+        state[BLOCK + GROUP * g + BONDS] = fresh.bonds[g]
+    for i in range(state.size - rest - nodes):
+        state[rest + nodes + i] = p.bonded[i]
+    room = fresh.inertia, rows_of_lanes(3)
+    return march(_step, p, room, state, table, factors, rules, motion_s, max_speed_m_s)

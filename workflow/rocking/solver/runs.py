@@ -361,7 +361,7 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
                 _loop(planar)(planar, carried, table, f, rules, *limits, 1, rows)[:3]
                 for f, *limits in zip(factors, *own, strict=True)
             ]
-        )
+        ).reshape(-1, 3)
     peak, status, end = found.T
     failed = status == FAILED
     ratio = np.where(failed, np.nan, peak / planar.thickness_m)

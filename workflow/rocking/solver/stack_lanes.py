@@ -11,23 +11,10 @@ import numpy as np
 
 from rocking.runtime.compiled import compiled, inlined
 
-from .chunks import (
-    ALIVE,
-    FACTOR,
-    MOVED,
-    PEAK,
-    STRIDE,
-    SUPPORTS,
-    begun,
-    drive,
-    gathered,
-    judge,
-    own_rows,
-    put_where,
-)
+from .chunks import march
 from .dashpots import solved
 from .law import bond_breaks, bonded, dry
-from .vectors import WIDTH, choose, put, some, take, wide
+from .vectors import WIDTH, choose, put, put_where, rows_of_lanes, some, take, wide
 
 # Rows of a block: y, z and turn, rates half a step back, accelerations, whether it still moves;
 # after all blocks the slip of each node, then its state, one of:
@@ -124,9 +111,9 @@ def _force(p, i, ids, kept, blocks, step, moving, where, arms, past_s, dt, acts)
         along = choose(holds, beta * kn * grip[1], along)
     acting = touching | holds
     put(slip, i, choose(acting, after, had))
-    weight = choose(acting, share * kn, 0.0)
-    fy = weight * (ny * normal - ty * shear)
-    fz = weight * (nz * normal - tz * shear)
+    weight = share * kn
+    fy = choose(acting, weight * (ny * normal - ty * shear), 0.0)
+    fz = choose(acting, weight * (nz * normal - tz * shear), 0.0)
     if a >= 0:
         at = STEP * a
         _add(step, at + FORCE, fy)
@@ -185,19 +172,24 @@ def _contact(p, supports, blocks, kept, step, past_s, dt, alive):
         else:
             depth = -ny * (py - by - su) - nz * (pz - bz)
         holds, was = live & (now > CLOSED), live & (now > OPEN) & (now < HOLDS)
-        touching = live & (depth > 0.0)
+        touching = live & ~(depth <= 0.0)
         opened = was & ~touching
         if some(opened):
             put_where(state, i, opened, OPEN)
             put_where(slip, i, opened, 0.0)
-        if some(touching | holds):
+        acting = touching | holds
+        if some(acting):
+            if some(~(abs(depth) < math.inf)):  # a block without a place: 0·∞ would be no 0
+                ny, nz = choose(acting, ny, 0.0), choose(acting, nz, 0.0)
+                ay, az = choose(acting, ay, 0.0), choose(acting, az, 0.0)
+                by, bz = choose(acting, by, 0.0), choose(acting, bz, 0.0)
             where, arms = (ny, nz, depth), (ay, az, by, bz)
             acts = touching, holds, was
             _force(p, i, (a, b), kept, blocks, step, moving, where, arms, past_s, dt, acts)
 
 
 @inlined
-def _predict(p, table, supports, chunk, blocks, step, half):
+def _predict(p, supports, blocks, step, goes_on, half, dt):
     """Rates at the whole step, cosines and sines of all blocks; forces and dashpots at nothing."""
     for block in range(p.mass_kg.size):
         at, to = BLOCK * block, STEP * block
@@ -208,9 +200,9 @@ def _predict(p, table, supports, chunk, blocks, step, half):
             j = 3 * p.guide[block]
             put(blocks, at, take(supports, j))
             put(step, to + RATES, take(supports, j + 1))
-            put(blocks, at + RATE, take(supports, j + 2) / table.step_s)
+            put(blocks, at + RATE, take(supports, j + 2) / dt)
         for lane in range(WIDTH):
-            if chunk[ALIVE, lane] > 0.0:
+            if goes_on[lane] > 0.0:
                 turn = blocks[at + 2, lane]
                 step[to, lane], step[to + 1, lane] = math.cos(turn), math.sin(turn)
         for row in range(to + FORCE, to + STEP):
@@ -268,72 +260,36 @@ def _monitor(p, blocks, step):
 
 
 @inlined
-def _advance(p, table, rules, chunk, begin, step):
-    """March a chunk over `STRIDE` steps from `begin`, or until all its histories have ended."""
-    dt, last = table.step_s, table.ground_m_s2.size - 1
-    own, count = own_rows(table), p.kn_n_m.size
-    rest = own + BLOCK * p.mass_kg.size
-    supports, blocks = chunk[SUPPORTS:own], chunk[own:rest]
-    kept = chunk[rest : rest + count], chunk[rest + count :]
-    peak, moved = take(chunk, PEAK), take(chunk, MOVED)
-    factor, alive = take(chunk, FACTOR), take(chunk, ALIVE) > 0.0
-    size = abs(factor)
-    for k in range(begin, begin + STRIDE):
-        half, past = (0.5 * dt, dt) if k > 0 else (0.0, 0.0)
-        row = min(k, last)
-        ag = factor * table.ground_m_s2[row]
-        gravity = p.gravity_m_s2 + size * table.vertical_m_s2[row]
-        drive(table, factor, k, past, supports)
-        _predict(p, table, supports, chunk, blocks, step, half)
-        _contact(p, supports, blocks, kept, step, past, dt, alive)
-        _accelerate(p, blocks, step, half, ag, gravity)
-        d, v = _monitor(p, blocks, step)
-        peak = choose(alive & (abs(d) > peak), abs(d), peak)
-        alive, moved = judge(rules, chunk, k, dt, d, v, moved, alive)
-        if not some(alive):
-            break
-        ahead = dt if k > 0 else 0.5 * dt
-        for at in range(0, BLOCK * p.mass_kg.size, BLOCK):
-            for m in range(at, at + 3):
-                speed = take(blocks, m + RATE) + ahead * take(blocks, m + RISE)
-                put(blocks, m + RATE, speed)
-                put(blocks, m, take(blocks, m) + dt * speed)
-    put(chunk, PEAK, peak)
-    put(chunk, MOVED, moved)
+def _step(p, step, supports, state, alive, goes_on, field, time):
+    """Move all blocks on by a step; place and speed of the watched point before."""
+    (half, past, ahead, dt), count = time, p.kn_n_m.size
+    rest = BLOCK * p.mass_kg.size
+    blocks, kept = state[:rest], (state[rest : rest + count], state[rest + count :])
+    _predict(p, supports, blocks, step, goes_on, half, dt)
+    _contact(p, supports, blocks, kept, step, past, dt, alive)
+    _accelerate(p, blocks, step, half, *field)
+    d, v = _monitor(p, blocks, step)
+    for at in range(0, rest, BLOCK):
+        for m in range(at, at + 3):
+            rate = take(blocks, m + RATE) + ahead * take(blocks, m + RISE)
+            put(blocks, m + RATE, rate)
+            put(blocks, m, take(blocks, m) + dt * rate)
+    return d, v
 
 
 @compiled
 def march_stack_lanes(p, table, factors, rules, motion_s, max_speed_m_s):
-    """Advance the histories of all factors until a rule ends each: as `stack_kernel.march_stack`.
+    """Advance the histories of all factors until a rule ends each, as `chunks.march`.
 
-    Parameters
-    ----------
-    p : Stack
-        Without links, ties and floors, its blocks not in a row.
-    table, rules
-        As there.
-    factors, motion_s, max_speed_m_s : ndarray, shape (cases,)
-
-    Returns
-    -------
-    ndarray, shape (cases, 3)
-        Peak [m], status, end [s].
+    `p` is a `Stack` without links, ties and floors, its blocks not in a row.
     """
-    size, count, own = p.mass_kg.size, p.kn_n_m.size, own_rows(table)
-    rest = own + BLOCK * size
-    memory, case = begun(rest + 2 * count, factors, motion_s, max_speed_m_s)
-    for c in range(len(memory)):
-        for block in range(size):
-            for row in range(6):
-                memory[c, own + BLOCK * block + row] = p.start[block, row]
-            memory[c, own + BLOCK * block + GOES] = 1.0
-        for i in range(count):
-            memory[c, rest + count + i] = HOLDS if p.bonded[i] else OPEN
-    found, step = np.zeros((factors.size, 3)), np.zeros((STEP * size, WIDTH))
-    k, chunks = 0, len(memory)
-    while chunks > 0:
-        for c in range(chunks):
-            _advance(p, table, rules, memory[c], k, step)
-        k += STRIDE
-        chunks = gathered(memory, case, chunks, found)
-    return found
+    size, count = p.mass_kg.size, p.kn_n_m.size
+    state = np.zeros(BLOCK * size + 2 * count)
+    for block in range(size):
+        at = BLOCK * block
+        state[at + PLACE : at + RISE] = p.start[block]
+        state[at + GOES] = 1.0
+    for i in range(count):
+        state[BLOCK * size + count + i] = HOLDS if p.bonded[i] else OPEN
+    step = rows_of_lanes(STEP * size)
+    return march(_step, p, step, state, table, factors, rules, motion_s, max_speed_m_s)

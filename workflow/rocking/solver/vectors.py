@@ -9,12 +9,15 @@ import math
 import operator
 from typing import Any
 
+import numpy as np
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.imputils import lower_builtin, lower_cast
 from numba.core.typeconv import Conversion
 from numba.core.typing.templates import ConcreteTemplate, infer_global, signature
 from numba.extending import intrinsic, models, overload, register_model
+
+from rocking.runtime.compiled import compiled, inlined
 
 WIDTH = 8  # as many as one AVX-512 register holds; narrower machines take several for one
 _REALS = ir.VectorType(ir.DoubleType(), WIDTH)
@@ -219,3 +222,18 @@ def put(typingctx, array, row, value):
         return context.get_dummy_value()
 
     return types.none(array, types.intp, value), emit
+
+
+@inlined
+def put_where(array, row, mask, value):
+    """Write into such a row in the lanes of a mask."""
+    put(array, row, choose(mask, value, take(array, row)))
+
+
+@compiled
+def rows_of_lanes(count):
+    """Zeros, shape (count, WIDTH), each row in a line of the cache of its own."""
+    size = count * WIDTH
+    room = np.zeros(size + WIDTH)
+    first = (WIDTH - room.ctypes.data // 8 % WIDTH) % WIDTH
+    return room[first : first + size].reshape(count, WIDTH)
