@@ -31,11 +31,11 @@ COLUMNS = ("time_s", "d_over_b", "top_m", "ends_m", "facade_m", "broken")
 
 
 class Recorder:
-    """Displacements along y at every sample: see COLUMNS."""
+    """Displacements along y at every interval [s]: see COLUMNS."""
 
-    def __init__(self, scene):
+    def __init__(self, scene, interval_s=SAMPLE_S):
         """`top` is the floor on top, `ends` the highest bricks behind the façade."""
-        self.scene, self.rows = scene, []
+        self.scene, self.interval_s, self.rows = scene, interval_s, []
         facade = scene.index(scene.monitor)
         behind = np.unique(scene.nodes.a[scene.nodes.b == facade])
         heights = np.array([scene.blocks[i].centre_m[2] for i in behind])
@@ -47,7 +47,7 @@ class Recorder:
         self.omega, self.bonds = built.omega, built.bonds
         states = [[built.omega.bodies[built.body[i]].state for i in g] for g in self.groups]
         self.states = [[(s, s.pos[1]) for s in group] for group in states]
-        loop.between(self.sample, round(SAMPLE_S / built.omega.dt), first=1)
+        loop.between(self.sample, round(self.interval_s / built.omega.dt), first=1)
 
     def sample(self):
         """Keep time, displacements and the number of broken bonds."""
