@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import Case, Motion
+from rocking import Case, Motion, history
 from rocking.records import Record
 from rocking.studies import sequence
 
@@ -51,6 +51,20 @@ def test_a_façade_that_the_first_shock_overturns_is_not_asked_for_a_second(tabl
         last = table.iloc[-1]
         assert last["fell_first"] == 1
         assert np.isnan(last["ratio"])
+
+
+def test_a_first_shock_at_the_brink_fells_some_realisations(pulse):
+    """Where the default history just stands, other nodes and steps fall: no second is asked for."""
+    case = Case.configured("W1", SHORT)
+    low, high = 0.2, 0.6
+    while high - low > 1e-4 * low:
+        middle = 0.5 * (low + high)
+        fell = history(case, pulse, "pos", middle).status == "overturned"
+        low, high = (low, middle) if fell else (middle, high)
+    left = sequence.left_by(case, pulse, "pos", low)
+    assert sequence.OFTEN < left["first_probability"] < 1.0
+    assert left["fell_first"] == 1
+    assert sequence.left_by(case, pulse, "pos", 0.9 * low)["first_probability"] == 0.0
 
 
 def test_summary_counts_what_fell_and_what_never_did():

@@ -5,20 +5,26 @@ same direction, after a pause in which the façade comes to rest. What the first
 the model remembers: bonds and headers that broke, bricks that slid, and where the façade stands.
 """
 
+import math
+
 import pandas as pd
 
 from rocking.collapse.case import Variant
 from rocking.collapse.curve import collapse_curve, history
 from rocking.collapse.quick import crossings
 from rocking.collapse.ratios import spread
+from rocking.collapse.scan import STEPS
 from rocking.collapse.varied import collapses
+from yade_scripts.studies.perturb import NODE_CHOICES
 
 KEY = ["model", "record", "first", "direction"]
 COLUMNS = [*KEY, "first_pga_g", "fell_first", "left_d_over_b", "left_broken"]
-COLUMNS += ["pga_p10_g", "pga_median_g", "ratio", "runs_planar"]
+COLUMNS += ["pga_p10_g", "pga_median_g", "ratio", "runs_planar", "first_probability"]
 BY = ["model", "first_pga_g"]
 SPREAD = {"n": "n", "n_censored": "n_censored", "median": 50, "least": 0, "most": 100}
 SPREAD |= {"below_095": lambda found: found.share(high=0.95)}
+REALISATIONS = math.lcm(NODE_CHOICES, STEPS)  # of the first shock: every layout and step once
+OFTEN = 0.1  # share of them that falls, above which the second's would be the first's collapse
 BELOW, ABOVE = 0.9, 1.1  # of the PGA of 10 and of 50 % collapse, where YADE confirms
 AHEAD = {"first_pga_g": ".6g"}  # columns of YADE's table
 BESIDE = {"d_over_b_planar": ".6f", "status_planar": ""}
@@ -45,15 +51,27 @@ def variants(settings, first):
     ]
 
 
+def alone(case, first, direction, pga_g):
+    """Share of the first shock's realisations that overturn the façade, by their nodes and steps.
+
+    The second's realisations each begin with one of them.
+    """
+    how = {"pga_g": [pga_g] * REALISATIONS, "scatter": True}
+    found = collapse_curve(case, first, direction, search="list", settings=how)
+    return float(found.table["collapsed"].mean())
+
+
 def left_by(case, first, direction, pga_g):
     """What the first shock leaves: whether the façade fell, d/b at rest, joints that broke."""
     if not pga_g:
-        return {"fell_first": 0, "left_d_over_b": 0.0, "left_broken": 0}
+        return {"fell_first": 0, "left_d_over_b": 0.0, "left_broken": 0, "first_probability": 0.0}
     found = history(case, first, direction, pga_g)
-    if found.status == "overturned":
-        return {"fell_first": 1}
+    share = alone(case, first, direction, pga_g)
+    if found.status == "overturned" or share > OFTEN:
+        return {"fell_first": 1, "first_probability": share}
     rest = float(found.table["d_over_b"].iloc[-1])
-    return {"fell_first": 0, "left_d_over_b": rest, "left_broken": found.broken}
+    left = {"left_d_over_b": rest, "left_broken": found.broken, "first_probability": share}
+    return {"fell_first": 0, **left}
 
 
 def after_first(case, motion, direction):
