@@ -140,7 +140,7 @@ def _serve():
 def _plan_ahead():
     """Do what every plan begins with and keeps: plugins, imports of rules and of scripts."""
     importlib.import_module("snakemake.cli").get_argument_parser()
-    for path in ROOT.glob("workflow/rules/*.smk"):
+    for path in ROOT.glob("workflow/rules/**/*.smk"):
         for name in re.findall(
             r"(?m)^from ((?:rocking|smdof|yade_scripts)[\w.]*) import", path.read_text("utf-8")
         ):

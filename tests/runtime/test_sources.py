@@ -57,7 +57,7 @@ def late(files):
 
 def rules():
     """Yield (name, text) of every rule with a script or a study of its own."""
-    for path in sorted((ROOT / "workflow" / "rules").glob("*.smk")):
+    for path in sorted((ROOT / "workflow" / "rules").rglob("*.smk")):
         for block in re.split(r"(?m)^(?=(?:use )?rule )", path.read_text("utf-8")):
             if re.search(r"^    script:|{params.yade}", block, re.M):
                 yield re.match(r"(?:use )?rule (\w+)", block)[1], block
@@ -65,9 +65,11 @@ def rules():
 
 @pytest.mark.parametrize(("name", "block"), list(rules()))
 def test_every_rule_depends_on_the_code_it_runs(name, block):
-    """The input `modules` names the script or the study that the rule starts."""
-    if script := re.search(r'script:\n        "\.\./scripts/(.+?)\.py"', block):
-        wanted = f'code("{script[1].replace("wildcards.", "")}")'
+    """The input `modules` names the script, the module it calls, or the study in YADE."""
+    if script := re.search(r'script:\n        "(?:\.\./)+scripts/(.+?)\.py"', block):
+        called = re.search(r'^        (study="\w+"),$', block, re.M)
+        names = [f'"{script[1].replace("wildcards.", "")}"', *(called.groups() if called else ())]
+        wanted = f"code({', '.join(names)})"
     else:
         started = re.search(r"{params\.yade} ([a-z_0-9]+)", block)
         wanted = f'study_code("{started[1]}")'

@@ -22,7 +22,7 @@ def pulse():
 def tables(pulse):
     """Collapse after a first shock of a dry façade and of one with weak bonds."""
     cases = [Case.configured("W1", {**SHORT, **WEAK}), Case.configured("W1c", {**SHORT, **WEAK})]
-    return {c.model: sequence.collapse(c, pulse, pulse, "pos", SETTINGS) for c in cases}
+    return {c.model: sequence.collapse(c, pulse, "pos", pulse, SETTINGS) for c in cases}
 
 
 @pytest.mark.xdist_group("sequence")
@@ -83,8 +83,7 @@ def test_yade_confirms_both_sides_of_the_second_collapse(pulse, tables, tmp_path
     from rocking.collapse.yade import YadeRuns
 
     case = Case.configured("W1c", {**SHORT, **WEAK})
-    given = case, pulse, pulse
-    cases = sequence.to_confirm(*given, tables["W1c"], SETTINGS["pause_s"])
+    cases = sequence.to_confirm(case, pulse, tables["W1c"], pulse, SETTINGS)["cases"]
     assert [c.get("before", {}).get("pga_g", 0.0) for c in cases] == [0.0, 0.2]
     for one in cases:
         assert [about["status_planar"] for about in one["about"]] == ["ok", "overturned"]

@@ -108,7 +108,7 @@ def test_hostile_scenario_names_are_refused(name):
 
 def shell_commands():
     """Every shell command of the rules: (file, command)."""
-    for path in sorted((ROOT / "workflow" / "rules").glob("*.smk")):
+    for path in sorted((ROOT / "workflow" / "rules").rglob("*.smk")):
         text = path.read_text("utf-8")
         for block in re.findall(r"^    shell:\n((?:        .*\n)+)", text, re.MULTILINE):
             yield path.name, "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', block))

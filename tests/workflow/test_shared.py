@@ -105,7 +105,7 @@ def test_a_run_s_names_are_made_again_where_they_stand_already(tmp_path):
 
 def test_the_profile_of_a_portfolio_names_rules_and_limits_each_group_to_one_job_at_a_time():
     profile = yaml.safe_load((ROOT / "workflow/profiles/portfolio/config.yaml").read_text())
-    text = "".join(path.read_text() for path in (ROOT / "workflow/rules").glob("*.smk"))
+    text = "".join(path.read_text() for path in (ROOT / "workflow/rules").rglob("*.smk"))
     assert set(profile["groups"]) == set(profile["set-resources"])
     assert set(profile["groups"]) <= set(re.findall(r"(?m)^rule (\w+):", text))
     assert set(profile["groups"].values()) == set(profile["group-components"])

@@ -75,10 +75,19 @@ if workflow.is_main_process:
 SHARED = RUNS.shared
 
 
-def code(script):
-    """Input function: a script of `workflow/scripts` and all it imports, as one stamp."""
-    folder = BASE / "workflow" / "scripts"
-    return lambda w: str(stamps.stamp(folder / f"{script.format(**dict(w))}.py"))
+def code(script, study=None):
+    """Input function: a script of `workflow/scripts` and all it imports, as one stamp.
+
+    One more for the module of `rocking.studies` that the script is told to call.
+    """
+    folder = BASE / "workflow"
+    called = [folder / "rocking" / "studies" / f"{study}.py"] if study else []
+
+    def files(wildcards):
+        own = folder / "scripts" / f"{script.format(**dict(wildcards))}.py"
+        return [str(stamps.stamp(path)) for path in (own, *called)]
+
+    return files
 
 
 def study_code(name):

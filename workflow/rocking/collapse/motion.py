@@ -28,6 +28,8 @@ class Motion:
         Floor motions instead of a record, as `floor_motions.read` gives them.
     label : str
         Name of floor motions.
+    file : str
+        Where floor motions were read.
     first : Motion, or None
         A shock before this one, on the same case and in the same direction.
     first_pga_g : float
@@ -47,6 +49,7 @@ class Motion:
     record: Any = None
     floors: tuple | None = None
     label: str = ""
+    file: str = ""
     first: "Motion | None" = None
     first_pga_g: float = 0.0
     pause_s: float = PAUSE_S
@@ -141,7 +144,7 @@ class Motion:
     @classmethod
     def read_floors(cls, path, name=""):
         """Floor motions of a file, see `floor_motions.read`."""
-        return cls(floors=floor_motions.read(path), label=name)
+        return cls(floors=floor_motions.read(path), label=name, file=str(path))
 
     @property
     def name(self):

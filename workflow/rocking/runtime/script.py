@@ -38,6 +38,12 @@ class _Named(SimpleNamespace):
         values = list(vars(self).values())
         return values[key] if isinstance(key, int) else getattr(self, key)
 
+    def get(self, key, default=None):
+        return getattr(self, key, default)
+
+    def items(self):
+        return vars(self).items()
+
 
 def _from_command_line(doc):
     parser = argparse.ArgumentParser(description=doc)

@@ -7,6 +7,7 @@ the model remembers: bonds and headers that broke, bricks that slid, and where t
 
 import math
 
+import numpy as np
 import pandas as pd
 
 from rocking.collapse.case import Variant
@@ -15,6 +16,9 @@ from rocking.collapse.quick import crossings
 from rocking.collapse.ratios import spread
 from rocking.collapse.scan import STEPS
 from rocking.collapse.varied import collapses
+from rocking.figures import style
+from rocking.figures.panels import panels
+from yade_scripts.model.registry import MODELS
 from yade_scripts.studies.perturb import NODE_CHOICES
 
 KEY = ["model", "record", "first", "direction"]
@@ -80,8 +84,16 @@ def after_first(case, motion, direction):
     return left if left["fell_first"] else left | crossings(case, motion, direction, step=None)
 
 
-def collapse(case, first, second, direction, settings):
+def collapse(case, second, direction, first, settings):
     """Collapse of the second shock after the first, by the first one's PGA.
+
+    Parameters
+    ----------
+    case, second, direction
+        As of `collapse_curve`.
+    first : Motion
+    settings : dict
+        Section sequence.
 
     Returns
     -------
@@ -94,16 +106,21 @@ def collapse(case, first, second, direction, settings):
     return table.assign(ratio=table["pga_median_g"] / table["pga_median_g"].iloc[0])
 
 
-def to_confirm(case, first, second, table, pause_s):
-    """Cases for YADE's study `runs`: undamaged, and after the strongest shock that it survived.
+def to_confirm(case, second, table, first, settings):
+    """What YADE's study `runs` is to confirm: undamaged, and after the strongest shock it survived.
 
-    Each below and above the second's collapse, with the planar solver's answer; the file of the
-    first motion is the caller's to name.
+    Each below and above the second's collapse, with the planar solver's answer.
+
+    Returns
+    -------
+    dict
+        ahead and beside, columns of YADE's table; cases, of two runs each.
     """
     stood = table[(table["fell_first"] == 0) & table["pga_median_g"].notna()]
     chosen = stood.iloc[sorted({0, len(stood) - 1})] if len(stood) else stood
     cases: list[dict] = []
     for row in chosen.to_dict("records"):
+        pause_s = settings["pause_s"]
         shock = {"first": first, "first_pga_g": row["first_pga_g"], "pause_s": pause_s}
         levels = [BELOW * row["pga_p10_g"], ABOVE * row["pga_median_g"]]
         shaken = second.varied(Variant(motion=shock))
@@ -115,8 +132,9 @@ def to_confirm(case, first, second, table, pause_s):
         ]
         cases.append({"pga_g": how["pga_g"], "about": about})
         if row["first_pga_g"]:
-            cases[-1]["before"] = {"pga_g": row["first_pga_g"], "pause_s": pause_s}
-    return cases
+            before = {"pga_g": row["first_pga_g"], "pause_s": pause_s, "motion": first.file}
+            cases[-1]["before"] = before
+    return {"ahead": AHEAD, "beside": BESIDE, "cases": cases}
 
 
 def summary(table):
@@ -133,3 +151,29 @@ def summary(table):
     fell = damaged.groupby(BY, sort=False)["fell_first"].sum().to_numpy()
     found.insert(3, "n_fell_first", fell)
     return found.assign(n_censored=found["n_censored"] - fell)
+
+
+def draw(table):
+    """Draw collapse PGA after the first shock over that without, against the first shock's PGA."""
+    models = list(dict.fromkeys(table["model"]))
+    figure, axes = panels(len(models), len(models), (1.75, 3.2), around=(1.2, 0.0), sharey=True)
+    levels = sorted(set(table["first_pga_g"]))
+    at = {level: k for k, level in enumerate(levels)}
+    for axis, model in zip(axes.flat, models, strict=True):
+        part, kind = table[table["model"] == model], MODELS[model]
+        for (_, _, direction), curve in part.groupby(["record", "first", "direction"]):
+            x, face = curve["first_pga_g"].map(at), kind.colour if direction == "pos" else "white"
+            axis.plot(x, curve["ratio"], color=kind.colour, lw=0.8, alpha=0.6, zorder=2)
+            axis.plot(x, curve["ratio"], kind.marker, color=kind.colour, mfc=face, ms=3.5, zorder=3)
+        for level in levels[1:]:
+            fell = int(part.loc[part["first_pga_g"] == level, "fell_first"].sum())
+            if fell:
+                axis.annotate(f"{fell}\nfell", (at[level], 0.02), ha="center", fontsize=6)
+        axis.axhline(1.0, color=style.GREY, lw=0.8, zorder=0)
+        axis.set_title(model, loc="left")
+        axis.set_xticks(range(len(levels)), [f"{level:g}" for level in levels])
+        axis.set_xlim(-0.3, len(levels) - 0.7)
+    top = 1.1 * max(1.0, float(np.nanmax(table["ratio"], initial=1.0)))
+    axes[0, 0].set(ylabel="collapse PGA, after over before [-]", ylim=(0.0, top))
+    figure.supxlabel("PGA of the first shock [g]; direction +: filled, −: open", fontsize=9)
+    return figure

@@ -14,7 +14,7 @@ rule restrain:
     params:
         settings=RUNS.params_of("restraint"),
     script:
-        "../scripts/restraint/restraint.py"
+        "../../scripts/restraint/restraint.py"
 
 
 use rule strengthen_yade as restrain_yade with:
@@ -51,7 +51,7 @@ rule figure_restraint:
     log:
         logs("figure_restraint_{record}_{direction}"),
     script:
-        "../scripts/restraint/figure_restraint.py"
+        "../../scripts/restraint/figure_restraint.py"
 
 
 rule restraint:

@@ -48,7 +48,7 @@ rule two_components_curves:
         directions=value_of("directions"),
         second=second_component,
     script:
-        "../scripts/two_components/two_components.py"
+        "../../scripts/two_components/two_components.py"
 
 
 rule two_components_table:
@@ -61,7 +61,7 @@ rule two_components_table:
     log:
         logs("two_components"),
     script:
-        "../scripts/two_components/table_two_components.py"
+        "../../scripts/two_components/table_two_components.py"
 
 
 rule figure_two_components:
@@ -74,7 +74,7 @@ rule figure_two_components:
     log:
         logs("figure_two_components"),
     script:
-        "../scripts/two_components/figure_two_components.py"
+        "../../scripts/two_components/figure_two_components.py"
 
 
 # One curve at the intensities of the compiled solver, in YADE: ask for the file.
@@ -90,7 +90,7 @@ rule two_components_runs:
     params:
         settings=value_of("two_components"),
     script:
-        "../scripts/two_components/two_components_runs.py"
+        "../../scripts/two_components/two_components_runs.py"
 
 
 rule two_components_yade:

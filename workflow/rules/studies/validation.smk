@@ -59,7 +59,7 @@ rule validation_cases:
         table=RUNS.find_file("config/suites/recorded_suite.tsv"),
         settings=RUNS.params_of("validation"),
     script:
-        "../scripts/validation/validation_cases.py"
+        "../../scripts/validation/validation_cases.py"
 
 
 rule validation_planar:
@@ -76,7 +76,7 @@ rule validation_planar:
     params:
         settings=RUNS.params_of("validation", "seed"),
     script:
-        "../scripts/validation/validation_planar.py"
+        "../../scripts/validation/validation_planar.py"
 
 
 use rule shake_table as validation_yade with:
@@ -106,7 +106,7 @@ rule validation_shake_table:
     log:
         logs("validation_shake_table_{experiment}"),
     script:
-        "../scripts/validation/validation_shake_table.py"
+        "../../scripts/validation/validation_shake_table.py"
 
 
 rule figure_shake_table:
@@ -126,7 +126,7 @@ rule figure_shake_table:
     params:
         settings=RUNS.params_of("validation"),
     script:
-        "../scripts/validation/figure_shake_table.py"
+        "../../scripts/validation/figure_shake_table.py"
 
 
 # models of the same test beside each other
@@ -149,7 +149,7 @@ rule figure_models:
     log:
         logs("figure_models_{test}"),
     script:
-        "../scripts/validation/figure_models.py"
+        "../../scripts/validation/figure_models.py"
 
 
 rule validation_rocking_cases:
@@ -161,7 +161,7 @@ rule validation_rocking_cases:
     log:
         logs("validation_rocking_cases_{experiment}"),
     script:
-        "../scripts/validation/validation_rocking_cases.py"
+        "../../scripts/validation/validation_rocking_cases.py"
 
 
 use rule free_rocking as validation_rocking_yade with:
@@ -188,7 +188,7 @@ rule validation_rocking:
     log:
         logs("validation_rocking_{experiment}"),
     script:
-        "../scripts/validation/validation_rocking.py"
+        "../../scripts/validation/validation_rocking.py"
 
 
 rule figure_free_rocking:
@@ -206,7 +206,7 @@ rule figure_free_rocking:
     log:
         logs("figure_free_rocking_{experiment}"),
     script:
-        "../scripts/validation/figure_free_rocking.py"
+        "../../scripts/validation/figure_free_rocking.py"
 
 
 rule validation:

@@ -27,7 +27,7 @@ rule vertical_collapse:
         station=RUNS.station,
         settings=RUNS.params_of("directions", "baseline", "seed", "ida.max_pga_g"),
     script:
-        "../scripts/vertical/vertical_collapse.py"
+        "../../scripts/vertical/vertical_collapse.py"
 
 
 rule vertical_ratios:
@@ -40,7 +40,7 @@ rule vertical_ratios:
     log:
         logs("vertical_ratios"),
     script:
-        "../scripts/vertical/vertical_ratios.py"
+        "../../scripts/vertical/vertical_ratios.py"
 
 
 rule figure_vertical:
@@ -53,7 +53,7 @@ rule figure_vertical:
     log:
         logs("figure_vertical"),
     script:
-        "../scripts/vertical/figure_vertical.py"
+        "../../scripts/vertical/figure_vertical.py"
 
 
 rule vertical:

@@ -17,26 +17,26 @@ rule sequence_collapse:
         scene=rules.scene.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         first=lambda w: of_run(rules.floor_motions.output[0])(Of(run=w.run, record=first_shock(w))),
-        modules=code("sequence/sequence_collapse"),
+        modules=code("studies/collapse", study="sequence"),
     output:
         table=results("sequence/{model}/{record}_{direction}.csv"),
-        runs=results("sequence/{model}/{record}_{direction}.json"),
+        plan=results("sequence/{model}/{record}_{direction}.json"),
     log:
         logs("sequence_{model}_{record}_{direction}"),
     benchmark:
         benchmarks("sequence_{model}_{record}_{direction}")
     params:
-        settings=value_of("sequence"),
+        study="sequence",
+        given=lambda w: {"settings": RUNS.cfg(w)["sequence"]},
         first=first_shock,
-        record=lambda w: w.record,
     script:
-        "../scripts/sequence/sequence_collapse.py"
+        "../../scripts/studies/collapse.py"
 
 
 # Below and above the second's collapse, in YADE: ask for the file.
 use rule strengthen_yade as sequence_yade with:
     input:
-        plan=rules.sequence_collapse.output.runs,
+        plan=rules.sequence_collapse.output.plan,
         scene=rules.scene.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         first=rules.sequence_collapse.input.first,
@@ -55,14 +55,16 @@ use rule strengthen_yade as sequence_yade with:
 rule sequence_table:
     input:
         tables=of_run(rules.sequence_collapse.output.table, model=searched),
-        modules=code("sequence/sequence_table"),
+        modules=code("studies/table", study="sequence"),
     output:
         table=results("tables/sequence.csv"),
         summary=results("tables/sequence_summary.csv"),
     log:
         logs("sequence_table"),
+    params:
+        study="sequence",
     script:
-        "../scripts/sequence/sequence_table.py"
+        "../../scripts/studies/table.py"
 
 
 def facts_of_both(wildcards):
@@ -76,13 +78,18 @@ rule figure_sequence:
     input:
         table=rules.sequence_table.output.table,
         facts=facts_of_both,
-        modules=code("sequence/figure_sequence"),
+        modules=code("studies/figure", study="sequence"),
     output:
-        **figure("sequence", "Records", "what a first shock leaves"),
+        **figure("sequence", "Records", "what a first shock leaves", about="study"),
     log:
         logs("figure_sequence"),
+    params:
+        study="sequence",
+        caption="PGA at which half of the realisations first collapse, after a first shock over that"
+        " of the façade as it was, against the first shock's PGA. One line a curve; curves that the"
+        " first shock alone overturns are counted below.",
     script:
-        "../scripts/sequence/figure_sequence.py"
+        "../../scripts/studies/figure.py"
 
 
 rule sequence:

@@ -38,7 +38,7 @@ rule table_assumptions:
         reference=value_of("assumptions.reference"),
         benchmarks=results("benchmarks"),
     script:
-        "../scripts/assumptions/table_assumptions.py"
+        "../../scripts/assumptions/table_assumptions.py"
 
 
 rule figure_assumptions:
@@ -53,7 +53,7 @@ rule figure_assumptions:
     params:
         facade=RUNS.params_of("facade"),
     script:
-        "../scripts/assumptions/figure_assumptions.py"
+        "../../scripts/assumptions/figure_assumptions.py"
 
 
 rule figure_assumptions_ratios:
@@ -68,7 +68,7 @@ rule figure_assumptions_ratios:
     params:
         reference=value_of("assumptions.reference"),
     script:
-        "../scripts/assumptions/figure_assumptions_ratios.py"
+        "../../scripts/assumptions/figure_assumptions_ratios.py"
 
 
 rule assumptions_map:
@@ -88,7 +88,7 @@ rule assumptions_map:
         ),
         directions=value_of("directions"),
     script:
-        "../scripts/assumptions/assumptions_map.py"
+        "../../scripts/assumptions/assumptions_map.py"
 
 
 rule table_assumptions_map:
@@ -100,7 +100,7 @@ rule table_assumptions_map:
     log:
         logs("table_assumptions_map"),
     script:
-        "../scripts/assumptions/table_assumptions_map.py"
+        "../../scripts/assumptions/table_assumptions_map.py"
 
 
 rule figure_assumptions_map:
@@ -121,7 +121,7 @@ rule figure_assumptions_map:
         records=lambda w: len(RUNS.records[w.run]),
         directions=lambda w: len(RUNS.cfg(w)["directions"]),
     script:
-        "../scripts/assumptions/figure_assumptions_map.py"
+        "../../scripts/assumptions/figure_assumptions_map.py"
 
 
 rule assumptions_stage:
@@ -135,7 +135,7 @@ rule assumptions_stage:
     log:
         logs("assumptions_stage"),
     script:
-        "../scripts/assumptions/assumptions_stage.py"
+        "../../scripts/assumptions/assumptions_stage.py"
 
 
 rule assumptions_varied:
@@ -156,7 +156,7 @@ rule assumptions_varied:
         surrogates_table=lambda w: RUNS.find_file(ASSUMPTIONS(w.run)["surrogates_table"]),
         seed=value_of("seed"),
     script:
-        "../scripts/assumptions/assumptions_varied.py"
+        "../../scripts/assumptions/assumptions_varied.py"
 
 
 rule table_assumptions_tornado:
@@ -168,7 +168,7 @@ rule table_assumptions_tornado:
     log:
         logs("table_assumptions_tornado_{model}"),
     script:
-        "../scripts/assumptions/table_assumptions_tornado.py"
+        "../../scripts/assumptions/table_assumptions_tornado.py"
 
 
 rule figure_assumptions_tornado:
@@ -188,7 +188,7 @@ rule figure_assumptions_tornado:
     params:
         facade=RUNS.params_of("facade"),
     script:
-        "../scripts/assumptions/figure_assumptions_tornado.py"
+        "../../scripts/assumptions/figure_assumptions_tornado.py"
 
 
 rule assumptions:

@@ -54,7 +54,7 @@ rule uncertainty_collapse:
         settings=sample_settings(),
         direction=lambda w: design(w.run)[w.record],
     script:
-        "../scripts/uncertainty/uncertainty_collapse.py"
+        "../../scripts/uncertainty/uncertainty_collapse.py"
 
 
 rule uncertainty_cells:
@@ -71,7 +71,7 @@ rule uncertainty_cells:
     params:
         settings=sample_settings("confirm"),
     script:
-        "../scripts/uncertainty/uncertainty_cells.py"
+        "../../scripts/uncertainty/uncertainty_cells.py"
 
 
 rule uncertainty_yade:
@@ -101,7 +101,7 @@ rule uncertainty_confirm:
     log:
         logs("uncertainty_confirm"),
     script:
-        "../scripts/uncertainty/uncertainty_confirm.py"
+        "../../scripts/uncertainty/uncertainty_confirm.py"
 
 
 rule uncertainty_tables:
@@ -118,7 +118,7 @@ rule uncertainty_tables:
     params:
         settings=sample_settings("confidence"),
     script:
-        "../scripts/uncertainty/uncertainty_tables.py"
+        "../../scripts/uncertainty/uncertainty_tables.py"
 
 
 rule figure_uncertainty:
@@ -133,7 +133,7 @@ rule figure_uncertainty:
     log:
         logs("figure_uncertainty"),
     script:
-        "../scripts/uncertainty/figure_uncertainty.py"
+        "../../scripts/uncertainty/figure_uncertainty.py"
 
 
 rule uncertainty:

@@ -18,7 +18,7 @@ rule base_static:
     log:
         logs("base_static"),
     script:
-        "../scripts/base_compliance/base_static.py"
+        "../../scripts/base_compliance/base_static.py"
 
 
 rule base_collapse:
@@ -35,7 +35,7 @@ rule base_collapse:
     params:
         record=lambda w: w.record,
     script:
-        "../scripts/base_compliance/base_collapse.py"
+        "../../scripts/base_compliance/base_collapse.py"
 
 
 rule base_table:
@@ -48,7 +48,7 @@ rule base_table:
     log:
         logs("base_table"),
     script:
-        "../scripts/base_compliance/base_table.py"
+        "../../scripts/base_compliance/base_table.py"
 
 
 rule figure_base_compliance:
@@ -62,7 +62,7 @@ rule figure_base_compliance:
     log:
         logs("figure_base_compliance"),
     script:
-        "../scripts/base_compliance/figure_base_compliance.py"
+        "../../scripts/base_compliance/figure_base_compliance.py"
 
 
 rule base_compliance:

@@ -14,7 +14,7 @@ rule limits_table:
     params:
         direction=lambda w: RUNS.cfg(w)["directions"][0],
     script:
-        "../scripts/accuracy/limits.py"
+        "../../scripts/accuracy/limits.py"
 
 
 rule figure_limits:
@@ -27,7 +27,7 @@ rule figure_limits:
     log:
         logs("figure_limits"),
     script:
-        "../scripts/accuracy/figure_limits.py"
+        "../../scripts/accuracy/figure_limits.py"
 
 
 rule limits:

@@ -26,7 +26,7 @@ rule surrogate_collapse:
         directions=value_of("directions"),
         station=RUNS.station,
     script:
-        "../scripts/surrogates/surrogate_collapse.py"
+        "../../scripts/surrogates/surrogate_collapse.py"
 
 
 rule surrogate_trust:
@@ -40,7 +40,7 @@ rule surrogate_trust:
     log:
         logs("surrogate_trust"),
     script:
-        "../scripts/surrogates/surrogate_trust.py"
+        "../../scripts/surrogates/surrogate_trust.py"
 
 
 rule figure_surrogate_trust:
@@ -54,7 +54,7 @@ rule figure_surrogate_trust:
     log:
         logs("figure_surrogate_trust"),
     script:
-        "../scripts/surrogates/figure_surrogate_trust.py"
+        "../../scripts/surrogates/figure_surrogate_trust.py"
 
 
 rule figure_surrogate_scatter:
@@ -67,7 +67,7 @@ rule figure_surrogate_scatter:
     log:
         logs("figure_surrogate_scatter"),
     script:
-        "../scripts/surrogates/figure_surrogate_scatter.py"
+        "../../scripts/surrogates/figure_surrogate_scatter.py"
 
 
 rule surrogates:

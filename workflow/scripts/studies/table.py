@@ -1,0 +1,20 @@
+"""All curves of a study in one table, and what its module makes of them.
+
+`params.study` names the module of `rocking.studies`. An output beside `table` is named like the
+function of the module that makes it, such as `summary`.
+"""
+
+from importlib import import_module
+
+from rocking.runtime.script import run
+from rocking.tables import read_tables, write_table
+
+
+def main(job):
+    study = import_module(f"rocking.studies.{job.params.study}")
+    table = read_tables(job.input.tables)
+    for name, path in job.output.items():
+        write_table(table if name == "table" else getattr(study, name)(table), path)
+
+
+run(main, globals())
