@@ -60,6 +60,20 @@ print(json.dumps([ahead, compiled()]))
 """
 
 
+def printed(folder, words):
+    """What a Python of its own prints that runs some words in a folder."""
+    done = subprocess.run(
+        [sys.executable, "-c", words],
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(("", *sys.path))},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
 @pytest.mark.slow
 def test_the_set_up_compiles_what_runs_call():
     """Whatever the façade has, no loop is compiled again: types and layouts are those of runs."""
@@ -95,16 +109,7 @@ def test_a_change_in_the_file_beside_is_seen(tmp_path):
         (tmp_path / "inner.py").write_text(
             own + f"@compiled\ndef added(x):\n    return x + {step}\n"
         )
-        done = subprocess.run(
-            [sys.executable, "-c", "from outer import f; print(f(10))"],
-            cwd=tmp_path,
-            env={**os.environ, "PYTHONPATH": os.pathsep.join(("", *sys.path))},
-            capture_output=True,
-            text=True,
-            timeout=120,
-        )
-        assert done.returncode == 0, done.stderr
-        answers.append(int(done.stdout))
+        answers.append(int(printed(tmp_path, "from outer import f; print(f(10))")))
     assert answers == [21, 22]
 
 
@@ -127,16 +132,5 @@ def test_what_is_given_functions_is_kept_in_the_cache_of_what_gives_them(tmp_pat
         "@compiled\ndef g(x):\n    return twice(more, x)\n"
         "print(g(10), sum(g.stats.cache_hits.values()))\n"
     )
-    answers = []
-    for _ in range(2):
-        done = subprocess.run(
-            [sys.executable, "-c", "import outer"],
-            cwd=tmp_path,
-            env={**os.environ, "PYTHONPATH": os.pathsep.join(("", *sys.path))},
-            capture_output=True,
-            text=True,
-            timeout=120,
-        )
-        assert done.returncode == 0, done.stderr
-        answers.append(done.stdout.split())
+    answers = [printed(tmp_path, "import outer").split() for _ in range(2)]
     assert answers == [["12", "0"], ["12", "1"]]
