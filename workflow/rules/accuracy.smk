@@ -268,6 +268,11 @@ rule figure_energy_balance:
 
 
 rule accuracy:
+    """
+    Critical step, convergence, chaos, energy balance, speed against accuracy.
+    Costs: 16 min.
+    Page: docs/accuracy.md
+    """
     input:
         every_run(
             rules.speed_accuracy.output.table,

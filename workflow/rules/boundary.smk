@@ -105,8 +105,12 @@ rule table_claims:
         "../scripts/boundary/table_claims.py"
 
 
-# `snakemake --configfile config/scenarios/five_models.yaml -- boundary`: Figures 7, 8 and 9 whole.
 rule boundary:
+    """
+    With the file that `study` takes: cohesion, interlocking, pushover, Figures 7, 8, 9,
+    `tables/claims.csv`.
+    Costs: 25 min; W3 most.
+    """
     input:
         every_run(
             rules.table_pushover.output,

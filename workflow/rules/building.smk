@@ -263,6 +263,11 @@ rule table_claims_building:
 
 
 rule building:
+    """
+    Brick models, modes, periods, errors of the chains, Figures 1, 2, 3.
+    Costs: minutes; by bricks.
+    Page: docs/building.md
+    """
     input:
         every_run(
             rules.table_building_modes.output,
@@ -286,7 +291,11 @@ rule building:
         ),
 
 
-# Periods and equivalent chain (n, T1) of any plan, without the paper's comparisons.
 rule building_t1:
+    """
+    Periods and chain of a plan of your own, without the study's comparisons.
+    Costs: minutes; by bricks.
+    Page: docs/building.md
+    """
     input:
         every_run(rules.table_building_modes.output, rules.table_wme.output.chain),

@@ -88,6 +88,11 @@ rule table_wme_readings:
 
 
 rule building_search:
+    """
+    Variants of the case study, searched for the study's periods.
+    Costs: 3 min; by variants.
+    Page: docs/building.md
+    """
     input:
         every_run(
             rules.table_building_search.output,
@@ -97,5 +102,9 @@ rule building_search:
 
 
 rule wme_readings:
+    """
+    Table 2 of the study under every reading of its text.
+    Costs: a minute.
+    """
     input:
         every_run(rules.table_wme_readings.output),

@@ -87,5 +87,10 @@ rule compare_runs:
 
 
 rule compare:
+    """
+    Several runs side by side, of a `grid`, of `scenarios` or finished ones: `compare/collapse.csv`
+    and a figure.
+    Costs: what its runs cost.
+    """
     input:
         rules.compare_runs.output.table,

@@ -326,6 +326,11 @@ rule figure_complete_collapse:
 
 
 rule complete:
+    """
+    The whole brick building under shaking.
+    Costs: 95 min for eight curves; by simulated time.
+    Page: docs/complete.md
+    """
     input:
         every_run(
             rules.table_complete_checks.output,

@@ -90,6 +90,10 @@ rule fragility_nrml:
 
 
 rule fragility:
+    """
+    Fragility curves and intensity measures from the run's IDA.
+    Costs: 20 min for 264 curves, 13 on two free cores; by curves.
+    """
     input:
         every_run(
             rules.fragility_table.output.fragility,

@@ -72,5 +72,9 @@ rule records_check:
 
 
 rule check:
+    """
+    What is wrong or doubtful with each record: `tables/records_check.csv`.
+    Costs: seconds.
+    """
     input:
         every_run(rules.records_check.output),

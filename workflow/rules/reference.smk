@@ -73,5 +73,10 @@ rule figure_reference:
 
 
 rule reference_solver:
+    """
+    Reported collapse compared with dense scans of an independent solver.
+    Costs: some 20 min for 16 curves.
+    Page: docs/accuracy.md
+    """
     input:
         every_run(rules.reference_bands.output, rules.figure_reference.output.png),

@@ -51,5 +51,10 @@ rule figure_risk:
 
 
 rule risk:
+    """
+    Annual rate and 50-year probability of collapse, with a hazard curve.
+    Costs: as `fragility`.
+    Page: docs/risk.md
+    """
     input:
         every_run(rules.risk_rate.output, rules.figure_risk.output.png),

@@ -100,6 +100,11 @@ rule table_strengthening:
 
 
 rule strengthening:
+    """
+    The least row of ties that keeps the façade standing.
+    Costs: minutes a direction; by forces tried.
+    Page: docs/ties.md
+    """
     input:
         every_run(
             rules.table_strengthening.output,

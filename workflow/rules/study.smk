@@ -40,5 +40,11 @@ rule study_page:
 
 
 rule study:
+    """
+    With `--configfile config/scenarios/five_models.yaml`: every figure, table and result of the study
+    compared with this run.
+    Costs: 30 min; 11 more where the shake table has its recorded motions.
+    Page: docs/study.md
+    """
     input:
         every_run(rules.study_page.output),

@@ -1,4 +1,4 @@
-"""Writes config/README.md from the schemas.
+"""Writes config/README.md from the schemas, the tables of docs/targets.md from the rules.
 
 `python -m rocking.configuration.docs --check` finds drift.
 """
@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 from rocking.configuration import schema as config_schema
+from rocking.configuration import targets
 
 README = Path(__file__).resolve().parents[3] / "config" / "README.md"
 EXAMPLES = README.parent / "scenarios"
@@ -116,18 +117,26 @@ def _text(value: object) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Write the page, or with `--check` say whether it is up to date; return the exit status."""
+    """Write both pages, or with `--check` say which is out of date; return the exit status."""
     parser = argparse.ArgumentParser(prog="python -m rocking.configuration.docs")
     parser.add_argument("--check", action="store_true", help="write nothing; exit 1 on drift")
     given = parser.parse_args(arguments)
-    text = render()
-    current = README.read_text("utf-8") if README.is_file() else ""
-    if given.check and text != current:
-        print("config/README.md differs from the schemas; run python -m rocking.configuration.docs")
+    try:
+        tables = targets.render(targets.PAGE.read_text("utf-8"))
+    except ValueError as error:
+        print(f"error: {error}", file=sys.stderr)
         return 1
-    if not given.check:
-        README.write_text(text, "utf-8")
-    return 0
+    status = 0
+    for page, text in ((README, render()), (targets.PAGE, tables)):
+        if page.is_file() and text == page.read_text("utf-8"):
+            continue
+        if not given.check:
+            page.write_text(text, "utf-8")
+        else:
+            where = f"{page.parent.name}/{page.name}"
+            print(f"{where} is out of date; run python -m rocking.configuration.docs")
+            status = 1
+    return status
 
 
 if __name__ == "__main__":

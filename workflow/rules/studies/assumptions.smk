@@ -192,6 +192,11 @@ rule figure_assumptions_tornado:
 
 
 rule assumptions:
+    """
+    What walls that nothing can push, and every other assumption, change.
+    Costs: 20 min; by records.
+    Page: docs/assumptions.md
+    """
     input:
         every_run(
             rules.table_assumptions.output.table,

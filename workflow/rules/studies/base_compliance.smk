@@ -66,6 +66,11 @@ rule figure_base_compliance:
 
 
 rule base_compliance:
+    """
+    Static curve and collapse of the elastic wall beside the rigid block on either base.
+    Costs: 5 min; by records.
+    Page: docs/base.md
+    """
     input:
         every_run(
             rules.base_static.output,

@@ -55,5 +55,10 @@ rule figure_restraint:
 
 
 rule restraint:
+    """
+    Collapse against load and friction of a roof.
+    Costs: minutes; by loads and frictions.
+    Page: docs/floors.md
+    """
     input:
         every_run(rules.figure_restraint.output.png),

@@ -71,6 +71,11 @@ rule figure_surrogate_scatter:
 
 
 rule surrogates:
+    """
+    What a surrogate in place of its record changes.
+    Costs: 3 to 20 min; by records.
+    Page: docs/motions.md
+    """
     input:
         every_run(
             rules.surrogate_trust.output.table,

@@ -137,6 +137,11 @@ rule figure_uncertainty:
 
 
 rule uncertainty:
+    """
+    Scatter by motion, material and model form.
+    Costs: 6 min for 70,000 histories.
+    Page: docs/uncertainty.md
+    """
     input:
         every_run(
             rules.uncertainty_tables.output.parts,

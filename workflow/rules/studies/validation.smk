@@ -210,5 +210,10 @@ rule figure_free_rocking:
 
 
 rule validation:
+    """
+    Walls that others tested, by both solvers, against what they measured.
+    Costs: 14 min; by runs and members.
+    Page: docs/validation.md
+    """
     input:
         lambda w: [path for run in RUNS.settings for path in held_against(run)],

@@ -57,5 +57,10 @@ rule figure_vertical:
 
 
 rule vertical:
+    """
+    What the vertical motion changes.
+    Costs: 3 to 20 min; by records.
+    Page: docs/motions.md
+    """
     input:
         every_run(rules.vertical_ratios.output, rules.figure_vertical.output.png),
