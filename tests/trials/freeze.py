@@ -4,11 +4,12 @@
     .venv/bin/python tests/trials/freeze.py run --revision v1.0 --output old
     .venv/bin/python tests/trials/freeze.py compare old new
 
-`run` works through the trials of freeze.yaml in a folder of its own, one after the other, and
-leaves there `manifest.csv` (trial, file, SHA-256) and the tables themselves in `tables/`. What
-measures the run and not the façade (wall time, memory, rates per second) is left out of both, and
-numbers of JSON files are kept to 10 digits: the last of a building's periods and mass follow
-the processor, for which BLAS has its own order of sums.
+`run` works through the trials of freeze.yaml, and one more for each target that none of them names,
+in a folder of its own, one after the other, and leaves there `manifest.csv` (trial, file, SHA-256)
+and the tables themselves in `tables/`. What measures the run and not the façade (wall time,
+memory, rates per second) is left out of both, and numbers of JSON files are kept to 10 digits:
+the last of a building's periods and mass follow the processor, for which BLAS has its own order
+of sums.
 `compare` prints every file that is not the same with its first row that differs, and ends with
 status 1 if there is one; `--renamed` names a table (old, new; tab-separated) of the columns, words
 of paths and words of cells that were renamed on purpose.
@@ -31,6 +32,10 @@ from pathlib import Path
 import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "workflow")]
+
+from rocking.configuration.targets import targets  # noqa: E402
+
 PLAN = "tests/trials/freeze.yaml"
 SNAKEMAKE = Path(sys.executable).with_name("snakemake")
 KINDS = {".csv", ".json", ".yaml", ".txt", ".xml", ".md", ".tsv"}
@@ -57,7 +62,7 @@ def merged(below, above):
 
 
 def run(tree, output, only=(), cores=2, plan=None):
-    """Run the trials of freeze.yaml on a checkout; return the names of those that failed.
+    """Run the trials of a checkout; return the names of those that failed.
 
     Parameters
     ----------
@@ -70,10 +75,10 @@ def run(tree, output, only=(), cores=2, plan=None):
     cores : int
         Jobs at a time; no table depends on it.
     plan : Path, optional
-        The trials; those of the checkout, whose names of keys they have, or else of this one.
+        The trials; those of the checkout, whose names of keys they have, or else of this one, and
+        one for each target of the checkout that they do not name.
     """
-    own = tree / PLAN
-    plan = yaml.safe_load((plan or (own if own.exists() else ROOT / PLAN)).read_text())
+    plan = yaml.safe_load(plan.read_text()) if plan else planned(tree)
     if unknown := set(only) - set(plan["trials"]):
         sys.exit(f"error: {', '.join(sorted(unknown))}: expected of {', '.join(plan['trials'])}")
     work = output / "work"
@@ -108,6 +113,21 @@ def run(tree, output, only=(), cores=2, plan=None):
             flush=True,
         )
     return failed
+
+
+def planned(tree):
+    """Trials of a checkout: those of its freeze.yaml, then a target each that none of them names.
+
+    Those have the common settings alone.
+    """
+    own = tree / PLAN
+    plan = yaml.safe_load((own if own.exists() else ROOT / PLAN).read_text())
+    named = {name for trial in plan["trials"].values() for name in trial["targets"]}
+    rest = [name for name in targets(tree) if name not in named]
+    if taken := set(rest) & set(plan["trials"]):
+        sys.exit(f"error: {PLAN}: trial {', '.join(sorted(taken))} does not name its target")
+    plan["trials"] |= {name: {"targets": [name]} for name in rest}
+    return plan
 
 
 def keep(results, name, output):

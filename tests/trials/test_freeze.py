@@ -67,3 +67,22 @@ def test_the_last_digits_of_a_json_file_are_the_processor_s(tmp_path):
 def test_a_trial_s_own_values_lie_over_the_common_ones():
     found = freeze.merged({"a": {"b": 1, "c": 2}, "d": [1]}, {"a": {"b": None}, "d": [2]})
     assert found == {"a": {"b": None, "c": 2}, "d": [2]}
+
+
+def test_every_target_is_frozen_a_new_one_without_a_line(tmp_path):
+    trials = freeze.planned(freeze.ROOT)["trials"]
+    named = [name for trial in trials.values() for name in trial["targets"]]
+    assert set(freeze.targets()) <= set(named)
+    rules = tmp_path / "workflow" / "rules"
+    rules.mkdir(parents=True)
+    (tmp_path / "workflow" / "Snakefile").write_text('rule all:\n    input:\n        "a.csv",\n')
+    (rules / "own.smk").write_text(
+        'rule friction:\n    input:\n        "b.csv",\n\n\nrule cohesion:\n    input:\n'
+        "        rules.friction.input,\n"
+    )
+    added = freeze.planned(tmp_path)["trials"]
+    assert added["friction"] == {"targets": ["friction"]}
+    assert set(added) - set(trials) == {"friction"}
+    (rules / "own.smk").write_text('rule grid:\n    input:\n        "b.csv",\n')
+    with pytest.raises(SystemExit, match="trial grid does not name its target"):
+        freeze.planned(tmp_path)
