@@ -33,27 +33,35 @@ rule vertical_collapse:
 rule vertical_ratios:
     input:
         tables=of_run(rules.vertical_collapse.output[0]),
-        modules=code("vertical/vertical_ratios"),
+        modules=code("studies/table", study="vertical"),
     output:
         table=results("tables/vertical.csv"),
         summary=results("tables/vertical_ratios.csv"),
     log:
         logs("vertical_ratios"),
+    params:
+        study="vertical",
     script:
-        "../../scripts/vertical/vertical_ratios.py"
+        "../../scripts/studies/table.py"
 
 
 rule figure_vertical:
     input:
         table=rules.vertical_ratios.output.table,
         facts=of_run(rules.record.output.facts),
-        modules=code("vertical/figure_vertical"),
+        modules=code("studies/figure", study="vertical"),
     output:
-        **figure("vertical", "Records", "what vertical motion changes"),
+        **figure("vertical", "Records", "what vertical motion changes", about="study"),
     log:
         logs("figure_vertical"),
+    params:
+        study="vertical",
+        caption="What the vertical motion of ground and building changes: PGA at which half of a"
+        " curve's realisations first collapse, with over without it. Left: distribution over"
+        " records and directions; grey, a hundredth of the vertical motion: what the scatter of"
+        " histories near collapse makes alone. Right: by how strong the vertical motion is.",
     script:
-        "../../scripts/vertical/figure_vertical.py"
+        "../../scripts/studies/figure.py"
 
 
 rule vertical:
