@@ -195,7 +195,6 @@ rule assumptions:
     """
     What walls that nothing can push, and every other assumption, change.
     Costs: 20 min; by records.
-    Page: docs/assumptions.md
     """
     input:
         every_run(

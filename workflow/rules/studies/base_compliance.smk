@@ -69,7 +69,6 @@ rule base_compliance:
     """
     Static curve and collapse of the elastic wall beside the rigid block on either base.
     Costs: 5 min; by records.
-    Page: docs/base.md
     """
     input:
         every_run(

@@ -34,7 +34,6 @@ rule limits:
     """
     Where the methods fail, over height, thickness, β, friction, T1, gap, E, masses and records.
     Costs: 3 min.
-    Page: docs/limits.md
     """
     input:
         every_run(rules.limits_table.output, rules.figure_limits.output.png),

@@ -96,7 +96,6 @@ rule sequence:
     """
     What a first shock leaves for the second.
     Costs: some minutes a curve; W3 the longest.
-    Page: docs/sequence.md
     """
     input:
         every_run(rules.sequence_table.output, rules.figure_sequence.output.png),

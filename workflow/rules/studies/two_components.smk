@@ -118,7 +118,6 @@ rule two_components:
     """
     What the second horizontal component changes.
     Costs: 21 min for 88 curves of W1 and of W2.
-    Page: docs/two_components.md
     """
     input:
         every_run(rules.two_components_table.output, rules.figure_two_components.output.png),

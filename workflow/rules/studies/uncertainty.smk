@@ -140,7 +140,6 @@ rule uncertainty:
     """
     Scatter by motion, material and model form.
     Costs: 6 min for 70,000 histories.
-    Page: docs/uncertainty.md
     """
     input:
         every_run(
