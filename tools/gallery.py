@@ -5,6 +5,7 @@
     python tools/gallery.py --no-run           # from the results there are
     python tools/gallery.py --results /tmp/x   # from those of a run with `--directory /tmp/x`
     python tools/gallery.py --drawn sequence   # a picture of another page was put there by hand
+    python tools/gallery.py --drawn own=workflow/rocking/studies/own.py  # a new one, by this file
     python tools/gallery.py --study results/study/figures  # those of docs/study.md; `make study`
     python tools/gallery.py --old              # which pictures are older than what draws them
 
@@ -86,12 +87,16 @@ def old(drawn_by=DRAWN_BY):
     ]
 
 
-def note(picture):
-    """Keep that a picture was drawn by today's script."""
+def note(picture, script=None):
+    """Keep that a picture was drawn by today's script, the one it had unless one is given."""
     known = json.loads(DRAWN_BY.read_text("utf-8"))
-    if picture.name not in known:
-        sys.exit(f"error: {DRAWN_BY.name} has no script for {picture.name}: add it")
-    known[picture.name]["digest"] = digest(ROOT / known[picture.name]["script"])
+    script = script or known.get(picture.name, {}).get("script")
+    if script is None:
+        stem = picture.stem
+        sys.exit(f"error: {DRAWN_BY.name} has no script for {stem}: --drawn {stem}=<script>")
+    if not (ROOT / script).is_file():
+        sys.exit(f"error: {picture.stem}={script}: no such file in the project")
+    known[picture.name] = {"digest": digest(ROOT / script), "script": script}
     DRAWN_BY.write_text(json.dumps(known, indent=1, sort_keys=True) + "\n", "utf-8")
 
 
@@ -111,7 +116,9 @@ def main():
     parser.add_argument("--only", nargs="*", help="names of pictures, without .png")
     parser.add_argument("--no-run", action="store_true", help="take the results there are")
     parser.add_argument("--results", type=Path, help="take those in this folder")
-    parser.add_argument("--drawn", nargs="*", help="pictures that were drawn by other means")
+    parser.add_argument(
+        "--drawn", nargs="*", help="pictures drawn by other means; name=script for new ones"
+    )
     parser.add_argument("--old", action="store_true", help="list old pictures, draw none")
     parser.add_argument("--study", type=Path, help="renew those of the study's page from here")
     args = parser.parse_args()
@@ -131,8 +138,11 @@ def main():
                 how = "make study"
             print(f"docs/pictures/{name} is older than what draws it; renew it: {how}")
         return
-    for name in args.drawn or ():
-        note(next(DRAWN_BY.parent.glob(f"{name}.*")))
+    for name, _, script in (word.partition("=") for word in args.drawn or ()):
+        picture = next(DRAWN_BY.parent.glob(f"{name}.*"), None)
+        if picture is None:
+            sys.exit(f"error: no picture {name} in docs/{DRAWN_BY.parent.name}")
+        note(picture, script)
     for command, source, picture in [] if args.drawn else entries():
         if args.only and picture.stem not in args.only:
             continue

@@ -62,3 +62,32 @@ def test_a_picture_is_old_when_its_script_or_its_drawing_has_changed(
     (drawn_by.parent / "two.png").touch()
     with pytest.raises(ValueError, match=r"two.png: expected"):
         gallery.old(drawn_by)
+
+
+def test_a_new_picture_is_kept_with_the_script_that_is_named(gallery, monkeypatch, tmp_path):
+    """Once known, its name alone renews it."""
+    (tmp_path / "own.py").write_text("x = 1\n")
+    drawn_by = tmp_path / "pictures" / "drawn_by.json"
+    drawn_by.parent.mkdir()
+    (drawn_by.parent / "own.png").touch()
+    drawn_by.write_text("{}")
+    monkeypatch.setattr(gallery, "ROOT", tmp_path)
+    monkeypatch.setattr(gallery, "DRAWN_BY", drawn_by)
+
+    def drawn(word):
+        monkeypatch.setattr("sys.argv", ["gallery.py", "--drawn", word])
+        gallery.main()
+
+    for word, message in {
+        "own": "no script for own: --drawn own=<script>",
+        "own=gone.py": "own=gone.py: no such file",
+        "other=own.py": "no picture other in docs/pictures",
+    }.items():
+        with pytest.raises(SystemExit, match=message):
+            drawn(word)
+    drawn("own=own.py")
+    assert json.loads(drawn_by.read_text())["own.png"]["script"] == "own.py"
+    (tmp_path / "own.py").write_text("x = 2\n")
+    assert gallery.old(drawn_by) == ["own.png"]
+    drawn("own")
+    assert gallery.old(drawn_by) == []
