@@ -1,0 +1,76 @@
+"""A target is made by five files and no line elsewhere: docs/examples/friction adds one."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLE = ROOT / "docs" / "examples" / "friction"
+FILES = sorted(path.relative_to(EXAMPLE) for path in EXAMPLE.rglob("*.*") if path.is_file())
+PARTS = ("Snakefile", "config", "docs", "profiles", "pyproject.toml", "smdof", "tests", "workflow")
+PARTS += ("yade_scripts",)
+COARSE = "numerics={nodes_thickness: 5, nodes_height: 5, step_fraction: 0.4, after_motion_s: 0.5}"
+LIMIT_S = 300.0
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory):
+    """A copy of the project, compiled loops and all, with the example's files beside its own."""
+    top = tmp_path_factory.mktemp("new")
+    for name in PARTS:
+        copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
+        copy(ROOT / name, top / name)
+    for path in FILES:
+        assert not (top / path).exists()
+        (top / path.parent).mkdir(exist_ok=True)
+        shutil.copy(EXAMPLE / path, top / path)
+    return top
+
+
+def called(project, *words):
+    """Run a module of Python in the project, with its own packages."""
+    path = os.pathsep.join(map(str, (project, project / "workflow")))
+    environment = {**os.environ, "PYTHONPATH": path, "MPLBACKEND": "Agg"}
+    return subprocess.run(
+        [sys.executable, "-m", *words],
+        cwd=project,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=LIMIT_S,
+    )
+
+
+def test_they_are_five():
+    assert len(FILES) == 5
+
+
+@pytest.mark.slow
+def test_a_target_of_five_files_runs_and_stands_on_the_generated_pages(project):
+    """Its keys are checked, its rows and its figure are made, and its test passes."""
+    given = ["--config", "run=new", "records=RRS228", "directions=neg", "models=W1", COARSE]
+    wrong = called(
+        project, "snakemake", "-n", *given, "friction={angles_deg: [2, 30]}", "--", "friction"
+    )
+    assert "friction.angles_deg" in wrong.stderr + wrong.stdout
+    made = called(project, "snakemake", "--cores", "1", *given, "--", "friction")
+    assert made.returncode == 0, made.stderr
+    table = pd.read_csv(project / "results/new/tables/friction.csv")
+    assert table["friction_deg"].tolist() == [30, 35, 40]
+    assert table["ratio"].iloc[0] == 1.0
+    assert (project / "results/new/figures/friction.png").stat().st_size > 5000
+    assert called(project, "rocking.configuration.docs", "--check").returncode == 1
+    assert called(project, "rocking.configuration.docs").returncode == 0
+    assert "`angles_deg`" in (project / "config/README.md").read_text("utf-8")
+    assert "| `friction` |" in (project / "docs/targets.md").read_text("utf-8")
+
+
+@pytest.mark.slow
+def test_the_example_s_own_test_passes(project):
+    done = called(project, "pytest", "-n0", "tests/studies/test_friction.py")
+    assert done.returncode == 0, done.stdout
