@@ -146,8 +146,8 @@ def _check_bearing(where: str, row: Mapping, resolved: Mapping) -> None:
             f"{where}.bearing = flat: expected height_m = facade.height_m = "
             f"{show(facade['height_m'])} (m), arm_m = null and mass_t = 0"
         )
-    massive = [name for name in resolved["models"] if registry.model(name).two_way]
-    if massive or facade["tilt_deg"] or not is_plain({**facade, "courses": 0}):
+    pushed = [name for name in resolved["models"] if registry.model(name).two_way]
+    if pushed or facade["tilt_deg"] or not is_plain({**facade, "courses": 0}):
         raise ConfigError(
             f"{where}.bearing = flat: expected a plain upright façade before driven walls or none"
         )
