@@ -7,13 +7,16 @@ of rigid courses on elastic joints, which converges to it. Both are compared wit
 
 from functools import partial
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 
 from rocking.collapse.case import Variant
+from rocking.collapse.probability import KEY
 from rocking.collapse.quick import PGA, crossings
 from rocking.collapse.ratios import spread
 from rocking.collapse.varied import collapses
+from rocking.figures import style
 from rocking.mechanics import column
 from rocking.mechanics.closed_forms import capacity_compliant_base, capacity_rigid
 from yade_scripts.model import base
@@ -32,10 +35,12 @@ FACADES = {  # h, b [m], ρ [kg/m³], E [MPa]; none of them but the first chose 
 }
 STATIC = ["facade", "h_m", "b_m", "e_mpa", "gamma", "d_over_b", "lambda_rigid", "lambda_wall"]
 STATIC += ["lambda_courses", *(f"lambda_base_{name}" for name in BASES)]
-COLUMNS = ["model", "record", "direction", "facade", *PGA, "ratio", "runs_planar"]
+COLUMNS = [*KEY, "facade", *PGA, "ratio", "runs_planar"]
 SUMMARY = {"n": "n", "n_censored": "n_censored", "p10": 10, "median": 50, "p90": 90}
 SUMMARY |= {"scatter": "scatter"}
 STACK = "courses"
+LABELS = {"study": "rigid block, base E/h", "column": "rigid block, the column's base"}
+COLOURS = {"study": "#c1440e", "column": "#1f6f8b"}
 
 
 def variants():
@@ -95,3 +100,45 @@ def collapse(case, motion, direction):
 def summary(table):
     """Spread of the ratios by model and base: 10, 50, 90 % of the curves, scatter of ln ratio."""
     return spread(table[table["facade"] != STACK], ["model", "facade"], SUMMARY)
+
+
+def _static_curves(axis, table):
+    """Draw the static curves of the first façade."""
+    part = table[table["facade"] == table["facade"].iloc[0]]
+    d = part["d_over_b"]
+    axis.plot(d, part["lambda_rigid"], ":", color=style.GREY, lw=1.0, label="rigid")
+    axis.plot(d, part["lambda_wall"], "k-", lw=1.6, label="elastic column")
+    axis.plot(d, part["lambda_courses"], "k+", ms=5, label="stack of 20 courses")
+    for name in BASES:
+        axis.plot(d, part[f"lambda_base_{name}"], "--", color=COLOURS[name], label=LABELS[name])
+    axis.set(xlabel="top displacement over thickness d/b [-]", ylabel="static multiplier λ [-]")
+    axis.set_xlim(0.0, 0.85)
+    axis.set_ylim(0.0, None)
+    axis.set_title("the study's façade", loc="left")
+    axis.legend(fontsize=6.5, frameon=False, loc="upper right")
+
+
+def _half_collapse(axis, table):
+    """Draw PGA of half collapse on either base against the stack's, a point a curve."""
+    stack = table[table["facade"] == STACK].set_index(KEY)
+    most = 0.0
+    for name in BASES:
+        part = table[table["facade"] == name].set_index(KEY)
+        x = stack["pga_median_g"].reindex(part.index)
+        axis.plot(x, part["pga_median_g"], "o", ms=4, color=COLOURS[name], label=LABELS[name])
+        most = np.nanmax([most, x.max(), part["pga_median_g"].max()])
+    ends = np.array([0.0, 1.1 * most])
+    axis.plot(ends, ends, "k-", lw=0.8, zorder=0)
+    axis.set(xlabel="collapse PGA, stack of courses [g]", ylabel="collapse PGA, rigid block [g]")
+    axis.set_xlim(ends)
+    axis.set_ylim(ends)
+    models = ", ".join(table["model"].unique())
+    axis.set_title(f"half collapse, {models}; colours as on the left", loc="left")
+
+
+def draw(static, table):
+    """Draw static curves of the study's façade, and collapse of the rigid block by the stack's."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(7.2, 3.4))
+    _static_curves(left, static)
+    _half_collapse(right, table)
+    return figure

@@ -13,7 +13,7 @@ from rocking.tables import write_json, write_table
 
 def main(job):
     study = import_module(f"rocking.studies.{job.params.study}")
-    given, w = dict(job.params.given), job.wildcards
+    given, w = dict(job.params.get("given", {})), job.wildcards
     case, motion = Case.read(job.input.scene), Motion.read_floors(job.input.motion, w.record)
     if first := job.input.get("first"):
         given["first"] = Motion.read_floors(first, job.params.first)

@@ -1,7 +1,7 @@
 """All curves of a study in one table, and what its module makes of them.
 
 `params.study` names the module of `rocking.studies`. An output beside `table` is named like the
-function of the module that makes it, such as `summary`.
+function of the module that makes it, such as `summary`: of the table, or without one of nothing.
 """
 
 from importlib import import_module
@@ -12,9 +12,9 @@ from rocking.tables import read_tables, write_table
 
 def main(job):
     study = import_module(f"rocking.studies.{job.params.study}")
-    table = read_tables(job.input.tables)
+    given = [read_tables(tables)] if (tables := job.input.get("tables")) else []
     for name, path in job.output.items():
-        write_table(table if name == "table" else getattr(study, name)(table), path)
+        write_table(given[0] if name == "table" else getattr(study, name)(*given), path)
 
 
 run(main, globals())
