@@ -5,24 +5,27 @@ Both scenes have the same nodes out of plane, so what is between them is the sec
 
 import math
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 
 from rocking.collapse import search
 from rocking.collapse.ratios import spread
+from rocking.collapse.varied import collapses
+from rocking.figures import style
+from rocking.figures.panels import distribution
 from rocking.solver import spatial
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, peaks, stable_step
 from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import amplitude
+from yade_scripts.model.registry import MODELS
 from yade_scripts.studies.perturb import NODE_KEYS
 from yade_scripts.studies.search import drive
 
-COLUMNS = (
-    *("model", "record", "second", "direction", "second_ratio"),
-    *("one_g", "again_g", "two_g", "half_g", "d_one", "d_two", "twist_rad", "slid_m"),
-    *("last_g", "last_d_two", "last_twist_rad", "last_slid_m"),
-)
+FOUND = ["one_g", "again_g", "two_g", "half_g", "d_one", "d_two", "twist_rad", "slid_m"]
+FOUND += ["last_g", "last_d_two", "last_twist_rad", "last_slid_m"]
+COLUMNS = ["model", "record", "second", "direction", "second_ratio", *FOUND]
 NODES = 9  # across the thickness and up each block of the walls, in both scenes
 AGAIN_STEP = 0.9  # of the planar solver's step, with one more node: what a repetition moves
 HALF = 0.5  # of the planar collapse: where histories repeat
@@ -39,28 +42,6 @@ def with_nodes(case, more=0):
     """Scene file with the nodes of this comparison, and so many more, along every edge."""
     numerics = {**case["numerics"], **dict.fromkeys(NODE_KEYS, NODES + more)}
     return {**case, "numerics": numerics}
-
-
-def runs(case, row, settings):
-    """What YADE runs of one row of the table: the compiled solver's intensities and its d/b.
-
-    Returns
-    -------
-    dict
-        As of the study `runs`; d_over_b_compiled is 1 where that solver's façade fell.
-    """
-    names = (("half_g", "d_two"), ("last_g", "last_d_two"), ("two_g", None))
-    known = [(row[g], row[d] if d else 1.0) for g, d in names if np.isfinite(row[g])]
-    return {
-        "beside": {"d_over_b_compiled": ".6g"},
-        "cases": [
-            {
-                "scene": full(case.scene, settings),
-                "pga_g": [float(pga_g) for pga_g, _ in known],
-                "about": [{"d_over_b_compiled": min(float(d), 1.0)} for _, d in known],
-            }
-        ],
-    }
 
 
 class Comparison:
@@ -116,7 +97,7 @@ class Comparison:
         return drive(search.neighbour(self.level, self.max_g, first), run)
 
     def compare(self):
-        """Values of `COLUMNS` from one_g on; NaN where nothing falls up to ida.max_pga_g."""
+        """Values of `FOUND`; NaN where nothing falls up to ida.max_pga_g."""
         one = self.lowest(lambda g: self.one(g) >= 1.0)
         each = math.log(1.0 + self.settings["level_ratio"])
         top = math.ceil(math.log(self.max_g / self.start_g) / each)
@@ -132,6 +113,58 @@ class Comparison:
             *(half, self.one(half), found.d_over_b, found.twist_rad, found.slid_m),
             *(last, stood.d_over_b, stood.twist_rad, stood.slid_m),
         )
+
+
+def collapse(cases, motion, directions, second, settings):
+    """Collapse under one component and under both.
+
+    Parameters
+    ----------
+    cases : iterable of Case
+        W1 or W2.
+    motion, second : Motion
+        Floor motions of the component out of plane, and of that along the façade.
+    directions : iterable of str
+    settings : dict
+        Section two_components.
+
+    Returns
+    -------
+    DataFrame
+        COLUMNS; second_ratio of the peak along the façade to that out of plane.
+    """
+    ratio = np.abs(second.floors[1]["ground"]).max() / np.abs(motion.floors[1]["ground"]).max()
+    time_s, columns = floor_motions.with_second(*motion.floors, *second.floors)
+    about = {"second": second.name, "second_ratio": ratio}
+
+    def find(case, _, direction):
+        found = Comparison(case.scene, time_s, columns, direction, settings).compare()
+        return about | dict(zip(FOUND, found, strict=True))
+
+    return pd.DataFrame(collapses(cases, motion, directions, find), columns=COLUMNS)
+
+
+def to_confirm(case, row, settings):
+    """What YADE's study `runs` is to confirm of one row of the table.
+
+    Returns
+    -------
+    dict
+        Intensities of the compiled solver with its d/b; d_over_b_compiled is 1 where its façade
+        fell.
+    """
+    names = (("half_g", "d_two"), ("last_g", "last_d_two"), ("two_g", None))
+    known = [(row[g], row[d] if d else 1.0) for g, d in names if np.isfinite(row[g])]
+    return {
+        "beside": {"d_over_b_compiled": ".6g"},
+        "cases": [
+            {
+                "scene": full(case.scene, settings),
+                "pga_g": [float(pga_g) for pga_g, _ in known],
+                "about": [{"d_over_b_compiled": min(float(d), 1.0)} for _, d in known],
+            }
+        ],
+    }
 
 
 def summary(table):
@@ -157,3 +190,26 @@ def summary(table):
     long = ratios.melt("model", var_name="compared", value_name="ratio")
     long = long.sort_values("model", kind="stable")
     return spread(long, ["model", "compared"], SUMMARY)
+
+
+def draw(table):
+    """Draw collapse under both components over that of the planar scene, and what moves it."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(7.4, 3.4))
+    lines = (("-", ":"), ("--", "-."))
+    for i, (model, part) in enumerate(table.groupby("model", sort=True)):
+        kind = MODELS[model]
+        look = {"color": kind.colour, "drawstyle": "steps-mid"}
+        both, again = lines[i % len(lines)]
+        for column, label, line in (("two_g", "both", both), ("again_g", "repeated", again)):
+            ratio = part[column] / part["one_g"]
+            distribution(left, ratio, ls=line, label=f"{model}, {label}", **look)
+        x, y = part["half_g"] * part["second_ratio"], part["d_two"] / part["d_one"]
+        right.plot(x, y, kind.marker, color=kind.colour, alpha=0.8, ms=4, label=model)
+    left.set(xlabel="collapse PGA over that of one component [-]")
+    left.set(ylabel="share of curves [-]", ylim=(0, 1))
+    right.set(xlabel="PGA along the façade [g]", ylabel="d/b, both over one component [-]")
+    right.set_title("at half the planar collapse")
+    for axis, line in ((left, left.axvline), (right, right.axhline)):
+        line(1.0, color=style.GREY, lw=0.8, zorder=0)
+        axis.legend(loc="best", fontsize=7)
+    return figure

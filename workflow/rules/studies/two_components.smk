@@ -36,52 +36,67 @@ rule two_components_curves:
         scenes=of_run(rules.scene.output[0], model=one_block),
         motion=of_run(rules.floor_motions.output[0]),
         second=motion_along,
-        modules=code("two_components/two_components"),
+        modules=code("studies/collapse", study="two_components"),
     output:
-        results("two_components/{record}.csv"),
+        table=results("two_components/{record}.csv"),
     log:
         logs("two_components_{record}"),
     benchmark:
         benchmarks("two_components_{record}")
     params:
-        settings=value_of("two_components"),
+        study="two_components",
+        given=lambda w: {"settings": RUNS.cfg(w)["two_components"]},
         directions=value_of("directions"),
         second=second_component,
     script:
-        "../../scripts/two_components/two_components.py"
+        "../../scripts/studies/collapse.py"
 
 
 rule two_components_table:
     input:
-        tables=of_run(rules.two_components_curves.output[0]),
-        modules=code("two_components/table_two_components"),
+        tables=of_run(rules.two_components_curves.output.table),
+        modules=code("studies/table", study="two_components"),
     output:
         table=results("tables/two_components.csv"),
         summary=results("tables/two_components_summary.csv"),
     log:
         logs("two_components"),
+    params:
+        study="two_components",
     script:
-        "../../scripts/two_components/table_two_components.py"
+        "../../scripts/studies/table.py"
 
 
 rule figure_two_components:
     input:
         table=rules.two_components_table.output.table,
         facts=of_run(rules.record.output.facts),
-        modules=code("two_components/figure_two_components"),
+        modules=code("studies/figure", study="two_components"),
     output:
-        **figure("two_components", "Two components", "both components compared with one"),
+        **figure(
+            "two_components",
+            "Two components",
+            "both components compared with one",
+            about="study",
+        ),
     log:
         logs("figure_two_components"),
+    params:
+        study="two_components",
+        caption="The façade in three dimensions under both horizontal components, compared with the"
+        " planar scene under one. Left: lowest PGA that overturns it under both over that under one"
+        " (both), and over itself with a node more and a shorter step (repeated), as distributions"
+        " over records and directions. Right: largest d/b under both over that under one, at half"
+        " the planar collapse, against the PGA of the component along the façade.",
     script:
-        "../../scripts/two_components/figure_two_components.py"
+        "../../scripts/studies/figure.py"
 
 
 # One curve at the intensities of the compiled solver, in YADE: ask for the file.
 rule two_components_runs:
     input:
         scene=rules.scene.output[0],
-        curves=rules.two_components_curves.output[0],
+        curves=rules.two_components_curves.output.table,
         modules=code("two_components/two_components_runs"),
     output:
         results("two_components/{model}_{record}_{direction}.json"),

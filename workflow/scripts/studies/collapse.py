@@ -1,7 +1,9 @@
-"""Collapse of one curve, as a study's module finds it, and what YADE is to confirm of it.
+"""Collapse as a study's module finds it, and what YADE is to confirm of it.
 
 `params.study` names the module of `rocking.studies`, `params.given` holds what its `collapse` takes
-beside case, motion and direction. `input.first`, where there is one, is a motion before the other.
+beside case, motion and direction: of one curve, or with the input `scenes` of all cases in all
+`params.directions`. What another motion is to the first, an input of that name (`first`, `second`)
+and a parameter that names the record, is handed over with `given`.
 """
 
 from importlib import import_module
@@ -10,14 +12,21 @@ from rocking import Case, Motion
 from rocking.runtime.script import run
 from rocking.tables import write_json, write_table
 
+OTHERS = ("first", "second")
+
 
 def main(job):
     study = import_module(f"rocking.studies.{job.params.study}")
     given, w = dict(job.params.get("given", {})), job.wildcards
-    case, motion = Case.read(job.input.scene), Motion.read_floors(job.input.motion, w.record)
-    if first := job.input.get("first"):
-        given["first"] = Motion.read_floors(first, job.params.first)
-    table = study.collapse(case, motion, w.direction, **given)
+    motion = Motion.read_floors(job.input.motion, w.record)
+    for name in OTHERS:
+        if path := job.input.get(name):
+            given[name] = Motion.read_floors(path, job.params.get(name))
+    if scenes := job.input.get("scenes"):
+        case, direction = [Case.read(path) for path in scenes], job.params.directions
+    else:
+        case, direction = Case.read(job.input.scene), w.direction
+    table = study.collapse(case, motion, direction, **given)
     write_table(table, job.output.table)
     if plan := job.output.get("plan"):
         write_json(plan, study.to_confirm(case, motion, table, **given))

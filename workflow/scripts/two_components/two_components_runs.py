@@ -3,15 +3,15 @@
 import pandas as pd
 from rocking import Case
 from rocking.runtime.script import run
-from rocking.studies.two_components import runs
+from rocking.studies.two_components import to_confirm
 from rocking.tables import write_json
 
 
 def main(job):
     table, w = pd.read_csv(job.input.curves), job.wildcards
     row = table[(table["model"] == w.model) & (table["direction"] == w.direction)].iloc[0]
-    listed = runs(Case.read(job.input.scene), row, job.params.settings)
-    write_json(job.output[0], listed, sort_keys=True)
+    confirmed = to_confirm(Case.read(job.input.scene), row, job.params.settings)
+    write_json(job.output[0], confirmed, sort_keys=True)
 
 
 run(main, globals())
