@@ -10,7 +10,7 @@ from rocking.records import Record, integrate, load, measures, read_table
 from rocking.records.pulses import PERIODS_S, find_pulses, pulse_spec
 from rocking.records.surrogate import generate
 from rocking.records.surrogate_model import Pulse
-from rocking.studies import surrogate_trust
+from rocking.studies import surrogates
 from run_script import script
 
 DT = 0.01
@@ -81,11 +81,11 @@ def rows(scatter, keep_side):
             own = (f"R{i}", f"S{i // 2}", "W1", direction)
             for kind, pulses, value in (("recorded", None, real), ("surrogate", 0, made)):
                 out.append((*own, kind, pulses, pulses, 0, value, value, 3.0))
-    return pd.DataFrame(out, columns=surrogate_trust.COLUMNS)
+    return pd.DataFrame(out, columns=surrogates.COLUMNS)
 
 
 def test_summary_returns_the_distribution_that_made_the_ratios():
-    table = surrogate_trust.summary(rows(0.1, keep_side=True))
+    table = surrogates.summary(rows(0.1, keep_side=True))
     whole = table[table["half"] == "all"].iloc[0]
     assert whole["n"] == 800
     assert whole["ratio_median"] == pytest.approx(1.1, rel=0.02)
@@ -93,7 +93,7 @@ def test_summary_returns_the_distribution_that_made_the_ratios():
     assert whole["side_agrees"] == 1.0
     halves = table[table["half"] != "all"]
     assert halves["n"].sum() == 800
-    lost = surrogate_trust.summary(rows(0.05, keep_side=False)).iloc[0]
+    lost = surrogates.summary(rows(0.05, keep_side=False)).iloc[0]
     assert lost["side_agrees"] == 0.0
     assert lost["scatter"] == pytest.approx(0.8, rel=0.05)
 
@@ -103,12 +103,13 @@ def test_the_figure_is_drawn_of_one_direction_too(tmp_path, directions):
     """One direction has no weak side: no second row of panels, and nothing of it in the table."""
     table = rows(0.1, keep_side=True)
     table = table[table["direction"].isin(directions) & table["record"].isin(["R0", "R1", "R2"])]
-    found = surrogate_trust.summary(table)
+    found = surrogates.summary(table)
     assert found["side_agrees"].isna().all() == (len(directions) == 1)
     paths = {"table": "t.csv", "summary": "s.csv", "facts": []}
     table.to_csv(tmp_path / "t.csv", index=False)
     found.to_csv(tmp_path / "s.csv", index=False)
-    script("figure_surrogate_trust", tmp_path, input=paths, output={"png": "figure.png"})
+    given = {"input": paths, "params": {"study": "surrogates"}}
+    script("figure", tmp_path, output={"png": "figure.png"}, **given)
     high = plt.imread(tmp_path / "figure.png").shape[0]
     assert (high > 700) == (len(directions) == 2), high
 
@@ -120,7 +121,7 @@ def test_scatter_is_that_of_the_draws_beside_the_record():
     rows += [(*own, "surrogate", 6, 6, d, value, value, 3.0) for value, d in draws]
     rows += [("T", "S", "W1", "pos", "surrogate", None, None, 0, 0.5, 0.5, 3.0)]
     rows += [("T", "S", "W1", "pos", "surrogate", None, None, 1, np.nan, np.nan, 3.0)]
-    table = surrogate_trust.scatter(pd.DataFrame(rows, columns=surrogate_trust.COLUMNS))
+    table = surrogates.scatter(pd.DataFrame(rows, columns=surrogates.COLUMNS))
     beside, alone = table.to_dict("records")
     assert beside["pga_median_g"] == pytest.approx(0.2)
     assert beside["pga_p90_g"] == pytest.approx(0.2 * np.exp(0.3 * 1.6))
@@ -140,8 +141,8 @@ def test_shipped_descriptions_give_motions_of_their_peaks(name):
 
 def test_both_components_of_a_station_are_in_one_half_and_what_never_fell_is_counted():
     table = rows(0.1, keep_side=True)
-    halves = surrogate_trust.half_of(table["station"])
+    halves = surrogates.half_of(table["station"])
     assert table.assign(half=halves).groupby("station")["half"].nunique().max() == 1
     table.loc[(table["kind"] == "surrogate") & (table["record"] == "R0"), "pga_half_g"] = np.nan
-    whole = surrogate_trust.summary(table).iloc[0]
+    whole = surrogates.summary(table).iloc[0]
     assert whole["n_censored"] == 2

@@ -12,35 +12,40 @@ rule surrogate_collapse:
         record=rules.own_record.output.record,
         parameters=RUNS.surrogate_parameters,
         scenes=of_run(rules.scene.output[0], model=["W1", "W2"]),
-        modules=code("surrogates/surrogate_collapse"),
+        modules=code("studies/collapse", study="surrogates"),
     output:
-        results("surrogates/{record}.csv"),
+        table=results("surrogates/{record}.csv"),
     log:
         logs("surrogates_{record}"),
     benchmark:
         benchmarks("surrogates_{record}")
     params:
-        surrogates=value_of("surrogates"),
-        table=lambda w: RUNS.table_path(w.run),
-        seed=value_of("seed"),
+        study="surrogates",
+        given=lambda w: {
+            "station": RUNS.station(w),
+            "settings": RUNS.cfg(w)["surrogates"],
+            "table": RUNS.table_path(w.run),
+            "seed": RUNS.cfg(w)["seed"],
+        },
         directions=value_of("directions"),
-        station=RUNS.station,
     script:
-        "../../scripts/surrogates/surrogate_collapse.py"
+        "../../scripts/studies/collapse.py"
 
 
 rule surrogate_trust:
     input:
-        tables=of_run(rules.surrogate_collapse.output[0]),
-        modules=code("surrogates/surrogate_trust"),
+        tables=of_run(rules.surrogate_collapse.output.table),
+        modules=code("studies/table", study="surrogates"),
     output:
         table=results("tables/surrogates.csv"),
         scatter=results("tables/surrogate_scatter.csv"),
         summary=results("tables/surrogate_trust.csv"),
     log:
         logs("surrogate_trust"),
+    params:
+        study="surrogates",
     script:
-        "../../scripts/surrogates/surrogate_trust.py"
+        "../../scripts/studies/table.py"
 
 
 rule figure_surrogate_trust:
@@ -48,26 +53,46 @@ rule figure_surrogate_trust:
         table=rules.surrogate_trust.output.table,
         summary=rules.surrogate_trust.output.summary,
         facts=of_run(rules.record.output.facts),
-        modules=code("surrogates/figure_surrogate_trust"),
+        modules=code("studies/figure", study="surrogates"),
     output:
-        **figure("surrogate_trust", "Records", "surrogates compared with their records"),
+        **figure(
+            "surrogate_trust",
+            "Records",
+            "surrogates compared with their records",
+            about="study",
+        ),
     log:
         logs("figure_surrogate_trust"),
+    params:
+        study="surrogates",
+        caption="How far a surrogate stands for its record. Top: PGA of collapse under the"
+        " surrogate over that under the record (first PGA around which half of a scan falls), as a"
+        " distribution over records and directions; numbers: its median and the standard deviation"
+        " of its logarithm. Bottom: logarithm to base 2 of the ratio between the two directions. A"
+        " surrogate that keeps the weak side lies in the first or third quadrant; from peaks alone,"
+        " that is chance.",
     script:
-        "../../scripts/surrogates/figure_surrogate_trust.py"
+        "../../scripts/studies/figure.py"
 
 
 rule figure_surrogate_scatter:
     input:
         table=rules.surrogate_trust.output.table,
         facts=of_run(rules.record.output.facts),
-        modules=code("surrogates/figure_surrogate_scatter"),
+        modules=code("studies/figure", study="surrogates"),
     output:
-        **figure("surrogate_scatter", "Records", "draws of surrogates"),
+        **figure("surrogate_scatter", "Records", "draws of surrogates", about="study"),
     log:
         logs("figure_surrogate_scatter"),
+    params:
+        study="surrogates",
+        draw="draw_scatter",
+        caption="PGA at which W1 and W2 collapse with a probability of one half, under draws of a"
+        " surrogate that differ in their noise alone (dots; open: never collapsed, at the largest"
+        " PGA that was run) and under the recorded motion (bar), where there is one. Right:"
+        " standard deviation of the logarithm over the draws.",
     script:
-        "../../scripts/surrogates/figure_surrogate_scatter.py"
+        "../../scripts/studies/figure.py"
 
 
 rule surrogates:

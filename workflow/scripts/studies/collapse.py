@@ -2,13 +2,15 @@
 
 `params.study` names the module of `rocking.studies`, `params.given` holds what its `collapse` takes
 beside case, motion and direction: of one curve, or with the input `scenes` of all cases in all
-`params.directions`. What another motion is to the first, an input of that name (`first`, `second`)
-and a parameter that names the record, is handed over with `given`.
+`params.directions`. The motion is that of `input.record`, or the floor motions `input.motion`. A
+motion before or beside it, `input.first` or `input.second`, is handed over too; a parameter of the
+same name says which record it is of.
 """
 
 from importlib import import_module
 
 from rocking import Case, Motion
+from rocking.records import read_csv
 from rocking.runtime.script import run
 from rocking.tables import write_json, write_table
 
@@ -18,7 +20,10 @@ OTHERS = ("first", "second")
 def main(job):
     study = import_module(f"rocking.studies.{job.params.study}")
     given, w = dict(job.params.get("given", {})), job.wildcards
-    motion = Motion.read_floors(job.input.motion, w.record)
+    if record := job.input.get("record"):
+        motion = Motion(read_csv(record))
+    else:
+        motion = Motion.read_floors(job.input.motion, w.record)
     for name in OTHERS:
         if path := job.input.get(name):
             given[name] = Motion.read_floors(path, job.params.get(name))
