@@ -202,7 +202,7 @@ def test_worth_of_a_roof_is_the_static_one():
     t = np.linspace(0.0, 6.0, 301)
     push = G * 0.5 * (1.0 - np.cos(np.pi * np.minimum(t / 3.0, 1.0)))
     settings = {"loads_kn": [60.0], "frictions": [0.0, 0.3]}
-    found = restraint.table(case, Motion(floors=(t, {"ground": -push})), "pos", settings)
+    found = restraint.collapse(case, Motion(floors=(t, {"ground": -push})), "pos", settings)
     theta = np.linspace(1e-3, 0.06, 2000)
     for row in found.itertuples():
         total = weight + 1e3 * row.load_kn
@@ -221,7 +221,8 @@ def test_what_yade_confirms_of_a_roof():
     rows = [(20.0, 0.2, 4.0, 0.1, 0.2, 0.2, 0.3, 3.0), (60.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 3.0)]
     rows += [(60.0, 0.1, 6.0, 9.0, 9.0, 9.0, 9.0, 9.0), (60.0, 0.4, 24.0, 0.5, 1.0, 2, np.nan, 3)]
     names = ["load_kn", "friction", "capacity_kn", *restraint.INTENSITIES]
-    cases = restraint.to_confirm(Case(config), pd.DataFrame(rows, columns=names))
+    table = pd.DataFrame(rows, columns=names)
+    cases = restraint.to_confirm(Case(config), None, table, settings=None)["cases"]
     wanted = [(0.0, [0.19]), (0.0, [0.42]), (24.0, [0.95])]
     assert [(c["about"]["force_kn"], c["pga_g"]) for c in cases] == wanted
     for case in cases:

@@ -1,7 +1,7 @@
 """A figure of a study, as its module draws it from tables.
 
-`params.study` names the module of `rocking.studies`, `params.draw` its function, which takes the
-tables under the names that they have in the rule's input.
+`params.study` names the module of `rocking.studies`, `params.draw` its function, which takes what
+the rule's inputs hold, under their names: a table (CSV) or values (JSON), of several files a list.
 """
 
 from importlib import import_module
@@ -9,16 +9,22 @@ from importlib import import_module
 import pandas as pd
 from rocking.figures import style
 from rocking.runtime.script import run
+from rocking.tables import read_json
 
-NO_TABLES = ("facts", "modules")
+NOT_DRAWN = ("facts", "modules")
+
+
+def read(given):
+    if not isinstance(given, str):
+        return [read(path) for path in given]
+    return read_json(given) if given.endswith(".json") else pd.read_csv(given)
 
 
 def main(job):
     study = import_module(f"rocking.studies.{job.params.study}")
-    paths = {name: path for name, path in job.input.items() if name not in NO_TABLES}
     draw = getattr(study, job.params.get("draw", "draw"))
-    figure = draw(**{name: pd.read_csv(path) for name, path in paths.items()})
-    style.save(figure, job.output, job.input.facts)
+    found = {name: read(given) for name, given in job.input.items() if name not in NOT_DRAWN}
+    style.save(draw(**found), job.output, job.input.facts)
 
 
 run(main, globals())
