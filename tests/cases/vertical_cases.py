@@ -57,7 +57,7 @@ def set_up(config, beta_s, time_s, columns, factors):
     ]
 
 
-def every(releases, launched, shakings, books):
+def every(releases, launched, shakings, balance):
     """All that the tests of vertical motion ask of YADE, in one process."""
     found = {"releases": [release(**case) for case in releases], "peaks": {}}
     found["launched"] = release(**launched)
@@ -69,5 +69,5 @@ def every(releases, launched, shakings, books):
             models.build_scene(job), models.numerics(job), time_s, columns, case["factor"]
         ).retried()
         found["peaks"][model] = [run.peak_d_over_b, run.status, run.reason]
-    found["books"] = accuracy_cases.balanced(**books)
+    found["balance"] = accuracy_cases.balanced(**balance)
     return found

@@ -126,7 +126,7 @@ def test_against_the_reference_solver():
 @pytest.mark.yade
 @pytest.mark.parametrize("facade", [COLUMN, {"courses": 3}])
 def test_yade_and_the_compiled_solver(facade):
-    """Peak d/b within 1 %, and YADE's books close."""
+    """Peak d/b within 1 %, and YADE's energy balance closes."""
     numerics = COURSES_NODES if "courses" in facade else {**NODES, "nodes_thickness": 9}
     config, scene = scene_of(facade, numerics)
     config["numerics"]["after_motion_s"] = 1.0

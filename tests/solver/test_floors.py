@@ -116,7 +116,7 @@ def test_a_roof_on_a_stiff_spring_moves_with_the_wall():
 
 @pytest.mark.yade
 def test_yade_and_the_compiled_solver():
-    """Two floors, one with a mass: peak d/b within 1 %, and YADE's books close with them."""
+    """Two floors, one with a mass: peak d/b within 1 %, and YADE's energy closes with them."""
     roof = {**ROOF, "load_kn": 30.0}
     rows = [{**roof, "mass_t": 5.0}, {**roof, "height_m": 3.24, "load_kn": 20.0}]
     config, scene = floored(*rows, model="W2", numerics=FEW)

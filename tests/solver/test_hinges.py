@@ -135,7 +135,7 @@ def test_three_pieces_at_rest_and_their_matrices():
 
 @pytest.mark.yade
 def test_yade_and_the_compiled_solver():
-    """Two pieces, two floors that slide: peak d/b within 1 %, and YADE's books close."""
+    """Two pieces, two floors that slide: peak d/b within 1 %, and YADE's energy balance closes."""
     config, scene = floored(*FLOORS, facade={"hinges_m": [4.0]}, numerics=FEW)
     t, ground = pulses(3.0)
     planar = history(to_plane(scene), Motions(t, ground), config["numerics"], sample_s=0.01)

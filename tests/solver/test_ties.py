@@ -127,7 +127,7 @@ CASES = {
 @pytest.mark.yade
 @pytest.mark.parametrize("name", CASES)
 def test_yade_and_the_compiled_solver(name):
-    """Peak d/b within 1 %, and YADE's books close with the tie's losses in them."""
+    """Peak d/b within 1 %, and YADE's energy balance closes with the tie's losses in them."""
     row, model, amplitude = CASES[name]
     config, scene = tied(row, model=model, numerics=FEW)
     t, ground = pulses(amplitude)

@@ -183,7 +183,7 @@ def test_yade_and_the_compiled_solver(model, beside):
 
 
 @pytest.mark.yade
-def test_books_of_yade_close_under_both():
+def test_energy_of_yade_closes_under_both():
     """Input of both supports' motions = stored + dashpots + friction, most of it along x."""
     few = {**SHORT, "nodes_thickness": 3, "nodes_height": 3}
     t, columns = shaken(1.4, 6.0)

@@ -84,7 +84,7 @@ def test_a_mirror_image_keeps_the_vertical_motion():
 
 @pytest.fixture(scope="module")
 def in_engine():
-    """Releases under constant a_z, shaken façades and the books of one, in one process."""
+    """Releases under constant a_z, shaken façades and the energy balance of one, in one process."""
     free, _ = case("free", 2e-5, **slender())
     config, _ = case("W2", return_wall=MASS)
     loaded, _ = case("W1", facade=ROOF)
@@ -104,7 +104,7 @@ def in_engine():
             "vertical_m_s2": -2.0 * G,
         },
         shakings={model: {**given, "factor": FACTOR} for model in ("W1", "W2", "W2m")},
-        books={**given, "config": loaded, "model": "W1", "fraction": 0.1},
+        balance={**given, "config": loaded, "model": "W1", "fraction": 0.1},
     )
 
 
@@ -187,12 +187,12 @@ def test_a_factor_turns_what_is_level_and_sizes_what_is_vertical():
 
 @pytest.mark.xdist_group("vertical")
 @pytest.mark.yade
-def test_books_balance_under_vertical_motion(in_engine):
+def test_energy_balances_under_vertical_motion(in_engine):
     """Input, inertia of façade and roof along z included = stored + lost: to a thousandth of
     what overturns."""
-    books = in_engine["books"]
-    assert books["peak"] > 0.05
-    assert books["residual"] < 1e-3 * books["overturning"]
+    balance = in_engine["balance"]
+    assert balance["peak"] > 0.05
+    assert balance["residual"] < 1e-3 * balance["overturning"]
 
 
 # Files ---------------------------------------------------------------------------------------

@@ -41,7 +41,7 @@ def test_dashpots_only_take_energy():
     assert t[-1] > 2.0
 
 
-# the books cost by the node and by the step
+# the energy balance costs by the node and by the step
 FEW = {"nodes_thickness": 5, "nodes_height": 5, "nodes_per_block": 5, "after_motion_s": 0.3}
 
 
@@ -55,8 +55,8 @@ def shake(amplitude_m_s2, relative=0.0):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("model", "amplitude", "relative"), [("W1", 0.9, 0.0), ("W2", 0.5, 0.2)])
-def test_books_of_a_run_balance_to_second_order(model, amplitude, relative):
-    """Input = stored + dashpots + friction; what the books miss falls with the step squared."""
+def test_energy_of_a_run_balances_to_second_order(model, amplitude, relative):
+    """Input = stored + dashpots + friction; the residual falls with the step squared."""
     coarse, fine = (
         in_yade(
             "accuracy_cases",
@@ -80,7 +80,7 @@ def test_books_of_a_run_balance_to_second_order(model, amplitude, relative):
 
 
 @pytest.mark.slow
-def test_books_count_what_breaking_bonds_take():
+def test_energy_counts_what_breaking_bonds_take():
     """A bonded façade torn off by parting floors: no node breaks for less than in pure tension."""
     config = resolved(numerics=FEW)
     got = in_yade(

@@ -213,8 +213,8 @@ def balanced(model, seconds, fraction, **sections):
 
 
 @pytest.mark.yade
-def test_books_close_with_the_chain_inside():
-    """What the books miss stays below 1e-3 of what overturns the façade and falls with the step."""
+def test_energy_closes_with_the_chain_inside():
+    """The residual stays below 1e-3 of what overturns the façade and falls with the step."""
     nodes = {"nodes_per_block": 3, "nodes_thickness": 3, "after_motion_s": 0.1}
     got = [balanced("W2m", 2.0, fraction, numerics=nodes) for fraction in (0.4, 0.1)]
     assert [run["status"] for run in got] == ["ok", "ok"]

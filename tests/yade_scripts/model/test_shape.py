@@ -155,7 +155,7 @@ def pulses(amplitude):
 
 @pytest.mark.yade
 def test_yade_and_the_compiled_solver():
-    """A façade with everything on top of a storey, W2: peak d/b within 1 %, the books close."""
+    """A façade with everything on top of a storey, W2: peak d/b within 1 %, its energy closes."""
     short = {**FEW, "after_motion_s": 0.5}
     config = resolved(facade={**ALL, "base_height_m": 2.0}, numerics=short)
     scene = facade_scene(config, "W2", BETA_S)

@@ -1,4 +1,4 @@
-"""One history: forces obey Newton, and energies agree with the books of every step."""
+"""One history: forces obey Newton, and energies agree with the balance of every step."""
 
 import csv
 import json
@@ -78,10 +78,10 @@ def test_contact_forces_are_what_moves_the_facade(tmp_path):
 
 
 def test_what_is_lost_is_what_dashpots_and_friction_take(tmp_path):
-    """Input less stored, from samples, beside the full books of every step."""
+    """Input less stored, from samples, beside the full balance of every step."""
     job, _, h = history(tmp_path, "W1", 0.153)
     columns = {"ground": (GROUND * (0.153 * 9.80665 / np.abs(GROUND).max())).tolist()}
-    books = in_yade(
+    balance = in_yade(
         "accuracy_cases",
         "balanced",
         config=job,
@@ -91,7 +91,7 @@ def test_what_is_lost_is_what_dashpots_and_friction_take(tmp_path):
         time_s=TIME_S.tolist(),
         columns=columns,
     )
-    lost = sum(books["last"][5:8])
+    lost = sum(balance["last"][5:8])
     assert h["lost_j"][-1] == pytest.approx(lost, rel=0.05)
     assert lost > 0.0
     assert np.diff(h["lost_j"]).min() > -0.02 * lost  # nothing comes back

@@ -149,7 +149,7 @@ def _sum(p, touch, g, most):
 
 
 @inlined
-def _whole(p, touch, g, lines, dt, books):
+def _whole(p, touch, g, lines, dt, all_losses):
     """Resultants of a summed group, as `_each` has them; `lines` are those of `_each`."""
     d0, d1, q0, q1, s0, s1, g0, g1 = lines
     beta, ratio = p.beta_s[g], p.shear_ratio[g]
@@ -168,7 +168,7 @@ def _whole(p, touch, g, lines, dt, books):
     )
     stored = d0 * (d0 * k0 + 2.0 * d1 * k1) + d1 * d1 * k2
     taken = 0.0
-    if books:
+    if all_losses:
         drag = q0 * (q0 * k0 + 2.0 * q1 * k1) + q1 * q1 * k2
         drag += ratio * (s0 * (s0 * k0 + 2.0 * s1 * k1) + s1 * s1 * k2)
         taken = dt * beta * drag
@@ -272,7 +272,7 @@ def _added(own, arms, directions, sums, dashpots):
 
 
 @inlined
-def block_contact(p, touch, supports, pose, rates, last, past_s, dt, books):
+def block_contact(p, touch, supports, pose, rates, last, past_s, dt, all_losses):
     """Forces of all nodes on the block and on its supports.
 
     Parameters
@@ -288,7 +288,7 @@ def block_contact(p, touch, supports, pose, rates, last, past_s, dt, books):
         Velocities predicted for now, and those half a step back.
     past_s, dt : float
         Since the last step, zero at the first: what touches then has not just closed.
-    books : bool
+    all_losses : bool
         Whether all losses are wanted.
 
     Returns
@@ -344,7 +344,7 @@ def block_contact(p, touch, supports, pose, rates, last, past_s, dt, books):
             if ratio * most > friction * least:
                 _spread(p, touch, g)
         if touch.summed[g]:
-            found = _whole(p, touch, g, lines, dt, books)
+            found = _whole(p, touch, g, lines, dt, all_losses)
         else:
             if past_s == 0.0:
                 before = low, high

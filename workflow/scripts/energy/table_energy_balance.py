@@ -1,4 +1,4 @@
-"""Where the energy of each run went, and what the books miss (tables/energy_balance.csv)."""
+"""Where the energy of each run went, and what is missing (tables/energy_balance.csv)."""
 
 import pandas as pd
 from rocking.runtime.script import run
