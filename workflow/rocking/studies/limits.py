@@ -18,13 +18,17 @@ reference solver, which shares no line with it, runs the same.
 import math
 from dataclasses import replace
 
+import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.colors import ListedColormap
+from matplotlib.patches import Patch
 
 from rocking.collapse import search
 from rocking.collapse.case import Case
 from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
 from rocking.configuration.schema import ConfigError
+from rocking.figures.panels import heat_map
 from rocking.reference.facade import answers, motion_of
 from rocking.solver.runs import STEP_FRACTION
 from yade_scripts.model.registry import PLANAR
@@ -49,6 +53,10 @@ AXES = {
 MODELS = {"T1 [s]": ("W2",), "walls' mass [t]": ("W2m",)}  # that an axis concerns; else both
 COLUMNS = ["model", "axis", "value", "thickness_m", "verdict", "why"]
 COLUMNS += ["pga_collapse_g", "d_over_b", "error", "step_s", "steps"]
+ORDER = ("agree", "one solver", "does not repeat", "disagree", "too costly", "failed", "refused")
+COLOURS = ("#c7e3d4", "#e3edc7", "#f2d184", "#d1603d", "#9d7bb5", "#4d4d4d", "#e4e4e4")
+MARKS = dict(zip(ORDER, ("", "1", "~", "≠", "$", "×", "–"), strict=True))
+UNITS = {"gap [mm]": 1e3, "walls' mass [t]": 1e-3}  # of an axis, as factors
 
 
 def cells():
@@ -119,9 +127,6 @@ def verdict_of(model, changes, record, direction):
     return {**found, **worst}
 
 
-ORDER = ("agree", "one solver", "does not repeat", "disagree", "too costly", "failed", "refused")
-
-
 def _at(pga_g, case, moving, own, half, direction):
     """Verdict at one intensity."""
     value = float(own.run([pga_g], scatter=False)["d_over_b"].iloc[0])
@@ -144,3 +149,32 @@ def _at(pga_g, case, moving, own, half, direction):
         return {**found, "verdict": "failed", "why": "the reference solver gave no number"}
     verdict = "agree" if abs(error) <= AGREE else "disagree"
     return {**found, "error": error, "verdict": verdict, "why": ""}
+
+
+def _panel(axis, grid, **labels):
+    """Draw one grid of verdicts as coloured squares with their marks."""
+    codes = grid.map(lambda v: ORDER.index(v) if v in ORDER else float("nan"))
+    marks = grid.map(lambda v: MARKS.get(v, ""))
+    heat_map(axis, codes, marks, cmap=ListedColormap(COLOURS), vmin=-0.5, vmax=6.5)
+    axis.set(**labels)
+
+
+def draw(table):
+    """Draw what becomes of each cell: refused, agreed upon, disagreed upon, not repeating."""
+    plan = table[table["axis"] == "height [m]"]
+    others = [name for name in dict.fromkeys(table["axis"]) if name != "height [m]"]
+    figure = plt.figure(figsize=(7.2, 2.6 + 0.62 * len(others)))
+    heights = [2.4, 0.62 * len(others)]
+    (top,), (bottom,) = figure.subfigures(2, 1, squeeze=False, height_ratios=heights)
+    for axis, model in zip(top.subplots(1, 2, sharey=True), ("W1", "W2"), strict=True):
+        part = plan[plan["model"] == model]
+        grid = part.pivot(index="thickness_m", columns="value", values="verdict")
+        _panel(axis, grid, title=model, xlabel="height [m]", ylabel="thickness [m]")
+    for axis, name in zip(bottom.subplots(len(others), 1), others, strict=True):
+        part = table[table["axis"] == name]
+        part = part.assign(value=part["value"] * UNITS.get(name, 1.0))
+        _panel(axis, part.pivot(index="model", columns="value", values="verdict"))
+        axis.set_ylabel(name, rotation=0, ha="right", va="center", labelpad=28)
+    handles = [Patch(color=c, label=f"{v} {MARKS[v]}") for v, c in zip(ORDER, COLOURS, strict=True)]
+    figure.legend(handles=handles, loc="outside lower center", ncols=4, fontsize=7)
+    return figure
