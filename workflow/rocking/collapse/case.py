@@ -19,13 +19,14 @@ from rocking.accuracy.fidelity import choose, read_fidelity
 from rocking.calibration.beta import LAW_FILE, beta_for
 from rocking.configuration import config as configuration
 from rocking.configuration import schema
-from rocking.configuration.facade import WEAKEST, check_bars
+from rocking.configuration.facade import WEAKEST, check_facade
 from rocking.configuration.files import check_files
 from rocking.records.reader import nearest
 from yade_scripts.files import read_json
 from yade_scripts.model import registry
 
 FIDELITY_FILE = LAW_FILE.with_name("fidelity.yaml")
+OF_THE_FACADE = {"facade", "return_wall", "w3", "model"}  # what makes it possible or not
 SECTIONS = ("facade", "return_wall", "damping", "smdof", "numerics", "ida", "ensemble")
 
 
@@ -185,8 +186,8 @@ class Case:
         Raises
         ------
         ValueError
-            In one line, for a key that the case has not, or a value that the configuration would
-            refuse there.
+            In one line, for a key that the case has not, for a value that the configuration would
+            refuse there, or for a façade that it would refuse as a whole.
         """
         if isinstance(variant, Mapping):
             variant = Variant(changes=variant)
@@ -210,8 +211,11 @@ class Case:
             if not isinstance(part[name], list) or not isinstance(rows, (list, tuple)):
                 raise ValueError(f"{key}: expected rows added to a list, as [{{…}}]")
             part[name] = [*part[name], *_allowed(key, [_completed(key, row) for row in rows])]
-        if variant.added and "model" in scene:
-            check_bars({**scene, "models": [scene["model"]]})
+        changed = {
+            key.split(".")[0] for key in (*variant.changes, *variant.factors, *variant.added)
+        }
+        if changed & OF_THE_FACADE and "model" in scene:
+            check_facade({**scene, "models": [scene["model"]]})
         return Case(scene)
 
     def calibrated(self, law=LAW_FILE):

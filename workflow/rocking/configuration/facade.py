@@ -16,6 +16,11 @@ MIN_SLENDERNESS = 2.0  # h/b; a stockier block slides or crushes before it rocks
 def check_facade(resolved: Mapping) -> None:
     """Check section facade with the models and return walls it stands before.
 
+    Parameters
+    ----------
+    resolved : mapping
+        A configuration, or the sections of a case with its model as `models`.
+
     Raises
     ------
     ConfigError
@@ -181,7 +186,8 @@ def _check_hinges(resolved: Mapping) -> None:
     heights, courses = facade["hinges_m"], facade["courses"]
     stated = [key for key in ("base_stiffness_pa_m", "courses", "hinges_m") if facade[key]]
     bases = [("facade.base", facade["base"])]
-    bases += [("uncertainty.bases", base) for base in resolved["uncertainty"]["bases"]]
+    forms = resolved.get("uncertainty", {}).get("bases", ())
+    bases += [("uncertainty.bases", base) for base in forms]
     for key, base in bases:
         if base != STUDY and stated:
             raise ConfigError(
