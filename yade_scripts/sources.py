@@ -82,7 +82,7 @@ def imports(path):
 
 
 @cache
-def sources(path):
+def sources(path, without=""):
     """Return a script and everything it imports, directly or not, sorted.
 
     What is no Python but lies beside an imported module (a figure's style sheet) belongs to it.
@@ -90,6 +90,8 @@ def sources(path):
     Parameters
     ----------
     path : Path or str
+    without : str
+        Dotted name of a package that does not count, nor what it alone imports.
 
     Returns
     -------
@@ -98,7 +100,7 @@ def sources(path):
     todo, seen = [Path(path).resolve()], set()
     while todo:
         file = todo.pop()
-        if file not in seen:
+        if file not in seen and not (without and _package(file) == without):
             seen.add(file)
             todo.extend(imports(file))
     beside = {
@@ -110,9 +112,9 @@ def sources(path):
     return tuple(sorted(seen | beside))
 
 
-def digest(path):
-    """Hash of a script and all that it imports, hex."""
+def digest(path, without=""):
+    """Hash of a script and all that it imports, hex; arguments as of `sources`."""
     total = hashlib.sha256()
-    for file in sources(path):
+    for file in sources(path, without):
         total.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + file.read_bytes())
     return total.hexdigest()

@@ -86,6 +86,16 @@ def test_a_reader_does_not_touch_the_runs_in_yade():
     }
 
 
+def test_what_draws_belongs_to_a_study_only_where_it_is_drawn():
+    """A line drawn otherwise computes nothing anew; the study's own module counts in both."""
+    study = ROOT / "workflow/rocking/studies/sequence.py"
+    whole, computed = (set(sources.sources(study, w)) for w in ("", "rocking.figures"))
+    assert study in computed
+    assert {path.parent.name for path in whole - computed} == {"figures"}
+    assert {"style.py", "panels.py", "paper.mplstyle"} <= {p.name for p in whole - computed}
+    assert sources.digest(study) != sources.digest(study, "rocking.figures")
+
+
 def package_of_four(tmp_path, monkeypatch):
     """A package in which a imports b, b imports c, and nobody d."""
     package = tmp_path / "yade_scripts"

@@ -78,14 +78,16 @@ SHARED = RUNS.shared
 def code(script, study=None):
     """Input function: a script of `workflow/scripts` and all it imports, as one stamp.
 
-    One more for the module of `rocking.studies` that the script is told to call.
+    One more for the module of `rocking.studies` that the script is told to call; where it does not draw,
+    without what draws.
     """
     folder = BASE / "workflow"
     called = [folder / "rocking" / "studies" / f"{study}.py"] if study else []
+    without = "" if script == "studies/figure" else "rocking.figures"
 
     def files(wildcards):
-        own = folder / "scripts" / f"{script.format(**dict(wildcards))}.py"
-        return [str(stamps.stamp(path)) for path in (own, *called)]
+        own = stamps.stamp(folder / "scripts" / f"{script.format(**dict(wildcards))}.py")
+        return list(map(str, [own, *(stamps.stamp(path, without=without) for path in called)]))
 
     return files
 

@@ -13,7 +13,7 @@ FOLDER = Path(".snakemake") / "code"
 
 
 @cache
-def stamp(script, folder=FOLDER):
+def stamp(script, folder=FOLDER, without=""):
     """Return the stamp of a script, written anew if what it stands for has changed.
 
     Each has a folder of its own, for Snakemake remembers what a folder held when it first looked.
@@ -25,15 +25,18 @@ def stamp(script, folder=FOLDER):
     script : Path
     folder : Path
         Where stamps are kept; made if missing.
+    without : str
+        Package that does not count, see `sources.sources`.
 
     Returns
     -------
     Path
         Its lines are the digest of the content, then the files.
     """
-    files, content = sources.sources(script), sources.digest(script)
+    files, content = sources.sources(script, without), sources.digest(script, without)
     text = "\n".join([content, *map(str, files)]) + "\n"
-    target = Path(folder) / f"{script.parent.name}-{script.stem}" / "stamp"
+    name = "-".join([script.parent.name, script.stem, *([f"no-{without}"] if without else [])])
+    target = Path(folder) / name / "stamp"
     before = target.read_text("utf-8") if target.is_file() else ""
     if before == text:
         return target
