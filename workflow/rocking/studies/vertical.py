@@ -5,6 +5,7 @@ import numpy as np
 import pandas as pd
 
 from rocking.collapse.case import Variant
+from rocking.collapse.motion import Motion
 from rocking.collapse.ratios import Ratios, spread
 from rocking.collapse.varied import collapses
 from rocking.figures import style
@@ -31,26 +32,31 @@ def variants():
     return [Variant(n, motion={"vertical": s}, about={"vertical": n}) for n, s in SHARES.items()]
 
 
-def collapse(cases, motion, directions, station):
+def collapse(cases, motion, directions, station, table, treatment):
     """Collapse without, with a hundredth of, and with the vertical motion of a record.
 
     Parameters
     ----------
     cases : iterable of Case
     motion : Motion
-        With its vertical motion.
+        Of the record; its vertical motion is read anew.
     directions : sequence of str
     station : str
+    table : path
+        The records table.
+    treatment : dict
+        Of the record: baseline, seed.
 
     Returns
     -------
     DataFrame
         COLUMNS.
     """
-    record = motion.record
+    both = Motion.named(motion.name, table, **{**treatment, "vertical_motion": "on"})
+    record = both.record
     size = np.abs(record.vertical_m_s2).max() / np.abs(record.acceleration_m_s2).max()
-    table = pd.DataFrame(collapses(cases, motion, directions, variants=variants()))
-    return table.assign(station=station, vertical_over_horizontal=size)[COLUMNS]
+    found = pd.DataFrame(collapses(cases, both, directions, variants=variants()))
+    return found.assign(station=station, vertical_over_horizontal=size)[COLUMNS]
 
 
 def ratios(table):

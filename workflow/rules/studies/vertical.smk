@@ -14,25 +14,30 @@ def both_motions(wildcards):
 rule vertical_collapse:
     input:
         files=both_motions,
+        record=of_run(rules.record.output.record),
         scenes=of_run(rules.scene.output[0], model=RUNS.planar),
-        modules=code("vertical/vertical_collapse"),
+        modules=code("studies/collapse", study="vertical"),
     output:
-        results("vertical/{record}.csv"),
+        table=results("vertical/{record}.csv"),
     log:
         logs("vertical_{record}"),
     benchmark:
         benchmarks("vertical_{record}")
     params:
-        table=lambda w: RUNS.table_path(w.run),
-        station=RUNS.station,
-        settings=RUNS.params_of("directions", "baseline", "seed", "ida.max_pga_g"),
+        study="vertical",
+        given=lambda w: {
+            "station": RUNS.station(w),
+            "table": RUNS.table_path(w.run),
+            "treatment": SHARED.treatment(w.run),
+        },
+        directions=value_of("directions"),
     script:
-        "../../scripts/vertical/vertical_collapse.py"
+        "../../scripts/studies/collapse.py"
 
 
 rule vertical_ratios:
     input:
-        tables=of_run(rules.vertical_collapse.output[0]),
+        tables=of_run(rules.vertical_collapse.output.table),
         modules=code("studies/table", study="vertical"),
     output:
         table=results("tables/vertical.csv"),
