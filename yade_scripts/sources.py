@@ -82,7 +82,7 @@ def imports(path):
 
 
 @cache
-def sources(path, without=""):
+def sources(path, without=()):
     """Return a script and everything it imports, directly or not, sorted.
 
     What is no Python but lies beside an imported module (a figure's style sheet) belongs to it.
@@ -90,8 +90,8 @@ def sources(path, without=""):
     Parameters
     ----------
     path : Path or str
-    without : str
-        Dotted name of a package that does not count, nor what it alone imports.
+    without : (str, str), optional
+        Two packages: what modules of the first import of the second does not count.
 
     Returns
     -------
@@ -100,9 +100,12 @@ def sources(path, without=""):
     todo, seen = [Path(path).resolve()], set()
     while todo:
         file = todo.pop()
-        if file not in seen and not (without and _package(file) == without):
+        if file not in seen:
             seen.add(file)
-            todo.extend(imports(file))
+            found = imports(file)
+            if without and _package(file) == without[0]:
+                found = {other for other in found if _package(other) != without[1]}
+            todo.extend(found)
     beside = {
         other
         for folder in {file.parent for file in seen if _package(file)}
@@ -112,7 +115,7 @@ def sources(path, without=""):
     return tuple(sorted(seen | beside))
 
 
-def digest(path, without=""):
+def digest(path, without=()):
     """Hash of a script and all that it imports, hex; arguments as of `sources`."""
     total = hashlib.sha256()
     for file in sources(path, without):

@@ -88,12 +88,15 @@ def test_a_reader_does_not_touch_the_runs_in_yade():
 
 def test_what_draws_belongs_to_a_study_only_where_it_is_drawn():
     """A line drawn otherwise computes nothing anew; the study's own module counts in both."""
-    study = ROOT / "workflow/rocking/studies/sequence.py"
-    whole, computed = (set(sources.sources(study, w)) for w in ("", "rocking.figures"))
-    assert study in computed
-    assert {path.parent.name for path in whole - computed} == {"figures"}
-    assert {"style.py", "panels.py", "paper.mplstyle"} <= {p.name for p in whole - computed}
-    assert sources.digest(study) != sources.digest(study, "rocking.figures")
+    for name in ("rocking/studies/sequence", "scripts/two_components/two_components_runs"):
+        path = ROOT / f"workflow/{name}.py"
+        whole, computed = (set(sources.sources(path, w)) for w in ((), stamps.DRAWING))
+        assert path in computed
+        assert {"style.py", "panels.py", "paper.mplstyle"} <= {p.name for p in whole - computed}
+        assert {file.parent.name for file in whole - computed} == {"figures"}
+        assert sources.digest(path) != sources.digest(path, stamps.DRAWING)
+    figure = SCRIPTS / "studies/figure.py"
+    assert "style.py" in {p.name for p in sources.sources(figure, stamps.DRAWING)}
 
 
 def package_of_four(tmp_path, monkeypatch):

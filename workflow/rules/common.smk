@@ -78,16 +78,15 @@ SHARED = RUNS.shared
 def code(script, study=None):
     """Input function: a script of `workflow/scripts` and all it imports, as one stamp.
 
-    One more for the module of `rocking.studies` that the script is told to call; where it does not draw,
-    without what draws.
+    One more for the module of `rocking.studies` that the script is told to call.
     """
     folder = BASE / "workflow"
     called = [folder / "rocking" / "studies" / f"{study}.py"] if study else []
-    without = "" if script == "studies/figure" else "rocking.figures"
+    drawn = script == "studies/figure"
 
     def files(wildcards):
         own = stamps.stamp(folder / "scripts" / f"{script.format(**dict(wildcards))}.py")
-        return list(map(str, [own, *(stamps.stamp(path, without=without) for path in called)]))
+        return list(map(str, [own, *(stamps.stamp(path, drawn=drawn) for path in called)]))
 
     return files
 

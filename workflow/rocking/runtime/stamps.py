@@ -10,10 +10,11 @@ from pathlib import Path
 from yade_scripts import sources
 
 FOLDER = Path(".snakemake") / "code"
+DRAWING = ("rocking.studies", "rocking.figures")  # what a study draws with, not what it computes
 
 
 @cache
-def stamp(script, folder=FOLDER, without=""):
+def stamp(script, folder=FOLDER, drawn=False):
     """Return the stamp of a script, written anew if what it stands for has changed.
 
     Each has a folder of its own, for Snakemake remembers what a folder held when it first looked.
@@ -25,17 +26,18 @@ def stamp(script, folder=FOLDER, without=""):
     script : Path
     folder : Path
         Where stamps are kept; made if missing.
-    without : str
-        Package that does not count, see `sources.sources`.
+    drawn : bool
+        Whether what studies draw with counts too.
 
     Returns
     -------
     Path
         Its lines are the digest of the content, then the files.
     """
+    without = () if drawn else DRAWING
     files, content = sources.sources(script, without), sources.digest(script, without)
     text = "\n".join([content, *map(str, files)]) + "\n"
-    name = "-".join([script.parent.name, script.stem, *([f"no-{without}"] if without else [])])
+    name = f"{script.parent.name}-{script.stem}{'-drawn' if drawn else ''}"
     target = Path(folder) / name / "stamp"
     before = target.read_text("utf-8") if target.is_file() else ""
     if before == text:
