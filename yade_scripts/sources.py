@@ -16,6 +16,8 @@ PACKAGES = {
     "rocking": ROOT / "workflow" / "rocking",
 }
 
+STUDIES, FIGURES = "rocking.studies", "rocking.figures"
+
 
 def _file(dotted):
     """File of a module or package of the project; None for anything else."""
@@ -82,7 +84,7 @@ def imports(path):
 
 
 @cache
-def sources(path, without=()):
+def sources(path, drawn=True):
     """Return a script and everything it imports, directly or not, sorted.
 
     What is no Python but lies beside an imported module (a figure's style sheet) belongs to it.
@@ -90,8 +92,8 @@ def sources(path, without=()):
     Parameters
     ----------
     path : Path or str
-    without : (str, str), optional
-        Two packages: what modules of the first import of the second does not count.
+    drawn : bool
+        Whether what studies import to draw with counts.
 
     Returns
     -------
@@ -103,8 +105,8 @@ def sources(path, without=()):
         if file not in seen:
             seen.add(file)
             found = imports(file)
-            if without and _package(file) == without[0]:
-                found = {other for other in found if _package(other) != without[1]}
+            if not drawn and _package(file) == STUDIES:
+                found = {other for other in found if _package(other) != FIGURES}
             todo.extend(found)
     beside = {
         other
@@ -115,9 +117,30 @@ def sources(path, without=()):
     return tuple(sorted(seen | beside))
 
 
-def digest(path, without=()):
+def computing(text):
+    """Text of a study's module without what draws: its functions `draw…`, its imports of figures.
+
+    Examples
+    --------
+    >>> computing("x = 1\\ndef _draw_one(axis):\\n    pass\\ny = 2\\n")
+    'x = 1\\ny = 2\\n'
+    """
+    lines = text.splitlines(keepends=True)
+    for node in reversed(ast.parse(text).body):
+        draws = isinstance(node, ast.FunctionDef) and node.name.lstrip("_").startswith("draw")
+        if draws or (
+            isinstance(node, ast.ImportFrom) and f"{node.module}.".startswith(f"{FIGURES}.")
+        ):
+            del lines[node.lineno - 1 : node.end_lineno]
+    return "".join(lines)
+
+
+def digest(path, drawn=True):
     """Hash of a script and all that it imports, hex; arguments as of `sources`."""
     total = hashlib.sha256()
-    for file in sources(path, without):
-        total.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + file.read_bytes())
+    for file in sources(path, drawn):
+        content = file.read_bytes()
+        if not drawn and _package(file) == STUDIES:
+            content = computing(content.decode("utf-8")).encode()
+        total.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + content)
     return total.hexdigest()

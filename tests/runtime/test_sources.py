@@ -1,5 +1,6 @@
 """Dependencies read from imports: they are what Python really loads, and every rule has them."""
 
+import ast
 import os
 import re
 import subprocess
@@ -87,16 +88,49 @@ def test_a_reader_does_not_touch_the_runs_in_yade():
 
 
 def test_what_draws_belongs_to_a_study_only_where_it_is_drawn():
-    """A line drawn otherwise computes nothing anew; the study's own module counts in both."""
     for name in ("rocking/studies/sequence", "scripts/two_components/two_components_runs"):
         path = ROOT / f"workflow/{name}.py"
-        whole, computed = (set(sources.sources(path, w)) for w in ((), stamps.DRAWING))
+        whole, computed = (set(sources.sources(path, drawn)) for drawn in (True, False))
         assert path in computed
         assert {"style.py", "panels.py", "paper.mplstyle"} <= {p.name for p in whole - computed}
         assert {file.parent.name for file in whole - computed} == {"figures"}
-        assert sources.digest(path) != sources.digest(path, stamps.DRAWING)
+        assert sources.digest(path) != sources.digest(path, drawn=False)
     figure = SCRIPTS / "studies/figure.py"
-    assert "style.py" in {p.name for p in sources.sources(figure, stamps.DRAWING)}
+    assert "style.py" in {p.name for p in sources.sources(figure, drawn=False)}
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "workflow/rocking/studies").glob("*.py")))
+def test_a_study_computes_without_its_functions_that_draw(path):
+    """What is left of it imports no figure, names none of them, and has all that computes."""
+    whole, left = (ast.parse(t) for t in (path.read_text(), sources.computing(path.read_text())))
+    names, kept = ({n.name for n in tree.body if hasattr(n, "name")} for tree in (whole, left))
+    assert {name.lstrip("_")[:4] for name in names - kept} <= {"draw"}
+    imported = {n.module for n in left.body if isinstance(n, ast.ImportFrom)}
+    assert not [module for module in imported if module.startswith("rocking.figures")]
+    words = [n for n in ast.walk(left) if isinstance(n, ast.Name)]
+    own = {n.id for n in words if isinstance(n.ctx, ast.Store)}  # such as a draw of many
+    assert not ({n.id for n in words} - own) & (names - kept)
+
+
+def test_another_way_to_draw_computes_no_study_anew(tmp_path, monkeypatch):
+    text = "from rocking.figures import style\nA = 1\ndef draw(table):\n    return {}\n"
+    folder = tmp_path / "studies"
+    folder.mkdir()
+    monkeypatch.setitem(sources.PACKAGES, "rocking", tmp_path)
+    monkeypatch.setattr(sources, "ROOT", tmp_path)
+    digests = {}
+    for drawn in (True, False):
+        for what in ("style", "table"):
+            sources.sources.cache_clear()
+            sources.imports.cache_clear()
+            (folder / "one.py").write_text(text.format(what))
+            digests[drawn, what] = sources.digest(folder / "one.py", drawn)
+    assert digests[True, "style"] != digests[True, "table"]
+    assert digests[False, "style"] == digests[False, "table"]
+    (folder / "one.py").write_text(text.format("style").replace("A = 1", "A = 2"))
+    assert sources.digest(folder / "one.py", drawn=False) != digests[False, "style"]
+    sources.sources.cache_clear()
+    sources.imports.cache_clear()
 
 
 def package_of_four(tmp_path, monkeypatch):

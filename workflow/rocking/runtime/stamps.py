@@ -10,7 +10,6 @@ from pathlib import Path
 from yade_scripts import sources
 
 FOLDER = Path(".snakemake") / "code"
-DRAWING = ("rocking.studies", "rocking.figures")  # what a study draws with, not what it computes
 
 
 @cache
@@ -27,15 +26,14 @@ def stamp(script, folder=FOLDER, drawn=False):
     folder : Path
         Where stamps are kept; made if missing.
     drawn : bool
-        Whether what studies draw with counts too.
+        Whether what studies draw, and draw with, counts too.
 
     Returns
     -------
     Path
         Its lines are the digest of the content, then the files.
     """
-    without = () if drawn else DRAWING
-    files, content = sources.sources(script, without), sources.digest(script, without)
+    files, content = sources.sources(script, drawn), sources.digest(script, drawn)
     text = "\n".join([content, *map(str, files)]) + "\n"
     name = f"{script.parent.name}-{script.stem}{'-drawn' if drawn else ''}"
     target = Path(folder) / name / "stamp"

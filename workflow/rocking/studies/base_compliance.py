@@ -102,7 +102,7 @@ def summary(table):
     return spread(table[table["facade"] != STACK], ["model", "facade"], SUMMARY)
 
 
-def _static_curves(axis, table):
+def _draw_static(axis, table):
     """Draw the static curves of the first façade."""
     part = table[table["facade"] == table["facade"].iloc[0]]
     d = part["d_over_b"]
@@ -118,7 +118,7 @@ def _static_curves(axis, table):
     axis.legend(fontsize=6.5, frameon=False, loc="upper right")
 
 
-def _half_collapse(axis, table):
+def _draw_collapse(axis, table):
     """Draw PGA of half collapse on either base against the stack's, a point a curve."""
     stack = table[table["facade"] == STACK].set_index(KEY)
     most = 0.0
@@ -139,6 +139,6 @@ def _half_collapse(axis, table):
 def draw(static, table):
     """Draw static curves of the study's façade, and collapse of the rigid block by the stack's."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(7.2, 3.4))
-    _static_curves(left, static)
-    _half_collapse(right, table)
+    _draw_static(left, static)
+    _draw_collapse(right, table)
     return figure

@@ -151,7 +151,7 @@ def _at(pga_g, case, moving, own, half, direction):
     return {**found, "error": error, "verdict": verdict, "why": ""}
 
 
-def _panel(axis, grid, **labels):
+def _draw_panel(axis, grid, **labels):
     """Draw one grid of verdicts as coloured squares with their marks."""
     codes = grid.map(lambda v: ORDER.index(v) if v in ORDER else float("nan"))
     marks = grid.map(lambda v: MARKS.get(v, ""))
@@ -169,11 +169,11 @@ def draw(table):
     for axis, model in zip(top.subplots(1, 2, sharey=True), ("W1", "W2"), strict=True):
         part = plan[plan["model"] == model]
         grid = part.pivot(index="thickness_m", columns="value", values="verdict")
-        _panel(axis, grid, title=model, xlabel="height [m]", ylabel="thickness [m]")
+        _draw_panel(axis, grid, title=model, xlabel="height [m]", ylabel="thickness [m]")
     for axis, name in zip(bottom.subplots(len(others), 1), others, strict=True):
         part = table[table["axis"] == name]
         part = part.assign(value=part["value"] * UNITS.get(name, 1.0))
-        _panel(axis, part.pivot(index="model", columns="value", values="verdict"))
+        _draw_panel(axis, part.pivot(index="model", columns="value", values="verdict"))
         axis.set_ylabel(name, rotation=0, ha="right", va="center", labelpad=28)
     handles = [Patch(color=c, label=f"{v} {MARKS[v]}") for v, c in zip(ORDER, COLOURS, strict=True)]
     figure.legend(handles=handles, loc="outside lower center", ncols=4, fontsize=7)

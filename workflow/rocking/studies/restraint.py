@@ -85,7 +85,7 @@ def to_confirm(case, motion, table, settings):
     return {"ahead": AHEAD, "cases": cases}
 
 
-def _panel(axis, found, yade):
+def _draw_panel(axis, found, yade):
     """Draw the curves of one model."""
     bare, loaded = found[found["load_kn"] == 0.0].iloc[0], found[found["load_kn"] > 0.0]
     axis.axhline(bare["pga_median_g"], color="0.4", lw=1.0, ls=(0, (1, 1)), label="no roof")
@@ -116,7 +116,7 @@ def draw(tables, yade, record):
     """
     figure, axes = panels(len(tables), len(tables), (3.1, 3.4), around=(1.6, 0.0), sharey=True)
     for axis, found, runs in zip(axes[0], tables, yade, strict=True):
-        _panel(axis, found, runs)
+        _draw_panel(axis, found, runs)
     axes[0, 0].set(ylabel="collapse PGA [g]", ylim=(0.0, None))
     for fill, label in (("k", "all"), ("none", "none, or a share,")):
         axes[0, -1].plot([], [], "k*", ms=6, mfc=fill, label=f"YADE: {label} fell")

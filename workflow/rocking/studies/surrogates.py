@@ -247,7 +247,7 @@ def scatter(table):
     return pd.DataFrame(rows, columns=SCATTER)
 
 
-def _title(pulses):
+def _draw_title(pulses):
     """Say which surrogates a panel has; a number below zero: of a table's parameters."""
     if pulses < 0:
         return "parameters of the table"
@@ -280,7 +280,7 @@ def draw(table, summary):
             look = {"color": kind.colour, "label": model}
             axes[1, column].plot(x, y, kind.marker, ms=4, alpha=0.8, **look)
         top.axvline(1.0, color=style.GREY, lw=0.8, zorder=0)
-        top.set(xscale="log", title=_title(pulses), ylim=(0, 1))
+        top.set(xscale="log", title=_draw_title(pulses), ylim=(0, 1))
         ticks(top.xaxis, (0.33, 0.5, 1.0, 2.0, 3.0), ("1/3", "1/2", "1", "2", "3"))
         top.set_xlabel("collapse PGA, surrogate / recorded [-]")
         top.legend(loc="lower right", fontsize=7)
@@ -323,7 +323,7 @@ def draw_scatter(table):
             axis.annotate(
                 said, (1.0, place), (2, 0), ("axes fraction", "data"), "offset points", va="center"
             )
-        axis.set_title(_title(pulses), loc="left")
+        axis.set_title(_draw_title(pulses), loc="left")
         axis.set(xscale="log", xlabel="collapse PGA [g]")
         plain_log(axis.xaxis, (1.0, 2.0, 3.0, 5.0))
     names = [f"{record} {style.SIGNS[direction]}" for record, direction in rows]
