@@ -16,7 +16,7 @@ root_doc = "docs/index"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 
 include_patterns = ["*.md", "docs/**", "config/README.md"]
-exclude_patterns = ["results", "build", ".*"]
+exclude_patterns = ["results", "build", ".*", "docs/examples"]  # a page to copy is none of the site
 myst_heading_anchors = 3
 
 autodoc_mock_imports = ["yade", "minieigen"]  # built for the system's Python alone
