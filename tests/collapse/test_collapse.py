@@ -121,6 +121,16 @@ def test_realisations_of_a_curve_follow_its_probability():
     assert sum(w for _, high, w in probability.brackets(half, {}) if np.isinf(high)) == 0.5
 
 
+def test_amplitudes_of_the_same_digits_are_one():
+    """Near 0.13 g a scan has steps of 0.0001 g or less, which is the table's last digit."""
+    rows = [(0.1286, 0.02), (0.1287, 0.04), (0.1287, 0.5), (0.1287, 0.5), (0.1288, 1.0)]
+    table = pd.DataFrame(rows, columns=["pga_g", "probability"]).assign(realisations=9)
+    low, high, _ = np.array(probability.brackets(table, {}, count=10)).T
+    assert np.all(low < high)
+    assert np.array_equal(np.unique(high, return_counts=True)[1], [5, 5])
+    assert np.array_equal(np.unique(low), [0.1286, 0.1287])
+
+
 def test_single_runs_stand_for_the_amplitudes_nearest_to_them():
     """One threshold between two runs: the share rises linearly in ± spread about their middle."""
     sparse = runs((0.2, 0), (0.399, 0), (0.401, 1), (0.41, 1), (0.6, 1))

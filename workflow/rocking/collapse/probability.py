@@ -238,7 +238,8 @@ def brackets(table, row, count=10):
     A curve whose probability is known counts as `count` realisations: the k-th collapses where the
     probability first reaches (k − ½)/count, between that amplitude and the one before; where it
     never does, above the largest. A curve without one counts as one realisation, between what
-    is safe and what collapsed.
+    is safe and what collapsed. Amplitudes that the table's digits do not tell apart are one, with
+    the largest of their probabilities.
 
     Parameters
     ----------
@@ -260,7 +261,10 @@ def brackets(table, row, count=10):
         if math.isfinite(known["collapse"]):
             return [(np.nan_to_num(known["safe"]), known["collapse"], 1.0)]
         return [(known["max"], math.inf, 1.0)] if math.isfinite(known["max"]) else []
-    pga_g, share = dense["pga_g"].to_numpy(), np.maximum.accumulate(dense[f"probability{by}"])
+    share = np.maximum.accumulate(dense[f"probability{by}"].to_numpy())
+    pga_g = dense["pga_g"].to_numpy()
+    last = np.append(np.diff(pga_g) > 0.0, True)  # of rows with the same digits
+    pga_g, share = pga_g[last], share[last]
     out = []
     for level in (np.arange(count) + 0.5) / count:
         k = int(np.searchsorted(share, level))
