@@ -50,6 +50,13 @@ def test_they_are_five():
     assert len(FILES) == 5
 
 
+def test_they_are_in_order_where_they_are_laid(project):
+    """The linters judge imports by the folder that a module stands in."""
+    for words in (("check",), ("format", "--check")):
+        done = called(project, "ruff", *words, *(str(p) for p in FILES if p.suffix == ".py"))
+        assert done.returncode == 0, done.stdout
+
+
 @pytest.mark.slow
 def test_a_target_of_five_files_runs_and_stands_on_the_generated_pages(project):
     """Its keys are checked, its rows and its figure are made, and its test passes."""

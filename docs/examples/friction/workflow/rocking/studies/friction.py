@@ -1,11 +1,11 @@
 """What friction is worth: collapse PGA by the friction angle of the façade's joints."""
 
 import pandas as pd
+
 from rocking.collapse.case import Variant
 from rocking.collapse.ratios import spread
 from rocking.collapse.varied import collapses
 from rocking.figures.panels import panels
-
 from yade_scripts.model.registry import MODELS
 
 SPREAD = {"n": "n", "n_censored": "n_censored", "median": 50, "least": 0, "most": 100}
