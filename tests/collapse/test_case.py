@@ -105,6 +105,7 @@ def test_what_cannot_be_is_refused_in_a_line(case, pulse):
         (Variant(factors={"facade.thickness_m": 9.0}), "for a wall that rocks"),
         ({"return_wall.thickness_m": 3.0}, "return_wall.count = 2: expected count × thickness_m"),
         ({"facade.hinges_m": [7.0]}, "expected heights below facade.height_m"),
+        ({"facade.gap_m": 0.5}, "expected a value below facade.thickness_m = 0.375"),
         ({"model": "W2m", "facade.courses": 5}, "models = W2m: expected W1 or W2"),
         (Variant(factors={"facade.thickness_m": -1.0}), "facade.thickness_m = -0.375: expected"),
         (Variant(factors={"return_wall.length_m": 2.0}), "return_wall.length_m = null: expected"),

@@ -1,5 +1,6 @@
 """Configuration: schemas, defaults, and refusals in one line."""
 
+import copy
 import datetime
 import json
 import os
@@ -19,8 +20,10 @@ from rocking.configuration.config import (
     resolve,
     write_resolved,
 )
+from rocking.records.intensity_measures import MEASURES
 
 from tests.trials import fuzz_config
+from yade_scripts.model import registry
 
 LEAVES = list(config_schema.leaves(config_schema.whole()))
 
@@ -76,6 +79,25 @@ def test_a_schema_file_more_is_a_section_more(tmp_path):
     known = config_schema.whole(tmp_path)
     assert list(config_schema.sections(tmp_path)) == ["run", "extra", "facade"]
     assert config_schema.complete({}, known)["extra"] == {"size_m": 2.0}
+
+
+def test_limits_of_a_list_hold_for_each_of_its_entries(monkeypatch):
+    """As a study has them that varies a key with such a limit."""
+    known = copy.deepcopy(config_schema.whole())
+    gaps = {"type": "array", "default": [0.0], "items": {"below": "facade.thickness_m"}}
+    known["properties"]["gaps"] = {"properties": {"gaps_m": gaps}}
+    monkeypatch.setattr(config_schema, "whole", lambda: known)
+    assert resolve({"gaps": {"gaps_m": [0.0, 0.3]}})["gaps"] == {"gaps_m": [0.0, 0.3]}
+    line = "config: gaps.gaps_m[2] = 0.5: expected a value below facade.thickness_m = 0.375"
+    assert refusal({"gaps": {"gaps_m": [0.0, 0.5]}}) == line
+
+
+def test_models_and_measures_are_those_of_their_registries():
+    models = config_schema.sections()["run"]["properties"]["models"]
+    for name in registry.WITH_WALLS:
+        assert f"{name}: {registry.MODELS[name].meaning}" in models["description"]
+    measures = config_schema.sections()["fragility"]["properties"]["measures"]
+    assert measures["items"]["enum"] == measures["default"] == list(MEASURES)
 
 
 def test_an_empty_configuration_is_the_study():
@@ -153,7 +175,10 @@ def test_resolving_leaves_its_input_and_the_schemas_alone():
         ({"facade": 3}, "facade = 3: expected a section"),
         ({"numerics": {"nodes_height": 5.5}}, "numerics.nodes_height = 5.5: expected a whole"),
         ({"damping": {"law": "eq6"}}, "damping.law = 'eq6': expected one of value, eq5, fitted"),
-        ({"models": ["W1", "W9"]}, "models[2] = 'W9': expected one of W1, W1c, W2, W2c, W3"),
+        (
+            {"models": ["W1", "W9"]},
+            f"models[2] = 'W9': expected one of {', '.join(registry.WITH_WALLS)}",
+        ),
         ({"models": ["W1", "W1"]}, "models = ['W1', 'W1']: expected a list of 1 or more different"),
         ({"models": []}, "models = []: expected a list of 1 or more"),
         ({"ida": {"grid_g": [0.1, -1]}}, "ida.grid_g[2] = -1: expected a number > 0 and ≤ 20 (g)"),

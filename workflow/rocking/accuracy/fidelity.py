@@ -95,7 +95,7 @@ def choose(config, model, measured):
         return {**numerics, **stated}, "stated"
     if not pairs:
         raise ValueError(
-            f"no convergence was measured for {model}: state numerics.{', '.join(CHOSEN)}"
+            f"no convergence was measured for {model}: expected all of numerics.{', '.join(CHOSEN)}"
         )
     best = min(pairs, key=lambda pair: pair["error"])
     good = good if tolerance else [best]

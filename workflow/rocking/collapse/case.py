@@ -214,8 +214,10 @@ class Case:
         changed = {
             key.split(".")[0] for key in (*variant.changes, *variant.factors, *variant.added)
         }
-        if changed & OF_THE_FACADE and "model" in scene:
-            check_facade({**scene, "models": [scene["model"]]})
+        if "model" in scene:
+            configuration.check_limits(scene)
+            if changed & OF_THE_FACADE:
+                check_facade({**scene, "models": [scene["model"]]})
         return Case(scene)
 
     def calibrated(self, law=LAW_FILE):

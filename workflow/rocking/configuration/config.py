@@ -73,31 +73,18 @@ def nested(given: Mapping) -> dict[str, Any]:
 def check(resolved: Mapping) -> None:
     """Check keys of a resolved configuration against each other.
 
-    Limits that one key sets for another come from the schemas (`below`, `at_most`, `ascending`);
-    geometry that cannot stand and combinations that mean nothing are written out here.
+    Limits that one key sets for another come from the schemas, see `check_limits`; geometry that
+    cannot stand and combinations that mean nothing are written out here.
 
     Raises
     ------
     ConfigError
         In one line with the key, its value and what was expected.
     """
-    alone = resolved["facade"]["sides"] == "two"
-    for path, schema in config_schema.leaves(config_schema.whole()):
-        if alone and path.startswith("return_wall."):
-            continue  # there is none
-        value = _at(resolved, path)
-        for word in ("below", "at_most"):
-            limit = _at(resolved, schema[word]) if word in schema else None
-            if value is None or limit is None:
-                continue
-            if value > limit or (word == "below" and value == limit):
-                text = f"{word.replace('_', ' ')} {schema[word]} = {show(limit)}"
-                raise ConfigError(f"{path} = {show(value)}: expected a value {text}")
-        if schema.get("ascending") and value and any(a >= b for a, b in itertools.pairwise(value)):
-            raise ConfigError(f"{path} = {show(value)}: expected ascending values")
+    check_limits(resolved)
     check_facade(resolved)
     law = resolved["damping"]["law"]
-    if alone and law != "value":
+    if resolved["facade"]["sides"] == "two" and law != "value":
         raise ConfigError(
             f"damping.law = {law}: expected value with facade.sides = two, since both laws "
             "describe impacts against return walls"
@@ -107,6 +94,40 @@ def check(resolved: Mapping) -> None:
         raise ConfigError(
             f"ensemble.percentiles = {show([low, high])}: expected one below and one above 50 (%)"
         )
+
+
+def check_limits(resolved: Mapping) -> None:
+    """Check values against what the schemas say of them by another key or by each other.
+
+    `below` and `at_most` of a list's entries hold for each of them. `resolved` may lack sections,
+    as a case does.
+
+    Raises
+    ------
+    ConfigError
+        In one line with the key, its value and what was expected.
+    """
+    alone = resolved["facade"]["sides"] == "two"
+    for path, schema in config_schema.leaves(config_schema.whole()):
+        if path.split(".")[0] not in resolved or (alone and path.startswith("return_wall.")):
+            continue  # there are no walls
+        value = _at(resolved, path)
+        _check_below(resolved, path, value, schema)
+        if isinstance(value, list):
+            for number, entry in enumerate(value, 1):
+                _check_below(resolved, f"{path}[{number}]", entry, schema.get("items", {}))
+        if schema.get("ascending") and value and any(a >= b for a, b in itertools.pairwise(value)):
+            raise ConfigError(f"{path} = {show(value)}: expected ascending values")
+
+
+def _check_below(resolved: Mapping, path: str, value: Any, schema: Mapping) -> None:
+    for word in ("below", "at_most"):
+        limit = _at(resolved, schema[word]) if word in schema else None
+        if value is None or limit is None:
+            continue
+        if value > limit or (word == "below" and value == limit):
+            text = f"{word.replace('_', ' ')} {schema[word]} = {show(limit)}"
+            raise ConfigError(f"{path} = {show(value)}: expected a value {text}")
 
 
 def _at(resolved: Mapping, path: str) -> Any:

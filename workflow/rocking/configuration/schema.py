@@ -7,7 +7,9 @@ Schema's own keywords (draft 2020-12) these are understood:
 `unit`           unit of the value, "-" for dimensionless
 `below`, `at_most`  path of another key whose value is an upper limit, exclusive or inclusive
 `ascending`      the numbers of an array increase
-`models`         the value is the name of a model; which, a list of `registry` says
+`models`         the value is the name of a model; which, a list of `registry` says; `{models}`
+                 in the key's description is what each of them is
+`measures`       the value is the name of an intensity measure; a list without default has all
 `pattern_words`  what `pattern` means, for messages
 `formerly`, `former_values`  names of one version ago, see `renamed`
 """
@@ -69,10 +71,22 @@ def sections(folder: Path = FOLDER) -> dict[str, dict]:
     loaded = {name: yaml.load(path.read_text("utf-8"), LOADER) for name, path in files.items()}
     for section in loaded.values():
         for _, leaf in leaves(section):
-            for part in (leaf, leaf.get("items", {})):
-                if "models" in part:
-                    part["enum"] = list(getattr(registry, part.pop("models")))
+            _name_all(leaf)
     return loaded
+
+
+def _name_all(leaf: dict) -> None:
+    """Put what can be named in place of the keywords `models` and `measures` of a key."""
+    for part in (leaf, leaf.get("items", {})):
+        if "models" in part:
+            part["enum"] = list(getattr(registry, part.pop("models")))
+            meant = "; ".join(f"{name}: {registry.MODELS[name].meaning}" for name in part["enum"])
+            leaf["description"] = leaf["description"].replace("{models}", meant)
+        if part.pop("measures", False):
+            from rocking.records.intensity_measures import MEASURES  # loads spectra
+
+            part["enum"] = list(MEASURES)
+            leaf.setdefault("default", list(MEASURES))
 
 
 @lru_cache(maxsize=4)
