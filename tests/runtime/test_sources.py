@@ -77,6 +77,22 @@ def test_every_rule_depends_on_the_code_it_runs(name, block):
     assert f"modules={wanted}" in block
 
 
+def test_every_script_lies_where_its_rule_looks_for_it():
+    """Snakemake looks from the file of the rule; of one that inherits, from that file."""
+    scripts, inherited = {}, []
+    for path in sorted((ROOT / "workflow" / "rules").rglob("*.smk")):
+        text = path.read_text("utf-8")
+        for name, block in re.findall(r"(?ms)^rule (\w+):\n(.+?)(?=^\S|\Z)", text):
+            if script := re.search(r'script:\n        "([^"{]+)"', block):
+                scripts[name] = script[1]
+                inherited.append((path, name, name))
+        inherited += [(path, *pair) for pair in re.findall(r"(?m)^use rule (\w+) as (\w+)", text)]
+    assert len(scripts) > 80
+    for path, base, name in inherited:
+        if base in scripts:
+            assert (path.parent / scripts[base]).is_file(), f"{path.name}: {name}"
+
+
 def test_a_reader_does_not_touch_the_runs_in_yade():
     """What inside YADE runs knows nothing of records, and a figure nothing of the engine."""
     ida = {p.name for p in sources.sources(ROOT / "yade_scripts/studies/ida.py")}

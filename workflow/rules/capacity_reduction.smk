@@ -26,7 +26,7 @@ rule reduction_motion:
     params:
         smdof=lambda w: {k: v for k, v in RUNS.cfg(w)["smdof"].items() if k != "period_s"},
     script:
-        "../../scripts/capacity_reduction/capacity_reduction_motion.py"
+        "../scripts/capacity_reduction/capacity_reduction_motion.py"
 
 
 use rule planar_ida as reduction_planar with:
@@ -81,7 +81,7 @@ rule figure_capacity_reduction:
         facade=value_of("facade"),
         smdof=value_of("smdof"),
     script:
-        "../../scripts/capacity_reduction/figure_capacity_reduction.py"
+        "../scripts/capacity_reduction/figure_capacity_reduction.py"
 
 
 rule capacity_reduction:
