@@ -167,6 +167,9 @@ def test_disagreement_is_beyond_the_scatter_of_both():
     levels = table[table["realisations_yade"].notna()].set_index("pga_g")
     assert levels["agrees"].to_dict() == {0.7: 0.0, 0.8: 1.0}
     assert levels.loc[0.8, "probability_yade"] == pytest.approx(10 / 11)
+    assert agreement.disagreements(table) == int((table["agrees"] == 0).sum())
+    alone = agreement.compared(dense, pd.DataFrame(), 0.01)
+    assert pd.isna(agreement.disagreements(alone))  # none was compared, which is not none differs
 
 
 def test_the_plan_goes_where_outcomes_change():

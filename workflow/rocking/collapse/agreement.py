@@ -103,3 +103,20 @@ def compared(scan, ensemble, spread, error=0.01):
     both = [dense, *([pd.DataFrame(rows)] if rows else [])]
     table = pd.concat([part for part in both if len(part)] or both)
     return table.reindex(columns=PROBABILITY_COLUMNS[3:]).sort_values("pga_g", ignore_index=True)
+
+
+def disagreements(table):
+    """Levels at which both methods were compared and differ.
+
+    Parameters
+    ----------
+    table : DataFrame
+        Of `compared`.
+
+    Returns
+    -------
+    int or NA
+        NA where none was compared: no scan, or no ensemble in YADE.
+    """
+    known = table["agrees"].dropna()
+    return int((known == 0).sum()) if len(known) else pd.NA

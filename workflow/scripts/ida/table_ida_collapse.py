@@ -21,7 +21,7 @@ def main(job):
         else:
             table = agreement.compared(scan, realisations, spread)
         table = table.assign(**named).reindex(columns=probability.PROBABILITY_COLUMNS)
-        row["disagreements"] = int((table["agrees"] == 0).sum())
+        row["disagreements"] = agreement.disagreements(table)
         row["confirmed"] = agreement.confirmed(scan, realisations, spread)
         rows.append(row)
         parts.append(table)
