@@ -65,6 +65,14 @@ def test_what_nobody_measured_before_is_learned():
     assert max(map(abs, errors)) < GOOD
 
 
+def test_models_that_wait_are_told_from_those_that_were_measured():
+    """Four jobs of W1 and W1c say what W3 takes, though nobody named the rule before."""
+    jobs = [("own_study", model, s) for model, s in (("W1", 8), ("W1c", 50)) for _ in range(4)]
+    machine = Machine([*jobs, *[("own_study", "W3", 150)] * 4, ("figure", "", 2)], 2)
+    errors = [machine.until(share) for share in (0.3, 0.6, 0.9)]
+    assert max(map(abs, errors)) < GOOD
+
+
 def test_one_long_job_at_the_end_is_not_shared_out():
     """Of two cores one idles at the end: what is left is the longest job, not half of it."""
     machine = Machine([("ida", "W3", 120.0)] * 2 + [("complete_ida", "", 420.0)], 2)

@@ -13,6 +13,7 @@ from collections import defaultdict
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from statistics import fmean
 
 from yade_scripts.model import registry
 
@@ -131,17 +132,28 @@ class Progress:
         self.seen = now
 
     def expected_s(self):
-        """Seconds of a whole job of every kind: as measured, led by what is usual at first."""
-        measured = defaultdict(list)
+        """Seconds of a whole job of every kind: as measured, led by what is usual at first.
+
+        Of a rule that has no usual time, what other models of it took says what is usual.
+        """
+        measured, learned = defaultdict(list), defaultdict(list)
         for task in self.tasks:
             if task.took_s is not None:
-                measured[task.rule, task.model].append(task.took_s / task.share)
+                whole = task.took_s / task.share
+                measured[task.rule, task.model].append(whole)
+                if task.rule not in USUAL_S:
+                    learned[task.rule].append(whole / registry.cost(task.model))
         done = [t for t in self.tasks if t.took_s is not None and t.usual_s > SHORT_S]
         usual = sum(t.usual_s * t.share for t in done)
         # this machine's speed; a minute of usual work keeps the first seconds from deciding
         pace = (60.0 + sum(t.took_s for t in done)) / (60.0 + usual)
+
+        def first(task):
+            known = learned.get(task.rule)
+            return fmean(known) * registry.cost(task.model) if known else pace * task.usual_s
+
         return {
-            (t.rule, t.model): (PRIOR * pace * t.usual_s + sum(measured[t.rule, t.model]))
+            (t.rule, t.model): (PRIOR * first(t) + sum(measured[t.rule, t.model]))
             / (PRIOR + len(measured[t.rule, t.model]))
             for t in self.tasks
         }
