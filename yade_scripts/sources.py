@@ -16,7 +16,7 @@ PACKAGES = {
     "rocking": ROOT / "workflow" / "rocking",
 }
 
-STUDIES, FIGURES = "rocking.studies", "rocking.figures"
+STUDIES = "rocking.studies"  # modules that compute and draw
 
 
 def _file(dotted):
@@ -54,21 +54,46 @@ def _statements(node):
             yield from _statements(inner)
 
 
+def computing(text):
+    """Text of a study's module without its functions that draw, `draw…` and `_draw…`.
+
+    They import what they draw with themselves: it loads slowly, and sets matplotlib up for files.
+
+    Examples
+    --------
+    >>> computing("x = 1\\ndef _draw_one(axis):\\n    pass\\ny = 2\\n")
+    'x = 1\\ny = 2\\n'
+    """
+    lines = text.splitlines(keepends=True)
+    for node in reversed(ast.parse(text).body):
+        if isinstance(node, ast.FunctionDef) and node.name.lstrip("_").startswith("draw"):
+            del lines[node.lineno - 1 : node.end_lineno]
+    return "".join(lines)
+
+
+def _text(path, drawn):
+    """Text of a file; of a study's module, where drawing does not count, what computes."""
+    text = path.read_text("utf-8")
+    return computing(text) if not drawn and _package(path) == STUDIES else text
+
+
 @cache
-def imports(path):
+def imports(path, drawn=True):
     """Project files that one file imports by itself, with the `__init__` of their packages.
 
     Parameters
     ----------
     path : Path
         A Python file.
+    drawn : bool
+        Whether what a study draws counts, see `computing`.
 
     Returns
     -------
     frozenset of Path
     """
     names: set[str] = set()
-    for node in _statements(ast.parse(path.read_text("utf-8"))):
+    for node in _statements(ast.parse(_text(path, drawn))):
         if isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -93,7 +118,7 @@ def sources(path, drawn=True):
     ----------
     path : Path or str
     drawn : bool
-        Whether what studies import to draw with counts.
+        Whether what studies draw, and draw with, counts.
 
     Returns
     -------
@@ -104,10 +129,7 @@ def sources(path, drawn=True):
         file = todo.pop()
         if file not in seen:
             seen.add(file)
-            found = imports(file)
-            if not drawn and _package(file) == STUDIES:
-                found = {other for other in found if _package(other) != FIGURES}
-            todo.extend(found)
+            todo.extend(imports(file, drawn))
     beside = {
         other
         for folder in {file.parent for file in seen if _package(file)}
@@ -117,30 +139,11 @@ def sources(path, drawn=True):
     return tuple(sorted(seen | beside))
 
 
-def computing(text):
-    """Text of a study's module without what draws: its functions `draw…`, its imports of figures.
-
-    Examples
-    --------
-    >>> computing("x = 1\\ndef _draw_one(axis):\\n    pass\\ny = 2\\n")
-    'x = 1\\ny = 2\\n'
-    """
-    lines = text.splitlines(keepends=True)
-    for node in reversed(ast.parse(text).body):
-        draws = isinstance(node, ast.FunctionDef) and node.name.lstrip("_").startswith("draw")
-        if draws or (
-            isinstance(node, ast.ImportFrom) and f"{node.module}.".startswith(f"{FIGURES}.")
-        ):
-            del lines[node.lineno - 1 : node.end_lineno]
-    return "".join(lines)
-
-
 def digest(path, drawn=True):
     """Hash of a script and all that it imports, hex; arguments as of `sources`."""
     total = hashlib.sha256()
     for file in sources(path, drawn):
-        content = file.read_bytes()
-        if not drawn and _package(file) == STUDIES:
-            content = computing(content.decode("utf-8")).encode()
+        own = not drawn and file.suffix == ".py"
+        content = _text(file, drawn).encode() if own else file.read_bytes()
         total.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + content)
     return total.hexdigest()

@@ -121,15 +121,16 @@ def test_a_study_computes_without_its_functions_that_draw(path):
     whole, left = (ast.parse(t) for t in (path.read_text(), sources.computing(path.read_text())))
     names, kept = ({n.name for n in tree.body if hasattr(n, "name")} for tree in (whole, left))
     assert {name.lstrip("_")[:4] for name in names - kept} <= {"draw"}
-    imported = {n.module for n in left.body if isinstance(n, ast.ImportFrom)}
-    assert not [module for module in imported if module.startswith("rocking.figures")]
+    imported = {a.name for n in ast.walk(left) if isinstance(n, ast.Import) for a in n.names}
+    imported |= {n.module for n in ast.walk(left) if isinstance(n, ast.ImportFrom)}
+    assert not [m for m in imported if m.startswith(("rocking.figures", "matplotlib"))]
     words = [n for n in ast.walk(left) if isinstance(n, ast.Name)]
     own = {n.id for n in words if isinstance(n.ctx, ast.Store)}  # such as a draw of many
     assert not ({n.id for n in words} - own) & (names - kept)
 
 
 def test_another_way_to_draw_computes_no_study_anew(tmp_path, monkeypatch):
-    text = "from rocking.figures import style\nA = 1\ndef draw(table):\n    return {}\n"
+    text = "A = 1\ndef draw(table):\n    from rocking.figures import style\n    return {}\n"
     folder = tmp_path / "studies"
     folder.mkdir()
     monkeypatch.setitem(sources.PACKAGES, "rocking", tmp_path)

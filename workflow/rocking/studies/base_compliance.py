@@ -7,7 +7,6 @@ of rigid courses on elastic joints, which converges to it. Both are compared wit
 
 from functools import partial
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 
@@ -16,7 +15,6 @@ from rocking.collapse.probability import KEY
 from rocking.collapse.quick import PGA, crossings
 from rocking.collapse.ratios import spread
 from rocking.collapse.varied import collapses
-from rocking.figures import style
 from rocking.mechanics import column
 from rocking.mechanics.closed_forms import capacity_compliant_base, capacity_rigid
 from yade_scripts.model import base
@@ -104,6 +102,8 @@ def summary(table):
 
 def _draw_static(axis, table):
     """Draw the static curves of the first façade."""
+    from rocking.figures import style
+
     part = table[table["facade"] == table["facade"].iloc[0]]
     d = part["d_over_b"]
     axis.plot(d, part["lambda_rigid"], ":", color=style.GREY, lw=1.0, label="rigid")
@@ -138,6 +138,8 @@ def _draw_collapse(axis, table):
 
 def draw(static, table):
     """Draw static curves of the study's façade, and collapse of the rigid block by the stack's."""
+    import matplotlib.pyplot as plt
+
     figure, (left, right) = plt.subplots(1, 2, figsize=(7.2, 3.4))
     _draw_static(left, static)
     _draw_collapse(right, table)

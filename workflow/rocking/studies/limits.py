@@ -18,17 +18,13 @@ reference solver, which shares no line with it, runs the same.
 import math
 from dataclasses import replace
 
-import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.colors import ListedColormap
-from matplotlib.patches import Patch
 
 from rocking.collapse import search
 from rocking.collapse.case import Case
 from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
 from rocking.configuration.schema import ConfigError
-from rocking.figures.panels import heat_map
 from rocking.reference.facade import answers, motion_of
 from rocking.solver.runs import STEP_FRACTION
 from yade_scripts.model.registry import PLANAR
@@ -153,6 +149,10 @@ def _at(pga_g, case, moving, own, half, direction):
 
 def _draw_panel(axis, grid, **labels):
     """Draw one grid of verdicts as coloured squares with their marks."""
+    from matplotlib.colors import ListedColormap
+
+    from rocking.figures.panels import heat_map
+
     codes = grid.map(lambda v: ORDER.index(v) if v in ORDER else float("nan"))
     marks = grid.map(lambda v: MARKS.get(v, ""))
     heat_map(axis, codes, marks, cmap=ListedColormap(COLOURS), vmin=-0.5, vmax=6.5)
@@ -161,6 +161,9 @@ def _draw_panel(axis, grid, **labels):
 
 def draw(table):
     """Draw what becomes of each cell: refused, agreed upon, disagreed upon, not repeating."""
+    import matplotlib.pyplot as plt
+    from matplotlib.patches import Patch
+
     plan = table[table["axis"] == "height [m]"]
     others = [name for name in dict.fromkeys(table["axis"]) if name != "height [m]"]
     figure = plt.figure(figsize=(7.2, 2.6 + 0.62 * len(others)))

@@ -7,8 +7,6 @@ import pandas as pd
 from rocking.collapse import probability
 from rocking.collapse.case import Variant
 from rocking.collapse.varied import collapses, intensities
-from rocking.figures import style
-from rocking.figures.panels import band, panels
 
 BELOW, ABOVE = 0.95, 1.05  # of the 10 and 90 % intensities: where few and most should fall
 INTENSITIES = tuple(f"pga_{name}_g" for name in ("collapse", "p10", "median", "p90", "max"))
@@ -87,6 +85,9 @@ def to_confirm(case, motion, table, settings):
 
 def _draw_panel(axis, found, yade):
     """Draw the curves of one model."""
+    from rocking.figures import style
+    from rocking.figures.panels import band
+
     bare, loaded = found[found["load_kn"] == 0.0].iloc[0], found[found["load_kn"] > 0.0]
     axis.axhline(bare["pga_median_g"], color="0.4", lw=1.0, ls=(0, (1, 1)), label="no roof")
     for (load, part), look in zip(loaded.groupby("load_kn"), style.LOOKS, strict=False):
@@ -114,6 +115,9 @@ def draw(tables, yade, record):
     record : dict
         Provenance of the record.
     """
+    from rocking.figures import style
+    from rocking.figures.panels import panels
+
     figure, axes = panels(len(tables), len(tables), (3.1, 3.4), around=(1.6, 0.0), sharey=True)
     for axis, found, runs in zip(axes[0], tables, yade, strict=True):
         _draw_panel(axis, found, runs)

@@ -16,8 +16,6 @@ from rocking.collapse.quick import crossings
 from rocking.collapse.ratios import spread
 from rocking.collapse.scan import STEPS
 from rocking.collapse.varied import collapses
-from rocking.figures import style
-from rocking.figures.panels import panels
 from yade_scripts.model.registry import MODELS
 from yade_scripts.studies.perturb import NODE_CHOICES
 
@@ -155,6 +153,9 @@ def summary(table):
 
 def draw(table):
     """Draw collapse PGA after the first shock over that without, against the first shock's PGA."""
+    from rocking.figures import style
+    from rocking.figures.panels import panels
+
     models = list(dict.fromkeys(table["model"]))
     figure, axes = panels(len(models), len(models), (1.75, 3.2), around=(1.2, 0.0), sharey=True)
     levels = sorted(set(table["first_pga_g"]))

@@ -16,8 +16,6 @@ from rocking.collapse.case import Variant
 from rocking.collapse.motion import Motion
 from rocking.collapse.ratios import Ratios, spread
 from rocking.collapse.varied import collapses, intensities
-from rocking.figures import style
-from rocking.figures.panels import common_legend, distribution, panels, plain_log, ticks
 from rocking.records import RecordError, load, measures
 from rocking.records.pulses import pulse_spec
 from rocking.records.surrogate import generate
@@ -256,6 +254,9 @@ def _draw_title(pulses):
 
 def draw(table, summary):
     """Draw collapse of surrogates over that of their records, and the weak sides of both."""
+    from rocking.figures import style
+    from rocking.figures.panels import distribution, panels, ticks
+
     found = pairs(table)
     trust = summary[summary["half"] == "all"].set_index(["model", "pulses"])
     kinds = sorted(found["pulses"].unique())
@@ -299,6 +300,9 @@ def draw(table, summary):
 
 def draw_scatter(table):
     """Draw collapse under draws that differ in their noise alone, and under the record."""
+    from rocking.figures import style
+    from rocking.figures.panels import common_legend, panels, plain_log
+
     found = pairs(table)
     found["pulses"] = found["pulses"].fillna(-1)
     kinds, models = sorted(found["pulses"].unique()), list(dict.fromkeys(found["model"]))

@@ -5,15 +5,12 @@ Both scenes have the same nodes out of plane, so what is between them is the sec
 
 import math
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 
 from rocking.collapse import search
 from rocking.collapse.ratios import spread
 from rocking.collapse.varied import collapses
-from rocking.figures import style
-from rocking.figures.panels import distribution
 from rocking.solver import spatial
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, peaks, stable_step
@@ -194,6 +191,11 @@ def summary(table):
 
 def draw(table):
     """Draw collapse under both components over that of the planar scene, and what moves it."""
+    import matplotlib.pyplot as plt
+
+    from rocking.figures import style
+    from rocking.figures.panels import distribution
+
     figure, (left, right) = plt.subplots(1, 2, figsize=(7.4, 3.4))
     lines = (("-", ":"), ("--", "-."))
     for i, (model, part) in enumerate(table.groupby("model", sort=True)):

@@ -1,6 +1,5 @@
 """What the vertical motion of the ground changes in collapse, as ratios of intensities."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 
@@ -8,8 +7,6 @@ from rocking.collapse.case import Variant
 from rocking.collapse.motion import Motion
 from rocking.collapse.ratios import Ratios, spread
 from rocking.collapse.varied import collapses
-from rocking.figures import style
-from rocking.figures.panels import distribution, ticks
 from yade_scripts.model.registry import MODELS
 
 SHARES = {"none": 0.0, "hundredth": 0.01, "whole": 1.0}  # of the vertical motion
@@ -22,7 +19,6 @@ SUMMARY = {
     "within_5_percent": lambda found: Ratios(np.abs(found.known - 1.0)).share(high=0.05),
 }
 LINES = ("-", "--", "-.", ":")
-SMALL = {"color": style.GREY, "lw": 0.9}
 LEAST = 1.4  # the axes of ratios reach so far to both sides of one, or to the last ratio
 TICKS = (0.1, 0.2, 0.3, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.4, 1.7, 2.0, 3.0, 5.0, 10.0)
 
@@ -97,6 +93,11 @@ def summary(table):
 
 def draw(table):
     """Draw collapse PGA with over without vertical motion: its distribution, and by its size."""
+    import matplotlib.pyplot as plt
+
+    from rocking.figures import style
+    from rocking.figures.panels import distribution, ticks
+
     found = ratios(table)
     found = found[found["measure"] == "median"]
     reach = max(LEAST, 1.03 * float(np.exp(np.log(found["ratio"]).abs().max())))
@@ -105,7 +106,7 @@ def draw(table):
         kind, ls = MODELS[model], LINES[i % len(LINES)]
         of_model = found[found["model"] == model]
         for share, look, label in (
-            ("hundredth", SMALL, f"{model}, a hundredth of it"),
+            ("hundredth", {"color": style.GREY, "lw": 0.9}, f"{model}, a hundredth of it"),
             ("whole", {"color": kind.colour}, model),
         ):
             part = of_model[of_model["vertical"] == share]

@@ -5,7 +5,6 @@ import pandas as pd
 from rocking.collapse.case import Variant
 from rocking.collapse.ratios import spread
 from rocking.collapse.varied import collapses
-from rocking.figures.panels import panels
 from yade_scripts.model.registry import MODELS
 
 SPREAD = {"n": "n", "n_censored": "n_censored", "median": 50, "least": 0, "most": 100}
@@ -46,6 +45,8 @@ def summary(table):
 
 def draw(table):
     """Draw the ratio against the friction angle, a panel a model."""
+    from rocking.figures.panels import panels
+
     models = list(dict.fromkeys(table["model"]))
     figure, axes = panels(len(models), len(models), (2.2, 2.8), around=(0.8, 0.0), sharey=True)
     for axis, model in zip(axes.flat, models, strict=True):
