@@ -294,7 +294,7 @@ def draw(table, summary):
         axes[1, 0].set_ylabel("log₂(pos/neg), surrogate [-]")
         axes[1, 0].legend(loc="lower right", fontsize=7)
     records = found["record"].nunique()
-    figure.suptitle(f"{records} recorded components\nand surrogates of theirs")
+    figure.suptitle(f"recorded components, with\nsurrogates of theirs: {records}")
     return figure
 
 

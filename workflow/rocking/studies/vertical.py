@@ -126,5 +126,5 @@ def draw(table):
         ticks(side, [t for t in TICKS if 1.0 / reach < t < reach])
     left.legend(loc="upper left", fontsize=7)
     right.legend(loc="upper right", fontsize=7)
-    figure.suptitle(f"{table['record'].nunique()} components with their vertical motions")
+    figure.suptitle(f"components with their vertical motions: {table['record'].nunique()}")
     return figure
