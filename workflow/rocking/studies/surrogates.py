@@ -294,7 +294,7 @@ def draw(table, summary):
         axes[1, 0].set_ylabel("log₂(pos/neg), surrogate [-]")
         axes[1, 0].legend(loc="lower right", fontsize=7)
     records = found["record"].nunique()
-    figure.suptitle(f"recorded components, with\nsurrogates of theirs: {records}")
+    figure.suptitle(f"recorded components: {records}\nand surrogates of theirs")
     return figure
 
 
