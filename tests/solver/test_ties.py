@@ -15,9 +15,9 @@ from scipy.stats import binomtest
 from yade_process import in_yade, resolved
 
 from yade_scripts.model.facade import facade_scene
+from yade_scripts.model.holds import rod
 from yade_scripts.model.scene import TIE
 from yade_scripts.model.stiffness import assemble
-from yade_scripts.model.ties import rod
 
 BETA_S = 0.002
 G = 9.80665

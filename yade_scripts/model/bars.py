@@ -111,6 +111,16 @@ class Tie:
         return tuple(float(v) for v in offset / self.length_m)
 
 
+def taut(ties):
+    """Ties that pull at once: of two that pull one point opposite ways the first alone."""
+    found: list[Tie] = []
+    for tie in ties:
+        ends = (tie.a, tie.b, tie.end_a_m, tuple(-v for v in tie.direction))
+        if ends not in [(x.a, x.b, x.end_a_m, x.direction) for x in found]:
+            found.append(tie)
+    return found
+
+
 @dataclass(frozen=True)
 class Floor:
     """A floor or roof on a point of block `a`: its weight, and friction against its carrier `b`.

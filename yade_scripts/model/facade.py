@@ -37,7 +37,7 @@ from yade_scripts.model.rest import at_rest
 from yade_scripts.model.return_walls import add_return_walls, back_jkn
 from yade_scripts.model.scene import DOFS, Block, NodeList, Scene, box_inertia
 from yade_scripts.model.shape import is_plain, shape_of
-from yade_scripts.model.ties import facade_ties
+from yade_scripts.model.ties import anchor_ties, facade_ties
 from yade_scripts.model.wall_motion import motion_of
 
 BASE = "base"
@@ -155,8 +155,11 @@ def facade_scene(
         add_bed(*given, planar=planar, slides=True)
 
     level_loads(facade, shape, blocks, walls, lay)
+    held = walls, blocks, shape
+    ties = facade_ties(facade.get("ties", ()), *held)
+    ties += anchor_ties(facade.get("floors", ()), *held)
     floors, springs = facade_floors(
-        facade.get("floors", ()), walls, blocks, shape, config["smdof"]["damping_ratio"]
+        facade.get("floors", ()), *held, config["smdof"]["damping_ratio"]
     )
     return Scene(
         blocks,
@@ -167,7 +170,7 @@ def facade_scene(
         reference=BASE,
         thickness_m=shape.overturning_m if not is_plain(facade) else facade["thickness_m"],
         links=[*links, *springs],
-        ties=facade_ties(facade.get("ties", ()), walls, blocks, shape),
+        ties=ties,
         floors=floors,
         shaking=GROUND if kind.two_way else None,
         notes={

@@ -1,32 +1,26 @@
 """Floors and roof on a façade: their load, and what friction and anchors hold.
 
 A floor presses with P on the façade, s from its inner face, and holds it against the return wall
-behind, whose motion it has, by a spring k that slides at
-
-    F = μ P + F_a
-
-with F_a what anchors hold beside friction. P is a dead load that goes where its point goes; its
-vertical inertia is left out. With a mass m of its own the floor moves along y on a spring
-m (2π/T)² and a dashpot 2 ζ m (2π/T) against that wall, and it is this mass that F joins to the
-façade. Of a free-standing façade the base stands for the wall.
+behind, whose motion it has, by a spring k that slides at μ P, outward and inward alike. What its
+anchors hold, F_a, are ties beside that (`ties.anchor_ties`). P is a dead load that goes where its
+point goes; its vertical inertia is left out. With a mass m of its own the floor moves along y on a
+spring m (2π/T)² and a dashpot 2 ζ m (2π/T) against that wall, and it is this mass to which the
+façade is joined, by one spring k that slides at μ P + F_a. Of a free-standing façade the base
+stands for the wall.
 
 A load with a flat bearing is a block that lies on the whole thickness of the top and stays level:
 it moves along z alone, with its mass P/g, and along y with what holds it. Where the top turns
-under it, it bears on one edge. Its nodes have no friction, since F is what holds.
+under it, it bears on one edge. Its nodes have no friction, since the floor is what holds.
 """
 
 import math
 
 from yade_scripts.model.bars import Floor, Link
 from yade_scripts.model.gravity import GRAVITY_M_S2
+from yade_scripts.model.holds import FRICTION, of_floor
 from yade_scripts.model.scene import Block
 
 DEPTH_M = 0.2  # of a roof's block, for drawings
-
-
-def capacity_n(row):
-    """What a floor holds, F = μ P + F_a [N]; `row` is an entry of facade.floors."""
-    return 1e3 * (row["friction"] * row["load_kn"] + row["anchor_kn"])
 
 
 def loaded(rows, shape):
@@ -134,8 +128,8 @@ def facade_floors(rows, walls, blocks, shape, damping_ratio):
     Parameters
     ----------
     rows : list of dict
-        Section facade.floors: height_m, load_kn, arm_m, friction, anchor_kn, stiffness_kn_m,
-        mass_t, period_s, bearing.
+        Section facade.floors: height_m, load_kn, arm_m, friction, anchor_kn, anchor_reach_m,
+        stiffness_kn_m, mass_t, period_s, bearing.
     walls : sequence of int
         Indices of the return walls' blocks; empty: the base carries the floors.
     blocks : list of Block
@@ -167,15 +161,15 @@ def facade_floors(rows, walls, blocks, shape, damping_ratio):
             own = len(blocks) - 1
             links.append(Link(f"floor {number}", own, carrier, spring, dashpot, place))
             carrier = own
-        floors.append(
-            Floor(
-                f"floor {number}",
+        load = 0.0 if is_flat(row) else 1e3 * row["load_kn"]
+        slides = [hold for hold in of_floor(row) if hold.kind == FRICTION or row["mass_t"]]
+        capacity = sum(hold.capacity_n for hold in slides)
+        if load or capacity:
+            own, place, stiffness = (
                 1 + shape.piece_at(z),
-                carrier,
                 place_of(row, shape),
-                0.0 if is_flat(row) else 1e3 * row["load_kn"],
-                1e3 * row["stiffness_kn_m"],
-                capacity_n(row),
+                row["stiffness_kn_m"],
             )
-        )
+            name = f"floor {number}"
+            floors.append(Floor(name, own, carrier, place, load, 1e3 * stiffness, capacity))
     return floors, links

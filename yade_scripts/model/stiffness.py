@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from yade_scripts.model.bars import taut
 from yade_scripts.model.scene import DOFS
 
 
@@ -96,7 +97,7 @@ def _bars(scene):
     rows = [
         (x.a, x.b, x.position_m, x.direction, x.stiffness_n_m, x.dashpot_ns_m) for x in scene.links
     ]
-    rows += [(x.a, x.b, x.end_a_m, x.direction, x.stiffness_n_m, 0.0) for x in scene.ties]
+    rows += [(x.a, x.b, x.end_a_m, x.direction, x.stiffness_n_m, 0.0) for x in taut(scene.ties)]
     for x in scene.floors:
         if x.capacity_n > 0.0:
             held = (x.a, x.b, x.position_m)

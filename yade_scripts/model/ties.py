@@ -9,34 +9,17 @@ masonry or pulls out. Where the steel is the weaker it yields at F and snaps at 
 `elongation`; where the anchor is the weaker the tie is lost as soon as it pulls F. The rod runs
 horizontally from the back face into the return wall behind it, the block of the wall at its
 height, and moves with that; what a rod weighs is left out.
+
+The anchors of a floor without a mass are a tie too, so long that it stays horizontal: they only
+pull, slide at what they hold and are lost at their reach. A free-standing façade, which may move
+either way, has one to each side.
 """
 
-import math
-
 from yade_scripts.model.bars import Tie
-from yade_scripts.model.floors import wall_behind
+from yade_scripts.model.floors import place_of, wall_behind
+from yade_scripts.model.holds import ANCHOR, of_floor, of_tie
 
-
-def rod(row):
-    """Stiffness, capacity and elongation of a row of ties.
-
-    Parameters
-    ----------
-    row : dict
-        An entry of section ties: count, diameter_mm, length_m, e_mpa, yield_mpa, elongation,
-        anchor_kn (of one rod; None: it holds whatever the steel does).
-
-    Returns
-    -------
-    stiffness_n_m, capacity_n, elongation_m : float
-    """
-    area = math.pi / 4.0 * (1e-3 * row["diameter_mm"]) ** 2
-    stiffness = row["count"] * row["e_mpa"] * 1e6 * area / row["length_m"]
-    steel = row["count"] * row["yield_mpa"] * 1e6 * area
-    anchor = math.inf if row["anchor_kn"] is None else row["count"] * row["anchor_kn"] * 1e3
-    if anchor <= steel:
-        return stiffness, anchor, anchor / stiffness
-    return stiffness, steel, max(row["elongation"] * row["length_m"], steel / stiffness)
+FAR_M = 1e3  # length of an anchor's tie: as its point lifts by 0.1 m it lengthens by 5 µm
 
 
 def facade_ties(rows, walls, blocks, shape):
@@ -45,7 +28,7 @@ def facade_ties(rows, walls, blocks, shape):
     Parameters
     ----------
     rows : list of dict
-        Section ties: height_m, slack_mm and what `rod` takes.
+        Section ties: height_m, slack_mm and what `holds.rod` takes.
     walls : sequence of int
         Indices of the return walls' blocks.
     blocks : list of Block
@@ -65,18 +48,48 @@ def facade_ties(rows, walls, blocks, shape):
     for number, row in enumerate(rows, 1):
         z = row["height_m"]
         behind = wall_behind(f"ties[{number}].height_m", z, walls, blocks)
-        stiffness, capacity, elongation = rod(row)
-        ties.append(
-            Tie(
-                f"tie {number}",
-                1 + shape.piece_at(z),
-                behind,
-                (0.0, 0.0, z),
-                (0.0, -row["length_m"], z),
-                stiffness,
-                capacity,
-                1e-3 * row["slack_mm"],
-                elongation,
-            )
-        )
+        far = (0.0, -row["length_m"], z)
+        ties.append(_tie(f"tie {number}", shape, behind, (0.0, 0.0, z), far, of_tie(row)))
     return ties
+
+
+def anchor_ties(rows, walls, blocks, shape):
+    """Ties that stand for the anchors of floors without a mass; arguments as `facade_ties`.
+
+    Parameters
+    ----------
+    rows : list of dict
+        Section floors, what `holds.of_floor` takes.
+    walls : sequence of int
+        Empty: the base carries the floors, and each has a second tie to the other side.
+
+    Returns
+    -------
+    list of Tie
+    """
+    ties = []
+    for number, row in enumerate(rows, 1):
+        anchors = [hold for hold in of_floor(row) if hold.kind == ANCHOR]
+        if row["mass_t"] or not anchors:
+            continue
+        carrier = wall_behind(f"floors[{number}].height_m", row["height_m"], walls, blocks)
+        x, y, z = place_of(row, shape)
+        sides = ((f"anchor {number}", -FAR_M), (f"anchor {number} inward", FAR_M))
+        for name, way in sides[: 1 if walls else 2]:
+            ties.append(_tie(name, shape, carrier, (x, y, z), (x, y + way, z), anchors[0]))
+    return ties
+
+
+def _tie(name, shape, carrier, near_m, far_m, hold):
+    """Tie of a hold, between a point of the façade and one of its carrier."""
+    return Tie(
+        name,
+        1 + shape.piece_at(hold.height_m),
+        carrier,
+        near_m,
+        far_m,
+        hold.stiffness_n_m,
+        hold.capacity_n,
+        hold.slack_m,
+        hold.reach_m - hold.slack_m,
+    )

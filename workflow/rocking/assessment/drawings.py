@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.patches import FancyArrowPatch, Polygon, Rectangle
 
 from yade_scripts.model.floors import place_of
-from yade_scripts.model.ties import rod
+from yade_scripts.model.holds import rod
 
 PAPER = {"fc": "1", "ec": "none", "pad": 0.8}  # behind words that lie on lines
 

@@ -17,7 +17,7 @@ from rocking.assessment.checks import CANTILEVER, initial_period
 from rocking.assessment.masonry import Masonry
 from rocking.assessment.mechanism import WHOLE, Mechanism
 from yade_scripts.model.floors import place_of
-from yade_scripts.model.ties import rod
+from yade_scripts.model.holds import rod
 
 ADDED_REACH_M = 0.2  # elongation of a rod of 4 m that snaps at 5 %; of an anchor, unknown
 HINGES = 19  # heights at which a span may open

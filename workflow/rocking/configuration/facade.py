@@ -128,6 +128,12 @@ def _check_floor(where: str, row: Mapping, shape: Shape) -> None:
         )
     if row["load_kn"] == row["anchor_kn"] == 0.0:
         raise ConfigError(f"{where}.load_kn = 0: expected a load, or an anchor_kn (kN) above 0")
+    least = row["anchor_kn"] / row["stiffness_kn_m"]
+    if row["anchor_reach_m"] < least and not row["mass_t"]:
+        raise ConfigError(
+            f"{where}.anchor_reach_m = {show(row['anchor_reach_m'])}: expected at least "
+            f"anchor_kn/stiffness_kn_m = {least:.3g} (m), at which the anchors pull anchor_kn"
+        )
     if row["mass_t"] > 0.0 and row["friction"] * row["load_kn"] + row["anchor_kn"] == 0.0:
         raise ConfigError(
             f"{where}.mass_t = {show(row['mass_t'])}: expected friction or anchor_kn (kN) that "

@@ -20,11 +20,11 @@ from rocking.configuration.schema import ConfigError, show
 from yade_scripts.model import registry
 from yade_scripts.model.base import parts
 from yade_scripts.model.facade import joint_stiffness
-from yade_scripts.model.floors import capacity_n, loaded
+from yade_scripts.model.floors import loaded
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.hinges import hinge_stiffness
+from yade_scripts.model.holds import holds
 from yade_scripts.model.shape import shape_of
-from yade_scripts.model.ties import rod
 
 ANGLES = np.geomspace(1e-6, 1.0, 200)  # over the rotation at which the weight passes the toe
 UNITS = {"height_m": "m", "tilt_deg": "°"}
@@ -103,21 +103,11 @@ def restoring(config: Mapping) -> float:
     partly = (np.sqrt(edge**2 + 2.0 * q / sin) - edge) ** 3 * sin / (6.0 * q)
     place = np.where(sin * (0.5 * b**2 + edge * b) <= q, whole, partly)
     moment = weight * (arm * np.cos(tilted) - height * np.sin(tilted) - cos * place)
-    for z, stiffness, most, slack in _holding(facade):
-        moment += np.clip(stiffness * (z * sin - slack), 0.0, most) * z * cos
+    for hold in holds(facade):
+        out = hold.height_m * sin
+        pull = np.clip(hold.stiffness_n_m * (out - hold.slack_m), 0.0, hold.capacity_n)
+        moment += np.where(out < hold.reach_m, pull, 0.0) * hold.height_m * cos
     return float(moment.max() / (weight * height))
-
-
-def _holding(facade):
-    """Height [m], stiffness [N/m], capacity [N] and slack [m] of ties and floors."""
-    rows = [(row["height_m"], *rod(row)[:2], 1e-3 * row["slack_mm"]) for row in facade["ties"]]
-    for row in facade["floors"]:
-        stiffness, mass = 1e3 * row["stiffness_kn_m"], 1e3 * row["mass_t"]
-        if mass:  # its spring and what holds it, one behind the other
-            spring = mass * (2.0 * math.pi / row["period_s"]) ** 2
-            stiffness = stiffness * spring / (stiffness + spring)
-        rows.append((row["height_m"], stiffness, capacity_n(row), 0.0))
-    return rows
 
 
 def _pieces_stand(config):
@@ -136,9 +126,10 @@ def _pieces_stand(config):
     def lengths(z):  # of each piece below a height
         return np.clip(z - edges[:-1], 0.0, np.diff(edges))
 
-    for z, stiffness, most, slack in _holding(facade):
-        if most > 0.0 and slack == 0.0:
-            matrix += stiffness * np.outer(lengths(z), lengths(z))
+    for hold in holds(facade):
+        if hold.slack_m == 0.0:
+            z = hold.height_m
+            matrix += hold.stiffness_n_m * np.outer(lengths(z), lengths(z))
     loads = [(mass * GRAVITY_M_S2, centre[2]) for mass, centre, _, _ in shape.parts]
     loads += [(1e3 * row["load_kn"], row["height_m"]) for row in facade["floors"]]
     for load, z in loads:

@@ -239,6 +239,7 @@ def of_scene(scene, own, column):
 def elements(bars, supports, blocks=1):
     """Stiffness and dashpot of each bar with its row of coefficients, ties taut, floors stuck.
 
+    Of two ties that pull one point opposite ways, as a free-standing façade's anchors do, one is.
     Freedoms: y, z and rotation of each block, the supports along y, the floors with a mass.
 
     Returns
@@ -265,7 +266,9 @@ def elements(bars, supports, blocks=1):
         along = arm - bars.tie_end_m[i]
         along = along / np.linalg.norm(along)
         other = moving(bars.tie_support[i])
-        found.append((bars.tie_k_n_m[i], 0.0, row(bars.tie_body[i], arm, along, other)))
+        one = row(bars.tie_body[i], arm, along, other)
+        if not any(np.array_equal(one, -before) for _, _, before in found):
+            found.append((bars.tie_k_n_m[i], 0.0, one))
     for i, arm in enumerate(bars.floor_arm_m):
         behind = moving(bars.floor_support[i])
         other = behind

@@ -1,0 +1,112 @@
+"""What holds a façade back: its ties, and the anchors and friction of its floors.
+
+One description, which hand calculation and both dynamic models read. A hold pulls inward with k on
+what its point has moved past its slack, at most with its capacity, and is lost at its reach.
+
+    tie       a row of rods, see `rod`; its reach is slack + elongation
+    anchor    of a floor: F_a (`anchor_kn`), lost at `anchor_reach_m`
+    friction  of a floor under its load: μ P, without an end
+
+Friction and the anchors of a floor with a mass of its own hold the façade to that mass, one behind
+the other with its spring m (2π/T)², and slide without an end: what the mass does says how far they
+follow. They share the stiffness of the two springs by their capacities.
+"""
+
+import math
+from typing import NamedTuple
+
+TIE, ANCHOR, FRICTION = "tie", "anchor", "friction"
+
+
+class Hold(NamedTuple):
+    """One thing that holds a façade back at a height.
+
+    Attributes
+    ----------
+    kind : str
+        TIE, ANCHOR or FRICTION.
+    height_m : float
+        Above the façade's base.
+    stiffness_n_m, capacity_n : float
+    slack_m : float
+        Way of its point, outward from the upright, before it pulls.
+    reach_m : float
+        Way from the upright at which it is lost, slack included; inf: never.
+    """
+
+    kind: str
+    height_m: float
+    stiffness_n_m: float
+    capacity_n: float
+    slack_m: float
+    reach_m: float
+
+
+def rod(row):
+    """Stiffness, capacity and elongation of a row of ties.
+
+    Parameters
+    ----------
+    row : dict
+        An entry of section ties: count, diameter_mm, length_m, e_mpa, yield_mpa, elongation,
+        anchor_kn (of one rod; None: it holds whatever the steel does).
+
+    Returns
+    -------
+    stiffness_n_m, capacity_n, elongation_m : float
+    """
+    area = math.pi / 4.0 * (1e-3 * row["diameter_mm"]) ** 2
+    stiffness = row["count"] * row["e_mpa"] * 1e6 * area / row["length_m"]
+    steel = row["count"] * row["yield_mpa"] * 1e6 * area
+    anchor = math.inf if row["anchor_kn"] is None else row["count"] * row["anchor_kn"] * 1e3
+    if anchor <= steel:
+        return stiffness, anchor, anchor / stiffness
+    return stiffness, steel, max(row["elongation"] * row["length_m"], steel / stiffness)
+
+
+def of_tie(row):
+    """`Hold` of a row of ties, an entry of facade.ties."""
+    stiffness, capacity, elongation = rod(row)
+    slack = 1e-3 * row["slack_mm"]
+    return Hold(TIE, row["height_m"], stiffness, capacity, slack, slack + elongation)
+
+
+def of_floor(row):
+    """What holds at a floor, an entry of facade.floors, from none to two.
+
+    Returns
+    -------
+    list of Hold
+        Friction first; without what holds nothing.
+    """
+    capacities = 1e3 * row["friction"] * row["load_kn"], 1e3 * row["anchor_kn"]
+    stiffness, mass = 1e3 * row["stiffness_kn_m"], 1e3 * row["mass_t"]
+    reach, shares = row["anchor_reach_m"], (1.0, 1.0)
+    if mass:
+        spring = mass * (2.0 * math.pi / row["period_s"]) ** 2
+        stiffness = stiffness * spring / (stiffness + spring)
+        reach = math.inf
+        shares = tuple(force / (sum(capacities) or 1.0) for force in capacities)
+    kinds = zip((FRICTION, ANCHOR), capacities, shares, (math.inf, reach), strict=True)
+    return [
+        Hold(kind, row["height_m"], share * stiffness, force, 0.0, end)
+        for kind, force, share, end in kinds
+        if force > 0.0
+    ]
+
+
+def holds(facade):
+    """All that holds a façade back.
+
+    Parameters
+    ----------
+    facade : dict
+        Section facade: ties and floors.
+
+    Returns
+    -------
+    list of Hold
+        Row by row, ties first.
+    """
+    ties = [of_tie(row) for row in facade.get("ties", ())]
+    return ties + [hold for row in facade.get("floors", ()) for hold in of_floor(row)]
