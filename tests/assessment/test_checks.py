@@ -11,7 +11,7 @@ from rocking.assessment.demand import (
     TableDemand,
     floor_demand,
 )
-from rocking.assessment.family import ties_of
+from rocking.assessment.family import pulls_of
 from rocking.mechanics.closed_forms import (
     block,
 )
@@ -122,7 +122,7 @@ def test_interlocking_by_hand():
     many courses, and the same height: μ γ t v h n(n − 1)/2 = 0.577·18·0.4·0.15·0.3·190 = 35.52 kN.
     """
     given = (6.0, 0.3, 0.4, 0.15, 0.577, 18e3)
-    force, height, reach, fades = interlocking(*given)
+    force, height, reach, fades, _ = interlocking(*given)
     three(force, 62.82e3)
     three(height, 2.0)
     assert (reach, fades) == (0.15, True)
@@ -254,9 +254,9 @@ def test_rows_of_ties_enter_the_mechanism_with_their_capacity():
     """Two rods of 16 mm at 235 MPa: 94.5 kN at 5 m on 100 kN: (100·0.3 + 94.5·5)/300 = 1.675."""
     row = {"height_m": 5.0, "count": 2, "diameter_mm": 16.0, "length_m": 4.0, "e_mpa": 2e5}
     row |= {"yield_mpa": 235.0, "elongation": 0.05, "slack_mm": 0.0, "anchor_kn": None}
-    ((force, height, reach, fades),) = ties_of({"ties": [row], "height_m": 6.0})
+    ((force, height, reach, fades, _),) = pulls_of({"ties": [row], "height_m": 6.0})
     three(force, 94.50e3)
     assert (height, reach, fades) == (5.0, pytest.approx(0.2), False)
-    tied = overturning(Facade(6.0, 0.6, 100e3), ties_of({"ties": [row], "height_m": 6.0}))
+    tied = overturning(Facade(6.0, 0.6, 100e3), pulls_of({"ties": [row], "height_m": 6.0}))
     three(tied.multiplier(), 1.675)
-    assert ties_of({"ties": [], "height_m": 6.0}, 5e3) == [(5e3, 6.0, 0.2, False)]
+    assert pulls_of({"ties": [], "height_m": 6.0}, 5e3) == [(5e3, 6.0, 0.2, False, 0.0)]

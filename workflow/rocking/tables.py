@@ -8,8 +8,9 @@ __all__ = ["headed", "read_json", "read_tables", "write_json", "write_table"]
 
 
 def read_tables(paths):
-    """Tables of several files, one below the other."""
-    return pd.concat([pd.read_csv(path) for path in paths], ignore_index=True)
+    """Tables of several files, one below the other; those without rows have no part in it."""
+    found = [pd.read_csv(path) for path in paths]
+    return pd.concat([table for table in found if len(table)] or found[:1], ignore_index=True)
 
 
 def headed(table, **values):

@@ -72,6 +72,7 @@ def compared_facades(wildcards):
             "period_s": resolved["smdof"]["period_s"],
             "checks": of_run(rules.assess_checks.output[0])(job),
             "collapse": COLLAPSE(job),
+            "parts": GOVERNING_COLLAPSE(job),
         }
     return json.dumps(found, sort_keys=True)
 
@@ -116,9 +117,41 @@ rule assess_checks:
         "../scripts/assess/assess_checks.py"
 
 
+rule assess_governing:
+    input:
+        scenes=of_run(rules.scene.output[0], model=dry),
+        modules=code("assess/assess_governing"),
+    output:
+        results("assessment/governing.csv"),
+    log:
+        logs("assess_governing"),
+    params:
+        settings=RUNS.params_of(*CHECKED),
+    script:
+        "../scripts/assess/assess_governing.py"
+
+
+use rule assess_collapse as assess_governing_collapse with:
+    input:
+        **MOTIONS,
+        scene=rules.scene.output[0],
+        shaken=rules.assess_governing.output[0],
+        modules=code("assess/assess_collapse"),
+    output:
+        results("assessment/governing_collapse_{model}.csv"),
+    log:
+        logs("assess_governing_collapse_{model}"),
+    benchmark:
+        benchmarks("assess_governing_collapse_{model}")
+
+
+GOVERNING_COLLAPSE = of_run(rules.assess_governing_collapse.output[0], model=dry)
+
+
 rule assess_levels:
     input:
         **MOTIONS,
+        shaken=rules.assess_governing.output[0],
         scenes=of_run(rules.scene.output[0], model=dry),
         modules=code("assess/assess_levels"),
     output:
@@ -153,7 +186,7 @@ rule assess_floor_spectra:
 
 rule compare_code_and_dynamics:
     input:
-        tables=every_run(rules.assess_checks.output[0], COLLAPSE),
+        tables=every_run(rules.assess_checks.output[0], COLLAPSE, GOVERNING_COLLAPSE),
         facts=every_run(rules.record.output.facts),
         modules=code("assess/code_against_dynamics"),
     output:
@@ -203,6 +236,7 @@ rule assess_code:
         site=site,
         spectrum=SPECTRUM,
         hazard=HAZARD,
+        scenes=of_run(rules.scene.output[0], model=dry),
         modules=code("assess/assess_code"),
     output:
         checks=results("assessment/code_checks.csv"),
@@ -211,6 +245,7 @@ rule assess_code:
         sensitivity=results("assessment/code_sensitivity.csv"),
         mechanisms=results("assessment/mechanisms.csv"),
         spectra=results("assessment/spectra.csv"),
+        shaken=results("assessment/shaken.csv"),
     log:
         logs("assess_code"),
     params:
@@ -221,15 +256,35 @@ rule assess_code:
         "../scripts/assess/assess_code.py"
 
 
+# The same of the mechanisms that are shaken beside the whole façade, which the hand calculation names.
+use rule assess_collapse as assess_parts_collapse with:
+    input:
+        **MOTIONS,
+        scene=rules.scene.output[0],
+        shaken=rules.assess_code.output.shaken,
+        modules=code("assess/assess_collapse"),
+    output:
+        results("assessment/parts_collapse_{model}.csv"),
+    log:
+        logs("assess_parts_collapse_{model}"),
+    benchmark:
+        benchmarks("assess_parts_collapse_{model}")
+
+
+PARTS_COLLAPSE = of_run(rules.assess_parts_collapse.output[0], model=dry)
+
+
 rule assess_dynamic:
     input:
         collapse=COLLAPSE,
+        parts=PARTS_COLLAPSE,
         checks=rules.assess_code.output.checks,
         hazard=HAZARD,
         modules=code("assess/assess_dynamic"),
     output:
         table=results("assessment/dynamic.csv"),
         curves=results("assessment/dynamic_curves.csv"),
+        parts=results("assessment/parts_dynamic.csv"),
     log:
         logs("assess_dynamic"),
     params:
@@ -280,12 +335,30 @@ rule assess_histories:
         "../scripts/assess/assess_histories.py"
 
 
+use rule assess_histories as assess_parts_histories with:
+    input:
+        **MOTIONS,
+        scene=rules.scene.output[0],
+        motions=rules.assess_selection.output.motions,
+        shaken=rules.assess_code.output.shaken,
+        modules=code("assess/assess_histories"),
+    output:
+        histories=results("assessment/parts_check_{model}_histories.csv"),
+        verdict=results("assessment/parts_check_{model}.csv"),
+    log:
+        logs("assess_parts_histories_{model}"),
+
+
+CHECKED_PARTS = rules.assess_histories.output, rules.assess_parts_histories.output
+
+
 rule assess_confirm:
     input:
         **MOTIONS,
         scene=rules.scene.output[0],
-        histories=rules.assess_histories.output.histories,
-        verdict=rules.assess_histories.output.verdict,
+        histories=[one.histories for one in CHECKED_PARTS],
+        verdicts=[one.verdict for one in CHECKED_PARTS],
+        shaken=rules.assess_code.output.shaken,
         yade=rules.yade_check.output[0],
         modules=code("assess/assess_confirm"),
         study=study_code("ida"),
@@ -307,6 +380,8 @@ rule assess_sensitivity:
         **MOTIONS,
         scene=of_run(rules.scene.output[0], model=last_dry),
         collapse=of_run(rules.assess_collapse.output[0], model=last_dry),
+        parts=of_run(rules.assess_parts_collapse.output[0], model=last_dry),
+        shaken=rules.assess_code.output.shaken,
         modules=code("assess/assess_sensitivity"),
     output:
         results("assessment/dynamic_sensitivity.csv"),
@@ -330,7 +405,7 @@ rule assess_report:
             rules.assess_sensitivity.output,
             rules.assess_selection.output,
         ),
-        verdicts=of_run(rules.assess_histories.output.verdict, model=dry),
+        verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),
         yade=of_run(rules.assess_confirm.output[0], model=dry),
         site=site,
         table=lambda w: RUNS.table_path(w.run),
@@ -365,10 +440,12 @@ rule assess:
 rule compare_kinematic_and_dynamic:
     input:
         levels=every_run(rules.assess_levels.output[0]),
+        collapse=every_run(COLLAPSE, GOVERNING_COLLAPSE),
         modules=code("assess/dynamic_against_kinematic"),
     output:
         levels=f"{COMPARED}/dynamic_levels_all.csv",
         table=f"{COMPARED}/dynamic_against_kinematic.csv",
+        parts=f"{COMPARED}/parts_against_whole.csv",
     log:
         logs("compare_kinematic_and_dynamic").format(run=RUNS.name),
     params:

@@ -12,6 +12,25 @@ from rocking.assessment.mechanism import Mechanism, Pull, Weight, spread_weight,
 from rocking.mechanics.closed_forms import _positive
 
 
+class Held(NamedTuple):
+    """What holds a block horizontally at a height, rigid up to its capacity.
+
+    Attributes
+    ----------
+    force_n, height_m : float
+    reach_m, slack_m : float
+        Outward displacement of its point up to which, and from which on, it pulls.
+    fades : bool
+        It falls linearly to zero at its reach.
+    """
+
+    force_n: float
+    height_m: float
+    reach_m: float
+    fades: bool = False
+    slack_m: float = 0.0
+
+
 class Facade(NamedTuple):
     """A plain façade as its mechanisms see it; lengths in m, forces in N, on the whole width.
 
@@ -58,7 +77,7 @@ def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=()):
         Of the block, and what it carries.
     hinge, top : tuple of float
         (y, z); the top is the control point.
-    pulls : sequence of (force_n, height_m, reach_m, fades)
+    pulls : sequence of Held
     pushes : sequence of (weight_n, height_m)
         Masses that push horizontally and do not bear on it.
     """
@@ -68,19 +87,26 @@ def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=()):
 
     weights = [Weight(w, move((y, z))) for w, y, z in (*masses, *loads) if w > 0.0]
     weights += [Weight(w, _part(move((hinge[0], z)), 0)) for w, z in pushes if w > 0.0]
-    found = []
-    for force, height, reach, fades in pulls:
-        if not (force >= 0.0 and hinge[1] < height <= top[1] and reach > 0.0):
-            raise ValueError(
-                f"tie: expected a force of at least 0, a height from {hinge[1]:g} to {top[1]:g} m "
-                f"and a positive reach, got {force:g} N, {height:g} m, {reach:g} m"
-            )
-        found.append(Pull(force, move((hinge[0], height)), reach, fades))
     pieces = ((hinge[1], top[1], move),)
-    return Mechanism(name, tuple(weights), move(top), tuple(found), pieces=pieces)
+    held = _pulls(pulls, move, hinge, top)
+    return Mechanism(name, tuple(weights), move(top), held, pieces=pieces)
 
 
-def bending(name, lower, upper, base, joint, top, loads=(), held=()):
+def _pulls(rows, move, low, high):
+    """`Pull`s of what holds between two points, on the vertical through the lower."""
+    found = []
+    for row in rows:
+        force, height, reach, fades, slack = Held(*row)
+        if not (force >= 0.0 and low[1] < height <= high[1] and reach > slack >= 0.0):
+            raise ValueError(
+                f"tie: expected a force of at least 0, a height from {low[1]:g} to {high[1]:g} m "
+                f"and a reach beyond its slack, got {force:g} N, {height:g} m, {reach:g} m"
+            )
+        found.append(Pull(force, move((low[0], height)), reach, fades, slack))
+    return tuple(found)
+
+
+def bending(name, lower, upper, base, joint, top, loads=(), held=(), pulls=()):
     """Two blocks between held levels: vertical bending.
 
     The lower block turns outward about `base`, the upper one back about `joint`, the inner edge of
@@ -97,6 +123,8 @@ def bending(name, lower, upper, base, joint, top, loads=(), held=()):
         That move with the block they stand on.
     held : sequence of (weight_n, y_m, z_m)
         That bear on the upper block and are held.
+    pulls : sequence of Held
+        Between base and top.
     """
     first = turning(joint, base)
     dy, dz = top[0] - joint[0], top[1] - joint[1]
@@ -126,7 +154,7 @@ def bending(name, lower, upper, base, joint, top, loads=(), held=()):
     rise = joint[1] - base[1]
     largest = math.asin(min(0.95 * length / rise, 0.95))  # the joint stays within its reach
     pieces = ((base[1], joint[1], below), (joint[1], top[1], above))
-    return Mechanism(name, tuple(weights), first, (), largest, pieces)
+    return Mechanism(name, tuple(weights), first, _pulls(pulls, move, base, top), largest, pieces)
 
 
 def _part(path, which):
@@ -148,7 +176,7 @@ def overturning(facade, pulls=(), name="overturning about the base"):
     Parameters
     ----------
     facade : Facade
-    pulls : sequence of (force_n, height_m, reach_m, fades)
+    pulls : sequence of Held
         Ties, and courses of interlocked return walls (`courses`).
     """
     f = _checked(facade)
@@ -175,12 +203,12 @@ def courses(height_m, course_m, return_thickness_m, overlap_m, friction, unit_we
 
     Returns
     -------
-    list of (force_n, height_m, reach_m, fades)
+    list of Held
     """
     _positive(course_m=course_m, overlap_m=overlap_m, return_thickness_m=return_thickness_m)
     count = round(height_m / course_m)
     force = walls * friction * unit_weight_n_m3 * return_thickness_m * overlap_m * course_m
-    return [(force * i, height_m - i * course_m, overlap_m, False) for i in range(1, count)]
+    return [Held(force * i, height_m - i * course_m, overlap_m) for i in range(1, count)]
 
 
 def interlocking(
@@ -194,13 +222,13 @@ def interlocking(
 
     Returns
     -------
-    force_n, height_m, reach_m, fades
+    Held
         Height above the hinge.
     """
     _positive(course_m=course_m, overlap_m=overlap_m, return_thickness_m=return_thickness_m)
     n, phi = height_m / course_m, course_m / overlap_m
     one = 0.4 * n * (n + 1.0) * phi * friction * overlap_m**2 * return_thickness_m
-    return walls * one * unit_weight_n_m3, height_m / 3.0, overlap_m, True
+    return Held(walls * one * unit_weight_n_m3, height_m / 3.0, overlap_m, True)
 
 
 def two_blocks(facade, hinge_height_m):

@@ -8,7 +8,7 @@ import pandas as pd
 
 from rocking.assessment.code_checks import code_checks, least
 from rocking.assessment.demand import floor_demand
-from rocking.assessment.family import Family, stretched, ties_of
+from rocking.assessment.family import Family, pulls_of, stretched
 from rocking.assessment.site import PERIODS_S, shapes
 from rocking.collapse.case import Case, Variant
 from rocking.records import G_M_S2
@@ -101,8 +101,8 @@ def mechanism_row(one, found, tie_kn, kind):
 
 def mechanisms(settings, demand, ranked, place):
     """All mechanisms, the least first, and what more ties or a held top would do to them."""
-    family, top = Family(settings), settings["facade"]["height_m"]
-    stated = 1e-3 * sum(force for force, *_ in ties_of(settings["facade"]))
+    family = Family(settings)
+    stated = 1e-3 * sum(one.force_n for one in pulls_of(settings["facade"]))
     rows = [mechanism_row(one, found, stated, "as stated") for _, one, found in ranked]
     masonry = family.masonry
     weight = sum(w for w, *_ in masonry.masses(0.0, masonry.top_m))
@@ -112,9 +112,7 @@ def mechanisms(settings, demand, ranked, place):
             force = 1e-3 * share * weight
             words = f"one more row of {force:.3g} kN, {100 * share:g} % of the weight"
             rows.append(mechanism_row(one, found, stated + force, words))
-    highest = family.levels()[-1]
-    if family.bends(highest, top):  # else it is held there already
-        held = family.span(highest, top)
+    if (held := family.held_top()) is not None:  # else it is held there already
         found = code_checks(held, settings, demand)
         rows.append(mechanism_row(held, found, np.nan, "top held"))
     return pd.DataFrame(rows)
@@ -163,7 +161,7 @@ def checks_of(ranked):
     curves : DataFrame
         mechanism, d_m, multiplier: capacity curves.
     """
-    whole = next(row for row in ranked if row[1].foot_m == 0.0)
+    whole = next(row for row in ranked if row[1].whole)
     checks, steps, curves = [], [], []
     for _, one, found in [whole] if ranked[0] is whole else [ranked[0], whole]:
         for key, check in found.items():

@@ -12,6 +12,7 @@ import pandas as pd
 
 from rocking.stations import FEWEST, drawn, interval
 from rocking.studies.fragility import fit
+from rocking.tables import read_tables
 from yade_scripts.model import registry
 
 EXACT = 1e-6  # relative half width of the interval that stands for an exact ratio
@@ -21,6 +22,10 @@ COLUMNS = [
 ]
 
 
+LEVELS_G = (0.05, 0.10, 0.15, 0.20, 0.25, 0.30)  # a_g of the code's checks
+SITE = (2.5, 0.3, "B")  # F0, T_C*, subsoil
+REFERENCE_G = 0.15  # a_g at which the mechanism that governs by hand is found
+CHECKS_BY_HAND = ("kinematic_fc", "kinematic_fc1", "kinematic_ground_fc")
 KEYS = ["record", "direction"]
 LEVELS = {"pga_p10_g": "p10", "pga_median_g": "median"}
 FACTS = ("height_m", "slenderness", "period_s")
@@ -29,13 +34,17 @@ FACTS = ("height_m", "slenderness", "period_s")
 def gather(runs):
     """One row a run, model, record, direction, check and level, for `compare`.
 
+    Façades of which a part governs are left to `parts_against_whole`: these checks are the whole's.
+
     Parameters
     ----------
     runs : dict of dict
-        By run: FACTS, and the files checks (one) and collapse (one a model).
+        By run: FACTS, and the files checks (one), collapse and parts (one a model).
     """
     parts = []
     for name, facts in runs.items():
+        if len(read_tables(facts["parts"])):
+            continue
         checks = pd.read_csv(facts["checks"])
         for path in facts["collapse"]:
             given = [*KEYS, "model", "pga_max_g"]
@@ -153,3 +162,90 @@ def compare(table, resamples, seed):
                     | one
                 )
     return pd.DataFrame(rows, columns=COLUMNS)
+
+
+def disagreements(levels):
+    """How often the kinematic and the dynamic check of a façade differ, by model and check.
+
+    Parameters
+    ----------
+    levels : DataFrame
+        A row a façade, model and a_g: run, model, CHECKS_BY_HAND and dynamic, 1 where they pass.
+    """
+    rows = []
+    for model, part in levels.groupby("model", sort=False):
+        for check in CHECKS_BY_HAND:
+            passes, holds = part[check] == 1, part["dynamic"] == 1
+            rows.append(
+                {
+                    "model": model,
+                    "check": check,
+                    "cases": len(part),
+                    "facades": part["run"].nunique(),
+                    "both_pass": int((passes & holds).sum()),
+                    "both_fail": int((~passes & ~holds).sum()),
+                    "kinematic_alone_passes": int((passes & ~holds).sum()),
+                    "dynamic_alone_passes": int((~passes & holds).sum()),
+                }
+            )
+    return pd.DataFrame(rows)
+
+
+def parts_against_whole(levels, collapse):
+    """What the whole façade alone would have said of façades that fall in part, by model and run.
+
+    Parameters
+    ----------
+    levels : DataFrame
+        As of `disagreements`, with part; "whole" is the whole façade.
+    collapse : DataFrame
+        run, part (or none: the whole), model, record, direction, pga_median_g.
+
+    Returns
+    -------
+    DataFrame
+        A row a façade and model, and one of all façades ("all"): how many a_g were checked; at how
+        many the whole passes and the part does not, by hand (FC 1.35) and dynamically; at how many
+        the part's two checks differ, and which way; curves, median of half collapse of the part
+        over that of the whole, share of curves in which the part falls first. Curves in which
+        either never fell are left out of the median.
+    """
+    collapse = collapse.fillna({"part": "whole"})
+    found = levels[levels["part"] != "whole"]
+    both = found.merge(
+        levels[levels["part"] == "whole"], on=["run", "model", "ag_g"], suffixes=("", "_whole")
+    )
+    keys = ["run", "model", *KEYS]
+    own = collapse[collapse["part"] != "whole"]
+    curves = own.merge(collapse[collapse["part"] == "whole"], on=keys, suffixes=("", "_whole"))
+    curves["ratio"] = curves["pga_median_g"] / curves["pga_median_g_whole"]
+    curves["first"] = curves["pga_median_g"] < curves["pga_median_g_whole"].fillna(np.inf)
+    rows = []
+    for model in both["model"].unique():
+        for run in [*both.loc[both["model"] == model, "run"].unique(), "all"]:
+            mine = [
+                t[(t["model"] == model) & ((t["run"] == run) | (run == "all"))]
+                for t in (both, curves)
+            ]
+            at, of = mine
+            passes, holds = at["kinematic_fc"] == 1, at["dynamic"] == 1
+            rows.append(
+                {
+                    "run": run,
+                    "model": model,
+                    "part": at["part"].iloc[0] if run != "all" else "",
+                    "levels": len(at),
+                    "whole_alone_passes_by_hand": int(
+                        ((at["kinematic_fc_whole"] == 1) & ~passes).sum()
+                    ),
+                    "whole_alone_passes_dynamic": int(((at["dynamic_whole"] == 1) & ~holds).sum()),
+                    "kinematic_alone_passes": int((passes & ~holds).sum()),
+                    "dynamic_alone_passes": int((~passes & holds).sum()),
+                    "curves": len(of),
+                    "ratio_p10": of["ratio"].quantile(0.1),
+                    "ratio_median": of["ratio"].median(),
+                    "ratio_p90": of["ratio"].quantile(0.9),
+                    "part_first": of["first"].mean(),
+                }
+            )
+    return pd.DataFrame(rows)

@@ -13,6 +13,24 @@ CONFIDENCE = 0.95
 CURVES = ["model", "pga_g", "probability", "band_low", "band_high"]
 
 
+def weakest(table):
+    """Of several mechanisms' collapse PGAs the least under each motion, with all their histories.
+
+    Parameters
+    ----------
+    table : DataFrame
+        Rows as of `answer`, with part and direction; NaN where nothing fell.
+
+    Returns
+    -------
+    DataFrame
+        A row a motion and direction.
+    """
+    own = table.groupby(["model", "record", "direction"], sort=False)
+    least = own[["record_pga_g", "pga_p10_g", "pga_median_g", "pga_max_g"]].min()
+    return least.assign(runs_planar=own["runs_planar"].sum()).reset_index()
+
+
 def answer(table, stations, demand_g, hazard, resamples, seed):
     """What the collapse PGAs of one model say at the demand.
 

@@ -1,9 +1,21 @@
-"""The mechanisms that a façade can fall by, over its real shape, and the least of them.
+"""The mechanisms that a façade can fall by, over its real shape: they follow from what holds where.
 
-Whole façade about its base; parts above every floor, sill, head, step and the foot of a gable;
-vertical bending between levels that hold; the corners. Loads of floors move with the part that they
-bear on. What holds are ties and anchors; the friction of floors is left out, since nobody has
-verified that it lasts until collapse.
+A crack may open at any height, and what stands above it turns. Its multiplier is smooth in that
+height except where the masonry changes (thickness, width, what the return walls hold) or where a
+hold or a load is passed; with one hold above, on a uniform wall, it has no minimum between two such
+heights, so each of them is a *foot* (`Family.feet`). They are read off the masonry's edges, the
+holds and the loads, and not off lists of kinds: what is added to a façade and holds it, loads it or
+changes it brings its foot along.
+
+Above a foot the virtual work is linear in the rates at which the blocks turn. Its least ratio then
+lies where nothing above the foot is kept in place (*overturning*), or where one level that holds
+is (*vertical bending* between foot and level, open at the height of the least multiplier). Holds
+that are passed over pull with their capacity. So every pair of levels that hold, the base first,
+has its bending (`Family.spans`), neighbours or not: a tie between them may be the weak one.
+
+Beside these plane mechanisms stand the corners. Loads of floors move with the part that they bear
+on. What holds are ties and anchors; the friction of floors is left out, since nobody has verified
+that it lasts until collapse.
 """
 
 import itertools
@@ -12,18 +24,20 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocking.assessment.blocks import bending, interlocking, toppling
+from rocking.assessment.blocks import Held, bending, interlocking, toppling
 from rocking.assessment.checks import CANTILEVER, initial_period
 from rocking.assessment.masonry import Masonry
 from rocking.assessment.mechanism import WHOLE, Mechanism
 from yade_scripts.model.floors import place_of
-from yade_scripts.model.holds import rod
+from yade_scripts.model.holds import FRICTION, holds
 
-ADDED_REACH_M = 0.2  # elongation of a rod of 4 m that snaps at 5 %; of an anchor, unknown
+ADDED_REACH_M = 0.2  # of one more row: elongation of a rod of 4 m that snaps at 5 %
 HINGES = 19  # heights at which a span may open
 FEET = 10  # heights from which a part may part with interlocked return walls
 CRACKED = 0.5  # of the modulus, in T0
 LEAST_PART_M = 0.3  # lower parts are no mechanism of a façade
+NEAR_M = 1e-6
+LAST = ("joint of courses", "change")  # said where nothing else is at that height
 
 
 def stretched(section, factor):
@@ -55,6 +69,10 @@ class Candidate(NamedTuple):
         Its hinge is on the ground.
     t0_s : float
         Period before the onset, of an element free to vibrate; else 0.
+    hinge_m, held_m : float or None
+        Of vertical bending: where it opens, and the level that stays in place.
+    plane : bool
+        It turns over the whole width, as the dynamic models do.
     """
 
     name: str
@@ -63,34 +81,38 @@ class Candidate(NamedTuple):
     place: float
     on_ground: bool
     t0_s: float = 0.0
+    hinge_m: float | None = None
+    held_m: float | None = None
+    plane: bool = True
+
+    @property
+    def whole(self):
+        """Whether it is the whole façade about its base."""
+        return self.plane and self.foot_m == 0.0 and self.held_m is None
 
 
-def ties_of(section, added_n=0.0):
-    """Rows of ties and anchors of section facade as pulls, rigid up to their capacity.
+def pulls_of(section, added_n=0.0):
+    """What holds section facade as pulls, rigid up to their capacity (`holds`), and one more row.
 
     Parameters
     ----------
     section : dict
-        Section facade; each row pulls with what `rod` gives until its elongation, each anchored
-        floor with its anchors until 0.2 m.
+        Section facade.
     added_n : float
-        Capacity of one more row at the height of the highest, at the top where there is none.
+        Capacity of one more row, at the top of what the return walls hold.
 
     Returns
     -------
-    list of (force_n, height_m, reach_m, fades)
+    list of Held
     """
-    rows, pulls = section["ties"], []
-    for row in rows:
-        _, capacity, elongation = rod(row)
-        pulls.append((capacity, row["height_m"], elongation + 1e-3 * row["slack_mm"], False))
-    for row in section.get("floors", ()):
-        if row["anchor_kn"] > 0.0:
-            pulls.append((1e3 * row["anchor_kn"], row["height_m"], ADDED_REACH_M, False))
+    found = [
+        Held(one.capacity_n, one.height_m, one.reach_m, False, one.slack_m)
+        for one in holds(section)
+        if one.kind != FRICTION
+    ]
     if added_n > 0.0:
-        height = max((row["height_m"] for row in rows), default=section["height_m"])
-        pulls.append((added_n, height, ADDED_REACH_M, False))
-    return pulls
+        found.append(Held(added_n, section["height_m"], ADDED_REACH_M))
+    return found
 
 
 class Family:
@@ -101,7 +123,7 @@ class Family:
     sections : mapping
         Sections facade, return_wall and assessment of a configuration.
     added_n : float
-        See `ties_of`.
+        See `pulls_of`.
     """
 
     def __init__(self, sections, added_n=0.0):
@@ -118,7 +140,7 @@ class Family:
                 f"assessment.hinge_inset_m = {inset:g}: expected 0 to half of "
                 f"facade.thickness_m = {section['thickness_m']:g} (m)"
             )
-        self.pulls = ties_of(section, added_n)
+        self.pulls = pulls_of(section, added_n)
         self.loads = self._loads()
         self.pushes = [(1e3 * settings["pushing_kn"], self.height_m)]
 
@@ -149,14 +171,14 @@ class Family:
         """Overturning of what lies above a height."""
         m, inset = self.masonry, self.settings["hinge_inset_m"]
         hinge = (self._edge(foot_m, inset), foot_m)
-        pulls = [p for p in self.pulls if p[1] > foot_m + 1e-6]
-        if self.settings["interlocking_course_m"] and foot_m < self.height_m - 1e-6:
+        pulls = [p for p in self.pulls if p.height_m > foot_m + NEAR_M]
+        if self.settings["interlocking_course_m"] and foot_m < self.height_m - NEAR_M:
             pulls.append(self._interlocked(foot_m))
-        loads = [row for row in self.loads if row[2] >= foot_m + (1e-6 if foot_m else 0.0)]
-        pushes = [row for row in self.pushes if row[1] > foot_m + 1e-6]
+        loads = [row for row in self.loads if row[2] >= foot_m + (NEAR_M if foot_m else 0.0)]
+        pushes = [row for row in self.pushes if row[1] > foot_m + NEAR_M]
         masses = m.masses(foot_m, m.top_m)
         found = toppling(name, masses, hinge, (hinge[0], m.top_m), loads, pulls, pushes)
-        free = foot_m >= self.height_m - 1e-6  # above all that the return walls hold
+        free = foot_m >= self.height_m - NEAR_M  # above all that the return walls hold
         stated = self.settings["height_ratio"]
         place = self._place(foot_m, max(self.height_m, foot_m))
         if foot_m == 0.0 and stated is not None:
@@ -171,7 +193,7 @@ class Family:
 
     def _interlocked(self, foot_m):
         own, wall = self.settings, self.wall
-        force, height, reach, fades = interlocking(
+        held = interlocking(
             self.height_m - foot_m,
             own["interlocking_course_m"],
             wall["thickness_m"],
@@ -180,26 +202,36 @@ class Family:
             self.masonry.unit_weight,
             wall["count"],
         )
-        return force, foot_m + height, reach, fades
+        return held._replace(height_m=foot_m + held.height_m)
 
-    def cuts(self):
-        """Heights above which a part may turn, and what is there."""
-        found = {0.0: WHOLE}
-        names = []
-        if self.masonry.top_m > self.height_m:
-            above = "foot of the gable" if self.masonry.gable_m > 1e-9 else "foot of the parapet"
-            names.append((self.height_m, above))
-        names += [(row["height_m"], "floor") for row in self.section.get("floors", ())]
-        names += [(z0, "sill of an opening") for *_, z0, _ in self.masonry.shape.openings]
-        names += [(z1, "head of an opening") for *_, z1 in self.masonry.shape.openings]
-        names += [(s[0], "change of thickness") for s in self.masonry.shape.storeys[1:]]
+    def changes(self):
+        """Heights at which masonry, holds or loads change, and what is there: (z_m, words)."""
+        m, floors = self.masonry, self.section.get("floors", ())
+        known = {
+            self.height_m: "foot of the gable" if m.gable_m > NEAR_M else "foot of the parapet"
+        }
+        rows = [*known.items()] if m.top_m > self.height_m else []
+        rows += [(row["height_m"], "tie") for row in self.section.get("ties", ())]
+        rows += [(row["height_m"], "floor") for row in floors]
+        rows += [(z0, "sill of an opening") for *_, z0, _ in m.shape.openings]
+        rows += [(z1, "head of an opening") for *_, z1 in m.shape.openings]
+        rows += [(s[0], "change of thickness") for s in m.shape.storeys[1:]]
+        every = [*m.edges_m, *(p.height_m for p in self.pulls), *(row[2] for row in self.loads)]
+        rows += [(z, "change") for z in every]  # whatever it is that has no word above
         if self.settings["interlocking_course_m"]:
-            names += [(self.height_m * k / FEET, "joint of courses") for k in range(1, FEET)]
-        for z, what in names:
-            key = round(float(z), 6)
-            if LEAST_PART_M <= key <= self.masonry.top_m - LEAST_PART_M and key not in found:
-                found[key] = f"part above {key:.2f} m ({what})"
-        return dict(sorted(found.items()))
+            rows += [(self.height_m * k / FEET, "joint of courses") for k in range(1, FEET)]
+        found: dict[float, list] = {}
+        for z, word in rows:
+            words = found.setdefault(round(float(z), 6), [])
+            if word not in words and not (words and word in LAST):
+                words.append(word)
+        return sorted((z, " and ".join(words)) for z, words in found.items())
+
+    def feet(self):
+        """Heights above which a part may turn, and the mechanism's name."""
+        last = self.masonry.top_m - LEAST_PART_M
+        found = {z: f"part above {z:.2f} m ({words})" for z, words in self.changes()}
+        return {0.0: WHOLE} | {z: name for z, name in found.items() if LEAST_PART_M <= z <= last}
 
     def levels(self):
         """Heights at which anchored floors or ties hold the façade, the base first.
@@ -207,28 +239,52 @@ class Family:
         A floor that holds by its friction alone is left out, as in all mechanisms. Of those nearer
         than `LEAST_PART_M`, as ties below a floor, the lowest.
         """
-        held = [r["height_m"] for r in self.section.get("floors", ()) if r.get("anchor_kn")]
-        held += [row["height_m"] for row in self.section["ties"]]
         found = [0.0]
-        for z in sorted(round(float(z), 6) for z in held):
+        for z in sorted({round(float(p.height_m), 6) for p in self.pulls if p.force_n > 0.0}):
             if z >= found[-1] + LEAST_PART_M:
                 found.append(z)
         return found
 
-    def bends(self, low_m, high_m):
-        """Whether the wall between two levels may bend: higher than thick, and it does not lock."""
-        back, front = self.masonry.faces(low_m)
-        return high_m - low_m > front - back and self.span(low_m, high_m).mechanism.falls()
+    def spans(self):
+        """Vertical bending between every two levels that hold, of each the least multiplier.
 
-    def span(self, low_m, high_m):
-        """Vertical bending between two levels, opening where the multiplier is least."""
+        Its foot is the lower level, or a change of the façade between that and the next level.
+        """
+        levels, feet = self.levels(), self.feet()
+        found = []
+        for k, low in enumerate(levels[:-1]):
+            own = [low, *(z for z in feet if low < z < levels[k + 1])]
+            for high in levels[k + 1 :]:
+                bent = [self.span(z, high) for z in own if self._slender(z, high)]
+                bent.sort(key=lambda one: one.mechanism.multiplier())
+                falls = (one for one in bent if one.mechanism.falls())
+                found += itertools.islice(falls, 1)
+        return found
+
+    def _slender(self, low_m, high_m):
+        """Whether the wall between two heights is higher than thick; else it does not bend."""
+        back, front = self.masonry.faces(low_m)
+        return high_m - low_m > front - back
+
+    def held_top(self):
+        """Bending below a held top, where nothing holds it and it would fall so; else None."""
+        low, high = self.levels()[-1], self.height_m
+        if not self._slender(low, high):
+            return None
+        found = self.span(low, high)
+        return found if found.mechanism.falls() else None
+
+    def span(self, foot_m, high_m):
+        """Vertical bending between two heights, opening where the multiplier is least."""
         shares = np.arange(1, HINGES + 1) / (HINGES + 1.0)
-        heights = low_m + shares * (high_m - low_m)
-        found = [(self.bent(low_m, float(z), high_m), float(z)) for z in heights]
+        heights = {*(foot_m + shares * (high_m - foot_m)).tolist()}
+        heights |= {z for z, _ in self.changes() if foot_m + NEAR_M < z < high_m - NEAR_M}
+        found = [(self.bent(foot_m, z, high_m), z) for z in sorted(heights)]
         mechanism, hinge = min(found, key=lambda item: item[0].multiplier())
-        name = f"vertical bending from {low_m:.2f} to {high_m:.2f} m, open at {hinge:.2f} m"
-        place = self._place(low_m, high_m)
-        return Candidate(name, mechanism, low_m, place, self.base_m + low_m <= 0.0)
+        name = f"vertical bending from {foot_m:.2f} to {high_m:.2f} m, open at {hinge:.2f} m"
+        place = self._place(foot_m, high_m)
+        on_ground = self.base_m + foot_m <= 0.0
+        return Candidate(name, mechanism, foot_m, place, on_ground, hinge_m=hinge, held_m=high_m)
 
     def bent(self, low_m, hinge_m, high_m):
         """Two blocks between two levels that hold, all above bearing on them."""
@@ -236,9 +292,9 @@ class Family:
         back = max(m.faces(hinge_m)[0], m.faces(hinge_m, above=False)[0])
         joint = (back + inset, hinge_m)
         outer = m.faces(high_m, above=False)[1]
-        between = [row for row in self.loads if low_m < row[2] < high_m - 1e-6]
-        above = [row for row in self.loads if row[2] >= high_m - 1e-6]
-        if high_m < m.top_m - 1e-6:
+        between = [row for row in self.loads if low_m < row[2] < high_m - NEAR_M]
+        above = [row for row in self.loads if row[2] >= high_m - NEAR_M]
+        if high_m < m.top_m - NEAR_M:
             above += m.masses(high_m, m.top_m)
         return bending(
             "vertical bending",
@@ -249,6 +305,7 @@ class Family:
             (outer, high_m),
             between,
             above,
+            [p for p in self.pulls if low_m + NEAR_M < p.height_m < high_m - NEAR_M],
         )
 
     def corner(self, side):
@@ -276,7 +333,7 @@ class Family:
         mechanism, foot = min(found, key=lambda item: item[0].multiplier())
         name = f"{'left' if side < 0 else 'right'} corner above {foot:.2f} m"
         place = self._place(foot, self.height_m)
-        return Candidate(name, mechanism, foot, place, self.base_m + foot <= 0.0)
+        return Candidate(name, mechanism, foot, place, self.base_m + foot <= 0.0, plane=False)
 
     def _return_wedge(self, foot_m, tangent, depth_m, root):
         """Its part of the return wall, behind the façade's thickness."""
@@ -297,9 +354,8 @@ class Family:
         list of Candidate
             Those that stand at rest; what falls by its own weight raises a ValueError.
         """
-        found = [self.part(z, name) for z, name in self.cuts().items()]
-        spans = itertools.pairwise(self.levels())
-        found += [self.span(low, high) for low, high in spans if self.bends(low, high)]
+        found = [self.part(z, name) for z, name in self.feet().items()]
+        found += self.spans()
         if self.wall["count"] > 0:
             found += [self.corner(side) for side in (-1, 1)]
         for one in found:

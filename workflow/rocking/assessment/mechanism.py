@@ -24,6 +24,8 @@ from rocking.mechanics.closed_forms import GRAVITY_M_S2
 WHOLE = "whole façade about its base"  # its name: what the dynamic models turn by
 TINY = 1e-30  # complex step
 COURSES = 400  # points at which a capacity curve is searched for its zero
+AT_END = 1e-9  # of a pull's reach: what rounding may add where it is evaluated at its end
+BESIDE = 1e-6  # of a rotation: past a drop
 
 
 class Weight(NamedTuple):
@@ -42,15 +44,18 @@ class Pull(NamedTuple):
     path : callable
         θ → (y, z) of its point [m].
     reach_m : float
-        Outward displacement of the point at which it is gone.
+        Outward displacement of the point up to which, itself included, it pulls.
     fades : bool
         It falls linearly to zero there; otherwise it holds until there.
+    slack_m : float
+        Outward displacement from which on it pulls.
     """
 
     force_n: float
     path: Callable
     reach_m: float = math.inf
     fades: bool = False
+    slack_m: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -86,18 +91,37 @@ class Mechanism:
     @staticmethod
     def _pull(pull, theta):
         gone = pull.path(theta)[0].real - pull.path(0.0)[0].real
-        if gone >= pull.reach_m:
+        if not pull.slack_m <= gone <= pull.reach_m * (1.0 + AT_END):
             return 0.0
-        left = 1.0 - gone / pull.reach_m if pull.fades else 1.0
+        left = max(1.0 - gone / pull.reach_m, 0.0) if pull.fades else 1.0
         return left * pull.force_n * _rate(pull.path, theta)[0]
 
     def displacement(self, theta_rad):
         """d_C of the control point [m]."""
         return float(self.control(theta_rad)[0].real - self.control(0.0)[0].real)
 
+    def _turned(self, pull, gone_m):
+        """Rotation at which a pull's point has moved so far [rad]; None where it never does."""
+        start = pull.path(0.0)[0].real
+
+        def left(t):
+            return pull.path(t)[0].real - start - gone_m
+
+        return (
+            brentq(left, 0.0, self.largest_rad, xtol=1e-14) if left(self.largest_rad) > 0 else None
+        )
+
     def _course(self):
-        grid = np.linspace(0.0, self.largest_rad, COURSES + 1)
-        return grid, np.array([self.multiplier(t) for t in grid])
+        """Rotations over the whole kinematics, either side of where a pull begins or ends; α."""
+        if "course" not in self._known:
+            grid = set(np.linspace(0.0, self.largest_rad, COURSES + 1).tolist())
+            for pull in self.pulls:
+                for gone in (pull.slack_m, pull.reach_m):
+                    if 0.0 < gone < math.inf and (turned := self._turned(pull, gone)) is not None:
+                        grid |= {turned, turned * (1.0 + BESIDE)}
+            found = np.array(sorted(grid))
+            self._known["course"] = found, np.array([self.multiplier(t) for t in found])
+        return self._known["course"]
 
     def falls(self):
         """Whether α vanishes at some rotation; squat blocks between held levels lock instead."""
@@ -138,7 +162,8 @@ class Mechanism:
 
         The least of a share of d0 and of the displacement at which a pull ends and takes more than
         half of the largest multiplier with it (Circolare 7/2019, C8.7.1.2.1.6, for the SLV). What
-        ends before d0 has no part in d0, which is of the curve that is left.
+        ends before d0 has no part in d0, which is of the curve that is left. A pull holds up to its
+        end, itself included, so α there is that of the curve before the drop.
 
         Returns
         -------
@@ -147,20 +172,15 @@ class Mechanism:
             Whether it is a pull's end.
         """
         theta0, d0 = self.ultimate()
-        found, largest = share * d0, self.multiplier()
-        broken = False
+        found, broken = share * d0, False
+        largest = max(self._course()[1][self._course()[0] <= theta0])
         for pull in self.pulls:
             if not math.isfinite(pull.reach_m) or pull.fades:
                 continue
-            start = pull.path(0.0)[0].real
-
-            def left(t, pull=pull, start=start):
-                return pull.path(t)[0].real - start - pull.reach_m
-
-            if left(theta0) <= 0.0:
+            end = self._turned(pull, pull.reach_m)
+            if end is None or end >= theta0:
                 continue
-            end = brentq(left, 0.0, theta0, xtol=1e-14)
-            drop = self.multiplier(end * (1.0 - 1e-9)) - self.multiplier(end * (1.0 + 1e-9))
+            drop = self.multiplier(end) - self.multiplier(end * (1.0 + BESIDE))
             if drop > 0.5 * largest and self.displacement(end) < found:
                 found, broken = self.displacement(end), True
         return found, broken

@@ -55,10 +55,49 @@ def kinematic(checks, mechanisms):
     )
 
 
-def dynamic_check(verdicts, fit):
-    """The second sentence: the code's own dynamic check."""
+def deciding(verdicts):
+    """Of the mechanisms of each model the one that decides, a row a model.
+
+    Those that are not fulfilled before those that are, then by the mean over d_SLV.
+    """
+    if "part" not in verdicts:  # of the whole façade alone
+        return verdicts
+    over = verdicts["mean_d_m"] / verdicts["d_slv_m"]
+    order = verdicts.assign(over=over).sort_values(["slv", "over"], ascending=[True, False])
+    first = order.drop_duplicates("model").set_index("model")
+    return first.loc[verdicts["model"].unique()].reset_index()
+
+
+def by_hand_alone(shaken):
+    """End of a sentence: which mechanisms were not shaken; nothing where there are none."""
+    left = shaken[shaken["shaken"] == 0]
+    if left.empty:
+        return ""
+    far = left["why_not"].str.contains("beyond")
+    said = left.loc[~far, "mechanism"].tolist()
+    if far.any():
+        said.append(f"{far.sum()} that by hand fail far later")
+    return f" Not shaken, judged by hand alone: {_models(said)}."
+
+
+def dynamic_check(verdicts, fit, shaken=None):
+    """The second sentence: the code's own dynamic check.
+
+    Parameters
+    ----------
+    verdicts : DataFrame
+        Of every model and mechanism, see `dynamic_check.verdict`.
+    fit : tuple or None
+        See `selection.fit_of`.
+    shaken : DataFrame or None
+        See `shaken.chosen`; None: the whole façade alone.
+    """
     if verdicts.empty:
         return "The code's dynamic check was not made: too few motions of different stations."
+    count = 1 if shaken is None else int(shaken["shaken"].sum())
+    names = {} if shaken is None else dict(zip(shaken["part"], shaken["mechanism"], strict=True))
+    left = "" if shaken is None else by_hand_alone(shaken)
+    verdicts = deciding(verdicts)
     held = [r.model for r in verdicts.itertuples() if r.slv]
     lost = [r.model for r in verdicts.itertuples() if not r.slv]
     row = verdicts.iloc[0]
@@ -70,9 +109,11 @@ def dynamic_check(verdicts, fit):
         + (f" ({r.exceed_d0:.0f} beyond d0)" if r.exceed_d0 else "")
         for r in verdicts.itertuples()
     )
-    limit = f"d_SLV there is {1e3 * row['d_slv_m']:.3g} mm"
-    if gives_way(row):
-        limit += ", where a tie or an anchor gives way"
+    limits = []
+    for _, own in verdicts.drop_duplicates("part" if count > 1 else "d_slv_m").iterrows():
+        where = f" of the {names[own['part']]}" if count > 1 else " there"
+        limit = f"d_SLV{where} is {1e3 * own['d_slv_m']:.3g} mm"
+        limits.append(limit + ", where a tie or an anchor gives way" * bool(gives_way(own)))
     if not lost:
         verdict = "is fulfilled for every model"
     elif not held:
@@ -80,15 +121,17 @@ def dynamic_check(verdicts, fit):
     else:
         verdict = f"is fulfilled for {_models(held)} and not for {_models(lost)}"
     unsure = [r.model for r in verdicts.itertuples() if r.agree < 0.95]
-    words = f"The code's dynamic check of the whole façade (C8.7.1.2.1.9) {verdict}, {about}: "
-    words += f"mean displacements of the top are {said}; {limit}"
+    of = "the whole façade" if count == 1 else f"{count} mechanisms"
+    top = "the top" if count == 1 else "the top of the worst of them"
+    words = f"The code's dynamic check of {of} (C8.7.1.2.1.9) {verdict}, {about}: "
+    words += f"mean displacements of {top} are {said}; {'; '.join(limits)}"
     if unsure:
         words += f"; for {_models(unsure)} the verdict hangs on the numerics"
-    return words + "."
+    return words + "." + left
 
 
-def suite(dynamic):
-    """The third sentence: collapse under all motions of the run."""
+def suite(dynamic, several=False):
+    """The third sentence: collapse under all motions of the run, by the first of several parts."""
     stations = int(dynamic["stations"].max())
     if stations < FEWEST:
         said = "; ".join(
@@ -107,8 +150,9 @@ def suite(dynamic):
         for share, interval in [collapses(r, " %")]
     )
     return (
-        f"Shaken by {stations} stations' motions, each scaled to the demand's PGA, the whole "
-        f"façade falls with a probability of {said}; in brackets 95 % intervals."
+        f"Shaken by {stations} stations' motions, each scaled to the demand's PGA, "
+        f"{'a part of it or the whole' if several else 'the whole façade'} falls with a "
+        f"probability of {said}; in brackets 95 % intervals."
     )
 
 
@@ -132,8 +176,12 @@ def damage(sensitivity, mechanisms, demand_g):
     )
 
 
-def next_steps(checks, mechanisms, verdicts, *more):
-    """What is recommended next, a line each; `more`: lines of others, empty ones left out."""
+def next_steps(checks, mechanisms, verdicts, *more, shaken=None):
+    """What is recommended next, a line each; `more`: lines of others, empty ones left out.
+
+    `verdicts` and `shaken` as of `dynamic_check`.
+    """
+    verdicts = deciding(verdicts)
     stated = mechanisms[mechanisms["kind"] == "as stated"]
     demand = checks["pga_demand_g"].iloc[0]
     weak = stated[stated["pga_fails_g"] < demand].sort_values("pga_fails_g")
@@ -169,10 +217,11 @@ def next_steps(checks, mechanisms, verdicts, *more):
             "rest on the kinematic check alone; tie the façade or find what the building's motion "
             "really is."
         )
-    if lost and gives_way(verdicts.iloc[0]):
+    yields = [row["d_slv_m"] for _, row in verdicts.iterrows() if lost and gives_way(row)]
+    if yields:
         lines.append(
             "Anchors stronger than their rods let the rods yield: now a tie or an anchor gives way "
-            f"at {1e3 * verdicts['d_slv_m'].iloc[0]:.3g} mm, the d_SLV of the dynamic check."
+            f"at {1e3 * min(yields):.3g} mm, the d_SLV of the dynamic check."
         )
     if verdicts.empty:
         lines.append(
@@ -184,10 +233,11 @@ def next_steps(checks, mechanisms, verdicts, *more):
             "Run the dynamic check with more motions: its verdict hangs on single histories."
         )
     least = stated.sort_values("pga_fails_g").iloc[0]
-    if least["mechanism"] != WHOLE:
+    done = {WHOLE} if shaken is None else {*shaken.loc[shaken["shaken"] == 1, "mechanism"]}
+    if least["mechanism"] not in done:
         lines.append(
-            "The dynamic models turn the whole façade; the weakest mechanism, "
-            f"{least['mechanism']}, is judged by the kinematic checks alone."
+            f"The weakest mechanism, {least['mechanism']}, was not shaken: it is judged by the "
+            "kinematic checks alone."
         )
     lines += [line for line in more if line]
     if not lines:

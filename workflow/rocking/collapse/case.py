@@ -16,7 +16,7 @@ from typing import Any
 import yaml
 
 from rocking.accuracy.fidelity import choose, read_fidelity
-from rocking.calibration.beta import LAW_FILE, beta_for
+from rocking.calibration.beta import LAW_FILE, beta_and_range, beta_for
 from rocking.configuration import config as configuration
 from rocking.configuration import schema
 from rocking.configuration.facade import WEAKEST, check_facade
@@ -24,10 +24,11 @@ from rocking.configuration.files import check_files
 from rocking.records.reader import nearest
 from yade_scripts.files import read_json
 from yade_scripts.model import registry
+from yade_scripts.model.part import part_of
 
 FIDELITY_FILE = LAW_FILE.with_name("fidelity.yaml")
 OF_THE_FACADE = {"facade", "return_wall", "w3", "model"}  # what makes it possible or not
-SECTIONS = ("facade", "return_wall", "damping", "smdof", "numerics", "ida", "ensemble")
+SECTIONS = ("facade", "part", "return_wall", "damping", "smdof", "numerics", "ida", "ensemble")
 
 
 @dataclass(frozen=True)
@@ -121,7 +122,7 @@ class Case:
         Parameters
         ----------
         sections : dict
-            SECTIONS, and w3 for a model of bricks.
+            SECTIONS, and w3 for a model of bricks. Of a `part` the case is that part's alone.
         model : str
         mass_kg : float or None
             Of the building behind the façade, where it was found elsewhere.
@@ -138,9 +139,10 @@ class Case:
             from rocking.assessment.code_checks import weakest_hinge  # slow to load, rarely needed
 
             scene["facade"]["hinges_m"] = [weakest_hinge(scene["facade"])]
+        part = scene.pop("part", None) or {}
         scene["beta_s"] = beta_for(scene, law)
         scene["numerics"], _ = choose(scene, model, read_fidelity(fidelity))
-        return cls(scene)
+        return cls(scene).part(**part, law=law) if part else cls(scene)
 
     def __repr__(self):
         """Return one line: model, façade, building, β."""
@@ -218,6 +220,43 @@ class Case:
             configuration.check_limits(scene)
             if changed & OF_THE_FACADE:
                 check_facade({**scene, "models": [scene["model"]]})
+        return Case(scene)
+
+    def part(self, foot_m, held_m=None, hinge_m=None, law=LAW_FILE):
+        """Return the case of a part of the façade, as a mechanism takes it, on the building.
+
+        What lies above the foot overturns; with `held_m` it bends below that level and opens at
+        `hinge_m`. See `yade_scripts.model.part`. β is that of the part's own dimensions by the law
+        of `damping.law`; a part without return walls, which has none, keeps the façade's.
+
+        Parameters
+        ----------
+        foot_m, held_m, hinge_m : float
+            Heights above the façade's base.
+        law : path
+            See `chosen`.
+
+        Raises
+        ------
+        ValueError
+            In one line, for heights that the façade has not, or a part that the configuration would
+            refuse as a façade: too stocky to rock, or one that does not stand.
+
+        Examples
+        --------
+        >>> from rocking import Case
+        >>> case = Case.configured("W2", {"facade.ties": [{"height_m": 3.0}]})
+        >>> above = case.part(3.0)
+        >>> above["facade"]["height_m"], above["facade"]["base_height_m"], above["facade"]["ties"]
+        (3.48, 3.0, [])
+        """
+        section = part_of(self["facade"], foot_m, held_m, hinge_m)
+        if section == self["facade"]:
+            return self
+        scene = copy.deepcopy({**self.scene, "facade": section})
+        check_facade({**scene, "models": [self.model]})
+        if scene["damping"]["law"] != "value" and section["sides"] == "one":
+            scene["beta_s"], _ = beta_and_range(scene, law)  # its range is said of the façade
         return Case(scene)
 
     def calibrated(self, law=LAW_FILE):

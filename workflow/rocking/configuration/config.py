@@ -17,6 +17,7 @@ from rocking.configuration.facade import check_facade
 from rocking.configuration.files import check_files, write_resolved
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show
 from rocking.configuration.words import Settings
+from yade_scripts.model.part import part_of
 
 __all__ = [
     "ConfigError",
@@ -83,6 +84,7 @@ def check(resolved: Mapping) -> None:
     """
     check_limits(resolved)
     check_facade(resolved)
+    _check_part(resolved)
     law = resolved["damping"]["law"]
     if resolved["facade"]["sides"] == "two" and law != "value":
         raise ConfigError(
@@ -94,6 +96,21 @@ def check(resolved: Mapping) -> None:
         raise ConfigError(
             f"ensemble.percentiles = {show([low, high])}: expected one below and one above 50 (%)"
         )
+
+
+def _check_part(resolved: Mapping) -> None:
+    """Refuse a part that the façade has not, or that is no façade of its own."""
+    try:
+        facade = part_of(resolved["facade"], **resolved["part"])
+    except ValueError as error:
+        raise ConfigError(str(error)) from None
+    if facade != resolved["facade"]:
+        try:
+            check_facade({**resolved, "facade": facade})
+        except ConfigError as error:
+            raise ConfigError(
+                f"part of the façade from {resolved['part']['foot_m']:g} m: {error}"
+            ) from None
 
 
 def check_limits(resolved: Mapping) -> None:

@@ -2,7 +2,8 @@
 
 import json
 
-from rocking.assessment import code_tables, site
+from rocking import Case
+from rocking.assessment import code_tables, shaken, site
 from rocking.assessment.code_checks import governing
 from rocking.assessment.family import Family
 from rocking.records import load_as
@@ -25,6 +26,9 @@ def main(job):
     write_table(code_tables.sensitivity(settings, demand, place), out.sensitivity)
     write_table(code_tables.mechanisms(settings, demand, ranked, place), out.mechanisms)
     write_table(code_tables.spectra(records, settings, demand, least.place), out.spectra)
+    within = settings["assessment"]["shaken_within"]
+    parts = shaken.chosen(ranked, [Case.read(path) for path in job.input.scenes], within)
+    write_table(parts, out.shaken, digits=None)  # heights to the digit
 
 
 run(main, globals())

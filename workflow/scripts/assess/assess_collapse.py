@@ -1,9 +1,14 @@
-"""PGA of 10 and 50 % collapse of one model under every motion of the run, by the planar solver."""
+"""PGA of 10 and 50 % collapse of one model under every motion of the run, by the planar solver.
+
+Of the whole façade; with a table of mechanisms, of the parts that are shaken instead.
+"""
 
 import json
 from functools import partial
 
+import pandas as pd
 from rocking import Case, Motion, Variant
+from rocking.assessment.shaken import WHOLE_PART, cases
 from rocking.collapse.quick import crossings
 from rocking.collapse.varied import collapses
 from rocking.records import load_as, measures
@@ -16,14 +21,20 @@ COLUMNS += ["pga_max_g", "runs_planar"]
 
 def main(job):
     case, settings = Case.read(job.input.scene), json.loads(job.params.settings)
+    known, columns = [(WHOLE_PART, case)], COLUMNS
+    if shaken := getattr(job.input, "shaken", None):
+        table, columns = pd.read_csv(shaken), ["part", *COLUMNS]
+        known = [(row.part, own) for row, own in cases(case, table, whole=False)]
     most = settings["ida.max_pga_g"]
     find = partial(crossings, settings={"max_pga_g": most})
     rows = []
     for name in job.params.records:
         motion = Motion(load_as(settings, name, job.params.table))
-        about = {"record_pga_g": measures(motion.record)["pga_g"], "pga_max_g": most}
-        rows += collapses([case], motion, settings["directions"], find, [Variant(about=about)])
-    write_table(rows, job.output[0], COLUMNS)
+        given = {"record_pga_g": measures(motion.record)["pga_g"], "pga_max_g": most}
+        for part, own in known:
+            about = Variant(about={"part": part, **given})
+            rows += collapses([own], motion, settings["directions"], find, [about])
+    write_table(rows, job.output[0], columns)
 
 
 run(main, globals())

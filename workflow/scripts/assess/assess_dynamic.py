@@ -1,10 +1,15 @@
-"""The dynamic answer for one façade: fragility of each model with its bands, rate of collapse."""
+"""The dynamic answer for one façade: fragility of each model with its bands, rate of collapse.
+
+A motion fells the façade where it fells one of its mechanisms, so of those that were shaken the
+least PGA counts; each mechanism's own answer stands in a table beside.
+"""
 
 import pandas as pd
-from rocking.assessment.dynamic_answer import CURVES, answer
+from rocking.assessment.dynamic_answer import CURVES, answer, weakest
+from rocking.assessment.shaken import WHOLE_PART
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_tables, write_table
 
 
 def main(job):
@@ -14,10 +19,16 @@ def main(job):
         hazard = None
     demand_g = pd.read_csv(job.input.checks)["pga_demand_g"].iloc[0]
     given = (p.stations, demand_g, hazard, p.resamples, p.seed)
-    found = [answer(pd.read_csv(path), *given) for path in job.input.collapse]
+    whole = read_tables(job.input.collapse).assign(part=WHOLE_PART)
+    every = pd.concat([whole, read_tables(job.input.parts)], ignore_index=True)
+    found = [answer(weakest(rows), *given) for _, rows in every.groupby("model", sort=False)]
     write_table([row for row, _ in found], job.output.table)
     curves = [curve for _, curve in found if curve is not None]
     write_table(pd.concat(curves) if curves else [], job.output.curves, CURVES)
+    own = every.groupby(["part", "model"], sort=False)
+    write_table(
+        [{"part": part, **answer(rows, *given)[0]} for (part, _), rows in own], job.output.parts
+    )
 
 
 run(main, globals())

@@ -1,35 +1,49 @@
-"""Histories of one model under the motions of the code's dynamic check, and its verdict."""
+"""Histories of one model under the motions of the code's dynamic check, and its verdict.
+
+Of the whole façade; with a table of mechanisms, of the parts that are shaken instead.
+"""
 
 import json
 
 import pandas as pd
-from rocking.assessment.code_checks import mechanism_of
+from rocking import Case
 from rocking.assessment.dynamic_check import COLUMNS, histories, limits_of, verdict
+from rocking.assessment.family import Family
+from rocking.assessment.shaken import WHOLE_PART, cases, of_label
 from rocking.records import load_as
 from rocking.runtime.script import run
-from rocking.tables import read_json, write_table
+from rocking.tables import write_table
 
 
 def main(job):
-    scene = read_json(job.input.scene)
-    settings = json.loads(job.params.settings)
+    case, settings = Case.read(job.input.scene), json.loads(job.params.settings)
     motions = pd.read_csv(job.input.motions)
-    parts = []
-    for row in motions.itertuples():
-        record = load_as(settings, row.record, job.params.table)
-        for direction in settings["directions"]:
-            realisations = settings["assessment"]["dynamic_realisations"]
-            parts.append(histories(scene, record, direction, [row.pga_g], realisations))
-    if not parts:
-        write_table([], job.output.histories, COLUMNS)
-        write_table([], job.output.verdict, ["model"])
-        return
-    table = pd.concat(parts, ignore_index=True)
-    write_table(table, job.output.histories)
-    whole = mechanism_of({**scene, "assessment": settings["assessment"]})
-    found = verdict(table, limits_of(whole.mechanism), settings["seed"])
-    row = {"model": scene["model"], **found}
-    write_table([row], job.output.verdict)
+    parts = [(WHOLE_PART, case)]
+    if shaken := getattr(job.input, "shaken", None):
+        parts = [(row.part, own) for row, own in cases(case, pd.read_csv(shaken), whole=False)]
+    known = of_label(Family({**case.scene, "assessment": settings["assessment"]}))
+    records = {name: load_as(settings, name, job.params.table) for name in motions["record"]}
+    found, rows = [], []
+    for part, own in parts if len(motions) else ():
+        table = pd.concat(
+            [
+                histories(
+                    own.scene,
+                    records[row.record],
+                    direction,
+                    [row.pga_g],
+                    settings["assessment"]["dynamic_realisations"],
+                )
+                for row in motions.itertuples()
+                for direction in settings["directions"]
+            ],
+            ignore_index=True,
+        )
+        found.append(table.assign(part=part))
+        said = verdict(table, limits_of(known[part].mechanism), settings["seed"])
+        rows.append({"part": part, "model": case.model, **said})
+    write_table(pd.concat(found) if found else [], job.output.histories, ["part", *COLUMNS])
+    write_table(rows, job.output.verdict, None if rows else ["part", "model"])
 
 
 run(main, globals())

@@ -1,0 +1,85 @@
+"""Which mechanisms of a façade are shaken: each as a case of its own, under each model.
+
+The whole façade, the one that fails first by hand, and every other plane one that fails by hand
+within `assessment.shaken_within` times the least PGA. Corners do not turn over the whole width,
+and parts that are too stocky to rock slide first: they are judged by hand alone, and the reason is
+said. The whole façade, one mechanism above a cut, and a span of it are all cases (`Case.part`).
+"""
+
+import pandas as pd
+
+COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "pga_fails_g", "shaken", "why_not"]
+WHOLE_PART = "whole"
+CORNER = "turns about a corner, not over the whole width"
+
+
+def heights(one):
+    """Foot, held level and hinge of a `family.Candidate`, as `Case.part` takes them."""
+    return one.foot_m, one.held_m, one.hinge_m
+
+
+def of_label(family):
+    """Mechanisms of a façade by their `label`."""
+    return {label(one): one for one in family.all()}
+
+
+def label(one):
+    """Short name of a mechanism, of letters, digits, `_` and `.`; unique within a façade."""
+    if not one.plane:
+        return one.name.replace(" ", "_").replace("_above", "").replace("_m", "")
+    if one.whole:
+        return WHOLE_PART
+    foot = float(round(one.foot_m, 6))
+    return f"above_{foot}" if one.held_m is None else f"from_{foot}_to_{float(one.held_m)}"
+
+
+def chosen(ranked, tried, within):
+    """Which mechanisms are shaken, and why the others are not.
+
+    Parameters
+    ----------
+    ranked : list of (pga_g, Candidate, checks)
+        The least first, see `code_checks.governing`.
+    tried : sequence of Case
+        Of each model; a mechanism is shaken where it is a case of all of them.
+    within : float
+        Largest PGA by hand over the least.
+
+    Returns
+    -------
+    DataFrame
+        COLUMNS, in the order of `ranked`; `shaken` 1 or 0.
+    """
+    least, rows = ranked[0][0], []
+    for pga_g, one, _ in ranked:
+        why = "" if one.plane else CORNER
+        if not why and not one.whole and pga_g > within * least:
+            why = f"fails by hand beyond {within:g} times the least"
+        if not why:
+            try:
+                for case in tried:
+                    case.part(*heights(one))
+            except ValueError as error:
+                why = str(error).removeprefix("config: ")
+        rows.append((label(one), one.name, *heights(one), pga_g, int(not why), why))
+    return pd.DataFrame(rows, columns=COLUMNS)
+
+
+def cases(case, table, whole=True):
+    """Case of each mechanism that is shaken: (row, Case).
+
+    Parameters
+    ----------
+    case : Case
+        The façade's.
+    table : DataFrame
+        Of `chosen`.
+    whole : bool
+        The whole façade is among them.
+    """
+    for row in table[table["shaken"] == 1].itertuples():
+        if row.part != WHOLE_PART:
+            held = (None if pd.isna(v) else v for v in (row.held_m, row.hinge_m))
+            yield row, case.part(row.foot_m, *held)
+        elif whole:
+            yield row, case
