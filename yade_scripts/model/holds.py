@@ -77,11 +77,11 @@ def of_floor(row):
     Returns
     -------
     list of Hold
-        Friction first; without what holds nothing.
+        Friction first; without what holds nothing. No anchor is lost before it pulls F_a.
     """
     capacities = 1e3 * row["friction"] * row["load_kn"], 1e3 * row["anchor_kn"]
     stiffness, mass = 1e3 * row["stiffness_kn_m"], 1e3 * row["mass_t"]
-    reach, shares = row["anchor_reach_m"], (1.0, 1.0)
+    reach, shares = max(row["anchor_reach_m"], capacities[1] / stiffness), (1.0, 1.0)
     if mass:
         spring = mass * (2.0 * math.pi / row["period_s"]) ** 2
         stiffness = stiffness * spring / (stiffness + spring)

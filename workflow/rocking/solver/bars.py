@@ -261,7 +261,7 @@ def elements(bars, supports, blocks=1):
     def moving(j):
         return j if supports else -1
 
-    found = []
+    found: list[tuple] = []
     for i, arm in enumerate(bars.tie_arm_m):
         along = arm - bars.tie_end_m[i]
         along = along / np.linalg.norm(along)
