@@ -17,6 +17,7 @@ PACKAGES = {
 }
 
 STUDIES = "rocking.studies"  # modules that compute and draw
+MARKING, MARK = "rocking.runtime.drawing", "drawing"  # what only draws there
 
 
 def _file(dotted):
@@ -54,20 +55,60 @@ def _statements(node):
             yield from _statements(inner)
 
 
+def _marked(tree):
+    """Functions of a module that are marked as drawing; none where the mark may be another.
+
+    A mark counts that is the only one, and imported from `rocking.runtime.drawing`, which refuses
+    calls by what computes. What a function's head evaluates when it is read is part of computing.
+    """
+    bound = [
+        name
+        for node in ast.walk(tree)
+        for name in (
+            getattr(node, "name", None),
+            getattr(node, "asname", None),
+            getattr(node, "arg", None),
+            node.id if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load) else None,
+        )
+        if name == MARK or name == "*"
+    ]
+    imported = [
+        node
+        for node in tree.body
+        if isinstance(node, ast.ImportFrom)
+        and (node.module, node.level) == (MARKING, 0)
+        and MARK in {alias.name for alias in node.names if alias.asname is None}
+    ]
+    if len(bound) != 1 or len(imported) != 1:
+        return []
+    return [
+        node
+        for node in tree.body
+        if isinstance(node, ast.FunctionDef)
+        and [ast.unparse(mark) for mark in node.decorator_list] == [MARK]
+        and not any(
+            isinstance(part, ast.Call | ast.Await | ast.NamedExpr)
+            for head in (node.args, node.returns)
+            if head is not None
+            for part in ast.walk(head)
+        )
+    ]
+
+
 def computing(text):
-    """Text of a study's module without its functions that draw, `draw…` and `_draw…`.
+    """Text of a study's module without its functions that draw, those marked `@drawing`.
 
     They import what they draw with themselves: it loads slowly, and sets matplotlib up for files.
 
     Examples
     --------
-    >>> computing("x = 1\\ndef _draw_one(axis):\\n    pass\\ny = 2\\n")
-    'x = 1\\ny = 2\\n'
+    >>> text = "from rocking.runtime.drawing import drawing\\n@drawing\\ndef look():\\n    pass\\n"
+    >>> computing(text)
+    'from rocking.runtime.drawing import drawing\\n'
     """
     lines = text.splitlines(keepends=True)
-    for node in reversed(ast.parse(text).body):
-        if isinstance(node, ast.FunctionDef) and node.name.lstrip("_").startswith("draw"):
-            del lines[node.lineno - 1 : node.end_lineno]
+    for node in reversed(_marked(ast.parse(text))):
+        del lines[node.decorator_list[0].lineno - 1 : node.end_lineno]
     return "".join(lines)
 
 

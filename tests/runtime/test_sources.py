@@ -120,7 +120,8 @@ def test_a_study_computes_without_its_functions_that_draw(path):
     """What is left of it imports no figure, names none of them, and has all that computes."""
     whole, left = (ast.parse(t) for t in (path.read_text(), sources.computing(path.read_text())))
     names, kept = ({n.name for n in tree.body if hasattr(n, "name")} for tree in (whole, left))
-    assert {name.lstrip("_")[:4] for name in names - kept} <= {"draw"}
+    marked = {n.name for n in whole.body if "drawing" in map(ast.unparse, marks(n))}
+    assert names - kept == marked
     imported = {a.name for n in ast.walk(left) if isinstance(n, ast.Import) for a in n.names}
     imported |= {n.module for n in ast.walk(left) if isinstance(n, ast.ImportFrom)}
     assert not [m for m in imported if m.startswith(("rocking.figures", "matplotlib"))]
@@ -129,25 +130,112 @@ def test_a_study_computes_without_its_functions_that_draw(path):
     assert not ({n.id for n in words} - own) & (names - kept)
 
 
-def test_another_way_to_draw_computes_no_study_anew(tmp_path, monkeypatch):
-    text = "A = 1\ndef draw(table):\n    from rocking.figures import style\n    return {}\n"
-    folder = tmp_path / "studies"
-    folder.mkdir()
+def marks(node):
+    return getattr(node, "decorator_list", ())
+
+
+@pytest.fixture
+def digest(tmp_path, monkeypatch):
+    """Digest of a study with some text, with what it draws or without."""
+    (folder := tmp_path / "studies").mkdir()
     monkeypatch.setitem(sources.PACKAGES, "rocking", tmp_path)
     monkeypatch.setattr(sources, "ROOT", tmp_path)
-    digests = {}
-    for drawn in (True, False):
-        for what in ("style", "table"):
-            sources.sources.cache_clear()
-            sources.imports.cache_clear()
-            (folder / "one.py").write_text(text.format(what))
-            digests[drawn, what] = sources.digest(folder / "one.py", drawn)
-    assert digests[True, "style"] != digests[True, "table"]
-    assert digests[False, "style"] == digests[False, "table"]
-    (folder / "one.py").write_text(text.format("style").replace("A = 1", "A = 2"))
-    assert sources.digest(folder / "one.py", drawn=False) != digests[False, "style"]
+
+    def of(text, drawn=False):
+        sources.sources.cache_clear()
+        sources.imports.cache_clear()
+        (folder / "one.py").write_text(text)
+        return sources.digest(folder / "one.py", drawn)
+
+    yield of
     sources.sources.cache_clear()
     sources.imports.cache_clear()
+
+
+MARK = "from rocking.runtime.drawing import drawing\n"
+DRAWS = MARK + "A = 1\n@drawing\ndef look(table):\n    from rocking.figures import style\n"
+
+
+def test_another_way_to_draw_computes_no_study_anew(digest):
+    other = DRAWS.replace("style", "table")
+    assert digest(DRAWS, True) != digest(other, True)
+    assert digest(DRAWS) == digest(other)
+    assert digest(DRAWS) != digest(DRAWS.replace("A = 1", "A = 2"))
+
+
+COLLAPSE = "def collapse(case):\n    return {}\n"
+TRAPS = {
+    "called": "def draws(n, seed):\n    return 1 * n\n" + COLLAPSE.format("draws(2, 0)"),
+    "helper": "def _draw(n):\n    return 1 * n\n" + COLLAPSE.format("_draw(2)"),
+    "alias": "def draw(n):\n    return 1 * n\nsampled = draw\n" + COLLAPSE.format("sampled(2)"),
+    "table": "def draw(n):\n    return 1 * n\nBY = {'a': draw}\n" + COLLAPSE.format("BY['a'](2)"),
+    "by name": "def draw(n):\n    return 1 * n\n" + COLLAPSE.format("globals()['dr' + 'aw'](2)"),
+    "method": "class Sample:\n    def draw(self):\n        return 1 * 2\n"
+    + COLLAPSE.format("Sample().draw()"),
+    "nested": COLLAPSE.format("0").replace("return 0", "def draw():\n        return 1 * 2")
+    + "    return draw()\n",
+    "through another": "def drawn(n):\n    return draws(n)\ndef draws(n):\n    return 1 * n\n"
+    + COLLAPSE.format("drawn(2)"),
+    "another mark": "drawing = lambda f: f\n@drawing\ndef draw(n):\n    return 1 * n\n",
+    "mark bound anew": MARK + "drawing = lambda f: f\n@drawing\ndef draw(n):\n    return 1 * n\n",
+    "mark of another": "from a import drawing\n@drawing\ndef draw(n):\n    return 1 * n\n",
+    "more than one mark": MARK + "@kept\n@drawing\ndef draw(n):\n    return 1 * n\n",
+    "called by its head": MARK + "@drawing\ndef draw(n=made(1 * 2)):\n    return n\n",
+    "a class": MARK + "@drawing\nclass Draw:\n    n = 1 * 2\n",
+}
+
+
+@pytest.mark.parametrize("name", TRAPS)
+def test_no_name_takes_what_computes_out_of_the_stamp(digest, name):
+    """A study whose results would stay stale if the name of a function decided."""
+    text = TRAPS[name]
+    ast.parse(text)
+    assert text.count("1 * ") == 1
+    assert digest(text) != digest(text.replace("1 * ", "3 * "))
+
+
+REACHED = """
+from rocking.runtime.drawing import drawing
+from rocking.runtime.script import run
+@drawing
+def look(n):
+    return n
+ways = {"called": lambda: look(1), "alias": lambda: alias(1), "by name": lambda: by("lo" + "ok")}
+alias = look
+def by(name):
+    return globals()[name](1)
+def pool():
+    from concurrent.futures import ProcessPoolExecutor
+    with ProcessPoolExecutor(1) as workers:
+        workers.submit(look, 1).result()
+ways["another process"] = pool
+if __name__ == "__main__":
+    run(lambda job: ways[job.params.way](), globals(), draws=job_draws)
+"""
+
+
+@pytest.mark.parametrize("way", ["called", "alias", "by name", "another process"])
+@pytest.mark.parametrize("draws", [False, True])
+def test_what_is_left_out_of_the_stamp_cannot_be_reached_by_what_computes(tmp_path, way, draws):
+    script = tmp_path / "job.py"
+    script.write_text(REACHED.replace("job_draws", str(draws)))
+    done = subprocess.run(
+        [sys.executable, str(script), "--params", f"way={way}"],
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert (done.returncode == 0) is draws, done.stderr
+    assert ("__main__.look is marked @drawing" in done.stderr) is not draws
+
+
+def test_one_script_draws_for_the_studies_and_its_stamp_has_what_they_draw():
+    texts = {path: path.read_text("utf-8") for path in SCRIPTS.rglob("*.py")}
+    assert [p.relative_to(SCRIPTS) for p in texts if "draws=" in texts[p]] == [
+        Path("studies/figure.py")
+    ]
+    common = (ROOT / "workflow/rules/common.smk").read_text("utf-8")
+    assert 'drawn = script == "studies/figure"' in common
 
 
 def package_of_four(tmp_path, monkeypatch):

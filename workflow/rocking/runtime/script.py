@@ -8,12 +8,14 @@ they come from the command line:
 """
 
 import argparse
+import contextlib
 import json
 import os
 import sys
 from pathlib import Path
 from types import SimpleNamespace
 
+from rocking.runtime import drawing
 from yade_scripts.engine import lifeline
 
 
@@ -69,16 +71,18 @@ def _date_alike(outputs):
         os.utime(path, ns=(newest_ns, newest_ns))
 
 
-def run(main, namespace):
+def run(main, namespace, draws=False):
     """Call `main` with the job's description; foreseen errors end in one line and status 1.
 
-    The files it names as output are then dated alike.
+    The files it names as output are then dated alike. Unless it `draws`, what is marked as drawing
+    is refused: a change there would not run it again (`rocking.runtime.drawing`).
     """
     lifeline.follow()
     job = namespace.get("snakemake") or _from_command_line(namespace.get("__doc__"))
     log = getattr(job, "log", None)
     try:
-        main(job)
+        with contextlib.nullcontext() if draws else drawing.refused():
+            main(job)
     except (ValueError, OSError) as error:
         line = f"error: {error}"
         print(line, file=sys.stderr)

@@ -17,6 +17,7 @@ from rocking.collapse.ratios import spread
 from rocking.collapse.varied import collapses
 from rocking.mechanics import column
 from rocking.mechanics.closed_forms import capacity_compliant_base, capacity_rigid
+from rocking.runtime.drawing import drawing
 from yade_scripts.model import base
 
 BASES = (base.STUDY, base.COLUMN)
@@ -100,6 +101,7 @@ def summary(table):
     return spread(table[table["facade"] != STACK], ["model", "facade"], SUMMARY)
 
 
+@drawing
 def _draw_static(axis, table):
     """Draw the static curves of the first façade."""
     from rocking.figures import style
@@ -118,6 +120,7 @@ def _draw_static(axis, table):
     axis.legend(fontsize=6.5, frameon=False, loc="upper right")
 
 
+@drawing
 def _draw_collapse(axis, table):
     """Draw PGA of half collapse on either base against the stack's, a point a curve."""
     stack = table[table["facade"] == STACK].set_index(KEY)
@@ -136,6 +139,7 @@ def _draw_collapse(axis, table):
     axis.set_title(f"half collapse, {models}; colours as on the left", loc="left")
 
 
+@drawing
 def draw(static, table):
     """Draw static curves of the study's façade, and collapse of the rigid block by the stack's."""
     import matplotlib.pyplot as plt

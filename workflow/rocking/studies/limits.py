@@ -26,6 +26,7 @@ from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
 from rocking.configuration.schema import ConfigError
 from rocking.reference.facade import answers, motion_of
+from rocking.runtime.drawing import drawing
 from rocking.solver.runs import STEP_FRACTION
 from yade_scripts.model.registry import PLANAR
 
@@ -147,6 +148,7 @@ def _at(pga_g, case, moving, own, half, direction):
     return {**found, "error": error, "verdict": verdict, "why": ""}
 
 
+@drawing
 def _draw_panel(axis, grid, **labels):
     """Draw one grid of verdicts as coloured squares with their marks."""
     from matplotlib.colors import ListedColormap
@@ -159,6 +161,7 @@ def _draw_panel(axis, grid, **labels):
     axis.set(**labels)
 
 
+@drawing
 def draw(table):
     """Draw what becomes of each cell: refused, agreed upon, disagreed upon, not repeating."""
     import matplotlib.pyplot as plt

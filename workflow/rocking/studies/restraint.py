@@ -7,6 +7,7 @@ import pandas as pd
 from rocking.collapse import probability
 from rocking.collapse.case import Variant
 from rocking.collapse.varied import collapses, intensities
+from rocking.runtime.drawing import drawing
 
 BELOW, ABOVE = 0.95, 1.05  # of the 10 and 90 % intensities: where few and most should fall
 INTENSITIES = tuple(f"pga_{name}_g" for name in ("collapse", "p10", "median", "p90", "max"))
@@ -83,6 +84,7 @@ def to_confirm(case, motion, table, settings):
     return {"ahead": AHEAD, "cases": cases}
 
 
+@drawing
 def _draw_panel(axis, found, yade):
     """Draw the curves of one model."""
     from rocking.figures import style
@@ -105,6 +107,7 @@ def _draw_panel(axis, found, yade):
     axis.set_xlabel("friction of the roof μ [-]")
 
 
+@drawing
 def draw(tables, yade, record):
     """Draw collapse PGA against the friction of a loaded roof, a panel a model, with YADE's runs.
 

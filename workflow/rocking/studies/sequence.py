@@ -16,6 +16,7 @@ from rocking.collapse.quick import crossings
 from rocking.collapse.ratios import spread
 from rocking.collapse.scan import STEPS
 from rocking.collapse.varied import collapses
+from rocking.runtime.drawing import drawing
 from yade_scripts.model.registry import MODELS
 from yade_scripts.studies.perturb import NODE_CHOICES
 
@@ -151,6 +152,7 @@ def summary(table):
     return found.assign(n_censored=found["n_censored"] - fell)
 
 
+@drawing
 def draw(table):
     """Draw collapse PGA after the first shock over that without, against the first shock's PGA."""
     from rocking.figures import style

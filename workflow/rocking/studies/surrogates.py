@@ -19,6 +19,7 @@ from rocking.collapse.varied import collapses, intensities
 from rocking.records import RecordError, load, measures
 from rocking.records.pulses import pulse_spec
 from rocking.records.surrogate import generate
+from rocking.runtime.drawing import drawing
 from yade_scripts.model.registry import MODELS
 
 HALVES = ("choosing", "reporting")
@@ -245,6 +246,7 @@ def scatter(table):
     return pd.DataFrame(rows, columns=SCATTER)
 
 
+@drawing
 def _draw_title(pulses):
     """Say which surrogates a panel has; a number below zero: of a table's parameters."""
     if pulses < 0:
@@ -252,6 +254,7 @@ def _draw_title(pulses):
     return "peaks alone" if pulses == 0 else f"peaks and {pulses:g} pulses"
 
 
+@drawing
 def draw(table, summary):
     """Draw collapse of surrogates over that of their records, and the weak sides of both."""
     from rocking.figures import style
@@ -298,6 +301,7 @@ def draw(table, summary):
     return figure
 
 
+@drawing
 def draw_scatter(table):
     """Draw collapse under draws that differ in their noise alone, and under the record."""
     from rocking.figures import style

@@ -11,6 +11,7 @@ import pandas as pd
 from rocking.collapse import search
 from rocking.collapse.ratios import spread
 from rocking.collapse.varied import collapses
+from rocking.runtime.drawing import drawing
 from rocking.solver import spatial
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, peaks, stable_step
@@ -189,6 +190,7 @@ def summary(table):
     return spread(long, ["model", "compared"], SUMMARY)
 
 
+@drawing
 def draw(table):
     """Draw collapse under both components over that of the planar scene, and what moves it."""
     import matplotlib.pyplot as plt

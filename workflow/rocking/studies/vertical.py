@@ -7,6 +7,7 @@ from rocking.collapse.case import Variant
 from rocking.collapse.motion import Motion
 from rocking.collapse.ratios import Ratios, spread
 from rocking.collapse.varied import collapses
+from rocking.runtime.drawing import drawing
 from yade_scripts.model.registry import MODELS
 
 SHARES = {"none": 0.0, "hundredth": 0.01, "whole": 1.0}  # of the vertical motion
@@ -91,6 +92,7 @@ def summary(table):
     return spread(ratios(table), ["model", "measure", "vertical"], SUMMARY)
 
 
+@drawing
 def draw(table):
     """Draw collapse PGA with over without vertical motion: its distribution, and by its size."""
     import matplotlib.pyplot as plt

@@ -27,4 +27,4 @@ def main(job):
     style.save(draw(**found), job.output, job.input.facts)
 
 
-run(main, globals())
+run(main, globals(), draws=True)

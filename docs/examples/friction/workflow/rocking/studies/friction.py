@@ -6,6 +6,7 @@ from rocking.collapse.case import Variant
 from rocking.collapse.ratios import spread
 from rocking.collapse.varied import collapses
 from yade_scripts.model.registry import MODELS
+from rocking.runtime.drawing import drawing
 
 SPREAD = {"n": "n", "n_censored": "n_censored", "median": 50, "least": 0, "most": 100}
 
@@ -43,6 +44,7 @@ def summary(table):
     return spread(table, ["model", "friction_deg"], SPREAD)
 
 
+@drawing
 def draw(table):
     """Draw the ratio against the friction angle, a panel a model."""
     from rocking.figures.panels import panels
