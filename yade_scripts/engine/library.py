@@ -7,6 +7,8 @@ import os
 import sys
 import types
 
+from yade_scripts.engine import temporary
+
 NEEDED_CLASSES = (
     "Box",
     "Sphere",
@@ -70,6 +72,9 @@ def load_yade():
                 import yade  # noqa: F401
         except ImportError as error:
             raise EngineError(f"YADE's library does not load in this Python: {error}") from error
+        import yade.wrapper
+
+        temporary.clear(os.path.dirname(yade.wrapper.Omega().tmpFilename()))
     import yade.wrapper as wrapper
 
     missing = [name for name in NEEDED_CLASSES if not hasattr(wrapper, name)]
