@@ -6,6 +6,8 @@ A handful of the trials of tests/trials/faults/trials.py, and the parts they res
 import errno
 import json
 import os
+import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -13,7 +15,7 @@ import time
 from pathlib import Path
 
 import pytest
-from rocking.runtime import run_lock
+from rocking.runtime import results_folder, run_lock
 
 from tests.trials.faults import inject, trials
 from tests.trials.faults.workspace import comparable, wait_until
@@ -140,6 +142,46 @@ def test_a_full_disk_is_reported_with_the_file_and_leaves_the_old_one(tmp_path, 
     assert [p.name for p in tmp_path.iterdir()] == ["table.csv"]
     with pytest.raises(OSError, match=r"No space left on device.*j\.jsonl"):
         Journal(tmp_path / "j.jsonl").put("key", {})
+
+
+WRITES = """
+import sys
+sys.path[:0] = {path!r}
+from pathlib import Path
+from types import SimpleNamespace
+from rocking.runtime.script import run
+from rocking.tables import write_table
+def main(job):
+    write_table([{{"a": 1.0}}] * 9999, job.output[0])
+snakemake = SimpleNamespace(output=["results/r/a.csv"], log="results/r/a.log")
+run(main, globals())
+"""
+
+
+def test_a_script_without_room_for_its_log_either_says_so_in_one_line(tmp_path):
+    (tmp_path / "results/r").mkdir(parents=True)
+    done = subprocess.run(
+        [sys.executable, "-c", WRITES.format(path=[str(ROOT), str(ROOT / "workflow")])],
+        cwd=tmp_path,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20, 20)),
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert done.returncode == 1
+    (line,) = done.stderr.splitlines()
+    assert line.startswith("error: ")
+    assert "File too large: 'results/r/a.csv'" in line
+
+
+def test_a_disk_without_room_is_said_before_anything_is_planned(tmp_path, monkeypatch):
+    usage = shutil.disk_usage(tmp_path)
+    assert results_folder.fault(tmp_path) == ""
+    monkeypatch.setattr(shutil, "disk_usage", lambda path: usage._replace(free=147_000))
+    said = results_folder.fault(tmp_path / "results")
+    assert (
+        said == f"the disk of {tmp_path} is full (147 kB left): make room, then repeat the command"
+    )
 
 
 def test_memory_is_bounded_by_starting_afresh():

@@ -73,11 +73,32 @@ def test_a_motion_is_made_once_and_stands_in_every_run(tmp_path):
     assert (jobs["record"], jobs["floor_motions"], jobs["own_record"]) == ("1", "2", "3")
     printed(tmp_path, *study, *wanted)
     record, motion = ([tmp_path / "results" / run / name for run in runs] for name in names)
-    assert len({path.stat().st_ino for path in record}) == 1
-    assert motion[0].samefile(motion[1])
-    assert motion[0].read_bytes() != motion[2].read_bytes()
+    assert len({path.read_bytes() for path in record}) == 1
+    assert motion[0].read_bytes() == motion[1].read_bytes() != motion[2].read_bytes()
     again = ("-n", "--config", "scenario=thick", *study[:2])
     assert "Nothing to be done" in printed(tmp_path, *again, "--", wanted[2], wanted[3])
+    # what is asked for alone, or deleted, does not date what others compute from
+    (shared,) = (tmp_path / "results/.shared").glob("*/records/BUCAR0.json")
+    before_ns = shared.stat().st_mtime_ns
+    record[0].unlink()
+    printed(tmp_path, *study, wanted[0])
+    assert record[0].read_bytes() == record[1].read_bytes()
+    assert shared.stat().st_mtime_ns == before_ns
+
+
+@pytest.mark.slow
+def test_the_main_job_makes_a_deleted_motion_again(tmp_path):
+    """No rule takes a run's own name of a motion as input."""
+    folder = tmp_path / "results/s/smdof"
+    given = {**STUDY, "models": ["W1"], "directions": ["neg"], "scenarios": {}}
+    (tmp_path / "study.yaml").write_text(yaml.safe_dump(given))
+    study = ("--configfile", "study.yaml", "--")
+    printed(tmp_path, *study, "results/s/tables/shared.csv")
+    (made,) = folder.glob("*.csv")
+    assert "own_floor_motions" not in printed(tmp_path, "-n", "--quiet", "rules", *study, "all")
+    made.unlink()
+    planned = printed(tmp_path, "-n", "--quiet", "rules", *study, "all")
+    assert re.search(r"own_floor_motions +1", planned)
 
 
 def test_a_run_s_names_are_made_again_where_they_stand_already(tmp_path):

@@ -75,6 +75,14 @@ if workflow.is_main_process:
 SHARED = RUNS.shared
 
 
+def stamped(path, drawn=False):
+    """Path of the stamp of a script; where it cannot be written, the end in one line."""
+    try:
+        return str(stamps.stamp(path, drawn=drawn))
+    except OSError as error:
+        stop(error)
+
+
 def code(script, study=None):
     """Input function: a script of `workflow/scripts` and all it imports, as one stamp.
 
@@ -85,8 +93,8 @@ def code(script, study=None):
     drawn = script == "studies/figure"
 
     def files(wildcards):
-        own = stamps.stamp(folder / "scripts" / f"{script.format(**dict(wildcards))}.py")
-        return list(map(str, [own, *(stamps.stamp(path, drawn=drawn) for path in called)]))
+        own = stamped(folder / "scripts" / f"{script.format(**dict(wildcards))}.py")
+        return [own, *(stamped(path, drawn) for path in called)]
 
     return files
 
@@ -94,7 +102,7 @@ def code(script, study=None):
 def study_code(name):
     """Input function: a study inside YADE and all it imports, as one stamp."""
     path = BASE / "yade_scripts" / "studies" / f"{name}.py"
-    return lambda w: str(stamps.stamp(path))
+    return lambda w: stamped(path)
 
 
 @cache

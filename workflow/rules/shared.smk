@@ -1,8 +1,7 @@
-# What runs share (rocking/runs/shared.py), in each run's folder too. A link is dated like what it is
-# a link to: where code or the link is newer, nothing follows.
-# Snakemake dates the outputs of a job one after the other, and so what they are links to. Of several files
-# the first alone is an input, or a tick of the clock between two would make an output older than an input.
-LINK = "(ln -f {params.files:q} {params.folder:q}/ || cp -p {params.files:q} {params.folder:q}/) 2> {log:q}"
+# What runs share (rocking/runs/shared.py), in each run's folder too. One that is asked for alone, or was
+# deleted, is a copy: Snakemake dates what a job made to the present, and a link is dated with what it is a
+# link to, so that all that was computed from that would be due again. The next `shared_files` links it.
+COPY = "cp -p {params.files:q} {params.folder:q}/ 2> {log:q}"
 SHARED_FILES = (
     rules.record.output,
     rules.figure_record.output,
@@ -19,9 +18,12 @@ def each_record(run):
     return [{"record": record} for record in RUNS.records[run]]
 
 
+of_records = all_of(of_run(*SHARED_FILES, cases=each_record), rules.floor_motions.output)
+
+
 rule shared_files:
     input:
-        files=all_of(of_run(*SHARED_FILES, cases=each_record), rules.floor_motions.output),
+        files=of_records,
         modules=code("records/link_shared"),
     output:
         results("tables/shared.csv"),
@@ -43,7 +45,7 @@ rule own_record:
         files=of_run(rules.record.output),
         folder=lambda w, output: Path(output[0]).parent,
     shell:
-        LINK
+        COPY
 
 
 use rule own_record as own_floor_motions with:
@@ -69,3 +71,17 @@ use rule own_record as own_figure with:
         picture="record|floor_motions",
     params:
         files=lambda w: of_run(PICTURES[w.picture])(w),
+
+
+def deleted_links(wildcards):
+    """Input function: a run's own names for shared files that somebody deleted since they were made.
+
+    No rule takes them as input, so Snakemake would not miss them.
+    """
+    (made,) = expand(rules.shared_files.output, run=wildcards.run)
+    if not Path(made).exists():
+        return []
+    named = [
+        Path(made).parents[1].joinpath(*Path(path).parts[-2:]) for path in of_records(wildcards)
+    ]
+    return [path.as_posix() for path in named if not path.exists()]

@@ -55,7 +55,7 @@ def load_yade():
     EngineError
         One line when YADE is not installed or lacks a needed class.
     """
-    if "yade.wrapper" not in sys.modules:
+    if first := "yade.wrapper" not in sys.modules:
         prefix = os.environ.get("YADE_PREFIX", "/usr")
         found = sorted(glob.glob(f"{prefix}/lib/*/yade*/py/yade/__init__.py"))
         plain = [p for p in found if "/yade-double/" in p or "/yade/py/" in p]
@@ -72,11 +72,10 @@ def load_yade():
                 import yade  # noqa: F401
         except ImportError as error:
             raise EngineError(f"YADE's library does not load in this Python: {error}") from error
-        import yade.wrapper
-
-        temporary.clear(os.path.dirname(yade.wrapper.Omega().tmpFilename()))
     import yade.wrapper as wrapper
 
+    if first:
+        temporary.clear(os.path.dirname(wrapper.Omega().tmpFilename()))
     missing = [name for name in NEEDED_CLASSES if not hasattr(wrapper, name)]
     if missing:
         raise EngineError(f"this YADE lacks the class(es) {', '.join(missing)}")

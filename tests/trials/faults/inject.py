@@ -69,9 +69,17 @@ def _first_error(space):
     return (said or [""])[0][:100]
 
 
+def _one_line(space, status):
+    """First error of a run without room; it names what was to be written, and no line of code."""
+    said = _first_error(space)
+    assert not status or re.search(r"/|disk", said), f"exit {status} without a word of the file"
+    assert "Traceback (most recent" not in space.output(), "a traceback beside the line"
+    return said
+
+
 def full_disk(space, rng, seconds):
     """The whole workspace on a disk that fills up; room is made afterwards."""
-    room = round(10.0 ** rng.uniform(0.9, 3.0))  # kB; the study needs a few hundred
+    room = round(10.0 ** rng.uniform(0.9, 3.3))  # kB; the study needs some more
     kept = space.folder.with_name(space.folder.name + "-kept")
     space.folder.rename(kept)
     space.folder.mkdir()
@@ -85,7 +93,25 @@ def full_disk(space, rng, seconds):
     ballast.write_bytes(bytes(shutil.disk_usage(space.folder).free - room * 1024))
     status = space.start().wait(PATIENCE_S)
     ballast.unlink()
-    return f"{room} kB left, exit {status}, {_first_error(space)}"
+    return f"{room} kB left, exit {status}, {_one_line(space, status)}"
+
+
+def deleted_files(space, rng, seconds):
+    """Results deleted, with or without what runs share, then asked for by name."""
+    status = space.start().wait(PATIENCE_S)
+    assert not status, f"the undisturbed run ended with {status}"
+    top, with_shared = space.folder / RESULTS, rng.random() < 0.5
+    made = [path for path in space.digests() if path != "config.yaml"]
+    gone = rng.sample(sorted(made), rng.randint(1, 5))
+    for name in gone:
+        (top / name).unlink()
+    if with_shared:
+        shutil.rmtree(top.parent / ".shared")
+    status = space.start(targets=gone).wait(PATIENCE_S)
+    missing = [name for name in gone if not (top / name).exists()]
+    assert not status, f"exit {status}, {_first_error(space)}"
+    assert not missing, f"not made again: {missing}"
+    return f"{', '.join(gone)}{' and all that runs share' * with_shared}"
 
 
 def file_limit(space, rng, seconds):
@@ -235,6 +261,7 @@ FAULTS = {
     "SIGKILL one script": _kill_job(signal.SIGKILL, ".snakemake/scripts"),
     "full disk": full_disk,
     "file size limit": file_limit,
+    "deleted files": deleted_files,
     "read-only results": read_only,
     "two runs at once": two_at_once,
     "clock change": clock,

@@ -1,13 +1,13 @@
 """Configuration files: the resolved one beside a run's results, stricter reading of users' own."""
 
 import os
-import tempfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 import yaml
 
 from rocking.configuration.schema import ConfigError
+from yade_scripts.files import write_atomic
 
 
 def write_resolved(resolved: Mapping, path: str | os.PathLike, chosen: Iterable[str] = ()) -> None:
@@ -23,16 +23,7 @@ def write_resolved(resolved: Mapping, path: str | os.PathLike, chosen: Iterable[
     text += "".join(f"# {line}\n" for line in chosen)
     if target.is_file() and target.read_text("utf-8") == text:
         return
-    target.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as stream:
-            stream.write(text)
-        os.chmod(name, 0o644)
-        os.replace(name, target)
-    except BaseException:
-        os.unlink(name)
-        raise
+    write_atomic(target, text)
 
 
 _CONVERSION = (ValueError, TypeError, LookupError, ArithmeticError, AttributeError)

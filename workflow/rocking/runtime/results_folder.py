@@ -1,7 +1,10 @@
 """Whether results can be written, asked before anything is planned."""
 
 import os
+import shutil
 from pathlib import Path
+
+LEAST_B = 200_000  # Snakemake's own notes of a small run; less stops it in the middle of one
 
 
 def fault(folder="results"):
@@ -22,4 +25,7 @@ def fault(folder="results"):
         return f"{there} is no folder: results go to {folder}/; move it away"
     if not os.access(there, os.W_OK | os.X_OK):
         return f"no right to write in {there}: give this run a folder of yours with --directory"
+    if (free := shutil.disk_usage(there).free) < LEAST_B:
+        left = f"{free // 1000} kB left"
+        return f"the disk of {there} is full ({left}): make room, then repeat the command"
     return ""

@@ -9,6 +9,7 @@ they come from the command line:
 
 import argparse
 import contextlib
+import errno
 import json
 import os
 import sys
@@ -17,6 +18,8 @@ from types import SimpleNamespace
 
 from rocking.runtime import drawing
 from yade_scripts.engine import lifeline
+
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EIO)
 
 
 def _pairs(items):
@@ -71,6 +74,13 @@ def _date_alike(outputs):
         os.utime(path, ns=(newest_ns, newest_ns))
 
 
+def _line(error, outputs):
+    """What to say of a foreseen error; one of writing that names no file is of the outputs."""
+    if isinstance(error, OSError) and error.errno in NO_ROOM and error.filename is None:
+        error = OSError(error.errno, error.strerror, " or ".join(outputs))
+    return f"error: {error}"
+
+
 def run(main, namespace, draws=False):
     """Call `main` with the job's description; foreseen errors end in one line and status 1.
 
@@ -80,18 +90,20 @@ def run(main, namespace, draws=False):
     lifeline.follow()
     job = namespace.get("snakemake") or _from_command_line(namespace.get("__doc__"))
     log = getattr(job, "log", None)
+    outputs = job.output if namespace.get("snakemake") else vars(job.output).values()
+    outputs = [str(path) for path in outputs]
     try:
         with contextlib.nullcontext() if draws else drawing.refused():
             main(job)
     except (ValueError, OSError) as error:
-        line = f"error: {error}"
+        line = _line(error, outputs)
         print(line, file=sys.stderr)
-        if log:
-            with open(str(log), "w") as handle:
-                handle.write(line + "\n")
+        # on a full disk the log has no room either, and the line is on the terminal
+        with contextlib.suppress(OSError):
+            if log:
+                Path(str(log)).write_text(line + "\n", "utf-8")
         sys.exit(1)
-    outputs = job.output if namespace.get("snakemake") else vars(job.output).values()
-    _date_alike(map(str, outputs))
+    _date_alike(outputs)
     if log:
-        with open(str(log), "a"):
+        with contextlib.suppress(OSError), open(str(log), "a"):
             pass

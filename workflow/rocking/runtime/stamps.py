@@ -8,6 +8,7 @@ from functools import cache
 from pathlib import Path
 
 from yade_scripts import sources
+from yade_scripts.files import named
 
 FOLDER = Path(".snakemake") / "code"
 
@@ -32,6 +33,11 @@ def stamp(script, folder=FOLDER, drawn=False):
     -------
     Path
         Its lines are the digest of the content, then the files.
+
+    Raises
+    ------
+    OSError
+        With the stamp's name.
     """
     files, content = sources.sources(script, drawn), sources.digest(script, drawn)
     text = "\n".join([content, *map(str, files)]) + "\n"
@@ -40,15 +46,19 @@ def stamp(script, folder=FOLDER, drawn=False):
     before = target.read_text("utf-8") if target.is_file() else ""
     if before == text:
         return target
-    target.parent.mkdir(parents=True, exist_ok=True)
     new = target.with_name(f".{os.getpid()}")
-    new.write_text(text, "utf-8")
-    if not before:
-        dated_s = max(file.stat().st_mtime for file in files)
-        os.utime(new, (dated_s, dated_s))
-    elif before.startswith(content):  # the same files in another place
-        os.utime(new, (dated_s := target.stat().st_mtime, dated_s))
-    os.replace(new, target)
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        new.write_text(text, "utf-8")
+        if not before:
+            dated_s = max(file.stat().st_mtime for file in files)
+            os.utime(new, (dated_s, dated_s))
+        elif before.startswith(content):  # the same files in another place
+            os.utime(new, (dated_s := target.stat().st_mtime, dated_s))
+        os.replace(new, target)
+    except OSError as error:
+        new.unlink(missing_ok=True)
+        raise named(error, target) from None
     return target
 
 
