@@ -8,6 +8,7 @@ says what one takes.
 
 import importlib
 import os
+import signal
 import sys
 from pathlib import Path
 
@@ -29,13 +30,17 @@ def studies():
 def main(arguments):
     """Run the named study; return the exit status. A foreseen error is one line."""
     from yade_scripts.engine import lifeline
+
+    if lifeline.follow() and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        # A job ends by Ctrl-C without a word: the run says what there is to say, and what has
+        # finished is in the journal. Half loaded, YADE would fall with a stack of its own.
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
     from yade_scripts.engine.adapter import EngineError
 
     known = studies()
     if not arguments or arguments[0] not in known:
         print(f"usage: yade_scripts STUDY [options]; STUDY is one of {', '.join(known)}")
         return 2
-    lifeline.follow()
     study = importlib.import_module(f"yade_scripts.studies.{arguments[0]}")
     try:
         return study.main(arguments[1:])

@@ -4,6 +4,9 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
+
+from rocking.runtime import interrupts
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -57,3 +60,14 @@ def test_signals_at_the_worst_moments():
     )
     assert done.stdout.split() == ["graceful", "interrupted"], done.stderr
     assert "Exception ignored" not in done.stderr
+    assert done.stderr.splitlines() == ["SIGTERM: ending"]
+
+
+def test_an_end_says_for_which_jobs_it_waits():
+    def job(rule, **wildcards):
+        return SimpleNamespace(rule=SimpleNamespace(name=rule), wildcards_dict=wildcards)
+
+    jobs = [job("ida", run="main", model=f"W{n}") for n in range(6)]
+    said = interrupts.waiting(SimpleNamespace(running=jobs))
+    assert "(ida main W0, ida main W1, ida main W2, ida main W3 and 2 more)" in said
+    assert interrupts.waiting(SimpleNamespace(running=set())) == "SIGTERM: ending"

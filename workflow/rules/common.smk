@@ -25,7 +25,7 @@ from rocking.records.intensity_measures import MEASURES
 from rocking.studies.pushover import DRAWN, VARIANTS, laid
 from rocking.records import RecordError, read_table
 from rocking.records.check import check_runs
-from rocking.runtime import file_times, first_page, interrupts, progress
+from rocking.runtime import cluster, file_times, first_page, interrupts, progress
 from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
 from rocking.runtime.way_back import left_out_if_unknown
 from rocking.runs import Curve, Runs
@@ -192,6 +192,11 @@ localrules:
 onstart:
     with left_out_if_unknown("own handling of interrupts"):
         interrupts.heed(workflow.scheduler)
+    with left_out_if_unknown("a look at the cluster"):
+        executor = workflow.executor_plugin.name
+        if fault := cluster.fault(executor):
+            stop(fault)
+        terminal.warn(filter(None, [cluster.warning(executor)]))
     try:
         try:
             run_lock.hold()

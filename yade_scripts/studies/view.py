@@ -72,12 +72,17 @@ def dress(scene, built):
     return frames, [i for i in drawn if i not in carriers]
 
 
-def opened(arguments):
-    """Build the scene that the command line names; return it with its handles in YADE."""
+def read(arguments):
+    """What the command line names: the words, the case, time and accelerations of the motion."""
     parser = command.parser(__doc__, *command.CURVE)
     parser.add_argument("--pga", required=True, type=float, help="intensity [g]")
     args = parser.parse_args(arguments)
-    case, time_s, columns = command.opened(args)
+    return args, *command.opened(args)
+
+
+def opened(arguments):
+    """Build the scene that the command line names; return it with its handles in YADE."""
+    args, case, time_s, columns = read(arguments)
     run = shaking.of_case(case, time_s, columns, args.direction, args.pga)
     found = []
 
@@ -111,7 +116,11 @@ def show(arguments):
 
 
 def main(arguments=None):
-    """Hand over to YADE's own program, which has the viewer."""
+    """Hand over to YADE's own program, which has the viewer.
+
+    It would show a mistake as a stack of calls beside its prompt: what is named is read here first.
+    """
+    read(arguments)
     program = shutil.which("yade")
     if program is None:
         raise ValueError("YADE's program is not on the path: install Debian's package 'yade'")
@@ -121,4 +130,8 @@ def main(arguments=None):
 
 
 if __name__ == "__main__":
-    VIEW = show(sys.argv[1:])
+    try:
+        VIEW = show(sys.argv[1:])
+    except (ValueError, OSError, adapter.EngineError, ImportError) as error:
+        print(f"error: {error}", file=sys.stderr, flush=True)
+        adapter.load_yade().Omega().exitNoBacktrace(1)

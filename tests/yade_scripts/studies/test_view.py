@@ -12,17 +12,29 @@ from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 @pytest.mark.yade
 def test_without_a_display_the_viewer_is_refused_in_one_line(monkeypatch, tmp_path):
     monkeypatch.delenv("DISPLAY", raising=False)
-    done = run_study("view", "--scene", "s.json", folder=tmp_path)
+    done = run_study("view", *named(tmp_path, "W2"), folder=tmp_path)
     assert done.returncode == 1
     assert done.stderr.count("\n") == 1
     assert "display" in done.stderr
 
 
+@pytest.mark.yade
+@pytest.mark.parametrize("missing", ["scene.json", "motion.csv"])
+def test_a_file_that_is_not_there_is_named_before_the_viewer_opens(monkeypatch, tmp_path, missing):
+    monkeypatch.setenv("DISPLAY", ":7")
+    words = named(tmp_path, "W2")
+    (tmp_path / missing).unlink()
+    done = run_study("view", *words, folder=tmp_path)
+    assert done.returncode == 1
+    assert done.stderr.count("\n") == 1
+    assert f"No such file or directory: '{tmp_path / missing}'" in done.stderr
+
+
 SHARE = {"ground": 1.0, "floor1": 1.2, "floor2": 1.5, "floor3": 1.8, "floor4": 2.0}
 
 
-def played(folder, model, pga_g, until_s):
-    """What `view_cases.played` tells of a model under one second of sine."""
+def named(folder, model, pga_g=0.2):
+    """Words for a model under one second of sine, whose files are written."""
     scene, table = folder / "scene.json", folder / "motion.csv"
     scene.write_text(json.dumps({**resolved(), "model": model, "beta_s": 0.00276}))
     time_s = np.arange(0.0, 1.0, 0.01)
@@ -31,7 +43,13 @@ def played(folder, model, pga_g, until_s):
     columns = np.transpose([time_s, *(share * ground for share in SHARE.values())])
     np.savetxt(table, columns, delimiter=",", header=head, comments="")
     words = ["--scene", str(scene), "--motion", str(table), "--record", "X", "--direction", "pos"]
-    return in_yade("view_cases", "played", arguments=[*words, "--pga", str(pga_g)], until_s=until_s)
+    return [*words, "--pga", str(pga_g)]
+
+
+def played(folder, model, pga_g, until_s):
+    """What `view_cases.played` tells of it."""
+    words = named(folder, model, pga_g)
+    return in_yade("view_cases", "played", arguments=words, until_s=until_s)
 
 
 @pytest.mark.yade

@@ -11,6 +11,22 @@ import signal
 import sys
 import threading
 
+MOST_NAMED = 4
+
+
+def waiting(scheduler):
+    """Say in one line for which jobs a run waits that is to end."""
+    running = sorted(
+        " ".join([job.rule.name, *map(str, job.wildcards_dict.values())])
+        for job in list(getattr(scheduler, "running", ()))
+        if hasattr(job, "rule")
+    )
+    if not running:
+        return "SIGTERM: ending"
+    more = f" and {len(running) - MOST_NAMED} more" if len(running) > MOST_NAMED else ""
+    named = ", ".join(running[:MOST_NAMED])
+    return f"SIGTERM: ending after what runs now ({named}{more}); Ctrl-C (SIGINT) ends it at once"
+
 
 def heed(scheduler):
     """Let both signals reach a run from now on; called in the main thread.
@@ -28,6 +44,7 @@ def heed(scheduler):
     def watch():
         for number in iter(came.get, None):
             if number == signal.SIGTERM:
+                print(waiting(scheduler), file=sys.stderr, flush=True)
                 end()
             else:
                 signal.pthread_kill(main, number)

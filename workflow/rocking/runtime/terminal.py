@@ -37,11 +37,14 @@ def wanted(record):
     return event not in HIDDEN and not str(record.msg).startswith(CHATTER)
 
 
+_UNMADE = re.compile(r"File (.+?) marked for report but does not exist\.")
 _NO_RULE = re.compile(r"No rule to produce (.+?) \(if you use.*?\)\.")
 
 
 def name_targets(targets, logger=None):
     """Let Snakemake's message about a target that it does not know name the nearest one.
+
+    That of a report on results that are not there says what to do, without a line for every file.
 
     Parameters
     ----------
@@ -52,6 +55,12 @@ def name_targets(targets, logger=None):
     """
 
     def explain(record):
+        if str(record.msg).startswith("Missing metadata for file"):
+            return False
+        if found := _UNMADE.search(str(record.msg)):
+            record.msg = (
+                f"error: no report yet, {found[1]} is missing: first the same without --report"
+            )
         if found := _NO_RULE.search(str(record.msg)):
             names = targets()
             near = difflib.get_close_matches(found[1], names, 1)

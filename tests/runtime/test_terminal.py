@@ -1,0 +1,54 @@
+"""What a run says before and after its work: of a report without results, of a missing cluster."""
+
+import logging
+
+import pytest
+from rocking.runtime import cluster, terminal
+
+
+@pytest.fixture
+def told():
+    """Return what Snakemake's handlers let through of some messages."""
+    logger, seen = logging.getLogger("rocking.test.terminal"), []
+    handler = logging.Handler()
+    handler.emit = lambda record: seen.append(record.getMessage())
+    logger.handlers, logger.propagate = [handler], False
+    terminal.name_targets(lambda: ["fragility", "risk"], logger)
+
+    def of(*messages):
+        for message in messages:
+            logger.warning(message)
+        return seen
+
+    return of
+
+
+def test_a_report_without_results_says_what_to_do_in_one_line(told):
+    missing = [f"Missing metadata for file results/main/{n}.csv. Maybe metadata" for n in range(9)]
+    unmade = "File results/main/figures/a.png marked for report but does not exist."
+    (line,) = told(*missing, unmade)
+    assert line.startswith("error: no report yet, results/main/figures/a.png is missing")
+    assert "without --report" in line
+
+
+def test_a_target_that_is_not_known_gets_the_nearest(told):
+    said = "No rule to produce fragilty (if you use input functions make sure ...)."
+    assert told(said) == ["No rule to produce fragilty: did you mean fragility?"]
+
+
+def without(*programs):
+    return lambda name: None if name in programs else f"/usr/bin/{name}"
+
+
+def test_a_cluster_that_is_not_there_is_said_before_anything_is_submitted():
+    assert "sbatch is not on the path" in cluster.fault("slurm", without("sbatch"))
+    assert cluster.fault("slurm", without("sacct")) == ""
+    assert cluster.fault("local", without("sbatch", "sacct")) == ""
+
+
+def test_a_slurm_without_accounts_is_told_which_options_serve():
+    said = cluster.warning("slurm", ["snakemake"], without("sacct"))
+    assert "--slurm-no-account --slurm-status-command squeue" in said
+    assert cluster.warning("slurm", ["snakemake", "--slurm-no-account"], without("sacct")) == ""
+    assert cluster.warning("slurm", ["snakemake"], without()) == ""
+    assert cluster.warning("local", ["snakemake"], without("sacct")) == ""
