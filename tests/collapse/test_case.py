@@ -6,11 +6,14 @@ import re
 import subprocess
 import sys
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import rocking
 from rocking import Case, Curve, Motion, Variant, collapse_curve, history
+from rocking.collapse.curve import strategy
+from rocking.collapse.scan import scan_settings
 from rocking.configuration.config import ConfigError
 from rocking.records import Record, RecordError
 
@@ -206,6 +209,20 @@ def test_a_curve_knows_where_it_collapses(case, pulse):
     listed = collapse_curve(case, pulse, search="list", settings={"pga_g": levels})
     assert list(listed.status) == ["ok", "overturned"]
     assert list(listed.pga_g) == levels
+
+
+def test_a_scan_begins_where_it_is_told_to():
+    """`ida.start_g` of the case; a setting of the call stands above it, half the capacity below."""
+    outcomes = SimpleNamespace(static_g=0.2, block=4)
+    stated = Case.configured("W1", {"ida": {"start_g": 0.7}})
+    for one, more, expected in (
+        (Case.configured("W1"), {}, 0.1),
+        (stated, {}, 0.7),
+        (stated, {"from_g": 0.3}, 0.3),
+    ):
+        for name in ("scan", "climb"):
+            asked = next(strategy(name, one, outcomes, {**scan_settings(one.scene), **more}))
+            assert asked.pga_g[0] == pytest.approx(expected)
 
 
 def test_two_shocks_on_one_time_axis():

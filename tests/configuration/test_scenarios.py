@@ -64,6 +64,10 @@ def test_scenarios_are_laid_over_the_base_and_chosen_by_name():
     assert list(expand_scenarios({**study, "scenario": "tall,base"})) == list(runs)
     crossed = expand_scenarios({**study, "grid": {"damping.law": ["eq5"]}, "scenario": ["tall"]})
     assert list(crossed) == ["main-tall-law_eq5"]
+    faulty = {**study["scenarios"], "low": {"facade.height_m": -8}}
+    assert list(expand_scenarios({**study, "scenarios": faulty, "scenario": "base"})) == [
+        "main-base"
+    ]
     assert list(expand_scenarios({"run": "x"})) == ["x"]
 
 
@@ -72,12 +76,13 @@ def test_scenarios_are_laid_over_the_base_and_chosen_by_name():
     [
         ({"scenarios": {"a": {"facade.hight_m": 8}}}, "scenario 'a': unknown key 'facade.hight_m'"),
         (
-            {"scenarios": {"a": {}, "b": {"facade.height_m": -8}}, "scenario": "a"},
+            {"scenarios": {"a": {}, "b": {"facade.height_m": -8}}, "scenario": "a,b"},
             "scenario 'b': facade.height_m = -8",
         ),
         ({"scenarios": {"a": {}}, "facade": {"width_m": 0}}, "facade.width_m = 0: expected"),
         ({"scenarios": {"a": {}}, "scenario": "b"}, "scenario = 'b': expected all or one of: a"),
         ({"scenario": "b"}, "scenario = 'b': expected all or one of: no scenarios are defined"),
+        ({"scenarios": {"a": {}}, "scenario": []}, "scenario = []: expected all or one of: a"),
         ({"scenarios": {"a": {"run": "b"}}}, "scenarios.a.run: a scenario cannot set 'run'"),
         ({"scenarios": {"../a": {}}}, "scenario '../a': run = 'main-../a': expected text of"),
         ({"scenarios": "study.yaml"}, "scenarios = 'study.yaml': expected names"),

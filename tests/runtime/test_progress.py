@@ -91,6 +91,20 @@ def test_known_runs_say_how_far_a_job_is(tmp_path):
     assert progress.line() == "progress: 0 of 1 jobs, 2 runs in YADE, about 2 min left"
 
 
+def test_a_job_far_beyond_its_kind_is_not_said_to_end_soon():
+    """A scan of a thin façade runs for ten minutes where seconds are usual."""
+    now = [0.0]
+    progress = Progress([Task("planar_ida", lambda: "running", "W2m")], clock=lambda: now[0])
+    progress.line()
+    for now[0] in (120.0, 300.0):
+        assert progress.left_s() >= now[0]  # no sign that it is in its second half
+        assert "at least about" in progress.line()
+    usual = Progress([Task("ida", lambda: "running", "W1")], clock=lambda: now[0])
+    usual.line()
+    now[0] += 5.0
+    assert "at least" not in usual.line()
+
+
 def test_kept_runs_shorten_a_job_that_waits(tmp_path):
     journal = tmp_path / "a.jsonl"
     grow(journal, 9)

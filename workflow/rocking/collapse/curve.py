@@ -19,6 +19,7 @@ from rocking.solver import runs
 from yade_scripts.model.motion import SIGNS
 
 OF_A_SEARCH = ("from_g", "pga_g", "scatter")  # settings that no section of a case has
+POSITIVE = ("level_ratio", "max_pga_g", "amplitude_spread", "start_g", "from_g")
 
 
 @dataclass(frozen=True)
@@ -183,7 +184,7 @@ def _known(settings, of_case, search):
     for key, value in settings.items():
         if key not in known:
             raise ValueError(f"settings: unknown {key!r}{nearest(str(key), known)}")
-        if key in ("level_ratio", "max_pga_g", "amplitude_spread", "from_g") and value is not None:
+        if key in POSITIVE and value is not None:
             _positive(f"settings[{key!r}]", value)
     if search == "list":
         levels = np.ravel(settings.get("pga_g", []))
@@ -206,8 +207,12 @@ def _positive(name, value):
 
 
 def strategy(name, case, outcomes, settings):
-    """Search of a name, from half the static capacity, or `from_g` of the settings."""
-    start = settings.get("from_g") or 0.5 * outcomes.static_g
+    """Search of a name, from `from_g` of the settings or where its search begins by itself.
+
+    A climb and a scan begin at `start_g`, if the case states it, else at half the static capacity;
+    a short climb where its model begins to fall.
+    """
+    start = settings.get("from_g") or settings.get("start_g") or 0.5 * outcomes.static_g
     if name == "list":
         return search.listed(settings["pga_g"], settings.get("scatter", False))
     if name == "climb":

@@ -185,7 +185,7 @@ def expand_scenarios(config: Mapping) -> dict[str, dict[str, Any]]:
     Raises
     ------
     ConfigError
-        In one line that names the scenario; scenarios that are not chosen are validated too.
+        In one line that names the scenario, of those that are chosen.
     """
     if not isinstance(config, Mapping):
         raise ConfigError("expected keys and values at the top level")
@@ -194,9 +194,10 @@ def expand_scenarios(config: Mapping) -> dict[str, dict[str, Any]]:
     base = renamed.current(base)
     cells = _grid(renamed.current(grid))
     named = _scenarios(scenarios)
+    chosen = _chosen(wanted, named)
+    named = {name: overrides for name, overrides in named.items() if name in chosen}
     if len(cells) * max(len(named), 1) > MAX_RUNS:
         raise ConfigError(f"scenarios and grid make more than {MAX_RUNS} runs")
-    chosen = _chosen(wanted, named)
     runs: dict[str, dict] = {}
     for name, overrides in (named or {"": {}}).items():
         for label, cell in cells.items():
@@ -212,8 +213,7 @@ def expand_scenarios(config: Mapping) -> dict[str, dict[str, Any]]:
                 raise ConfigError(f"scenario '{ending}': {error.detail}") from None
             if one["run"] in runs:
                 raise ConfigError(f"two runs would be called '{one['run']}'")
-            if not named or name in chosen:
-                runs[one["run"]] = one
+            runs[one["run"]] = one
     return runs
 
 
@@ -249,7 +249,7 @@ def _chosen(wanted: Any, named: dict) -> set[str]:
     if wanted is None or wanted == "all":
         return set(named)
     names = wanted if isinstance(wanted, list) else str(wanted).split(",")
-    for name in names:
+    for name in names or [[]]:
         if not isinstance(name, str) or name.strip() not in named:
             known = ", ".join(named) or "no scenarios are defined"
             raise ConfigError(f"scenario = {show(name)}: expected all or one of: {known}")

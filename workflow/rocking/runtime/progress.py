@@ -44,6 +44,7 @@ USUAL_S = {
     "complete_frames": 30.0,
 }
 SHORT_S = 2.0  # a table or a figure
+FAR, LONG_S = 3.0, 60.0  # a job beyond so many times its usual, and beyond so long, is one apart
 USUAL_RUNS = {"ida": 12, "ida_ensemble": 8}
 PRIOR = 3  # the usual time counts as much as this many measured ones
 
@@ -111,7 +112,7 @@ class Progress:
     def __init__(self, tasks, clock=time.monotonic):
         """Note what there is already: only what this run adds says how fast it is."""
         self.tasks, self.clock, self.began = list(tasks), clock, clock()
-        self.busy_s, self.seen = 0.0, self.began
+        self.busy_s, self.seen, self.overdue = 0.0, self.began, False
         for task in self.tasks:
             task.kept = count_lines(task.journal) if task.journal else 0
 
@@ -159,8 +160,13 @@ class Progress:
         }
 
     def left_s(self):
-        """Seconds until all is done: work that remains over jobs at a time, or the longest job."""
+        """Seconds until all is done: work that remains over jobs at a time, or the longest job.
+
+        A job far beyond its kind goes on for as long again: of a duration that nothing is known
+        about, what has passed is as likely its first half as its second.
+        """
         expected, now, left = self.expected_s(), self.clock(), []
+        self.overdue = False
         for task in self.tasks:
             if task.took_s is not None:
                 continue
@@ -172,6 +178,9 @@ class Progress:
             new = count_lines(task.journal) - task.kept if task.journal else 0
             if task.runs and new > 0:
                 left.append(elapsed / new * max(task.runs - task.kept - new, 0))
+            elif elapsed > max(FAR * whole, LONG_S):
+                left.append(elapsed)
+                self.overdue = True
             else:  # who has taken long already goes on for a while
                 left.append(max(whole - elapsed, 0.25 * max(whole, elapsed)))
         at_a_time = max(self.busy_s / max(now - self.began, 1e-9), 1.0)
@@ -185,7 +194,9 @@ class Progress:
             return ""
         runs = sum(count_lines(t.journal) - t.kept for t in self.tasks if t.journal)
         added = f", {runs} runs in YADE" if runs else ""
-        return f"progress: {done} of {len(self.tasks)} jobs{added}, {spoken(self.left_s())} left"
+        left = spoken(self.left_s())
+        least = "at least " if self.overdue else ""
+        return f"progress: {done} of {len(self.tasks)} jobs{added}, {least}{left} left"
 
     def watch(self, interval_s=INTERVAL_S, look_s=LOOK_S, stream=None):
         """Print the line now and then from a thread that ends with the process."""
