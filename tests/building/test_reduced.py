@@ -120,6 +120,19 @@ def test_an_end_that_turns_moves_its_nodes_as_a_support_for_each_would(model, si
     assert np.abs(other.peak_d_over_b / turned.peak_d_over_b - 1.0) > 1e-6
 
 
+def test_the_step_is_stable_for_what_carries_the_walls_and_for_the_facade():
+    """Neither beyond the whole building's critical step nor near the façade's; answers converge."""
+    scene = scene_of("CB")
+    numerics, ground = job("CB")["numerics"], 1.5 * pulses()
+    screen = ReducedScan([scene], 12, numerics, T, ground, "pos")
+    assert screen.steps_s[0] < scene.notes["critical_step_s"]
+    assert screen.steps_s[0] <= 0.1 * stable_step(screen.planes[0])
+    height_m = scene.blocks[scene.index(scene.monitor)].size_m[2]
+    assert screen.static_g == pytest.approx(THICKNESS_M / height_m, rel=1e-6)  # of a rigid wall
+    slow = replace(scene, notes={**scene.notes, "critical_step_s": 1e-5})
+    assert ReducedScan([slow], 12, numerics, T, ground, "pos").steps_s[0] < 1e-5
+
+
 def test_only_nodes_of_a_support_turn_with_it():
     """A wall's nodes on the façade would stand on a plane that turns: refused in one line."""
     screen = ReducedScan([scene_of("CB")], 3, job("CB")["numerics"], T, pulses(), "pos")

@@ -56,6 +56,21 @@ def test_a_façade_that_falls_at_once_is_scanned_below_the_start():
         assert high / low <= 1.0 + 2.0 * 0.01 / 6.0 + 1e-12
 
 
+@pytest.mark.parametrize(("start", "slope"), [(0.4, 2.0), (0.13, 3.0)])
+def test_a_climb_goes_down_to_where_peaks_are_small_over_a_tenth(start, slope):
+    """d/b = slope · PGA: from where a fall could hide to below 0.3 over a factor of 1.1."""
+    asked = []
+
+    def run(ask):
+        g = np.asarray(ask.pga_g)
+        asked.extend(g)
+        return search.Answer(np.where(slope * g > 1.0, "overturned", "ok"), slope * g)
+
+    drive(search.climb(start, SETTINGS, block=4), run)
+    calm = search.CALM / slope / search.CALM_RATIO
+    assert calm * 1.02**-5 < min(asked) <= calm * 1.02
+
+
 def test_a_façade_that_falls_at_any_amplitude_ends_the_scan():
     pga_g, _ = searched(search.scan(0.4, SETTINGS), lambda g: True)
     assert 0.0 < pga_g.min() < search.LEAST_G
@@ -181,6 +196,16 @@ def test_crossings_of_a_threshold_are_the_threshold():
         assert found == pytest.approx((0.4, 0.4), rel=search.SPREAD)
         assert found[0] < found[1]
     assert np.isnan(searched(search.crossings(0.1, 2.0, 1.12), lambda g: False)[1]).all()
+
+
+@pytest.mark.parametrize("low", np.arange(1.07, 1.2, 0.01))
+def test_half_is_crossed_where_half_of_the_whole_window_falls(low):
+    """A range of 2 % is less than half of ± 3 %, wherever the blocks of amplitudes end."""
+    at_g = 0.1 * 1.01**140  # falls over less than one per cent there, too
+    rule = lambda g: 0.999 < g / at_g < 1.003 or low < g / at_g < low + 0.02 or g > 0.6  # noqa: E731
+    _, found = searched(search.crossings(0.1, 2.0, 1.01), rule)
+    assert found[0] == pytest.approx(at_g, rel=search.SPREAD)
+    assert found[1] == pytest.approx(0.6, rel=search.SPREAD)
 
 
 def test_a_short_climb_looks_below_its_first_fall():

@@ -168,6 +168,21 @@ def test_spellings_of_units(text, unit):
     assert unit_name(text) == unit
 
 
+@pytest.mark.parametrize(("factor", "fits"), [(1.01, True), (1.5, False), (0.5, False)])
+def test_the_peak_that_a_k_net_header_states_is_that_of_its_samples(tmp_path, factor, fits):
+    """Else counts and scale do not belong together, and every amplitude would be off."""
+    sample = samples.knet()
+    stated = f"{100.0 * np.abs(sample.acceleration_m_s2).max():.3f}".encode()
+    assert stated in sample.data
+    path = put(
+        tmp_path, sample, sample.data.replace(stated, f"{factor * float(stated):.3f}".encode())
+    )
+    if fits:
+        assert len(read(path, sample)) == len(sample.acceleration_m_s2)
+    else:
+        assert "peak" in refusal(path, sample)
+
+
 @pytest.mark.parametrize(("label", "azimuth_deg"), [("N-S", 0), ("E-W", 90)])
 def test_a_k_net_channel_is_found_by_its_azimuth(tmp_path, label, azimuth_deg):
     """N-S is along 0°, E-W along 90°, clockwise from north; the other one is not in the file."""

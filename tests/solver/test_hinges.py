@@ -133,6 +133,19 @@ def test_three_pieces_at_rest_and_their_matrices():
     assert sum(mass[::3]) == pytest.approx(whole.blocks[1].mass_kg)
 
 
+def test_every_hinge_carries_what_is_above_it():
+    """Pieces sink into each other by weight and floor loads above, over the joint's stiffness."""
+    config, scene = floored(*FLOORS, model="W2", facade=THREE, numerics=FEW)
+    f, sunk = config["facade"], [-b.displacement_m[2] for b in scene.blocks if b.free]
+    kn = f["e_mpa"] * 1e6 * f["thickness_m"] * f["width_m"]  # over the height that yields
+    weight_m = f["density_kg_m3"] * f["thickness_m"] * f["width_m"] * scene.gravity_m_s2
+    above = [weight_m * f["height_m"] + 30e3, weight_m * 4.48 + 30e3, weight_m * 2.48 + 30e3]
+    assert sunk[0] > 0.0
+    assert sunk[1] - sunk[0] == pytest.approx(above[1] / (kn / 2.0), rel=1e-9)
+    assert sunk[2] - sunk[1] == pytest.approx(above[2] / (kn / 2.24), rel=1e-9)
+    assert sunk[0] == pytest.approx(above[0] / (kn / f["height_m"]), rel=0.05)  # and its lean
+
+
 @pytest.mark.yade
 def test_yade_and_the_compiled_solver():
     """Two pieces, two floors that slide: peak d/b within 1 %, and YADE's energy balance closes."""

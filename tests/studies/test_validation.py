@@ -3,6 +3,7 @@
 import json
 import math
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -172,6 +173,23 @@ def test_changes_of_a_variant():
     assert 0.5 * 2.58 < heavy["facade"]["hinges_m"][0] < light["facade"]["hinges_m"][0]
 
 
+@pytest.mark.parametrize(("unit", "metres"), [("m/s2", 1.0), ("g", 9.80665), ("m/s", None)])
+def test_units_of_a_table_motion(tmp_path, unit, metres):
+    """Accelerations in m/s² whatever the file has; a velocity v is differentiated."""
+    experiment = validation.read(US1)
+    motions = {**experiment.specimen["motions"], "unit": unit}
+    own = replace(experiment, specimen={**experiment.specimen, "motions": motions})
+    run = experiment.runs.iloc[0]
+    t = np.linspace(0.0, 1.0, 401)
+    path = tmp_path / motions["files"].format(run=int(run["run"]))
+    np.savetxt(path, np.column_stack((t, 0.2 * np.sin(3.0 * t))))
+    _, found, source = validation.motion(own, run, str(tmp_path), "")
+    assert source == "file"
+    slope = 0.6 * np.cos(3.0 * t)
+    expected = slope if metres is None else metres * 0.2 * np.sin(3.0 * t)
+    assert found == pytest.approx(expected, abs=3e-3)
+
+
 def test_runs_that_follow_each_other():
     """Spans hold the runs' own peaks, from where each began; what was not reached has none."""
     t = np.linspace(0.0, 1.0, 201)
@@ -198,6 +216,7 @@ def test_ratios():
     assert found == pytest.approx((1.0, math.exp(math.sqrt(2) * math.log(2))))
     experiment = validation.read(US1)
     rows = [(7, 1.2, "ok"), (24, 29.0, "ok"), (6, 99.0, "ok")]
+    goals = experiment.specimen["goal"]
     table = pd.DataFrame(rows, columns=["run", "peak_mm", "status"]).assign(
         variant="v", how=ALONE, solver="s"
     )
@@ -211,6 +230,18 @@ def test_ratios():
     table.loc[table["run"] == 24, ["peak_mm", "status"]] = (np.nan, "overturned")
     fallen = validation.summary(experiment, table).to_dict("records")[0]
     assert (fallen["fell"], fallen["goal_met"]) == (1, 0)
+    # two within the goal do not outweigh a third that falls
+    late = sorted(experiment.measured["run"][experiment.measured["run"] >= goals["from_run"]])[:3]
+    peaks_mm = experiment.measured.set_index("run").loc[late, "measured_mm"].to_numpy()
+    table = pd.DataFrame({"run": late, "peak_mm": peaks_mm, "status": "ok"}).assign(
+        variant="v", how=ALONE, solver="s"
+    )
+    table["peak_mm"] *= [1.0, 1.01, np.nan]
+    table = table.merge(experiment.measured, on="run")
+    for status, met in (("ok", 1), ("overturned", 0)):
+        table.loc[table["run"] == late[-1], "status"] = status
+        found = validation.summary(experiment, table).to_dict("records")[0]
+        assert (found["fell"], found["goal_met"]) == (1 - met, met)
 
 
 def test_amplitudes_of_a_run_have_a_seed():
