@@ -6,9 +6,12 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+from rocking.collapse.equivalent import equivalent
+from rocking.collapse.probability import KEY
 from rocking.risk import nrml, rates
 from rocking.risk.collapse import risk_of
 from rocking.risk.hazard import Hazard, HazardError, imt_of, read_hazard
+from rocking.studies import fragility_tables
 from rocking.studies.fragility import Fragility
 from run_script import script
 from scipy import stats
@@ -59,7 +62,7 @@ def test_rate_and_its_parts_agree_with_quadrature():
 
 
 def test_a_hazard_table_in_a_rate_with_its_interval_out(tmp_path):
-    """Both by hand: moments of ln PGA, and F summed over the drops of the table's hazard.
+    """By hand: the hazard at every collapse, averaged; moments of ln PGA for the lognormal one.
 
     Twenty stations, both components and directions; the interval by drawing stations again with
     other numbers.
@@ -69,32 +72,35 @@ def test_a_hazard_table_in_a_rate_with_its_interval_out(tmp_path):
     station = rng.normal(np.log(THETA), 0.4, 20)
     ln_pga = station[:, None, None] + rng.normal(0.0, 0.2, (20, 2, 2))
 
-    grid = np.linspace(np.log(1e-3), np.log(30.0), 1500)
-    inside = np.interp(grid, np.log(x), np.log(rate))
     first, last = (np.diff(np.log(rate)) / np.diff(np.log(x)))[[0, -1]]
-    ends = first * np.minimum(grid - np.log(x[0]), 0) + last * np.maximum(grid - np.log(x[-1]), 0)
-    drops, middle = -np.diff(np.exp(inside + ends)), 0.5 * (grid[1:] + grid[:-1])
 
-    def by_hand(samples):
-        samples = samples.reshape(len(samples), -1)
-        mean, deviation = samples.mean(axis=1), samples.std(axis=1)
-        return stats.norm.cdf((middle - mean[:, None]) / deviation[:, None]) @ drops
+    def exceeded(ln_g):
+        inside = np.interp(ln_g, np.log(x), np.log(rate))
+        low, high = np.minimum(ln_g - np.log(x[0]), 0), np.maximum(ln_g - np.log(x[-1]), 0)
+        return np.exp(inside + first * low + last * high)
 
-    drawn = by_hand(ln_pga[rng.integers(0, 20, (2000, 20))])
+    grid = np.linspace(np.log(1e-3), np.log(30.0), 1500)
+    drops, middle = -np.diff(exceeded(grid)), 0.5 * (grid[1:] + grid[:-1])
+    lognormal = stats.norm.cdf((middle - ln_pga.mean()) / ln_pga.std()) @ drops
+    by_station = exceeded(ln_pga).mean(axis=(1, 2))
+    drawn = by_station[rng.integers(0, 20, (2000, 20))].mean(axis=1)
     (tmp_path / "hazard.csv").write_text(
         "pga_g,annual_rate\n" + "".join(f"{a},{b}\n" for a, b in zip(x, rate, strict=True))
     )
-    brackets(ln_pga).to_csv(tmp_path / "brackets.csv", index=False)
+    for name, table in run_tables(ln_pga).items():
+        table.to_csv(tmp_path / f"{name}.csv", index=False)
     params = {"risk": {"site": None, "years": 50, "bins": 6}, "fragility": SETTINGS}
+    inputs = ("brackets", "factors", "collapse", "probability", "hazard")
     script(
         "risk_rate",
         tmp_path,
         params=params | {"period_s": 0.27},
-        input={"brackets": "brackets.csv", "hazard": "hazard.csv"},
+        input={name: f"{name}.csv" for name in inputs},
         output={"table": "risk.csv", "deaggregation": "parts.csv"},
     )
     (row,) = pd.read_csv(tmp_path / "risk.csv").to_dict("records")
-    assert row["annual_rate"] == pytest.approx(by_hand(ln_pga[None])[0], rel=2e-3)
+    assert row["annual_rate"] == pytest.approx(by_station.mean(), rel=2e-3)
+    assert row["rate_lognormal"] == pytest.approx(lognormal, rel=2e-3)
     low, high = np.percentile(drawn, [5, 95])
     assert (row["rate_low"], row["rate_high"]) == pytest.approx((low, high), rel=0.06)
     assert high / low > 1.5  # an interval worth the name
@@ -103,25 +109,103 @@ def test_a_hazard_table_in_a_rate_with_its_interval_out(tmp_path):
     assert row["probability"] == pytest.approx(in_50_years, rel=1e-4)
     parts = pd.read_csv(tmp_path / "parts.csv")
     assert parts["annual_rate"].sum() == pytest.approx(row["annual_rate"], rel=1e-4)
+    assert parts["share"].sum() == pytest.approx(1.0, rel=1e-4)
+    assert (parts["share_low"] <= parts["share"]).all()
+    assert (parts["share_high"] >= parts["share"]).all()
+    assert parts["share_high"].max() < 1.0
 
 
 SETTINGS = {"confidence": 0.9, "resamples": 2000, "seed": 1, "min_stations": 12}
+STEP = 0.001  # between a PGA that stands and one that falls
 
 
-def brackets(ln_pga):
-    """Brackets of collapses, an axis each for stations, components and directions."""
-    rows = [
-        ("W1", f"R{i}{c}", d, f"S{i}", "pga_g", 0.999 * np.exp(v), 1.001 * np.exp(v), 1.0)
-        for (i, c, d), v in np.ndenumerate(ln_pga)
-    ]
-    names = ["model", "record", "direction", "station", "im", "low", "high", "weight"]
-    return pd.DataFrame(rows, columns=names)
+def run_tables(ln_pga):
+    """Tables of a run of sharp collapses; an axis each for stations, components and directions."""
+    curves, dense, factors = [], [], []
+    for (i, c, d), value in np.ndenumerate(ln_pga):
+        key = dict(zip(KEY, ("W1", f"R{i}{c}", d), strict=True))
+        curves.append({**key, "pga_safe_g": np.nan, "pga_collapse_g": np.exp(value)})
+        curves[-1]["pga_max_g"] = 2.0 * np.exp(value)
+        pga_g = np.exp(value + STEP * np.array([-0.5, 0.5]))
+        part = pd.DataFrame({"pga_g": pga_g, "probability": [0.0, 1.0], "realisations": 9.0})
+        dense.append(part.assign(**key, realisations_yade=np.nan, probability_yade=np.nan))
+        if d == 0:
+            factors.append((f"R{i}{c}", f"S{i}", "pga_g", 1.0))
+    curves, dense = pd.DataFrame(curves), pd.concat(dense)
+    stations = {record: station for record, station, *_ in factors}
+    own = {record: {"pga_g": 1.0} for record in stations}
+    brackets = fragility_tables.brackets(curves, dense, own, ["pga_g"], stations, 2.0)
+    factors = pd.DataFrame(factors, columns=fragility_tables.FACTORS)
+    tables = {"collapse": curves, "probability": dense, "brackets": brackets}
+    return tables | {"factors": factors}
 
 
 def risk(ln_pga):
-    hazard = Hazard("pga_g", CURVED, bent(CURVED))
-    row, parts = risk_of("W1", brackets(ln_pga), hazard, {"years": 50, "bins": 6}, SETTINGS)
+    hazard, tables = Hazard("pga_g", CURVED, bent(CURVED)), run_tables(ln_pga)
+    known = tables["factors"].set_index("record")
+    curves = fragility_tables.shares(tables["collapse"], tables["probability"], known["per_pga"])
+    mine = tables["brackets"].query("reading == 'share'")
+    settings = {"years": 50, "bins": 6}
+    row, parts = risk_of("W1", curves, known["station"], mine, hazard, settings, SETTINGS)
     return row, np.array([values[2:] for values in parts])
+
+
+TWO_RANGES = np.geomspace(0.05, 1.9, 6001)
+
+
+def between(*ranges):
+    """A curve that falls in ranges of intensity and with a probability in each."""
+    share = np.zeros(TWO_RANGES.size)
+    for low, high, p in ranges:
+        share[(low < TWO_RANGES) & (high > TWO_RANGES)] = p
+    return TWO_RANGES, share
+
+
+def test_the_rate_of_a_curve_with_two_ranges_of_collapse_is_their_sum():
+    """λ(0.2) − λ(0.3) + λ(0.5), by interval and in all; with a probability its part of it."""
+    hazard = Hazard("pga_g", CURVED, bent(CURVED))
+    edges = np.array([0.0, 0.25, 0.4, np.inf])
+    for p in (1.0, 0.3):
+        found = rates.of_curve(hazard, *between((0.2, 0.3, p), (0.5, 9.0, 1.0)), edges)
+        at = hazard.rate(np.array([0.2, 0.25, 0.3, 0.5]))
+        by_hand = [p * (at[0] - at[1]), p * (at[1] - at[2]), at[3]]
+        assert found == pytest.approx(by_hand, rel=2e-3)
+    single = rates.of_curve(hazard, *between((0.35, 9.0, 1.0)), edges)
+    assert single.sum() == pytest.approx(rates.collapse_rate(hazard, 0.35, 1e-4)[0][0], rel=1e-3)
+
+
+def test_the_rate_of_two_curves_is_the_mean_of_theirs():
+    """One that falls in two ranges and one that falls once; and its equivalent PGA is as good."""
+    hazard = power_law(0.06, 0.5, 1.5)
+    curves = {("W1", "A", "pos"): between((0.2, 0.3, 1.0), (0.5, 9.0, 1.0))}
+    curves[("W1", "B", "pos")] = between((0.4, 9.0, 1.0))
+    stations, settings = {"A": "S", "B": "T"}, {"years": 50, "bins": 6}
+    brackets = pd.DataFrame({"low": [0.2, 0.39], "high": [0.21, 0.41], "weight": 1.0})
+    row, parts = risk_of("W1", curves, stations, brackets, hazard, settings, SETTINGS)
+    at = hazard.rate(np.array([0.2, 0.3, 0.5, 0.4]))
+    by_hand = 0.5 * (at[0] - at[1] + at[2] + at[3])
+    assert row["annual_rate"] == pytest.approx(by_hand, rel=2e-3)
+    assert sum(part[4] for part in parts) == pytest.approx(by_hand, rel=2e-3)
+    c = [equivalent(*curve, slope=K) for curve in curves.values()]
+    assert hazard.rate(np.array(c)).mean() == pytest.approx(by_hand, rel=2e-3)
+    assert "no interval" in row["remark"]
+
+
+def test_what_was_not_run_is_said_where_it_may_matter():
+    """A curve that falls in one narrow range, run to 0.6 g: from there on it may always fall."""
+    hazard, settings = power_law(0.06, 0.5, 1.5), {"years": 50, "bins": 6}
+    x, share = between((0.4, 0.42, 1.0))
+    curves = {("W1", "A", "pos"): (x[x < 0.6], share[x < 0.6])}
+    brackets = pd.DataFrame({"low": [0.4], "high": [np.inf], "weight": 1.0})
+    row, _ = risk_of("W1", curves, {"A": "S"}, brackets, hazard, settings, SETTINGS)
+    at = hazard.rate(np.array([0.4, 0.42, 0.6]))
+    said = float(row["remark"].partition("up to ")[2].partition(" % more")[0])
+    assert said == pytest.approx(100.0 * at[2] / (at[0] - at[1]), rel=0.02)
+    never = {("W1", "A", "pos"): (x, 0.0 * x)}
+    row, parts = risk_of("W1", never, {"A": "S"}, brackets, hazard, settings, SETTINGS)
+    assert "annual_rate" not in row
+    assert not parts
+    assert "no collapse" in row["remark"]
 
 
 @pytest.mark.parametrize("n", [1, 2, 4, 6])

@@ -1,7 +1,6 @@
 """Fragility: the fit recovers what made the data, censoring does not bias it, measures convert."""
 
 import numpy as np
-import pandas as pd
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -306,12 +305,3 @@ def test_properties_of_a_motion_do_not_change_with_its_scale():
         assert other[name] == pytest.approx(value, rel=1e-9), name
     assert one["pgv_over_pga_s"] == pytest.approx(1.0 / np.pi, rel=1e-3)
     assert one["significant_duration_s"] == pytest.approx(36.0, rel=0.01)
-
-
-def test_what_was_observed_steps_at_the_middle_of_each_bracket_and_counts_what_stood():
-    """Four curves, one known to stand up to between the second and the third collapse."""
-    low, high = [0.1, 0.2, 0.4, 0.35], [0.4, 0.45, 0.9, np.inf]
-    found = fragility.observed(pd.DataFrame({"low": low, "high": high}))
-    steps = np.interp([0.2, 0.3, 0.6], found.quantiles, found.probabilities)
-    np.testing.assert_allclose(steps, [1 / 4, 2 / 4, 1.0])  # the last of all that was followed
-    assert fragility.observed(pd.DataFrame({"low": [0.3], "high": [np.inf]})) is None

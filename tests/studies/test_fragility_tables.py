@@ -40,20 +40,49 @@ def made():
 def test_brackets_hold_the_collapse_in_every_measure(made):
     """Low below and high above, in units of the measure; weights of a curve sum to one."""
     curves, dense, factors = made
-    found = tables.brackets(curves, dense, factors, SETTINGS["measures"], STATIONS)
-    assert found.groupby(["record", "im"])["weight"].sum().to_numpy() == pytest.approx(1.0)
+    found = tables.brackets(curves, dense, factors, SETTINGS["measures"], STATIONS, 2.0)
+    weights = found.groupby(["record", "im", "reading"])["weight"].sum()
+    assert weights.to_numpy() == pytest.approx(1.0)
     for row in curves.to_dict("records"):
         for name in SETTINGS["measures"]:
             part = found[(found["record"] == row["record"]) & (found["im"] == name)]
             at = row["pga_collapse_g"] * factors[row["record"]][name]
-            assert (part["low"] < at).all()
-            assert (part["high"] >= at).all()
+            first = part[part["reading"] == tables.FIRST]
+            assert (first["low"] < at).all()
+            assert (first["high"] >= at).all()
+            assert part["low"].to_numpy() == pytest.approx(at, rel=0.02)
             assert part["high"].to_numpy() == pytest.approx(at, rel=0.02)
+
+
+def test_both_readings_of_a_curve_that_stands_again(made):
+    """Every curve also falls over a tenth below: first crossings are there, the share is not.
+
+    Of a power law k = 2 the lower range counts (0.5⁻² − 0.55⁻²) and the upper 1 of c⁻².
+    """
+    curves, dense, factors = made
+    at = dense["record"].map(curves.set_index("record")["pga_collapse_g"]).to_numpy()
+    lower = (dense["pga_g"] > 0.5 * at) & (dense["pga_g"] < 0.55 * at)
+    twice = dense.assign(probability=np.where(lower, 1.0, dense["probability"]))
+    found = tables.brackets(curves, twice, factors, ["pga_g"], STATIONS, 2.0)
+    by = {k: part.set_index("record")["high"] for k, part in found.groupby("reading")}
+    pga_g = curves.set_index("record")["pga_collapse_g"]
+    assert (by["first"] / pga_g).to_numpy() == pytest.approx(0.5, rel=0.03)
+    mean = (0.5**-2 - 0.55**-2 + 1.0) ** -0.5
+    assert (by["share"] / pga_g).groupby(level=0).mean().to_numpy() == pytest.approx(mean, rel=0.1)
+    (row,), *_ = tables.fits(found, {**SETTINGS, "measures": ["pga_g"], "resamples": 100})
+    assert row["median_first"] == pytest.approx(0.5 / mean * row["median"], rel=0.03)
+    of_curves = tables.shares(curves, twice, dict.fromkeys(RECORDS, 5.0))
+    x = np.array([0.01, 0.2, 0.3, 0.4, 3.9])
+    falls = (x[:, None] > 0.5 * pga_g.to_numpy()) & (x[:, None] < 0.55 * pga_g.to_numpy())
+    falls |= x[:, None] > pga_g.to_numpy()
+    assert tables.share_at(of_curves.values(), 5.0 * x) == pytest.approx(
+        falls.mean(axis=1), abs=0.05
+    )
 
 
 def test_fits_find_medians_and_the_better_measure(made):
     curves, dense, factors = made
-    found = tables.brackets(curves, dense, factors, SETTINGS["measures"], STATIONS)
+    found = tables.brackets(curves, dense, factors, SETTINGS["measures"], STATIONS, 2.0)
     rows, efficiency, fitted = tables.fits(found, SETTINGS)
     by = {row["im"]: row for row in rows}
     pga = np.log(curves["pga_collapse_g"])
@@ -86,7 +115,7 @@ def test_a_row_says_where_most_stood(made, standing, words):
     names = RECORDS[:standing]
     dense = dense.copy()
     dense.loc[dense["record"].isin(names), "probability"] = 0.0
-    found = tables.brackets(curves, dense, factors, ["pga_g"], STATIONS)
+    found = tables.brackets(curves, dense, factors, ["pga_g"], STATIONS, 2.0)
     rows, *_ = tables.fits(found, {**SETTINGS, "measures": ["pga_g"], "resamples": 20})
     assert rows[0]["remark"] == words
     assert rows[0]["n_censored"] == standing
@@ -94,7 +123,7 @@ def test_a_row_says_where_most_stood(made, standing, words):
 
 def test_few_stations_are_indicative(made):
     curves, dense, factors = made
-    found = tables.brackets(curves[:8], dense, factors, ["pga_g"], STATIONS)
+    found = tables.brackets(curves[:8], dense, factors, ["pga_g"], STATIONS, 2.0)
     rows, *_ = tables.fits(found, {**SETTINGS, "measures": ["pga_g"], "resamples": 20})
     assert rows[0]["remark"] == "indicative: 8 records of 8 stations"
 

@@ -17,7 +17,7 @@ from yade_scripts.model.motion import Motion
 pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).resolve().parents[2]
-OUTPUTS = ("fragility", "measures", "sufficiency", "brackets", "curves")
+OUTPUTS = ("fragility", "measures", "sufficiency", "brackets", "curves", "factors")
 PERIODS = [0.5, 0.63, 0.8, 1.0, 1.25, 1.6, 2.0]
 STATIONS = {f"R{i}": f"S{i}" for i in range(len(PERIODS))}
 HEAD = "model,record,direction,pga_g,d_over_b,collapsed,status,dt_s,steps,wall_s\n"
@@ -45,7 +45,7 @@ def collapse_tables(folder, curves, ending="", scans=()):
     names = {k: str(folder / f"{k}{ending}.csv") for k in ("collapse", "probability")}
     lists = {"ida": curves, "ensemble": [], "scans": scans}
     keys = [list(curve_key(pd.read_csv(path))) for path in scans or curves]
-    params = {"spread": 0.01, "curves": keys}
+    params = {"spread": 0.01, "slope": 2.0, "curves": keys}
     script("table_ida_collapse", folder, input=lists, output=names, params=params)
     return names
 
@@ -77,6 +77,7 @@ def fragility(tmp_path_factory):
         params={
             "stations": STATIONS,
             "fragility": settings,
+            "hazard_slope": 2.0,
             "facade": {"height_m": 6.48, "thickness_m": 0.375},
             "smdof": {"period_s": 0.27, "damping_ratio": 0.05},
         },
@@ -90,6 +91,7 @@ def fragility(tmp_path_factory):
         params={
             "stations": STATIONS,
             "fragility": settings,
+            "hazard_slope": 2.0,
             "facade": {"height_m": 6.48, "thickness_m": 0.375},
             "smdof": {"period_s": 0.27, "damping_ratio": 0.05},
         },

@@ -27,11 +27,13 @@ rule fragility_table:
         sufficiency=results("tables/im_sufficiency.csv"),
         brackets=results("fragility/brackets.csv"),
         curves=results("fragility/curves.csv"),
+        factors=results("fragility/factors.csv"),
     log:
         logs("fragility_table"),
     params:
         stations=stations,
         fragility=value_of("fragility"),
+        hazard_slope=value_of("risk.hazard_slope"),
         facade=values_of("facade", "height_m", "thickness_m"),
         smdof=values_of("smdof", "period_s", "damping_ratio"),
     script:

@@ -90,6 +90,7 @@ rule ida_collapse:
     params:
         curves=lambda w: list(map(tuple, RUNS.curves(w.run))),
         spread=value_of("ensemble.amplitude_spread"),
+        slope=value_of("risk.hazard_slope"),
     script:
         "../scripts/ida/table_ida_collapse.py"
 

@@ -13,7 +13,10 @@ def hazard(wildcards):
 
 rule risk_rate:
     input:
+        collapse=rules.ida_collapse.output.collapse,
+        probability=rules.ida_collapse.output.probability,
         brackets=rules.fragility_table.output.brackets,
+        factors=rules.fragility_table.output.factors,
         hazard=hazard,
         modules=code("risk/risk_rate"),
     output:

@@ -12,6 +12,7 @@ import pandas as pd
 
 from rocking.collapse import probability, search
 from rocking.collapse.case import Case
+from rocking.collapse.equivalent import SLOPE
 from rocking.collapse.motion import Motion
 from rocking.collapse.scan import Screen, scan_settings
 from rocking.records.reader import nearest
@@ -77,18 +78,24 @@ class Curve:
         """Collapse probability by intensity: pga_g, probability, realisations."""
         return probability.from_scan(self.table, self.spread)
 
-    def summary(self):
+    def summary(self, slope=SLOPE):
         """Collapse intensities by name, as `tables/ida_collapse.csv` has them.
+
+        Parameters
+        ----------
+        slope : float
+            k of a hazard that falls as x⁻ᵏ, for the equivalent PGA.
 
         Returns
         -------
         dict
             pga_safe_g, pga_collapse_g (lowest collapse), pga_p10_g, pga_median_g (half collapse),
-            pga_p90_g, pga_all_g, pga_max_g [g], NaN where nothing fell; reversals, and the
-            histories behind them. docs/collapse.md says what each means.
+            pga_p90_g, pga_all_g, pga_max_g, pga_equivalent_g (threshold that falls as often in a
+            year) [g], NaN where nothing fell; reversals, and the histories behind them.
+            docs/collapse.md says what each means.
         """
         none = pd.DataFrame()
-        found = probability.summary(self.table, none, none, self.spread)
+        found = probability.summary(self.table, none, none, self.spread, slope)
         return {k: v.item() if isinstance(v, np.generic) else v for k, v in found.items()}
 
 

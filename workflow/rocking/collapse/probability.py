@@ -14,13 +14,16 @@ import math
 import numpy as np
 import pandas as pd
 
+from rocking.collapse.equivalent import SLOPE, equivalent, thresholds
 from rocking.collapse.hidden import unseen
 
 LEVELS = (0.10, 0.50, 0.90)
+TOLD = 1e-3  # half width, over the amplitude, to which a threshold is told
 KEY = ["model", "record", "direction"]
 COLUMNS = [
     *KEY,
     *(f"pga_{name}_g" for name in ("safe", "collapse", "median", "p10", "p90", "all", "max")),
+    "pga_equivalent_g",
     *("reversals", "runs_planar", "runs_yade", "disagreements"),
     *("collapse_fell", "collapse_realisations", "safe_bound", "confirmed"),
 ]
@@ -157,7 +160,7 @@ def from_scan(scan, spread):
     )
 
 
-def summary(scan, curve, realisations, spread):
+def summary(scan, curve, realisations, spread, slope=SLOPE):
     """Collapse intensities of one curve, from all that was run for it.
 
     Parameters
@@ -168,14 +171,17 @@ def summary(scan, curve, realisations, spread):
         YADE's runs and the realisations of its ensembles: pga_g, status, collapsed (and, of
         realisations, amplitude_factor).
     spread : float
+    slope : float
+        Of the hazard, see `equivalent`.
 
     Returns
     -------
     dict
         See COLUMNS: highest amplitude that stood with nothing falling within + spread of it or
         below, in either method; lowest that fell; first crossings of 10, 50 and 90 %; amplitude
-        from which all collapse; largest that was run; how many fell, of how many, within ± spread
-        of the lowest that fell; what may hide below the safe one (`unseen`).
+        from which all collapse; largest that was run; threshold that falls as often in a year; how
+        many fell, of how many, within ± spread of the lowest that fell; what may hide below the
+        safe one (`unseen`).
     """
     own = [table for table in (curve, realisations) if len(table)]
     every = outcomes(*own) if scan is None else outcomes(*own, scan)
@@ -200,6 +206,7 @@ def summary(scan, curve, realisations, spread):
         "pga_p90_g": high,
         "pga_all_g": above.min() if len(fell) and len(above) else np.nan,
         "pga_max_g": every["pga_g"].max(),
+        "pga_equivalent_g": equivalent(at_g, share, slope),
         "reversals": reversals(dense["collapsed"]),
         "runs_planar": 0 if scan is None else len(scan),
         "runs_yade": len(curve) + len(realisations),
@@ -221,6 +228,20 @@ def half_collapse(table):
     return table["pga_median_g"].fillna(middle)
 
 
+def one_number(table):
+    """PGA by which curves are compared: the equivalent one, else as `half_collapse` [g].
+
+    Of a loss from one model to another it scatters less than half collapse does.
+
+    Parameters
+    ----------
+    table : DataFrame
+        Of tables/ida_collapse.csv; of an earlier version without the equivalent PGA.
+    """
+    known = table.get("pga_equivalent_g", pd.Series(np.nan, table.index)).astype(float)
+    return known.fillna(half_collapse(table))
+
+
 def outcomes(*tables):
     """Amplitude, outcome and d/b of every run that did not fail, by ascending amplitude."""
     parts = []
@@ -232,14 +253,12 @@ def outcomes(*tables):
     return pd.concat(parts).sort_values("pga_g", ignore_index=True)
 
 
-def brackets(table, row, count=10):
-    """Collapse of one curve as intervals of equal weight, for a likelihood.
+def dense_share(table, row):
+    """Collapse probability of one curve by ascending amplitude, from the tables of a run.
 
-    A curve whose probability is known counts as `count` realisations: the k-th collapses where the
-    probability first reaches (k − ½)/count, between that amplitude and the one before; where it
-    never does, above the largest. A curve without one counts as one realisation, between what
-    is safe and what collapsed. Amplitudes that the table's digits do not tell apart are one, with
-    the largest of their probabilities.
+    Amplitudes that the tables' digits do not tell apart are one, with the largest of their
+    probabilities. A curve without a probability, of few runs in YADE, is a threshold at what
+    collapsed, or stands as far as it was run.
 
     Parameters
     ----------
@@ -247,26 +266,69 @@ def brackets(table, row, count=10):
         Rows of tables/collapse_probability.csv of the curve; those of YADE alone if not scanned.
     row : mapping
         Its row of tables/ida_collapse.csv.
+
+    Returns
+    -------
+    pga_g, share : ndarray, shape (n,)
+        Empty where every run failed.
+    """
+    pga_g, share = _told(table)
+    if pga_g.size:
+        return pga_g, share
+    known = {k: float(row[f"pga_{k}_g"]) for k in ("safe", "collapse", "max")}
+    if math.isfinite(known["collapse"]):
+        low = np.nan_to_num(known["safe"]) or 0.5 * known["collapse"]
+        return np.array([low, known["collapse"]]), np.array([0.0, 1.0])
+    there = int(math.isfinite(known["max"]))
+    return np.array([known["max"]] * there), np.zeros(there)
+
+
+def _told(table):
+    """Amplitudes and shares of rows that hold a probability."""
+    by = "" if table["realisations"].notna().any() else "_yade"
+    dense = table[table[f"realisations{by}"].notna()]
+    pga_g, share = dense["pga_g"].to_numpy(float), dense[f"probability{by}"].to_numpy(float)
+    first = np.flatnonzero(np.diff(pga_g, prepend=-1.0) > 0.0)  # of rows with the same digits
+    return pga_g[first], np.maximum.reduceat(share, first) if first.size else share
+
+
+def brackets(table, row, count=10, slope=None):
+    """Collapse of one curve as intervals of equal weight, for a likelihood.
+
+    A curve whose probability is known counts as `count` realisations. By first crossings the k-th
+    collapses where the probability first reaches (k − ½)/count, between that amplitude and the one
+    before; where it never does, above the largest. With a slope of the hazard it collapses at the
+    threshold that falls as often as the probability exceeds (k − ½)/count, see
+    `equivalent.thresholds`. A curve without a probability counts as one realisation, between what
+    is safe and what collapsed.
+
+    Parameters
+    ----------
+    table, row
+        As of `dense_share`.
     count : int
+    slope : float, optional
 
     Returns
     -------
     list of (low, high, weight)
         [g]; high = ∞ where the realisation never collapsed. Empty where every run failed.
     """
-    by = "" if table["realisations"].notna().any() else "_yade"
-    dense = table[table[f"realisations{by}"].notna()]
-    if not len(dense):
+    pga_g, share = _told(table)
+    if not pga_g.size:
         known = {k: float(row[f"pga_{k}_g"]) for k in ("safe", "collapse", "max")}
         if math.isfinite(known["collapse"]):
             return [(np.nan_to_num(known["safe"]), known["collapse"], 1.0)]
         return [(known["max"], math.inf, 1.0)] if math.isfinite(known["max"]) else []
-    share = np.maximum.accumulate(dense[f"probability{by}"].to_numpy())
-    pga_g = dense["pga_g"].to_numpy()
-    last = np.append(np.diff(pga_g) > 0.0, True)  # of rows with the same digits
-    pga_g, share = pga_g[last], share[last]
-    out = []
-    for level in (np.arange(count) + 0.5) / count:
+    levels = (np.arange(count) + 0.5) / count
+    if slope is not None:
+        low, high = thresholds(pga_g, share, levels, slope)
+        same = high <= low * (1.0 + 2.0 * TOLD)
+        low = np.where(same, low * (1.0 - TOLD), low)
+        high = np.where(same, high * (1.0 + TOLD), high)
+        return [(a, b, 1.0 / count) for a, b in zip(low, high, strict=True)]
+    share, out = np.maximum.accumulate(share), []
+    for level in levels:
         k = int(np.searchsorted(share, level))
         low = pga_g[k - 1] if k else 0.0
         out.append((low, pga_g[k] if k < len(pga_g) else math.inf, 1.0 / count))

@@ -6,24 +6,32 @@ from rocking import stations
 from rocking.risk import rates
 from rocking.studies import fragility
 
-MUCH = 0.1  # share of the rate from beyond the hazard table that is worth a word
+MUCH = 0.1  # share of the rate from beyond the hazard table, or from above all runs: worth a word
 COLUMNS = ["model", "im", "median", "dispersion", "annual_rate", "rate_low", "rate_high"]
 COLUMNS += ["years", "probability", "probability_low", "probability_high"]
-COLUMNS += ["outside_share", "n_records", "n_stations", "remark"]
+COLUMNS += ["outside_share", "n_records", "n_stations", "rate_lognormal", "remark"]
 PARTS = ["model", "im", "intensity_low", "intensity_high", "annual_rate"]
 PARTS += ["share", "share_low", "share_high"]
 
 
-def risk_of(model, part, hazard, risk, settings):
+def risk_of(model, curves, stations_of, brackets, hazard, risk, settings):
     """Annual rate of collapse of a model, and where on the intensities it comes from.
 
-    Intervals come from stations drawn with replacement, as those of the fragility curves do.
+    The rate is the mean over the curves of ∫ P |dλ| with each one's own collapse probability P, so
+    that a façade which stands again above a collapse counts as it is. Beside it stands that of the
+    lognormal fragility. Intervals come from stations drawn with replacement.
 
     Parameters
     ----------
     model : str
-    part : DataFrame
-        Its brackets in the hazard's measure, see `studies.fragility_tables.brackets`.
+    curves : dict
+        By model, record and direction, intensity and share in the hazard's measure
+        (`studies.fragility_tables.shares`).
+    stations_of : mapping
+        Station by record.
+    brackets : DataFrame
+        Of the same in the hazard's measure, by the share that falls
+        (`studies.fragility_tables.brackets`).
     hazard : rocking.risk.hazard.Hazard
     risk, settings : dict
         Sections risk (years, bins) and fragility (confidence, resamples, min_stations; seed).
@@ -31,45 +39,53 @@ def risk_of(model, part, hazard, risk, settings):
     Returns
     -------
     dict, list of tuple
-        A row with COLUMNS, NaN where the brackets determine no fragility; rows with PARTS.
+        A row with COLUMNS, NaN where nothing falls; rows with PARTS.
     """
-    fit, draws = fragility.fit_table(part, settings)
-    many, confidence = (part["record"].nunique(), draws.stations), settings["confidence"]
+    places, confidence = [stations_of[key[1]] for key in curves], settings["confidence"]
+    many = (len({key[1] for key in curves}), len(set(places)))
     few = stations.remark(*many, settings["min_stations"])
-    if not np.isfinite(fit.median):
+    edges = np.geomspace(hazard.intensity[0], hazard.intensity[-1], risk["bins"] + 1)
+    edges[[0, -1]] = hazard.intensity[[0, -1]]
+    edges = np.concatenate([[0.0], edges, [np.inf]])
+    of_curves = np.array([rates.of_curve(hazard, x, p, edges) for x, p in curves.values()])
+    by_bin = of_curves.mean(axis=0) if len(of_curves) else np.zeros(len(edges) - 1)
+    rate = by_bin.sum()
+    if not rate > 0.0:
         known = {"model": model, "im": hazard.measure, "years": risk["years"]}
         known |= dict(zip(("n_records", "n_stations"), many, strict=True))
-        return known | {"remark": remark(np.nan, 0.0, few)}, []
-    (rate,), (outside,) = rates.collapse_rate(hazard, fit.median, fit.dispersion)
-    drawn, _ = rates.collapse_rate(hazard, draws.median, draws.dispersion)
-    ends = draws.interval(drawn, confidence)
+        return known | {"remark": remark(np.nan, 0.0, 0.0, few)}, []
+    counts = stations.drawn(places, settings["resamples"], settings["seed"])
+    drawn_by_bin = counts @ of_curves / counts.sum(axis=1, keepdims=True)
+    drawn = drawn_by_bin.sum(axis=1)
+    ends = stations.interval(drawn, many[1], confidence)
     within = rates.probability_within([rate, *ends], risk["years"])
-    words = remark(rate, outside, few)
+    outside = (by_bin[0] + by_bin[-1]) / rate
+    fit = fragility.fit(*(brackets[name].to_numpy() for name in ("low", "high", "weight")))
+    lognormal = np.nan
+    if np.isfinite(fit.median):
+        lognormal = rates.collapse_rate(hazard, fit.median, fit.dispersion)[0][0]
+    words = remark(rate, outside, above(curves.values(), hazard) / rate, few)
     own = (model, hazard.measure, fit.median, fit.dispersion, rate, *ends, risk["years"])
-    row = dict(zip(COLUMNS, (*own, *within, outside, *many, words), strict=True))
-    inner = np.geomspace(hazard.intensity[0], hazard.intensity[-1], risk["bins"] + 1)
-    inner[[0, -1]] = hazard.intensity[[0, -1]]
-    edges, (by_bin,) = _bins(hazard, fit.median, fit.dispersion, inner)
-    _, by_bin_drawn = _bins(hazard, draws.median, draws.dispersion, inner)
-    usable = np.isfinite(drawn) & (drawn > 0.0)
-    lower, upper = draws.interval(by_bin_drawn[usable] / drawn[usable, None], confidence)
+    row = dict(zip(COLUMNS, (*own, *within, outside, *many, lognormal, words), strict=True))
+    usable = drawn > 0.0
+    shares = drawn_by_bin[usable] / drawn[usable, None]
+    lower, upper = stations.interval(shares, many[1], confidence)
     bins = zip(edges[:-1], edges[1:], by_bin, by_bin / rate, lower, upper, strict=True)
     return row, [(model, hazard.measure, *values) for values in bins]
 
 
-def remark(rate, outside, few):
+def above(curves, hazard):
+    """What the rate may rise by if all curves fell above the largest intensity that was run."""
+    return np.mean([(1.0 - share[-1]) * hazard.rate(x[-1]) for x, share in curves])
+
+
+def remark(rate, outside, unknown, few):
     """What the reader of a row has to know, in a few words; `few` of `stations.remark`."""
     words = [few] if few else []
     if not np.isfinite(rate):
-        words.append("fragility not determined")
+        words.append("no collapse")
     if outside > MUCH:
         words.append(f"{100 * outside:.0f} % of the rate from beyond the hazard table")
+    if unknown > MUCH:
+        words.append(f"up to {100 * unknown:.0f} % more from above what was run")
     return "; ".join(words)
-
-
-def _bins(hazard, median, dispersion, inner):
-    """Rate by the intervals between `inner` and beyond its ends."""
-    edges, rate = rates.by_interval(hazard, median, dispersion, inner)
-    wanted = np.concatenate([[0.0], inner])
-    first = np.searchsorted(edges, wanted)
-    return np.append(wanted, np.inf), np.add.reduceat(rate, first, axis=1)

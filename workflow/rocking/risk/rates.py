@@ -1,10 +1,12 @@
-"""Annual rate of collapse from a hazard curve and a lognormal fragility, in closed form.
+"""Annual rate of collapse: of a curve as it is, and of a lognormal fragility in closed form.
 
 With the hazard λ(x), a rate of exceedance, and the fragility F(x) = Φ[ln(x/θ)/β],
 
     λ_c = ∫ F(x) |dλ(x)| = ∫ λ(x) F′(x) dx                       (Cornell & Krawinkler, 2000)
 
-Where λ = k₀ x⁻ᵏ, the second form is exact on any interval, by completing the square:
+With a curve's own collapse probability P(x), which may fall again, the first form is a sum: P is
+that of the nearest amplitude that was run. Where λ = k₀ x⁻ᵏ, the second is exact on any interval
+with a fragility F, by completing the square:
 
     ∫_a^b k₀ x⁻ᵏ dF = k₀ θ⁻ᵏ exp(k²β²/2) {Φ[ln(b/θ)/β + kβ] − Φ[ln(a/θ)/β + kβ]},
 
@@ -16,6 +18,7 @@ there is stated. Collapse within t years has the probability 1 − exp(−λ_c t
 import numpy as np
 from scipy.special import ndtr
 
+from rocking.collapse.equivalent import cells
 from rocking.studies.fragility import log_mass
 
 
@@ -64,6 +67,32 @@ def by_interval(hazard, median, dispersion, inner=()):
     rate[np.isinf(theta[:, 0])] = 0.0
     rate[theta[:, 0] == 0.0] = np.inf
     return edges, rate
+
+
+def of_curve(hazard, intensity, share, edges):
+    """Rate of collapse of a curve by intervals of intensity, ∫ P |dλ|.
+
+    Parameters
+    ----------
+    hazard : rocking.risk.hazard.Hazard
+    intensity, share : ndarray, shape (m,)
+        Collapse probability by ascending intensity, in the hazard's measure; below the first
+        nothing falls, above the last it stays what it is there.
+    edges : ndarray, shape (n + 1,)
+        Of the intervals, ascending, from 0 to ∞.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        [1/year]
+    """
+    low, _ = cells(intensity)
+    points = np.unique(np.concatenate([low, edges]))
+    place = np.searchsorted(low, points[:-1], side="right") - 1
+    falls = np.where(place < 0, 0.0, np.asarray(share, float)[np.maximum(place, 0)])
+    exceeded = np.append(hazard.rate(points[1:-1]), 0.0)
+    drop = np.where(falls > 0.0, np.append(np.inf, exceeded[:-1]) - exceeded, 0.0)
+    return np.add.reduceat(falls * drop, np.searchsorted(points, edges[:-1]))
 
 
 def collapse_rate(hazard, median, dispersion):

@@ -10,7 +10,7 @@ Claims are made for surrogates and for recorded motions separately.
 import numpy as np
 import pandas as pd
 
-from rocking.collapse.probability import half_collapse
+from rocking.collapse.probability import one_number
 from rocking.statements import COLUMNS, OURS, STUDY, statement
 
 MARGINAL = ("BUCAR0-", "BUCAR0+", "1ST280-", "HVSC1+", "RRS228+")
@@ -40,7 +40,7 @@ def capacities(collapse):
     table["case"] = table["record"] + sign
     numbers = ["pga_safe_g", "pga_collapse_g", "pga_median_g", "pga_p10_g", "pga_p90_g"]
     table[numbers] = table[numbers].astype(float)
-    table["capacity"] = half_collapse(table)
+    table["capacity"] = one_number(table)
     table["bound"] = table["pga_safe_g"].where(table["capacity"].isna())
     band = table["pga_p90_g"] - table["pga_p10_g"]
     table["width"] = band.fillna(table["pga_collapse_g"] - table["pga_safe_g"].fillna(0.0))

@@ -308,29 +308,3 @@ def _newton_step(a, t, x, weights):
     newton = np.stack([-(tt * g[0] - at * g[1]), -(aa * g[1] - at * g[0])]) / determinant
     uphill = 0.1 * g / np.maximum(np.abs(g).max(axis=0), 1e-300)
     return np.where(usable, newton, uphill)
-
-
-def observed(brackets):
-    """Share that has collapsed by intensity, without a model of its distribution.
-
-    The product limit of Kaplan and Meier (1958), each collapse at the middle of its bracket (of
-    its logarithms), and what never collapsed as known to stand so far.
-
-    Parameters
-    ----------
-    brackets : DataFrame
-        low, high; high = ∞ where nothing collapsed.
-
-    Returns
-    -------
-    scipy.stats EmpiricalDistributionFunction, or None
-        quantiles, probabilities; None without a collapse.
-    """
-    from scipy import stats  # slow to load
-
-    collapsed = np.isfinite(brackets["high"]) & (brackets["low"] > 0)
-    if not collapsed.any():
-        return None
-    middle = np.sqrt(brackets["low"][collapsed] * brackets["high"][collapsed])
-    never = brackets["low"][np.isinf(brackets["high"])]
-    return stats.ecdf(stats.CensoredData(uncensored=middle, right=never)).cdf

@@ -5,21 +5,27 @@ import pandas as pd
 
 from rocking import stations
 from rocking.collapse import probability
+from rocking.collapse.equivalent import cells
 from rocking.studies import fragility, sufficiency
 
 POINTS = 121
 REACH = 3.5  # dispersions either side of the median
-BRACKETS = [*probability.KEY, "station", "im", "low", "high", "weight"]
+SHARE, FIRST = (
+    "share",
+    "first",
+)  # readings of a curve: the share that falls at x, its first crossing
+BRACKETS = [*probability.KEY, "station", "im", "reading", "low", "high", "weight"]
 FITS = ["model", "im", "median", "dispersion", "ci_low", "ci_high"]
-FITS += ["n", "n_censored", "n_records", "n_stations", "remark"]
+FITS += ["n", "n_censored", "n_records", "n_stations", "median_first", "dispersion_first", "remark"]
+FACTORS = ["record", "station", "im", "per_pga"]
 EFFICIENCY = ["model", "im", "dispersion", "ci_low", "ci_high", "less_than_pga"]
 EFFICIENCY += ["n", "n_records", "n_stations"]
-CURVES = ["model", "im", "intensity", "probability", "band_low", "band_high"]
+CURVES = ["model", "im", "intensity", "probability", "band_low", "band_high", "share"]
 SLOPES = ["model", "im", "against", "slope", "ci_low", "ci_high", "sufficient", "n"]
 
 
-def brackets(curves, dense, factors, measures, stations_of):
-    """Collapse of every curve as weighted intervals in every measure.
+def brackets(curves, dense, factors, measures, stations_of, slope):
+    """Collapse of every curve as weighted intervals in every measure, by both readings.
 
     Parameters
     ----------
@@ -31,22 +37,79 @@ def brackets(curves, dense, factors, measures, stations_of):
         Names of `records.intensity_measures.MEASURES`.
     stations_of : mapping
         Station by record.
+    slope : float
+        Of the hazard by which a curve that stands again above a collapse is read, see
+        `probability.brackets`.
 
     Returns
     -------
     DataFrame
-        Columns BRACKETS; low = 0 and high = ∞ where open, weights of a curve sum to one.
+        Columns BRACKETS; low = 0 and high = ∞ where open, weights of a curve and reading sum to
+        one.
     """
     rows = []
+    for key, table, row in by_curve(curves, dense):
+        own = (*key, stations_of[row["record"]])
+        for reading, by in ((SHARE, slope), (FIRST, None)):
+            for low, high, weight in probability.brackets(table, row, slope=by):
+                for name in measures:
+                    factor = factors[row["record"]][name]
+                    rows.append((*own, name, reading, low * factor, high * factor, weight))
+    return pd.DataFrame(rows, columns=BRACKETS)
+
+
+def by_curve(curves, dense):
+    """Key of every curve, its rows of the collapse probability, its row of intensities."""
     tables = dict(list(dense.groupby(probability.KEY)))
     for row in curves.to_dict("records"):
         key = tuple(row[name] for name in probability.KEY)
-        own = (*key, stations_of[row["record"]])
-        for low, high, weight in probability.brackets(tables.get(key, dense[:0]), row):
-            for name in measures:
-                factor = factors[row["record"]][name]
-                rows.append((*own, name, low * factor, high * factor, weight))
-    return pd.DataFrame(rows, columns=BRACKETS)
+        yield key, tables.get(key, dense[:0]), row
+
+
+def shares(curves, dense, per_pga):
+    """Collapse probability of every curve against a measure.
+
+    Parameters
+    ----------
+    curves, dense
+        As of `brackets`.
+    per_pga : mapping
+        Measure over PGA by record.
+
+    Returns
+    -------
+    dict
+        By key of the curve: intensity and share, see `probability.dense_share`; without curves of
+        which every run failed.
+    """
+    found = {
+        key: (per_pga[row["record"]], *probability.dense_share(table, row))
+        for key, table, row in by_curve(curves, dense)
+    }
+    return {key: (factor * x, share) for key, (factor, x, share) in found.items() if x.size}
+
+
+def share_at(of_curves, intensity):
+    """Share of curves that fall at intensities, each by its own probability there.
+
+    Parameters
+    ----------
+    of_curves : iterable of (intensity, share)
+        See `shares`.
+    intensity : array_like, shape (n,)
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        NaN above what some curve was run to without falling for good there.
+    """
+    at, rows = np.asarray(intensity, float), []
+    for x, share in of_curves:
+        low, _ = cells(x)
+        place = np.searchsorted(low, at, side="right") - 1
+        own = np.where(place < 0, 0.0, share[np.maximum(place, 0)])
+        rows.append(np.where((at > x[-1]) & (share[-1] < 1.0), np.nan, own))
+    return np.mean(rows, axis=0)
 
 
 def fits(table, settings):
@@ -62,15 +125,17 @@ def fits(table, settings):
     Returns
     -------
     fits, efficiency, curves : list of dict
-        Rows with the columns FITS, EFFICIENCY and CURVES; NaN where the brackets determine no fit.
-        less_than_pga is the share of resamples with less dispersion than by PGA; it and all
-        intervals are NaN from too few stations (`rocking.stations`).
+        Rows with the columns FITS, EFFICIENCY and CURVES, by the share that falls at an intensity;
+        median_first and dispersion_first are those of first crossings. NaN where the brackets
+        determine no fit. less_than_pga is the share of resamples with less dispersion than by PGA;
+        it and all intervals are NaN from too few stations (`rocking.stations`).
     """
     confidence, rows, efficiency, curves = settings["confidence"], [], [], []
     for model, of_model in table.groupby("model", sort=False):
         by_pga = None  # dispersions of the same draws, if PGA is among the measures
         for name in sorted(settings["measures"], key=lambda m: m != "pga_g"):
-            part = of_model[of_model["im"] == name]
+            of_measure = of_model[of_model["im"] == name]
+            part = of_measure[of_measure["reading"] == SHARE]
             found, draws = fragility.fit_table(part, settings)
             known, better = np.isfinite(found.median), np.nan
             if name == "pga_g":
@@ -88,15 +153,26 @@ def fits(table, settings):
                 for of, v in (("median", draws.median), ("dispersion", draws.dispersion))
                 if known
             }
-            never = part["weight"][np.isinf(part["high"]) & (part["weight"] > 0.0)].sum()
-            own = {"median": found.median, "n_censored": round(float(never), 3)}
+            own = {"median": found.median, "n_censored": round(never(part), 3)}
+            own |= first(of_measure[of_measure["reading"] == FIRST])
             own["remark"] = remark(found, part, settings)
             rows.append(both | own | ends.get("median", {}))
             efficiency.append(both | {"less_than_pga": better} | ends.get("dispersion", {}))
             if known:
                 points = fragility.points(found, draws, confidence, POINTS, REACH)
-                curves += [dict(zip(CURVES, (model, name, *p), strict=True)) for p in points]
+                curves += [dict(zip(CURVES, (model, name, *p), strict=False)) for p in points]
     return rows, efficiency, curves
+
+
+def never(part):
+    """Curves that never collapse, parts of curves included."""
+    return float(part["weight"][np.isinf(part["high"]) & (part["weight"] > 0.0)].sum())
+
+
+def first(part):
+    """Median and dispersion of first crossings."""
+    found = fragility.fit(*(part[name].to_numpy() for name in ("low", "high", "weight")))
+    return {"median_first": found.median, "dispersion_first": found.dispersion}
 
 
 def remark(found, part, settings):

@@ -4,7 +4,7 @@ import math
 
 import pandas as pd
 
-from rocking.collapse.probability import half_collapse
+from rocking.collapse.probability import half_collapse, one_number
 
 MET = ("yes", "no", "partly", "given", "open")
 HEAD = "| | in the study | its value | here | met | why they differ |\n|---|---|---|---|---|---|\n"
@@ -135,20 +135,27 @@ def errors(data, tables):
 
 
 def collapse(data, tables):
-    """Figure 9 in numbers: PGA at which half overturn, else the middle of the bracket."""
+    """Figure 9 in numbers: the PGA by which curves are compared, half collapse beside it."""
     table = tables.get("ida_collapse")
     if table is None:
         return []
     table = table.assign(
-        pga=half_collapse(table),
+        pga=one_number(table),
+        half=half_collapse(table),
         curve=table["record"] + table["direction"].map({"pos": "+", "neg": "−"}),
     )
-    wide = table.pivot(index="curve", columns="model", values="pga")
+    wide = table.pivot(index="curve", columns="model", values=["pga", "half"])
     order = dict.fromkeys(table["curve"])
     models = list(dict.fromkeys(table["model"]))
-    lines = ["| collapse PGA [g] | " + " | ".join(models) + " |", "|---" * (len(models) + 1) + "|"]
+    both = "pga_equivalent_g" in table
+    said = "equivalent PGA (half collapse) [g]" if both else "collapse PGA [g]"
+    lines = [f"| {said} | " + " | ".join(models) + " |", "|---" * (len(models) + 1) + "|"]
     for curve in order:
-        cells = ["–" if math.isnan(v) else f"{v:.3f}" for v in wide.loc[curve, models]]
+        cells = []
+        for model in models:
+            one, half = (wide.loc[curve, (of, model)] for of in ("pga", "half"))
+            beside = f" ({half:.3f})" if both else ""
+            cells.append("–" if math.isnan(one) else f"{one:.3f}{beside}")
         lines.append(f"| {curve} | " + " | ".join(cells) + " |")
     return lines
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from rocking.collapse.probability import KEY
+from rocking.collapse.probability import KEY, one_number
 from rocking.configuration.words import said
 from rocking.figures import style
 from rocking.runtime.script import run
@@ -29,12 +29,6 @@ def _plain(value):
     return " ".join(map(str, value)) if isinstance(value, list) else value
 
 
-def intensity(table):
-    """Collapse intensity of every row: the band's median, else the lowest that overturned [g]."""
-    median = table.get("pga_median_g", pd.Series(np.nan, table.index))
-    return median.fillna(table["pga_collapse_g"])
-
-
 def label(name, values):
     """Name of a run and the first of what it has different."""
     pairs = [said(key.rpartition(".")[2], _plain(v)) for key, v in values.items() if v is not None]
@@ -46,7 +40,7 @@ def main(job):
     table = joined(job.input.tables, differing)
     write_table(table, job.output.table, digits=None)
     names = list(differing)
-    wide = table.assign(pga_g=intensity(table)).pivot(index=KEY, columns="run", values="pga_g")
+    wide = table.assign(pga_g=one_number(table)).pivot(index=KEY, columns="run", values="pga_g")
     wide = wide.reindex(columns=names)
     models = list(dict.fromkeys(table["model"]))
     figure, axis = plt.subplots(figsize=(max(4.5, 1.3 + 1.25 * len(names)), 4.2))
@@ -61,7 +55,7 @@ def main(job):
             axis.plot(names, mean, color=how.colour, marker=how.marker, ms=6, lw=2.0, label=model)
         else:
             axis.plot([], [], color=how.colour, marker=how.marker, lw=0.5, label=model)
-    axis.set(ylabel="collapse PGA [g]", ylim=(0.0, None))
+    axis.set(ylabel="equivalent collapse PGA [g]", ylim=(0.0, None))
     axis.set_xticks(range(len(names)), [label(n, differing[n]) for n in names], fontsize=6.5)
     axis.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     Path(job.output.png).parent.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""Fragility curves with bands, a panel an intensity measure; steps are the records themselves."""
+"""Fragility curves with bands, a panel an intensity measure; dotted, the share that falls there."""
 
 from itertools import cycle
 
@@ -8,7 +8,6 @@ from rocking.figures.panels import band, panels, plain_log
 from rocking.records.intensity_measures import MEASURES
 from rocking.runtime.script import run
 from rocking.stations import heading
-from rocking.studies.fragility import observed
 
 from yade_scripts.model.registry import MODELS
 
@@ -24,15 +23,10 @@ def main(job):
     for axis, name in zip(axes.flat, names, strict=False):
         for (_, fit), line in zip(fits[fits["im"] == name].iterrows(), cycle(LINES), strict=False):
             colour = MODELS[fit["model"]].colour
-            curve, bracket = (
-                table[(table["model"] == fit["model"]) & (table["im"] == name)]
-                for table in (curves, brackets)
-            )
-            if (data := observed(bracket)) is not None:
-                look = {"where": "post", "color": colour, "lw": 0.8, "ls": ":"}
-                axis.step(data.quantiles, data.probabilities, **look)
+            curve = curves[(curves["model"] == fit["model"]) & (curves["im"] == name)]
             if curve.empty:
                 continue
+            axis.plot(curve["intensity"], curve["share"], color=colour, lw=0.8, ls=":")
             label = f"{fit['model']}: {fit['median']:.3g}, β {fit['dispersion']:.2f}"
             drawn = (curve[key] for key in ("intensity", "probability", "band_low", "band_high"))
             band(axis, *drawn, colour, alpha=0.18, ls=line, label=label)

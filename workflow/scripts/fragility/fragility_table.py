@@ -2,8 +2,9 @@
 
 Writes tables/fragility.csv, tables/intensity_measures.csv and tables/im_sufficiency.csv (slopes of
 the collapse intensity on properties of the motion), and what they rest on:
-fragility/brackets.csv (the collapse intervals of the curves, in every measure) and
-fragility/curves.csv (fitted probability with its band).
+fragility/brackets.csv (the collapse intervals of the curves, in every measure),
+fragility/curves.csv (fitted probability with its band, and the share that falls there) and
+fragility/factors.csv (every measure over PGA, by record).
 """
 
 import pandas as pd
@@ -12,6 +13,7 @@ from rocking.records import read_csv
 from rocking.records.intensity_measures import per_pga, record_measures
 from rocking.runtime.script import run
 from rocking.studies import fragility_tables, sufficiency
+from rocking.studies.fragility_tables import CURVES, FACTORS, share_at, shares
 from rocking.tables import write_table
 
 
@@ -30,13 +32,31 @@ def main(job):
     stations = job.params.stations
     slopes = fragility_tables.slopes(curves, factors, properties, settings, stations)
     dense = pd.read_csv(job.input.probability)
-    brackets = fragility_tables.brackets(curves, dense, factors, settings["measures"], stations)
+    names = settings["measures"]
+    brackets = fragility_tables.brackets(
+        curves, dense, factors, names, stations, job.params.hazard_slope
+    )
     fits, efficiency, fitted = fragility_tables.fits(brackets, settings)
+    known = [(r, stations[r], im, own[im]) for r, own in factors.items() for im in names]
     write_table(slopes, job.output.sufficiency)
     write_table(brackets, job.output.brackets)
     write_table(fits, job.output.fragility, fragility_tables.FITS)
     write_table(efficiency, job.output.measures, fragility_tables.EFFICIENCY)
-    write_table(fitted, job.output.curves, fragility_tables.CURVES)
+    write_table(with_shares(fitted, curves, dense, factors), job.output.curves, CURVES)
+    write_table(
+        [dict(zip(FACTORS, row, strict=True)) for row in known], job.output.factors, FACTORS
+    )
+
+
+def with_shares(fitted, curves, dense, factors):
+    """Rows of fitted curves with the share that falls there, as it is."""
+    table = pd.DataFrame(fitted, columns=CURVES[:-1])
+    parts = []
+    for (model, im), part in table.groupby(["model", "im"], sort=False):
+        per_pga = {record: own[im] for record, own in factors.items()}
+        mine = shares(curves[curves["model"] == model], dense, per_pga)
+        parts.append(part.assign(share=share_at(mine.values(), part["intensity"])))
+    return pd.concat(parts) if parts else table.assign(share=None)
 
 
 run(main, globals())

@@ -15,7 +15,7 @@ def main(job):
     for key in map(tuple, job.params.curves):
         scan, curve, realisations = scans.get(key), curves.get(key, none), ensembles.get(key, none)
         named = dict(zip(probability.KEY, key, strict=True))
-        row = named | probability.summary(scan, curve, realisations, spread)
+        row = named | probability.summary(scan, curve, realisations, spread, job.params.slope)
         if scan is None and len(realisations):
             table = probability.single_runs(probability.outcomes(curve, realisations), spread)
         else:

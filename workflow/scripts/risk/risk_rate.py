@@ -7,16 +7,23 @@ import pandas as pd
 from rocking.risk.collapse import COLUMNS, PARTS, risk_of
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
+from rocking.studies.fragility_tables import SHARE, shares
 from rocking.tables import write_table
 
 
 def main(job):
     risk, settings = job.params.risk, job.params.fragility
     hazard = read_hazard(str(job.input.hazard), job.params.period_s, risk["site"])
-    table = pd.read_csv(job.input.brackets)
+    brackets, factors, collapse, dense = (
+        pd.read_csv(job.input[name]) for name in ("brackets", "factors", "collapse", "probability")
+    )
+    brackets = brackets[(brackets["im"] == hazard.measure) & (brackets["reading"] == SHARE)]
+    known = factors[factors["im"] == hazard.measure].set_index("record")
     rows, parts = [], []
-    for model, part in table[table["im"] == hazard.measure].groupby("model", sort=False):
-        row, bins = risk_of(model, part, hazard, risk, settings)
+    for model, own in collapse.groupby("model", sort=False):
+        curves = shares(own, dense, known["per_pga"])
+        mine = brackets[brackets["model"] == model]
+        row, bins = risk_of(model, curves, known["station"], mine, hazard, risk, settings)
         rows.append(row)
         parts += bins
     write_table(rows, job.output.table, COLUMNS)
