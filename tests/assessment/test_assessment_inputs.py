@@ -179,3 +179,12 @@ def test_a_missing_demand_is_refused_in_one_line(more, words):
     with pytest.raises(ValueError, match=words) as caught:
         check()
     assert "\n" not in str(caught.value)
+
+
+def test_the_shape_at_a_hazards_pga_is_the_middle_one():
+    """Of three spectra of 1, 2 and 4 times the PGA the demand has the one of 2."""
+    shape = np.ones((3, 32)) * np.array([[4.0], [1.0], [2.0]])
+    shape[:, 0] = 1.0  # period 0
+    found = at_pga(shape, 0.3)
+    assert found.pga_g == pytest.approx(0.3)
+    assert found.acceleration(0.5) == pytest.approx(0.6)

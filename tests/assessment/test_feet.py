@@ -1,4 +1,4 @@
-"""Which parts can turn follows from what holds where: against hand calculation and dense searches."""
+"""Which parts can turn follows from what holds where: against hand calculation, dense searches."""
 
 import itertools
 import math
@@ -179,3 +179,11 @@ def test_a_slack_row_pulls_from_its_slack_on():
     end, broken = slack.limit(0.4)
     assert broken
     assert end == pytest.approx(taut.limit(0.4)[0], rel=1e-9)
+
+
+def test_a_pull_that_ends_beyond_the_share_of_d0_does_not_raise_the_limit():
+    """30 kN at 5 m until 0.3 m, the top then at 0.36 m: d_SLV stays 0.4·0.597."""
+    held = overturning(Facade(6.0, 0.6, 100e3), [Held(30e3, 5.0, 0.3)])
+    d0 = held.ultimate()[1]
+    assert held.limit(0.4) == (pytest.approx(0.4 * d0), False)
+    assert d0 == pytest.approx(6.0 * math.sin(math.atan(0.1)), rel=1e-3)
