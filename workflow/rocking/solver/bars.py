@@ -5,7 +5,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocking.runtime.compiled import compiled, inlined
+from rocking.runtime.compiled import inlined
+
+from .vectors import choose, hypot, like, put, put_where, some, take
 
 
 class Bars(NamedTuple):
@@ -53,9 +55,10 @@ class Memory(NamedTuple):
 
     Attributes
     ----------
-    yielded_m, snapped : ndarray, shape (ties,)
-    slid_m : ndarray, shape (floors,)
-    place_m, speed_m_s, rate_m_s2 : ndarray, shape (floors,)
+    yielded_m, snapped : rows, of ties
+        By how much a tie has yielded; 1 where it is lost.
+    slid_m : rows, of floors
+    place_m, speed_m_s, rate_m_s2 : rows, of floors
         Of floors with a mass, relative to the ground; velocity half a step back.
     """
 
@@ -67,22 +70,102 @@ class Memory(NamedTuple):
     rate_m_s2: np.ndarray
 
 
-@compiled
-def at_rest(bars):
-    """Memory of a history that begins."""
+@inlined
+def remembered(bars, rows):
+    """`Memory` in rows: two a tie, four a floor."""
     ties, floors = bars.tie_k_n_m.size, bars.floor_k_n_m.size
+    rest = rows[2 * ties :]
     return Memory(
-        np.zeros(ties),
-        np.zeros(ties, np.bool_),
-        np.zeros(floors),
-        np.zeros(floors),
-        np.zeros(floors),
-        np.zeros(floors),
+        rows[:ties],
+        rows[ties : 2 * ties],
+        *(rest[:floors], rest[floors : 2 * floors]),
+        *(rest[2 * floors : 3 * floors], rest[3 * floors :]),
     )
 
 
 @inlined
-def act(bars, memory, pose, half_s, supports, ground_m_s2, weight_ratio, push):
+def _add(push, body, fy, fz, moment):
+    """Add a force and its moment to those of a body."""
+    put(push, 3 * body, take(push, 3 * body) + fy)
+    put(push, 3 * body + 1, take(push, 3 * body + 1) + fz)
+    put(push, 3 * body + 2, take(push, 3 * body + 2) + moment)
+
+
+@inlined
+def _arm(place, turn, body, arm):
+    """Where a body is, and an arm that turns with it."""
+    cos, sin = take(turn, 2 * body), take(turn, 2 * body + 1)
+    y, z = take(place, 3 * body), take(place, 3 * body + 1)
+    return y, z, cos * arm[0] - sin * arm[1], sin * arm[0] + cos * arm[1]
+
+
+@inlined
+def _tie(bars, memory, i, place, turn, supports, push):
+    """Force of a tie; energy stored, taken in this step, and whether it was lost in it."""
+    j, own, k = bars.tie_support[i], bars.tie_body[i], bars.tie_k_n_m[i]
+    most, taut, yielded = bars.tie_capacity_n[i], bars.tie_taut_m[i], take(memory.yielded_m, i)
+    y, z, ry, rz = _arm(place, turn, own, bars.tie_arm_m[i])
+    at = j if j >= 0 else len(supports.y) - 1
+    ey, ez = y + ry - bars.tie_end_m[i, 0] - take(supports.y, at), z + rz - bars.tie_end_m[i, 1]
+    # what pulls is longer than `taut`; the rounding of a square cannot hide it
+    pulls = (take(memory.snapped, i) <= 0.0) & ~(ey * ey + ez * ez < 0.999 * (taut * taut))
+    none = like(0.0, ey)
+    if not some(pulls):
+        return none, none, none
+    length = hypot(ey, ez)
+    longer = length - taut
+    pull = k * (longer - yielded)
+    pulls = pulls & ~(pull <= 0.0)
+    snaps = pulls & (longer > bars.tie_snap_m[i])
+    pulls = pulls & ~snaps
+    most_held = min(pull, most)
+    spent = choose(snaps, 0.5 * (most_held * most_held) / k, 0.0)
+    lost = choose(snaps, 1.0, none)
+    put_where(memory.snapped, i, snaps, 1.0)
+    yields = pulls & (pull > most)
+    if some(yields):
+        pull = choose(yields, most, pull)
+        spent = choose(yields, pull * (longer - pull / k - yielded), spent)
+        put_where(memory.yielded_m, i, yields, longer - pull / k)
+    gy, gz = choose(pulls, -pull * ey / length, 0.0), choose(pulls, -pull * ez / length, 0.0)
+    _add(push, own, gy, gz, ry * gz - rz * gy)
+    put(supports.fy, at, take(supports.fy, at) - gy)
+    return choose(pulls, 0.5 * pull * pull / k, 0.0), spent, lost
+
+
+@inlined
+def _floor(bars, memory, i, place, turn, half_s, supports, ground_m_s2, weight_ratio, push):
+    """Force of a floor; energy stored, its load's included, and taken in this step."""
+    j, own, mass = bars.floor_support[i], bars.floor_body[i], bars.mass_kg[i]
+    k, most, slid = bars.floor_k_n_m[i], bars.floor_capacity_n[i], take(memory.slid_m, i)
+    y, z, ry, rz = _arm(place, turn, own, bars.floor_arm_m[i])
+    ay, az = bars.floor_arm_m[i]
+    at = j if j >= 0 else len(supports.y) - 1
+    behind = take(supports.y, at)
+    past = y + ry - ay - (take(memory.place_m, i) if mass > 0.0 else behind)
+    held, spent = k * (past - slid), like(0.0, past)
+    slides = abs(held) > most
+    if some(slides):
+        held = choose(slides, math.copysign(most, held), held)
+        spent = choose(slides, held * (past - held / k - slid), 0.0)
+        put_where(memory.slid_m, i, slides, past - held / k)
+    load = weight_ratio * bars.floor_load_n[i]
+    elastic = 0.5 * held * held / k + bars.floor_load_n[i] * (z + rz - az)
+    _add(push, own, -held, -load, rz * held - ry * load)
+    if mass > 0.0:
+        speed = take(memory.speed_m_s, i) + half_s * take(memory.rate_m_s2, i)
+        stretch, rate = take(memory.place_m, i) - behind, speed - take(supports.vy, at)
+        back = bars.spring_n_m[i] * stretch + bars.dashpot_ns_m[i] * rate
+        elastic += 0.5 * bars.spring_n_m[i] * stretch * stretch + 0.5 * mass * speed * speed
+        spent += 2.0 * half_s * bars.dashpot_ns_m[i] * rate * rate
+        put(memory.rate_m_s2, i, (held - back) / mass - ground_m_s2)
+        held = back
+    put(supports.fy, at, take(supports.fy, at) + held)
+    return elastic, spent
+
+
+@inlined
+def act(bars, memory, place, turn, half_s, supports, ground_m_s2, weight_ratio, push):
     """Forces of ties and floors at a whole step.
 
     Parameters
@@ -90,81 +173,33 @@ def act(bars, memory, pose, half_s, supports, ground_m_s2, weight_ratio, push):
     bars : Bars
     memory : Memory
         Brought up to date.
-    pose : ndarray, shape (blocks, 4)
-        y [m], z [m], cosine and sine of the rotation about x of each block.
+    place, turn : rows
+        y [m], z [m] and rotation about x of each block; its cosine and sine.
     half_s : float
         Half a step, by which speeds lag.
-    supports : tuple of three ndarrays
-        Displacement and velocity of each, and the force on it [N], to which theirs are added.
-    ground_m_s2, weight_ratio : float
+    supports : Supports
+        To their forces those of ties and floors are added.
+    ground_m_s2, weight_ratio : number
         Acceleration of the ground, and gravity with it over gravity at rest.
-    push : ndarray, shape (blocks, 3)
+    push : rows
         Gets force along y and z [N] and moment about x [N·m] on each block.
 
     Returns
     -------
-    elastic_j, spent_j, lost : float, float, int
+    elastic_j, spent_j, lost : number
         Energy stored, loads' included; taken in this step; ties that were lost in it.
     """
-    su, sv, sf = supports
-    push[:] = 0.0
-    elastic = spent = 0.0
-    lost = 0
+    for row in range(len(push)):
+        put(push, row, 0.0)
+    elastic = spent = lost = like(0.0, weight_ratio)
     for i in range(bars.tie_k_n_m.size):
-        if memory.snapped[i]:
-            continue
-        j, own = bars.tie_support[i], bars.tie_body[i]
-        y, z, cos, sin = pose[own]
-        ry = cos * bars.tie_arm_m[i, 0] - sin * bars.tie_arm_m[i, 1]
-        rz = sin * bars.tie_arm_m[i, 0] + cos * bars.tie_arm_m[i, 1]
-        ey, ez = y + ry - bars.tie_end_m[i, 0] - su[j], z + rz - bars.tie_end_m[i, 1]
-        length = math.hypot(ey, ez)
-        longer = length - bars.tie_taut_m[i]
-        pull = bars.tie_k_n_m[i] * (longer - memory.yielded_m[i])
-        if pull <= 0.0:
-            continue
-        if longer > bars.tie_snap_m[i]:
-            spent += 0.5 * min(pull, bars.tie_capacity_n[i]) ** 2 / bars.tie_k_n_m[i]
-            memory.snapped[i] = True
-            lost += 1
-            continue
-        if pull > bars.tie_capacity_n[i]:
-            pull = bars.tie_capacity_n[i]
-            spent += pull * (longer - pull / bars.tie_k_n_m[i] - memory.yielded_m[i])
-            memory.yielded_m[i] = longer - pull / bars.tie_k_n_m[i]
-        elastic += 0.5 * pull * pull / bars.tie_k_n_m[i]
-        gy, gz = -pull * ey / length, -pull * ez / length
-        push[own, 0] += gy
-        push[own, 1] += gz
-        push[own, 2] += ry * gz - rz * gy
-        sf[j] -= gy
+        stored, taken, gone = _tie(bars, memory, i, place, turn, supports, push)
+        elastic, spent, lost = elastic + stored, spent + taken, lost + gone
     for i in range(bars.floor_k_n_m.size):
-        j, mass = bars.floor_support[i], bars.mass_kg[i]
-        own = bars.floor_body[i]
-        y, z, cos, sin = pose[own]
-        ay, az = bars.floor_arm_m[i]
-        ry, rz = cos * ay - sin * az, sin * ay + cos * az
-        past = y + ry - ay - (memory.place_m[i] if mass > 0.0 else su[j])
-        k, most = bars.floor_k_n_m[i], bars.floor_capacity_n[i]
-        held = k * (past - memory.slid_m[i])
-        if abs(held) > most:
-            held = math.copysign(most, held)
-            spent += held * (past - held / k - memory.slid_m[i])
-            memory.slid_m[i] = past - held / k
-        load = weight_ratio * bars.floor_load_n[i]
-        elastic += 0.5 * held * held / k + bars.floor_load_n[i] * (z + rz - az)
-        push[own, 0] -= held
-        push[own, 1] -= load
-        push[own, 2] += rz * held - ry * load
-        if mass > 0.0:
-            speed = memory.speed_m_s[i] + half_s * memory.rate_m_s2[i]
-            stretch, rate = memory.place_m[i] - su[j], speed - sv[j]
-            back = bars.spring_n_m[i] * stretch + bars.dashpot_ns_m[i] * rate
-            elastic += 0.5 * bars.spring_n_m[i] * stretch * stretch + 0.5 * mass * speed * speed
-            spent += 2.0 * half_s * bars.dashpot_ns_m[i] * rate * rate
-            memory.rate_m_s2[i] = (held - back) / mass - ground_m_s2
-            held = back
-        sf[j] += held
+        stored, taken = _floor(
+            bars, memory, i, place, turn, half_s, supports, ground_m_s2, weight_ratio, push
+        )
+        elastic, spent = elastic + stored, spent + taken
     return elastic, spent, lost
 
 
@@ -173,8 +208,9 @@ def advance(bars, memory, ahead_s, step_s):
     """Move the floors that have a mass on by a step; `ahead_s` is half of it at the first."""
     for i in range(bars.mass_kg.size):
         if bars.mass_kg[i] > 0.0:
-            memory.speed_m_s[i] += ahead_s * memory.rate_m_s2[i]
-            memory.place_m[i] += step_s * memory.speed_m_s[i]
+            speed = take(memory.speed_m_s, i) + ahead_s * take(memory.rate_m_s2, i)
+            put(memory.speed_m_s, i, speed)
+            put(memory.place_m, i, take(memory.place_m, i) + step_s * speed)
 
 
 def of_scene(scene, own, column):

@@ -4,7 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocking.runtime.compiled import compiled, inlined
+from rocking.runtime.compiled import inlined
+
+from .vectors import alone, like, put, some, take
 
 
 class Bodies(NamedTuple):
@@ -22,6 +24,10 @@ class Bodies(NamedTuple):
         about x; `lift` and `roll` without rows where supports only move along y, or do not turn.
     ground : ndarray, shape (n,)
         r: motion of the coordinates when everything moves by one with the ground.
+    moves : tuple of three ndarrays of shape (n, supports)
+        Hang, lift and roll transposed, so that a loop over the supports runs along them.
+    band : int
+        How far from the diagonal the matrices have entries: modes have none beside it.
     """
 
     mass_kg: np.ndarray
@@ -31,10 +37,12 @@ class Bodies(NamedTuple):
     lift: np.ndarray
     roll: np.ndarray
     ground: np.ndarray
+    moves: tuple
+    band: int
 
 
 _NONE = np.zeros((0, 0))
-NO_BODIES = Bodies(np.zeros(0), _NONE, _NONE, _NONE, _NONE, _NONE, np.zeros(0))
+NO_BODIES = Bodies(np.zeros(0), *(_NONE,) * 5, np.zeros(0), (_NONE,) * 3, 0)
 
 
 def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, roll=None, ground=None):
@@ -78,104 +86,103 @@ def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, roll=Non
         raise ValueError(
             f"bodies: expected {m.size} columns of hang, lift and roll, rows of ground"
         )
-    return Bodies(m, k, c, hang, lift, roll, ground)
+    moves = tuple(np.ascontiguousarray(rows.T) for rows in (hang, lift, roll))
+    i, j = np.nonzero((k != 0.0) | (c != 0.0))
+    return Bodies(m, k, c, hang, lift, roll, ground, moves, int(abs(i - j).max(initial=0)))
 
 
 class Ride(NamedTuple):
-    """How the carriers move, and their matrices as the loop reads them.
+    """How the carriers move.
 
     Attributes
     ----------
-    hang, lift, roll : ndarray, shape (n, supports)
-        Transposed, so that the inner loop over the supports runs in parallel lanes.
-    u, v, w, a, force : ndarray, shape (n,)
+    u, v, w, a, force : rows
         Displacement, velocity half a step back and now, acceleration, forces of the block.
-    band : int
-        How far from the diagonal their matrices have entries: modes have none beside it.
     """
 
-    hang: np.ndarray
-    lift: np.ndarray
-    roll: np.ndarray
     u: np.ndarray
     v: np.ndarray
     w: np.ndarray
     a: np.ndarray
     force: np.ndarray
-    band: int
 
 
-@compiled
-def at_rest(bodies):
-    """Carriers before the motion."""
-    n, band = bodies.mass_kg.size, 0
-    for i in range(n):
-        for j in range(n):
-            if bodies.k_n_m[i, j] != 0.0 or bodies.c_n_s_m[i, j] != 0.0:
-                band = max(band, abs(i - j))
+@inlined
+def riding(rows):
+    """`Ride` in so many rows, a fifth of them each."""
+    n = len(rows) // 5
     return Ride(
-        np.ascontiguousarray(bodies.hang.T),
-        np.ascontiguousarray(bodies.lift.T),
-        np.ascontiguousarray(bodies.roll.T),
-        *(np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n)),
-        band,
+        rows[:n], rows[n : 2 * n], rows[2 * n : 3 * n], rows[3 * n : 4 * n], rows[4 * n : 5 * n]
     )
 
 
 @inlined
 def _move(shape, ride, past_s, place, speed, way):
     """Supports by H u along or about one axis."""
-    place[:] = 0.0
-    speed[:] = 0.0
-    way[:] = 0.0
+    for j in range(shape.shape[1]):
+        put(place, j, 0.0)
+        put(speed, j, 0.0)
+        put(way, j, 0.0)
     for i in range(shape.shape[0]):
-        u, w, du = ride.u[i], ride.w[i], past_s * ride.v[i]
+        u, w, du = take(ride.u, i), take(ride.w, i), past_s * take(ride.v, i)
         for j in range(shape.shape[1]):
-            place[j] += shape[i, j] * u
-            speed[j] += shape[i, j] * w
-            way[j] += shape[i, j] * du
+            if alone(u) or shape[i, j] != 0.0:  # without a branch a compiler makes vectors of it
+                put(place, j, take(place, j) + shape[i, j] * u)
+                put(speed, j, take(speed, j) + shape[i, j] * w)
+                put(way, j, take(way, j) + shape[i, j] * du)
 
 
 @inlined
-def carry(ride, half_s, past_s, supports):
+def carry(bodies, ride, half_s, past_s, supports):
     """Move the supports with what carries them, velocities predicted for this step."""
-    for i in range(ride.u.size):
-        ride.w[i] = ride.v[i] + half_s * ride.a[i]
-    _move(ride.hang, ride, past_s, supports.y, supports.vy, supports.dy)
-    if ride.lift.size > 0:
-        _move(ride.lift, ride, past_s, supports.z, supports.vz, supports.dz)
-    if ride.roll.size > 0:
-        _move(ride.roll, ride, past_s, supports.turn, supports.spin, supports.dturn)
+    for i in range(bodies.mass_kg.size):
+        put(ride.w, i, take(ride.v, i) + half_s * take(ride.a, i))
+    hang, lift, roll = bodies.moves
+    _move(hang, ride, past_s, supports.y, supports.vy, supports.dy)
+    if lift.size > 0:
+        _move(lift, ride, past_s, supports.z, supports.vz, supports.dz)
+    if roll.size > 0:
+        _move(roll, ride, past_s, supports.turn, supports.spin, supports.dturn)
+
+
+@inlined
+def _collect(shape, force, onto):
+    """Forces of the coordinates by Hᵀ·force of one support."""
+    for j in range(shape.size):
+        if alone(force) or shape[j] != 0.0:
+            put(onto, j, take(onto, j) + shape[j] * force)
 
 
 @inlined
 def accelerate(bodies, ride, supports, ground_m_s2, quiet_m_s2):
     """Accelerations of the carriers; whether one still feels more than `quiet_m_s2`."""
-    n, shaken = ride.u.size, False
-    lifted, turned = ride.lift.size > 0, ride.roll.size > 0
-    ride.force[:] = 0.0
-    for i in range(ride.hang.shape[1]):
-        if supports.fy[i] != 0.0 or supports.fz[i] != 0.0:
-            for j in range(n):
-                ride.force[j] += bodies.hang[i, j] * supports.fy[i]
-            if lifted:
-                for j in range(n):
-                    ride.force[j] += bodies.lift[i, j] * supports.fz[i]
-            if turned:
-                for j in range(n):
-                    ride.force[j] += bodies.roll[i, j] * supports.moment[i]
+    n, lifted, turned = bodies.mass_kg.size, bodies.lift.size > 0, bodies.roll.size > 0
+    shaken = like(False, quiet_m_s2)
     for j in range(n):
-        pull = ride.force[j]
-        for i in range(max(0, j - ride.band), min(n, j + ride.band + 1)):
-            pull -= bodies.k_n_m[j, i] * ride.u[i] + bodies.c_n_s_m[j, i] * ride.w[i]
-        ride.a[j] = pull / bodies.mass_kg[j] - bodies.ground[j] * ground_m_s2
-        shaken = shaken or abs(ride.a[j] + bodies.ground[j] * ground_m_s2) > quiet_m_s2
+        put(ride.force, j, 0.0)
+    for i in range(bodies.hang.shape[0]):
+        fy, fz, moment = take(supports.fy, i), take(supports.fz, i), take(supports.moment, i)
+        if some((abs(fy) > 0.0) | (abs(fz) > 0.0)):
+            _collect(bodies.hang[i], fy, ride.force)
+            if lifted:
+                _collect(bodies.lift[i], fz, ride.force)
+            if turned:
+                _collect(bodies.roll[i], moment, ride.force)
+    for j in range(n):
+        pull = take(ride.force, j)
+        for i in range(max(0, j - bodies.band), min(n, j + bodies.band + 1)):
+            pull -= bodies.k_n_m[j, i] * take(ride.u, i) + bodies.c_n_s_m[j, i] * take(ride.w, i)
+        # what it feels itself is its acceleration with the ground's
+        rise = pull / bodies.mass_kg[j] - bodies.ground[j] * ground_m_s2
+        put(ride.a, j, rise)
+        shaken = shaken | (abs(rise + bodies.ground[j] * ground_m_s2) > quiet_m_s2)
     return shaken
 
 
 @inlined
 def travel(ride, ahead_s, step_s):
     """Move the carriers on by a step."""
-    for j in range(ride.u.size):
-        ride.v[j] += ahead_s * ride.a[j]
-        ride.u[j] += step_s * ride.v[j]
+    for j in range(len(ride.u)):
+        speed = take(ride.v, j) + ahead_s * take(ride.a, j)
+        put(ride.v, j, speed)
+        put(ride.u, j, take(ride.u, j) + step_s * speed)

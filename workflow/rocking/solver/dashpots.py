@@ -1,10 +1,8 @@
 """Dashpots of blocks in the plane at the velocity of the step: matrices of 3 × 3 a block."""
 
-import numpy as np
+from rocking.runtime.compiled import inlined
 
-from rocking.runtime.compiled import compiled, inlined
-
-from .vectors import choose
+from .vectors import choose, put, take
 
 
 @inlined
@@ -29,81 +27,82 @@ def solved(own, mass, inertia, free, force):
 
 
 @inlined
-def solve(own, block, mass, inertia, free, force):
-    """Solve as `solved` in place, by arrays."""
-    force[block, 0], force[block, 1], force[block, 2] = solved(
-        (
-            own[block, 0],
-            own[block, 1],
-            own[block, 2],
-            own[block, 3],
-            own[block, 4],
-            own[block, 5],
-        ),
-        mass,
-        inertia,
-        (free[block, 0], free[block, 1], free[block, 2]),
-        (force[block, 0], force[block, 1], force[block, 2]),
-    )
-
-
-@inlined
 def damp(own, block, y, z, arm, dashpot):
     """Add a dashpot along (y, z); `arm` is its place times that direction."""
-    cy, cz, ct = dashpot * y, dashpot * z, dashpot * arm
-    own[block, 0] += cy * y
-    own[block, 1] += cy * z
-    own[block, 2] += cy * arm
-    own[block, 3] += cz * z
-    own[block, 4] += cz * arm
-    own[block, 5] += ct * arm
+    cy, cz, ct, at = dashpot * y, dashpot * z, dashpot * arm, 6 * block
+    put(own, at, take(own, at) + cy * y)
+    put(own, at + 1, take(own, at + 1) + cy * z)
+    put(own, at + 2, take(own, at + 2) + cy * arm)
+    put(own, at + 3, take(own, at + 3) + cz * z)
+    put(own, at + 4, take(own, at + 4) + cz * arm)
+    put(own, at + 5, take(own, at + 5) + ct * arm)
 
 
 @inlined
 def couple(between, low, y, z, arm_low, arm_high, dashpot):
     """Add what a dashpot along (y, z) does between block `low` and the next, C of the two."""
-    one, other = (y, z, arm_low), (y, z, arm_high)
-    for m in range(3):
-        for n in range(3):
-            between[low, m, n] -= dashpot * one[m] * other[n]
+    for m, one in enumerate((y, z, arm_low)):
+        for n, other in enumerate((y, z, arm_high)):
+            at = 9 * low + 3 * m + n
+            put(between, at, take(between, at) - dashpot * one * other)
 
 
-@compiled
-def solve_row(own, between, mass, inertia, force):
+@inlined
+def _three(rows, first, stride):
+    """Three rows, so far from each other."""
+    return take(rows, first), take(rows, first + stride), take(rows, first + 2 * stride)
+
+
+@inlined
+def _times(row, inverse, low):
+    """A row times the inverse of a block's matrix, in nine rows from `low` on."""
+    y, z, turn = row
+    (a, b, c), (d, e, f) = _three(inverse, low, 1), _three(inverse, low + 3, 1)
+    g, h, i = _three(inverse, low + 6, 1)
+    return y * a + z * d + turn * g, y * b + z * e + turn * h, y * c + z * f + turn * i
+
+
+@inlined
+def solve_row(own, between, inverse, mass, inertia, force):
     """Solve (M + C)·a = f of blocks in a row in place, by blocks of 3 from the first to the last.
 
-    C by `own`, as in `solve`, and `between`, the part that joins each block to the next.
+    C by `own`, six rows a block, and `between`, nine that join each block to the next; `inverse`:
+    room for nine rows a block.
     """
     blocks = mass.size
-    inverse, back = np.zeros((blocks, 3, 3)), np.zeros((3, 3))
     for i in range(blocks):
-        a = mass[i] + own[i, 0]
-        b, c, d = own[i, 1], own[i, 2], mass[i] + own[i, 3]
-        e, f = own[i, 4], inertia[i] + own[i, 5]
+        at, to, low = 3 * i, 6 * i, 9 * (i - 1)
+        a, b, c = mass[i] + take(own, to), take(own, to + 1), take(own, to + 2)
+        d, e = mass[i] + take(own, to + 3), take(own, to + 4)
+        f = inertia[i] + take(own, to + 5)
         if i > 0:
-            for m in range(3):
-                for n in range(3):
-                    back[m, n] = 0.0
-                    for r in range(3):
-                        back[m, n] += between[i - 1, r, m] * inverse[i - 1, r, n]
-            for m in range(3):
-                for n in range(3):
-                    force[i, m] -= back[m, n] * force[i - 1, n]
+            y = _times(_three(between, low, 3), inverse, low)
+            z = _times(_three(between, low + 1, 3), inverse, low)
+            turn = _times(_three(between, low + 2, 3), inverse, low)
+            f0, f1, f2 = _three(force, at - 3, 1)
+            for m, back in enumerate((y, z, turn)):
+                less = take(force, at + m) - back[0] * f0 - back[1] * f1 - back[2] * f2
+                put(force, at + m, less)
             for r in range(3):
-                low = between[i - 1, r]
-                a, b, c = a - back[0, r] * low[0], b - back[0, r] * low[1], c - back[0, r] * low[2]
-                d, e, f = d - back[1, r] * low[1], e - back[1, r] * low[2], f - back[2, r] * low[2]
+                b0, b1, b2 = _three(between, low + 3 * r, 1)
+                a, b, c = a - y[r] * b0, b - y[r] * b1, c - y[r] * b2
+                d, e, f = d - z[r] * b1, e - z[r] * b2, f - turn[r] * b2
         over = 1.0 / (a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d))
-        inverse[i, 0, 0], inverse[i, 1, 1] = over * (d * f - e * e), over * (a * f - c * c)
-        inverse[i, 2, 2] = over * (a * d - b * b)
-        inverse[i, 0, 1] = inverse[i, 1, 0] = over * (c * e - b * f)
-        inverse[i, 0, 2] = inverse[i, 2, 0] = over * (b * e - c * d)
-        inverse[i, 1, 2] = inverse[i, 2, 1] = over * (b * c - a * e)
+        upper = over * (c * e - b * f), over * (b * e - c * d), over * (b * c - a * e)
+        put(inverse, 9 * i, over * (d * f - e * e))
+        put(inverse, 9 * i + 4, over * (a * f - c * c))
+        put(inverse, 9 * i + 8, over * (a * d - b * b))
+        for value, (m, n) in zip(upper, ((0, 1), (0, 2), (1, 2))):
+            put(inverse, 9 * i + 3 * m + n, value)
+            put(inverse, 9 * i + 3 * n + m, value)
     for i in range(blocks - 1, -1, -1):
-        for m in range(3):
-            if i < blocks - 1:
+        at = 3 * i
+        if i < blocks - 1:
+            for m in range(3):
                 for n in range(3):
-                    force[i, m] -= between[i, m, n] * force[i + 1, n]
-        y, z, turn = force[i, 0], force[i, 1], force[i, 2]
+                    less = take(between, 9 * i + 3 * m + n) * take(force, at + 3 + n)
+                    put(force, at + m, take(force, at + m) - less)
+        f0, f1, f2 = _three(force, at, 1)
         for m in range(3):
-            force[i, m] = inverse[i, m, 0] * y + inverse[i, m, 1] * z + inverse[i, m, 2] * turn
+            i0, i1, i2 = _three(inverse, 9 * i + 3 * m, 1)
+            put(force, at + m, i0 * f0 + i1 * f1 + i2 * f2)

@@ -1,13 +1,15 @@
-"""What the compiled loops are given beside the plane: motions, carried masses, stop rules."""
+"""What the compiled loops are given beside the plane: motions, supports that move, stop rules."""
 
 import math
 from typing import NamedTuple
 
 import numpy as np
 
-from rocking.runtime.compiled import compiled, inlined
+from rocking.runtime.compiled import inlined
 
-OK, OVERTURNED, FAILED = 0, 1, 2
+from .vectors import choose, put, take
+
+OK, OVERTURNED, FAILED = 0.0, 1.0, 2.0
 REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
 COLUMNS = 14  # of a history before the supports' own
 
@@ -48,17 +50,17 @@ class Rules(NamedTuple):
 class Supports(NamedTuple):
     """Motion of the supports relative to the ground, and the forces on them.
 
-    Each has an entry a support and a last one, 0, for what stands still.
+    Rows of each have an entry a support and a last one, 0, for what stands still.
 
     Attributes
     ----------
-    y, vy, dy : ndarray
+    y, vy, dy : rows
         Place [m], velocity [m/s] and way since the last step [m] along y.
-    z, vz, dz : ndarray
-    fy, fz : ndarray
-        Forces [N].
-    turn, spin, dturn, moment : ndarray
-        Rotation about x [rad], its rate and change, and moment [N·m]; empty where none turns.
+    z, vz, dz : rows
+    turn, spin, dturn : rows
+        Rotation about x [rad], its rate and change.
+    fy, fz, moment : rows
+        Forces [N] and moment about x [N·m].
     """
 
     y: np.ndarray
@@ -67,23 +69,23 @@ class Supports(NamedTuple):
     z: np.ndarray
     vz: np.ndarray
     dz: np.ndarray
-    fy: np.ndarray
-    fz: np.ndarray
     turn: np.ndarray
     spin: np.ndarray
     dturn: np.ndarray
+    fy: np.ndarray
+    fz: np.ndarray
     moment: np.ndarray
 
 
-@compiled
-def standing(supports, turning):
-    """So many supports, at rest."""
-    n = supports + 1
-    m = n if turning else 0
+@inlined
+def standing(rows):
+    """`Supports` in so many rows, a twelfth of them each."""
+    n = len(rows) // 12
     return Supports(
-        *(np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n)),
-        *(np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n)),
-        *(np.zeros(m), np.zeros(m), np.zeros(m), np.zeros(m)),
+        *(rows[:n], rows[n : 2 * n], rows[2 * n : 3 * n]),
+        *(rows[3 * n : 4 * n], rows[4 * n : 5 * n], rows[5 * n : 6 * n]),
+        *(rows[6 * n : 7 * n], rows[7 * n : 8 * n], rows[8 * n : 9 * n]),
+        *(rows[9 * n : 10 * n], rows[10 * n : 11 * n], rows[11 * n : 12 * n]),
     )
 
 
@@ -96,12 +98,13 @@ def drive(table, factor, k, past_s, y, vy, dy):
     last = table.ground_m_s2.size - 1
     row = min(k, last)
     for j in range(table.place_m.shape[1]):
-        vy[j] = factor * table.speed_m_s[row, j]
+        speed, old = factor * table.speed_m_s[row, j], take(y, j)
         place = factor * table.place_m[row, j]
         if k > last:
-            place = y[j] + past_s * vy[j]
-        dy[j] = place - y[j] if k > 0 else 0.0
-        y[j] = place
+            place = old + past_s * speed
+        put(y, j, place)
+        put(vy, j, speed)
+        put(dy, j, place - old if k > 0 else 0.0 * place)
 
 
 @inlined
@@ -111,27 +114,28 @@ def verdict(rules, motion_s, max_speed_m_s, k, dt_s, d_m, speed_m_s, shaken, mov
     Parameters
     ----------
     rules : Rules
-    motion_s, max_speed_m_s : float
+    motion_s, max_speed_m_s : number
         End of the motion that matters, and speed from which the run has failed.
     k, dt_s : int, float
-    d_m, speed_m_s : float
+    d_m, speed_m_s : number
         Of the monitored point.
     shaken : bool
         Whether a mass that carries the supports still moves.
-    moving_until_s : float
+    moving_until_s : number
         When the façade was last not at rest.
 
     Returns
     -------
-    over, status, moving_until_s : bool, int, float
+    over, status, moving_until_s : bool, number, number
     """
-    time = k * dt_s
-    if not (abs(speed_m_s) <= max_speed_m_s and math.isfinite(d_m)):
-        return True, FAILED, moving_until_s
-    if abs(d_m) >= rules.overturn_m:
-        return True, OVERTURNED, moving_until_s
-    if shaken or abs(speed_m_s) > rules.rest_velocity_m_s or abs(d_m) > rules.rest_m:
-        moving_until_s = time
-    elif time > motion_s and time - moving_until_s > rules.rest_time_s:
-        return True, OK, moving_until_s
-    return k >= math.ceil(rules.limit_s / dt_s), OK, moving_until_s
+    now = k * dt_s
+    sound = (abs(speed_m_s) <= max_speed_m_s) & (abs(d_m) < math.inf)
+    fell = sound & (abs(d_m) >= rules.overturn_m)
+    moves = (abs(speed_m_s) > rules.rest_velocity_m_s) | (abs(d_m) > rules.rest_m) | shaken
+    moving_until_s = choose(moves, now, moving_until_s)
+    rests = ~moves & (motion_s < now) & (now - moving_until_s > rules.rest_time_s)
+    over = ~sound | fell | rests
+    if k >= math.ceil(rules.limit_s / dt_s):
+        over = over | ~over
+    status = choose(fell, OVERTURNED, choose(sound, OK, FAILED))
+    return over, status, moving_until_s

@@ -3,6 +3,9 @@
 Penetration, its rate and the slip rate are linear in the place s along the line, so the range of
 nodes that touch follows from its ends: open ones are not visited. A group that touches with all
 its nodes, none sliding, is summed in closed form.
+
+One text for one history and for `vectors.WIDTH` of them: of many, joints that are open in all are
+passed over, closed forms are summed where one needs them, and nodes visited where one touches.
 """
 
 from typing import NamedTuple
@@ -12,238 +15,288 @@ import numpy as np
 from rocking.runtime.compiled import compiled, inlined
 
 from .law import bond_breaks, bonded, dry, released
+from .vectors import alone, choose, like, put, put_where, some, take
 
 
 class Touch(NamedTuple):
-    """What the nodes of a block remember.
+    """What the nodes of a block remember, in rows.
 
     Attributes
     ----------
-    slip, intact : ndarray, shape (nodes,)
-        Slip since a node closed [m]; whether its bond holds.
-    start, stop, bonds : ndarray of int, shape (groups,)
-        Nodes that touched at the last step, and bonds that are left.
-    summed : ndarray of bool, shape (groups,)
-        Whether the group is in closed form: its slips are the stored ones + more[0] + more[1]·s.
-    most : ndarray, shape (groups,)
-        Largest stored slip of a summed group.
-    more, sums : ndarray, shape (groups, 2), (groups, 3)
-        Σ kn·slip·(1, s, slip) of a summed group.
-    inertia : ndarray, shape (groups, 4)
-        Σ kn·(1, s, s²) of all nodes of a group, and its largest |s|.
+    summed, bonds, most : a row a group
+        1 where it is in closed form: its slips are then the stored ones + more0 + more1·s. Bonds
+        that are left; largest stored slip of a summed group.
+    more0, more1, sum0, sum1, sum2 : a row a group
+        The last three are Σ kn·slip·(1, s, slip) of a summed group.
+    depth0, depth1 : a row a group
+        Penetration along the line at the last step, depth0 + depth1·s.
+    slip, intact : a row a node
+        Slip since a node closed [m]; 1 where its bond holds, without rows where none is bonded.
     """
 
+    summed: np.ndarray
+    bonds: np.ndarray
+    most: np.ndarray
+    more0: np.ndarray
+    more1: np.ndarray
+    sum0: np.ndarray
+    sum1: np.ndarray
+    sum2: np.ndarray
+    depth0: np.ndarray
+    depth1: np.ndarray
     slip: np.ndarray
     intact: np.ndarray
-    start: np.ndarray
-    stop: np.ndarray
-    bonds: np.ndarray
-    summed: np.ndarray
-    most: np.ndarray
-    more: np.ndarray
-    sums: np.ndarray
-    inertia: np.ndarray
 
 
 @compiled
 def untouched(p):
-    """Memory of nodes that have not met their planes yet."""
-    groups = p.level_m.size
-    bonds, inertia = np.zeros(groups, np.int64), np.zeros((groups, 4))
+    """Rows of nodes that have not met their planes yet, and what stays of their groups.
+
+    The latter has a row a group: Σ kn·(1, s, s²) of all its nodes, and its largest |s|.
+    """
+    groups, nodes = p.level_m.size, p.place_m.size
+    rows = np.zeros(10 * groups + nodes + nodes * p.bonded.any())
+    whole = np.zeros((groups, 4))
     for g in range(groups):
         for i in range(p.first[g], p.first[g + 1]):
             s = p.place_m[i]
-            bonds[g] += p.bonded[i]
-            inertia[g, 0] += p.kn_n_m[i]
-            inertia[g, 1] += p.kn_n_m[i] * s
-            inertia[g, 2] += p.kn_n_m[i] * s * s
-            inertia[g, 3] = max(inertia[g, 3], abs(s))
+            whole[g, 0] += p.kn_n_m[i]
+            whole[g, 1] += p.kn_n_m[i] * s
+            whole[g, 2] += p.kn_n_m[i] * s * s
+            whole[g, 3] = max(whole[g, 3], abs(s))
+            if p.bonded[i]:
+                rows[groups + g] += 1.0
+                rows[10 * groups + nodes + i] = 1.0
+    return rows, whole
+
+
+@inlined
+def touched(p, rows):
+    """`Touch` in the rows of `untouched`."""
+    g, n = p.level_m.size, p.place_m.size
+    nodes = rows[10 * g :]
     return Touch(
-        np.zeros(p.place_m.size),
-        p.bonded.copy(),
-        p.first[:-1].copy(),
-        p.first[:-1].copy(),
-        bonds,
-        np.zeros(groups, np.bool_),
-        np.zeros(groups),
-        np.zeros((groups, 2)),
-        np.zeros((groups, 3)),
-        inertia,
+        *(rows[:g], rows[g : 2 * g], rows[2 * g : 3 * g], rows[3 * g : 4 * g]),
+        *(rows[4 * g : 5 * g], rows[5 * g : 6 * g], rows[6 * g : 7 * g], rows[7 * g : 8 * g]),
+        *(rows[8 * g : 9 * g], rows[9 * g : 10 * g], nodes[:n], nodes[n:]),
     )
 
 
 @inlined
-def _line(p, g, pose, place, height, roll):
+def _line(p, g, pose, supports, j, turning):
     """Where a group is: side of the block, normal, its line from the block's centre, penetration.
 
-    The last is d0 + d1·s. A support's rotation `roll` is small, as in the modes that give it.
+    The last is d0 + d1·s. A support's rotation is small, as in the modes that give it.
     """
     y, z, cos, sin = pose
+    by, bz = take(supports.y, j), take(supports.z, j)
     ny, nz, ey, ez = p.normal[g, 0], p.normal[g, 1], p.along[g, 0], p.along[g, 1]
     ry, rz = p.origin_m[g, 0], p.origin_m[g, 1]
     if p.carried[g]:
         sign = 1.0
         ry, rz = cos * ry - sin * rz, sin * ry + cos * rz
         ey, ez = cos * ey - sin * ez, sin * ey + cos * ez
-        d0 = p.level_m[g] - ny * (y + ry - place) - nz * (z + rz - height)
+        d0 = p.level_m[g] - ny * (y + ry - by) - nz * (z + rz - bz)
     else:
         sign = -1.0
         ny, nz = cos * ny - sin * nz, sin * ny + cos * nz
-        ry, rz = ry + place - y - roll * p.arm_m[g, 1], rz + height - z + roll * p.arm_m[g, 0]
-        ey, ez = ey - roll * ez, ez + roll * ey
+        ry, rz = ry + by - y, rz + bz - z
+        if turning:
+            roll = take(supports.turn, j)
+            ry, rz = ry - roll * p.arm_m[g, 1], rz + roll * p.arm_m[g, 0]
+            ey, ez = ey - roll * ez, ez + roll * ey
         d0 = p.level_m[g] - ny * ry - nz * rz
     return sign, ny, nz, ry, rz, ey, ez, d0, -(ny * ey + nz * ez)
 
 
 @inlined
-def _reach(p, touch, g, d0, d1):
-    """Range of the nodes that touch now; what those that opened have lost [J]."""
+def _let_go(p, touch, g, before, d0, d1):
+    """What the nodes that touched at the last step and do not now have lost [J]; of one history."""
     low, high = p.first[g], p.first[g + 1]
-    start, stop, ratio, spent = touch.start[g], touch.stop[g], p.shear_ratio[g], 0.0
-    while start < stop and d0 + d1 * p.place_m[start] <= 0.0:
-        if not touch.intact[start]:
-            spent += 0.5 * p.kn_n_m[start] * ratio * touch.slip[start] ** 2
-            touch.slip[start] = 0.0
-        start += 1
-    while stop > start and d0 + d1 * p.place_m[stop - 1] <= 0.0:
-        stop -= 1
-        if not touch.intact[stop]:
-            spent += 0.5 * p.kn_n_m[stop] * ratio * touch.slip[stop] ** 2
-            touch.slip[stop] = 0.0
-    if start == stop:
-        if d0 + d1 * p.place_m[low] > 0.0:
-            start = stop = low
-        elif d0 + d1 * p.place_m[high - 1] > 0.0:
-            start = stop = high
-    while start > low and d0 + d1 * p.place_m[start - 1] > 0.0:
-        start -= 1
-    while stop < high and d0 + d1 * p.place_m[stop] > 0.0:
-        stop += 1
-    return start, stop, spent
+    lost, upper, i = like(0.0, d0), high, low
+    while i < high and some(d0 + d1 * p.place_m[i] <= 0.0):
+        lost += _slipped(p, touch, g, i, before)
+        i += 1
+    while upper > i and some(d0 + d1 * p.place_m[upper - 1] <= 0.0):
+        upper -= 1
+        lost += _slipped(p, touch, g, upper, before)
+    return lost
 
 
 @inlined
-def _spread(p, touch, g):
+def _slipped(p, touch, g, i, before):
+    """Energy of the slip of an open node, if it touched at the last step and has no bond."""
+    loses = before[0] + before[1] * p.place_m[i] > 0.0
+    if len(touch.intact) > 0:
+        loses = loses & (take(touch.intact, i) <= 0.0)
+    slip = take(touch.slip, i)
+    return choose(loses, 0.5 * p.kn_n_m[i] * p.shear_ratio[g] * (slip * slip), 0.0)
+
+
+@inlined
+def _spread(p, touch, g, mask):
     """Give the nodes of a summed group their slips back."""
-    touch.summed[g] = False
+    put_where(touch.summed, g, mask, 0.0)
+    more0, more1 = take(touch.more0, g), take(touch.more1, g)
     for i in range(p.first[g], p.first[g + 1]):
-        touch.slip[i] += touch.more[g, 0] + touch.more[g, 1] * p.place_m[i]
+        own = take(touch.slip, i)
+        put(touch.slip, i, choose(mask, own + (more0 + more1 * p.place_m[i]), own))
 
 
 @inlined
-def _sum(p, touch, g, most):
-    """Bring a group into closed form if all its slips are less than `most`."""
-    low, high, top = p.first[g], p.first[g + 1], 0.0
+def _sum(p, touch, g, mask, most):
+    """Bring a group into closed form where all its slips are less than `most`."""
+    low, high = p.first[g], p.first[g + 1]
+    top = none = like(0.0, most)
     for i in range(low, high):
-        top = max(top, abs(touch.slip[i]))
-    if not top < most:
+        top = max(top, abs(take(touch.slip, i)))
+    mask = mask & (top < most)
+    if not some(mask):
         return
-    touch.summed[g], touch.most[g] = True, top
-    touch.more[g, 0] = touch.more[g, 1] = 0.0
-    touch.sums[g, 0] = touch.sums[g, 1] = touch.sums[g, 2] = 0.0
+    sum0 = sum1 = sum2 = none
     for i in range(low, high):
-        stored = p.kn_n_m[i] * touch.slip[i]
-        touch.sums[g, 0] += stored
-        touch.sums[g, 1] += stored * p.place_m[i]
-        touch.sums[g, 2] += stored * touch.slip[i]
+        slip = take(touch.slip, i)
+        stored = p.kn_n_m[i] * slip
+        sum0 += stored
+        sum1 += stored * p.place_m[i]
+        sum2 += stored * slip
+    put_where(touch.summed, g, mask, 1.0)
+    put_where(touch.most, g, mask, top)
+    put_where(touch.more0, g, mask, none)
+    put_where(touch.more1, g, mask, none)
+    put_where(touch.sum0, g, mask, sum0)
+    put_where(touch.sum1, g, mask, sum1)
+    if alone(most):
+        put(touch.sum2, g, sum2)
 
 
 @inlined
-def _whole(p, touch, g, lines, dt, all_losses):
-    """Resultants of a summed group, as `_each` has them; `lines` are those of `_each`."""
+def _whole(p, touch, g, mask, whole, lines, dt, counts):
+    """Resultants of summed groups, as `_each` has them; nothing where the mask is not true."""
     d0, d1, q0, q1, s0, s1, g0, g1 = lines
     beta, ratio = p.beta_s[g], p.shear_ratio[g]
-    k0, k1, k2 = touch.inertia[g, 0], touch.inertia[g, 1], touch.inertia[g, 2]
-    gain = g0 * (2.0 * touch.sums[g, 0] + g0 * k0 + 2.0 * g1 * k1)
-    touch.sums[g, 2] += gain + g1 * (2.0 * touch.sums[g, 1] + g1 * k2)
-    touch.sums[g, 0] += g0 * k0 + g1 * k1
-    touch.sums[g, 1] += g0 * k1 + g1 * k2
-    touch.more[g, 0] += g0
-    touch.more[g, 1] += g1
+    k0, k1, k2 = whole[g, 0], whole[g, 1], whole[g, 2]
+    had0, had1 = take(touch.sum0, g), take(touch.sum1, g)
+    sum0, sum1 = had0 + (g0 * k0 + g1 * k1), had1 + (g0 * k1 + g1 * k2)
+    put_where(touch.sum0, g, mask, sum0)
+    put_where(touch.sum1, g, mask, sum1)
+    put_where(touch.more0, g, mask, take(touch.more0, g) + g0)
+    put_where(touch.more1, g, mask, take(touch.more1, g) + g1)
     h0, h1 = d0 + beta * q0, d1 + beta * q1
-    normal = h0 * k0 + h1 * k1, h0 * k1 + h1 * k2
+    normal = choose(mask, h0 * k0 + h1 * k1, 0.0), choose(mask, h0 * k1 + h1 * k2, 0.0)
     shear = (
-        ratio * (touch.sums[g, 0] + beta * (s0 * k0 + s1 * k1)),
-        ratio * (touch.sums[g, 1] + beta * (s0 * k1 + s1 * k2)),
+        choose(mask, ratio * (sum0 + beta * (s0 * k0 + s1 * k1)), 0.0),
+        choose(mask, ratio * (sum1 + beta * (s0 * k1 + s1 * k2)), 0.0),
     )
-    stored = d0 * (d0 * k0 + 2.0 * d1 * k1) + d1 * d1 * k2
-    taken = 0.0
-    if all_losses:
+    acts = choose(mask, k0, 0.0), choose(mask, k1, 0.0), choose(mask, k2, 0.0)
+    elastic = spent = like(0.0, d0)
+    if counts:
+        gain = g0 * (2.0 * had0 + g0 * k0 + 2.0 * g1 * k1)
+        sum2 = take(touch.sum2, g) + (gain + g1 * (2.0 * had1 + g1 * k2))
+        put(touch.sum2, g, sum2)
+        stored = d0 * (d0 * k0 + 2.0 * d1 * k1) + d1 * d1 * k2
         drag = q0 * (q0 * k0 + 2.0 * q1 * k1) + q1 * q1 * k2
         drag += ratio * (s0 * (s0 * k0 + 2.0 * s1 * k1) + s1 * s1 * k2)
-        taken = dt * beta * drag
-    energy = 0.5 * (stored + ratio * touch.sums[g, 2]), taken
-    return normal, shear, (k0, k1, k2), (k0, k1, k2), energy, 0
+        elastic, spent = 0.5 * (stored + ratio * sum2), dt * beta * drag
+    return normal, shear, acts, acts, elastic, spent, like(0.0, d0)
 
 
 @inlined
-def _each(p, touch, g, nodes, before, lines, dt):
-    """Resultants of a group's nodes, one by one.
+def _break(p, i, g, touch, holds, depth, step, joint):
+    """Break a node's bonds where they reach their strength: where it holds, breaks; energy lost."""
+    strength, slip = (p.pull_m[i], p.hold_m[i]), take(touch.slip, i)
+    breaks = holds & bond_breaks(depth, slip + step, strength, joint)
+    spent = like(0.0, depth)
+    if some(breaks):
+        spent = choose(breaks, p.kn_n_m[i] * released(depth, slip, joint[1]), 0.0)
+        put_where(touch.intact, i, breaks, 0.0)
+        put_where(touch.slip, i, breaks, 0.0)
+        put_where(touch.bonds, g, breaks, take(touch.bonds, g) - 1.0)
+    return holds & ~breaks, breaks, spent
+
+
+@inlined
+def _each(p, touch, g, touches, before, bound, lines, dt, sums):
+    """Resultants of the nodes that touch or hold, one by one, added to `sums`.
 
     Parameters
     ----------
-    nodes, before : tuple of 2 int
-        Those to visit, and the range that touched at the last step.
-    lines : tuple of 8 floats
+    touches, before : tuple of 2 numbers
+        Penetrations along the line, a0 + a1·s: now, less than zero in histories to be left alone,
+        and at the last step.
+    bound : mask
+        Where the group has bonds left.
+    lines : tuple of 8 numbers
         Penetration, its rate, rate of slip and slip of this step, each as a0 + a1·s.
-
-    Returns
-    -------
-    normal, shear : tuple of 2 floats
-        Σ force·(1, s).
-    across, along : tuple of 3 floats
-        Σ kn·(1, s, s²) of the nodes whose dashpots act across and along the joint.
-    energy : tuple of 2 floats
-        Stored and taken [J].
-    broken : int
+    sums : tuple
+        Σ force·(1, s) across and along the joint, Σ kn·(1, s, s²) of the nodes whose dashpots act
+        across and along it, energy stored and taken [J], bonds that broke.
     """
     d0, d1, q0, q1, s0, s1, g0, g1 = lines
-    beta, friction = p.beta_s[g], p.friction[g]
-    n0 = n1 = t0 = t1 = 0.0
-    u0 = u1 = u2 = w0 = w1 = w2 = 0.0
-    elastic = spent = 0.0
-    broken = 0
-    for i in range(nodes[0], nodes[1]):
-        s = p.place_m[i]
-        kn, depth, rate = p.kn_n_m[i], d0 + d1 * s, q0 + q1 * s
-        speed, step = s0 + s1 * s, g0 + g1 * s
-        slip, holds = touch.slip[i], touch.intact[i]
-        ratio = 0.0 if holds and p.tie[i] else p.shear_ratio[g]
-        joint, strength = (beta, ratio, friction), (p.pull_m[i], p.hold_m[i])
-        if holds and bond_breaks(depth, slip + step, strength, joint):
-            spent += kn * released(depth, slip, ratio)
-            holds, slip, step, ratio = False, 0.0, 0.0, p.shear_ratio[g]
-            joint = beta, ratio, friction
-            touch.intact[i], touch.slip[i] = False, 0.0
-            touch.bonds[g] -= 1
-            broken += 1
-        if holds:
-            found = bonded(depth, rate, speed, slip + step, joint, dt)
-        elif depth > 0.0:
-            fresh = i < before[0] or i >= before[1]
-            found = dry(depth, rate, speed, slip, step, fresh, joint, dt)
-        else:
+    (n0, n1), (t0, t1), (u0, u1, u2), (w0, w1, w2), elastic, spent, broken = sums
+    none, ratio = like(0.0, d0), p.shear_ratio[g]
+    joint = p.beta_s[g], ratio, p.friction[g]
+    low, high = p.first[g], p.first[g + 1]
+    tied = some(bound)
+    upper = low if tied else high  # from here on up to the end nodes touch somewhere
+    while upper > low and some(touches[0] + touches[1] * p.place_m[upper - 1] > 0.0):
+        upper -= 1
+    i = low
+    while i < high:
+        s, kn = p.place_m[i], p.kn_n_m[i]
+        touching = touches[0] + touches[1] * s > 0.0
+        holds = breaks = touching & ~touching
+        if tied:
+            holds = bound & (take(touch.intact, i) > 0.0)
+        acts = touching | holds
+        if not some(acts):
+            i = max(upper, i + 1)
             continue
-        normal, shear, share, slip, pressed, sticks, stored, taken = found
-        touch.slip[i] = slip
-        elastic += kn * stored
-        spent += kn * taken
-        if pressed:
-            u0 += kn
-            u1 += kn * s
-            u2 += kn * s * s
-        if sticks and ratio > 0.0:
-            w0 += kn
-            w1 += kn * s
-            w2 += kn * s * s
-        weight = share * kn
-        normal *= weight
-        shear *= weight
-        n0 += normal
-        n1 += normal * s
-        t0 += shear
-        t1 += shear * s
-    return (n0, n1), (t0, t1), (u0, u1, u2), (w0, w1, w2), (elastic, spent), broken
+        depth, rate, speed, step = d0 + d1 * s, q0 + q1 * s, s0 + s1 * s, g0 + g1 * s
+        grip = joint  # of a bond: a tie transmits no shear
+        if tied and some(holds):
+            if p.tie[i]:
+                grip = joint[0], 0.0, joint[2]
+            holds, breaks, lost = _break(p, i, g, touch, holds, depth, step, grip)
+            spent, broken = spent + lost, choose(breaks, broken + 1.0, broken)
+            acts = touching | holds
+            step = choose(breaks, 0.0, step)
+            touching = touching & ~holds
+        had = kept = take(touch.slip, i)
+        normal = shear = share = across = along = stored = taken = none
+        if some(touching):
+            was = before[0] + before[1] * s > 0.0
+            normal, shear, share, kept, pressed, sticks, stored, taken = dry(
+                depth,
+                rate,
+                speed,
+                choose(touching & was, had, 0.0),
+                choose(touching, step, 0.0),
+                touching & ~was,
+                joint,
+                dt,
+            )
+            along = choose(touching & sticks, kn if ratio > 0.0 else 0.0, none)
+            across = choose(touching & pressed, kn, none)
+        if tied and some(holds):
+            pull, drag, whole, held, _, _, kept_j, taken_j = bonded(
+                depth, rate, speed, had + step, grip, dt
+            )
+            normal, shear = choose(holds, pull, normal), choose(holds, drag, shear)
+            share, kept = choose(holds, whole, share), choose(holds, held, kept)
+            along = choose(holds, kn if grip[1] > 0.0 else 0.0, along)
+            across = choose(holds, kn, across)
+            stored, taken = choose(holds, kept_j, stored), choose(holds, taken_j, taken)
+        put(touch.slip, i, choose(acts, kept, had))
+        elastic, spent = elastic + kn * stored, spent + kn * taken
+        u0, u1, u2 = u0 + across, u1 + across * s, u2 + across * s * s
+        w0, w1, w2 = w0 + along, w1 + along * s, w2 + along * s * s
+        weight = choose(acts, share * kn, 0.0)
+        normal, shear = normal * weight, shear * weight
+        n0, n1 = n0 + normal, n1 + normal * s
+        t0, t1 = t0 + shear, t1 + shear * s
+        i += 1
+    return (n0, n1), (t0, t1), (u0, u1, u2), (w0, w1, w2), elastic, spent, broken
 
 
 @inlined
@@ -272,97 +325,117 @@ def _added(own, arms, directions, sums, dashpots):
 
 
 @inlined
-def block_contact(p, touch, supports, pose, rates, last, past_s, dt, all_losses):
+def block_contact(p, whole, supports, turning, touch, pose, rates, last, past_s, dt, alive, counts):
     """Forces of all nodes on the block and on its supports.
 
     Parameters
     ----------
     p : Planar
-    touch : Touch
-        Brought up to date.
+    whole : ndarray, shape (groups, 4)
+        See `untouched`.
     supports : Supports
         Their motion; gets the forces on them.
+    turning : bool
+        Whether supports turn.
+    touch : Touch
+        Brought up to date.
     pose : tuple
         y, z, cosine and sine of the rotation.
-    rates, last : tuple of 3 floats
+    rates, last : tuple of 3 numbers
         Velocities predicted for now, and those half a step back.
     past_s, dt : float
         Since the last step, zero at the first: what touches then has not just closed.
-    all_losses : bool
-        Whether all losses are wanted.
+    alive : mask
+        Histories that go on.
+    counts : bool
+        Whether energies are wanted; of one history alone.
 
     Returns
     -------
-    force, own, energy : tuple
-        Along y, z, moment about x; dashpots that act; energy stored and taken.
-    broken : int
+    force, own : tuple
+        Along y, z, moment about x; dashpots that act.
+    elastic, spent, broken : number
+        Energy stored, and taken in this step; bonds that broke.
     """
     (py, pz, pt), (my, mz, mt) = rates, last
-    fy = fz = moment = elastic = spent = 0.0
-    own = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    broken, turning = 0, supports.turn.size > 0
+    none = like(0.0, py)
+    fy = fz = moment = elastic = spent = broken = none
+    own = none, none, none, none, none, none
     for g in range(p.level_m.size):
-        j = p.support[g]  # −1 is the last entry, which stands still
-        place, roll = (supports.y[j], supports.z[j]), supports.turn[j] if turning else 0.0
-        sign, ny, nz, ry, rz, ey, ez, d0, d1 = _line(p, g, pose, *place, roll)
-        low, high = p.first[g], p.first[g + 1]
-        ends = d0 + d1 * p.place_m[low], d0 + d1 * p.place_m[high - 1]
-        if touch.summed[g] and (ends[0] <= 0.0 or ends[1] <= 0.0):
-            _spread(p, touch, g)
-        before = touch.start[g], touch.stop[g]
-        start, stop, lost = _reach(p, touch, g, d0, d1)
-        touch.start[g], touch.stop[g] = start, stop
-        spent += lost
-        if touch.bonds[g] > 0:  # bonds act wherever they are
-            start, stop = low, high
-        elif start == stop:
+        j = p.support[g] if p.support[g] >= 0 else len(supports.y) - 1
+        sign, ny, nz, ry, rz, ey, ez, d0, d1 = _line(p, g, pose, supports, j, turning)
+        if not alone(d0):
+            d0, d1 = choose(alive, d0, -1.0), choose(alive, d1, 0.0)
+        s_low, s_high = p.place_m[p.first[g]], p.place_m[p.first[g + 1] - 1]
+        below, above = d0 + d1 * s_low > 0.0, d0 + d1 * s_high > 0.0
+        touches, full = below | above, below & above
+        bound = alive & (take(touch.bonds, g) > 0.0)  # bonds act wherever they are
+        summed = take(touch.summed, g) > 0.0
+        before = take(touch.depth0, g), take(touch.depth1, g)
+        put(touch.depth0, g, d0)
+        put(touch.depth1, g, d1)
+        if some(summed & ~full):
+            _spread(p, touch, g, summed & ~full)
+            summed = summed & full
+        if counts and some(~full):
+            spent += _let_go(p, touch, g, before, d0, d1)
+        if not some(touches | bound):
             continue
         ty, tz = -nz, ny
-        vy, vz = py - pt * rz - supports.vy[j], pz + pt * ry - supports.vz[j]
-        uy = past_s * (my - mt * rz) - supports.dy[j]
-        uz = past_s * (mz + mt * ry) - supports.dz[j]
-        if turning:
-            arm_y, arm_z = p.arm_m[g, 0], p.arm_m[g, 1]
-            vy, vz = vy + supports.spin[j] * arm_z, vz - supports.spin[j] * arm_y
-            uy, uz = uy + supports.dturn[j] * arm_z, uz - supports.dturn[j] * arm_y
+        vy = py - pt * rz - take(supports.vy, j)
+        vz = pz + pt * ry - take(supports.vz, j)
+        uy = past_s * (my - mt * rz) - take(supports.dy, j)
+        uz = past_s * (mz + mt * ry) - take(supports.dz, j)
         turn_n, turn_t = nz * ey - ny * ez, tz * ey - ty * ez
+        arm_y, arm_z, spin, dturn = p.arm_m[g, 0], p.arm_m[g, 1], none, none
+        if turning:
+            spin, dturn = take(supports.spin, j), take(supports.dturn, j)
+            vy, vz = vy + spin * arm_z, vz - spin * arm_y
+            uy, uz = uy + dturn * arm_z, uz - dturn * arm_y
         q0, q1 = -sign * (ny * vy + nz * vz), -sign * pt * turn_n
         s0, s1 = sign * (ty * vy + tz * vz), sign * pt * turn_t
         g0, g1 = sign * (ty * uy + tz * uz), sign * past_s * mt * turn_t
+        along_y, along_z = p.along[g, 0], p.along[g, 1]
         if turning:
-            along_y, along_z = p.along[g, 0], p.along[g, 1]
             turn_t = sign * (tz * along_y - ty * along_z)
-            q1 += supports.spin[j] * sign * (nz * along_y - ny * along_z)
-            s1, g1 = s1 - supports.spin[j] * turn_t, g1 - supports.dturn[j] * turn_t
+            q1 += spin * sign * (nz * along_y - ny * along_z)
+            s1, g1 = s1 - spin * turn_t, g1 - dturn * turn_t
         lines = d0, d1, q0, q1, s0, s1, g0, g1
         beta, ratio, friction = p.beta_s[g], p.shear_ratio[g], p.friction[g]
         h0, h1 = d0 + beta * q0, d1 + beta * q1  # force over kn along the line
-        least = min(h0 + h1 * p.place_m[low], h0 + h1 * p.place_m[high - 1])
-        if touch.summed[g]:
-            most = touch.most[g] + abs(touch.more[g, 0] + g0)
-            most += abs(touch.more[g, 1] + g1) * touch.inertia[g, 3]
-            if ratio * most > friction * least:
-                _spread(p, touch, g)
-        if touch.summed[g]:
-            found = _whole(p, touch, g, lines, dt, all_losses)
-        else:
-            if past_s == 0.0:
-                before = low, high
-            found = _each(p, touch, g, (start, stop), before, lines, dt)
-            if start == low and stop == high and touch.bonds[g] == 0:
-                _sum(p, touch, g, 0.5 * friction * least / ratio)
-        (n0, n1), (t0, t1), across, along, (stored, taken), lost_bonds = found
-        elastic, spent, broken = elastic + stored, spent + taken, broken + lost_bonds
+        least = min(h0 + h1 * s_low, h0 + h1 * s_high)
+        if some(summed):
+            most = take(touch.most, g) + abs(take(touch.more0, g) + g0)
+            most += abs(take(touch.more1, g) + g1) * whole[g, 3]
+            slides = summed & (ratio * most > friction * least)
+            if some(slides):
+                _spread(p, touch, g, slides)
+                summed = summed & ~slides
+        three = none, none, none
+        sums = (none, none), (none, none), three, three, none, none, none
+        if some(summed):
+            sums = _whole(p, touch, g, summed, whole, lines, dt, counts)
+        each = (touches | bound) & ~summed
+        if some(each):
+            here = choose(each, d0, -1.0), choose(each, d1, 0.0)
+            if past_s == 0.0:  # what touches at first has not just closed
+                before = d0, d1
+            sums = _each(p, touch, g, here, before, bound, lines, dt, sums)
+            ready = each & (full | bound) & (take(touch.bonds, g) <= 0.0)
+            if some(ready):
+                _sum(p, touch, g, ready, 0.5 * friction * least / ratio)
+        (n0, n1), (t0, t1), across, along, stored, taken, lost = sums
+        elastic, spent, broken = elastic + stored, spent + taken, broken + lost
         gy, gz = sign * (ny * n0 - ty * t0), sign * (nz * n0 - tz * t0)
         fy += gy
         fz += gz
         moment += ry * gz - rz * gy
-        moment += sign * (ey * (nz * n1 - tz * t1) - ez * (ny * n1 - ty * t1))
-        supports.fy[j] -= gy
-        supports.fz[j] -= gz
+        far_y, far_z = ny * n1 - ty * t1, nz * n1 - tz * t1
+        moment += sign * (ey * far_z - ez * far_y)
+        put(supports.fy, j, take(supports.fy, j) - gy)
+        put(supports.fz, j, take(supports.fz, j) - gz)
         if turning:
-            far = sign * (nz * n1 - tz * t1), sign * (ny * n1 - ty * t1)
-            supports.moment[j] -= arm_y * gz - arm_z * gy + along_y * far[0] - along_z * far[1]
-        directions = ny, nz, ty, tz
-        own = _added(own, (ry, rz, ey, ez), directions, (across, along), (beta, ratio))
-    return (fy, fz, moment), own, (elastic, spent), broken
+            back = arm_y * gz - arm_z * gy + along_y * (sign * far_z) - along_z * (sign * far_y)
+            put(supports.moment, j, take(supports.moment, j) - back)
+        own = _added(own, (ry, rz, ey, ez), (ny, nz, ty, tz), (across, along), (beta, ratio))
+    return (fy, fz, moment), own, elastic, spent, broken

@@ -109,7 +109,8 @@ def bond_breaks(depth_m, slip_m, strength, joint):
 @inlined
 def released(depth_m, slip_m, ratio):
     """Energy that a bond with this slip loses as it breaks, over kn [m²]."""
-    return 0.5 * (ratio * slip_m * slip_m + min(depth_m, 0.0) ** 2)
+    pulled = min(depth_m, 0.0)
+    return 0.5 * (ratio * slip_m * slip_m + pulled * pulled)
 
 
 @inlined

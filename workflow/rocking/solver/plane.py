@@ -43,6 +43,8 @@ class Planar(NamedTuple):
     mass_kg, inertia_kg_m2, gravity_m_s2, thickness_m : float
     monitor_m : ndarray, shape (2,)
         Point that moves by d.
+    foot : int
+        Column of the motion of what the façade stands on, from which d counts; −1: the frame's.
     bars : Bars
         Ties and floors.
     """
@@ -70,6 +72,7 @@ class Planar(NamedTuple):
     gravity_m_s2: float
     thickness_m: float
     monitor_m: np.ndarray
+    foot: int
     bars: Bars
 
     @property
@@ -166,6 +169,7 @@ def to_plane(scene):
         gravity_m_s2=float(scene.gravity_m_s2),
         thickness_m=float(scene.thickness_m),
         monitor_m=np.array(scene.monitor_point_m, float)[1:] - centre,
+        foot=column.get(reference.motion, -1),
         bars=bars,
     )
 

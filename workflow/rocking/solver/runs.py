@@ -8,13 +8,11 @@ import numpy as np
 from scipy.linalg import block_diag
 
 from .carriers import NO_BODIES
-from .inputs import COLUMNS, FAILED, REST_RATIO, Rules, Table
-from .kernel import march_block
-from .lanes import march_lanes
+from .inputs import COLUMNS, FAILED, OVERTURNED, REST_RATIO, Rules, Table
+from .block import march_block, march_blocks
 from .plane import matrices
 from .stack import Stack, stack_matrices
-from .stack_kernel import march_stack
-from .stack_lanes import march_stack_lanes
+from .stack_kernel import march_stack, march_stacks
 
 STATUS = ("ok", "overturned", "failed")
 STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
@@ -226,18 +224,6 @@ def limits(uplift_m_s2, thickness_m, motions, numerics, factors):
     return rules, motion, quiet, speed
 
 
-def _loop(planar):
-    """The step loop of a plane."""
-    return march_stack if isinstance(planar, Stack) else march_block
-
-
-def _side_by_side(planar, carried):
-    """Whether loops of lanes know all that acts: driven supports, no ties, floors and links."""
-    if carried.mass_kg.size or isinstance(planar, Stack) and (planar.in_row or planar.link_a.size):
-        return False
-    return not planar.bars.tie_body.size and not planar.bars.floor_body.size
-
-
 def _set_up(planar, motions, numerics, factors, carried, step_s):
     carried = carried or NO_BODIES
     if isinstance(planar, Stack) and carried.mass_kg.size:
@@ -252,12 +238,12 @@ def _set_up(planar, motions, numerics, factors, carried, step_s):
         raise ValueError(f"planar solver: the scene has {wanted} moving supports, got {given}")
     if len(carried.roll) and np.any(planar.carried & (planar.support >= 0)):
         raise ValueError("planar solver: expected supports that turn to carry their own nodes")
-    factors = np.ascontiguousarray(factors, float)  # of one dimension at least
+    factors = np.ravel(np.asarray(factors, float))
     step = step_s or STEP_FRACTION * stable_step(planar, carried)
     table = motions.table(step, supports=not carried.mass_kg.size)
     uplift = planar.gravity_m_s2 * planar.thickness_m / planar.height_m
-    rules = limits(uplift, planar.thickness_m, motions, numerics, factors)
-    return carried, table, factors, rules
+    rules, *own = limits(uplift, planar.thickness_m, motions, numerics, factors)
+    return carried, table, rules, np.stack([factors, *own], axis=1)
 
 
 def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None, sample_s=0.005):
@@ -283,15 +269,14 @@ def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None,
     -------
     Series
     """
-    carried, table, factors, (rules, *own) = _set_up(
-        planar, motions, numerics, factor, carried, step_s
-    )
+    carried, table, rules, cases = _set_up(planar, motions, numerics, factor, carried, step_s)
     every = max(1, round(sample_s / table.step_s))
     supports = carried.mass_kg.size or table.place_m.shape[1]
     count = math.ceil(rules.limit_s / table.step_s) // every + 1
     rows = np.zeros((count, COLUMNS + 2 * supports))
-    peak, status, end, written, broken = _loop(planar)(
-        planar, carried, table, factors[0], rules, *(float(v[0]) for v in own), every, rows
+    march = march_stack if isinstance(planar, Stack) else march_block
+    (peak, status, end), written, broken = march(
+        planar, carried, table, rules, cases[0], every, rows
     )
     rows = rows[:written]
     return Series(
@@ -306,10 +291,10 @@ def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None,
         rows[:, COLUMNS : COLUMNS + supports],
         rows[:, COLUMNS + supports :],
         math.nan if status == FAILED else peak / planar.thickness_m,
-        STATUS[status],
-        end,
+        STATUS[int(status)],
+        float(end),
         table.step_s,
-        broken,
+        int(broken),
     )
 
 
@@ -344,25 +329,16 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
     -------
     Peaks
     """
-    carried, table, factors, (rules, *own) = _set_up(
-        planar, motions, numerics, factors, carried, step_s
-    )
-    if factors.size > FEW and _side_by_side(planar, carried):
-        motion, _, speed = (np.broadcast_to(one, factors.shape).copy() for one in own)
-        parts = [slice(i, i + AT_ONCE) for i in range(0, factors.size, AT_ONCE)]
-        march = march_stack_lanes if isinstance(planar, Stack) else march_lanes
-        found = np.concatenate(
-            [march(planar, table, factors[at], rules, motion[at], speed[at]) for at in parts]
-        )
+    carried, table, rules, cases = _set_up(planar, motions, numerics, factors, carried, step_s)
+    stack, rows = isinstance(planar, Stack), np.zeros((0, COLUMNS))
+    if len(cases) > FEW:
+        march = march_stacks if stack else march_blocks
+        parts = [cases[i : i + AT_ONCE] for i in range(0, len(cases), AT_ONCE)]
+        found = np.concatenate([march(planar, carried, table, rules, part) for part in parts])
     else:
-        rows = np.zeros((0, COLUMNS))
-        found = np.array(
-            [
-                _loop(planar)(planar, carried, table, f, rules, *limits, 1, rows)[:3]
-                for f, *limits in zip(factors, *own, strict=True)
-            ]
-        ).reshape(-1, 3)
-    peak, status, end = found.T
+        one = march_stack if stack else march_block
+        found = [one(planar, carried, table, rules, case, 1, rows)[0] for case in cases]
+    peak, status, end = np.reshape(found, (-1, 3)).T
     failed = status == FAILED
     ratio = np.where(failed, np.nan, peak / planar.thickness_m)
-    return Peaks(factors, ratio, status == 1, failed, end, table.step_s)
+    return Peaks(cases[:, 0], ratio, status == OVERTURNED, failed, end, table.step_s)

@@ -145,4 +145,4 @@ def history(spatial, motions, numerics, factor=1.0, *, sample_s=None):
         p, across, beside, factor, rules, float(ends), float(own[2][0]), every, rows
     )
     ratio = math.nan if status == FAILED else peak / p.thickness_m
-    return Outcome(ratio, twist, slid, STATUS[status], end, rows[:written])
+    return Outcome(ratio, twist, slid, STATUS[int(status)], end, rows[:written])

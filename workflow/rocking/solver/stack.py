@@ -56,6 +56,8 @@ class Stack(NamedTuple):
         Pieces that stand on each other: every node joins two that follow each other, or one to a
         support, so that all their dashpots can be solved together.
     gravity_m_s2, thickness_m, height_m : float
+    foot : int
+        See `plane.Planar`.
     bars : Bars
     """
 
@@ -93,6 +95,7 @@ class Stack(NamedTuple):
     gravity_m_s2: float
     thickness_m: float
     height_m: float
+    foot: int
     bars: Bars
 
 
@@ -190,6 +193,7 @@ def stacked(scene, own, column, bars):
         gravity_m_s2=float(scene.gravity_m_s2),
         thickness_m=float(scene.thickness_m),
         height_m=float(max(p[1] for _, p in watched) - nodes.position_m[:, 2].min()),
+        foot=column.get(blocks[scene.index(scene.reference)].motion, -1),
         bars=bars,
     )
 

@@ -1,252 +1,370 @@
-"""The compiled step loop of several blocks in the plane.
+"""Several blocks in a step: their contact, node by node, and their accelerations; see `march`.
 
-The law of a node (`law`) and the scheme are those of `kernel`, node by node: lines of nodes that
-meet one plane together, which make that fast, are left out.
+The law of a node (`law`) and the scheme are those of one block. Lines of nodes that meet one plane
+together, which make that fast, are left out. One text for one history and for many side by side.
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
-from rocking.runtime.compiled import compiled
+from rocking.runtime.compiled import compiled, inlined
 
-from .bars import act, advance, at_rest
-from .dashpots import couple, damp, solve, solve_row
-from .inputs import drive, verdict
+from .dashpots import couple, damp, solve_row, solved
 from .law import bond_breaks, bonded, dry, released
+from .march import march_many, march_one
+from .vectors import alone, choose, cos_sin, like, put, put_where, some, take
+
+OPEN, CLOSED, HOLDS, GONE = 0.0, 1.0, 2.0, 3.0  # states of a node
+
+
+class Nodes(NamedTuple):
+    """What nodes and blocks remember, in rows.
+
+    Attributes
+    ----------
+    slip, state : a row a node
+    goes : a row a block
+        0 where it came out of its slot and takes no part any more.
+    """
+
+    slip: np.ndarray
+    state: np.ndarray
+    goes: np.ndarray
+
+
+@inlined
+def _nodes(p, rows):
+    """`Nodes` in the rows of `_start`."""
+    count = p.kn_n_m.size
+    return Nodes(rows[:count], rows[count : 2 * count], rows[2 * count :])
 
 
 @compiled
-def _come_out(p, a, b, moves, v, acceleration, gone):
-    """Take the debris among two blocks out of the scene with all its nodes; whether there is any.
+def _start(p):
+    """Rows of nodes that have not met their planes yet, and of blocks that all go."""
+    count = p.kn_n_m.size
+    rows = np.ones(2 * count + p.mass_kg.size)
+    rows[:count] = 0.0
+    rows[count : 2 * count] = np.where(p.bonded, HOLDS, OPEN)
+    return rows
+
+
+@inlined
+def _predict(p, parts, time, alive):
+    """Rates at the whole step, cosines and sines of all blocks; forces and dashpots at nothing."""
+    half, _, dt = time
+    for m in range(len(parts.place)):
+        put(parts.now, m, take(parts.rate, m) + half * take(parts.rise, m))
+        put(parts.force, m, 0.0)
+    for block in range(p.mass_kg.size):
+        j, y = p.guide[block], 3 * block
+        if j >= 0:
+            put(parts.place, y, take(parts.supports.y, j))
+            put(parts.now, y, take(parts.supports.vy, j))
+            put(parts.rate, y, take(parts.supports.dy, j) / dt)
+        cos, sin = cos_sin(take(parts.place, y + 2), alive)
+        put(parts.turn, 2 * block, cos)
+        put(parts.turn, 2 * block + 1, sin)
+    for m in range(len(parts.own)):
+        put(parts.own, m, 0.0)
+    if p.in_row:
+        for m in range(len(parts.between)):
+            put(parts.between, m, 0.0)
+
+
+@inlined
+def _turned(parts, block, arm):
+    """A direction or arm that turns with a block."""
+    cos, sin = take(parts.turn, 2 * block), take(parts.turn, 2 * block + 1)
+    return cos * arm[0] - sin * arm[1], sin * arm[0] + cos * arm[1]
+
+
+@inlined
+def _come_out(p, i, parts, nodes, out):
+    """Take the debris that meets node i out of the scene where it is out, with all its nodes.
 
     It stays where it is.
     """
-    found = False
-    for block in (a, b):
-        if block < 0 or not p.debris[block] or not moves[block].any():
+    for block in (p.body_a[i], p.body_b[i]):
+        if block < 0 or not p.debris[block] or not p.free[block].any():
             continue
-        found = True
-        moves[block, :] = False
-        v[block, :] = 0.0
-        acceleration[block, :] = 0.0
-        for i in range(gone.size):
-            gone[i] = gone[i] or p.body_a[i] == block or p.body_b[i] == block
-    return found
+        falls = out & (take(nodes.goes, block) > 0.0)
+        if not some(falls):
+            continue
+        put_where(nodes.goes, block, falls, 0.0)
+        for m in range(3 * block, 3 * block + 3):
+            put_where(parts.rate, m, falls, 0.0)
+            put_where(parts.rise, m, falls, 0.0)
+        for other in range(p.body_a.size):
+            if p.body_a[other] == block or p.body_b[other] == block:
+                put_where(nodes.state, other, falls, GONE)
+
+
+@inlined
+def _push(parts, block, sign, force, arm):
+    """Add a force, or what reacts to it, to those of a block."""
+    (fy, fz), (ay, az), at = force, arm, 3 * block
+    put(parts.force, at, take(parts.force, at) + sign * fy)
+    put(parts.force, at + 1, take(parts.force, at + 1) + sign * fz)
+    put(parts.force, at + 2, take(parts.force, at + 2) + sign * (ay * fz - az * fy))
+
+
+@inlined
+def _rates(parts, block, arm, past_s):
+    """Velocity of a point of a block now, and its way since the last step."""
+    (ay, az), at = arm, 3 * block
+    spin, turn = take(parts.now, at + 2), take(parts.rate, at + 2)
+    return (
+        take(parts.now, at) - spin * az,
+        take(parts.now, at + 1) + spin * ay,
+        past_s * (take(parts.rate, at) - turn * az),
+        past_s * (take(parts.rate, at + 1) + turn * ay),
+    )
+
+
+@inlined
+def _force(p, i, j, parts, nodes, where, arms, time, acts):
+    """What node i does to its blocks where it acts; energy stored, taken, and bonds that broke."""
+    a, b = p.body_a[i], p.body_b[i]
+    (ny, nz, depth), (ay, az, by, bz), (_, past_s, dt) = where, arms, time
+    touching, holds, was = acts
+    none = like(0.0, depth)
+    sv, sdu = take(parts.supports.vy, j), take(parts.supports.dy, j)
+    if a >= 0:
+        ry, rz, gy, gz = _rates(parts, a, (ay, az), past_s)
+    else:
+        ry, rz, gy, gz = sv, none, sdu, none
+    if b >= 0:
+        at = 3 * b
+        spin, turn = take(parts.now, at + 2), take(parts.rate, at + 2)
+        ry, rz = ry - take(parts.now, at) + spin * bz, rz - take(parts.now, at + 1) - spin * by
+        gy -= past_s * (take(parts.rate, at) - turn * bz)
+        gz -= past_s * (take(parts.rate, at + 1) + turn * by)
+    else:
+        ry, gy = ry - sv, gy - sdu
+    kn, beta, ratio, friction = p.kn_n_m[i], p.beta_s[i], p.shear_ratio[i], p.friction[i]
+    ty, tz = -nz, ny
+    rate, speed, way = -(ny * ry + nz * rz), ty * ry + tz * rz, ty * gy + tz * gz
+    had = take(nodes.slip, i)
+    grip = beta, 0.0 if p.tie[i] else ratio, friction  # of a bond: a tie transmits no shear
+    spent = broken = none
+    if some(holds):
+        breaks = holds & bond_breaks(depth, had + way, (p.pull_m[i], p.hold_m[i]), grip)
+        if some(breaks):
+            spent = choose(breaks, kn * released(depth, had, grip[1]), 0.0)
+            broken = choose(breaks, 1.0, none)
+            had, way = choose(breaks, 0.0, had), choose(breaks, 0.0, way)
+            holds, was = holds & ~breaks, was | breaks
+            put(nodes.slip, i, had)
+            put_where(nodes.state, i, breaks, OPEN)
+    touching = touching & ~holds
+    if past_s == 0.0:  # what touches at first has not just closed
+        was = touching
+    joint = beta, ratio, friction
+    normal = shear = share = across = along = stored = taken = none
+    after = had
+    if some(touching):
+        normal, shear, share, after, pressed, sticks, stored, taken = dry(
+            depth, rate, speed, had, choose(touching, way, 0.0), touching & ~was, joint, dt
+        )
+        put_where(nodes.state, i, touching, CLOSED)
+        across = choose(touching & pressed, beta * kn, none)
+        along = choose(touching & sticks, beta * kn * ratio, none)
+    if some(holds):
+        pull, drag, whole, held, _, _, kept_j, taken_j = bonded(
+            depth, rate, speed, had + way, grip, dt
+        )
+        normal, shear = choose(holds, pull, normal), choose(holds, drag, shear)
+        share, after = choose(holds, whole, share), choose(holds, held, after)
+        across = choose(holds, beta * kn, across)
+        along = choose(holds, beta * kn * grip[1], along)
+        stored, taken = choose(holds, kept_j, stored), choose(holds, taken_j, taken)
+    acting = touching | holds
+    put(nodes.slip, i, choose(acting, after, had))
+    weight = share * kn
+    fy = choose(acting, weight * (ny * normal - ty * shear), 0.0)
+    fz = choose(acting, weight * (nz * normal - tz * shear), 0.0)
+    turn_a, turn_b = (nz * ay - ny * az, tz * ay - ty * az), (nz * by - ny * bz, tz * by - ty * bz)
+    if a >= 0:
+        _push(parts, a, 1.0, (fy, fz), (ay, az))
+        damp(parts.own, a, ny, nz, turn_a[0], across)
+        damp(parts.own, a, ty, tz, turn_a[1], along)
+    else:
+        put(parts.supports.fy, j, take(parts.supports.fy, j) + fy)
+    if b >= 0:
+        _push(parts, b, -1.0, (fy, fz), (by, bz))
+        damp(parts.own, b, ny, nz, turn_b[0], across)
+        damp(parts.own, b, ty, tz, turn_b[1], along)
+        if p.in_row and a >= 0:
+            if a < b:
+                couple(parts.between, a, ny, nz, turn_a[0], turn_b[0], across)
+                couple(parts.between, a, ty, tz, turn_a[1], turn_b[1], along)
+            else:
+                couple(parts.between, b, ny, nz, turn_b[0], turn_a[0], across)
+                couple(parts.between, b, ty, tz, turn_b[1], turn_a[1], along)
+    else:
+        put(parts.supports.fy, j, take(parts.supports.fy, j) - fy)
+    acting_j = choose(acting, kn * taken, 0.0), choose(acting, kn * stored, 0.0)
+    return acting_j[1], spent, acting_j[0], broken
+
+
+@inlined
+def _links(p, parts, dt, elastic, spent):
+    """Springs and dashpots along y between blocks, or to the ground; their energy added."""
+    for i in range(p.link_a.size):
+        a, b, dashpot = p.link_a[i], p.link_b[i], p.link_ns_m[i]
+        stretch, rate = take(parts.place, 3 * a), take(parts.now, 3 * a)
+        if b >= 0:
+            stretch -= take(parts.place, 3 * b)
+            rate -= take(parts.now, 3 * b)
+        pull = p.link_n_m[i] * stretch + dashpot * rate
+        put(parts.force, 3 * a, take(parts.force, 3 * a) - pull)
+        put(parts.own, 6 * a, take(parts.own, 6 * a) + dashpot)
+        if b >= 0:
+            put(parts.force, 3 * b, take(parts.force, 3 * b) + pull)
+            put(parts.own, 6 * b, take(parts.own, 6 * b) + dashpot)
+        elastic += 0.5 * p.link_n_m[i] * stretch * stretch
+        spent += dt * dashpot * rate * rate
+    return elastic, spent
+
+
+@inlined
+def contact(p, whole, parts, turning, time, alive, counts, spent):
+    """Forces of all nodes and links, and dashpots; energy stored and taken, bonds that broke."""
+    _predict(p, parts, time, alive)
+    nodes, supports = _nodes(p, parts.nodes), parts.supports
+    elastic = broken = like(0.0, spent)
+    for i in range(p.kn_n_m.size):
+        now = take(nodes.state, i)
+        live = alive & (now < GONE)
+        if not some(live):
+            continue
+        a, b = p.body_a[i], p.body_b[i]
+        j = p.support[i] if p.support[i] >= 0 else len(supports.y) - 1
+        su = take(supports.y, j)
+        ny, nz = like(p.normal[i, 0], su), like(p.normal[i, 1], su)
+        ay, az = like(p.arm_a_m[i, 0], su), like(p.arm_a_m[i, 1], su)
+        if a >= 0:
+            ay, az = _turned(parts, a, (ay, az))
+            py = p.centre_m[a, 0] + take(parts.place, 3 * a) + ay
+            pz = p.centre_m[a, 1] + take(parts.place, 3 * a + 1) + az
+        else:
+            py, pz = ay + su, az
+        by, bz = like(p.arm_b_m[i, 0], su), like(p.arm_b_m[i, 1], su)
+        if b >= 0:
+            ny, nz = _turned(parts, b, (ny, nz))
+            cy, cz = _turned(parts, b, (by, bz))
+            by = py - p.centre_m[b, 0] - take(parts.place, 3 * b)
+            bz = pz - p.centre_m[b, 1] - take(parts.place, 3 * b + 1)
+            depth = -ny * (by - cy) - nz * (bz - cz)
+            oy, oz = p.rim[i, 0], p.rim[i, 1]
+            if oy != 0.0 or oz != 0.0:
+                ey, ez = _turned(parts, b, (oy, oz))
+                out = live & (ey * by + ez * bz > p.rim_m[i])
+                if some(out):
+                    if not p.partial[i]:
+                        _come_out(p, i, parts, nodes, out)
+                    put_where(nodes.state, i, out, GONE)
+                    slip, pressed = take(nodes.slip, i), max(depth, 0.0)
+                    spent += 0.5 * p.kn_n_m[i] * p.shear_ratio[i] * (slip * slip)
+                    spent += 0.5 * p.kn_n_m[i] * (pressed * pressed)
+                    live = live & ~out
+        else:
+            depth = -ny * (py - by - su) - nz * (pz - bz)
+        holds, was = live & (now > CLOSED), live & (now > OPEN) & (now < HOLDS)
+        touching = live & ~(depth <= 0.0)
+        opened = was & ~touching
+        if some(opened):
+            slip = take(nodes.slip, i)
+            spent += 0.5 * p.kn_n_m[i] * p.shear_ratio[i] * (slip * slip)
+            put_where(nodes.state, i, opened, OPEN)
+            put_where(nodes.slip, i, opened, 0.0)
+        acting = touching | holds
+        if some(acting):
+            if not alone(depth) and some(~(abs(depth) < math.inf)):
+                # a block without a place: 0·∞ would be no 0
+                ny, nz = choose(acting, ny, 0.0), choose(acting, nz, 0.0)
+                ay, az = choose(acting, ay, 0.0), choose(acting, az, 0.0)
+                by, bz = choose(acting, by, 0.0), choose(acting, bz, 0.0)
+            where, arms = (ny, nz, depth), (ay, az, by, bz)
+            acts = touching, holds, was
+            stored, lost, taken, gone = _force(p, i, j, parts, nodes, where, arms, time, acts)
+            elastic, spent, broken = elastic + stored, spent + lost + taken, broken + gone
+    elastic, spent = _links(p, parts, time[2], elastic, spent)
+    return elastic, spent, broken
+
+
+@inlined
+def accelerate(p, parts, half, ag, gravity):
+    """Accelerations of all blocks, with a block's own dashpots at the velocity of this step."""
+    own, rise, force, nodes = parts.own, parts.rise, parts.force, _nodes(p, parts.nodes)
+    for row in range(len(own)):
+        put(own, row, take(own, row) * half)
+    for i in range(p.mass_kg.size):
+        at, to = 3 * i, 6 * i
+        mass, inertia = p.mass_kg[i], p.inertia_kg_m2[i]
+        y, z, turn = take(rise, at), take(rise, at + 1), take(rise, at + 2)
+        c00, c01, c02 = take(own, to), take(own, to + 1), take(own, to + 2)
+        c11, c12, c22 = take(own, to + 3), take(own, to + 4), take(own, to + 5)
+        push = take(parts.push, at), take(parts.push, at + 1), take(parts.push, at + 2)
+        fy = take(force, at) + (push[0] + c00 * y + c01 * z + c02 * turn) - mass * ag
+        fz = take(force, at + 1) + (push[1] + c01 * y + c11 * z + c12 * turn) - mass * gravity
+        moment = take(force, at + 2) + (push[2] + c02 * y + c12 * z + c22 * turn)
+        if not p.in_row:
+            goes = take(nodes.goes, i) > 0.0
+            free = goes & p.free[i, 0], goes & p.free[i, 1], goes & p.free[i, 2]
+            dashpots = c00, c01, c02, c11, c12, c22
+            y, z, turn = solved(dashpots, mass, inertia, free, (fy, fz, moment))
+            put(rise, at, y)
+            put(rise, at + 1, z)
+            put(rise, at + 2, turn)
+        else:
+            put(force, at, fy)
+            put(force, at + 1, fz)
+            put(force, at + 2, moment)
+    if p.in_row:
+        for i in range(p.mass_kg.size - 1):
+            for m in range(3):
+                for n in range(3):
+                    at, one, other = 9 * i + 3 * m + n, 3 * i + m, 3 * i + 3 + n
+                    c = take(parts.between, at) * half
+                    put(parts.between, at, c)
+                    put(force, one, take(force, one) + c * take(rise, other))
+                    put(force, other, take(force, other) + c * take(rise, one))
+        solve_row(own, parts.between, parts.inverse, p.mass_kg, p.inertia_kg_m2, force)
+        for row in range(len(force)):
+            put(rise, row, take(force, row))
+
+
+@inlined
+def monitor(p, parts):
+    """Place and speed of the watched point that is farthest from where it stood."""
+    d = v = like(0.0, take(parts.place, 0))
+    for point in range(p.watched.size):
+        block = p.watched[point]
+        my, mz = p.monitor_m[point, 0], p.monitor_m[point, 1]
+        cos, sin = take(parts.turn, 2 * block), take(parts.turn, 2 * block + 1)
+        at = take(parts.place, 3 * block) + cos * my - sin * mz - my
+        speed = take(parts.now, 3 * block) - take(parts.now, 3 * block + 2) * (sin * my + cos * mz)
+        if point == 0:
+            d, v = at, speed
+        farther = ~(abs(at) <= abs(d))
+        d, v = choose(farther, at, d), choose(farther, speed, v)
+    return d, v
 
 
 @compiled
-def march_stack(p, bodies, table, factor, rules, motion_s, quiet_m_s2, max_speed_m_s, every, rows):
-    """Advance one history until a rule ends it: as `kernel.march_block`.
+def march_stack(p, bodies, table, rules, case, every, samples):
+    """One history of a `Stack`, as `march.march_one`; its rows are those of the first block."""
+    state, whole, weight = _start(p), np.zeros((0, 4)), (0.0, 0.0, 0.0)
+    given = p, whole, state, bodies, table, rules, case, every, samples, weight
+    return march_one(contact, accelerate, monitor, given)
 
-    Supports and guided blocks are driven. A history's pose and rates are those of the first block.
-    """
-    dt, blocks, count = table.step_s, p.mass_kg.size, p.kn_n_m.size
-    supports = table.place_m.shape[1]
-    su, sv, sdu = np.zeros(supports + 1), np.zeros(supports + 1), np.zeros(supports + 1)
-    sf = np.zeros(supports + 1)
-    slip, closed, gone = np.zeros(count), np.zeros(count, np.bool_), np.zeros(count, np.bool_)
-    intact, moves = p.bonded.copy(), p.free.copy()
-    memory, push = at_rest(p.bars), np.zeros((blocks, 3))
-    q, v, acceleration = p.start[:, :3].copy(), p.start[:, 3:].copy(), np.zeros((blocks, 3))
-    pose, w = np.zeros((blocks, 4)), np.zeros((blocks, 3))
-    force, own = np.zeros((blocks, 3)), np.zeros((blocks, 6))
-    between = np.zeros((blocks if p.in_row else 0, 3, 3))
-    barred = p.bars.tie_k_n_m.size + p.bars.floor_k_n_m.size > 0
-    peak = moving_until = spent = 0.0
-    written, broken, k = 0, 0, 0
-    last = table.ground_m_s2.size - 1
-    time = 0.0
-    while True:
-        half, past = (0.5 * dt, dt) if k > 0 else (0.0, 0.0)
-        now = min(k, last)
-        ag = factor * table.ground_m_s2[now]
-        drive(table, factor, k, past, su, sv, sdu)
-        for i in range(blocks):
-            for m in range(3):
-                w[i, m] = v[i, m] + half * acceleration[i, m]
-            if p.guide[i] >= 0:
-                q[i, 0], w[i, 0] = su[p.guide[i]], sv[p.guide[i]]
-                v[i, 0] = sdu[p.guide[i]] / dt
-            pose[i, 0], pose[i, 1] = q[i, 0], q[i, 1]
-            pose[i, 2], pose[i, 3] = math.cos(q[i, 2]), math.sin(q[i, 2])
-        force[:] = 0.0
-        own[:] = 0.0
-        between[:] = 0.0
-        elastic = 0.0
-        for i in range(count):
-            if gone[i]:
-                continue
-            a, b, j = p.body_a[i], p.body_b[i], p.support[i]
-            ny, nz = p.normal[i, 0], p.normal[i, 1]
-            # node: place, arm, velocity now and way since the last step
-            ay, az = p.arm_a_m[i, 0], p.arm_a_m[i, 1]
-            if a >= 0:
-                cos, sin = pose[a, 2], pose[a, 3]
-                ay, az = cos * ay - sin * az, sin * ay + cos * az
-                py, pz = p.centre_m[a, 0] + q[a, 0] + ay, p.centre_m[a, 1] + q[a, 1] + az
-            else:
-                py, pz = ay + su[j], az
-            by, bz = p.arm_b_m[i, 0], p.arm_b_m[i, 1]
-            if b >= 0:
-                cos, sin = pose[b, 2], pose[b, 3]
-                ny, nz = cos * ny - sin * nz, sin * ny + cos * nz
-                cy, cz = cos * by - sin * bz, sin * by + cos * bz
-                by, bz = py - p.centre_m[b, 0] - q[b, 0], pz - p.centre_m[b, 1] - q[b, 1]
-                depth = -ny * (by - cy) - nz * (bz - cz)
-                oy, oz = p.rim[i, 0], p.rim[i, 1]
-                if oy != 0.0 or oz != 0.0:
-                    out = (cos * oy - sin * oz) * by + (sin * oy + cos * oz) * bz
-                    if out > p.rim_m[i]:
-                        fell = not p.partial[i]
-                        fell = fell and _come_out(p, a, b, moves, v, acceleration, gone)
-                        gone[i] = True
-                        spent += 0.5 * p.kn_n_m[i] * p.shear_ratio[i] * slip[i] ** 2
-                        spent += 0.5 * p.kn_n_m[i] * max(depth, 0.0) ** 2
-                        continue
-            else:
-                depth = -ny * (py - by - su[j]) - nz * (pz - bz)
-            if depth <= 0.0 and not intact[i]:
-                if closed[i]:
-                    spent += 0.5 * p.kn_n_m[i] * p.shear_ratio[i] * slip[i] ** 2
-                    closed[i], slip[i] = False, 0.0
-                continue
-            if a >= 0:
-                ry, rz = w[a, 0] - w[a, 2] * az, w[a, 1] + w[a, 2] * ay
-                gy, gz = past * (v[a, 0] - v[a, 2] * az), past * (v[a, 1] + v[a, 2] * ay)
-            else:
-                ry, rz, gy, gz = sv[j], 0.0, sdu[j], 0.0
-            if b >= 0:
-                ry, rz = ry - w[b, 0] + w[b, 2] * bz, rz - w[b, 1] - w[b, 2] * by
-                gy -= past * (v[b, 0] - v[b, 2] * bz)
-                gz -= past * (v[b, 1] + v[b, 2] * by)
-            else:
-                ry, gy = ry - sv[j], gy - sdu[j]
-            kn, beta, ratio, friction = p.kn_n_m[i], p.beta_s[i], p.shear_ratio[i], p.friction[i]
-            ty, tz = -nz, ny
-            rate, speed, way = -(ny * ry + nz * rz), ty * ry + tz * rz, ty * gy + tz * gz
-            joint = beta, ratio, friction
-            if intact[i]:
-                grip = beta, 0.0 if p.tie[i] else ratio, friction  # a tie transmits no shear
-                if bond_breaks(depth, slip[i] + way, (p.pull_m[i], p.hold_m[i]), grip):
-                    spent += kn * released(depth, slip[i], grip[1])
-                    intact[i], slip[i], way = False, 0.0, 0.0
-                    closed[i] = depth > 0.0
-                    broken += 1
-                    if depth <= 0.0:
-                        continue
-            if intact[i]:
-                joint = grip
-                acts = bonded(depth, rate, speed, slip[i] + way, joint, dt)
-            else:
-                fresh = not closed[i] and k > 0
-                acts = dry(depth, rate, speed, slip[i], way, fresh, joint, dt)
-                closed[i] = True
-            normal, shear, share, slip[i], pushes, sticks, stored, taken = acts
-            spent += kn * taken
-            elastic += kn * stored
-            fy = share * kn * (ny * normal - ty * shear)
-            fz = share * kn * (nz * normal - tz * shear)
-            pressed = beta * kn if pushes else 0.0
-            dragged = beta * kn * joint[1] if sticks else 0.0
-            if a >= 0:
-                force[a, 0] += fy
-                force[a, 1] += fz
-                force[a, 2] += ay * fz - az * fy
-                damp(own, a, ny, nz, nz * ay - ny * az, pressed)
-                damp(own, a, ty, tz, tz * ay - ty * az, dragged)
-            if b >= 0:
-                force[b, 0] -= fy
-                force[b, 1] -= fz
-                force[b, 2] -= by * fz - bz * fy
-                damp(own, b, ny, nz, nz * by - ny * bz, pressed)
-                damp(own, b, ty, tz, tz * by - ty * bz, dragged)
-                if p.in_row and a >= 0:
-                    la, lb = (
-                        (nz * ay - ny * az, tz * ay - ty * az),
-                        (
-                            nz * by - ny * bz,
-                            tz * by - ty * bz,
-                        ),
-                    )
-                    if a < b:
-                        couple(between, a, ny, nz, la[0], lb[0], pressed)
-                        couple(between, a, ty, tz, la[1], lb[1], dragged)
-                    else:
-                        couple(between, b, ny, nz, lb[0], la[0], pressed)
-                        couple(between, b, ty, tz, lb[1], la[1], dragged)
-        for i in range(p.link_a.size):
-            a, b = p.link_a[i], p.link_b[i]
-            stretch, rate = q[a, 0], w[a, 0]
-            if b >= 0:
-                stretch, rate = stretch - q[b, 0], rate - w[b, 0]
-            pull = p.link_n_m[i] * stretch + p.link_ns_m[i] * rate
-            elastic += 0.5 * p.link_n_m[i] * stretch * stretch
-            spent += dt * p.link_ns_m[i] * rate * rate
-            force[a, 0] -= pull
-            own[a, 0] += p.link_ns_m[i]
-            if b >= 0:
-                force[b, 0] += pull
-                own[b, 0] += p.link_ns_m[i]
-        gravity = p.gravity_m_s2 + abs(factor) * table.vertical_m_s2[now]
-        if barred:
-            heavier = gravity / p.gravity_m_s2
-            stored, taken, lost = act(p.bars, memory, pose, half, (su, sv, sf), ag, heavier, push)
-            elastic, spent, broken = elastic + stored, spent + taken, broken + lost
-        for i in range(blocks):
-            for m in range(6):
-                own[i, m] *= half
-            # a block's own dashpots belong to the velocity of this step, v + ½h a, not to w
-            y, z, turn = acceleration[i, 0], acceleration[i, 1], acceleration[i, 2]
-            force[i, 0] += push[i, 0] + own[i, 0] * y + own[i, 1] * z + own[i, 2] * turn
-            force[i, 1] += push[i, 1] + own[i, 1] * y + own[i, 3] * z + own[i, 4] * turn
-            force[i, 2] += push[i, 2] + own[i, 2] * y + own[i, 4] * z + own[i, 5] * turn
-            force[i, 0] -= p.mass_kg[i] * ag
-            force[i, 1] -= p.mass_kg[i] * gravity
-            if not p.in_row:
-                solve(own, i, p.mass_kg[i], p.inertia_kg_m2[i], moves, force)
-        if p.in_row:
-            for i in range(blocks - 1):
-                for m in range(3):
-                    for n in range(3):
-                        between[i, m, n] *= half
-                        force[i, m] += between[i, m, n] * acceleration[i + 1, n]
-                        force[i + 1, n] += between[i, m, n] * acceleration[i, m]
-            solve_row(own, between, p.mass_kg, p.inertia_kg_m2, force)
-        for i in range(blocks):
-            for m in range(3):
-                acceleration[i, m] = force[i, m]
-        d = speed = 0.0
-        for point in range(p.watched.size):
-            i = p.watched[point]
-            my, mz = p.monitor_m[point, 0], p.monitor_m[point, 1]
-            at = q[i, 0] + pose[i, 2] * my - pose[i, 3] * mz - my
-            if point == 0 or not abs(at) <= abs(d):
-                d = at
-                speed = w[i, 0] - w[i, 2] * (pose[i, 3] * my + pose[i, 2] * mz)
-        peak = max(peak, abs(d))
-        if k % every == 0 and written < rows.shape[0]:
-            rows[written, 0], rows[written, 1], rows[written, 2] = time, d, speed
-            rows[written, 9], rows[written, 10] = elastic, spent
-            for m in range(3):
-                rows[written, 3 + m] = q[0, m]
-                rows[written, 6 + m] = v[0, m] + half * acceleration[0, m]
-            for j in range(supports):
-                rows[written, rows.shape[1] - 2 * supports + j] = su[j]
-                rows[written, rows.shape[1] - supports + j] = sv[j]
-            written += 1
-        over, status, moving_until = verdict(
-            rules, motion_s, max_speed_m_s, k, dt, d, speed, False, moving_until
-        )
-        if over:
-            break
-        ahead = dt if k > 0 else 0.5 * dt
-        for i in range(blocks):
-            for m in range(3):
-                v[i, m] += ahead * acceleration[i, m]
-                q[i, m] += dt * v[i, m]
-        if barred:
-            advance(p.bars, memory, ahead, dt)
-        k += 1
-        time = k * dt
-    return peak, status, time, written, broken
+
+@compiled
+def march_stacks(p, bodies, table, rules, cases):
+    """Histories of a `Stack` side by side, as `march.march_many`."""
+    given = p, np.zeros((0, 4)), _start(p), bodies, table, rules, cases
+    return march_many(contact, accelerate, monitor, given)

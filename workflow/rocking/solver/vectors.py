@@ -2,7 +2,8 @@
 
 Code that keeps to arithmetic, comparisons, `min`, `max`, `abs`, `math.copysign` and the functions
 below stands for one number and for `WIDTH` of them alike, with the same digits: each operation is
-that of a single number, nothing is fused or summed across.
+that of a single number, nothing is fused or summed across. Its memory has rows: of one number each
+in an array of one dimension, of `WIDTH` in one of shape (rows, WIDTH).
 """
 
 import math
@@ -38,7 +39,15 @@ class Lanes(types.Type):
 
 
 class Mask(types.Type):
-    """`WIDTH` truth values."""
+    """`WIDTH` truth values; a single one where they are wanted counts for all of them."""
+
+    def can_convert_from(self, typingctx, other):
+        """Widen a single one."""
+        return Conversion.promote if other is types.boolean else None
+
+    def unify(self, typingctx, other):
+        """A mask, where another branch has a single one."""
+        return self if other is types.boolean else None
 
 
 LANES, MASK = Lanes("lanes"), Mask("mask")
@@ -57,17 +66,18 @@ class _MaskModel(models.PrimitiveModel):
 
 
 def _wide(builder, value):
-    """A float in all lanes; lanes as they are."""
-    if value.type == _REALS:
+    """A float or truth value in all lanes; lanes and masks as they are."""
+    if isinstance(value.type, ir.VectorType):
         return value
     first = ir.Constant(ir.IntType(32), 0)
-    nothing = ir.Constant(_REALS, ir.Undefined)
+    nothing = ir.Constant(ir.VectorType(value.type, WIDTH), ir.Undefined)
     one = builder.insert_element(nothing, value, first)
     everywhere = ir.Constant(ir.VectorType(ir.IntType(32), WIDTH), [0] * WIDTH)
     return builder.shuffle_vector(one, nothing, everywhere)
 
 
 @lower_cast(types.float64, Lanes)
+@lower_cast(types.boolean, Mask)
 def _widen(context, builder, _from, _to, value):
     return _wide(builder, value)
 
@@ -89,8 +99,7 @@ def _defined(function, result, cases, emit):
     infer_global(function)(type("Typing", (ConcreteTemplate,), {"cases": signatures}))
 
     def lower(context, builder, sig, values):
-        whole = [v if v.type == _TRUTHS else _wide(builder, v) for v in values]
-        return emit(builder, *whole)
+        return emit(builder, *(_wide(builder, value) for value in values))
 
     for case in cases:
         lower_builtin(function, *case)(lower)
@@ -126,8 +135,8 @@ for _function, _sign in ((operator.lt, "<"), (operator.le, "<="), (operator.gt, 
 _defined(operator.ge, MASK, _PAIRS, _compare(">="))
 _defined(abs, LANES, [(LANES,)], _call("fabs", 1))
 _defined(operator.neg, LANES, [(LANES,)], ir.IRBuilder.fneg)
-_defined(operator.and_, MASK, [(MASK, MASK)], ir.IRBuilder.and_)
-_defined(operator.or_, MASK, [(MASK, MASK)], ir.IRBuilder.or_)
+for _function, _emit in ((operator.and_, ir.IRBuilder.and_), (operator.or_, ir.IRBuilder.or_)):
+    _defined(_function, MASK, [(MASK, MASK), (MASK, types.boolean), (types.boolean, MASK)], _emit)
 _defined(operator.invert, MASK, [(MASK,)], ir.IRBuilder.not_)
 
 
@@ -190,35 +199,130 @@ def _of_every(mask):
 
 
 @_emitted
-def wide(typingctx, value):
-    """Lanes of one float."""
-    return LANES(types.float64), lambda context, builder, sig, values: _wide(builder, values[0])
+def _widened(typingctx, value):
+    kind = MASK if isinstance(value, types.Boolean) else LANES
+    return kind(value), lambda context, builder, sig, values: _wide(builder, values[0])
+
+
+def like(value, number):
+    """`value`, a float or truth value, as many as `number` stands for."""
+    return value
+
+
+@overload(like)
+def _like(value, number):
+    if isinstance(number, Lanes) and not isinstance(value, Lanes | Mask):
+        return lambda value, number: _widened(value)
+    return like
+
+
+def alone(number):
+    """Whether a number stands for itself alone; a constant to the compiler."""
+    return True
+
+
+@overload(alone)
+def _alone(number):
+    if isinstance(number, Lanes):
+        return lambda number: False
+    return alone
+
+
+@_emitted
+def _lane(typingctx, lanes, lane):
+    def emit(context, builder, sig, values):
+        return builder.extract_element(*values)
+
+    return types.float64(lanes, types.intp), emit
+
+
+def lone(number):
+    """A number that stands for itself alone; of lanes the first."""
+    return number
+
+
+@overload(lone)
+def _lone(number):
+    if isinstance(number, Lanes):
+        return lambda number: _lane(number, 0)
+    return lone
+
+
+@_emitted
+def _with_lane(typingctx, lanes, lane, value):
+    def emit(context, builder, sig, values):
+        return builder.insert_element(values[0], values[2], values[1])
+
+    return LANES(lanes, types.intp, types.float64), emit
+
+
+def cos_sin(angle, wanted):
+    """Cosine and sine, those of the library, lane by lane where they are wanted."""
+    return math.cos(angle), math.sin(angle)
+
+
+@overload(cos_sin)
+def _cos_sin(angle, wanted):
+    if not isinstance(angle, Lanes):
+        return cos_sin
+
+    def lane_by_lane(angle, wanted):
+        cos, sin, ask = _widened(1.0), _widened(0.0), choose(wanted, 1.0, _widened(0.0))
+        for lane in range(WIDTH):
+            if _lane(ask, lane) > 0.0:
+                cos = _with_lane(cos, lane, math.cos(_lane(angle, lane)))
+                sin = _with_lane(sin, lane, math.sin(_lane(angle, lane)))
+        return cos, sin
+
+    return lane_by_lane
+
+
+def hypot(y, z):
+    """√(y² + z²), that of the library, lane by lane."""
+    return math.hypot(y, z)
+
+
+@overload(hypot)
+def _hypot(y, z):
+    if not isinstance(y, Lanes):
+        return hypot
+
+    def lane_by_lane(y, z):
+        found = y
+        for lane in range(WIDTH):
+            found = _with_lane(found, lane, math.hypot(_lane(y, lane), _lane(z, lane)))
+        return found
+
+    return lane_by_lane
 
 
 def _at(context, builder, kind, array, row):
-    """Address of a row of a contiguous array of shape (rows, WIDTH)."""
+    """Address of a row, and how many numbers it has."""
     data = context.make_array(kind)(context, builder, array).data
+    if kind.ndim == 1:
+        return builder.gep(data, [row])
     first = builder.mul(row, ir.Constant(row.type, WIDTH))
     return builder.bitcast(builder.gep(data, [first]), _REALS.as_pointer())
 
 
 @_emitted
 def take(typingctx, array, row):
-    """Lanes of a row of a contiguous array of floats, shape (rows, WIDTH)."""
+    """Number or lanes of a row of contiguous floats, shape (rows,) or (rows, WIDTH)."""
 
     def emit(context, builder, sig, values):
         return builder.load(_at(context, builder, sig.args[0], *values), align=8)
 
-    return LANES(array, types.intp), emit
+    return (LANES if array.ndim == 2 else types.float64)(array, types.intp), emit
 
 
 @_emitted
 def put(typingctx, array, row, value):
-    """Write lanes into such a row."""
+    """Write a number or lanes into such a row."""
 
     def emit(context, builder, sig, values):
         where = _at(context, builder, sig.args[0], *values[:2])
-        builder.store(_wide(builder, values[2]), where, align=8)
+        value = values[2] if sig.args[0].ndim == 1 else _wide(builder, values[2])
+        builder.store(value, where, align=8)
         return context.get_dummy_value()
 
     return types.none(array, types.intp, value), emit
@@ -226,7 +330,7 @@ def put(typingctx, array, row, value):
 
 @inlined
 def put_where(array, row, mask, value):
-    """Write into such a row in the lanes of a mask."""
+    """Write into such a row where the mask is true."""
     put(array, row, choose(mask, value, take(array, row)))
 
 
