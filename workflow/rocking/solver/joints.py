@@ -15,7 +15,7 @@ import numpy as np
 from rocking.runtime.compiled import compiled, inlined
 
 from .law import bond_breaks, bonded, dry, released
-from .vectors import alone, choose, like, put, put_where, some, take
+from .vectors import alone, choose, like, lone, put, put_where, some, take
 
 
 class Touch(NamedTuple):
@@ -30,6 +30,8 @@ class Touch(NamedTuple):
         The last three are Σ kn·slip·(1, s, slip) of a summed group.
     depth0, depth1 : a row a group
         Penetration along the line at the last step, depth0 + depth1·s.
+    start, stop : a row a group
+        Nodes that touched at the last step, of one history whose energy counts.
     slip, intact : a row a node
         Slip since a node closed [m]; 1 where its bond holds, without rows where none is bonded.
     """
@@ -44,6 +46,8 @@ class Touch(NamedTuple):
     sum2: np.ndarray
     depth0: np.ndarray
     depth1: np.ndarray
+    start: np.ndarray
+    stop: np.ndarray
     slip: np.ndarray
     intact: np.ndarray
 
@@ -55,7 +59,7 @@ def untouched(p):
     The latter has a row a group: Σ kn·(1, s, s²) of all its nodes, and its largest |s|.
     """
     groups, nodes = p.level_m.size, p.place_m.size
-    rows = np.zeros(10 * groups + nodes + nodes * p.bonded.any())
+    rows = np.zeros(12 * groups + nodes + nodes * p.bonded.any())
     whole = np.zeros((groups, 4))
     for g in range(groups):
         for i in range(p.first[g], p.first[g + 1]):
@@ -66,7 +70,7 @@ def untouched(p):
             whole[g, 3] = max(whole[g, 3], abs(s))
             if p.bonded[i]:
                 rows[groups + g] += 1.0
-                rows[10 * groups + nodes + i] = 1.0
+                rows[12 * groups + nodes + i] = 1.0
     return rows, whole
 
 
@@ -74,11 +78,12 @@ def untouched(p):
 def touched(p, rows):
     """`Touch` in the rows of `untouched`."""
     g, n = p.level_m.size, p.place_m.size
-    nodes = rows[10 * g :]
+    nodes = rows[12 * g :]
     return Touch(
         *(rows[:g], rows[g : 2 * g], rows[2 * g : 3 * g], rows[3 * g : 4 * g]),
         *(rows[4 * g : 5 * g], rows[5 * g : 6 * g], rows[6 * g : 7 * g], rows[7 * g : 8 * g]),
-        *(rows[8 * g : 9 * g], rows[9 * g : 10 * g], nodes[:n], nodes[n:]),
+        *(rows[8 * g : 9 * g], rows[9 * g : 10 * g], rows[10 * g : 11 * g], rows[11 * g : 12 * g]),
+        *(nodes[:n], nodes[n:]),
     )
 
 
@@ -110,27 +115,33 @@ def _line(p, g, pose, supports, j, turning):
 
 
 @inlined
-def _let_go(p, touch, g, before, d0, d1):
+def _let_go(p, touch, g, d0, d1):
     """What the nodes that touched at the last step and do not now have lost [J]; of one history."""
     low, high = p.first[g], p.first[g + 1]
-    lost, upper, i = like(0.0, d0), high, low
-    while i < high and some(d0 + d1 * p.place_m[i] <= 0.0):
-        lost += _slipped(p, touch, g, i, before)
-        i += 1
-    while upper > i and some(d0 + d1 * p.place_m[upper - 1] <= 0.0):
-        upper -= 1
-        lost += _slipped(p, touch, g, upper, before)
+    start, stop, lost = int(lone(take(touch.start, g))), int(lone(take(touch.stop, g))), 0.0
+    while start < stop and d0 + d1 * take(p.place_m, start) <= 0.0:
+        lost += _slipped(p, touch, g, start)
+        start += 1
+    while stop > start and d0 + d1 * take(p.place_m, stop - 1) <= 0.0:
+        stop -= 1
+        lost += _slipped(p, touch, g, stop)
+    if start == stop:  # all were open: what touches now is at either end, or both
+        start = stop = high if d0 + d1 * take(p.place_m, low) <= 0.0 else low
+    while start > low and d0 + d1 * take(p.place_m, start - 1) > 0.0:
+        start -= 1
+    while stop < high and d0 + d1 * take(p.place_m, stop) > 0.0:
+        stop += 1
+    put(touch.start, g, float(start))
+    put(touch.stop, g, float(stop))
     return lost
 
 
 @inlined
-def _slipped(p, touch, g, i, before):
-    """Energy of the slip of an open node, if it touched at the last step and has no bond."""
-    loses = before[0] + before[1] * p.place_m[i] > 0.0
-    if len(touch.intact) > 0:
-        loses = loses & (take(touch.intact, i) <= 0.0)
-    slip = take(touch.slip, i)
-    return choose(loses, 0.5 * p.kn_n_m[i] * p.shear_ratio[g] * (slip * slip), 0.0)
+def _slipped(p, touch, g, i):
+    """Energy of the slip of a node without a bond."""
+    if len(touch.intact) > 0 and lone(take(touch.intact, i)) > 0.0:
+        return 0.0
+    return 0.5 * p.kn_n_m[i] * p.shear_ratio[g] * lone(take(touch.slip, i)) ** 2
 
 
 @inlined
@@ -202,17 +213,13 @@ def _whole(p, touch, g, mask, whole, lines, dt, counts):
 
 
 @inlined
-def _break(p, i, g, touch, holds, depth, step, joint):
-    """Break a node's bonds where they reach their strength: where it holds, breaks; energy lost."""
-    strength, slip = (p.pull_m[i], p.hold_m[i]), take(touch.slip, i)
-    breaks = holds & bond_breaks(depth, slip + step, strength, joint)
-    spent = like(0.0, depth)
-    if some(breaks):
-        spent = choose(breaks, p.kn_n_m[i] * released(depth, slip, joint[1]), 0.0)
-        put_where(touch.intact, i, breaks, 0.0)
-        put_where(touch.slip, i, breaks, 0.0)
-        put_where(touch.bonds, g, breaks, take(touch.bonds, g) - 1.0)
-    return holds & ~breaks, breaks, spent
+def _break(p, i, g, touch, breaks, depth, ratio):
+    """Break a node's bonds where the mask is true; the energy that this takes [J]."""
+    spent = take(p.kn_n_m, i) * released(depth, take(touch.slip, i), ratio)
+    put_where(touch.intact, i, breaks, 0.0)
+    put_where(touch.slip, i, breaks, 0.0)
+    put_where(touch.bonds, g, breaks, take(touch.bonds, g) - 1.0)
+    return choose(breaks, spent, 0.0)
 
 
 @inlined
@@ -239,13 +246,13 @@ def _each(p, touch, g, touches, before, bound, lines, dt, sums):
     low, high = p.first[g], p.first[g + 1]
     tied = some(bound)
     upper = low if tied else high  # from here on up to the end nodes touch somewhere
-    while upper > low and some(touches[0] + touches[1] * p.place_m[upper - 1] > 0.0):
+    while upper > low and some(touches[0] + touches[1] * take(p.place_m, upper - 1) > 0.0):
         upper -= 1
     i = low
     while i < high:
-        s, kn = p.place_m[i], p.kn_n_m[i]
+        s, kn = take(p.place_m, i), take(p.kn_n_m, i)
         touching = touches[0] + touches[1] * s > 0.0
-        holds = breaks = touching & ~touching
+        holds = touching & ~touching
         if tied:
             holds = bound & (take(touch.intact, i) > 0.0)
         acts = touching | holds
@@ -257,10 +264,13 @@ def _each(p, touch, g, touches, before, bound, lines, dt, sums):
         if tied and some(holds):
             if p.tie[i]:
                 grip = joint[0], 0.0, joint[2]
-            holds, breaks, lost = _break(p, i, g, touch, holds, depth, step, grip)
-            spent, broken = spent + lost, choose(breaks, broken + 1.0, broken)
-            acts = touching | holds
-            step = choose(breaks, 0.0, step)
+            strength = take(p.pull_m, i), take(p.hold_m, i)
+            breaks = holds & bond_breaks(depth, take(touch.slip, i) + step, strength, grip)
+            if some(breaks):
+                spent += _break(p, i, g, touch, breaks, depth, grip[1])
+                broken, step = choose(breaks, broken + 1.0, broken), choose(breaks, 0.0, step)
+                holds = holds & ~breaks
+                acts = touching | holds
             touching = touching & ~holds
         had = kept = take(touch.slip, i)
         normal = shear = share = across = along = stored = taken = none
@@ -377,8 +387,8 @@ def block_contact(p, whole, supports, turning, touch, pose, rates, last, past_s,
         if some(summed & ~full):
             _spread(p, touch, g, summed & ~full)
             summed = summed & full
-        if counts and some(~full):
-            spent += _let_go(p, touch, g, before, d0, d1)
+        if counts:
+            spent += _let_go(p, touch, g, lone(d0), lone(d1))
         if not some(touches | bound):
             continue
         ty, tz = -nz, ny
