@@ -77,7 +77,7 @@ def test_what_records_are_is_said_by_kind_and_counted_where_they_are_many(tmp_pa
         facts(tmp_path, "B", "file", {"file": "b.at2", "component": "North"}),
     ]
     recorded, stands_for, note = style.origins(few, 20.0).splitlines()
-    assert recorded == "recorded: B (North, b.at2)"
+    assert recorded == "as given: B (North, b.at2)"
     assert stands_for == "surrogates, in place of: A (ABC, Somewhere, 1990)"
     assert "not its record" in note
     licence = {"source": "A. Author (2001), Journal", "licence": "CC BY 4.0, https://x"}
@@ -110,7 +110,7 @@ def test_a_record_of_several_runs_is_one_and_another_of_its_name_is_not(tmp_path
         (tmp_path / folder).mkdir()
         details = {"file": f"{digest}.at2", "sha256": digest}
         paths.append(facts(tmp_path / folder, "A", "file", details))
-    assert style.origins(paths, 20.0) == "recorded: A (1.at2); A (2.at2)"
+    assert style.origins(paths, 20.0) == "as given: A (1.at2); A (2.at2)"
 
 
 NO_RECORD = {  # the building, restitution, shaking tables of others, pushover, critical steps

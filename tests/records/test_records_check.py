@@ -138,7 +138,7 @@ def test_doubtful_peaks_and_offsets_are_said():
     wave = np.sin(2 * np.pi * 5 * t)
     assert module.warnings(_record(2.9 * G_M_S2 * wave)) == []
     assert "above 3 g" in module.warnings(_record(3.1 * G_M_S2 * wave))[0]
-    assert module.warnings(_record(wave + 0.0099)) == []
+    assert module.warnings(_record(wave + 1e-6)) == []  # drifts by 0.2 mm
     assert "offset 1.0" in module.warnings(_record(wave + 0.0105))[0]
     assert "61 samples, 0.6 s in all" in module.warnings(_record(wave[:61] - np.mean(wave[:61])))[0]
     # A fast sine of 1 g at 0.5 Hz moves at 3.1 m/s.
@@ -164,6 +164,49 @@ def _record_as(record):
 def test_the_script_writes_the_table_of_all(study, tmp_path):
     output = tmp_path / "records_check.csv"
     done = script("check_records", tmp_path, params={"table": str(study)}, output=str(output))
-    assert output.read_text().startswith("record,file,status,message\ngood,")
+    assert output.read_text().startswith(
+        "record,file,status,message,dt_s,duration_s,pga_g,pgv_cm_s,"
+    )
     assert done.stderr.count("fault: record") == 4
     assert "1 ok" in done.stdout
+
+
+def test_an_offset_of_any_size_is_named_with_its_drift():
+    """Of half a percent over 20 s the ground goes farther than the motion: ½·a·T²."""
+    t = 0.01 * np.arange(2000)
+    said = module.warnings(_record(np.sin(2 * np.pi * 5 * t) + 0.005))
+    assert len(said) == 1
+    assert "mean offset 0.5 % of the peak, by which the displacement drifts 1 m in 20 s" in said[0]
+
+
+def of_peak(folder, pga_g):
+    (folder / "weak.txt").write_text("".join(f"{pga_g * np.sin(k / 5):.9f}\n" for k in range(943)))
+    (folder / "t.tsv").write_text("record\tfile\tdt_s\tunits\nweak\tweak.txt\t0.01\tg\n")
+    return list(read_table(folder / "t.tsv").values())
+
+
+@pytest.mark.parametrize(("pga_g", "status"), [(0.3, "ok"), (0.011, "ok"), (0.009, "warning")])
+def test_a_record_that_is_scaled_far_is_said_with_its_factor(tmp_path, pga_g, status):
+    (found,) = check_records(of_peak(tmp_path, pga_g), reach_g=0.2)
+    assert found.status == status
+    assert found.factor == pytest.approx(0.2 / pga_g, rel=1e-3)
+    assert ("scaled some 22 times to 0.2 g" in found.message) is (status == "warning")
+
+
+def test_a_check_tells_step_duration_and_peaks_also_from_its_memory(tmp_path):
+    rows = of_peak(tmp_path, 0.2)
+    for _ in range(2):
+        (found,) = check_records(rows, cache=tmp_path / "c.json")
+        assert (found.dt_s, found.duration_s) == (0.01, pytest.approx(9.42))
+        assert found.pga_g == pytest.approx(0.2, rel=1e-3)
+        # integral of a sine by trapezia of 0.2 rad
+        assert found.pgv_cm_s == pytest.approx(0.2 * 980.665 * 0.01 / np.tan(0.1), rel=1e-3)
+        assert found.drift_m < 0.02
+
+
+def test_what_a_run_takes_records_to_is_its_grid_or_where_a_facade_may_fall():
+    run = {"ida": {"mode": "adaptive", "grid_g": [0.1, 1.2], "max_pga_g": 3.0}}
+    run["facade"] = {"thickness_m": 0.375, "height_m": 6.48}
+    assert module.reach_g(run) == pytest.approx(0.174, abs=1e-3)
+    assert module.reach_g({**run, "ida": {**run["ida"], "max_pga_g": 0.1}}) == 0.1
+    assert module.reach_g({**run, "ida": {**run["ida"], "mode": "grid"}}) == 1.2

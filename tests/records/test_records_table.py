@@ -109,8 +109,9 @@ def test_plain_names_are_taken(table, name):
         (["record\tfiel", "a\tb"], "line 1: unknown column 'fiel'; did you mean 'file'?"),
         (["record\tpga", "a\t1"], "did you mean 'pga_g'?"),
         (["record file", "a b"], "not tab-separated"),
-        (["record,file", "a,b"], "not tab-separated"),
-        (["record;file", "a;b"], "not tab-separated"),
+        (["record|file", "a|b"], "unknown column 'record|file'"),
+        (["record,file", "a,b"], "line 2: record a: no file 'b'"),
+        (["record,file", "a,b,c"], "line 2: 3 cells; expected 2 separated by commas"),
         (["record\tdt_s", "a\t0,01"], "found '0,01'; write a decimal point, not a comma"),
         (["file", "a"], "no column 'record'"),
         (["record\trecord", "a\ta"], "appears twice"),
@@ -138,3 +139,17 @@ def test_an_unknown_record_is_answered_with_the_nearest(table):
     path = table(f"record\t{TARGETS}", "RRS228\t0.2\t20\t5\t10")
     with pytest.raises(RecordError, match="did you mean 'RRS228'"):
         load("RRS282", path)
+
+
+@pytest.mark.parametrize(
+    ("separator", "number", "end"), [("\t", "0.01", ""), (",", "0.01", ",,"), (";", "0,01", ";")]
+)
+def test_a_table_as_a_spreadsheet_saves_it_is_the_same_table(table, separator, number, end):
+    """Commas or semicolons, cells in quotation marks, rows padded; decimal commas beside ;."""
+    names = ["record", "event", "station", "dt_s", *TARGETS.split("\t")]
+    event = '"Somewhere, 1990"' if separator == "," else "Somewhere, 1990"
+    row = ["mine", event, "ABC", number, "0.3", "20", "5", "12"]
+    path = table(*(separator.join(cells) + end for cells in (names, row)), separator * 7)
+    (found,) = read_table(path).values()
+    assert found.about == {"event": "Somewhere, 1990", "station": "ABC"}
+    assert (found.dt_s, found.targets["pga_g"], found.line) == (0.01, 0.3, 2)

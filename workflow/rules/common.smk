@@ -24,7 +24,7 @@ from rocking.configuration.chosen import chosen
 from rocking.records.intensity_measures import MEASURES
 from rocking.studies.pushover import DRAWN, VARIANTS, laid
 from rocking.records import RecordError, read_table
-from rocking.records.check import check_runs
+from rocking.records.check import check_runs, reach_g
 from rocking.runtime import cluster, file_times, first_page, interrupts, progress
 from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
 from rocking.runtime.way_back import left_out_if_unknown

@@ -67,6 +67,7 @@ rule records_check:
         records=lambda w: RUNS.records[w.run],
         baseline=value_of("baseline"),
         seed=value_of("seed"),
+        reach_g=lambda w: reach_g(RUNS.cfg(w)),
     script:
         "../scripts/records/check_records.py"
 

@@ -28,7 +28,7 @@ PLAIN = (1e-4, 1e5)  # range of a logarithmic axis that needs no powers of ten
 MARGIN_IN = 0.05
 NAMED = 4  # records that are named one by one below a figure
 SOURCES = {
-    "file": "recorded",
+    "file": "as given",  # whether recorded, the project cannot know
     "recorded, shipped": "recorded, shipped",
     "surrogate": "surrogates, in place of",
 }

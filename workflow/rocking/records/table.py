@@ -1,4 +1,7 @@
-"""The records table: tab-separated, one motion a row, every cell checked.
+"""The records table: one motion a row, cells apart by tabs, every cell checked.
+
+A table without a tab, as a spreadsheet saves it, has its cells apart by semicolons or commas,
+in quotation marks where they hold one.
 
 Columns: record, file (relative to the table's folder or absolute; empty: surrogate),
 format, dt_s, units (empty: from the file), component (label, azimuth or "#n" in a file
@@ -9,6 +12,7 @@ duration_s, which a surrogate must have. Only `record` is required.
 Lines that start with # are comments.
 """
 
+import csv
 import os
 import re
 from dataclasses import dataclass, field
@@ -28,6 +32,7 @@ NUMBER_COLUMNS = ("dt_s", "mw", "distance_km", "pga_g", "pgv_cm_s", "pgd_cm", "d
 COLUMNS = TEXT_COLUMNS + NUMBER_COLUMNS
 TARGETS = ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
 MAX_NAME = 64
+SEPARATED = {"\t": "tabs", ";": "semicolons", ",": "commas"}
 _NAME = re.compile(r"[A-Za-z0-9_+][A-Za-z0-9._+-]*")
 
 
@@ -106,17 +111,29 @@ def read_table(path) -> dict[str, Row]:
     if not lines:
         raise RecordError(f"{text.path}: no header line")
     number, header = lines[0]
-    columns = [cell.strip() for cell in header.split("\t")]
+    separator = next((mark for mark in "\t;," if mark in header), "\t")
+    columns = _cells(header, separator)
+    while separator != "\t" and columns and not columns[-1]:
+        columns.pop()  # as spreadsheets pad a row
     _check_columns(text, number, columns)
     rows: dict[str, Row] = {}
     seen: dict[str, int] = {}
     for number, line in lines[1:]:
-        cells = [cell.strip() for cell in line.split("\t")]
+        cells = _cells(line, separator)
+        if separator != "\t":
+            if not any(cells):
+                continue
+            while len(cells) > len(columns) and not cells[-1]:
+                cells.pop()
         if len(cells) > len(columns) or (len(cells) == 1 and len(columns) > 1 and " " in cells[0]):
+            how = SEPARATED[separator]
             raise text.error(
-                number, f"{len(cells)} cells; expected {len(columns)} separated by tabs"
+                number, f"{len(cells)} cells; expected {len(columns)} separated by {how}"
             )
-        row = _row(text, number, dict(zip(columns, cells, strict=False)))
+        named = dict(zip(columns, cells, strict=False))
+        if separator == ";":  # where commas are for decimals
+            named |= {c: named[c].replace(",", ".") for c in NUMBER_COLUMNS if c in named}
+        row = _row(text, number, named)
         # Compared without case: some file systems cannot keep "a" and "A" apart.
         if row.record.lower() in seen:
             raise text.error(
@@ -127,6 +144,13 @@ def read_table(path) -> dict[str, Row]:
     if not rows:
         raise RecordError(f"{text.path}: no record below the header")
     return rows
+
+
+def _cells(line, separator):
+    """Cells of a line without the blanks around them; quotation marks count where tabs do not."""
+    if separator == "\t":
+        return [cell.strip() for cell in line.split(separator)]
+    return [cell.strip() for cell in next(csv.reader([line], delimiter=separator))]
 
 
 def _check_columns(text, number, columns):

@@ -11,6 +11,8 @@ from rocking.records.check import check_records
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
+FACTS = ("dt_s", "duration_s", "pga_g", "pgv_cm_s", "offset_percent", "drift_m", "factor")
+
 
 def main(job):
     p = job.params
@@ -24,9 +26,12 @@ def main(job):
         specs=read_specs(specs) if specs else None,
         draw=True,
         cache=getattr(p, "cache", None),
+        reach_g=getattr(p, "reach_g", None),
     )
-    table = pd.DataFrame(findings, columns=["record", "file", "status", "message"])
-    write_table(table, job.output[0], digits=None)
+    table = pd.DataFrame(findings)
+    write_table(table, job.output[0], digits="%.4g")
+    told = table[["record", *FACTS]].dropna(subset="pga_g").dropna(axis="columns", how="all")
+    print(told.to_string(index=False, float_format="{:.3g}".format, na_rep=""), file=sys.stderr)
     for finding in findings:
         if finding.status != "ok":
             print(f"{finding.status}: {finding}", file=sys.stderr)
