@@ -16,6 +16,7 @@ from rocking.configuration import schema as config_schema
 from rocking.configuration.facade import check_facade
 from rocking.configuration.files import check_files, write_resolved
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show
+from rocking.configuration.units import unusual
 from rocking.configuration.words import Settings
 from yade_scripts.model.part import part_of
 
@@ -62,7 +63,10 @@ def resolve(config: Mapping) -> dict[str, Any]:
     known = config_schema.whole()
     resolved = config_schema.complete(values, known)
     config_schema.refuse_invalid(resolved, known)
-    check(resolved)
+    try:
+        check(resolved)
+    except ConfigError as error:  # what follows from a number in another unit is no help alone
+        raise ConfigError("; ".join([error.detail, *list(unusual(resolved))[:1]])) from None
     return resolved
 
 

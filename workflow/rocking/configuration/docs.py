@@ -103,6 +103,10 @@ def _row(path: str, schema: dict) -> str:
     default = schema.get("default", "stated")
     shown = default if isinstance(default, str) else _text(default)
     allowed = config_schema.expectation({k: v for k, v in schema.items() if k != "unit"})
+    usual = {**schema, **schema.get("items", {})}.get("usual")
+    allowed += (
+        f"; usual {config_schema.show(usual[0])} to {config_schema.show(usual[1])}" if usual else ""
+    )
     meaning = " ".join(schema.get("description", "").split())
     cells = [f"`{path}`", schema.get("unit", "-"), f"`{shown}`", allowed, meaning]
     return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 
+from rocking.configuration import units
 from rocking.configuration.schema import leaves, show, whole
 from yade_scripts.model import registry
 from yade_scripts.model.shape import shape_of
@@ -33,6 +34,7 @@ def _doubts(resolved: Mapping) -> Iterator[str]:
             f"return_wall.building_mass_kg = {show(mass)}: less than the façade's own "
             f"{own:.0f} kg, behind {', '.join(pushed)}; is it in kg?"
         )
+    yield from units.unusual(resolved)
     yield from _not_for_bricks(resolved)
 
 

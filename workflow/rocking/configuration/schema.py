@@ -10,6 +10,7 @@ Schema's own keywords (draft 2020-12) these are understood:
 `models`         the value is the name of a model; which, a list of `registry` says; `{models}`
                  in the key's description is what each of them is
 `measures`       the value is the name of an intensity measure; a list without default has all
+`usual`          lowest and highest common value, beyond which a run warns, see `units`
 `pattern_words`  what `pattern` means, for messages
 `formerly`, `former_values`  names of one version ago, see `renamed`
 """
@@ -369,8 +370,21 @@ def refusal(error: jsonschema.ValidationError, known: dict) -> ConfigError:
         return ConfigError(f"{path}.{missing}: missing".lstrip("."))
     words = expectation({**schema, "unit": schema.get("unit", unit)})
     comma = isinstance(error.instance, str) and re.fullmatch(r"[+-]?\d+,\d+", error.instance)
-    hint = "; write a decimal point, not a comma" if comma else ""
+    hint = (
+        "; write a decimal point, not a comma"
+        if comma
+        else _other_unit(error.instance, schema, unit)
+    )
     return ConfigError(f"{path} = {show(error.instance)}: expected {words}{hint}")
+
+
+def _other_unit(value: Any, schema: dict, unit: str) -> str:
+    """Return "; 6480 mm would be 6.48 m" of a number that is usual in another unit."""
+    from rocking.configuration.units import meant
+
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    said = meant(value, unit, schema["usual"]) if number and "usual" in schema else ""
+    return f"; {said}" if said else ""
 
 
 def refuse_invalid(value: Any, known: dict) -> None:
