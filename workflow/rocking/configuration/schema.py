@@ -383,8 +383,7 @@ def _other_unit(value: Any, schema: dict, unit: str) -> str:
     from rocking.configuration.units import meant
 
     number = isinstance(value, int | float) and not isinstance(value, bool)
-    said = meant(value, unit, schema["usual"]) if number and "usual" in schema else ""
-    return f"; {said}" if said else ""
+    return f"; {said}" if number and (said := meant(value, unit, schema.get("usual"))) else ""
 
 
 def refuse_invalid(value: Any, known: dict) -> None:
