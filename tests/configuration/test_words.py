@@ -22,3 +22,13 @@ def test_units_stand_behind_the_value():
     assert said("n_dof", 4) == "masses 4"
     assert heading("pga_safe_g") == "PGA safe [g]"
     assert heading("period_paper_s") == "period study [s]"
+
+
+def test_lists_are_words_too_and_empty_ones_are_left_out():
+    facade = {"ties": [{"height_m": 5.0}, {"height_m": 2.5}], "hinges_m": [3.0]}
+    words = config.relevant(config.resolve({"facade": facade}), "facade").words
+    assert "ties (height 5 m, count 2, diameter 20 mm, " in words
+    assert "; height 2.5 m, count 2" in words
+    assert "hinges 3 m" in words
+    for absent in ("{", "[", "openings", "floors", " ,", "  "):
+        assert absent not in words

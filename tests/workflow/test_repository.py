@@ -6,7 +6,9 @@ import tomllib
 from pathlib import Path
 
 import pytest
+import rocking
 import yaml
+from rocking import version
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -17,10 +19,28 @@ def test_citation_version_and_licence_agree_with_the_package():
     assert citation["version"] == package["version"]
     assert (ROOT / "LICENSE").read_text("utf-8").startswith(f"{citation['license']} License")
     assert {"cff-version", "message", "title", "authors"} <= set(citation)  # required by CFF 1.2
-    assert re.search(
-        rf"## (Unreleased|{re.escape(package['version'])})",
-        (ROOT / "CHANGELOG.md").read_text("utf-8"),
-    )
+
+
+def test_the_version_follows_the_changelog():
+    """While its top section is not released, the number is that of the next version, `.dev0`."""
+    text = (ROOT / "CHANGELOG.md").read_text("utf-8")
+    package = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    top, *rest = re.findall(r"(?m)^## (\S+)", text)
+    released = [tuple(map(int, name.split("."))) for name in rest]
+    assert released == sorted(released, reverse=True)
+    number, dev = re.fullmatch(r"(\d+\.\d+\.\d+)(\.dev0)?", package["version"]).groups()
+    assert tuple(map(int, number.split("."))) > released[0]
+    assert top == ("Unreleased" if dev else number)
+
+
+def test_a_version_is_the_tree_s_and_its_commit_is_known_in_a_clone(tmp_path, monkeypatch):
+    package = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    assert rocking.__version__ == package["version"]
+    assert version.stated().startswith(f"rocking-facades {package['version']}")
+    if (ROOT / ".git").exists():
+        assert re.search(r", commit [0-9a-f]{7,}\+?$", version.stated())
+    monkeypatch.setattr(version, "ROOT", tmp_path)
+    assert version.commit() == ""
 
 
 def test_contributing_names_places_and_targets_that_exist():

@@ -25,7 +25,9 @@ __all__ = list(_PUBLIC)
 
 
 def __getattr__(name):
-    """Return a public name, loading the module that has it."""
+    """Return a public name, loading the module that has it; `__version__` too."""
+    if name == "__version__":
+        return importlib.import_module("rocking.version").version()
     if name not in _PUBLIC:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(importlib.import_module(f"rocking.collapse.{_PUBLIC[name]}"), name)

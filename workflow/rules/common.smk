@@ -29,6 +29,7 @@ from rocking.runtime import cluster, file_times, first_page, interrupts, progres
 from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
 from rocking.runtime.way_back import left_out_if_unknown
 from rocking.runs import Curve, Runs
+from rocking import version
 from yade_scripts.engine import lifeline
 from yade_scripts.model.registry import COMPLETE, MODELS, PLANAR, PUSHED, WITH_WALLS
 
@@ -201,9 +202,10 @@ onstart:
         try:
             run_lock.hold()
             file_times.settle(f"{RESULTS}/.shared")
+            BY = version.stated()
             for name, resolved in RUNS.settings.items():
                 file_times.settle(f"{RESULTS}/{name}")
-                choices = chosen(resolved, FIDELITY_FILE, LAW_FILE)
+                choices = [f"By {BY}.", *chosen(resolved, FIDELITY_FILE, LAW_FILE)]
                 configuration.write_resolved(resolved, f"{RESULTS}/{name}/config.yaml", choices)
         except (run_lock.Busy, ValueError, OSError) as error:
             stop(error)

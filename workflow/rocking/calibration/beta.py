@@ -22,10 +22,11 @@ import numpy as np
 import scipy
 
 from rocking.mechanics import closed_forms
+from rocking.shipped import shipped
 from yade_scripts.model import base as bases
 from yade_scripts.model.facade import joint_stiffness
 
-LAW_FILE = Path(__file__).resolve().parents[3] / "config" / "beta_law.json"
+LAW_FILE = shipped("config/beta_law.json")
 # the walls from which eq. 5 was regressed
 EQ5_THICKNESS_M = (0.11, 0.30)
 EQ5_MODULUS_MPA = (1800.0, 4050.0)

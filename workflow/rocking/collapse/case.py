@@ -10,7 +10,6 @@ import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 import yaml
@@ -22,6 +21,7 @@ from rocking.configuration import schema
 from rocking.configuration.facade import WEAKEST, check_facade
 from rocking.configuration.files import check_files
 from rocking.records.reader import nearest
+from rocking.shipped import found
 from yade_scripts.files import read_json
 from yade_scripts.model import registry
 from yade_scripts.model.part import part_of
@@ -106,8 +106,8 @@ class Case:
         registry.model(model)
         given = config or {}
         if not isinstance(given, Mapping):
-            check_files([given])
-            given = yaml.safe_load(Path(given).read_text("utf-8")) or {}
+            check_files([given := found(given)])
+            given = yaml.safe_load(given.read_text("utf-8")) or {}
         if several := [key for key in schema.STUDY_KEYS if given.get(key)]:
             raise ValueError(
                 f"{several[0]}: describes several cases; expected one, and others by Case.varied"

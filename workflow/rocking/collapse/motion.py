@@ -1,7 +1,6 @@
 """What shakes a case: a record, or floor motions that were made of one, and a shock before it."""
 
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,10 +8,11 @@ import numpy as np
 from rocking.records import Record, RecordError, load, read_record
 from rocking.records.floors import floor_columns
 from rocking.records.record import UNITS_M_S2, check_plausible, measures, unit_name
+from rocking.shipped import found, shipped
 from yade_scripts.model import floor_motions
 from yade_scripts.model.motion import amplitude
 
-TABLE = Path(__file__).resolve().parents[3] / "config" / "records.tsv"
+TABLE = shipped("config/records.tsv")
 PAUSE_S = 10.0  # between two shocks, beyond the free vibration of the first (smdof.tail_s)
 
 
@@ -83,7 +83,8 @@ class Motion:
         name : str
             In the table's column record.
         table : path
-            The project's four by default, which are surrogates.
+            The project's four by default, which are surrogates. One of the project's own may be
+            named by its place in the project, wherever that is installed.
         how
             Of `rocking.records.load`: baseline, seed; vertical_motion="on" adds the vertical one.
 
@@ -92,7 +93,7 @@ class Motion:
         RecordError
             In one line that names the table, and row or file.
         """
-        return cls(load(name, str(table), **how))
+        return cls(load(name, str(found(table)), **how))
 
     @classmethod
     def read(cls, path, **how):

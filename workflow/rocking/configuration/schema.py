@@ -30,9 +30,10 @@ from typing import Any
 import jsonschema
 import yaml
 
+from rocking.shipped import shipped
 from yade_scripts.model import registry
 
-FOLDER = Path(__file__).resolve().parents[2] / "schemas"
+FOLDER = shipped("workflow/schemas")
 LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # libyaml, where PyYAML has it
 TOP = "run"  # the schema whose keys stand at the top level
 STUDY_KEYS = ("scenario", "scenarios", "grid")  # of a study, not of one run

@@ -30,8 +30,10 @@ OTHERS: dict[str, dict[str, float]] = {
 
 def meant(value: float, unit: str, usual: list[float] | None) -> str:
     """What a value would be in the unit that makes it usual: "20 mm"; empty where none does."""
+    if not usual:
+        return ""
     own = "" if unit == "-" else f" {unit}"
-    for other, factor in OTHERS.get(unit, {}).items() if usual else ():
+    for other, factor in OTHERS.get(unit, {}).items():
         if usual[0] <= value * factor <= usual[1]:
             return f"{show(value)} {other} would be {float(f'{value * factor:.3g}'):g}{own}"
     return ""

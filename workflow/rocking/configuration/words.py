@@ -9,13 +9,18 @@ UNITS = {
     "_m_s2": "m/s²",
     "_m_s": "m/s",
     "_kg_m3": "kg/m³",
+    "_kn_m": "kN/m",
     "_pa_m": "Pa/m",
     "_mpa": "MPa",
+    "_kn": "kN",
+    "_kg": "kg",
+    "_mm": "mm",
     "_deg": "°",
     "_mb": "MB",
     "_cm": "cm",
     "_hz": "Hz",
     "_m": "m",
+    "_t": "t",
     "_s": "s",
     "_g": "g",
 }
@@ -62,9 +67,16 @@ def said(key: str, value: Any) -> str:
     """Return a key with its value: "height_m", 6.48 becomes "height 6.48 m"."""
     words, unit = _parts(key)
     if isinstance(value, list):
-        value = ", ".join(str(item) for item in value)
+        if value and isinstance(value[0], dict):
+            return f"{words} ({'; '.join(_listed(row.items()) for row in value)})"
+        value = ", ".join(f"{v:g}" if isinstance(v, float) else str(v) for v in value)
     number = f"{value:g}" if isinstance(value, float) else str(value)
     return f"{words} {number}" + (unit if unit == "°" else f" {unit}" if unit else "")
+
+
+def _listed(pairs):
+    """Keys with their values, those that have one."""
+    return ", ".join(said(key, value) for key, value in pairs if value not in (None, []))
 
 
 class Settings(str):
@@ -74,7 +86,6 @@ class Settings(str):
 
     @property
     def words(self):
-        """What is set, in words; what the workflow chooses itself (null) is left out."""
+        """What is set, in words; what the workflow chooses itself and empty lists are left out."""
         sections = json.loads(self).values()
-        pairs = [pair for values in sections for pair in values.items() if pair[1] is not None]
-        return ", ".join(said(key, value) for key, value in pairs)
+        return _listed(pair for values in sections for pair in values.items())

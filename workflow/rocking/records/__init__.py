@@ -10,6 +10,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from rocking.shipped import shipped
+
 from .baseline import treat
 from .errors import RecordError
 from .formats import FORMATS
@@ -51,11 +53,11 @@ def surrogates_for(table_path):
     """Return the surrogate parameters a table uses: `surrogates.yaml` beside it or the project's.
 
     The project's too, so that a record keeps its motion in a user's table elsewhere. None
-    where there is neither, as in a package installed without config/.
+    where there is neither.
     """
     beside = os.path.join(os.path.dirname(os.fspath(table_path)), "surrogates.yaml")
-    ours = os.path.join(os.path.dirname(__file__), *[os.pardir] * 3, "config", "surrogates.yaml")
-    return next((p for p in (beside, os.path.normpath(ours)) if os.path.isfile(p)), None)
+    ours = str(shipped("config/surrogates.yaml"))
+    return next((p for p in (beside, ours) if os.path.isfile(p)), None)
 
 
 def load(

@@ -12,7 +12,7 @@ STYLE = """.. raw:: html
    div:has(> div > .prose):has(#rulegraph) { flex-direction: column; }
    .prose.max-w-lg { max-width: min(72rem, 72vw); }
    .prose img { max-width: 100%; max-height: 78vh; margin: 0; }
-   .prose table { font-size: 0.8rem; }
+   .prose table { font-size: 0.8rem; display: block; max-width: 100%; overflow-x: auto; }
    .prose td.number, .prose th.number { text-align: right; }
    </style>
 

@@ -1,0 +1,45 @@
+"""Files that come with the project: in its folder, or inside the package that was installed."""
+
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+INSIDE = HERE / "_shipped"  # where `setup.py` puts them in a wheel
+# What a wheel has of the project beside its code, by their places in the tree.
+IN_WHEEL = (
+    "config/*.yaml",
+    "config/*.json",
+    "config/*.tsv",
+    "config/suites/*.tsv",
+    "config/suites/*.yaml",
+    "config/suites/*.motions",
+    "workflow/schemas/*.yaml",
+)
+
+
+def shipped(path):
+    """Place of a file or folder that comes with the project.
+
+    Parameters
+    ----------
+    path : str
+        In the project's folder, such as `config/records.tsv`.
+
+    Returns
+    -------
+    Path
+        Need not exist.
+    """
+    return (INSIDE if INSIDE.is_dir() else HERE.parents[1]) / path
+
+
+def found(path):
+    """A user's file, as it is named or, where there is none, the one that comes with the project.
+
+    Parameters
+    ----------
+    path : path
+        Relative to the working folder first.
+    """
+    own = Path(path)
+    ours = shipped(str(own)) if not own.is_absolute() else own
+    return ours if not own.exists() and ours.exists() else own
