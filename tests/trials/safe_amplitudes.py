@@ -1,69 +1,127 @@
 """Does a façade fall below the amplitude that a scan calls safe? Far denser histories answer.
 
-    .venv/bin/python tests/trials/safe_amplitudes.py --output safe.csv CLT_NS:W2:pos BSC_WE:W1:neg
+    .venv/bin/python tests/trials/safe_amplitudes.py --output safe.csv CLT_NS:W2:pos S07:W1:neg:1977
 
 For every curve the dense scan with its power, then `--each` histories in every 1 % of amplitude
-below its `pga_safe_g`, as far down as a peak d/b reaches `FROM`. A row says how many fell there,
-and the largest share within 1 %. Motions by the names of the recorded suite, or of `--records`. A
-curve takes one to two minutes.
+below its `pga_safe_g`, down to `--down` of it: how many fall, and in which windows more than the
+bound. Above it `--above` of them in 1 %, up to where 90 % fall: first crossings from those alone,
+beside the scan's and the short climb's. Motions by the names of the recorded suite, or of
+`--records`; with a seed surrogates of `--surrogates`. Curves that `--output` holds are not run
+again; `--keep` is a folder for the scans and the dense histories. A curve takes half a minute to
+some minutes.
 """
 
 import argparse
 import math
 import time
+from pathlib import Path
 
 import numpy as np
+import pandas as pd
 from rocking import Case, Motion, collapse_curve
+from rocking.collapse.crossing import first_crossing
 from rocking.collapse.curve import run_by
-from rocking.collapse.hidden import WINDOW, windows
+from rocking.collapse.hidden import WINDOW
+from rocking.collapse.probability import LEVELS, probability
+from rocking.collapse.quick import crossings
 from rocking.tables import write_table
 
-FROM = 0.2  # d/b
 SUITE = "config/suites/recorded_suite.tsv"
+SURROGATES = "config/suites/surrogate_suite.tsv"
+BUILDING_KG = 66000.0  # behind the façade of a model that pushes it
+SPREAD = 0.01
+MOST = 4000  # histories above the safe amplitude
+KEY = ["model", "record", "direction"]
 
 
-def below(screen, table, safe_g, each):
-    """Falls below `safe_g`: histories, falls, largest share within 1 %, and where [g]."""
-    near = table["pga_g"][table["d_over_b"] >= FROM].min()
-    low = windows(near, safe_g) if near * math.exp(WINDOW) < safe_g else np.zeros(0)
-    low = safe_g * np.exp(-WINDOW * np.arange(1, low.size + 1))[::-1]  # they end at the safe one
-    if not low.size:
-        return 0, 0, 0.0, math.nan
-    places = (np.arange(each) + 0.37) / each  # not those of the scan
-    found = screen.run((low[:, None] * np.exp(WINDOW * places)).ravel(), True)
-    fell = found["collapsed"].to_numpy().reshape(low.size, each)
+def dense(screen, low_g, high_g, each):
+    """So many histories in every 1 % of amplitude, at places that the scan has not."""
+    count = max(1, math.ceil(math.log(high_g / low_g) / WINDOW - 1e-6))
+    places = np.arange(count)[:, None] + (np.arange(each) + 0.37) / each
+    return screen.run((low_g * np.exp(WINDOW * places)).ravel(), True)
+
+
+def beneath(table, each, bound):
+    """Falls below the safe amplitude by windows of 1 %."""
+    fell = table["collapsed"].to_numpy().reshape(-1, each)
     share = fell.mean(axis=1)
     worst = int(share.argmax())
-    return fell.size, int(fell.sum()), share[worst], low[worst] if share[worst] else math.nan
+    return {
+        "histories_below": fell.size,
+        "fell_below": int(fell.sum()),
+        "windows": len(share),
+        "windows_fell": int((share > 0.0).sum()),
+        "windows_over": int((share > bound).sum()),
+        "largest_share": share[worst],
+        "at_g": table["pga_g"].iloc[worst * each] if share[worst] else math.nan,
+    }
 
 
-def row(record, model, direction, table, each):
-    """One curve."""
-    case, motion = Case.configured(model), Motion.named(record, table)
+def row(curve, args):
+    """One curve, and the tables behind it."""
+    record, model, direction, *seed = curve.split(":")
+    mass = {"return_wall.building_mass_kg": BUILDING_KG} if model.endswith("m") else None
+    case = Case.configured(model, mass)
+    how = {"seed": int(seed[0])} if seed else {}
+    motion = Motion.named(record, args.surrogates if seed else args.records, **how)
     began = time.process_time()
-    curve = collapse_curve(case, motion, direction)
-    took = time.process_time() - began
-    found = curve.summary()
-    screen = run_by("planar", case, motion, direction)
-    names = ("histories_below", "fell_below", "largest_share", "at_g")
-    beneath = dict(zip(names, below(screen, curve.table, found["pga_safe_g"], each), strict=True))
-    kept = ("pga_safe_g", "pga_collapse_g", "pga_p10_g", "safe_bound", "runs_planar")
-    named = {"model": model, "record": record, "direction": direction}
-    return named | {k: found[k] for k in kept} | {"cpu_s": took} | beneath
+    scan = collapse_curve(case, motion, direction)
+    took, found = time.process_time() - began, scan.summary()
+    record = "@".join((record, *seed))
+    out = dict(zip(KEY, (model, record, direction), strict=True))
+    names = ("safe", "collapse", "p10", "median", "p90", "equivalent", "max")
+    out |= {f"pga_{name}_g": found[f"pga_{name}_g"] for name in names}
+    out |= {name: found[name] for name in ("safe_bound", "runs_planar")} | {"cpu_s": took}
+    safe_g, screen = found["pga_safe_g"], run_by("planar", case, motion, direction)
+    low = dense(screen, safe_g * math.exp(-WINDOW * round(-math.log(args.down) / WINDOW)), safe_g,
+                args.each)  # fmt: skip
+    out |= beneath(low, args.each, args.bound)
+    tables = {"scan": scan.table, "below": low}
+    if math.isfinite(found["pga_p90_g"]):
+        high_g = 1.03 * found["pga_p90_g"]
+        few = max(10, int(MOST * WINDOW / math.log(high_g / safe_g)))
+        high = dense(screen, safe_g, high_g, min(args.above, few))
+        both = pd.concat([low, high]).sort_values("pga_g")
+        pga_g, fell = both["pga_g"].to_numpy(), both["collapsed"].to_numpy()
+        share, _ = probability(pga_g, fell, pga_g, SPREAD)
+        levels = [first_crossing(pga_g, share, level) for level in LEVELS]
+        out |= dict(zip(("dense_p10_g", "dense_median_g", "dense_p90_g"), levels, strict=True))
+        tables["above"] = high
+    for name, step in (("quick", {}), ("climb", {"step": None})):
+        began = time.process_time()
+        ends = crossings(case, motion, direction, **step)
+        out |= {f"{name}_p10_g": ends["pga_p10_g"], f"{name}_median_g": ends["pga_median_g"]}
+        out |= {f"{name}_runs": ends["runs_planar"], f"{name}_cpu_s": time.process_time() - began}
+    return out, tables
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("curves", nargs="+", help="record:model:direction")
+    parser.add_argument("curves", nargs="+", help="record:model:direction[:seed]")
     parser.add_argument("--records", default=SUITE, help="table of records")
-    parser.add_argument("--each", type=int, default=40, help="histories in 1 %% of amplitude")
+    parser.add_argument("--surrogates", default=SURROGATES, help="table of surrogates")
+    parser.add_argument("--each", type=int, default=200, help="histories in 1 %% below")
+    parser.add_argument("--above", type=int, default=40, help="histories in 1 %% above")
+    parser.add_argument("--down", type=float, default=0.8, help="of the safe amplitude")
+    parser.add_argument("--bound", type=float, default=0.03, help="share that may fall")
+    parser.add_argument("--keep", help="folder of the tables behind a row")
     parser.add_argument("--output", required=True)
     args = parser.parse_args()
-    rows = []
+    there = Path(args.output).is_file()
+    rows = pd.read_csv(args.output).to_dict("records") if there else []
+    known = {tuple(row[name] for name in KEY) for row in rows}
     for curve in args.curves:
-        rows.append(row(*curve.split(":"), args.records, args.each))
-        write_table(rows, args.output, digits="%.4f")  # nothing is lost when it is stopped
-        print(rows[-1], flush=True)
+        record, model, direction, *seed = curve.split(":")
+        if (model, "@".join((record, *seed)), direction) in known:
+            continue
+        one, tables = row(curve, args)
+        rows.append(one)
+        if args.keep:
+            for name, table in tables.items():
+                stem = "_".join(str(one[k]) for k in KEY)
+                write_table(table, Path(args.keep) / f"{stem}_{name}.csv", digits="%.8g")
+        write_table(rows, args.output, digits="%.5g")  # nothing is lost when it is stopped
+        print(one, flush=True)
 
 
 if __name__ == "__main__":

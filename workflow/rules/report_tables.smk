@@ -12,7 +12,8 @@ REPORT_TABLES = {
         "Incremental dynamic analyses",
         "collapse intensities",
         "Highest intensity up to which nothing fell, lowest that fell, and the intensities at which 10,"
-        " 50 and 90 % collapse is first reached; how often the outcome reverses, how many runs of the"
+        " 50 and 90 % collapse is first reached, with the range in which that may be; the threshold that falls as"
+        " often in a year; how often the outcome reverses, how many runs of the"
         " planar solver and of YADE stand behind the row, and at how many levels they disagree.",
     ),
     "run_times": (

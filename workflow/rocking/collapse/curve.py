@@ -116,8 +116,8 @@ def collapse_curve(
         "scan", "climb", "crossings" or "list", see `search`.
     settings : dict, optional
         What differs from the case's sections ida and ensemble (level_ratio, beyond, max_pga_g,
-        power, realisations, amplitude_spread); from_g, where a climb begins; of a list, pga_g, and
-        scatter to run them as realisations.
+        power, safe_share, realisations, amplitude_spread); from_g, where a climb begins; of a list,
+        pga_g, and scatter to run them as realisations.
     options
         Of the solver, see `Screen` and `yade.YadeRuns`.
 

@@ -5,8 +5,9 @@ import math
 import numpy as np
 
 WINDOW = math.log(1.01)  # of amplitude, in which what is left unseen is counted
-CALM = 0.3  # d/b below which nothing that falls hides
+NEAR = 0.45  # d/b: where no peak comes as far, nothing that falls hides
 SCATTER, FEW = 0.03, 5  # of d/b about one branch; histories that tell it
+SHARE = 0.03  # collapse probability that a search finds with its power
 
 
 def windows(low_g, high_g):
@@ -22,7 +23,7 @@ def windows(low_g, high_g):
 def doubtful(pga_g, d_over_b, low_g):
     """Windows of amplitude in which a fall could hide among what stood.
 
-    One could if a peak d/b in it or within one window's width beside it is at least `CALM`, and the
+    One could if a peak d/b in it or within one window's width beside it is at least `NEAR`, and the
     peaks there scatter by more than `SCATTER` about a straight line in ln amplitude: where a
     façade's answers follow one branch, neighbours say what it does between them. Where too few were
     run to tell, or d/b is not known, one could.
@@ -44,7 +45,7 @@ def doubtful(pga_g, d_over_b, low_g):
     found = np.zeros(low.size, bool)
     for k, (i, j) in enumerate(zip(*ends, strict=True)):
         near = d_over_b[max(i - 1, 0) : j + 1]
-        if near.size and near.max() < CALM:
+        if near.size and near.max() < NEAR:
             continue
         x, y = at[i:j], d_over_b[i:j]
         if y.size < FEW or np.isnan(y).any():
@@ -54,6 +55,11 @@ def doubtful(pga_g, d_over_b, low_g):
         line = y.mean() + x * (x @ y) / max(x @ x, 1e-30)
         found[k] = np.abs(y - line).max() > SCATTER
     return found
+
+
+def needed(power, share=SHARE):
+    """How many in a window find a range of so large a share p: 1 − (1 − p)ⁿ ≥ power."""
+    return math.ceil(math.log1p(-power) / math.log1p(-share))
 
 
 def unseen(runs, low_g, high_g, confidence=0.95):

@@ -5,7 +5,8 @@ import itertools
 import numpy as np
 
 from rocking.collapse.agreement import SHIFT, alternatives
-from rocking.collapse.probability import collapse_ranges, first_crossing, from_scan
+from rocking.collapse.crossing import first_crossing
+from rocking.collapse.probability import collapse_ranges, from_scan
 from yade_scripts.studies import perturb
 from yade_scripts.studies.search import DIGITS, climb_sequence
 

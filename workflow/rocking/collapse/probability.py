@@ -14,16 +14,19 @@ import math
 import numpy as np
 import pandas as pd
 
+from rocking.collapse.crossing import between, first_crossing
 from rocking.collapse.equivalent import SLOPE, equivalent, thresholds
 from rocking.collapse.hidden import unseen
 
 LEVELS = (0.10, 0.50, 0.90)
 TOLD = 1e-3  # half width, over the amplitude, to which a threshold is told
 KEY = ["model", "record", "direction"]
+ENDS = [f"pga_{name}_{end}_g" for name in ("p10", "median", "p90") for end in ("low", "high")]
 COLUMNS = [
     *KEY,
     *(f"pga_{name}_g" for name in ("safe", "collapse", "median", "p10", "p90", "all", "max")),
     "pga_equivalent_g",
+    *ENDS,
     *("reversals", "runs_planar", "runs_yade", "disagreements"),
     *("collapse_fell", "collapse_realisations", "safe_bound", "confirmed"),
 ]
@@ -63,6 +66,15 @@ def probability(pga_g, collapsed, at_g, spread):
         # all at one amplitude: nothing to stand for
         share = np.where(wide > 0.0, fell_wide / wide, fell / total)
     return np.clip(share.round(12), 0.0, 1.0), last - first  # sums of widths leave 1e-15
+
+
+def alike(pga_g, spread):
+    """Realisations that weigh alike, as many as tell the share at each ascending amplitude."""
+    pga_g = np.asarray(pga_g, float)
+    first, last = _within(pga_g, pga_g, spread)
+    width = _widths(pga_g)
+    wide, squared = _ranges(width, first, last), _ranges(width**2, first, last)
+    return np.where(squared > 0.0, wide**2 / np.maximum(squared, 1e-300), last - first)
 
 
 def _within(pga_g, at_g, spread):
@@ -118,21 +130,6 @@ def single_runs(runs, spread):
     return pd.DataFrame({"pga_g": at, "probability_yade": share, "realisations_yade": realisations})
 
 
-def first_crossing(pga_g, share, level):
-    """Lowest amplitude at which a share is first reached [g]; NaN if it never is.
-
-    Linear between the amplitudes before and at the crossing.
-    """
-    above = np.flatnonzero(np.asarray(share) >= level)
-    if above.size == 0:
-        return np.nan
-    k = int(above[0])
-    if k == 0 or not share[k - 1] < level:
-        return float(pga_g[k])
-    weight = (level - share[k - 1]) / (share[k] - share[k - 1])
-    return float(pga_g[k - 1] + weight * (pga_g[k] - pga_g[k - 1]))
-
-
 def reversals(collapsed):
     """How often the outcome changes along ascending amplitudes, beyond the first collapse."""
     changes = int(np.count_nonzero(np.diff(np.asarray(collapsed, int))))
@@ -179,9 +176,9 @@ def summary(scan, curve, realisations, spread, slope=SLOPE):
     dict
         See COLUMNS: highest amplitude that stood with nothing falling within + spread of it or
         below, in either method; lowest that fell; first crossings of 10, 50 and 90 %; amplitude
-        from which all collapse; largest that was run; threshold that falls as often in a year; how
-        many fell, of how many, within ± spread of the lowest that fell; what may hide below the
-        safe one (`unseen`).
+        from which all collapse; largest that was run; threshold that falls as often in a year;
+        between which amplitudes the crossings may lie (`crossing.between`); how many fell, of how
+        many, within ± spread of the lowest that fell; what may hide below the safe one (`unseen`).
     """
     own = [table for table in (curve, realisations) if len(table)]
     every = outcomes(*own) if scan is None else outcomes(*own, scan)
@@ -191,8 +188,10 @@ def summary(scan, curve, realisations, spread, slope=SLOPE):
     highest = stood.max() if len(stood) else np.nan
     at_g = dense["pga_g"]
     share, _ = probability(at_g, dense["collapsed"], at_g, spread)
+    count = alike(at_g, spread)
     if scan is None and len(realisations) and len(every):
-        at_g, share = single_runs(every, spread)[["pga_g", "probability_yade"]].to_numpy().T
+        at_g, share, count = single_runs(every, spread).to_numpy().T
+    ends = [between(np.asarray(at_g), share, count, level) for level in LEVELS]
     low, middle, high = (first_crossing(at_g, share, level) for level in LEVELS)
     above = every["pga_g"][every["pga_g"] > highest]
     safe = stood[~(stood * (1.0 + spread) >= lowest)].max()
@@ -207,6 +206,7 @@ def summary(scan, curve, realisations, spread, slope=SLOPE):
         "pga_all_g": above.min() if len(fell) and len(above) else np.nan,
         "pga_max_g": every["pga_g"].max(),
         "pga_equivalent_g": equivalent(at_g, share, slope),
+        **dict(zip(ENDS, [g for pair in ends for g in pair], strict=True)),
         "reversals": reversals(dense["collapsed"]),
         "runs_planar": 0 if scan is None else len(scan),
         "runs_yade": len(curve) + len(realisations),

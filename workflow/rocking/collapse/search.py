@@ -18,15 +18,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rocking.collapse.hidden import CALM, WINDOW, doubtful, windows
-from rocking.collapse.probability import first_crossing, probability
+from rocking.collapse.crossing import first_crossing
+from rocking.collapse.hidden import SHARE, WINDOW, doubtful, needed, windows
+from rocking.collapse.probability import probability
 from yade_scripts.studies.search import Ask
 
 BLOCK = 32  # amplitudes between two looks at whether the façade has fallen for good
 MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change
+CALM = 0.3  # d/b from which a scan runs realisations
 CALM_RATIO = 1.1  # a scan begins where a façade stays below d/b of CALM over a range this wide
 LEAST_G = 1e-4  # no façade that stands by itself falls below
-HIDDEN = 0.1  # probability of collapse in the ranges that a search finds with its power
 EDGE = 2  # windows below the lowest fall that are always filled: another solver's lies in them
 AT_ONCE = 8  # windows that get more realisations between two looks
 BELOW_FIRST = 1.03  # ratio of the levels below the first fall of a short climb
@@ -143,7 +144,7 @@ def scan(start_g, settings, block=BLOCK):
     Parameters
     ----------
     start_g, settings, block
-        As of `climb`; settings has realisations, amplitude_spread and power too.
+        As of `climb`; settings has realisations, amplitude_spread, power and safe_share too.
     """
     seen = yield from climb(start_g, settings, block)
     power, standing = settings["power"], seen.pga_g[~seen.fell]
@@ -161,28 +162,22 @@ def scan(start_g, settings, block=BLOCK):
     count = math.ceil(math.log(high / low) / math.log(fine))
     yield from seen.ask(low * fine ** np.arange(count + 1), realisations=True)
     if power:
-        yield from below(seen, power)
+        yield from below(seen, needed(power, settings.get("safe_share", SHARE)))
 
 
-def needed(power):
-    """How many in a window find a range of probability p = `HIDDEN`: 1 − (1 − p)ⁿ ≥ power."""
-    return math.ceil(math.log1p(-power) / math.log1p(-HIDDEN))
-
-
-def below(seen, power):
+def below(seen, wanted):
     """Ask for realisations below the lowest fall until what could hide there would have been found.
 
-    Windows of amplitude that are `doubtful`, from the lowest up, get so many realisations that in a
-    range as wide, of the probability `HIDDEN`, one falls with a probability `power`; so do the
-    `EDGE` next to the lowest fall, since realisations do not all fall at the same amplitude. It
+    Windows of amplitude that are `doubtful`, from the lowest up, get `wanted` realisations; so do
+    the `EDGE` next to the lowest fall, since realisations do not all fall at the same amplitude. It
     ends below the lowest fall, that of these realisations included.
 
     Parameters
     ----------
     seen : Seen
-    power : float
+    wanted : int
+        See `needed`.
     """
-    wanted = needed(power)
     while True:
         lowest = seen.pga_g[seen.fell].min(initial=seen.pga_g.max())
         low = windows(seen.pga_g.min(), lowest)
