@@ -30,6 +30,9 @@ def test_a_dry_façade_remembers_nothing(tables):
     """At rest where it was, it collapses at the same PGA, to a step of the search."""
     dry = tables["W1"].set_index("first_pga_g")
     assert dry.loc[[0.01, 0.2], "ratio"].to_numpy() == pytest.approx(1.0, abs=0.02)
+    for end, sign in (("ratio_low", 1.0), ("ratio_high", -1.0)):  # by the realisations of both
+        assert (sign * (dry["ratio"] - dry[end])).dropna().between(0.0, 0.07).all()
+        assert dry[end].notna().sum() == dry["ratio"].notna().sum()
     assert abs(dry.loc[0.2, "left_d_over_b"]) < 2e-3
     assert (dry["left_broken"].dropna() == 0).all()
 

@@ -5,13 +5,17 @@ four times as long (`search.crossings`). A separate range further below, narrowe
 climb, may be missed: what that changes is measured in docs/log/assessment.md.
 """
 
+from rocking.collapse.crossing import between
 from rocking.collapse.curve import collapse_curve
+from rocking.collapse.probability import alike, outcomes, probability
+from rocking.collapse.search import SPREAD
 
 LONG_STEP = 0.3  # of the stable step
 PGA = ("pga_p10_g", "pga_median_g")
+ENDS = ("pga_median_low_g", "pga_median_high_g")
 
 
-def crossings(case, motion, direction, settings=None, step=LONG_STEP):
+def crossings(case, motion, direction, settings=None, step=LONG_STEP, ends=False):
     """First crossings of a curve of a model of one block, and the histories behind them.
 
     Parameters
@@ -20,12 +24,22 @@ def crossings(case, motion, direction, settings=None, step=LONG_STEP):
         As of `collapse_curve`.
     step : float or None
         Of the stable step; None takes the dense scan's.
+    ends : bool
+        Whether to say between which amplitudes half collapse may be, by its own few realisations.
 
     Returns
     -------
     dict
-        `PGA` [g], NaN where fewer fall up to max_pga_g, and runs_planar.
+        `PGA` [g], NaN where fewer fall up to max_pga_g, and runs_planar; if asked for `ENDS`, the
+        upper one NaN where what was run leaves it open.
     """
     how = {"search": "crossings", "fraction": step}
     found = collapse_curve(case, motion, direction, settings=settings, **how)
-    return {**dict(zip(PGA, found.found, strict=True)), "runs_planar": found.runs}
+    said = {**dict(zip(PGA, found.found, strict=True)), "runs_planar": found.runs}
+    if not ends:
+        return said
+    seen = outcomes(found.table)
+    pga_g = seen["pga_g"].to_numpy()
+    share, _ = probability(pga_g, seen["collapsed"], pga_g, SPREAD)
+    at = between(pga_g, share, alike(pga_g, SPREAD), 0.5)
+    return said | dict(zip(ENDS, at, strict=True))

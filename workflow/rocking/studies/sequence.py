@@ -12,7 +12,7 @@ import pandas as pd
 
 from rocking.collapse.case import Variant
 from rocking.collapse.curve import collapse_curve, history
-from rocking.collapse.quick import crossings
+from rocking.collapse.quick import ENDS, crossings
 from rocking.collapse.ratios import spread
 from rocking.collapse.scan import STEPS
 from rocking.collapse.varied import collapses
@@ -23,6 +23,7 @@ from yade_scripts.studies.perturb import NODE_CHOICES
 KEY = ["model", "record", "first", "direction"]
 COLUMNS = [*KEY, "first_pga_g", "fell_first", "left_d_over_b", "left_broken"]
 COLUMNS += ["pga_p10_g", "pga_median_g", "ratio", "runs_planar", "first_probability"]
+COLUMNS += [*ENDS, "ratio_low", "ratio_high"]
 BY = ["model", "first_pga_g"]
 SPREAD = {"n": "n", "n_censored": "n_censored", "median": 50, "least": 0, "most": 100}
 SPREAD |= {"below_095": lambda found: found.share(high=0.95)}
@@ -80,7 +81,9 @@ def left_by(case, first, direction, pga_g):
 def after_first(case, motion, direction):
     """What the first shock of a motion leaves, and of the second where 10 and 50 % collapse."""
     left = left_by(case, motion.first, direction, motion.first_pga_g)
-    return left if left["fell_first"] else left | crossings(case, motion, direction, step=None)
+    if left["fell_first"]:
+        return left
+    return left | crossings(case, motion, direction, step=None, ends=True)
 
 
 def collapse(case, second, direction, first, settings):
@@ -98,11 +101,17 @@ def collapse(case, second, direction, first, settings):
     -------
     DataFrame
         COLUMNS; ratio of pga_median_g to that of the façade as it is, blank where the first shock
-        alone overturns it or nothing falls up to ida.max_pga_g.
+        alone overturns it or nothing falls up to ida.max_pga_g; ratio_low and ratio_high with each
+        of the two where its own realisations leave it, blank where they leave it open.
     """
     rows = collapses([case], second, [direction], after_first, variants(settings, first))
     table = pd.DataFrame(rows).reindex(columns=COLUMNS)
-    return table.assign(ratio=table["pga_median_g"] / table["pga_median_g"].iloc[0])
+    undamaged, (low, high) = table.iloc[0], (table[name] for name in ENDS)
+    return table.assign(
+        ratio=table["pga_median_g"] / undamaged["pga_median_g"],
+        ratio_low=low / undamaged[ENDS[1]],
+        ratio_high=high / undamaged[ENDS[0]],
+    )
 
 
 def to_confirm(case, second, table, first, settings):
