@@ -39,6 +39,7 @@ def plain_rates(wall, state, base, u, v):
         limit[i], held = wall.friction[i] * push, wall.ks_n_m[i] * state[SLIP + i]
         shear = np.clip(held, -limit[i], limit[i])
         shear += (abs(held) < limit[i]) * wall.beta_s * wall.ks_n_m[i] * slip
+        shear = np.clip(shear, -limit[i], limit[i])
         node = push * normal - shear * tangent
         force += node
         moment += arm[1] * node[0] - arm[0] * node[1]

@@ -225,7 +225,10 @@ def test_agrees_with_the_judge(model):
 
 @pytest.mark.parametrize(("model", "factor"), [("W1", 1.0), ("W2", 0.6)])
 def test_the_reference_solver_nears_it_where_friction_is_low(model, factor):
-    """1° of friction: half a percent apart at its usual tolerance, a tenth of that at 1e-8."""
+    """1° of friction: within a thousandth of it at its usual tolerance already, and nearer at 1e-8.
+
+    While dashpots along joints had no limit it was half a percent off there.
+    """
     t, ground = shaking(1.2, 2.5)
     low = {"friction_deg": 1.0}
     config, planar = case(model, facade=low, return_wall=low)
@@ -251,9 +254,8 @@ def test_the_reference_solver_nears_it_where_friction_is_low(model, factor):
         )
         for e in (1e-6, 1e-7, 1e-8)
     ]
-    assert error[1] < 0.5 * error[0]
-    assert error[2] < 0.5 * error[1]
-    assert error[2] < 1e-3
+    assert max(error) < 1e-3
+    assert error[2] < error[0]
 
 
 @pytest.mark.yade

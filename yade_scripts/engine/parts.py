@@ -58,21 +58,21 @@ class Parts:
         )
         omega.materials.append(self.rigid)
 
-    def _material(self, kn, ks, beta, friction):
+    def _material(self, kn, ks, beta, friction, drag=1.0):
         """Viscoelastic material of a node; one of each kind."""
-        key = (float(kn), float(ks), float(beta), float(friction))
+        key = (float(kn), float(ks), float(beta), float(friction), float(drag))
         if key not in self.materials:
-            kn, ks, beta, friction = key
-            beta = max(beta, LEAST_BETA_S)
+            kn, ks, beta, friction, drag = key
+            across, along = max(beta, LEAST_BETA_S), max(drag * beta, LEAST_BETA_S)
             self.materials[key] = self.w.ViscElMat(
-                density=1e-12, kn=kn, ks=ks, cn=beta * kn, cs=beta * ks, frictionAngle=friction
+                density=1e-12, kn=kn, ks=ks, cn=across * kn, cs=along * ks, frictionAngle=friction
             )
             self.omega.materials.append(self.materials[key])
         return self.materials[key]
 
     def _node_material(self, i):
         n = self.scene.nodes
-        return self._material(n.kn_n_m[i], n.ks_n_m[i], n.beta_s[i], n.friction_rad[i])
+        return self._material(n.kn_n_m[i], n.ks_n_m[i], n.beta_s[i], n.friction_rad[i], n.drag[i])
 
     def _bond_material(self, i):
         """Half a node; the shear of a tie slips freely."""

@@ -118,6 +118,7 @@ class Nodes:
     kn_n_m: np.ndarray  # normal stiffness jkn·area
     ks_n_m: np.ndarray  # shear stiffness jks·area
     beta_s: np.ndarray  # stiffness-proportional damping: dashpots β·kn, β·ks
+    drag: np.ndarray  # dashpot along the joint of a dry node over β·ks: 1, or 0 where it has none
     friction_rad: np.ndarray
     gap_m: np.ndarray  # clearance in the reference position; negative protrudes into b
     tension_n: np.ndarray  # tensile strength of a bond or tie
@@ -131,6 +132,11 @@ class Nodes:
     def select(self, which, **others):
         """Return the nodes of a mask or slice, with some of their columns replaced."""
         return Nodes(**{name: column[which] for name, column in vars(self).items()} | others)
+
+    @property
+    def along(self):
+        """Dashpot along the joint over β·ks before anything breaks, shape (n,)."""
+        return np.where(self.kind == DRY, self.drag, 1.0)
 
     @property
     def welded(self):
@@ -249,9 +255,9 @@ def held(tension_pa, cohesion_pa, friction_rad):
 class NodeList:
     """Collects the nodes of a scene joint by joint; `done()` gives the columns."""
 
-    def __init__(self):
-        """Start without joints."""
-        self.joints = []
+    def __init__(self, drag=1.0):
+        """Start without joints; `drag` is that of all nodes."""
+        self.joints, self.drag = [], drag
         self._rows: dict[str, list] = {own.name: [] for own in fields(Nodes)}
 
     def add_joint(
@@ -323,6 +329,7 @@ class NodeList:
             "kn_n_m": jkn_pa_m * areas,
             "ks_n_m": jks_pa_m * areas,
             "beta_s": beta_s,
+            "drag": self.drag,
             "friction_rad": friction_rad,
             "gap_m": gap_m,
             "tension_n": tension_pa * areas,

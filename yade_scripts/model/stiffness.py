@@ -3,7 +3,8 @@
 The matrices come from the node list that also builds the YADE scene: a node of
 stiffness kn, ks between blocks a and b adds BᵀDB with B the relative velocity
 of the two blocks at the node and D = kn·nnᵀ + ks·(I − nnᵀ), every contact taken
-as closed. Damping is stiffness proportional node by node: C = Σ β BᵀDB. A link of
+as closed. Damping is stiffness proportional node by node: C = Σ β BᵀDB, without the part along
+joints that have no dashpot there. A link of
 stiffness k and dashpot c adds k·BᵀttᵀB and c·BᵀttᵀB with its direction t, a tie k·BᵀttᵀB as if
 it were taut, a floor k·BᵀttᵀB along x and y as if it stuck, the drag of a block rate·m to the
 diagonal of C.
@@ -131,7 +132,10 @@ def assemble(scene):
     b_matrix, d = _relative_velocity(scene)
     element = np.einsum("nki,nkl,nlj->nij", b_matrix, d, b_matrix)
     nodes = scene.nodes
-    damping = element * nodes.beta_s[:, None, None]
+    across = np.einsum("nk,nki->ni", nodes.normal, b_matrix)
+    across = nodes.kn_n_m[:, None, None] * np.einsum("ni,nj->nij", across, across)
+    damping = across + nodes.along[:, None, None] * (element - across)
+    damping = nodes.beta_s[:, None, None] * damping
     a, b = nodes.a, nodes.b
     bars = _bars(scene)
     if bars:
@@ -200,7 +204,8 @@ def critical_step(scene):
     omega2 = np.linalg.eigvalsh(k)[-1]
     betas = np.unique(scene.nodes.beta_s)
     dragged = any(block.drag_1_s for block in scene.blocks)
-    if len(betas) == 1 and not (_bars(scene) or dragged):
+    whole = np.all(scene.nodes.along == 1.0)
+    if len(betas) == 1 and whole and not (_bars(scene) or dragged):
         omega = np.sqrt(omega2)
         zeta = betas[0] * omega / 2.0
         return 2.0 / omega * (np.sqrt(1.0 + zeta**2) - zeta)

@@ -2,8 +2,8 @@
 
 A node carries N = max(0, kn·δ + β·kn·δ̇) while its penetration δ is positive. In
 shear an elastic displacement s follows the slip rate and is limited to
-|ks·s| ≤ μN; the dashpot β·ks acts while the node sticks, not while it slides (the
-law of the YADE scenes). N = 0 therefore also forgets s.
+|ks·s| ≤ μN; beside it the dashpot β·ks takes what the spring leaves of μN, so that
+spring and dashpot together keep |T| ≤ μN. N = 0 therefore also forgets s.
 
 With body coordinates (η, ζ) a node lies at y + η cosθ + ζ sinθ and
 z − η sinθ + ζ cosθ. The base is met along −z, the return walls along −y.
@@ -123,6 +123,7 @@ def rates(law, state, base_m_s2, lift_m_s2, wall_u, wall_v, out, limit):
         shear = min(max(elastic, -most), most)
         if abs(elastic) < most:
             shear += law.beta_s * law.ks_n_m[i] * slip
+            shear = min(max(shear, -most), most)
         limit[i], out[SLIP + i] = most, slip
         # N and T resist penetration and slip
         py, pz = (-shear, normal) if base else (normal, -shear)

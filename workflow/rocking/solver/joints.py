@@ -417,6 +417,7 @@ def block_contact(p, whole, supports, turning, touch, pose, rates, last, past_s,
         if some(summed):
             most = take(touch.most, g) + abs(take(touch.more0, g) + g0)
             most += abs(take(touch.more1, g) + g1) * whole[g, 3]
+            most += beta * (abs(s0) + abs(s1) * whole[g, 3])  # the dashpots' part
             slides = summed & (ratio * most > friction * least)
             if some(slides):
                 _spread(p, touch, g, slides)

@@ -2,7 +2,10 @@
 
 With δ > 0 the penetration, u the slip since the node closed and r = ks/kn, all forces over kn:
 
-    N = max(δ + β δ̇, 0),  |T| ≤ μ N:  T = r (u + β u̇) while |r u| ≤ μ N, else u is what μ N holds
+    N = max(δ + β δ̇, 0),  T = r (u + β u̇) where that is at most μ N in size, else μ N of its sign
+
+and |r u| ≤ μ N too: the spring slides at Coulomb's limit, and the dashpot beside it takes no more
+than what the spring leaves of it. Joints may also have no dashpot along them, T = r u.
 
 A bond acts both ways and without a limit, N = δ + β δ̇ and T = r (u + β u̇), until −δ reaches its
 tension or |r u| its cohesion + μ max(δ, 0); from then on the node is a dry one. A tie has no ks.
@@ -58,7 +61,13 @@ def rub(slip_m, normal_m, ratio, friction, before_m):
 
 
 @inlined
-def dry(depth_m, rate_m_s, speed_m_s, slip_m, step_m, fresh, joint, dt_s):
+def bounded(shear_m, limit_m):
+    """A shear force within ± limit, and whether it was; of spring and dashpot together."""
+    return min(max(shear_m, -limit_m), limit_m), abs(shear_m) <= limit_m
+
+
+@inlined
+def dry(depth_m, rate_m_s, speed_m_s, slip_m, step_m, fresh, joint, dt_s, drag=1.0):
     """A node in contact that can only push.
 
     Parameters
@@ -72,14 +81,16 @@ def dry(depth_m, rate_m_s, speed_m_s, slip_m, step_m, fresh, joint, dt_s):
     joint : tuple of 3 floats
         β [s], ks/kn, tan φ.
     dt_s : float
+    drag : float
+        Dashpot along the joint over β·ks; 0: it has none.
 
     Returns
     -------
     normal_m, shear_m, share : float
-        Forces over kn, and the share of the step for which they count.
+        Forces over kn, and the share of the step for which they count; |shear| ≤ tan φ · normal.
     slip_m : float
-    pressed, sticks : bool
-        Whether the dashpot across and the one along the joint act.
+    pressed, drags : bool
+        Whether the dashpot across and the one along the joint act, within their limits.
     stored_m2, taken_m2 : float
         Energy stored, and taken in this step, over kn.
     """
@@ -89,13 +100,13 @@ def dry(depth_m, rate_m_s, speed_m_s, slip_m, step_m, fresh, joint, dt_s):
         counts, part = since_closed(depth_m, rate_m_s, dt_s)
         share, step_m = choose(closing, counts, share), choose(closing, step_m * part, step_m)
     normal = max(depth_m + beta * rate_m_s, 0.0)
-    shear, slip, taken, sticks = rub(slip_m + step_m, normal, ratio, friction, slip_m)
-    power = (normal - depth_m) * rate_m_s
-    drag = ratio * beta * speed_m_s
-    shear = choose(sticks, shear + drag, shear)
-    power = choose(sticks, power + drag * speed_m_s, power)
+    spring, slip, taken, sticks = rub(slip_m + step_m, normal, ratio, friction, slip_m)
+    shear, within = bounded(spring + drag * ratio * beta * speed_m_s, friction * normal)
+    shear = choose(sticks, shear, spring)
+    power = (normal - depth_m) * rate_m_s + (shear - spring) * speed_m_s
+    drags = sticks & within & (0.0 * normal < drag)  # of lanes a mask
     stored = 0.5 * (depth_m * depth_m + ratio * slip * slip)
-    return normal, shear, share, slip, normal > 0.0, sticks, stored, taken + share * dt_s * power
+    return normal, shear, share, slip, normal > 0.0, drags, stored, taken + share * dt_s * power
 
 
 @inlined

@@ -126,6 +126,8 @@ def to_plane(scene):
     block = scene.blocks[own]
     if block.free != FREEDOMS:
         raise ValueError("planar solver: expected a block that is free along y, z and about x")
+    if np.any(nodes.drag != 1.0):
+        raise ValueError("planar solver: expected dashpots along the joints of a single block")
     if np.any((nodes.a == own) == (nodes.b == own)):
         raise ValueError("planar solver: every node must join the block to a support")
     centre = np.array(block.centre_m)[1:]

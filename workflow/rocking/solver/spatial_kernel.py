@@ -234,9 +234,14 @@ def _node(p, m, i, depth, r, past, dt, rel, step, force):
     for k in range(3):
         if not sticks:
             slip[k] *= kept / size
-        force[k] = share * kn * (pressed * normal[k] - ratio * (slip[k] + drag * rel[k]))
-        square += rel[k] ** 2
-    power = (pressed - depth) * rate + ratio * drag * square
+        step[k] = ratio * (slip[k] + drag * rel[k])  # spring and dashpot together
+        square += step[k] ** 2
+    most, power = p.friction[i] * pressed, (pressed - depth) * rate
+    held = most / math.sqrt(square) if square > most * most else 1.0
+    for k in range(3):
+        step[k] *= held
+        force[k] = share * kn * (pressed * normal[k] - step[k])
+        power += (step[k] - ratio * slip[k]) * rel[k]
     return 0.5 * kn * stored, kn * (taken + share * dt * power)
 
 

@@ -39,6 +39,8 @@ class Stack(NamedTuple):
         The node and a point of the plane from the centroids of their blocks (of a support from
         the origin); normal from b into a.
     kn_n_m, shear_ratio, beta_s, friction : ndarray, shape (nodes,)
+    drag : ndarray, shape (nodes,)
+        Of a dry node, its dashpot along the joint over β·ks.
     bonded, tie : ndarray of bool, shape (nodes,)
         A tie is a bond that transmits no shear.
     pull_m, hold_m : ndarray, shape (nodes,)
@@ -80,6 +82,7 @@ class Stack(NamedTuple):
     shear_ratio: np.ndarray
     beta_s: np.ndarray
     friction: np.ndarray
+    drag: np.ndarray
     bonded: np.ndarray
     tie: np.ndarray
     pull_m: np.ndarray
@@ -174,6 +177,7 @@ def stacked(scene, own, column, bars):
         shear_ratio=nodes.ks_n_m / nodes.kn_n_m,
         beta_s=nodes.beta_s,
         friction=np.tan(nodes.friction_rad),
+        drag=nodes.drag,
         bonded=nodes.bonded,
         tie=nodes.tie,
         pull_m=nodes.tension_n / nodes.kn_n_m,
@@ -225,13 +229,14 @@ def stack_matrices(stack):
 
     node = p.arm_a_m + np.where((p.body_a >= 0)[:, None], p.centre_m[p.body_a], 0.0)
     for i, (ny, nz) in enumerate(p.normal):
-        for (y, z), ratio in (((ny, nz), 1.0), ((-nz, ny), p.shear_ratio[i])):
+        drag = 1.0 if p.bonded[i] else p.drag[i]
+        for (y, z), ratio, share in (((ny, nz), 1.0, 1.0), ((-nz, ny), p.shear_ratio[i], drag)):
             row = np.zeros(len(k))
             for body, sign in ((p.body_a[i], 1.0), (p.body_b[i], -1.0)):
                 if body >= 0:
                     ry, rz = node[i] - p.centre_m[body]
                     row[3 * body : 3 * body + 3] = sign * np.array([y, z, z * ry - y * rz])
-            add(row, ratio * p.kn_n_m[i], p.beta_s[i] * ratio * p.kn_n_m[i])
+            add(row, ratio * p.kn_n_m[i], p.beta_s[i] * share * ratio * p.kn_n_m[i])
     for stiffness, dashpot, row in elements(p.bars, 0, n):
         add(row, stiffness, dashpot)
     for i, (a, b) in enumerate(zip(p.link_a, p.link_b, strict=True)):

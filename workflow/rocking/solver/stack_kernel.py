@@ -166,8 +166,9 @@ def _force(p, i, j, parts, nodes, where, arms, time, acts):
     normal = shear = share = across = along = stored = taken = none
     after = had
     if some(touching):
+        own = choose(touching, way, 0.0)
         normal, shear, share, after, pressed, sticks, stored, taken = dry(
-            depth, rate, speed, had, choose(touching, way, 0.0), touching & ~was, joint, dt
+            depth, rate, speed, had, own, touching & ~was, joint, dt, p.drag[i]
         )
         put_where(nodes.state, i, touching, CLOSED)
         across = choose(touching & pressed, beta * kn, none)

@@ -169,6 +169,7 @@ def _nodes(faces, ground):
         kn_n_m=np.repeat(faces.jkn_pa_m, count) * area,
         ks_n_m=np.repeat(faces.jks_pa_m, count) * area,
         beta_s=zero,
+        drag=np.ones(count * n),
         friction_rad=zero.copy(),
         gap_m=zero.copy(),
         tension_n=zero.copy(),
