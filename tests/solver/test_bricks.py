@@ -47,7 +47,7 @@ def compiled(data, t, columns, factors=(1.0,)):
 CUT = {"lower_courses": 9, "split_inclination_deg": 5.0}
 CASES = {  # peak [g], model, keys of w3
     "hinged headers": (0.06, "W3", {}),
-    "headers that leave their slots": (0.1, "W3", {"lower_courses": 0}),
+    "headers that leave their slots": (0.09, "W3", {"lower_courses": 0}),
     "sliding headers": (0.06, "W3", {"header_joint": "sliding"}),
     "headers that break, bricks cut": (0.1, "W3", {"header_joint": "study", **CUT}),
     "hung on the masses": (0.2, "W3m", {}),

@@ -18,6 +18,9 @@ stiff as the two bed joints of the header beside it.
 Where the walls carry the building's mass (W3m) the bricks hang on its masses, see `panels`,
 and the scene stands in the frame of the ground.
 
+Dry joints have no dashpot along them: YADE's contact law would not bound it by friction, and where
+a light brick closes on a corner it would carry what friction cannot. Across them it stays.
+
 Contacts of two edges that slide off each other: one node on the header's rear edge
 against the brick's face, one on the brick's front edge against the header's face. The
 ends of the overlap are always such a pair, and both faces end where the blocks do, so
@@ -49,6 +52,7 @@ from yade_scripts.model.wall_motion import motion_of
 
 HEADER_JOINTS = ("rigid", "bonded", "sliding", "hinged", "study")
 BACK = (0.0, -1.0, 0.0)
+NO_DRAG = 0.0  # no dashpots along dry joints
 
 
 def interlocking_scene(config, beta_s, *, two_way=False):
@@ -142,7 +146,7 @@ class _Assembly:
         self.width = facade["width_m"] * self.share
         spread = 0.5 * (facade["width_m"] - self.t)
         self.x = [0.0] if self.walls == 1 else np.linspace(-spread, spread, self.walls).tolist()
-        self.blocks, self.nodes, self.rims, self.motions = [], NodeList(), {}, {}
+        self.blocks, self.nodes, self.rims, self.motions = [], NodeList(NO_DRAG), {}, {}
         self.beds, self.bricks, self.headers, self.partial = [], [], [], []
         self.hanging: Hanging | None = None
         self.brick = dict(
