@@ -41,9 +41,9 @@ def part_of(section, foot_m, held_m=None, hinge_m=None):
         One line for heights that the façade has not, hinges or courses that are stated already, or
         a tilt.
     """
-    _check(section, foot_m, held_m, hinge_m)
-    if (foot_m, held_m, hinge_m) == WHOLE:
+    if (foot_m, held_m, hinge_m) == WHOLE:  # with hinges, courses or a tilt of its own
         return dict(section)
+    _check(section, foot_m, held_m, hinge_m)
     shape, eaves = shape_of(section), section["height_m"]
     top = eaves if held_m is None else held_m
     base = section["base_height_m"]
@@ -178,6 +178,7 @@ def _load(section, shape, held_m, height_m):
 
 FLOOR = {  # a dead load that nothing holds
     "bearing": "point",
+    "load_inertia": None,
     "friction": 0.0,
     "anchor_kn": 0.0,
     "anchor_reach_m": 0.2,
