@@ -35,7 +35,7 @@ from yade_scripts.model.motion import along
 from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
 from yade_scripts.model.rest import at_rest
 from yade_scripts.model.return_walls import add_return_walls, back_jkn
-from yade_scripts.model.scene import DOFS, Block, NodeList, Scene, box_inertia
+from yade_scripts.model.scene import DOFS, Block, NodeList, Scene, box_inertia, held
 from yade_scripts.model.shape import is_plain, shape_of
 from yade_scripts.model.ties import anchor_ties, facade_ties
 from yade_scripts.model.wall_motion import motion_of
@@ -150,17 +150,18 @@ def facade_scene(
             for name, mix in list(motions.items())
         }
 
-    def lay(upper, lower, name, jkn):
+    def lay(upper, lower, name, jkn, middle):
         given = config, beta_s, nodes, name, upper, lower, shape.height_m, jkn
-        add_bed(*given, planar=planar, slides=True)
+        add_bed(*given, planar=planar, load="point" if middle else "flat")
 
-    level_loads(facade, shape, blocks, walls, lay)
-    held = walls, blocks, shape
-    ties = facade_ties(facade.get("ties", ()), *held)
-    ties += anchor_ties(facade.get("floors", ()), *held)
+    pressing = level_loads(facade, shape, blocks, walls, lay)
+    behind = walls, blocks, shape
+    ties = facade_ties(facade.get("ties", ()), *behind)
+    ties += anchor_ties(facade.get("floors", ()), *behind)
     floors, springs = facade_floors(
-        facade.get("floors", ()), *held, config["smdof"]["damping_ratio"]
+        facade.get("floors", ()), *behind, config["smdof"]["damping_ratio"]
     )
+    floors += pressing
     return Scene(
         blocks,
         nodes.joints,
@@ -259,12 +260,12 @@ def add_base(
         jkn,
         section["shear_stiffness_ratio"] * jkn,
         beta_s=beta_s,
-        friction_rad=math.radians(section["friction_deg"]),
+        **bond(section),
         gap_m=gaps,
     )
 
 
-def add_bed(config, beta_s, nodes, name, upper, lower, height_m, jkn, *, planar, slides=False):
+def add_bed(config, beta_s, nodes, name, upper, lower, height_m, jkn, *, planar, load=""):
     """Add the joint between two pieces of a façade, or between it and a load that lies on it.
 
     Parameters
@@ -276,12 +277,15 @@ def add_bed(config, beta_s, nodes, name, upper, lower, height_m, jkn, *, planar,
         Indices of the blocks.
     height_m, jkn : float
         Height above the base, and stiffness [Pa/m].
-    slides : bool
-        It transmits no shear; else it has the friction of the base.
+    load : str
+        A load that lies "flat" on the whole thickness, or on a "point" in the middle of it: it
+        transmits no shear. Else it has the base's friction, and its bond.
     """
     section = config["facade"]
     b, width = section["thickness_m"], section["width_m"]
     points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
+    if load == "point":
+        points, weights = np.array([0.5]), np.array([1.0])
     line = np.stack([0 * points, points * b, height_m + 0 * points], axis=1)
     places, areas, _ = over_columns(line, weights * b * width, _two_columns(section, planar))
     nodes.add_joint(
@@ -292,10 +296,16 @@ def add_bed(config, beta_s, nodes, name, upper, lower, height_m, jkn, *, planar,
         (0, 0, 1),
         areas,
         jkn,
-        (NO_SHEAR if slides else section["shear_stiffness_ratio"]) * jkn,
+        (NO_SHEAR if load else section["shear_stiffness_ratio"]) * jkn,
         beta_s=beta_s,
-        friction_rad=0.0 if slides else math.radians(section["friction_deg"]),
+        **(held(0.0, 0.0, 0.0) if load else bond(section)),
     )
+
+
+def bond(section):
+    """What holds base and hinges of a façade, as `NodeList.add_joint` takes it."""
+    tension, cohesion = (section.get(f"bond_{what}_mpa", 0.0) for what in ("tension", "cohesion"))
+    return held(tension * 1e6, cohesion * 1e6, math.radians(section["friction_deg"]))
 
 
 def _two_columns(facade, planar):

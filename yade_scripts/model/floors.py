@@ -10,7 +10,9 @@ stands for the wall.
 
 A load with a flat bearing is a block that lies on the whole thickness of the top and stays level:
 it moves along z alone, with its mass P/g, and along y with what holds it. Where the top turns
-under it, it bears on one edge. Its nodes have no friction, since the floor is what holds.
+under it, it bears on one edge. Its nodes have no friction, since the floor is what holds. Whether a
+load has vertical inertia may be stated apart from how it lies: on a point with inertia it is such a
+block on one node; flat without, a block of LIGHT of its mass that the rest of P presses on.
 """
 
 import math
@@ -21,6 +23,7 @@ from yade_scripts.model.holds import FRICTION, of_floor
 from yade_scripts.model.scene import Block
 
 DEPTH_M = 0.2  # of a roof's block, for drawings
+LIGHT = 0.02  # mass of a level load without inertia, over P/g: its bounce needs some
 
 
 def loaded(rows, shape):
@@ -55,6 +58,17 @@ def is_flat(row):
     return row.get("bearing") == "flat"
 
 
+def has_inertia(row):
+    """Whether the load of a floor moves up and down with its mass; by its bearing if not stated."""
+    stated = row.get("load_inertia")
+    return is_flat(row) if stated is None else stated
+
+
+def is_block(row):
+    """Whether the load of a floor is a block of its own."""
+    return row["load_kn"] > 0.0 and (is_flat(row) or has_inertia(row))
+
+
 def lever_of(row, thickness_m):
     """Arm s of a load in a mechanism that turns the top inward, from the inner face [m].
 
@@ -66,7 +80,9 @@ def lever_of(row, thickness_m):
 
 
 def level_loads(section, shape, blocks, walls, add_joint):
-    """Append the blocks of loads with a flat bearing, at rest on the façade's top.
+    """Append the blocks of loads that are flat or have inertia, at rest on the façade's top.
+
+    What presses on one without inertia is a floor of it.
 
     Parameters
     ----------
@@ -77,16 +93,22 @@ def level_loads(section, shape, blocks, walls, add_joint):
     walls : sequence of int
         Return walls' blocks; empty: the base carries the floors.
     add_joint : callable
-        Adds the joint between two blocks: index of the upper and the lower one, name, jkn [Pa/m].
+        Adds the joint between two blocks: index of the upper and the lower one, name, jkn [Pa/m],
+        whether it has the middle's node alone.
+
+    Returns
+    -------
+    list of Floor
     """
+    pressing = []
     top = 1 + len(shape.hinges_m)
     upper = shape.height_m - max([0.0, *shape.hinges_m])
     jkn = section["base_stiffness_pa_m"] or section["e_mpa"] * 1e6 / (0.5 * upper)
     size = (shape.width_m, shape.thickness_m, DEPTH_M)
     for number, row in enumerate(section.get("floors", ()), 1):
-        if not (is_flat(row) and row["load_kn"] > 0.0):
+        if not is_block(row):
             continue
-        load = 1e3 * row["load_kn"]
+        load, share = 1e3 * row["load_kn"], 1.0 if has_inertia(row) else LIGHT
         carrier = wall_behind(f"floors[{number}].height_m", row["height_m"], walls, blocks)
         sunk = load / (jkn * shape.thickness_m * shape.width_m) - blocks[top].displacement_m[2]
         blocks.append(
@@ -94,14 +116,19 @@ def level_loads(section, shape, blocks, walls, add_joint):
                 f"load {number}",
                 (0.0, 0.5 * shape.thickness_m, shape.height_m + 0.5 * DEPTH_M),
                 size,
-                load / GRAVITY_M_S2,
+                share * load / GRAVITY_M_S2,
                 (1.0, 1.0, 1.0),
                 free="z",
                 motion=blocks[carrier].motion,
                 displacement_m=(0.0, 0.0, -sunk),
             )
         )
-        add_joint(len(blocks) - 1, top, f"bearing {number}", jkn)
+        own = len(blocks) - 1
+        add_joint(own, top, f"bearing {number}", jkn, not is_flat(row))
+        if share < 1.0:
+            place, rest = blocks[own].centre_m, (1.0 - share) * load
+            pressing.append(Floor(f"weight {number}", own, carrier, place, rest, 1.0, 0.0))
+    return pressing
 
 
 def wall_behind(what, height_m, walls, blocks):
@@ -161,7 +188,7 @@ def facade_floors(rows, walls, blocks, shape, damping_ratio):
             own = len(blocks) - 1
             links.append(Link(f"floor {number}", own, carrier, spring, dashpot, place))
             carrier = own
-        load = 0.0 if is_flat(row) else 1e3 * row["load_kn"]
+        load = 0.0 if is_block(row) else 1e3 * row["load_kn"]
         slides = [hold for hold in of_floor(row) if hold.kind == FRICTION or row["mass_t"]]
         capacity = sum(hold.capacity_n for hold in slides)
         if load or capacity:

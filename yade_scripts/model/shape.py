@@ -155,6 +155,8 @@ def refuse(facade, what, held=False):
         "base_height_m",
         "hinges_m",
         "courses",
+        "bond_tension_mpa",
+        "bond_cohesion_mpa",
         *(("ties", "floors") if held else ()),
     )
     given = [key for key in keys if facade.get(key)]

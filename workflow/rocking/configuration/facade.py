@@ -34,6 +34,11 @@ def check_facade(resolved: Mapping) -> None:
             "since a free-standing façade has no return walls"
         )
     bonded = [name for name in resolved["models"] if registry.model(name).bonded]
+    own = max(facade["bond_tension_mpa"], facade["bond_cohesion_mpa"])
+    if own > 0.0 and facade["tilt_deg"] > 0.0:
+        raise ConfigError(
+            f"facade.tilt_deg = {show(facade['tilt_deg'])}: expected 0 (°) with a bond of the base"
+        )
     for key, unit in (("gap_m", "m"), ("tilt_deg", "°")):  # a bond needs a wall that it touches
         if bonded and facade[key] > 0.0:
             raise ConfigError(
@@ -150,17 +155,18 @@ def _check_bearing(where: str, row: Mapping, resolved: Mapping) -> None:
             f"{where}.arm_m = {show(row['arm_m'])}: expected null, the middle, with hinges and "
             "facade.sides = two, since the pieces start upright"
         )
-    if row["bearing"] != "flat":
+    if row["bearing"] != "flat" and not row["load_inertia"]:
         return
+    given = "bearing = flat" if row["bearing"] == "flat" else "load_inertia = true"
     if row["height_m"] != facade["height_m"] or row["arm_m"] is not None or row["mass_t"]:
         raise ConfigError(
-            f"{where}.bearing = flat: expected height_m = facade.height_m = "
+            f"{where}.{given}: expected height_m = facade.height_m = "
             f"{show(facade['height_m'])} (m), arm_m = null and mass_t = 0"
         )
     pushed = [name for name in resolved["models"] if registry.model(name).two_way]
     if pushed or facade["tilt_deg"] or not is_plain({**facade, "courses": 0}):
         raise ConfigError(
-            f"{where}.bearing = flat: expected a plain upright façade before driven walls or none"
+            f"{where}.{given}: expected a plain upright façade before driven walls or none"
         )
 
 
