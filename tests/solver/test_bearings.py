@@ -1,4 +1,4 @@
-"""Loads that lie level or on a point, with and without vertical inertia; a bond of base and hinge."""
+"""Loads that lie level or on a point, with vertical inertia or none; a bond of base and hinge."""
 
 import numpy as np
 import pytest

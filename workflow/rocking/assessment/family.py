@@ -251,7 +251,7 @@ class Family:
         Its foot is the lower level, or a change of the façade between that and the next level.
         """
         levels, feet = self.levels(), self.feet()
-        found = []
+        found: list[Candidate] = []
         for k, low in enumerate(levels[:-1]):
             own = [low, *(z for z in feet if low < z < levels[k + 1])]
             for high in levels[k + 1 :]:

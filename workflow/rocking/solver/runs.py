@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from scipy.linalg import block_diag
 
+from .block import march_block, march_blocks
 from .carriers import NO_BODIES
 from .inputs import COLUMNS, FAILED, OVERTURNED, REST_RATIO, Rules, Table
-from .block import march_block, march_blocks
 from .plane import matrices
 from .stack import Stack, stack_matrices
 from .stack_kernel import march_stack, march_stacks
