@@ -58,10 +58,13 @@ class EnergyCheck:
     def attach(self, built):
         """Take hold of the built scene."""
         scene, omega = self.scene, built.omega
-        reference = scene.blocks[scene.index(scene.reference)]
+        frame = scene.index(scene.reference)
+        if scene.blocks[frame].free:  # it hangs on masses, in the frame of what they stand on
+            frame = next(i for i, block in enumerate(scene.blocks) if not block.free)
+        reference = scene.blocks[frame]
         self.omega, self.forces, self.links = omega, omega.forces, built.links
         self.nodes = set(built.node_body)
-        self.base = omega.bodies[built.body[scene.index(scene.reference)]].state
+        self.base = omega.bodies[built.body[frame]].state
         names = sorted({(n, k) for b in scene.blocks if not b.free for k, n in b.drives})
         drives = [e for e in omega.engines if type(e).__name__ == DRIVE]
         curves = {name: _Curve(self.motions[name]) for name, _ in names}

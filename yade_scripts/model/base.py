@@ -17,6 +17,7 @@ Being linear and without tension, the joint scales with the load on it, as the c
 
 import numpy as np
 
+BASE = "base"  # name of the block that a façade stands on
 STUDY, COLUMN = "study", "column"
 EDGE = 0.3  # stiffness along either edge, over E b/h
 SPREAD = 4.0 - 6.0 * EDGE  # stiffness spread evenly, over E/h

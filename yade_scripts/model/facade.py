@@ -9,6 +9,10 @@ Models by boundary condition (design words)::
     W2m, W2cm  as W2 and W2c, but each block is a mass of the chain, joined to the others by its
           springs and dashpots, and feels the façade; in the frame of the ground
 
+A façade on a base above the ground moves with the chain there, by height; its base is driven, and
+with W2m and W2cm carried by the masses below and above it, which feel what stands on it. A
+free-standing façade has none of the walls, the chain of W2m and its base as they are.
+
 What a block takes from the masses is the rule of `wall_motion`; by default block j is mass j's.
 
 The façade fills 0 ≤ y ≤ b, 0 ≤ z ≤ h; the return walls stand at y < 0. It
@@ -26,22 +30,22 @@ from dataclasses import replace
 import numpy as np
 
 from yade_scripts.model import registry
-from yade_scripts.model.base import base_jkn, shares, total
+from yade_scripts.model.base import BASE, base_jkn, shares, total
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.floors import facade_floors, level_loads
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.hinges import hinge_stiffness, pieces
 from yade_scripts.model.motion import along
+from yade_scripts.model.panels import base_block, hang_base
 from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
 from yade_scripts.model.rest import at_rest
 from yade_scripts.model.return_walls import add_return_walls, back_jkn
 from yade_scripts.model.scene import DOFS, Block, NodeList, Scene, box_inertia, held
 from yade_scripts.model.shape import is_plain, shape_of
 from yade_scripts.model.ties import anchor_ties, facade_ties
-from yade_scripts.model.wall_motion import motion_of
+from yade_scripts.model.wall_motion import building_height, motion_of
 
-BASE = "base"
-FACADE = "façade"
+FACADE, UNDER = "façade", "ground"  # that under the masses, where the base hangs on them
 NO_SHEAR = 1e-6  # jks/jkn of a joint that slides freely
 
 
@@ -113,7 +117,8 @@ def facade_scene(
     ------
     ValueError
         For an unknown model, a release that is not within 0 ≤ θ₀/α < 1, ties and floors that
-        meet no return wall, or two components with masses that are not driven.
+        meet no return wall, two components with masses that are not driven, or a base that hangs
+        on a building without a mass.
     """
     kind = registry.model(model)
     if not kind.single_block:
@@ -122,27 +127,31 @@ def facade_scene(
         raise ValueError(f"release θ0/α must lie in [0, 1), got {release_ratio}")
     facade = config["facade"]
     shape, raised = shape_of(facade), facade.get("base_height_m", 0.0)
-    if raised and kind.two_way:
-        raise ValueError(
-            f"facade.base_height_m = {raised:g}: expected 0 (m) with model {model}, whose masses "
-            "are not driven"
-        )
     if two_components and (planar or kind.two_way or shape.hinges_m):
         raise ValueError(f"{model}: two components need a full scene, one block, driven supports")
     motions: dict = {}
-    ground = GROUND
-    if raised:
-        whole = raised + facade["height_m"]
-        ground = motion_of("interpolated", raised, whole, config["smdof"]["n_dof"], motions)
-    blocks, nodes = [ground_block(facade, None if kind.two_way else ground)], NodeList()
+    driven, hangs = None if kind.two_way else GROUND, kind.two_way and bool(raised)
+    if raised and not kind.two_way:
+        heights = raised, building_height(facade)
+        driven = motion_of("interpolated", *heights, config["smdof"]["n_dof"], motions)
+    blocks, nodes = [ground_block(facade, driven)], NodeList()
     walls_stand = kind.walls != "none" and facade.get("sides") != "two"
     columns = None if planar else _columns(shape.base_strips, width_nodes)
-    _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_stand)
-    middle = 0.5 * facade["thickness_m"]
-    tops = [(blocks[k].name, (0.0, middle, z)) for k, z in enumerate(shape.hinges_m, 1)]
+    base = 2 + len(shape.hinges_m) if hangs else 0
+    _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_stand, base)
+    tops = [
+        (blocks[k].name, (0.0, 0.5 * sum(shape.faces_at(z)), z))
+        for k, z in enumerate(shape.hinges_m, 1)
+    ]
+    if hangs:
+        blocks.append(base_block(config, blocks[0]))
+        blocks[0] = replace(blocks[0], name=UNDER)
     walls, links = [], []
-    if walls_stand:
-        walls, links = add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape)
+    if walls_stand or hangs:
+        given = config, kind, beta_s, blocks, nodes, planar, motions, shape
+        walls, links, masses = add_return_walls(*given, stands=walls_stand)
+        if hangs:
+            hang_base(config, blocks, nodes, base, masses)
     if two_components:
         blocks = [b if b.free else replace(b, motion_x=along(b.motion)) for b in blocks]
         motions |= {
@@ -181,10 +190,10 @@ def facade_scene(
     )
 
 
-def _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_stand):
+def _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_stand, base):
     """Append the façade, whole or in pieces, and the joints that it stands on.
 
-    `columns` of its base as for `add_base`; None in a planar scene.
+    `columns` of its base as for `add_base`; None in a planar scene. `base` is the index of that.
     """
     facade, planar = config["facade"], columns is None
     b, width = facade["thickness_m"], facade["width_m"]
@@ -192,7 +201,8 @@ def _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_s
     # Debris under the base (tilt) belongs to the block as protruding nodes: it
     # rests rotated by φ about its front toe and cannot come back to the vertical.
     protrusion = (1.0 - points) * b * math.tan(math.radians(facade["tilt_deg"]))
-    add_base(config, beta_s, nodes, 1, 0, planar=planar, protrusion_m=protrusion, columns=columns)
+    on = {"planar": planar, "protrusion_m": protrusion, "columns": columns}
+    add_base(config, beta_s, nodes, 1, base, **on)
     kn = shares(facade, weights) * b * (width - shape.base_lost_m) * base_jkn(facade)
     displacement, rotation = at_rest(facade, shape, kn, points, release_ratio, walls_stand)
     upright = Block(
@@ -209,8 +219,8 @@ def _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_s
     blocks += pieces(facade, shape, upright) if shape.hinges_m else [upright]
     stiffness = hinge_stiffness(facade, shape)
     for k, z in enumerate(shape.hinges_m, 1):
-        jkn = float(stiffness[k - 1])
-        add_bed(config, beta_s, nodes, f"hinge {k}", k + 1, k, z, jkn, planar=planar)
+        given = config, beta_s, nodes, f"hinge {k}", k + 1, k, z, float(stiffness[k - 1])
+        add_bed(*given, planar=planar, meets=shape.joint_at(z))
 
 
 def add_base(
@@ -265,7 +275,9 @@ def add_base(
     )
 
 
-def add_bed(config, beta_s, nodes, name, upper, lower, height_m, jkn, *, planar, load=""):
+def add_bed(
+    config, beta_s, nodes, name, upper, lower, height_m, jkn, *, planar, load="", meets=None
+):
     """Add the joint between two pieces of a façade, or between it and a load that lies on it.
 
     Parameters
@@ -280,13 +292,16 @@ def add_bed(config, beta_s, nodes, name, upper, lower, height_m, jkn, *, planar,
     load : str
         A load that lies "flat" on the whole thickness, or on a "point" in the middle of it: it
         transmits no shear. Else it has the base's friction, and its bond.
+    meets : tuple of 3 floats or None
+        Faces (y0, y1) and lost width, see `Shape.joint_at`; None: the whole thickness and width.
     """
     section = config["facade"]
-    b, width = section["thickness_m"], section["width_m"]
+    y0, y1, lost = meets or (0.0, section["thickness_m"], 0.0)
+    b, width = y1 - y0, section["width_m"] - lost
     points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
     if load == "point":
         points, weights = np.array([0.5]), np.array([1.0])
-    line = np.stack([0 * points, points * b, height_m + 0 * points], axis=1)
+    line = np.stack([0 * points, y0 + points * b, height_m + 0 * points], axis=1)
     places, areas, _ = over_columns(line, weights * b * width, _two_columns(section, planar))
     nodes.add_joint(
         name,

@@ -18,6 +18,7 @@ block on one node; flat without, a block of LIGHT of its mass that the rest of P
 import math
 
 from yade_scripts.model.bars import Floor, Link
+from yade_scripts.model.base import BASE
 from yade_scripts.model.gravity import GRAVITY_M_S2
 from yade_scripts.model.holds import FRICTION, of_floor
 from yade_scripts.model.scene import Block
@@ -132,7 +133,7 @@ def level_loads(section, shape, blocks, walls, add_joint):
 
 
 def wall_behind(what, height_m, walls, blocks):
-    """Index of the return wall at a height of the façade, the lower of two; without any the base.
+    """Index of the return wall at a height of the façade, the lower of two; without any its base.
 
     Raises
     ------
@@ -140,7 +141,7 @@ def wall_behind(what, height_m, walls, blocks):
         One line that begins with `what`, if there is none.
     """
     if not walls:
-        return 0
+        return next(i for i, block in enumerate(blocks) if block.name == BASE)
     for i in walls:
         if abs(height_m - blocks[i].centre_m[2]) <= 0.5 * blocks[i].size_m[2] + 1e-9:
             return i

@@ -1,9 +1,12 @@
 """Intermediate hinges: a façade of rigid pieces that stand on each other on compliant joints.
 
 A joint between two pieces is the base's over again: Gauss–Lobatto nodes across the thickness that
-take no tension, the base's friction, and jkn = E/L with L half the height of the two pieces
-together; a jkn stated for the base is the base's alone. A piece meets the return walls behind it
-alone.
+both have there, on the width that openings leave, that take no tension; the base's friction, and
+jkn = E/L with L half the height of the two pieces together; a jkn stated for the base is the base's
+alone. A piece meets the return walls behind it alone.
+
+Pieces start upright, each settled under what stands on it. Where that is off the middle of a joint
+they settle into their small lean as the run begins.
 """
 
 from dataclasses import replace
@@ -35,11 +38,13 @@ def pieces(section, shape, whole):
     list of Block
     """
     sunk, found = -whole.displacement_m[2], []
-    area = shape.thickness_m * shape.width_m
-    settling = [0.0, *(1.0 / (area * hinge_stiffness(section, shape)))]
-    for k, (mass, centre, tensor, size) in enumerate(shape.parts):
+    joints = [shape.joint_at(z) for z in shape.hinges_m]
+    areas = np.array([(y1 - y0) * (shape.width_m - lost) for y0, y1, lost in joints])
+    settling = [0.0, *(1.0 / (areas * hinge_stiffness(section, shape)))]
+    parts = shape.pieces
+    for k, (mass, centre, tensor, size) in enumerate(parts):
         rows = [row for row in section.get("floors", ()) if shape.piece_at(row["height_m"]) >= k]
-        above = sum(part[0] for part in shape.parts[k:])
+        above = sum(part[0] for part in parts[k:])
         sunk += settling[k] * loaded(rows, replace(shape, mass_kg=above))[0]
         found.append(
             replace(

@@ -7,16 +7,22 @@ moves by interpolation of height and reactions reach the masses by the same leve
     top           pieces of wall are tied to their mass
     middle        to a slab that shifts along y, tied to its panel at the storey's middle
     interpolated  to their panel, at the height of their centroid
+
+So does the base of a façade that stands on lower storeys hang between the masses below and above
+it. What it weighs, and its panel, is taken from them: the building's mass stays what it is.
 """
 
 from dataclasses import replace
 
+from yade_scripts.model.base import base_jkn
 from yade_scripts.model.chain import chain_links, chain_matrices
 from yade_scripts.model.scene import Block, box_inertia, held
-from yade_scripts.model.wall_motion import storey_of
+from yade_scripts.model.wall_motion import building_height, storey_of, weight_of
 
 OUT = (0.0, -1.0, 0.0)
 TIE_N_M, TIE_BETA_S = 1e9, 2e-5  # some eight times a brick's front joint
+BASE_TIE = 4.0  # stiffness of what the base hangs by, over that of its joint
+LIGHT = 0.1  # mass of the base, and of its panel, over a mass of the chain
 
 
 def building_mass(config):
@@ -25,6 +31,73 @@ def building_mass(config):
     if not mass:
         raise ValueError("return_wall.building_mass_kg: expected the building's mass (kg)")
     return mass
+
+
+def mass_heights(config):
+    """Heights of the chain's masses above the façade's base, from the lowest up [m]."""
+    n, facade = config["smdof"]["n_dof"], config["facade"]
+    tall = building_height(facade) / n
+    return [j * tall - facade.get("base_height_m", 0.0) for j in range(1, n + 1)]
+
+
+def base_block(config, ground):
+    """The base of a façade that hangs on the chain; `ground` is one that stands on the ground."""
+    mass = LIGHT * building_mass(config) / config["smdof"]["n_dof"]
+    return replace(ground, free="y", mass_kg=mass)
+
+
+def hang_base(config, blocks, nodes, base, masses):
+    """Tie the base to the masses below and above it, by height, and take its mass from them.
+
+    A panel whose mass stands at its two ends lies between them, light and rigid; where the base
+    is as high as a mass it is tied to that.
+
+    Parameters
+    ----------
+    config : dict
+        Sections facade, return_wall, smdof.
+    blocks, nodes
+        Of the scene that is being assembled; block 0 is the ground.
+    base : int
+        Index of its block.
+    masses : sequence of int
+        Of the chain's masses, from the lowest up.
+    """
+    facade, n = config["facade"], config["smdof"]["n_dof"]
+    whole, raised = building_height(facade), facade["base_height_m"]
+    storey = storey_of(raised / whole, n)
+    weight = weight_of("interpolated", raised / whole, n)
+    lower, upper = (masses[storey - 1] if storey else 0), masses[storey]
+    k = BASE_TIE * base_jkn(facade) * facade["thickness_m"] * facade["width_m"]
+    middle = 0.5 * facade["thickness_m"]
+
+    def join(name, a, b, z):
+        strong = held(1e30, 0.0, 0.0)
+        place = [(0.0, middle, z)]  # on the panel's axis: it turns without lifting the node
+        nodes.add_joint(name, a, b, place, OUT, 1.0, k, k, beta_s=TIE_BETA_S, **strong)
+
+    def lighten(index, mass):
+        if index:
+            blocks[index] = replace(blocks[index], mass_kg=blocks[index].mass_kg - mass)
+
+    light = blocks[base].mass_kg
+    lighten(lower, (1.0 - weight) * light)
+    lighten(upper, weight * light)
+    if weight in (0.0, 1.0):
+        join("base tie", base, upper if weight else lower, 0.0)
+        return
+    tall = whole / n
+    low = storey * tall - raised
+    size = (facade["width_m"], facade["thickness_m"], tall)
+    inertia = (0.25 * light * tall**2, *box_inertia(light, size)[1:])
+    centre = (0.0, middle, low + 0.5 * tall)
+    blocks.append(Block("base panel", centre, size, light, inertia, free="yX"))
+    panel = len(blocks) - 1
+    join("base tie", base, panel, 0.0)
+    join("base panel foot", panel, lower, low)
+    join("base panel head", panel, upper, low + tall)
+    lighten(lower, 0.5 * light)
+    lighten(upper, 0.5 * light)
 
 
 class Hanging:
@@ -46,10 +119,11 @@ class Hanging:
         """Add masses, panels and slabs; what hangs on them comes after."""
         wall, self.nodes, self.blocks = config["return_wall"], nodes, blocks
         self.config, self.walls, self.length = config, walls, length_m
-        self.h, self.n = config["facade"]["height_m"], config["smdof"]["n_dof"]
+        self.h, self.n = building_height(config["facade"]), config["smdof"]["n_dof"]
+        self.raised = config["facade"].get("base_height_m", 0.0)
         self.total = building_mass(config) * walls / wall["count"]
         tall = self.h / self.n
-        self.heights = [(j + 1) * tall for j in range(self.n)]
+        self.heights = mass_heights(config)
         self.masses = [
             self._add(f"mass {j}", (0.0, -2.0 * length_m, z), (wall["thickness_m"], length_m, 0.1))
             for j, z in enumerate(self.heights, 1)
@@ -60,11 +134,11 @@ class Hanging:
         size = (wall["thickness_m"], length_m, tall)
         mass = walls * config["facade"]["density_kg_m3"] * size[0] * size[1] * size[2]
         for j, head in enumerate(self.masses):
-            foot, middle = (self.masses[j - 1] if j else 0), (j + 0.5) * tall
-            place = (0.0, -length_m, middle)
+            foot, low = (self.masses[j - 1] if j else 0), j * tall - self.raised
+            place = (0.0, -length_m, (j + 0.5) * tall - self.raised)
             panel = self._add(f"panel {j + 1}", place, size, mass, box_inertia(mass, size), "yX")
-            self._join(f"panel {j + 1} foot", panel, foot, (0.0, -length_m, j * tall))
-            self._join(f"panel {j + 1} head", panel, head, (0.0, -length_m, (j + 1) * tall))
+            self._join(f"panel {j + 1} foot", panel, foot, (0.0, -length_m, low))
+            self._join(f"panel {j + 1} head", panel, head, (0.0, -length_m, self.heights[j]))
             self.carriers[j] = panel
             self.light.append(panel)
             if wall["motion"] == "middle":
@@ -86,7 +160,7 @@ class Hanging:
     def hang(self, index, x_m):
         """Tie a piece of wall to what carries it, at the height of its centroid."""
         z = self.blocks[index].centre_m[2]
-        carrier = self.carriers[storey_of(z / self.h, self.n)]
+        carrier = self.carriers[storey_of((self.raised + z) / self.h, self.n)]
         name = f"{self.blocks[index].name} tie"
         self._join(name, index, carrier, (x_m, -self.length, z))
 

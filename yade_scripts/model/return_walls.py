@@ -2,7 +2,8 @@
 
 One block up the height, or one for each lumped mass of the chain (PARTS of it where their motion is
 interpolated). One-way coupled they are supports with a motion; two-way coupled they are masses of
-the chain, or hang on them as `panels` says.
+the chain, or hang on them as `panels` says. Walls stand behind the façade alone: of a façade on
+lower storeys, or below the top of its building, masses below its foot and above its top have none.
 """
 
 import math
@@ -10,10 +11,10 @@ import math
 import numpy as np
 
 from yade_scripts.model.chain import chain_links, chain_matrices
-from yade_scripts.model.panels import Hanging, building_mass
+from yade_scripts.model.panels import Hanging, building_mass, mass_heights
 from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
 from yade_scripts.model.scene import Block, held
-from yade_scripts.model.wall_motion import PARTS, motion_of
+from yade_scripts.model.wall_motion import PARTS, building_height, motion_of
 
 WALL = "return wall"
 PIECE_M = 0.25  # depth of wall that moves with the contact, where the masses are elsewhere
@@ -52,15 +53,18 @@ def _middles(strips):
     return np.array([0.5 * (a + b) for a, b in strips]), width / width.sum()
 
 
-def _spans(count, raised_m, height_m, chain):
+def _spans(count, facade, chain):
     """Number, foot and height of each block behind the façade, from the façade's base [m]."""
-    whole = raised_m + height_m
+    raised, height = facade.get("base_height_m", 0.0), facade["height_m"]
+    whole = building_height(facade)
     for number in range(1, count + 1):
         low, tall = (number - 1) * whole / count, whole / count
-        if raised_m and chain:  # of the building's height what is behind the façade
-            low, tall = max(low, raised_m) - raised_m, min(tall, low + tall - raised_m)
-        elif raised_m:
-            low, tall = 0.0, height_m
+        if not chain:
+            low, tall = 0.0, height
+        elif raised:  # of the building's height what is behind the façade
+            low, tall = max(low, raised) - raised, min(tall, low + tall - raised)
+        if low + tall > height + 1e-9:
+            tall = height - low
         if tall > 1e-9:
             yield number, low, tall
 
@@ -93,8 +97,8 @@ def _contact(parts, tall_m, total_m, nodes_up, planar):
     return found
 
 
-def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape):
-    """Append return walls and their joints with the façade.
+def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape, stands=True):
+    """Append return walls and their joints with the façade, and the chain that carries them.
 
     Parameters
     ----------
@@ -108,16 +112,21 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
     motions : dict
         Weights of mixed motions by name, to which theirs are added.
     shape : Shape
+    stands : bool
+        Whether walls stand behind the façade; else the chain alone is appended.
 
     Returns
     -------
     walls : list of int
         Indices of their blocks.
     links : list of Link
-        Between them, where they are masses of the chain.
+        Between the masses of the chain, where they are part of the scene.
+    masses : list of int
+        Indices of those masses, from the lowest up; else empty.
     """
     facade, wall, numerics = config["facade"], config["return_wall"], config["numerics"]
     h, raised = facade["height_m"], facade.get("base_height_m", 0.0)
+    whole = building_height(facade)
     total = wall["count"] * wall["thickness_m"]
     masses = config["smdof"]["n_dof"] if kind.chain else 1
     parts = PARTS if kind.chain and wall["motion"] == "interpolated" else 1
@@ -128,27 +137,29 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
     hanging = Hanging(config, blocks, nodes, wall["count"], PIECE_M) if apart else None
     jkn, strips = back_jkn(config), wall_strips(facade["width_m"], wall)
     mass, motion, own = 1.0, None, []
+    chain: dict[int, int] = {}  # block of each mass, by its number
     if kind.two_way:
-        light = facade["density_kg_m3"] * total * PIECE_M * h / count
+        light = facade["density_kg_m3"] * total * PIECE_M * whole / count
         mass = light if hanging else building_mass(config) / count
-    for number, low, tall in _spans(count, raised, h, kind.chain):
+    for number, low, tall in _spans(count, facade, kind.chain) if stands else ():
         middle = low + 0.5 * tall
         if not kind.two_way:
             motion = blocks[0].motion
         if kind.chain and not kind.two_way:
-            motion = motion_of(wall["motion"], raised + middle, raised + h, masses, motions)
+            motion = motion_of(wall["motion"], raised + middle, whole, masses, motions)
         blocks.append(
             Block(
                 f"{WALL} {number}",
                 (0.0, -0.5 * h - facade["gap_m"], middle),
                 (total, h, tall),
-                mass,
+                mass * (tall / (whole / count) if hanging else 1.0),
                 (1.0, 1.0, 1.0),
                 free="y" if kind.two_way else "",
                 motion=motion,
             )
         )
         own.append(len(blocks) - 1)
+        chain[number] = own[-1]
         if hanging:
             hanging.hang(own[-1], 0.0)
         contact = _contact(shape.back_parts(low, tall, strips), tall, total, nodes_up, planar)
@@ -167,8 +178,17 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
                 **back_strength(wall, kind.bonded),
             )
     if hanging:
-        return own, hanging.finish(own)
+        return own, hanging.finish(own), hanging.masses
     if not kind.two_way:
-        return own, []
+        return own, [], []
+    size, heights = (total, PIECE_M, 0.1), mass_heights(config)
+    for number, z in enumerate(heights, 1):
+        if number not in chain:
+            place = (0.0, -2.0 * PIECE_M, z)
+            blocks.append(Block(f"mass {number}", place, size, mass, (1.0,) * 3, free="y"))
+            chain[number] = len(blocks) - 1
+        else:
+            heights[number - 1] = blocks[chain[number]].centre_m[2]
+    found = [chain[number] for number in sorted(chain)]
     _, stiffness, damping = chain_matrices(config["smdof"], building_mass(config))
-    return own, chain_links(stiffness, damping, own, 0, [blocks[i].centre_m[2] for i in own])
+    return own, chain_links(stiffness, damping, found, 0, heights), found

@@ -171,7 +171,7 @@ class Scene:
     monitor_point_m : tuple of 3 floats
         The point of that block, in the reference position, that moves by d.
     reference : str
-        Name of the support from which d is measured.
+        Name of the support, or of the block that masses carry, from which d is measured.
     thickness_m : float
         b of d/b.
     links : list of Link

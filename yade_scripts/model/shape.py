@@ -1,15 +1,19 @@
 """Shape of a rigid façade: setbacks, openings, a gable or a parapet; its mass and its contacts.
 
 The façade is a box a storey of its thickness, less the boxes of its openings, under a triangular
-prism (gable) or a further box (parapet). With signed masses m_i, centroids r_i and moments J_i of
-the parts about their own centroids (box: m(l_j² + l_k²)/12; prism of width w, height g and
-thickness t: J_x = m(t²/12 + g²/18), J_y = m(w²/24 + g²/18), J_z = m(w²/24 + t²/12))
+prism (gable) or a further box (parapet); or such a prism alone, a gable by itself. With signed
+masses m_i, centroids r_i and moments J_i of the parts about their own centroids (box:
+m(l_j² + l_k²)/12; prism of width w, height g and thickness t: J_x = m(t²/12 + g²/18),
+J_y = m(w²/24 + g²/18), J_z = m(w²/24 + t²/12))
 
     m = Σ m_i,  r = Σ m_i r_i/m,  J = Σ [J_i + m_i(|d_i|² 1 − d_i d_iᵀ)],  d_i = r_i − r
 
 exactly. With b_g from the centroid out to the toe and z_g down to the base, it turns from the
 static multiplier λ = b_g/z_g on, and its weight line passes the toe when its top, H above the base,
 has moved by H b_g/z_g: that is the b of d/b, and b itself for a plain façade.
+
+Hinges cut it into rigid pieces: each has the parts between its two, by the same sums. Two pieces
+meet on the thickness that both have there, and on the width that no opening takes from either.
 """
 
 import bisect
@@ -24,6 +28,7 @@ from yade_scripts.model.scene import box_inertia
 SLIVER_M = 1e-9
 FLUSH = ("outer", "inner")
 OWN_KEYS = ("thickness_steps", "openings", "gable_height_m", "parapet_height_m")
+BOX, TRIANGLE = "box", "triangle"  # outlines
 
 
 @dataclass(frozen=True)
@@ -40,13 +45,12 @@ class Shape:
     thickness_m, height_m, width_m, top_m : float
         At the base; of what the return walls hold; along x; of the whole façade.
     storeys : tuple of (z0, z1, y0, y1)
-        From the base up [m].
+        From the base up, a new one at every hinge too [m].
     openings : tuple of (x0, x1, z0, z1)
     parts : tuple of (mass_kg, centre, tensor, size)
-        The signed parts that were added up.
+        The signed parts that were added up, none across a hinge.
     hinges_m : tuple of float
-        Heights at which it is cut into rigid pieces; of a plain façade alone, whose storeys and
-        parts these are then.
+        Heights at which it is cut into rigid pieces.
     """
 
     mass_kg: float
@@ -64,6 +68,37 @@ class Shape:
     def piece_at(self, height_m):
         """Which of the rigid pieces between hinges a height belongs to, the lower at a hinge."""
         return bisect.bisect_left(self.hinges_m, height_m - 1e-9)
+
+    @property
+    def pieces(self):
+        """(mass_kg, centre, tensor, size) of the rigid pieces, from the lowest up."""
+        edges = (0.0, *self.hinges_m, self.top_m)
+        found = []
+        for k, (low, high) in enumerate(itertools.pairwise(edges)):
+            mine = [part for part in self.parts if self.piece_at(part[1][2]) == k]
+            mass, centre, tensor = _total(mine)
+            faces = [y for z0, _, *ys in self.storeys if low <= z0 < high for y in ys]
+            size = (self.width_m, max(faces) - min(faces), high - low)
+            found.append((mass, centre, tensor, size))
+        return found
+
+    def joint_at(self, hinge_m):
+        """Where the pieces below and above a hinge meet: (y0, y1) of the faces, and lost width [m].
+
+        Raises
+        ------
+        ValueError
+            One line, if they do not meet.
+        """
+        below = next(s for s in self.storeys if s[1] == hinge_m)
+        above = next(s for s in self.storeys if s[0] == hinge_m)
+        y0, y1 = max(below[2], above[2]), min(below[3], above[3])
+        holes = [(x0, x1) for x0, x1, z0, z1 in self.openings if z0 <= hinge_m <= z1]
+        strips = without([(-0.5 * self.width_m, 0.5 * self.width_m)], holes, SLIVER_M)
+        lost = self.width_m - sum(b - a for a, b in strips) if holes else 0.0
+        if not (y1 > y0 and strips):
+            raise ValueError(f"facade.hinges_m = {hinge_m:g}: expected masonry below and above")
+        return y0, y1, lost
 
     @property
     def lever_m(self):
@@ -141,8 +176,10 @@ class Shape:
 
 
 def is_plain(facade):
-    """Whether a section facade describes a homogeneous box that stands on the ground."""
-    return not (any(facade.get(key) for key in OWN_KEYS) or facade.get("base_height_m"))
+    """Whether a section facade describes a homogeneous box from ground to top of its building."""
+    own = any(facade.get(key) for key in OWN_KEYS) or facade.get("outline") == TRIANGLE
+    whole = facade.get("building_height_m") or facade["height_m"]
+    return not (own or facade.get("base_height_m") or whole != facade["height_m"])
 
 
 def refuse(facade, what, held=False):
@@ -153,6 +190,7 @@ def refuse(facade, what, held=False):
     keys = (
         *OWN_KEYS,
         "base_height_m",
+        "building_height_m",
         "hinges_m",
         "courses",
         "bond_tension_mpa",
@@ -160,6 +198,7 @@ def refuse(facade, what, held=False):
         *(("ties", "floors") if held else ()),
     )
     given = [key for key in keys if facade.get(key)]
+    given += ["outline"] if facade.get("outline") == TRIANGLE else []
     if given:
         raise ValueError(
             f"facade.{given[0]}: {what} knows a plain façade on the ground alone; expected none"
@@ -182,23 +221,18 @@ def shape_of(facade):
         raise ValueError(f"facade.parapet_height_m = {parapet:g}: expected 0 (m) with a gable")
     storeys = _storeys(facade)
     openings = _openings(facade)
-    parts = [_box(density, (-0.5 * width, 0.5 * width), s[2:], s[:2]) for s in storeys]
+    alone = facade.get("outline") == TRIANGLE
+    boxes = () if alone else storeys
+    parts = [_box(density, (-0.5 * width, 0.5 * width), s[2:], s[:2]) for s in boxes]
     for x0, x1, z0, z1 in openings:
         for s0, s1, y0, y1 in storeys:
             if min(z1, s1) > max(z0, s0):
                 parts.append(_box(-density, (x0, x1), (y0, y1), (max(z0, s0), min(z1, s1))))
+    if alone:
+        parts.append(_prism(density, width, storeys[0][2:], 0.0, h))
     if gable:
-        y0, y1 = storeys[-1][2:]
-        t = y1 - y0
-        mass = 0.5 * density * gable * t * width
-        own = np.array([t**2 / 12, width**2 / 24, width**2 / 24])
-        own += np.array([gable**2 / 18, gable**2 / 18, t**2 / 12])
-        centre = np.array([0.0, 0.5 * (y0 + y1), h + gable / 3.0])
-        parts.append((mass, centre, np.diag(mass * own), (width, t, gable)))
-    mass = sum(part[0] for part in parts)
-    first = parts[0][1]
-    centre = first + sum(m * (r - first) for m, r, _, _ in parts) / mass
-    tensor = sum(own + m * _offset(r - centre) for m, r, own, _ in parts)
+        parts.append(_prism(density, width, storeys[-1][2:], h, gable))
+    mass, centre, tensor = _total(parts)
     top = h + gable + parapet
     found = Shape(
         mass,
@@ -221,6 +255,26 @@ def shape_of(facade):
     if found.base_lost_m > width - 1e-3:
         raise ValueError("facade.openings: doors take the whole base; expected piers between them")
     return found
+
+
+def _total(parts):
+    """Mass, centroid and moments about it of signed parts."""
+    mass = sum(part[0] for part in parts)
+    first = parts[0][1]
+    centre = first + sum(m * (r - first) for m, r, _, _ in parts) / mass
+    tensor = sum(own + m * _offset(r - centre) for m, r, own, _ in parts)
+    return mass, centre, tensor
+
+
+def _prism(density, width_m, faces, foot_m, height_m):
+    """Mass, centroid, moments and size of a triangular prism on a width, between two faces."""
+    y0, y1 = faces
+    t = y1 - y0
+    mass = 0.5 * density * height_m * t * width_m
+    own = np.array([t**2 / 12, width_m**2 / 24, width_m**2 / 24])
+    own += np.array([height_m**2 / 18, height_m**2 / 18, t**2 / 12])
+    centre = np.array([0.0, 0.5 * (y0 + y1), foot_m + height_m / 3.0])
+    return mass, centre, np.diag(mass * own), (width_m, t, height_m)
 
 
 def _offset(d):
@@ -254,15 +308,19 @@ def _storeys(facade):
                 f"heights above 0 and below facade.height_m = {h:g} (m)"
             )
         last = row["z_m"]
-    hinges = _hinges(facade)
-    edges = [0.0, *hinges, *(row["z_m"] for row in steps), h]
-    thick = [b] * (1 + len(hinges)) + [row["thickness_m"] for row in steps]
+    feet = sorted({0.0, *_hinges(facade), *(row["z_m"] for row in steps)})
+    edges, thick = [*feet, h], [_thickness(b, steps, z) for z in feet]
     if parapet := facade.get("parapet_height_m", 0.0):
         edges.append(h + parapet)
         thick.append(facade.get("parapet_thickness_m") or thick[-1])
     back = [b - t if facade.get("flush_face", FLUSH[0]) == FLUSH[0] else 0.0 for t in thick]
     rows = zip(edges, edges[1:], back, thick, strict=False)
     return tuple((z0, z1, y, y + t) for z0, z1, y, t in rows)
+
+
+def _thickness(b, steps, height_m):
+    """Thickness from a height up."""
+    return [b, *(row["thickness_m"] for row in steps if row["z_m"] <= height_m)][-1]
 
 
 def _openings(facade):

@@ -1,6 +1,8 @@
 """What the return walls take from the masses of the chain: one rule for blocks and bricks.
 
-The masses stand at the storey heights j·h/n; a piece of wall in storey j moves with
+The masses share out the height of the building, H: they stand at j·H/n above the ground. A façade
+on the ground is as high as its building; one on a base further up, with the rest of it, may be less
+than that. A piece of wall in storey j moves with
 
     top           mass j (the study's choice: a block a mass)
     middle        the mean of masses j − 1 and j, the chain's motion at the storey's middle
@@ -26,6 +28,18 @@ def storey_of(height_ratio, n):
     return min(int(height_ratio * n), n - 1)
 
 
+def building_height(facade):
+    """Height H of the building whose masses move the walls behind a façade [m].
+
+    Parameters
+    ----------
+    facade : dict
+        Section facade: building_height_m where it is stated, else base_height_m + height_m.
+    """
+    whole = facade.get("base_height_m", 0.0) + facade["height_m"]
+    return facade.get("building_height_m") or whole
+
+
 def weight_of(rule, height_ratio, n):
     """Weight of the mass above, in storey `storey_of`; the mass below has the rest.
 
@@ -40,20 +54,20 @@ def weight_of(rule, height_ratio, n):
     return {"top": 1.0, "middle": 0.5, "interpolated": place}[rule]
 
 
-def motion_of(rule, height_m, facade_height_m, n, motions):
+def motion_of(rule, height_m, building_height_m, n, motions):
     """Name of the motion of a piece of wall; its weights go into `motions` if it is a mixture.
 
     Parameters
     ----------
     rule : str
-    height_m, facade_height_m : float
-        Of the piece's centre, and of the façade.
+    height_m, building_height_m : float
+        Of the piece's centre above the ground, and of the building.
     n : int
         Masses.
     motions : dict
         Weights by name, see `floor_motions.motion_columns`.
     """
-    ratio = height_m / facade_height_m
+    ratio = height_m / building_height_m
     storey, weight = storey_of(ratio, n), weight_of(rule, ratio, n)
     if weight == 1.0:
         return floor_motion(storey + 1)

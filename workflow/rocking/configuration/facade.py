@@ -2,13 +2,14 @@
 
 import itertools
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from rocking.configuration.schema import ConfigError, show
 from rocking.configuration.standing import WEAKEST, check_standing
 from yade_scripts.model import interlocking, registry
 from yade_scripts.model.base import STUDY
-from yade_scripts.model.shape import Shape, is_plain, shape_of
+from yade_scripts.model.shape import OWN_KEYS, TRIANGLE, Shape, is_plain, shape_of
+from yade_scripts.model.wall_motion import building_height
 
 MIN_SLENDERNESS = 2.0  # h/b; a stockier block slides or crushes before it rocks
 
@@ -28,11 +29,7 @@ def check_facade(resolved: Mapping) -> None:
     """
     facade = resolved["facade"]
     _check_geometry(facade, resolved["return_wall"])
-    if facade["sides"] == "two" and resolved["models"] != ["W1"]:
-        raise ConfigError(
-            f"models = {show(resolved['models'])}: expected [W1] with facade.sides = two, "
-            "since a free-standing façade has no return walls"
-        )
+    _check_sides(resolved)
     bonded = [name for name in resolved["models"] if registry.model(name).bonded]
     own = max(facade["bond_tension_mpa"], facade["bond_cohesion_mpa"])
     if own > 0.0 and facade["tilt_deg"] > 0.0:
@@ -50,6 +47,26 @@ def check_facade(resolved: Mapping) -> None:
     _check_hinges(resolved)
     _check_bricks(resolved)
     check_standing(resolved)
+
+
+def _check_sides(resolved: Mapping) -> None:
+    """Refuse models whose walls a free-standing façade has not, and a building lower than it."""
+    facade, models = resolved["facade"], resolved["models"]
+    raised, alone = facade["base_height_m"], facade["sides"] == "two"
+    allowed = ["W1", "W2", "W2m"] if raised else ["W1"]
+    if alone and not set(models) <= set(allowed):
+        on = "" if raised else ", and W2 and W2m on a base above the ground alone"
+        raise ConfigError(
+            f"models = {show(models)}: expected {show(allowed)} with facade.sides = two, "
+            f"since a free-standing façade has no return walls{on}"
+        )
+    least = raised + (0.0 if alone else facade["height_m"])
+    if building_height(facade) < least * (1.0 - 1e-9):
+        what = "base_height_m" if alone else "base_height_m + facade.height_m"
+        raise ConfigError(
+            f"facade.building_height_m = {show(facade['building_height_m'])}: expected at least "
+            f"facade.{what} = {show(least)} (m)"
+        )
 
 
 def _check_bricks(resolved: Mapping) -> None:
@@ -175,22 +192,40 @@ def _check_shape(resolved: Mapping) -> None:
     if is_plain(facade):
         return
     for name in resolved["models"]:
-        kind = registry.model(name)
-        if not kind.single_block:
+        if not registry.model(name).single_block:
             raise ConfigError(f"models = {name}: expected a façade of one block with a shape")
-        if kind.two_way and facade["base_height_m"]:
-            raise ConfigError(
-                f"facade.base_height_m = {show(facade['base_height_m'])}: expected 0 (m) with "
-                f"{name}, whose masses are not driven"
-            )
+    _check_outline(facade)
     if facade["tilt_deg"]:
         raise ConfigError(
             f"facade.tilt_deg = {show(facade['tilt_deg'])}: expected 0 (°) with a shape"
         )
+    _shape(facade, ())
+
+
+def _shape(facade: Mapping, hinges: Sequence) -> None:
+    """Refuse a shape that cannot be, cut at these heights."""
     try:
-        shape_of(facade)
+        shape = shape_of({**facade, "hinges_m": hinges})
+        for z in hinges:
+            shape.joint_at(z)
     except ValueError as error:
         raise ConfigError(str(error)) from None
+
+
+def _check_outline(facade: Mapping) -> None:
+    if facade["outline"] != TRIANGLE:
+        return
+    given = [key for key in (*OWN_KEYS, "hinges_m", "courses") if facade[key]]
+    if given:
+        raise ConfigError(
+            f"facade.{given[0]} = {show(facade[given[0]])}: expected none with facade.outline = "
+            f"{TRIANGLE}"
+        )
+    if facade["sides"] != "two":
+        raise ConfigError(
+            f"facade.outline = {TRIANGLE}: expected facade.sides = two, since no return wall "
+            "stands behind a gable"
+        )
 
 
 def _check_hinges(resolved: Mapping) -> None:
@@ -213,12 +248,16 @@ def _check_hinges(resolved: Mapping) -> None:
         raise ConfigError(f"facade.courses = {courses}: expected 0 with facade.hinges_m")
     for name in resolved["models"]:
         kind = registry.model(name)
-        if not kind.planar or kind.two_way or kind.bonded:
+        if not kind.planar or kind.bonded or (kind.two_way and courses):
             raise ConfigError(
-                f"models = {name}: expected W1 or W2, dry and driven, with facade.{given}"
+                f"models = {name}: expected W1 or W2, dry and driven, with facade.{given}, or W2m "
+                "with hinges"
             )
-    if facade["tilt_deg"] or not is_plain(facade):
-        raise ConfigError(f"facade.{given}: expected a plain upright façade on the ground")
+    if facade["tilt_deg"]:
+        raise ConfigError(f"facade.{given}: expected facade.tilt_deg = 0 (°)")
+    if not is_plain(facade) and (courses or heights == WEAKEST):
+        which = given if courses else f"{given} = {WEAKEST}"
+        raise ConfigError(f"facade.{which}: expected a plain façade on the ground")
     if courses:
         return
     if heights != WEAKEST:
@@ -229,6 +268,7 @@ def _check_hinges(resolved: Mapping) -> None:
                 f"facade.hinges_m = {show(heights)}: expected heights below facade.height_m = "
                 f"{show(facade['height_m'])} (m)"
             )
+        _shape(facade, heights)
         return
     levels = {row["height_m"] for row in facade["floors"]}
     if levels != {facade["height_m"]}:

@@ -117,9 +117,12 @@ def _pieces_stand(config):
     2V = Σ jkn_j b³w/12 (θ_j − θ_(j−1))² + Σ k u(z)² − Σ P ∫₀ᶻ θ² dz over all weights P.
     """
     facade, shape = config["facade"], shape_of(config["facade"])
-    edges = np.array([0.0, *shape.hinges_m, shape.height_m])
+    edges = np.array([0.0, *shape.hinges_m, shape.top_m])
     jkn = np.array([joint_stiffness(config)[0], *hinge_stiffness(facade, shape)])
-    turning = jkn * shape.thickness_m**3 * shape.width_m / 12.0
+    joints = [(0.0, shape.thickness_m, shape.base_lost_m)]
+    joints += [shape.joint_at(z) for z in shape.hinges_m]
+    size = np.array([(y1 - y0) ** 3 * (shape.width_m - lost) for y0, y1, lost in joints])
+    turning = jkn * size / 12.0
     apart = np.eye(jkn.size) - np.eye(jkn.size, k=-1)
     matrix = apart.T @ (turning[:, None] * apart)
 
@@ -130,7 +133,7 @@ def _pieces_stand(config):
         if hold.slack_m == 0.0:
             z = hold.height_m
             matrix += hold.stiffness_n_m * np.outer(lengths(z), lengths(z))
-    loads = [(mass * GRAVITY_M_S2, centre[2]) for mass, centre, _, _ in shape.parts]
+    loads = [(mass * GRAVITY_M_S2, centre[2]) for mass, centre, _, _ in shape.pieces]
     loads += [(1e3 * row["load_kn"], row["height_m"]) for row in facade["floors"]]
     for load, z in loads:
         matrix -= load * np.diag(lengths(z))
