@@ -147,27 +147,21 @@ class Screen(Scan):
         """Prepare the scene in every layout of nodes that realisations use."""
         self.numerics, self.direction, self.ground = case["numerics"], direction, columns["ground"]
         kind = registry.model(case["model"])
-        bricks, courses = not kind.single_block, case["facade"].get("courses", 0)
-        # the scene of several blocks holds the masses that carry them
-        several = bricks or (kind.two_way and bool(case["facade"].get("hinges_m")))
-        carries = kind.two_way and not several
-        self.planes, driven = [], []
+        bricks = not kind.single_block  # their scene holds the masses that carry them
+        courses = case["facade"].get("courses", 0)
+        self.planes = []
         for numerics in layouts(case["numerics"], COURSES_NODES if courses else {}):
-            name = case["model"] if several else kind.one_way_model
+            name = case["model"] if bricks else kind.one_way_model
             scene = models.build_scene({**case, "model": name, "numerics": numerics})
-            self.planes.append(to_plane(scene, GROUND if carries else None))
-            if several and not bricks:
-                one_way = {**case, "model": kind.one_way_model, "numerics": numerics}
-                driven.append(to_plane(models.build_scene(one_way)))
+            self.planes.append(to_plane(scene, GROUND if kind.two_way and not bricks else None))
         usual = BRICKS_STEP if bricks else COURSES_STEP if courses else STEP_FRACTION
         share = fraction or usual
         if fraction:
             self.shorter = LAYOUTS_SHORTER
-        self.steps_s = [share * stable_step(plane) for plane in driven or self.planes]
-        self.carried = carried_masses(case, scene) if carries else None
-        if carries or driven:  # light masses between stiff contacts want shorter ones
-            masses = (self.carried,) if carries else ()
-            most = [LIGHT_STEP * stable_step(plane, *masses) for plane in self.planes]
+        self.steps_s = [share * stable_step(plane) for plane in self.planes]
+        self.carried = carried_masses(case, scene) if kind.two_way and not bricks else None
+        if self.carried is not None:  # light masses between stiff contacts want shorter ones
+            most = [LIGHT_STEP * stable_step(plane, self.carried) for plane in self.planes]
             self.steps_s = list(map(min, self.steps_s, most))
         self.scene, self.two_way = scene, kind.two_way
         self.time_s, self.columns, self.before = time_s, columns, before

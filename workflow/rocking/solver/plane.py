@@ -11,7 +11,7 @@ LEVEL_M = 1e-9  # nodes of one group lie this close to one line, their planes to
 
 
 class Planar(NamedTuple):
-    """One block in the y–z plane, in the frame of the reference support.
+    """One block in the y–z plane, in the frame of a support.
 
     Nodes of a joint that stand on one line and meet one plane are a group: penetration, its
     rate and the slip rate are then linear in the place s along the line, and the two ends tell
@@ -81,14 +81,17 @@ class Planar(NamedTuple):
         return self.monitor_m[1] - self.origin_m[:, 1].min()
 
 
-def moving_supports(scene):
-    """Names of the motions, other than the reference's, that drive blocks, in block order."""
-    ground = scene.blocks[scene.index(scene.reference)].motion
+def moving_supports(scene, frame=None):
+    """Names of the motions, other than the frame's, that drive blocks, in block order.
+
+    `frame` is the name of its motion, by default the reference's.
+    """
+    still = frame or scene.blocks[scene.index(scene.reference)].motion
     names = [block.motion for block in scene.blocks]
-    return [name for name in dict.fromkeys(names) if name not in (None, ground)]
+    return [name for name in dict.fromkeys(names) if name not in (None, still)]
 
 
-def to_plane(scene):
+def to_plane(scene, frame=None):
     """Reduce a scene to its plane.
 
     Parameters
@@ -96,6 +99,8 @@ def to_plane(scene):
     scene : yade_scripts.model.scene.Scene
         Free blocks with the freedoms y, z and rotation about x; supports at rest or driven
         along y.
+    frame : str or None
+        See `moving_supports`; of supports that a chain carries it is the ground's.
 
     Returns
     -------
@@ -115,7 +120,7 @@ def to_plane(scene):
     if np.any(np.abs(nodes.normal[:, 0]) > 1e-12):
         raise ValueError("planar solver: every node must push in the plane")
     reference = scene.blocks[scene.index(scene.reference)]
-    names = moving_supports(scene)
+    names = moving_supports(scene, frame)
     if names and any(b.motion is None for b in scene.blocks if not b.free) and reference.motion:
         raise ValueError("planar solver: a support at rest beside a driven reference")
     column = {name: i for i, name in enumerate(names)}

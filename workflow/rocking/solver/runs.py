@@ -165,25 +165,29 @@ def stable_step(planar, carried=NO_BODIES):
     The scheme is (M + ½hC₁)a = F − Kx − Cv − ½h(C − C₁)a⁻, v⁺ = v + ha, x⁺ = x + hv⁺, with C₁ the
     part of C that belongs to each block alone; its amplification matrix acts on (x, v, a⁻).
     """
+    n, supports = carried.mass_kg.size, len(carried.hang)
     if isinstance(planar, Stack):
-        mass, k, c, block = stack_matrices(planar)
-        pieces = block < len(planar.mass_kg)
+        mass, k, c, block = stack_matrices(planar, supports)
+        pieces, free = block < len(planar.mass_kg), int(planar.free.sum())
         own = pieces[:, None] & pieces if planar.in_row else (block[:, None] == block) & pieces
-        return _largest_step(np.diag(mass), k, c, own)
-    n = carried.mass_kg.size
-    mass, k, c = matrices(planar, len(carried.hang))
-    floors = mass.size - 3
-    more = [rows if len(rows) else 0.0 * carried.hang for rows in (carried.lift, carried.roll)]
-    # rows: the block, supports along y, floors, supports along z, their rotations; columns: block,
-    # masses, floors
-    hang = block_diag(np.eye(3), carried.hang, np.eye(floors))
-    hang = np.vstack([hang, *(np.pad(rows, ((0, 0), (3, floors))) for rows in more)])
+        more = []
+    else:
+        mass, k, c = matrices(planar, supports)
+        free, own = 3, np.arange(mass.size) < 3
+        own = own[:, None] & own
+        more = [rows if len(rows) else 0.0 * carried.hang for rows in (carried.lift, carried.roll)]
+    floors = mass.size - free
+    # rows: the blocks, supports along y, floors, supports along z, their rotations; columns:
+    # blocks, masses, floors
+    hang = block_diag(np.eye(free), carried.hang, np.eye(floors))
+    hang = np.vstack([hang, *(np.pad(rows, ((0, 0), (free, floors))) for rows in more)])
     k, c = (hang.T @ whole @ hang for whole in (k, c))
-    mass = np.diag(np.concatenate((mass[:3], carried.mass_kg, mass[3:])))
-    k[3 : 3 + n, 3 : 3 + n] += carried.k_n_m
-    c[3 : 3 + n, 3 : 3 + n] += carried.c_n_s_m
-    block = np.arange(len(c)) < 3
-    return _largest_step(mass, k, c, block[:, None] & block)
+    mass = np.diag(np.concatenate((mass[:free], carried.mass_kg, mass[free:])))
+    k[free : free + n, free : free + n] += carried.k_n_m
+    c[free : free + n, free : free + n] += carried.c_n_s_m
+    alone = np.zeros(k.shape, bool)
+    alone[:free, :free] = own[:free, :free]
+    return _largest_step(mass, k, c, alone)
 
 
 def _largest_step(mass, k, c, alone):
@@ -226,10 +230,8 @@ def limits(uplift_m_s2, thickness_m, motions, numerics, factors):
 
 def _set_up(planar, motions, numerics, factors, carried, step_s):
     carried = carried or NO_BODIES
-    if isinstance(planar, Stack) and carried.mass_kg.size:
-        raise ValueError(
-            "planar solver: a façade with hinges stands before one-way coupled walls only"
-        )
+    if isinstance(planar, Stack) and (len(carried.lift) or len(carried.roll)):
+        raise ValueError("planar solver: supports of several blocks move along y alone")
     wanted = int(planar.support.max(initial=-1)) + 1
     if isinstance(planar, Stack):
         wanted = max(wanted, int(planar.guide.max()) + 1)

@@ -202,7 +202,7 @@ def stacked(scene, own, column, bars):
     )
 
 
-def stack_matrices(stack):
+def stack_matrices(stack, supports=0):
     """Mass, stiffness and damping of what moves freely, nodes closed, ties taut.
 
     Summed over the arrays that the loop marches: a test that they equal those of
@@ -212,13 +212,14 @@ def stack_matrices(stack):
     -------
     mass : ndarray, shape (n,)
         Of the free ones among y, z, rotation of every block; then of the floors with a mass.
-    k, c : ndarray, shape (n, n)
-    block : ndarray of int, shape (n,)
-        Which block each freedom belongs to; floors count on.
+    k, c : ndarray, shape (n + supports, n + supports)
+        The freedoms of supports that other masses carry come between the two.
+    block : ndarray of int, shape (n + supports,)
+        Which block each freedom belongs to; supports and floors count on.
     """
     p, n = stack, len(stack.mass_kg)
     floors = p.bars.mass_kg[p.bars.mass_kg > 0.0]
-    k, c = np.zeros((2, 3 * n + floors.size, 3 * n + floors.size))
+    k, c = np.zeros((2, *(3 * n + supports + floors.size,) * 2))
 
     def add(row, stiffness, dashpot):
         touched = np.flatnonzero(row)
@@ -236,8 +237,10 @@ def stack_matrices(stack):
                 if body >= 0:
                     ry, rz = node[i] - p.centre_m[body]
                     row[3 * body : 3 * body + 3] = sign * np.array([y, z, z * ry - y * rz])
+                elif supports and p.support[i] >= 0:
+                    row[3 * n + p.support[i]] = sign * y
             add(row, ratio * p.kn_n_m[i], p.beta_s[i] * share * ratio * p.kn_n_m[i])
-    for stiffness, dashpot, row in elements(p.bars, 0, n):
+    for stiffness, dashpot, row in elements(p.bars, supports, n):
         add(row, stiffness, dashpot)
     for i, (a, b) in enumerate(zip(p.link_a, p.link_b, strict=True)):
         row = np.zeros(len(k))
@@ -246,7 +249,8 @@ def stack_matrices(stack):
             row[3 * b] = -1.0
         add(row, p.link_n_m[i], p.link_ns_m[i])
     mass = np.stack([p.mass_kg, p.mass_kg, p.inertia_kg_m2], axis=1).ravel()
-    block = np.concatenate((np.repeat(np.arange(n), 3), n + np.arange(floors.size)))
-    moving = np.concatenate((p.free.ravel(), np.ones(floors.size, bool)))
+    more = supports + floors.size
+    block = np.concatenate((np.repeat(np.arange(n), 3), n + np.arange(more)))
+    moving = np.concatenate((p.free.ravel(), np.ones(more, bool)))
     at = np.ix_(moving, moving)
-    return np.concatenate((mass, floors))[moving], k[at], c[at], block[moving]
+    return np.concatenate((mass[p.free.ravel()], floors)), k[at], c[at], block[moving]
