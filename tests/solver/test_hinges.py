@@ -169,9 +169,11 @@ def test_yade_and_the_compiled_solver():
         ({"hinges_m": [4.0, 2.0]}, ["W1"], "hinges_m.*ascending"),
         ({"hinges_m": [-1.0]}, ["W1"], r"hinges_m"),
         ({"hinges_m": "midheight"}, ["W1"], "hinges_m = 'midheight': expected 'weakest' or"),
-        ({"hinges_m": [3.0]}, ["W2m"], "models = W2m: expected W1 or W2"),
+        ({"hinges_m": [3.0]}, ["W2cm"], "models = W2cm: expected W1 or W2"),
+        ({"courses": 8}, ["W2m"], "models = W2m: expected W1 or W2"),
         ({"hinges_m": [3.0]}, ["W1c"], "models = W1c: expected W1 or W2"),
-        ({"hinges_m": [3.0], "gable_height_m": 1.0}, ["W1"], "hinges_m: expected a plain"),
+        ({"courses": 8, "gable_height_m": 1.0}, ["W1"], "courses: expected a plain"),
+        ({"hinges_m": "weakest", "base_height_m": 1.0}, ["W1"], "weakest: expected a plain"),
         ({"hinges_m": "weakest"}, ["W1"], "hinges_m = weakest: expected facade.floors at the top"),
     ],
 )

@@ -112,6 +112,9 @@ def facade_scene(
     Returns
     -------
     Scene
+        Its b, `thickness_m`, is that of the whole façade, also of one in pieces: what its top moves
+        by as the weight line of all of it passes the toe, b for a plain one. d is measured from
+        the base; of pieces it is the largest displacement of any one's top.
 
     Raises
     ------

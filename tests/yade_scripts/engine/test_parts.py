@@ -11,6 +11,7 @@ from rocking.records import load
 from rocking.records.floors import floor_columns
 from rocking.solver import history, to_plane
 from rocking.solver.plane import matrices
+from rocking.solver.stack import stack_matrices
 from yade_process import in_yade, resolved
 
 from yade_scripts.model.chain import chain_matrices
@@ -92,49 +93,65 @@ def test_base_and_chain_by_two_routes(raised_m, rule):
     The scene's base and panels follow the masses by height; then no tie strains, and what is left
     is the plane's three freedoms and the masses. Their mass is the building's.
     """
-    case = part("W2m", {"base_height_m": raised_m, "height_m": 4.0}, rule)
+    two_routes(part("W2m", {"base_height_m": raised_m, "height_m": 4.0}, rule), rule)
+
+
+def test_pieces_on_the_chain_by_two_routes():
+    """The same of two pieces, whose anchors hold to a mass of the chain."""
+    two_routes(part("W2m", KINDS["bending"]), "top")
+
+
+def two_routes(case, rule):
+    """Hold K, C and the mass of a scene of W2m against those of its plane."""
     scene = build_scene(case)
     equation, found = free_dofs(scene), assemble(scene)
-    n, whole = case["smdof"]["n_dof"], raised_m + 4.0
-    levels = whole / n * np.arange(n + 1) - raised_m
+    n, facade = case["smdof"]["n_dof"], case["facade"]
+    raised = facade["base_height_m"]
+    whole = facade["building_height_m"] or raised + facade["height_m"]
+    levels = whole / n * np.arange(n + 1) - raised
+    own_dofs = 3 * sum(block.name.startswith("façade") for block in scene.blocks)
 
     def weights(z):
         return np.array([np.interp(z, levels, row) for row in np.eye(n + 1)[1:]])
 
-    moves = np.zeros((equation.max() + 1, 3 + n))
+    moves = np.zeros((equation.max() + 1, own_dofs + n))
     for block, numbers in zip(scene.blocks, equation, strict=True):
         z, y = block.centre_m[2], numbers[1]
-        if block.name == "façade":
-            moves[numbers[[1, 2, 3]], [0, 1, 2]] = 1.0
+        if block.name.startswith("façade"):
+            at = numbers[[1, 2, 3]]
+            moves[at, at - equation[1, 1]] = 1.0  # the first ones
         elif "panel" in block.name:
             tall = levels[1] - levels[0]
             ends = weights(z - 0.5 * tall), weights(z + 0.5 * tall)
-            moves[y, 3:] = 0.5 * (ends[0] + ends[1])
-            moves[numbers[3], 3:] = (ends[0] - ends[1]) / tall  # about x: the top moves inward
+            moves[y, own_dofs:] = 0.5 * (ends[0] + ends[1])
+            moves[numbers[3], own_dofs:] = (ends[0] - ends[1]) / tall  # the top moves inward
         elif block.name == "base":
-            moves[y, 3:] = weights(0.0)
+            moves[y, own_dofs:] = weights(0.0)
         elif block.free:
             number = int(block.name.split()[-1])
             piece = block.name.startswith("return wall") and rule == "interpolated"
             own = weights(z) if piece else np.eye(n)[number - 1]
             if rule == "middle" and not block.name.startswith("mass"):
                 own = 0.5 * (own + (np.eye(n)[number - 2] if number > 1 else 0.0))
-            moves[y, 3:] = own
+            moves[y, own_dofs:] = own
     one_way = build_scene({**case, "model": "W2"})
     plane, chain = to_plane(one_way, "ground"), carried_masses(case, one_way)
-    k, c = matrices(plane, len(chain.hang))[1:]
-    size = 3 + len(chain.hang)
-    hang = np.zeros((size, 3 + n))
-    hang[:3, :3], hang[3:, 3:] = np.eye(3), chain.hang
+    of_plane = matrices if own_dofs == 3 else stack_matrices
+    k, c = of_plane(plane, len(chain.hang))[1:3]
+    size = own_dofs + len(chain.hang)
+    hang = np.zeros((size, own_dofs + n))
+    hang[:own_dofs, :own_dofs], hang[own_dofs:, own_dofs:] = np.eye(own_dofs), chain.hang
     for own, other, carried in zip(
         (k, c), found.dense(), (chain.k_n_m, chain.c_n_s_m), strict=True
     ):
         own = hang.T @ own[:size, :size] @ hang
-        own[3:, 3:] += carried
+        own[own_dofs:, own_dofs:] += carried
         assert moves.T @ other @ moves == pytest.approx(own, rel=1e-6, abs=1e-9 * own.max())
     assert plane.foot == 0
     mass = moves.T @ np.diag(found.mass) @ moves
-    assert mass[3:, 3:].sum() == pytest.approx(MASS_KG, rel=0.02)  # what hangs by the ground too
+    assert mass[own_dofs:, own_dofs:].sum() == pytest.approx(
+        MASS_KG, rel=0.02
+    )  # what hangs by the ground too
 
 
 SHAKEN = {  # factors on the record at which histories repeat, and YADE's step

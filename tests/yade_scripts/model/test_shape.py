@@ -267,7 +267,6 @@ def test_half_a_cycle_is_that_of_its_outline(name):
         ({"thickness_steps": [{"z_m": 1, "thickness_m": 3}]}, ["W1"], "weight falls"),
         ({"gable_height_m": 1.0, "parapet_height_m": 1.0}, ["W1"], "parapet_height_m.*gable"),
         ({"gable_height_m": 1.0}, ["W3"], "W3: expected a façade of one block"),
-        ({"base_height_m": 3.0}, ["W2m"], "base_height_m = 3.*W2m"),
         ({"gable_height_m": 1.0, "tilt_deg": 1.0}, ["W1"], "tilt_deg = 1"),
     ],
 )
