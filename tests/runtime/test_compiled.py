@@ -8,7 +8,7 @@ import sys
 
 import pytest
 from rocking.runtime.compiled import compiled
-from rocking.solver.lanes import march_lanes
+from rocking.solver.block import march_blocks
 
 SEEN = """
 import json
@@ -89,11 +89,10 @@ def test_the_set_up_compiles_what_runs_call():
     assert called == ahead
     assert {name for name, _ in called} >= {
         "march_block",
-        "march_lanes",
+        "march_blocks",
         "march_stack",
-        "march_stack_lanes",
+        "march_stacks",
         "march_spatial",
-        "march",
     }
 
 
@@ -119,8 +118,8 @@ def test_without_a_folder_for_its_cache_a_function_is_compiled_alike():
     over = compiled(given["over"])
     assert over(0.0) == math.inf
     assert over.stats.cache_path is None
-    assert march_lanes.stats.cache_path is not None
-    assert over.targetoptions == march_lanes.targetoptions
+    assert march_blocks.stats.cache_path is not None
+    assert over.targetoptions == march_blocks.targetoptions
 
 
 @pytest.mark.slow

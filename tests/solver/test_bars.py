@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from rocking.solver import bars as module
+from rocking.solver.inputs import Supports
 from rocking.solver.plane import to_plane
 from yade_process import resolved
 
@@ -24,15 +25,23 @@ def held(ties=(), floors=(), **sections):
     return config, scene, to_plane(scene).bars
 
 
+def at_rest(bars):
+    """Memory of a history that begins."""
+    return module.Memory(*np.zeros((2, len(bars.tie_k_n_m))), *np.zeros((4, len(bars.mass_kg))))
+
+
 def act(bars, y=0.0, z=0.0, turn=0.0, support=0.0, memory=None, **more):
     """Force and moment on the façade, force on the support, energy; of a pose from rest."""
-    memory = memory or module.at_rest(bars)
-    push, force = np.zeros((1, 3)), np.zeros(1)
-    pose = np.array([[y, z, math.cos(turn), math.sin(turn)]])
-    supports = np.full(1, support), np.full(1, more.get("speed", 0.0)), force
+    memory = memory or at_rest(bars)
+    push, place = np.zeros(3), np.array([y, z, turn])
+    angle = np.array([math.cos(turn), math.sin(turn)])
+    supports = Supports(*np.zeros((12, 1)))
+    supports.y[:], supports.vy[:] = support, more.get("speed", 0.0)
     ratio, ground = more.get("weight_ratio", 1.0), more.get("ground", 0.0)
-    elastic, spent, lost = module.act(bars, memory, pose, 5e-5, supports, ground, ratio, push)
-    return push[0], force[0], elastic, spent, lost
+    elastic, spent, lost = module.act(
+        bars, memory, place, angle, 5e-5, supports, ground, ratio, push
+    )
+    return push, supports.fy[0], elastic, spent, lost
 
 
 @pytest.mark.parametrize("which", ["tie", "roof", "both"])
@@ -66,7 +75,7 @@ def test_a_tie_pulls_past_its_slack_yields_and_snaps():
     assert push[2] == pytest.approx(-push[0] * (6.0 - 0.5 * 6.48), rel=1e-9)  # about x, from y to z
     assert (force, spent) == (-push[0], 0.0)
     assert elastic == pytest.approx(0.5 * k * 1e-6)
-    memory = module.at_rest(bars)
+    memory = at_rest(bars)
     stretch = 3e-3 + 4.0 * most / k
     push, _, elastic, spent, _ = act(bars, y=stretch, memory=memory)
     assert push[0] == pytest.approx(-most)
@@ -84,7 +93,7 @@ def test_a_tie_pulls_past_its_slack_yields_and_snaps():
 def test_a_floor_holds_up_to_friction_both_ways(sign):
     """μP = 17 kN, k = 20 MN/m; the load and what holds turn the façade about its centroid."""
     _, scene, bars = held(floors=[ROOF])
-    memory = module.at_rest(bars)
+    memory = at_rest(bars)
     push, force, _, spent, _ = act(bars, y=sign * 0.8e-3, memory=memory)
     y, z = 0.1 - 0.5 * 0.375, 5.0 - 0.5 * 6.48  # of the floor, from the centroid
     assert scene.floors[0].position_m[1:] == pytest.approx((0.1, 5.0))
@@ -105,7 +114,7 @@ def test_a_floor_with_a_mass_stands_on_its_own_spring():
     assert bars.mass_kg == pytest.approx([1500.0])
     assert bars.spring_n_m == pytest.approx([1500.0 * omega**2])
     assert bars.dashpot_ns_m == pytest.approx([2.0 * zeta * 1500.0 * omega])
-    memory = module.at_rest(bars)
+    memory = at_rest(bars)
     push, force, elastic, *_ = act(bars, support=0.01, speed=0.2, memory=memory, ground=0.7)
     back = -1500.0 * omega**2 * 0.01 - 2.0 * zeta * 1500.0 * omega * 0.2
     assert push[0] == pytest.approx(0.0, abs=1e-6)  # façade and floor have not moved

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from rocking.solver import bodies, carriers
-from rocking.solver.inputs import standing
+from rocking.solver.inputs import Supports
 
 
 def chain(n=3, turning=True):
@@ -16,14 +16,16 @@ def chain(n=3, turning=True):
 
 
 def still(carried):
-    return carriers.at_rest(carried), standing(len(carried.hang), carried.roll.size > 0)
+    """Carriers before the motion, and their supports with one that stands still."""
+    ride = carriers.Ride(*np.zeros((5, len(carried.mass_kg))))
+    return ride, Supports(*np.zeros((12, len(carried.hang) + 1)))
 
 
 def moving(carried, draw):
     """Carriers in a drawn state, and the supports that they have moved through a step of 0.1 s."""
     ride, supports = still(carried)
     ride.u[:], ride.v[:], ride.a[:] = draw.normal(size=(3, 3))
-    carriers.carry(ride, 0.05, 0.1, supports)
+    carriers.carry(carried, ride, 0.05, 0.1, supports)
     return ride, supports
 
 
@@ -76,7 +78,7 @@ def test_a_free_chain_swings_with_its_frequencies():
         ride.u[:], step = vector, 0.1 / omega
         for k in range(500):
             half, past = (0.5 * step, step) if k else (0.0, 0.0)
-            carriers.carry(ride, half, past, supports)
+            carriers.carry(carried, ride, half, past, supports)
             carriers.accelerate(carried, ride, supports, 0.0, 1.0)
             carriers.travel(ride, step if k else 0.5 * step, step)
         angle = 2.0 * np.arcsin(0.05)  # 0.1, but for the scheme's (ωh)²/24

@@ -5,8 +5,6 @@ import pytest
 from rocking.runtime.compiled import inlined
 from rocking.solver import (
     Motions,
-    bodies,
-    carriers,
     law,
     moving_supports,
     peaks,
@@ -161,18 +159,6 @@ def test_bricks_whose_numbers_ran_over_are_as_by_themselves(monkeypatch, seed, s
 def test_no_amplitude_no_history():
     plane, motions, numerics, _ = drawn(2, "W2")
     assert peaks(plane, motions, numerics, []).d_over_b.shape == (0,)
-
-
-def test_what_lanes_do_not_know_goes_one_by_one():
-    tie = {"height_m": 6.0, "count": 2, "diameter_mm": 16.0, "length_m": 4.0}
-    for facade, known in (({}, True), ({"ties": [tie]}, False)):
-        config = resolved(facade=facade)
-        plane = to_plane(build_scene({**config, "model": "W1", "beta_s": 0.0}))
-        assert runs._side_by_side(plane, carriers.NO_BODIES) == known
-    chain = bodies([1e5], [[1e7]], [[0.0]])
-    config = resolved()
-    plane = to_plane(build_scene({**config, "model": "W2", "beta_s": 0.0}))
-    assert not runs._side_by_side(plane, chain)
 
 
 def test_the_law_gives_lanes_the_digits_of_one_number():

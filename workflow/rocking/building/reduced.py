@@ -51,7 +51,7 @@ class Reduction:
     ends: np.ndarray
 
     def carried(self, rate_1_s):
-        """`kernel.Bodies`, each coordinate scaled so that it moves no end by more than itself."""
+        """`carriers.Bodies`, each coordinate scaled so that it moves no end by more than itself."""
         scale = 1.0 / np.abs(np.vstack([self.hang, self.lift])).max(axis=0)
         mass = scale**2
         return bodies(

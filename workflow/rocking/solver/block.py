@@ -2,7 +2,8 @@
 
 from rocking.runtime.compiled import compiled, inlined
 
-from .joints import block_contact, touched, untouched
+from .groups import touched, untouched
+from .joints import block_contact
 from .march import march_many, march_one
 from .vectors import cos_sin, put, take
 

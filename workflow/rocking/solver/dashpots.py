@@ -88,11 +88,11 @@ def solve_row(own, between, inverse, mass, inertia, force):
                 a, b, c = a - y[r] * b0, b - y[r] * b1, c - y[r] * b2
                 d, e, f = d - z[r] * b1, e - z[r] * b2, f - turn[r] * b2
         over = 1.0 / (a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d))
-        upper = over * (c * e - b * f), over * (b * e - c * d), over * (b * c - a * e)
         put(inverse, 9 * i, over * (d * f - e * e))
         put(inverse, 9 * i + 4, over * (a * f - c * c))
         put(inverse, 9 * i + 8, over * (a * d - b * b))
-        for value, (m, n) in zip(upper, ((0, 1), (0, 2), (1, 2))):
+        one, other, last = over * (c * e - b * f), over * (b * e - c * d), over * (b * c - a * e)
+        for m, n, value in ((0, 1, one), (0, 2, other), (1, 2, last)):
             put(inverse, 9 * i + 3 * m + n, value)
             put(inverse, 9 * i + 3 * n + m, value)
     for i in range(blocks - 1, -1, -1):

@@ -339,8 +339,9 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
         found = np.concatenate([march(planar, carried, table, rules, part) for part in parts])
     else:
         one = march_stack if stack else march_block
-        found = [one(planar, carried, table, rules, case, 1, rows)[0] for case in cases]
-    peak, status, end = np.reshape(found, (-1, 3)).T
+        outcomes = [one(planar, carried, table, rules, case, 1, rows)[0] for case in cases]
+        found = np.reshape(outcomes, (-1, 3))
+    peak, status, end = found.T
     failed = status == FAILED
     ratio = np.where(failed, np.nan, peak / planar.thickness_m)
     return Peaks(cases[:, 0], ratio, status == OVERTURNED, failed, end, table.step_s)

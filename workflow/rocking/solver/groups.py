@@ -1,0 +1,180 @@
+"""What the nodes of a block remember, group by group, and the closed form of a group.
+
+A group that touches with all its nodes, none sliding, is summed: each resultant follows from
+Σ kn·(1, s, s²), and its slips from one line that is added to those that were stored.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from rocking.runtime.compiled import compiled, inlined
+
+from .vectors import alone, choose, like, lone, put, put_where, some, take
+
+
+class Touch(NamedTuple):
+    """What the nodes of a block remember, in rows.
+
+    Attributes
+    ----------
+    summed, bonds, most : a row a group
+        1 where it is in closed form: its slips are then the stored ones + more0 + more1·s. Bonds
+        that are left; largest stored slip of a summed group.
+    more0, more1, sum0, sum1, sum2 : a row a group
+        The last three are Σ kn·slip·(1, s, slip) of a summed group.
+    depth0, depth1 : a row a group
+        Penetration along the line at the last step, depth0 + depth1·s.
+    start, stop : a row a group
+        Nodes that touched at the last step, of one history whose energy counts.
+    slip, intact : a row a node
+        Slip since a node closed [m]; 1 where its bond holds, without rows where none is bonded.
+    """
+
+    summed: np.ndarray
+    bonds: np.ndarray
+    most: np.ndarray
+    more0: np.ndarray
+    more1: np.ndarray
+    sum0: np.ndarray
+    sum1: np.ndarray
+    sum2: np.ndarray
+    depth0: np.ndarray
+    depth1: np.ndarray
+    start: np.ndarray
+    stop: np.ndarray
+    slip: np.ndarray
+    intact: np.ndarray
+
+
+@compiled
+def untouched(p):
+    """Rows of nodes that have not met their planes yet, and what stays of their groups.
+
+    The latter has a row a group: Σ kn·(1, s, s²) of all its nodes, and its largest |s|.
+    """
+    groups, nodes = p.level_m.size, p.place_m.size
+    rows = np.zeros(12 * groups + nodes + nodes * p.bonded.any())
+    whole = np.zeros((groups, 4))
+    for g in range(groups):
+        for i in range(p.first[g], p.first[g + 1]):
+            s = p.place_m[i]
+            whole[g, 0] += p.kn_n_m[i]
+            whole[g, 1] += p.kn_n_m[i] * s
+            whole[g, 2] += p.kn_n_m[i] * s * s
+            whole[g, 3] = max(whole[g, 3], abs(s))
+            if p.bonded[i]:
+                rows[groups + g] += 1.0
+                rows[12 * groups + nodes + i] = 1.0
+    return rows, whole
+
+
+@inlined
+def touched(p, rows):
+    """`Touch` in the rows of `untouched`."""
+    g, n = p.level_m.size, p.place_m.size
+    nodes = rows[12 * g :]
+    return Touch(
+        *(rows[:g], rows[g : 2 * g], rows[2 * g : 3 * g], rows[3 * g : 4 * g]),
+        *(rows[4 * g : 5 * g], rows[5 * g : 6 * g], rows[6 * g : 7 * g], rows[7 * g : 8 * g]),
+        *(rows[8 * g : 9 * g], rows[9 * g : 10 * g], rows[10 * g : 11 * g], rows[11 * g : 12 * g]),
+        *(nodes[:n], nodes[n:]),
+    )
+
+
+@inlined
+def let_go(p, touch, g, d0, d1):
+    """What the nodes that touched at the last step and do not now have lost [J]; of one history."""
+    low, high = p.first[g], p.first[g + 1]
+    start, stop, lost = int(lone(take(touch.start, g))), int(lone(take(touch.stop, g))), 0.0
+    while start < stop and d0 + d1 * take(p.place_m, start) <= 0.0:
+        lost += _slipped(p, touch, g, start)
+        start += 1
+    while stop > start and d0 + d1 * take(p.place_m, stop - 1) <= 0.0:
+        stop -= 1
+        lost += _slipped(p, touch, g, stop)
+    if start == stop:  # all were open: what touches now is at either end, or both
+        start = stop = high if d0 + d1 * take(p.place_m, low) <= 0.0 else low
+    while start > low and d0 + d1 * take(p.place_m, start - 1) > 0.0:
+        start -= 1
+    while stop < high and d0 + d1 * take(p.place_m, stop) > 0.0:
+        stop += 1
+    put(touch.start, g, float(start))
+    put(touch.stop, g, float(stop))
+    return lost
+
+
+@inlined
+def _slipped(p, touch, g, i):
+    """Energy of the slip of a node without a bond."""
+    if len(touch.intact) > 0 and lone(take(touch.intact, i)) > 0.0:
+        return 0.0
+    return 0.5 * p.kn_n_m[i] * p.shear_ratio[g] * lone(take(touch.slip, i)) ** 2
+
+
+@inlined
+def spread(p, touch, g, mask):
+    """Give the nodes of a summed group their slips back."""
+    put_where(touch.summed, g, mask, 0.0)
+    more0, more1 = take(touch.more0, g), take(touch.more1, g)
+    for i in range(p.first[g], p.first[g + 1]):
+        own = take(touch.slip, i)
+        put(touch.slip, i, choose(mask, own + (more0 + more1 * p.place_m[i]), own))
+
+
+@inlined
+def close(p, touch, g, mask, most):
+    """Bring a group into closed form where all its slips are less than `most`."""
+    low, high = p.first[g], p.first[g + 1]
+    top = none = like(0.0, most)
+    for i in range(low, high):
+        top = max(top, abs(take(touch.slip, i)))
+    mask = mask & (top < most)
+    if not some(mask):
+        return
+    sum0 = sum1 = sum2 = none
+    for i in range(low, high):
+        slip = take(touch.slip, i)
+        stored = p.kn_n_m[i] * slip
+        sum0 += stored
+        sum1 += stored * p.place_m[i]
+        sum2 += stored * slip
+    put_where(touch.summed, g, mask, 1.0)
+    put_where(touch.most, g, mask, top)
+    put_where(touch.more0, g, mask, none)
+    put_where(touch.more1, g, mask, none)
+    put_where(touch.sum0, g, mask, sum0)
+    put_where(touch.sum1, g, mask, sum1)
+    if alone(most):
+        put(touch.sum2, g, sum2)
+
+
+@inlined
+def in_closed_form(p, touch, g, mask, whole, lines, dt, counts):
+    """Resultants of summed groups, as of nodes one by one; nothing where the mask is not true."""
+    d0, d1, q0, q1, s0, s1, g0, g1 = lines
+    beta, ratio = p.beta_s[g], p.shear_ratio[g]
+    k0, k1, k2 = whole[g, 0], whole[g, 1], whole[g, 2]
+    had0, had1 = take(touch.sum0, g), take(touch.sum1, g)
+    sum0, sum1 = had0 + (g0 * k0 + g1 * k1), had1 + (g0 * k1 + g1 * k2)
+    put_where(touch.sum0, g, mask, sum0)
+    put_where(touch.sum1, g, mask, sum1)
+    put_where(touch.more0, g, mask, take(touch.more0, g) + g0)
+    put_where(touch.more1, g, mask, take(touch.more1, g) + g1)
+    h0, h1 = d0 + beta * q0, d1 + beta * q1
+    normal = choose(mask, h0 * k0 + h1 * k1, 0.0), choose(mask, h0 * k1 + h1 * k2, 0.0)
+    shear = (
+        choose(mask, ratio * (sum0 + beta * (s0 * k0 + s1 * k1)), 0.0),
+        choose(mask, ratio * (sum1 + beta * (s0 * k1 + s1 * k2)), 0.0),
+    )
+    acts = choose(mask, k0, 0.0), choose(mask, k1, 0.0), choose(mask, k2, 0.0)
+    elastic = spent = like(0.0, d0)
+    if counts:
+        gain = g0 * (2.0 * had0 + g0 * k0 + 2.0 * g1 * k1)
+        sum2 = take(touch.sum2, g) + (gain + g1 * (2.0 * had1 + g1 * k2))
+        put(touch.sum2, g, sum2)
+        stored = d0 * (d0 * k0 + 2.0 * d1 * k1) + d1 * d1 * k2
+        drag = q0 * (q0 * k0 + 2.0 * q1 * k1) + q1 * q1 * k2
+        drag += ratio * (s0 * (s0 * k0 + 2.0 * s1 * k1) + s1 * s1 * k2)
+        elastic, spent = 0.5 * (stored + ratio * sum2), dt * beta * drag
+    return normal, shear, acts, acts, elastic, spent, like(0.0, d0)
