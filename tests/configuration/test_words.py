@@ -27,8 +27,8 @@ def test_units_stand_behind_the_value():
 def test_lists_are_words_too_and_empty_ones_are_left_out():
     facade = {"ties": [{"height_m": 5.0}, {"height_m": 2.5}], "hinges_m": [3.0]}
     words = config.relevant(config.resolve({"facade": facade}), "facade").words
-    assert "ties (height 5 m, count 2, diameter 20 mm, " in words
-    assert "; height 2.5 m, count 2" in words
+    assert "ties (count 2, diameter 20 mm, E 200000 MPa, elongation 0.05, height 5 m, " in words
+    assert ", height 2.5 m, length 4 m" in words
     assert "hinges 3 m" in words
     for absent in ("{", "[", "openings", "floors", " ,", "  "):
         assert absent not in words

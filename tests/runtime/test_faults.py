@@ -11,6 +11,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -54,7 +55,7 @@ def test_wall_times_are_the_only_column_left_out_of_comparisons(tmp_path):
 
 
 HOLD = "import sys, time; sys.path[:0] = {path!r}; from rocking.runtime import run_lock;"
-HOLD += "run_lock.hold({folder!r}); print('held', flush=True); time.sleep(60)"
+HOLD += "run_lock.hold(['main'], folder={folder!r}); print('held', flush=True); time.sleep(60)"
 
 
 def test_a_second_run_is_refused_until_the_first_is_gone_however_it_ended(tmp_path):
@@ -62,12 +63,60 @@ def test_a_second_run_is_refused_until_the_first_is_gone_however_it_ended(tmp_pa
     with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE) as first:
         assert first.stdout.readline() == b"held\n"
         with pytest.raises(run_lock.Busy) as caught:
-            run_lock.hold(tmp_path)
+            run_lock.hold(["main"], folder=tmp_path)
         assert f"process {first.pid}" in str(caught.value)
         assert "\n" not in str(caught.value)
         first.send_signal(signal.SIGKILL)
-    run_lock.hold(tmp_path)  # nothing to unlock by hand
+    run_lock.hold(["main"], folder=tmp_path)  # nothing to unlock by hand
     run_lock._held.pop().close()
+
+
+@pytest.fixture
+def released():
+    """Give back what a test held."""
+    yield
+    while run_lock._held:
+        run_lock._held.pop().close()
+
+
+def test_runs_of_other_names_go_side_by_side_and_read_the_same_motions(tmp_path, released):
+    """A second open file stands for a second process: locks of flock belong to open files."""
+    run_lock.hold(["a"], reads=["m"], folder=tmp_path)
+    run_lock.hold(["b"], reads=["m"], folder=tmp_path)
+    with pytest.raises(run_lock.Busy, match="under the name a "):
+        run_lock.hold(["c", "a"], folder=tmp_path)
+    run_lock.hold(["c"], folder=tmp_path)  # what was refused holds nothing
+    with pytest.raises(run_lock.Busy, match=r"works on the motions .* results/\.shared/m "):
+        run_lock.hold(["d"], reads=["m"], makes=["m"], folder=tmp_path)
+
+
+def test_motions_are_read_by_others_once_they_are_made(tmp_path, released):
+    made = threading.Event()
+    locks = run_lock.hold(["a"], reads=["m"], makes=["m"], folder=tmp_path)
+    run_lock.share(locks, made.is_set, look_s=0.01)
+    with pytest.raises(run_lock.Busy, match=f"makes motions.*process {os.getpid()}"):
+        run_lock.hold(["b"], reads=["m"], folder=tmp_path)
+    made.set()
+
+    def reads():
+        try:
+            return run_lock.hold(["b"], reads=["m"], folder=tmp_path) == []
+        except run_lock.Busy:
+            return False
+
+    assert wait_until(reads, 20.0)
+
+
+def test_a_file_system_without_locks_is_said_once_and_the_run_goes_on(
+    tmp_path, monkeypatch, capsys, released
+):
+    def none(handle, how):
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    monkeypatch.setattr(run_lock.fcntl, "flock", none)
+    assert run_lock.hold(["a", "b"], reads=["m"], folder=tmp_path) == []
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith(f"warning: the file system of {tmp_path} has no locks")
 
 
 JOB = "import sys, time; sys.path.insert(0, {root!r}); from yade_scripts.engine import lifeline;"

@@ -15,7 +15,8 @@ def version():
     One that ends in `.dev0` is on its way to that number.
     """
     tree = ROOT / "pyproject.toml"
-    text = tree.read_text("utf-8") if (ROOT / "workflow" / "rocking").is_dir() else ""
+    ours = (ROOT / "workflow" / "rocking").is_dir() and tree.is_file()
+    text = tree.read_text("utf-8") if ours else ""
     if found := re.search(r'(?m)^version = "(.+)"$', text):
         return found[1]
     try:

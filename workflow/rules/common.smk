@@ -190,6 +190,21 @@ localrules:
     fig09_ida,
 
 
+def lock(dag):
+    """Take the locks that the jobs due ask for: none where records are checked and nothing else is made."""
+    due = list(dag.needrun_jobs())
+    if {job.rule.name for job in due} <= {"check", "records_check", "main"}:
+        return
+    folder = f"{RESULTS}/.shared/"
+    making = {
+        path[len(folder) :].partition("/")[0]: [] for job in due for path in job.output if path.startswith(folder)
+    }
+    makers = [job for job in due if any(path.startswith(folder) for path in job.output)]
+    reads = [keys["motions"] for keys in SHARED.keys.values()]
+    locks = run_lock.hold(RUNS.settings, reads, making)
+    run_lock.share(locks, lambda: all(dag.finished(job) for job in makers))
+
+
 onstart:
     with left_out_if_unknown("own handling of interrupts"):
         interrupts.heed(workflow.scheduler)
@@ -200,7 +215,7 @@ onstart:
         terminal.warn(filter(None, [cluster.warning(executor)]))
     try:
         try:
-            run_lock.hold()
+            lock(workflow.dag)
             file_times.settle(f"{RESULTS}/.shared")
             BY = version.stated()
             for name, resolved in RUNS.settings.items():

@@ -1,46 +1,139 @@
-"""One run at a time in a working folder.
+"""One run at a time under a name; runs of other names go side by side.
 
-Snakemake's own lock is a file that a killed run leaves behind, so that the same command
-is refused until somebody unlocks by hand. The lock here belongs to the process: the system
-drops it when the process ends, however it ends.
+Snakemake's own lock is a file for the whole folder that a killed run leaves behind, so that the
+same command is refused until somebody unlocks by hand. The locks here belong to the process: the
+system drops them when the process ends, however it ends. Beside that of every run there is one for
+each folder of motions that runs share: who makes files there has it alone, who reads them with
+other readers.
 """
 
+import errno
 import fcntl
 import os
 import socket
+import sys
+import threading
+import time
 from pathlib import Path
 
-LOCK_FILE = Path(".snakemake") / "rocking.lock"
+FOLDER = Path(".snakemake") / "rocking"
+LOOK_S = 1.0
+WITHOUT = (errno.ENOLCK, errno.ENOTSUP, errno.EOPNOTSUPP, errno.ENOSYS, errno.EINVAL)
 _held: list = []  # open files
 
 
 class Busy(RuntimeError):
-    """Another run works in this folder; the text is one line."""
+    """Another run works under this name or on these motions; the text is one line."""
 
 
-def hold(folder="."):
-    """Take the lock of a working folder until this process ends.
+def _take(path, how):
+    """Lock a file; return it, None where the file system has no locks.
 
     Raises
     ------
-    Busy
-        In one line, naming the process that holds it.
+    BlockingIOError
+        With the text that the one who has it wrote.
     """
-    path = Path(folder) / LOCK_FILE
     path.parent.mkdir(parents=True, exist_ok=True)
     handle = open(path, "a+")  # noqa: SIM115  kept open: closing it would release the lock
     try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        fcntl.flock(handle, how | fcntl.LOCK_NB)
     except BlockingIOError:
         handle.seek(0)
         owner = handle.read(200).strip() or "unknown"
         handle.close()
-        raise Busy(
-            f"another run works in {Path(folder).resolve()} ({owner}): wait until it ends, "
-            "or give this one a folder of its own with --directory"
-        ) from None
-    handle.seek(0)
-    handle.truncate()
-    handle.write(f"process {os.getpid()} on {socket.gethostname()}\n")
-    handle.flush()
-    _held.append(handle)
+        raise BlockingIOError(owner) from None
+    except OSError as error:
+        handle.close()
+        if error.errno not in WITHOUT:
+            raise
+        return None
+    if how == fcntl.LOCK_EX:
+        handle.seek(0)
+        handle.truncate()
+        handle.write(f"process {os.getpid()} on {socket.gethostname()}\n")
+        handle.flush()
+    return handle
+
+
+def hold(runs, reads=(), makes=(), folder="."):
+    """Take the locks of runs and of motions until this process ends.
+
+    Parameters
+    ----------
+    runs : iterable of str
+        Names.
+    reads, makes : iterable of str
+        Folders of `results/.shared` from which files are taken, and in which files are made.
+    folder : path
+        The working folder.
+
+    Returns
+    -------
+    list of file
+        Locks of the motions that are made, for `share`.
+
+    Raises
+    ------
+    Busy
+        In one line, naming the process that holds one; none is held then.
+    """
+    taken, making = [], []
+    wanted = [(f"run-{name}", fcntl.LOCK_EX) for name in sorted(runs)]
+    wanted += [(f"motions-{name}", fcntl.LOCK_EX) for name in sorted(makes)]
+    wanted += [(f"motions-{name}", fcntl.LOCK_SH) for name in sorted(set(reads) - set(makes))]
+    for name, how in wanted:
+        try:
+            lock = _take(Path(folder) / FOLDER / f"{name}.lock", how)
+        except BlockingIOError as error:
+            for other in taken:
+                other.close()
+            raise Busy(_busy(name, how, error, Path(folder).resolve())) from None
+        if lock is None:
+            print(
+                f"warning: the file system of {Path(folder).resolve()} has no locks: see to it that"
+                " no second run of the same name or of the same new records is started",
+                file=sys.stderr,
+            )
+            break
+        taken.append(lock)
+        if name.startswith("motions-") and how == fcntl.LOCK_EX:
+            making.append(lock)
+    _held.extend(taken)
+    return making
+
+
+def _busy(name, how, owner, folder):
+    kind, _, which = name.partition("-")
+    if kind == "run":
+        return (
+            f"another run works in {folder} under the name {which} ({owner}): wait until it ends,"
+            " or give this one another name (--config run=…)"
+        )
+    reads = how == fcntl.LOCK_EX
+    doing = "works on the motions that this one would make" if reads else "makes motions"
+    return (
+        f"another run {doing} in results/.shared/{which} ({owner}): repeat the command when its"
+        " motions are made, or give this one a folder of its own with --directory"
+    )
+
+
+def share(locks, made, look_s=LOOK_S):
+    """Let other runs read motions as soon as they are made; a thread looks now and then.
+
+    Parameters
+    ----------
+    locks : list of file
+        What `hold` returned.
+    made : callable
+        Whether all of them are.
+    """
+
+    def loop():
+        while not made():
+            time.sleep(look_s)
+        for lock in locks:
+            fcntl.flock(lock, fcntl.LOCK_SH)
+
+    if locks:
+        threading.Thread(target=loop, name="locks", daemon=True).start()
