@@ -1,6 +1,7 @@
 """What a catalogue of workflows asks for: its file, a trial configuration, use as a module."""
 
 import csv
+import re
 import shutil
 from pathlib import Path
 
@@ -30,9 +31,19 @@ def folder(tmp_path):
 
 def test_the_catalogue_finds_what_it_asks_for():
     usage = yaml.safe_load((ROOT / ".snakemake-workflow-catalog.yml").read_text())["usage"]
-    assert usage["report"] is True
+    assert set(usage) == {"mandatory-flags", "software-stack-deployment"}
     assert set(usage["mandatory-flags"]) == {"desc", "flags"}
+    deployed = usage["software-stack-deployment"]  # its README's keys
+    assert set(deployed) == {"conda", "apptainer", "apptainer+conda", "report"}
+    assert deployed["report"] is True
     assert (ROOT / "config" / "README.md").is_file()
+
+
+def test_what_ci_takes_from_elsewhere_is_named_by_its_commit():
+    text = "".join(p.read_text("utf-8") for p in (ROOT / ".github/workflows").glob("*.yml"))
+    used = re.findall(r"uses: *(\S+)", text)
+    assert used
+    assert all(re.fullmatch(r"[\w/-]+@[0-9a-f]{40}", action) for action in used)
 
 
 @pytest.mark.yade
