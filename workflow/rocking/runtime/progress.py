@@ -73,7 +73,7 @@ class Task:
     """One job: its kind, how to ask for its state, and its journal of finished runs if it has one.
 
     `state` returns "waiting", "running" or "done"; `runs` is the number of runs the job takes,
-    None where its strategy decides on the way.
+    None where its strategy decides on the way. `costly` are those whose rule has a benchmark.
     """
 
     rule: str
@@ -81,6 +81,7 @@ class Task:
     model: str = ""
     journal: str | Path | None = None
     runs: int | None = None
+    costly: bool = False
     kept: int = 0
     began_s: float | None = None
     took_s: float | None = None
@@ -153,11 +154,13 @@ class Progress:
             known = learned.get(task.rule)
             return fmean(known) * registry.cost(task.model) if known else pace * task.usual_s
 
-        return {
-            (t.rule, t.model): (PRIOR * first(t) + sum(measured[t.rule, t.model]))
-            / (PRIOR + len(measured[t.rule, t.model]))
-            for t in self.tasks
-        }
+        def mean(task):
+            own = measured[task.rule, task.model]
+            if own and task.rule not in USUAL_S:  # what others took is no measure beside its own
+                return fmean(own)
+            return (PRIOR * first(task) + sum(own)) / (PRIOR + len(own))
+
+        return {(task.rule, task.model): mean(task) for task in self.tasks}
 
     def left_s(self):
         """Seconds until all is done: work that remains over jobs at a time, or the longest job.
@@ -186,17 +189,43 @@ class Progress:
         at_a_time = max(self.busy_s / max(now - self.began, 1e-9), 1.0)
         return max(sum(left) / at_a_time, max(left, default=0.0))
 
+    def unknown(self):
+        """Rules of jobs not done that may take long, of whose kind nothing is known yet, sorted.
+
+        What another model took does not tell: that was wrong by factors of three to six.
+        """
+        known = {(t.rule, t.model) for t in self.tasks if t.took_s is not None}
+        return sorted(
+            {
+                f"{t.rule} of {t.model}" if t.model else t.rule
+                for t in self.tasks
+                if t.costly
+                and t.took_s is None
+                and t.rule not in USUAL_S
+                and (t.rule, t.model) not in known
+            }
+        )
+
     def line(self):
-        """Return one line; empty before the first job and after the last."""
+        """Return one line; empty before the first job and after the last.
+
+        A time is said as the least where some of it is not known, and none where that is all.
+        """
         self.look()
         done = sum(t.took_s is not None for t in self.tasks)
         if done == len(self.tasks) or not self.busy_s:
             return ""
         runs = sum(count_lines(t.journal) - t.kept for t in self.tasks if t.journal)
         added = f", {runs} runs in YADE" if runs else ""
-        left = spoken(self.left_s())
-        least = "at least " if self.overdue else ""
-        return f"progress: {done} of {len(self.tasks)} jobs{added}, {least}{left} left"
+        seconds, unknown = self.left_s(), self.unknown()
+        said = f"progress: {done} of {len(self.tasks)} jobs{added}"
+        more = f" and {len(unknown) - 2} more" if len(unknown) > 2 else ""
+        what = f"{', '.join(unknown[:2])}{more}"
+        if unknown and seconds < 60.0:
+            return f"{said}, no forecast yet: nothing is known of {what}"
+        least = "at least " if self.overdue or unknown else ""
+        beside = f", beside {what}" if unknown else ""
+        return f"{said}, {least}{spoken(seconds)} left{beside}"
 
     def watch(self, interval_s=INTERVAL_S, look_s=LOOK_S, stream=None):
         """Print the line now and then from a thread that ends with the process."""
@@ -238,6 +267,7 @@ def tasks_of(workflow, runs=lambda job: None):
             job.wildcards_dict.get("model", ""),
             getattr(job.params, "journal", None),
             runs(job),
+            bool(job.rule.benchmark),
         )
         for job in dag.needrun_jobs()
         if not job.rule.norun
