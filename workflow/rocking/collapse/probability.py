@@ -68,15 +68,6 @@ def probability(pga_g, collapsed, at_g, spread):
     return np.clip(share.round(12), 0.0, 1.0), last - first  # sums of widths leave 1e-15
 
 
-def alike(pga_g, spread):
-    """Realisations that weigh alike, as many as tell the share at each ascending amplitude."""
-    pga_g = np.asarray(pga_g, float)
-    first, last = _within(pga_g, pga_g, spread)
-    width = _widths(pga_g)
-    wide, squared = _ranges(width, first, last), _ranges(width**2, first, last)
-    return np.where(squared > 0.0, wide**2 / np.maximum(squared, 1e-300), last - first)
-
-
 def _within(pga_g, at_g, spread):
     """First and behind the last of ascending amplitudes within ± spread of each."""
     first = np.searchsorted(pga_g, at_g * (1.0 - spread) * (1.0 - 1e-12), side="left")
@@ -188,10 +179,9 @@ def summary(scan, curve, realisations, spread, slope=SLOPE):
     highest = stood.max() if len(stood) else np.nan
     at_g = dense["pga_g"]
     share, _ = probability(at_g, dense["collapsed"], at_g, spread)
-    count = alike(at_g, spread)
+    ends = ranges(dense, spread)
     if scan is None and len(realisations) and len(every):
-        at_g, share, count = single_runs(every, spread).to_numpy().T
-    ends = [between(np.asarray(at_g), share, count, level) for level in LEVELS]
+        at_g, share = single_runs(every, spread)[["pga_g", "probability_yade"]].to_numpy().T
     low, middle, high = (first_crossing(at_g, share, level) for level in LEVELS)
     above = every["pga_g"][every["pga_g"] > highest]
     safe = stood[~(stood * (1.0 + spread) >= lowest)].max()
@@ -214,6 +204,25 @@ def summary(scan, curve, realisations, spread, slope=SLOPE):
         "collapse_realisations": len(beside) if len(fell) else np.nan,
         "safe_bound": unseen(dense, dense["pga_g"].min(), np.fmin(lowest, every["pga_g"].max())),
     }
+
+
+def ranges(runs, spread, levels=LEVELS):
+    """Between which amplitudes each level is first reached, see `crossing.between` [g].
+
+    Parameters
+    ----------
+    runs : DataFrame
+        Of `outcomes`.
+    spread : float
+    levels : sequence of float
+
+    Returns
+    -------
+    list of (low, high)
+    """
+    pga_g, collapsed = runs["pga_g"].to_numpy(float), runs["collapsed"].to_numpy(float)
+    width = _widths(pga_g)
+    return [between(pga_g, collapsed, width, spread, level) for level in levels]
 
 
 def half_collapse(table):

@@ -5,9 +5,8 @@ four times as long (`search.crossings`). A separate range further below, narrowe
 climb, may be missed: what that changes is measured in docs/log/assessment.md.
 """
 
-from rocking.collapse.crossing import between
 from rocking.collapse.curve import collapse_curve
-from rocking.collapse.probability import alike, outcomes, probability
+from rocking.collapse.probability import outcomes, ranges
 from rocking.collapse.search import SPREAD
 
 LONG_STEP = 0.3  # of the stable step
@@ -38,8 +37,5 @@ def crossings(case, motion, direction, settings=None, step=LONG_STEP, ends=False
     said = {**dict(zip(PGA, found.found, strict=True)), "runs_planar": found.runs}
     if not ends:
         return said
-    seen = outcomes(found.table)
-    pga_g = seen["pga_g"].to_numpy()
-    share, _ = probability(pga_g, seen["collapsed"], pga_g, SPREAD)
-    at = between(pga_g, share, alike(pga_g, SPREAD), 0.5)
+    (at,) = ranges(outcomes(found.table), SPREAD, levels=(0.5,))
     return said | dict(zip(ENDS, at, strict=True))
