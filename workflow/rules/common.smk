@@ -197,7 +197,10 @@ def lock(dag):
         return
     folder = f"{RESULTS}/.shared/"
     making = {
-        path[len(folder) :].partition("/")[0]: [] for job in due for path in job.output if path.startswith(folder)
+        path[len(folder) :].partition("/")[0]: []
+        for job in due
+        for path in job.output
+        if path.startswith(folder)
     }
     makers = [job for job in due if any(path.startswith(folder) for path in job.output)]
     reads = [keys["motions"] for keys in SHARED.keys.values()]

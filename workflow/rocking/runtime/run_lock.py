@@ -78,7 +78,8 @@ def hold(runs, reads=(), makes=(), folder="."):
     Busy
         In one line, naming the process that holds one; none is held then.
     """
-    taken, making = [], []
+    taken: list = []
+    making: list = []
     wanted = [(f"run-{name}", fcntl.LOCK_EX) for name in sorted(runs)]
     wanted += [(f"motions-{name}", fcntl.LOCK_EX) for name in sorted(makes)]
     wanted += [(f"motions-{name}", fcntl.LOCK_SH) for name in sorted(set(reads) - set(makes))]
