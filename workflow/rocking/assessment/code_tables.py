@@ -9,6 +9,7 @@ import pandas as pd
 from rocking.assessment.code_checks import code_checks, least
 from rocking.assessment.demand import floor_demand
 from rocking.assessment.family import Family, pulls_of, stretched
+from rocking.assessment.shaken import label, of_label
 from rocking.assessment.site import PERIODS_S, shapes
 from rocking.collapse.case import Case, Variant
 from rocking.records import G_M_S2
@@ -33,7 +34,7 @@ SHOWN = ("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_grou
 SECTIONS = ("facade", "return_wall", "smdof", "assessment")
 
 
-def checked(settings, demand, place, added_n=0.0):
+def checked(settings, demand, place):
     """A mechanism of the façade, and its checks; None where the façade has others.
 
     Parameters
@@ -42,7 +43,7 @@ def checked(settings, demand, place, added_n=0.0):
         Which of how many: names have heights in them, which change with what is varied.
     """
     which, count = place
-    known = Family(settings, added_n).all()
+    known = Family(settings).all()
     if len(known) != count:
         return None, {}
     return known[which], code_checks(known[which], settings, demand)
@@ -99,16 +100,17 @@ def mechanism_row(one, found, tie_kn, kind):
     return row | {k: found[k].ratio for k in SHOWN if k in found}
 
 
-def mechanisms(settings, demand, ranked, place):
-    """All mechanisms, the least first, and what more ties or a held top would do to them."""
+def mechanisms(settings, demand, ranked):
+    """All mechanisms, the least first; what more ties or a held top would do to the first."""
     family = Family(settings)
     stated = 1e-3 * sum(one.force_n for one in pulls_of(settings["facade"]))
     rows = [mechanism_row(one, found, stated, "as stated") for _, one, found in ranked]
     masonry = family.masonry
     weight = sum(w for w, *_ in masonry.masses(0.0, masonry.top_m))
     for share in TIE_SHARES:
-        one, found = checked(settings, demand, place, share * weight)
-        if one is not None:
+        tied = of_label(Family(settings, share * weight))
+        if one := tied.get(label(ranked[0][1])):  # a new row has mechanisms of its own beside it
+            found = code_checks(one, settings, demand)
             force = 1e-3 * share * weight
             words = f"one more row of {force:.3g} kN, {100 * share:g} % of the weight"
             rows.append(mechanism_row(one, found, stated + force, words))

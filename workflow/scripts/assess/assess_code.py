@@ -24,7 +24,7 @@ def main(job):
     write_table(steps, out.steps, code_tables.STEPS)
     write_table(curves, out.curve)
     write_table(code_tables.sensitivity(settings, demand, place), out.sensitivity)
-    write_table(code_tables.mechanisms(settings, demand, ranked, place), out.mechanisms)
+    write_table(code_tables.mechanisms(settings, demand, ranked), out.mechanisms)
     write_table(code_tables.spectra(records, settings, demand, least.place), out.spectra)
     within = settings["assessment"]["shaken_within"]
     parts = shaken.chosen(ranked, [Case.read(path) for path in job.input.scenes], within)
