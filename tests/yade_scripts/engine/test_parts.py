@@ -155,8 +155,8 @@ def two_routes(case, rule):
 
 
 SHAKEN = {  # factors on the record at which histories repeat, and YADE's step
-    ("before walls", "W2"): ([0.4, 0.7], 0.05),
-    ("before walls", "W2m"): ([0.4, 0.7], 0.1),
+    ("before walls", "W2"): ([0.3, 0.5], 0.05),
+    ("before walls", "W2m"): ([0.3, 0.5], 0.1),
     ("gable", "W2"): ([0.5, 1.0], 0.1),
     ("gable", "W2m"): ([0.5, 1.0], 0.1),
     ("bending", "W1"): ([0.5, 1.0], 0.1),
