@@ -5,6 +5,7 @@ import types
 import numpy as np
 import pytest
 from friction_cases import thrown
+from numba.core.dispatcher import Dispatcher
 from rocking import reference
 from rocking.collapse.scan import BRICKS_STEP, driving
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
@@ -42,17 +43,27 @@ def test_spring_and_dashpot_together_keep_coulombs_limit():
     assert 1000 < slides < 7000
 
 
-def recorded(function, name, seen):
-    """A compiled function as Python runs it, with what `name` there gives appended to `seen`."""
+def as_python(function, seen, modules):
+    """A compiled function as Python runs it, and all that it calls of its package.
+
+    What `law.dry` is given and gives is appended to `seen`.
+    """
+    if function is law.dry:
+
+        def watched(*given):
+            found = function(*given)
+            seen.append((given, found))
+            return found
+
+        return watched
     plain = function.py_func
-    original = plain.__globals__[name]
-
-    def watched(*given):
-        found = original(*given)
-        seen.append((given, found))
-        return found
-
-    return types.FunctionType(plain.__code__, {**plain.__globals__, name: watched})
+    if plain.__module__ not in modules:
+        own = modules[plain.__module__] = dict(plain.__globals__)
+        for name, value in plain.__globals__.items():
+            if isinstance(value, Dispatcher) and value.__module__.startswith("rocking.solver."):
+                own[name] = as_python(value, seen, modules)
+    code, own = plain.__code__, modules[plain.__module__]
+    return types.FunctionType(code, own, plain.__name__, plain.__defaults__)
 
 
 @pytest.mark.parametrize("model", BRICKS)
@@ -67,9 +78,9 @@ def test_every_node_of_the_bricks_at_every_step(model):
     motions = driving(scene, t, given) if model == "W3" else Motions(t, columns["ground"])
     numerics, seen = {**data["numerics"], "after_motion_s": 0.0}, []
     step = BRICKS_STEP * stable_step(plane)
-    carried, table, _, (rules, *own) = _set_up(plane, motions, numerics, 1.0, None, step)
-    march = recorded(stack_kernel.march_stack, "dry", seen)
-    march(plane, carried, table, 1.0, rules, *(float(v[0]) for v in own), 1, np.zeros((0, 14)))
+    carried, table, rules, cases = _set_up(plane, motions, numerics, 1.0, None, step)
+    march = as_python(stack_kernel.march_stack, seen, {})
+    march(plane, carried, table, rules, cases[0], 1, np.zeros((0, 14)))
     normal, shear = np.array([found[:2] for _, found in seen]).T
     most = np.array([given[6][2] for given, _ in seen]) * normal
     assert normal.size > 20000

@@ -306,9 +306,7 @@ def _at(context, builder, kind, array, row):
 
 
 @_emitted
-def take(typingctx, array, row):
-    """Number or lanes of a row of contiguous floats, shape (rows,) or (rows, WIDTH)."""
-
+def _take(typingctx, array, row):
     def emit(context, builder, sig, values):
         return builder.load(_at(context, builder, sig.args[0], *values), align=8)
 
@@ -316,9 +314,7 @@ def take(typingctx, array, row):
 
 
 @_emitted
-def put(typingctx, array, row, value):
-    """Write a number or lanes into such a row."""
-
+def _put(typingctx, array, row, value):
     def emit(context, builder, sig, values):
         where = _at(context, builder, sig.args[0], *values[:2])
         value = values[2] if sig.args[0].ndim == 1 else _wide(builder, values[2])
@@ -326,6 +322,26 @@ def put(typingctx, array, row, value):
         return context.get_dummy_value()
 
     return types.none(array, types.intp, value), emit
+
+
+def take(array, row):
+    """Number or lanes of a row of contiguous floats, shape (rows,) or (rows, WIDTH)."""
+    return array[row]
+
+
+def put(array, row, value):
+    """Write a number or lanes into such a row."""
+    array[row] = value
+
+
+@overload(take)
+def _taken(array, row):
+    return lambda array, row: _take(array, row)
+
+
+@overload(put)
+def _written(array, row, value):
+    return lambda array, row, value: _put(array, row, value)
 
 
 @inlined
