@@ -11,11 +11,17 @@ import pandas as pd
 COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "pga_fails_g", "shaken", "why_not"]
 WHOLE_PART = "whole"
 CORNER = "turns about a corner, not over the whole width"
+LATER = "fails by hand"
 
 
 def heights(one):
     """Foot, held level and hinge of a `family.Candidate`, as `Case.part` takes them."""
     return one.foot_m, one.held_m, one.hinge_m
+
+
+def is_later(table):
+    """Mask of the mechanisms of `chosen` that are left out since they fail far later by hand."""
+    return table["why_not"].fillna("").str.startswith(LATER)
 
 
 def of_label(family):
@@ -54,7 +60,7 @@ def chosen(ranked, tried, within):
     for pga_g, one, _ in ranked:
         why = "" if one.plane else CORNER
         if not why and not one.whole and pga_g > within * least:
-            why = f"fails by hand beyond {within:g} times the least"
+            why = f"{LATER} beyond {within:g} times the least"
         if not why:
             try:
                 for case in tried:

@@ -3,6 +3,7 @@
 import pandas as pd
 
 from rocking.assessment.mechanism import WHOLE
+from rocking.assessment.shaken import is_later
 from rocking.stations import FEWEST
 
 ROUNDED = 1e-4  # relative; tables have six figures
@@ -70,13 +71,12 @@ def deciding(verdicts):
 
 def by_hand_alone(shaken):
     """End of a sentence: which mechanisms were not shaken; nothing where there are none."""
-    left = shaken[shaken["shaken"] == 0]
-    if left.empty:
+    left, later = shaken["shaken"] == 0, is_later(shaken)
+    if not left.any():
         return ""
-    far = left["why_not"].str.contains("beyond")
-    said = left.loc[~far, "mechanism"].tolist()
-    if far.any():
-        said.append(f"{far.sum()} that by hand fail far later")
+    said = shaken.loc[left & ~later, "mechanism"].tolist()
+    if later.any():
+        said.append(f"{later.sum()} that by hand fail far later")
     return f" Not shaken, judged by hand alone: {_models(said)}."
 
 
