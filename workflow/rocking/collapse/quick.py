@@ -12,6 +12,7 @@ from rocking.collapse.search import SPREAD
 LONG_STEP = 0.3  # of the stable step
 PGA = ("pga_p10_g", "pga_median_g")
 ENDS = ("pga_median_low_g", "pga_median_high_g")
+RATIO = ("ratio", "ratio_low", "ratio_high")
 
 
 def crossings(case, motion, direction, settings=None, step=LONG_STEP, ends=False):
@@ -39,3 +40,22 @@ def crossings(case, motion, direction, settings=None, step=LONG_STEP, ends=False
         return said
     (at,) = ranges(outcomes(found.table), SPREAD, levels=(0.5,))
     return said | dict(zip(ENDS, at, strict=True))
+
+
+def over_first(table):
+    """Ratio of half collapse to that of the first row, and what the scatter of both leaves of it.
+
+    Parameters
+    ----------
+    table : DataFrame
+        pga_median_g and `ENDS`, a row a variant of one curve.
+
+    Returns
+    -------
+    DataFrame
+        With RATIO; blank where one of the two never falls, or where its realisations leave the end
+        open.
+    """
+    (low, high), half = (table[name] for name in ENDS), table["pga_median_g"]
+    ends = (half / half.iloc[0], low / high.iloc[0], high / low.iloc[0])
+    return table.assign(**dict(zip(RATIO, ends, strict=True)))

@@ -12,7 +12,7 @@ import pandas as pd
 
 from rocking.collapse.case import Variant
 from rocking.collapse.probability import KEY
-from rocking.collapse.quick import PGA, crossings
+from rocking.collapse.quick import ENDS, PGA, RATIO, crossings, over_first
 from rocking.collapse.ratios import spread
 from rocking.collapse.varied import collapses
 from rocking.mechanics import column
@@ -34,7 +34,7 @@ FACADES = {  # h, b [m], ρ [kg/m³], E [MPa]; none of them but the first chose 
 }
 STATIC = ["facade", "h_m", "b_m", "e_mpa", "gamma", "d_over_b", "lambda_rigid", "lambda_wall"]
 STATIC += ["lambda_courses", *(f"lambda_base_{name}" for name in BASES)]
-COLUMNS = [*KEY, "facade", *PGA, "ratio", "runs_planar"]
+COLUMNS = [*KEY, "facade", *PGA, "ratio", "runs_planar", *ENDS, *RATIO[1:]]
 SUMMARY = {"n": "n", "n_censored": "n_censored", "p10": 10, "median": 50, "p90": 90}
 SUMMARY |= {"scatter": "scatter"}
 STACK = "courses"
@@ -89,11 +89,11 @@ def collapse(case, motion, direction):
     Returns
     -------
     DataFrame
-        COLUMNS; ratio of pga_median_g to the stack's.
+        COLUMNS; ratio of pga_median_g to the stack's, with what the scatter of both leaves of it.
     """
-    rows = collapses([case], motion, [direction], partial(crossings, step=None), variants())
-    table = pd.DataFrame(rows).reindex(columns=COLUMNS)
-    return table.assign(ratio=table["pga_median_g"] / table["pga_median_g"].iloc[0])
+    find = partial(crossings, step=None, ends=True)
+    rows = collapses([case], motion, [direction], find, variants())
+    return over_first(pd.DataFrame(rows).reindex(columns=COLUMNS))
 
 
 def summary(table):

@@ -12,7 +12,7 @@ import pandas as pd
 
 from rocking.collapse.case import Variant
 from rocking.collapse.curve import collapse_curve, history
-from rocking.collapse.quick import ENDS, crossings
+from rocking.collapse.quick import ENDS, crossings, over_first
 from rocking.collapse.ratios import spread
 from rocking.collapse.scan import STEPS
 from rocking.collapse.varied import collapses
@@ -106,12 +106,7 @@ def collapse(case, second, direction, first, settings):
     """
     rows = collapses([case], second, [direction], after_first, variants(settings, first))
     table = pd.DataFrame(rows).reindex(columns=COLUMNS)
-    undamaged, (low, high) = table.iloc[0], (table[name] for name in ENDS)
-    return table.assign(
-        ratio=table["pga_median_g"] / undamaged["pga_median_g"],
-        ratio_low=low / undamaged[ENDS[1]],
-        ratio_high=high / undamaged[ENDS[0]],
-    )
+    return over_first(table)
 
 
 def to_confirm(case, second, table, first, settings):
