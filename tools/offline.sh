@@ -17,6 +17,8 @@ python=/usr/bin/python3
 say "Python packages of requirements.lock"
 mkdir -p "$folder/wheels"
 $python -m pip download -q --disable-pip-version-check --require-hashes -r requirements.lock -d "$folder/wheels"
+# what is not a wheel is built where it is installed, in an environment of its own
+$python -m pip download -q --disable-pip-version-check -d "$folder/wheels" setuptools wheel
 say "$(find "$folder/wheels" -type f | wc -l) files in $folder/wheels"
 [ "${2:-}" != --wheels ] || exit 0
 
