@@ -31,6 +31,8 @@ def said(**given):
             "facade.floors[1].load_kn = 40000 kN",
             "40000 N would be 40 kN",
         ),
+        ({"smdof": {"period_s": 4.0}}, "smdof.period_s = 4 s", "4 Hz would be 0.25 s"),
+        ({"ida": {"max_pga_g": 9.81}}, "ida.max_pga_g = 9.81 g", "9.81 m/s² would be 1 g"),
         ({"smdof": {"damping_ratio": 0.9}}, "smdof.damping_ratio = 0.9:", "0.9 % would be 0.009"),
         ({"strengthening": {"forces_kn": [500, 20000]}}, "forces_kn[2] = 20000 kN", "would be 20"),
     ],

@@ -210,3 +210,15 @@ def test_what_a_run_takes_records_to_is_its_grid_or_where_a_facade_may_fall():
     assert module.reach_g(run) == pytest.approx(0.174, abs=1e-3)
     assert module.reach_g({**run, "ida": {**run["ida"], "max_pga_g": 0.1}}) == 0.1
     assert module.reach_g({**run, "ida": {**run["ida"], "mode": "grid"}}) == 1.2
+
+
+def test_a_motion_under_two_names_is_said(tmp_path):
+    of_peak(tmp_path, 0.2)
+    with open(tmp_path / "t.tsv", "a") as handle:
+        handle.write("again\tweak.txt\t0.01\tg\n")
+    first, second = check_records(read_table(tmp_path / "t.tsv").values())
+    assert first.status == "ok"
+    assert (second.status, second.message) == (
+        "warning",
+        "the same motion as record weak: it counts twice",
+    )

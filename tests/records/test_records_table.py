@@ -111,6 +111,7 @@ def test_plain_names_are_taken(table, name):
         (["record file", "a b"], "not tab-separated"),
         (["record|file", "a|b"], "unknown column 'record|file'"),
         (["record,file", "a,b"], "line 2: record a: no file 'b'"),
+        (["record,event", 'a,"b'], "line 2: a quotation mark"),
         (["record,file", "a,b,c"], "line 2: 3 cells; expected 2 separated by commas"),
         (["record\tdt_s", "a\t0,01"], "found '0,01'; write a decimal point, not a comma"),
         (["file", "a"], "no column 'record'"),

@@ -14,7 +14,7 @@ import signal
 import subprocess
 import time
 
-from .workspace import RESULTS, ROOT, wait_until
+from .workspace import PARTS, RESULTS, ROOT, wait_until
 
 PATIENCE_S = 900.0  # longest wait for a disturbed run
 
@@ -204,7 +204,10 @@ def interrupted_install(space, rng, seconds):
     shutil.rmtree(folder, ignore_errors=True)
     (folder / "tools").mkdir(parents=True)
     shutil.copy2(ROOT / "tools" / "setup.sh", folder / "tools")
-    shutil.copy2(ROOT / "requirements.lock", folder)
+    for name in ("requirements.lock", "pyproject.toml", "setup.py", "README.md"):
+        shutil.copy2(ROOT / name, folder)
+    for part in PARTS:  # with what was compiled: to compile is not what is tried here
+        shutil.copytree(ROOT / part, folder / part)
     command = ["bash", "tools/setup.sh"]
     process = subprocess.Popen(command, cwd=folder, start_new_session=True)
     moment = rng.uniform(0.0, 30.0)

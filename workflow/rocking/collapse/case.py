@@ -190,9 +190,15 @@ class Case:
         ValueError
             In one line, for a key that the case has not, for a value that the configuration would
             refuse there, or for a façade that it would refuse as a whole.
+        TypeError
+            For what is neither.
         """
         if isinstance(variant, Mapping):
             variant = Variant(changes=variant)
+        if not isinstance(variant, Variant):
+            raise TypeError(
+                f"{type(variant).__name__} given: expected a Variant, or new values by dotted key"
+            )
         scene = copy.deepcopy(self.scene)
         for key, value in variant.changes.items():
             part, name = _place(scene, key)

@@ -36,6 +36,8 @@ def meant(value: float, unit: str, usual: list[float] | None) -> str:
     for other, factor in OTHERS.get(unit, {}).items():
         if usual[0] <= value * factor <= usual[1]:
             return f"{show(value)} {other} would be {float(f'{value * factor:.3g}'):g}{own}"
+    if unit == "s" and value > 0.0 and usual[0] <= 1.0 / value <= usual[1]:
+        return f"{show(value)} Hz would be {float(f'{1.0 / value:.3g}'):g} s"
     return ""
 
 

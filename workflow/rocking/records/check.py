@@ -112,6 +112,7 @@ def check_records(
     """
     known = _remembered(cache)
     opened: dict = {}
+    same: dict = {}
     findings = []
     digest, before = once(_digest), len(known)
     for row in rows:
@@ -122,7 +123,11 @@ def check_records(
         key = _hash([_code(), stated, files, baseline, seed, repr(spec), draw])
         if key not in known:
             known[key] = _finding(row, baseline, seed if draw else None, spec, opened)
-        findings.append(_scaled(Finding(row.record, row.path or "", *known[key]), reach_g))
+        one = _scaled(Finding(row.record, row.path or "", *known[key]), reach_g)
+        first = same.setdefault((row.path, row.component), row.record)
+        if row.path and first != row.record:
+            one = _doubted(one, f"the same motion as record {first}: it counts twice")
+        findings.append(one)
     if cache and len(known) > before:
         _remember(cache, known)
     return findings
@@ -213,8 +218,15 @@ def _scaled(finding, reach):
         f"peak of {finding.pga_g:.2g} g, to be scaled some {factor:.0f} times to {reach:.2g} g, "
         f"more than {WARN_FACTOR:g}: such a weak motion hardly stands for one that fells a façade"
     )
+    return _doubted(replace(finding, factor=factor), said)
+
+
+def _doubted(finding, said):
+    """A finding with one more doubt; a fault stays one."""
+    if finding.status == "fault":
+        return finding
     message = "; ".join(filter(None, [finding.message, said]))
-    return replace(finding, status="warning", message=message, factor=factor)
+    return replace(finding, status="warning", message=message)
 
 
 def _settled_peaks(acceleration_m_s2, dt_s):

@@ -112,14 +112,14 @@ def read_table(path) -> dict[str, Row]:
         raise RecordError(f"{text.path}: no header line")
     number, header = lines[0]
     separator = next((mark for mark in "\t;," if mark in header), "\t")
-    columns = _cells(header, separator)
+    columns = _cells(text, number, header, separator)
     while separator != "\t" and columns and not columns[-1]:
         columns.pop()  # as spreadsheets pad a row
     _check_columns(text, number, columns)
     rows: dict[str, Row] = {}
     seen: dict[str, int] = {}
     for number, line in lines[1:]:
-        cells = _cells(line, separator)
+        cells = _cells(text, number, line, separator)
         if separator != "\t":
             if not any(cells):
                 continue
@@ -146,11 +146,15 @@ def read_table(path) -> dict[str, Row]:
     return rows
 
 
-def _cells(line, separator):
+def _cells(text, number, line, separator):
     """Cells of a line without the blanks around them; quotation marks count where tabs do not."""
     if separator == "\t":
         return [cell.strip() for cell in line.split(separator)]
-    return [cell.strip() for cell in next(csv.reader([line], delimiter=separator))]
+    try:
+        (cells,) = csv.reader([line], delimiter=separator, strict=True)
+    except (csv.Error, ValueError):
+        raise text.error(number, "a quotation mark that opens or ends within a cell") from None
+    return [cell.strip() for cell in cells]
 
 
 def _check_columns(text, number, columns):
