@@ -5,6 +5,7 @@
 # make docs    the documentation site, build/site/index.html; a warning is an error. Names old pictures
 # make gallery the pictures of docs/gallery.md again, by its commands
 # make study   docs/study.md again: the study row by row beside a run of all its stages
+# make predictions  predictions of tests again, into config/predictions; MOTIONS: folder of table motions
 # make mutations  one sign, factor or unit changed at a time: do the tests notice?
 # make freeze  the tables of a small run of every target, against those of REVISION (main)
 # make faults  56 runs killed, starved or doubled at random moments; writes tables/faults.csv
@@ -14,7 +15,7 @@
 CORES ?= $(shell nproc)
 SNAKEMAKE = .venv/bin/snakemake --cores $(CORES)
 RUN ?= main
-.PHONY: setup run test quick lint docs gallery study freeze mutations faults slurm load audit
+.PHONY: setup run test quick lint docs gallery study predictions freeze mutations faults slurm load audit
 
 setup:
 	@bash tools/setup.sh
@@ -47,6 +48,10 @@ study: setup
 	$(SNAKEMAKE) --configfile config/scenarios/five_models.yaml --config run=study -- study
 	sed 's#](figures/#](pictures/study_#' results/study/study.md > docs/study.md
 	.venv/bin/python tools/gallery.py --study results/study/figures
+
+predictions: setup
+	.venv/bin/python -m rocking.studies.predictions run config/predictions/sin01 --yade $(if $(MOTIONS),--motions $(MOTIONS))
+	.venv/bin/python -m rocking.studies.predictions run config/predictions/gables
 
 REVISION ?= main
 freeze: setup

@@ -230,6 +230,21 @@ def test_ratios():
     table.loc[table["run"] == 24, ["peak_mm", "status"]] = (np.nan, "overturned")
     fallen = validation.summary(experiment, table).to_dict("records")[0]
     assert (fallen["fell"], fallen["goal_met"]) == (1, 0)
+    # a mean rests on no run that falls at an amplitude of its band, or on which solvers part
+    both = pd.concat([table.assign(solver=s, peak_mm=[1.2, 29.0, 99.0]) for s in ("s", "t")])
+    both = both.assign(status="ok", fell=0).reset_index(drop=True)
+    for change, left in (
+        ({"fell": 1}, (1, 0)),
+        ({"peak_mm": 9.5}, (0, 1)),
+        ({"peak_mm": 9.9}, (0, 0)),
+    ):
+        own = both.copy()
+        own.loc[1, list(change)] = list(change.values())
+        for row in validation.summary(experiment, own).to_dict("records")[:2]:
+            assert (row["fell"], row["apart"]) == left
+            if left != (0, 0):
+                assert row["goal_met"] == 0
+                assert row["mean"] == pytest.approx(1.2 / 1.236)
     # two within the goal do not outweigh a third that falls
     late = sorted(experiment.measured["run"][experiment.measured["run"] >= goals["from_run"]])[:3]
     peaks_mm = experiment.measured.set_index("run").loc[late, "measured_mm"].to_numpy()

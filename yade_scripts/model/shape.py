@@ -185,7 +185,7 @@ def is_plain(facade):
 def refuse(facade, what, held=False):
     """Raise a ValueError of one line if the façade is no plain box on the ground, in one piece.
 
-    With `held` also if ties or floors hold it.
+    With `held` also if ties, floors or a bond hold it.
     """
     keys = (
         *OWN_KEYS,
@@ -193,9 +193,7 @@ def refuse(facade, what, held=False):
         "building_height_m",
         "hinges_m",
         "courses",
-        "bond_tension_mpa",
-        "bond_cohesion_mpa",
-        *(("ties", "floors") if held else ()),
+        *(("ties", "floors", "bond_tension_mpa", "bond_cohesion_mpa") if held else ()),
     )
     given = [key for key in keys if facade.get(key)]
     given += ["outline"] if facade.get("outline") == TRIANGLE else []

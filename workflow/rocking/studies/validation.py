@@ -30,6 +30,8 @@ NUDGE = 1e-4  # of amplitude: a peak that it moves by more than ten times as muc
 STILL = 10.0 * NUDGE
 ALONE, SEQUENCE = "alone", "in sequence"
 PERCENTILES = (10, 50, 90)
+APART = 3.0  # two solvers' peaks, from which no mean rests on the run
+TURNING = ", the top may turn"  # what ends the name of a variant with the other bearing
 
 
 @dataclass(frozen=True)
@@ -253,8 +255,32 @@ def ratio(table, over, under):
     return found.mean, math.exp(found.scatter)
 
 
+def steady(table):
+    """Runs of each variant and how on which a mean may rest.
+
+    Parameters
+    ----------
+    table : DataFrame
+        See `summary`; may have `fell`, how many members of a band fell.
+
+    Returns
+    -------
+    stands, apart : Series of bool, by row of the table
+        Nothing falls in it, by either solver and at any amplitude of its band; the solvers' peaks
+        differ by a factor of APART or more.
+    """
+    members = table["fell"].fillna(0) if "fell" in table else 0
+    peak = table[[name for name in table if name.startswith("peak_")][0]]
+    own = table.assign(falls=(table["status"] != "ok") | (members > 0), peak=peak)
+    own = own.groupby(["variant", "how", "run"])
+    high, low = own["peak"].transform("max"), own["peak"].transform("min")
+    return ~own["falls"].transform("any"), high >= APART * low
+
+
 def summary(experiment, table):
     """Ratio of computed over measured by variant, solver and how, and the other code's.
+
+    Means and scatters are of the runs in which nothing falls and the solvers do not part.
 
     Parameters
     ----------
@@ -266,23 +292,26 @@ def summary(experiment, table):
     Returns
     -------
     DataFrame
-        variant, how, solver, runs, fell, mean, scatter, goal_met.
+        variant, how, solver, runs, fell (in either solver, or at an amplitude of the band), apart
+        (solvers differ by APART), mean, scatter, goal_met.
     """
     goal, unit = experiment.specimen["goal"], experiment.unit
     late = table[table["run"] >= goal["from_run"]]
-    rows = []
+    rows, (stands, apart) = [], steady(late)
+    late = late.assign(stands=stands, apart=stands & apart)
     for key, part in late.groupby(["variant", "how", "solver"], sort=False):
-        mean, scatter = ratio(part, f"peak_{unit}", f"measured_{unit}")
-        fell = int((part["status"] != "ok").sum())
+        counted = part[part["stands"] & ~part["apart"]]
+        mean, scatter = ratio(counted, f"peak_{unit}", f"measured_{unit}")
+        left = int((~part["stands"]).sum()), int(part["apart"].sum())
         low, high = goal["mean"]
-        met = fell == 0 and low <= mean <= high and scatter <= goal["scatter"]
-        rows.append((*key, len(part), fell, mean, scatter, int(met)))
+        met = left == (0, 0) and low <= mean <= high and scatter <= goal["scatter"]
+        rows.append((*key, len(part), *left, mean, scatter, int(met)))
     another = f"another_{unit}"
     if another in experiment.measured:
         part = experiment.measured
         part = part[(part["run"] >= goal["from_run"]) & part[another].notna()]
         mean, scatter = ratio(part, another, f"measured_{unit}")
         name = experiment.specimen["another"]
-        rows.append((name, ALONE, name, len(part), 0, mean, scatter, ""))
-    names = ["variant", "how", "solver", "runs", "fell", "mean", "scatter", "goal_met"]
+        rows.append((name, ALONE, name, len(part), 0, 0, mean, scatter, ""))
+    names = ["variant", "how", "solver", "runs", "fell", "apart", "mean", "scatter", "goal_met"]
     return pd.DataFrame(rows, columns=names)

@@ -42,6 +42,7 @@ def main(job):
                 top = alone["p90_mm"].clip(upper=2e3 * thickness(about))
                 axis.fill_between(alone["run"], alone["p10_mm"], top, color=colour, alpha=0.2,
                                   lw=0, label="planar, 10–90 % of the band")  # fmt: skip
+        bearings(axis, table, variant, 2e3 * thickness(about))
         axis.set_title(variant, fontsize=8)
     others = variants[len(shown) :]
     for variant, (colour, line, marker) in zip(others, cycle(style.LOOKS), strict=False):
@@ -63,6 +64,19 @@ def main(job):
     )
     figure.suptitle(about["title"], fontsize=9)
     style.save(figure, job.output)
+
+
+def bearings(axis, table, variant, fell_mm):
+    """Between the level top and the one that may turn: which of the two there was is not known."""
+    level = variant.removesuffix(validation.TURNING)
+    mine = table[(table["solver"] == "planar") & (table["how"] == ALONE)].set_index("run")
+    one, other = (
+        mine[mine["variant"] == name]["peak_mm"].fillna(fell_mm)
+        for name in (level, level + validation.TURNING)
+    )
+    if len(other) and len(one):
+        axis.fill_between(one.index, one, other.loc[one.index], color="0.6", alpha=0.3, lw=0,
+                          label="planar, between the bearings")  # fmt: skip
 
 
 def thickness(about):

@@ -1,0 +1,113 @@
+"""Predictions: what was stated and predicted is held by digests, and scored against outcomes."""
+
+import math
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from rocking.configuration.config import ConfigError
+from rocking.studies import predictions
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDERS = [ROOT / "config" / "predictions" / name for name in ("sin01", "gables")]
+MADE = [folder for folder in FOLDERS if (folder / predictions.DIGEST).is_file()]
+
+
+@pytest.mark.parametrize("folder", MADE, ids=lambda path: path.name)
+def test_what_is_committed_is_what_its_digests_say(folder):
+    specimen, _ = predictions.read(folder)
+    assert predictions.unchanged(folder) == {"stated": True, "predicted": True}
+    table = pd.read_csv(folder / predictions.TABLE)
+    assert set(table["variant"]) == set(specimen["variants"])
+    assert (table["fell"] <= table["members"]).all()
+    assert table["probability"].to_numpy() == pytest.approx(
+        table["fell"] / table["members"], abs=1e-4
+    )
+
+
+@pytest.fixture
+def small(tmp_path):
+    """A prediction of three runs by two readings, made by hand."""
+    for name in predictions.STATED:
+        shutil.copy(FOLDERS[0] / name, tmp_path)
+    rows = [("a", 1, 10, 0), ("a", 2, 10, 5), ("a", 3, 10, 10), ("b", 1, 10, 10), ("b", 2, 10, 10)]
+    table = pd.DataFrame(rows, columns=["variant", "run", "members", "fell"])
+    table["probability"] = table["fell"] / table["members"]
+    table.to_csv(tmp_path / predictions.TABLE, index=False)
+    lines = [
+        f"stated {predictions.digest(tmp_path / n for n in predictions.STATED)}",
+        f"predicted {predictions.digest([tmp_path / predictions.TABLE])}",
+    ]
+    (tmp_path / predictions.DIGEST).write_text("\n".join(lines) + "\n")
+    return tmp_path
+
+
+def outcomes(folder, *rows):
+    text = "run,outcome,peak_mm\n" + "".join(f"{n},{what},\n" for n, what in rows)
+    (folder / predictions.OUTCOMES).write_text(text)
+
+
+def test_scores(small):
+    """By hand: Brier (0² + 0.5² + 0²)/3 and 1 for what was sure and wrong; likelihoods smoothed."""
+    outcomes(small, (1, "stood"), (2, "fell"), (3, "fell"))
+    a, b = predictions.score(small).to_dict("records")
+    assert (a["runs"], a["fell"], a["foreseen"]) == (3, 2, 1.5)
+    assert a["brier"] == pytest.approx(0.25 / 3.0)
+    assert a["likelihood"] == pytest.approx((11 / 12 * 6 / 12 * 11 / 12) ** (1 / 3))
+    assert b["brier"] == pytest.approx(0.5)
+    assert b["likelihood"] == pytest.approx(math.sqrt(1 / 12 * 11 / 12))
+
+
+@pytest.mark.parametrize("name", ["runs.csv", "predicted.csv"])
+def test_a_prediction_that_was_changed_is_not_scored(small, name):
+    outcomes(small, (1, "stood"))
+    with open(small / name, "a") as file:
+        file.write("\n")
+    with pytest.raises(ConfigError, match="is not what digest.txt says"):
+        predictions.score(small)
+
+
+def test_outcomes_that_are_none(small):
+    outcomes(small, (1, "leant"))
+    with pytest.raises(ConfigError, match="outcome = leant: expected stood or fell"):
+        predictions.score(small)
+    outcomes(small)
+    with pytest.raises(ConfigError, match="expected rows of run, outcome, peak_mm"):
+        predictions.score(small)
+
+
+def test_a_motion_amplified_and_shifted():
+    """A sine of 2 Hz by 90° is its cosine, and both supports end where they began."""
+    t = np.arange(0.0, 20.0, 0.005)
+    foot = np.sin(4.0 * np.pi * t) * np.sin(np.pi * t / 20.0) ** 2
+    time_s, same, top = predictions.shifted(t, foot, 2.0, 90.0)
+    middle = np.abs(time_s - time_s[-1] / 2.0) < 2.0
+    turned = -2.0 * np.cos(4.0 * np.pi * (time_s - predictions.PAUSE_S))
+    envelope = np.sin(np.pi * (time_s - predictions.PAUSE_S) / 20.0) ** 2
+    assert top[middle] == pytest.approx((turned * envelope)[middle], abs=0.02)
+    assert np.interp(t + predictions.PAUSE_S, time_s, same) == pytest.approx(foot, abs=5e-3)
+    for a in (same, top):
+        place = np.cumsum(np.cumsum(a)) * 0.005**2
+        assert abs(place[-1]) < 0.02 * np.abs(place).max()
+
+
+def test_runs_take_their_file_or_their_motions_strongest_one(tmp_path):
+    specimen, runs = predictions.read(FOLDERS[0])
+    t = np.arange(0.0, 2.0, 1.0 / 256.0)
+    lines = [f"{a:.4f},{b:.8f}" for a, b in zip(t, 0.1 + 0.2 * np.sin(3.0 * t), strict=True)]
+    text = "Velocity\n512,0\n" + "\n".join(lines) + "\n"
+    (tmp_path / "Gr_1_350_BottomShakeTable.txt").write_text(text)
+    found = {
+        row["record"]: predictions.table_motion(specimen, row, tmp_path)
+        for _, row in runs.iterrows()
+    }
+    time_s, ground, source = found["Gr_1_350"]
+    assert source == "file"
+    assert ground == pytest.approx(0.6 * np.cos(3.0 * t), abs=0.02)
+    assert found["Gr_1_40"][2] == "scaled"
+    assert found["Gr_1_40"][1] == pytest.approx(ground * 40.0 / 350.0, rel=1e-3)
+    assert found["RWA_4"] is None
+    name = predictions.table_motion(specimen, runs.iloc[-1], None)[2]
+    assert name == specimen["motions"]["stand_in"]["RWA"][0]

@@ -1,0 +1,373 @@
+"""Predictions: what tested walls will be found to have done, written down before it is known.
+
+A prediction is a folder: `specimen.yaml` as of an experiment (`validation`), `runs.csv`, and
+`outcomes.csv` for whoever knows. Its kinds are
+
+    shake_table    falls by run, fresh and in sequence, where foot and top move alike
+    foot_and_top   falls by amplification and phase of the top's motion against the foot's
+
+    python -m rocking.studies.predictions run FOLDER [--motions FOLDER] [--yade]
+    python -m rocking.studies.predictions score FOLDER
+
+`run` writes predicted.csv and digest.txt into the folder: SHA-256 of what was stated, of the tables
+and the commit of the former. `score` sets them against outcomes.csv. docs/predictions.md
+"""
+
+import argparse
+import hashlib
+import math
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import yaml
+
+from rocking.configuration.config import ConfigError
+from rocking.records import load
+from rocking.studies import specimens
+from rocking.studies.validation import (
+    ALONE,
+    PERCENTILES,
+    SEQUENCE,
+    check_damping,
+    one_after_another,
+    peaks_of_spans,
+)
+from rocking.tables import write_json
+from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
+
+STATED = ("specimen.yaml", "runs.csv")
+TABLE, DIGEST, OUTCOMES = "predicted.csv", "digest.txt", "outcomes.csv"
+KINDS = {"shake_table": ("run", "record", "motion", "scale"), "foot_and_top": ("run",)}
+SUITE = Path(__file__).resolve().parents[3] / "config" / "suites" / "recorded_suite.tsv"
+SEED = 1976
+IN_YADE = 4  # of the variants the first so many have a band, and run in YADE at its middle
+SLOWEST_HZ = 0.25  # of motions that are shifted: slower ones would drift apart
+PAUSE_S = 5.0  # before and behind a motion that is shifted, for what the shift spreads
+FELL, STOOD = "fell", "stood"
+
+
+def read(folder):
+    """Specimen and runs of a prediction.
+
+    Raises
+    ------
+    ConfigError
+        One line with the file, its key and what was expected.
+    """
+    path = Path(folder) / "specimen.yaml"
+    specimen = yaml.safe_load(path.read_text("utf-8"))
+    missing = [key for key in ("title", "source", "kind", "variants") if key not in specimen]
+    if missing or specimen["kind"] not in KINDS:
+        raise ConfigError(f"{path}: expected {', '.join(missing) or 'kind: ' + ' or '.join(KINDS)}")
+    check_damping(path, specimen)
+    runs = pd.read_csv(Path(folder) / "runs.csv", comment="#")
+    absent = [name for name in KINDS[specimen["kind"]] if name not in runs]
+    if absent:
+        raise ConfigError(f"{folder}/runs.csv: expected columns {', '.join(absent)}")
+    return specimen, runs
+
+
+def digest(paths):
+    """SHA-256 over some files, one after the other."""
+    return hashlib.sha256(b"".join(Path(path).read_bytes() for path in paths)).hexdigest()
+
+
+def velocity_file(path, time_0_s=0.0):
+    """Times and accelerations of a file of time and velocity, two lines of heading before them."""
+    time_s, velocity = np.loadtxt(path, delimiter=",", skiprows=2, unpack=True)
+    return time_s - time_s[0] + time_0_s, np.gradient(velocity - velocity[0], time_s)
+
+
+def table_motion(specimen, row, folder):
+    """Motion of a run: its file, its motion's strongest one scaled, or without a folder a stand-in.
+
+    None where the folder has neither.
+
+    Returns
+    -------
+    time_s, acceleration_m_s2 : ndarray
+    source : str
+        "file", "scaled" or the stand-in's name.
+    """
+    about = specimen["motions"]
+    strongest = about["strongest"][row["motion"]]
+    for record, scale, source in (
+        (row["record"], 1.0, "file"),
+        (strongest, row["scale"], "scaled"),
+    ):
+        path = Path(folder or "") / about["files"].format(record=record)
+        if folder and path.is_file():
+            time_s, ground = velocity_file(path)
+            return time_s, scale * ground, source
+    if folder:
+        return None
+    name, peak_g = about["stand_in"][row["motion"]]
+    record = load(name, str(SUITE))
+    ground = record.acceleration_m_s2
+    size = row["scale"] * peak_g * STANDARD_GRAVITY_M_S2 / np.abs(ground).max()
+    return record.time_s, size * ground, name
+
+
+def shifted(time_s, acceleration, amplification, phase_deg):
+    """A motion with a pause on either side, and it amplified with all its phases shifted.
+
+    Both without what is slower than SLOWEST_HZ, so that they do not drift apart.
+
+    Returns
+    -------
+    time_s, foot, top : ndarray
+    """
+    step = time_s[1] - time_s[0]
+    pause = np.zeros(round(PAUSE_S / step))
+    whole = np.concatenate([pause, acceleration, pause])
+    spectrum = np.fft.rfft(whole)
+    slow = np.fft.rfftfreq(whole.size, step) < SLOWEST_HZ
+    spectrum[slow] = 0.0
+    turn = np.exp(-1j * math.radians(phase_deg))
+    foot, top = (np.fft.irfft(s * spectrum, whole.size) for s in (1.0, amplification * turn))
+    return step * np.arange(whole.size), foot, top
+
+
+def shake_table(specimen, runs, folder, in_yade):
+    """Table of a wall whose foot and top the table moves alike; see `run`."""
+    from rocking.solver import Motions, history, peaks, to_plane
+    from yade_scripts.model.models import build_scene
+
+    rng, rows = np.random.default_rng(SEED), []
+    count, band = specimen["members"], specimen["band"]
+    drawn = rng.uniform(1.0 - band, 1.0 + band, (len(runs), count))
+    motions = [table_motion(specimen, row, folder) for _, row in runs.iterrows()]
+    had = [motion is not None for motion in motions]
+    if not any(had):
+        raise ConfigError(f"{folder}: expected files named {specimen['motions']['files']}")
+    runs, drawn = runs[had], drawn[had]
+    motions = [motion for motion in motions if motion is not None]
+    whole, ground, spans = one_after_another([motion[:2] for motion in motions])
+    found = specimens.cases(_Wall(specimen))
+    for place, (variant, case) in enumerate(found.items()):
+        main = place < IN_YADE
+        plane, numerics = to_plane(build_scene(case)), case["numerics"]
+        mm, step = 1e3 * plane.thickness_m, specimens.planar_step(plane, numerics)
+        for (_, row), motion, own in zip(runs.iterrows(), motions, drawn, strict=True):
+            factors = np.array([1.0, *(own if main else ())])
+            out = peaks(plane, Motions(*motion[:2]), numerics, factors, step_s=step)
+            values = np.where(out.overturned, np.inf, mm * out.d_over_b)
+            line = {"variant": variant, "run": row["run"], "record": row["record"], "how": ALONE}
+            line |= {"source": motion[2], "solver": "planar", "peak_mm": values[0]}
+            several = slice(1, None) if main else slice(None)
+            band_mm = np.percentile(values[several], PERCENTILES, method="nearest")
+            line |= {f"p{p}_mm": v for p, v in zip(PERCENTILES, band_mm, strict=True)}
+            members, fell = values[several].size, int(out.overturned[several].sum())
+            rows.append(line | {"members": members, "fell": fell, "probability": fell / members})
+        still = {**numerics, "quiet_ratio": 0.0}
+        fallen, parts = np.zeros(len(runs)), []
+        sequences = [1.0, *drawn[0, : count // 2]] if main else [1.0]
+        for factor in sequences:
+            d = history(plane, Motions(whole, ground), still, factor, step_s=step, sample_s=2e-3)
+            one = 1e3 * np.array(peaks_of_spans(d.time_s, d.d_m, spans, d.status))
+            parts.append(one)
+            fallen += ~np.isfinite(one)
+        for (_, row), motion, peak, lost in zip(
+            runs.iterrows(), motions, parts[0], fallen.tolist(), strict=True
+        ):
+            line = {"variant": variant, "run": row["run"], "record": row["record"]}
+            line |= {"how": SEQUENCE, "source": motion[2], "solver": "planar", "peak_mm": peak}
+            share = lost / len(sequences)
+            rows.append(line | {"members": len(sequences), "fell": int(lost), "probability": share})
+    if in_yade:
+        rows += yade_rows(found, runs, motions)
+    return pd.DataFrame(rows)
+
+
+class _Wall:
+    """What `specimens.cases` takes of an experiment."""
+
+    def __init__(self, specimen):
+        self.specimen = {**specimen, "kind": "shake_table"}
+
+
+def yade_rows(found, runs, motions):
+    """Rows of the first variants by YADE, each run alone at its own amplitude."""
+    from rocking.calibration.restitution import read_archive
+    from rocking.collapse.yade import run_yade
+    from yade_scripts.model.floor_motions import write
+
+    tests, rows = [], []
+    with tempfile.TemporaryDirectory() as room:
+        for (_, row), motion in zip(runs.iterrows(), motions, strict=True):
+            write(f"{room}/{row['run']}.csv", *motion[:2])
+            for variant in list(found)[:IN_YADE]:
+                case = {key: found[variant][key] for key in ("model", "beta_s", "observed_m")}
+                case["config"] = {key: found[variant][key] for key in specimens.SECTIONS}
+                name = f"{variant}|{row['run']}"
+                path = f"{room}/{row['run']}.csv"
+                tests.append({**case, "factor": 1.0, "id": name, "motion": path})
+        write_json(f"{room}/walls.json", tests)
+        run_yade("walls", "--list", f"{room}/walls.json", "--output", f"{room}/w.npz", folder=room)
+        record = dict(zip(runs["run"], runs["record"], strict=True))
+        source = dict(zip(runs["run"], [motion[2] for motion in motions], strict=True))
+        for done in read_archive(f"{room}/w.npz"):
+            variant, _, number = done["id"].rpartition("|")
+            fell = int(done["status"] == "overturned")
+            mm = 1e3 * found[variant]["facade"]["thickness_m"]
+            line = {"variant": variant, "run": int(number), "record": record[int(number)]}
+            line |= {"how": ALONE, "source": source[int(number)], "solver": "YADE"}
+            line["peak_mm"] = np.inf if fell else mm * done["peak_d_over_b"]
+            rows.append(line | {"members": 1, "fell": fell, "probability": float(fell)})
+    return rows
+
+
+def foot_and_top(specimen, runs, folder, in_yade):
+    """Table of a gable by amplification and phase of its top's motion; see `run`.
+
+    Where `runs` has rows, their own motions are run too: amplification and phase blank.
+    """
+    from rocking.collapse.scan import driving
+    from rocking.solver import peaks, to_plane
+    from yade_scripts.model.models import build_scene
+
+    rows, levels = [], np.array(specimen["pga_g"], float)
+    for variant, changes in specimen["variants"].items():
+        case = specimens.case(specimen, changes)
+        scene, numerics = build_scene(case), case["numerics"]
+        plane = to_plane(scene)
+
+        for _, row in runs.iterrows():
+            (t, foot), (_, top) = (
+                np.loadtxt(Path(folder or ".") / row[key], delimiter=",", unpack=True)
+                for key in ("foot", "top")
+            )
+            motion = driving(scene, t, {"ground": foot, "floor1": top})
+            out = peaks(plane, motion, numerics, [1.0])
+            pga = np.abs(foot).max() / STANDARD_GRAVITY_M_S2
+            line = {"variant": variant, "run": row["run"], "record": row["foot"], "pga_g": pga}
+            rows.append(line | {"members": 1, "fell": int(out.overturned[0])})
+        for amplification in specimen["amplification"]:
+            for phase in specimen["phase_deg"]:
+                fell = np.zeros(levels.size, int)
+                for name in specimen["records"]:
+                    record = load(name, str(SUITE))
+                    ground = record.acceleration_m_s2
+                    t, foot, top = shifted(record.time_s, ground, amplification, phase)
+                    size = levels * STANDARD_GRAVITY_M_S2 / np.abs(foot).max()
+                    motion = driving(scene, t, {"ground": foot, "floor1": top})
+                    fell += peaks(plane, motion, numerics, size).overturned
+                for pga, count in zip(levels, fell, strict=True):
+                    line = {"variant": variant, "amplification": amplification}
+                    line |= {"phase_deg": phase, "pga_g": pga, "fell": int(count)}
+                    rows.append(line | {"members": len(specimen["records"])})
+    table = pd.DataFrame(rows)
+    return table.assign(probability=table["fell"] / table["members"])
+
+
+def run(folder, motions=None, in_yade=False):
+    """Write the tables of a prediction, and digests of what was stated and of them.
+
+    Parameters
+    ----------
+    folder : path
+    motions : path or None
+        Folder of the motions that may not be passed on.
+    in_yade : bool
+        Run the first variants in YADE too.
+
+    Returns
+    -------
+    DataFrame
+        variant, run, …, members, fell, probability: of members how many fell.
+    """
+    folder = Path(folder)
+    specimen, runs = read(folder)
+    make = {"shake_table": shake_table, "foot_and_top": foot_and_top}[specimen["kind"]]
+    table = make(specimen, runs, motions, in_yade)
+    table.round(6).to_csv(folder / TABLE, index=False, float_format="%.5g")
+    stated = [folder / name for name in STATED]
+    lines = [f"stated {digest(stated)}", f"predicted {digest([folder / TABLE])}"]
+    lines.append(f"stated_in {commit_of(stated)}")
+    (folder / DIGEST).write_text("\n".join(lines) + "\n", "utf-8")
+    return table
+
+
+def commit_of(paths):
+    """Last commit that changed some files, or "none" where git knows none."""
+    command = ["git", "log", "-1", "--format=%H", "--", *(Path(p).name for p in paths)]
+    folder = Path(paths[0]).resolve().parent
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=30)
+    return done.stdout.strip() or "none"
+
+
+def unchanged(folder):
+    """Whether a prediction's files are those that its digests were made of, by their name."""
+    folder = Path(folder)
+    words = dict(line.split() for line in (folder / DIGEST).read_text("utf-8").splitlines())
+    now = {"stated": digest(folder / n for n in STATED), "predicted": digest([folder / TABLE])}
+    return {name: words.get(name) == value for name, value in now.items()}
+
+
+def score(folder):
+    """Set a prediction against outcomes.csv, by variant, how and solver.
+
+    Returns
+    -------
+    DataFrame
+        runs, fell, foreseen (sum of probabilities), brier: mean of (probability − outcome)², 0.25
+        for a coin; likelihood: geometric mean of the probability of what happened, with one more
+        stand and fall than was computed, so that a member less or more does not make it 0.
+
+    Raises
+    ------
+    ConfigError
+        If the stated parameters or the table were changed, or an outcome is none.
+    """
+    folder = Path(folder)
+    for name, same in unchanged(folder).items():
+        if not same:
+            raise ConfigError(f"{folder}: what was {name} is not what {DIGEST} says")
+    outcomes = pd.read_csv(folder / OUTCOMES, comment="#").dropna(subset=["outcome"])
+    strangers = outcomes[~outcomes["outcome"].isin([FELL, STOOD])]
+    if len(strangers):
+        given = strangers["outcome"].iloc[0]
+        raise ConfigError(f"{folder}/{OUTCOMES}: outcome = {given}: expected {STOOD} or {FELL}")
+    if outcomes.empty:
+        raise ConfigError(f"{folder}/{OUTCOMES}: expected rows of run, outcome, peak_mm")
+    table = pd.read_csv(folder / TABLE)
+    table = table.merge(outcomes, on="run", suffixes=("", "_measured"))
+    keys = [key for key in ("variant", "how", "solver") if key in table]
+    rows = []
+    for key, part in table.groupby(keys, sort=False):
+        happened = (part["outcome"] == FELL).to_numpy(float)
+        share = part["probability"].to_numpy(float)
+        careful = (part["fell"] + 1.0) / (part["members"] + 2.0)
+        likely = np.where(happened > 0.0, careful, 1.0 - careful)
+        brier, mean = np.mean((share - happened) ** 2), math.exp(np.mean(np.log(likely)))
+        rows.append((*key, len(part), int(happened.sum()), share.sum(), brier, mean))
+    return pd.DataFrame(rows, columns=[*keys, "runs", "fell", "foreseen", "brier", "likelihood"])
+
+
+def main(words=None):
+    """Run or score predictions from the command line; return the exit code."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("what", choices=["run", "score"])
+    parser.add_argument("folders", nargs="+")
+    parser.add_argument("--motions", help="folder of motions that are not part of the project")
+    parser.add_argument("--yade", action="store_true", help="the first variants by YADE too")
+    given = parser.parse_args(words)
+    try:
+        for folder in given.folders:
+            if given.what == "run":
+                table = run(folder, given.motions, given.yade)
+            else:
+                table = score(folder)
+            sys.stdout.write(table.to_string(index=False) + "\n")
+    except (ConfigError, OSError, ValueError) as error:
+        sys.stderr.write(f"predictions: {error}\n")
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
