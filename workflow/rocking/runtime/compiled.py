@@ -41,4 +41,4 @@ def taking_functions(function):
 
     Apart, it would hold the address of each, and with that could be kept in no cache.
     """
-    return njit(forceinline=True, **OPTIONS)(function)
+    return njit(inline="always", **OPTIONS)(function)
