@@ -276,3 +276,8 @@ def test_yade_and_the_planar_solver_answer_alike(case, pulse):
     assert by["yade"]["d_over_b"][0] == pytest.approx(by["planar"]["d_over_b"][0], rel=0.01)
     peaks = [rocking.history(case, pulse, "pos", 0.15, solver=s).d_over_b for s in by]
     assert peaks[1] == pytest.approx(peaks[0], rel=0.01)
+
+
+def test_what_is_no_variant_is_refused_in_one_line():
+    with pytest.raises(TypeError, match="str given: expected a Variant, or new values by dotted"):
+        Case.configured("W2").varied("thicker")
