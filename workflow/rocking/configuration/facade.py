@@ -57,7 +57,7 @@ def _check_sides(resolved: Mapping) -> None:
     if alone and not set(models) <= set(allowed):
         on = "" if raised else ", and W2 and W2m on a base above the ground alone"
         raise ConfigError(
-            f"models = {show(models)}: expected {show(allowed)} with facade.sides = two, "
+            f"models = {show(models)}: expected [{', '.join(allowed)}] with facade.sides = two, "
             f"since a free-standing façade has no return walls{on}"
         )
     least = raised + (0.0 if alone else facade["height_m"])

@@ -5,8 +5,8 @@ import pandas as pd
 from rocking.collapse.case import Variant
 from rocking.collapse.ratios import spread
 from rocking.collapse.varied import collapses
-from yade_scripts.model.registry import MODELS
 from rocking.runtime.drawing import drawing
+from yade_scripts.model.registry import MODELS
 
 SPREAD = {"n": "n", "n_censored": "n_censored", "median": 50, "least": 0, "most": 100}
 
