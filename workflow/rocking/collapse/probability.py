@@ -240,7 +240,7 @@ def half_collapse(table):
 def one_number(table):
     """PGA by which curves are compared: the equivalent one, else as `half_collapse` [g].
 
-    Of a loss from one model to another it scatters less than half collapse does.
+    It counts all ranges of collapse, where half collapse is the first crossing alone.
 
     Parameters
     ----------
