@@ -188,3 +188,10 @@ def test_the_shape_at_a_hazards_pga_is_the_middle_one():
     found = at_pga(shape, 0.3)
     assert found.pga_g == pytest.approx(0.3)
     assert found.acceleration(0.5) == pytest.approx(0.6)
+
+
+def test_a_part_is_not_assessed_by_itself():
+    """Its own checks would take the whole façade's mechanisms."""
+    resolved = configuration.resolve({"part": {"foot_m": 2.0}})
+    with pytest.raises(ValueError, match="assess: part: expected none"):
+        inputs.check_mechanisms(resolved)

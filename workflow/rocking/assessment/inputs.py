@@ -95,6 +95,10 @@ def check_mechanisms(resolved):
             f"assess: facade.{given}: expected none; the checks find the weakest mechanism, "
             "vertical bending among them"
         )
+    if any(resolved["part"].values()):
+        raise ValueError(
+            "assess: part: expected none; every part that fails first is shaken, beside the whole"
+        )
     from rocking.assessment.family import Family  # slow to load
 
     try:
