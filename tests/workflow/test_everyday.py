@@ -71,7 +71,7 @@ def test_records_without_a_station_are_named_where_an_interval_is_drawn(records,
         path.write_text("\n".join([table, *map("{}\t{}".format, rows, stations)]) + "\n")
         done = snakemake(tmp_path, *words, target)
         assert done.returncode == 0, done.stderr[-2000:]
-        return lines(done, "warning")
+        return [line for line in lines(done, "warning") if "station" in line]
 
     (line,) = said([""] * 8, "fragility")
     assert line.startswith("warning: mine.tsv: 8 of 8 records name no station")
@@ -99,7 +99,7 @@ def test_doubts_are_printed_once_and_stop_nothing(records):
         " record OFF",
         " record MS2",
     ]
-    assert "above 1 %" in done.stderr
+    assert "mean offset 6.4 % of the peak, by which the displacement drifts" in done.stderr
     assert "m/s² called g?" in done.stderr
 
 

@@ -314,7 +314,7 @@ def test_what_a_free_standing_part_hangs_on():
 @pytest.mark.parametrize(
     ("models", "facade", "message"),
     [
-        (["W2"], {"sides": "two"}, r"models = .*W2.*expected \['W1'\]"),
+        (["W2"], {"sides": "two"}, r"models = .*W2.*expected \[W1\]"),
         (["W2c"], {"sides": "two", "base_height_m": 6.0}, "W2c.*expected.*W1.*W2.*W2m"),
         (["W1"], {"building_height_m": 6.0}, "building_height_m = 6: expected at least.*6.48"),
         (["W1"], {**KINDS["gable"], "building_height_m": 5.0}, "at least facade.base_height_m = 6"),

@@ -118,7 +118,11 @@ def test_reference_table(table_rebounds, nodes, column, rebound, step):
 
 @pytest.mark.parametrize("convention", [CONVENTION, {}], ids=["table", "default"])
 def test_independent_solver_with_the_same_nodes(tmp_path, convention):
-    """YADE and the planar solver, which share no code, agree within 1 % on both rebounds."""
+    """YADE and the planar solver, which share no code, agree within 1 % on both rebounds.
+
+    By the law that YADE ships; with spring and dashpot within μN together the second rebound of
+    this wall, whose dashpots are strong, is 1.1 % lower.
+    """
     keys = {"base_deg": 30.0, "back_deg": 30.0, "shear": 0.33, **convention}
     wall = Wall(
         0.8,
@@ -133,6 +137,7 @@ def test_independent_solver_with_the_same_nodes(tmp_path, convention):
         back_friction_deg=keys["back_deg"],
         nodes_base=5,
         nodes_up=5,
+        bounded=False,
     )
     expected = simulate(wall, duration_s=0.9, theta0_over_alpha=0.5, tolerance=1e-5).rebounds()
     fractions = (0.02, 0.015)

@@ -31,6 +31,8 @@ class Law(NamedTuple):
     segment : ndarray of int, shape (nodes − n_base,)
         Return-wall segment of each node that is not the base's.
     beta_s, gap_m, mass_kg, inertia_kg_m2, gravity_m_s2, h_m, b_m : float
+    bounded : bool
+        See `Wall`.
     """
 
     n_base: int
@@ -47,6 +49,7 @@ class Law(NamedTuple):
     gravity_m_s2: float
     h_m: float
     b_m: float
+    bounded: bool
 
 
 def law_of(wall):
@@ -61,6 +64,7 @@ def law_of(wall):
         wall.segment,
         *map(float, (wall.beta_s, wall.gap_m, wall.mass_kg, wall.inertia_kg_m2)),
         *map(float, (wall.gravity_m_s2, wall.h_m, wall.b_m)),
+        bool(wall.bounded),
     )
 
 
@@ -123,7 +127,8 @@ def rates(law, state, base_m_s2, lift_m_s2, wall_u, wall_v, out, limit):
         shear = min(max(elastic, -most), most)
         if abs(elastic) < most:
             shear += law.beta_s * law.ks_n_m[i] * slip
-            shear = min(max(shear, -most), most)
+            if law.bounded:
+                shear = min(max(shear, -most), most)
         limit[i], out[SLIP + i] = most, slip
         # N and T resist penetration and slip
         py, pz = (-shear, normal) if base else (normal, -shear)

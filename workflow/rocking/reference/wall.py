@@ -66,6 +66,9 @@ class Wall:
     gap_m : float
         Clearance between back face and return walls at the start.
     gravity_m_s2 : float
+    bounded : bool
+        Spring and dashpot along a joint keep |T| ≤ μN together. False: the law that YADE ships, in
+        which a node that sticks has its dashpot beside what friction holds.
 
     Raises
     ------
@@ -92,6 +95,7 @@ class Wall:
     quadrature: str = "lobatto"
     gap_m: float = 0.0
     gravity_m_s2: float = 9.81
+    bounded: bool = True
     eta_m: np.ndarray = field(init=False, repr=False, compare=False)
     zeta_m: np.ndarray = field(init=False, repr=False, compare=False)
     kn_n_m: np.ndarray = field(init=False, repr=False, compare=False)
