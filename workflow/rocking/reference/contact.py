@@ -30,9 +30,9 @@ class Law(NamedTuple):
         Body coordinates, stiffnesses, tan φ.
     segment : ndarray of int, shape (nodes − n_base,)
         Return-wall segment of each node that is not the base's.
-    beta_s, gap_m, mass_kg, inertia_kg_m2, gravity_m_s2, h_m, b_m : float
     bounded : bool
         See `Wall`.
+    beta_s, gap_m, mass_kg, inertia_kg_m2, gravity_m_s2, h_m, b_m : float
     """
 
     n_base: int
@@ -42,6 +42,7 @@ class Law(NamedTuple):
     ks_n_m: np.ndarray
     friction: np.ndarray
     segment: np.ndarray
+    bounded: bool
     beta_s: float
     gap_m: float
     mass_kg: float
@@ -49,7 +50,6 @@ class Law(NamedTuple):
     gravity_m_s2: float
     h_m: float
     b_m: float
-    bounded: bool
 
 
 def law_of(wall):
@@ -62,9 +62,9 @@ def law_of(wall):
         wall.ks_n_m,
         wall.friction,
         wall.segment,
+        bool(wall.bounded),
         *map(float, (wall.beta_s, wall.gap_m, wall.mass_kg, wall.inertia_kg_m2)),
         *map(float, (wall.gravity_m_s2, wall.h_m, wall.b_m)),
-        bool(wall.bounded),
     )
 
 
