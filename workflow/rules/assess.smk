@@ -73,6 +73,7 @@ def compared_facades(wildcards):
             "checks": of_run(rules.assess_checks.output[0])(job),
             "collapse": COLLAPSE(job),
             "parts": GOVERNING_COLLAPSE(job),
+            "levels": of_run(rules.assess_levels.output[0])(job),
         }
     return json.dumps(found, sort_keys=True)
 
