@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from both_solvers import BETA_S, pulses
 from rocking import Case, Variant
 from rocking.collapse.scan import COURSES_NODES, COURSES_STEP
 from rocking.configuration import config as configuration
@@ -13,7 +14,7 @@ from rocking.reference.facade import wall_of
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import Motions, history, stable_step
 from test_floors import slow
-from test_ties import BETA_S, G, pulses
+from test_ties import G
 from yade_process import in_yade, resolved
 
 from yade_scripts.model import base

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pandas as pd
 import pytest
+from both_solvers import BETA_S, FEW, agreed, pulses
 from rocking import Case, Motion
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
@@ -12,8 +13,8 @@ from rocking.solver.plane import matrices, to_plane
 from rocking.solver.runs import Motions, history
 from rocking.studies import restraint
 from rocking.studies.additions import planar_models
-from test_ties import BETA_S, FEW, G, pulses
-from yade_process import in_yade, resolved
+from test_ties import G
+from yade_process import resolved
 
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.stiffness import assemble
@@ -120,19 +121,7 @@ def test_yade_and_the_compiled_solver():
     roof = {**ROOF, "load_kn": 30.0}
     rows = [{**roof, "mass_t": 5.0}, {**roof, "height_m": 3.24, "load_kn": 20.0}]
     config, scene = floored(*rows, model="W2", numerics=FEW)
-    t, ground = pulses(1.5)
-    floors = [ground * (1.0 + 0.1 * j) for j in range(1, 5)]
-    planar = history(to_plane(scene), Motions(t, ground, floors), config["numerics"], sample_s=0.01)
-    columns = {f"floor{j}": floor.tolist() for j, floor in enumerate(floors, 1)}
-    columns["ground"] = ground.tolist()
-    got = in_yade(
-        "accuracy_cases", "balanced", config=config, model="W2", beta_s=BETA_S, fraction=0.1,
-        time_s=t.tolist(), columns=columns,
-    )  # fmt: skip
-    assert got["status"] == planar.status == "ok"
-    assert got["peak"] > 0.05
-    assert got["peak"] == pytest.approx(planar.peak_d_over_b, rel=0.01)
-    assert got["residual"] < 2e-3 * got["overturning"]
+    _, got = agreed(config, scene, "W2", 1.5, 0.1)
     assert got["last"][6] > 0.1 * got["overturning"]  # friction
 
 

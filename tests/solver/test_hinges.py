@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from both_solvers import BETA_S, FEW, agreed, pulses
 from rocking.assessment.code_checks import weakest_hinge
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
@@ -10,7 +11,7 @@ from rocking.solver.plane import moving_supports, to_plane
 from rocking.solver.runs import Motions, history
 from rocking.solver.stack import stack_matrices, stacked
 from test_floors import ROOF, floored, slow
-from test_ties import BETA_S, FEW, G, pulses
+from test_ties import G
 from yade_process import in_yade
 
 from yade_scripts.model.facade import facade_scene
@@ -150,16 +151,7 @@ def test_every_hinge_carries_what_is_above_it():
 def test_yade_and_the_compiled_solver():
     """Two pieces, two floors that slide: peak d/b within 1 %, and YADE's energy balance closes."""
     config, scene = floored(*FLOORS, facade={"hinges_m": [4.0]}, numerics=FEW)
-    t, ground = pulses(3.0)
-    planar = history(to_plane(scene), Motions(t, ground), config["numerics"], sample_s=0.01)
-    got = in_yade(
-        "accuracy_cases", "balanced", config=config, model="W1", beta_s=BETA_S, fraction=0.1,
-        time_s=t.tolist(), columns={"ground": ground.tolist()},
-    )  # fmt: skip
-    assert got["status"] == planar.status == "ok"
-    assert got["peak"] > 0.05
-    assert got["peak"] == pytest.approx(planar.peak_d_over_b, rel=0.01)
-    assert got["residual"] < 2e-3 * got["overturning"]
+    agreed(config, scene, "W1", 3.0, 0.1)
 
 
 @pytest.mark.parametrize(

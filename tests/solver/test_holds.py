@@ -4,14 +4,14 @@ import math
 
 import numpy as np
 import pytest
+from both_solvers import FEW, agreed, pulses
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.configuration.standing import restoring
 from rocking.solver.plane import matrices, to_plane
 from rocking.solver.runs import Motions, history
 from test_floors import floored
-from test_ties import BETA_S, FEW, pulses
-from yade_process import in_yade, resolved
+from yade_process import resolved
 
 from yade_scripts.model.holds import holds
 from yade_scripts.model.stiffness import assemble
@@ -98,19 +98,7 @@ def test_yade_and_the_compiled_solver(name):
     floor = {**ALONE, "anchor_reach_m": reach}
     own = {"model": model, "facade": {"sides": sides}, "models": [model]}
     config, scene = floored(floor, numerics=FEW, **own)
-    t, ground = pulses(amplitude)
-    floors = [] if model == "W1" else [ground * (1.0 + 0.1 * j) for j in range(1, 5)]
-    planar = history(to_plane(scene), Motions(t, ground, floors), config["numerics"], sample_s=0.01)
-    columns = {f"floor{j}": floor.tolist() for j, floor in enumerate(floors, 1)}
-    columns["ground"] = ground.tolist()
-    got = in_yade(
-        "accuracy_cases", "balanced", config=config, model=model, beta_s=BETA_S, fraction=0.05,
-        time_s=t.tolist(), columns=columns,
-    )  # fmt: skip
-    assert got["status"] == planar.status == "ok"
-    assert got["peak"] > 0.05
-    assert got["peak"] == pytest.approx(planar.peak_d_over_b, rel=0.01)
-    assert got["residual"] < 2e-3 * got["overturning"]
+    planar, got = agreed(config, scene, model, amplitude, 0.05)
     assert planar.broken == lost
     if lost:
         taken = 12e3 * reach - 0.5 * 12e3**2 / 2e7

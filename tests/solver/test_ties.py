@@ -6,20 +6,20 @@ import math
 import numpy as np
 import pandas as pd
 import pytest
+from both_solvers import BETA_S, FEW, agreed, pulses
 from rocking import Case, Motion
 from rocking.configuration.config import ConfigError
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import Motions, history
 from rocking.studies import strengthening
 from scipy.stats import binomtest
-from yade_process import in_yade, resolved
+from yade_process import resolved
 
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.holds import rod
 from yade_scripts.model.scene import TIE
 from yade_scripts.model.stiffness import assemble
 
-BETA_S = 0.002
 G = 9.80665
 
 
@@ -35,12 +35,6 @@ def outward(config, scene, time_s, pull_m_s2):
     return history(to_plane(scene), Motions(time_s, -pull_m_s2), config["numerics"], sample_s=0.01)
 
 
-FEW = {  # the end nodes are stiff: a sharp toe
-    "nodes_thickness": 3,
-    "nodes_height": 3,
-    "nodes_per_block": 3,
-    "after_motion_s": 0.5,
-}
 ROW = {"height_m": 6.0, "count": 2, "diameter_mm": 16.0, "length_m": 4.0}
 
 
@@ -86,13 +80,6 @@ def test_static_capacity(anchor_kn):
         assert outward(config, scene, time_s, slow).status == status
 
 
-def pulses(amplitude):
-    """Pulses of 1 s that end where they began [m/s²]."""
-    t = np.arange(0.0, 3.0, 0.01)
-    place = np.sin(2.0 * np.pi * t) * np.exp(-(((t - 1.5) / 0.7) ** 2)) / (2.0 * np.pi) ** 2
-    return t, -amplitude * np.gradient(np.gradient(place, t), t)
-
-
 def test_a_taut_tie_is_a_bonded_node():
     """A tie that never yields, and a node that holds tension alone: the same swing."""
     row = {**ROW, "diameter_mm": 6.0, "yield_mpa": 5000.0, "count": 1}
@@ -130,19 +117,7 @@ def test_yade_and_the_compiled_solver(name):
     """Peak d/b within 1 %, and YADE's energy balance closes with the tie's losses in them."""
     row, model, amplitude = CASES[name]
     config, scene = tied(row, model=model, numerics=FEW)
-    t, ground = pulses(amplitude)
-    floors = [] if model == "W1" else [ground * (1.0 + 0.1 * j) for j in range(1, 5)]
-    planar = history(to_plane(scene), Motions(t, ground, floors), config["numerics"], sample_s=0.01)
-    columns = {f"floor{j}": floor.tolist() for j, floor in enumerate(floors, 1)}
-    columns["ground"] = ground.tolist()
-    got = in_yade(
-        "accuracy_cases", "balanced", config=config, model=model, beta_s=BETA_S, fraction=0.1,
-        time_s=t.tolist(), columns=columns,
-    )  # fmt: skip
-    assert got["status"] == planar.status == "ok"
-    assert got["peak"] > 0.05
-    assert got["peak"] == pytest.approx(planar.peak_d_over_b, rel=0.01)
-    assert got["residual"] < 2e-3 * got["overturning"]
+    planar, got = agreed(config, scene, model, amplitude, 0.1)
     k, force, snap = rod(config["facade"]["ties"][0])
     lost = got["last"][7]  # by yielding and snapping
     if name == "snaps":

@@ -54,10 +54,8 @@ def hang_base(config, blocks, nodes, base, masses):
 
     Parameters
     ----------
-    config : dict
-        Sections facade, return_wall, smdof.
-    blocks, nodes
-        Of the scene that is being assembled; block 0 is the ground.
+    config, blocks, nodes
+        As of `Hanging`.
     base : int
         Index of its block.
     masses : sequence of int

@@ -17,7 +17,7 @@ import yaml
 from rocking.accuracy.fidelity import choose, read_fidelity
 from rocking.calibration.beta import LAW_FILE, beta_and_range, beta_for
 from rocking.configuration import config as configuration
-from rocking.configuration import schema
+from rocking.configuration import refusals, schema
 from rocking.configuration.facade import WEAKEST, check_facade
 from rocking.configuration.files import check_files
 from rocking.records.reader import nearest
@@ -312,7 +312,7 @@ def _allowed(key, value):
         raise ValueError(f"{key}: expected single values by dotted key, as 'facade.height_m'")
     value = schema.plain(value, key)
     if key != "beta_s":
-        schema.refuse_invalid(configuration.nested({key: value}), schema.whole())
+        refusals.refuse_invalid(configuration.nested({key: value}), schema.whole())
     return value
 
 

@@ -11,7 +11,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from rocking.configuration import renamed
+from rocking.configuration import refusals, renamed
 from rocking.configuration import schema as config_schema
 from rocking.configuration.facade import check_facade
 from rocking.configuration.files import check_files, write_resolved
@@ -62,7 +62,7 @@ def resolve(config: Mapping) -> dict[str, Any]:
             raise ConfigError(f"'{key}' describes several runs; use expand_scenarios")
     known = config_schema.whole()
     resolved = config_schema.complete(values, known)
-    config_schema.refuse_invalid(resolved, known)
+    refusals.refuse_invalid(resolved, known)
     try:
         check(resolved)
     except ConfigError as error:  # what follows from a number in another unit is no help alone
@@ -283,7 +283,7 @@ def _grid(given: Any) -> dict[str, dict]:
             raise (
                 ConfigError("grid.run: a grid names its runs itself")
                 if path == "run"
-                else (config_schema.unknown_key(path, known))
+                else (refusals.unknown_key(path, known))
             )
         if not isinstance(values, list) or not values:
             raise ConfigError(f"grid.{path} = {show(values)}: expected a list of values")
