@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 import pytest
+from rocking import compile_ahead
 from rocking.runtime.compiled import compiled
 from rocking.solver.block import march_blocks
 
@@ -133,3 +134,49 @@ def test_what_is_given_functions_is_kept_in_the_cache_of_what_gives_them(tmp_pat
     )
     answers = [printed(tmp_path, "import outer").split() for _ in range(2)]
     assert answers == [["12", "0"], ["12", "1"]]
+
+
+KILLED = """
+import os
+from rocking.runtime import compiled
+{cls}._save_{what} = lambda *_: os._exit(0)
+from outer import f
+f({given})
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("what", ["data", "index"])
+@pytest.mark.parametrize("given", [10, 10.0])
+def test_a_process_killed_as_it_keeps_leaves_no_old_code_behind(tmp_path, what, given):
+    """The source changed, and whoever compiled it anew was killed between the cache's two files."""
+    answers = []
+    for step in (1, 2):
+        (tmp_path / "outer.py").write_text(
+            "from rocking.runtime.compiled import compiled\n"
+            f"@compiled\ndef f(x):\n    return x + {step}\n"
+        )
+        if step > 1:
+            killed = KILLED.format(cls="compiled.Kept", what=what, given=given)
+            printed(tmp_path, killed)
+        answers.append(printed(tmp_path, "from outer import f; print(int(f(10)))").strip())
+    assert answers == ["11", "12"]
+
+
+@pytest.mark.slow
+def test_code_of_sources_before_is_cleared_and_that_of_other_types_kept(tmp_path):
+    for step in (1, 2):
+        (tmp_path / "outer.py").write_text(
+            "from rocking.runtime.compiled import compiled\n"
+            f"@compiled\ndef f(x):\n    return x + {step}\n"
+        )
+        printed(tmp_path, "from outer import f; f(10); f(10.0)")
+        assert len(list(tmp_path.rglob("*.nbc"))) == 2
+    hits = "from outer import f; f(10); f(10.0); print(sum(f.stats.cache_hits.values()))"
+    assert printed(tmp_path, hits).strip() == "2"
+
+
+@pytest.mark.slow
+def test_a_killed_compiler_is_one_line(capsys):
+    assert compile_ahead.main(jobs=[(os._exit, 9)]) == 1
+    assert capsys.readouterr().err.startswith("error: a process that compiled a solver was killed")

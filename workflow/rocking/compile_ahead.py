@@ -9,7 +9,9 @@ they ask for; in processes side by side, since a loop takes up to half a minute.
 
 import importlib
 import multiprocessing
+import sys
 from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 
 import numpy as np
 
@@ -77,12 +79,20 @@ JOBS = (
 )  # the longest first
 
 
-def main():
-    """Compile all, as many at a time as there are cores."""
-    with ProcessPoolExecutor(mp_context=multiprocessing.get_context("spawn")) as pool:
-        for job in [pool.submit(*job) for job in JOBS]:
-            job.result()
+def main(jobs=JOBS):
+    """Compile all, as many at a time as there are cores; return the exit status."""
+    try:
+        with ProcessPoolExecutor(mp_context=multiprocessing.get_context("spawn")) as pool:
+            for job in [pool.submit(*job) for job in jobs]:
+                job.result()
+    except BrokenProcessPool:
+        sys.stderr.write(
+            "error: a process that compiled a solver was killed, as where memory is short "
+            "(1 GB each): give the same command again\n"
+        )
+        return 1
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -1,13 +1,54 @@
 """Compilation by numba, for both planar solvers; they share nothing else."""
 
+import contextlib
+import fcntl
 import hashlib
+import os
 from pathlib import Path
 from typing import Any
 
 from numba import njit
+from numba.core.caching import IndexDataCacheFile
 
 OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}  # without the interpreter's lock
 UNCOUNTED: dict[str, Any] = {"_nrt": False}  # without numba's counts of who refers to an array
+
+
+class Kept(IndexDataCacheFile):
+    """Machine code on disk, and the index of what is of which types, written in this order.
+
+    numba writes the index first, and after a change of the source names files in it that are there
+    already, of the source before. Who reads then, or after whoever wrote was killed then, runs the
+    old machine code, or crashes in it where types have changed. Here a file is named by what stands
+    in it, and the index names none that is not there.
+    """
+
+    def save(self, key, data):
+        """Keep what was compiled; one process at a time where the file system has locks."""
+        with self._alone():
+            content = hashlib.sha256(self._dump(data)).hexdigest()
+            name = self._data_name(int(content[:16], 16))
+            self._save_data(name, data)
+            overloads = {**self._load_index(), key: name}
+            self._save_index(overloads)
+            self._clear({*overloads.values()})
+
+    @contextlib.contextmanager
+    def _alone(self):
+        folder = os.open(self._cache_path, os.O_RDONLY)
+        try:
+            with contextlib.suppress(OSError):
+                fcntl.flock(folder, fcntl.LOCK_EX)
+            yield
+        finally:
+            os.close(folder)
+
+    def _clear(self, named):
+        """Remove what the index does not name: of the source before, or of other names."""
+        pattern = self._data_name_pattern.replace("{number:d}", "*")
+        for path in Path(self._cache_path).glob(pattern):
+            if path.name not in named:
+                path.unlink(missing_ok=True)
 
 
 def compiled(function):
@@ -22,8 +63,9 @@ def compiled(function):
         return njit(**OPTIONS)(function)
     beside = sorted(Path(function.__code__.co_filename).parent.glob("*.py"))
     digest = hashlib.sha256(b"".join(path.read_bytes() for path in beside)).hexdigest()
-    index = made._cache._cache_file
-    index._source_stamp = (index._source_stamp, digest)
+    cache = made._cache
+    stamp = (cache._cache_file._source_stamp, digest)
+    cache._cache_file = Kept(cache.cache_path, cache._impl.filename_base, stamp)
     return made
 
 
