@@ -102,7 +102,9 @@ def test_another_model_of_the_same_test(tmp_path):
         validation.read(tmp_path / "own")
 
 
-@pytest.mark.parametrize("name", ["us1_courses", "us1_inertia", "us1_joists", "us1_shape", "us1_top", "us1_whole"])
+@pytest.mark.parametrize(
+    "name", ["us1_courses", "us1_inertia", "us1_joists", "us1_shape", "us1_top", "us1_whole"]
+)
 def test_readings_of_us1(name):
     """Every variant has the first period, by E or by what holds the top."""
     experiment = validation.read(US1.parent / name)
