@@ -148,6 +148,20 @@ def test_a_bracket_decides_nothing_within_its_width():
         assert verdicts(W1={"RRS228-": 0.4}, W2={"RRS228-": pga})[claim]["holds"] == holds
 
 
+def test_a_loss_is_of_the_equivalent_pga_with_half_collapse_beside():
+    """A façade on W2 that falls at 0.16 g, stands from there and falls for good at 0.3 g."""
+    data = collapse_table(W1={"RRS228-": 0.4}, W2={"RRS228-": 0.16}).assign(
+        pga_equivalent_g=[0.4, 0.2], pga_median_g=[0.4, 0.16]
+    )
+    row = claims.evaluate(data, {})[1]
+    assert row["measured"] == (
+        "50 % (RRS228-); median 50 %; by half collapse 60 % (RRS228-); median 60 %"
+    )
+    assert row["holds"] == "yes"
+    far = claims.evaluate(data.assign(pga_equivalent_g=[0.4, 0.22]), {})[1]
+    assert far["holds"] == "no"  # half collapse does not decide
+
+
 def test_models_that_were_not_run_make_no_claim():
     rows = claims.evaluate(collapse_table(W1=W1, W2=scaled(0.9, 0.4)), {})
     assert {row["claim"] for row in rows} == {

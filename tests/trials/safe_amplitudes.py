@@ -4,11 +4,12 @@
 
 For every curve the dense scan with its power, then `--each` histories in every 1 % of amplitude
 below its `pga_safe_g`, down to `--down` of it: how many fall, and in which windows more than the
-bound. Above it `--above` of them in 1 %, up to where 90 % fall: first crossings from those alone,
-beside the scan's and the short climb's. Motions by the names of the recorded suite, or of
-`--records`; with a seed surrogates of `--surrogates`. Curves that `--output` holds are not run
-again; `--keep` is a folder for the scans and the dense histories. A curve takes half a minute to
-some minutes.
+bound. Above it `--above` of them in 1 %, up to where 90 % fall for sure: first crossings from those
+alone, beside the scan's and the short climb's. `--beside 0.3 0.1` judges another search by the same
+histories: that with those limits of d/b and of the share (formerly these). Motions by the names of
+the recorded suite, or of `--records`; with a seed surrogates of `--surrogates`. Curves that
+`--output` holds are not run again; `--keep` is a folder for the scans and the dense histories. A
+curve takes half a minute to some minutes.
 """
 
 import argparse
@@ -19,6 +20,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 from rocking import Case, Motion, collapse_curve
+from rocking.collapse import hidden
 from rocking.collapse.crossing import first_crossing
 from rocking.collapse.curve import run_by
 from rocking.collapse.hidden import WINDOW
@@ -57,6 +59,32 @@ def beneath(table, each, bound):
     }
 
 
+def beside(case, motion, direction, screen, found, low, args):
+    """Another search of the same curve: its cost, and what falls below its safe amplitude."""
+    usual = hidden.NEAR
+    try:
+        hidden.NEAR, share = args.beside
+        began = time.process_time()
+        other = collapse_curve(case, motion, direction, settings={"safe_share": share})
+        took, safe_g = time.process_time() - began, other.summary()["pga_safe_g"]
+    finally:
+        hidden.NEAR = usual
+    under = low[low["pga_g"] < safe_g]
+    if safe_g > found * (1.0 + 1e-4):  # what lies between is not run yet
+        under = pd.concat([under, dense(screen, found, safe_g, args.each)])
+    fell = under["collapsed"].to_numpy()
+    whole = fell[: fell.size // args.each * args.each].reshape(-1, args.each).mean(axis=1)
+    return {
+        "other_safe_g": safe_g,
+        "other_runs": other.runs,
+        "other_cpu_s": took,
+        "other_histories_below": fell.size,
+        "other_fell_below": int(fell.sum()),
+        "other_windows_over": int((whole > args.bound).sum()),
+        "other_largest_share": whole.max(),
+    }
+
+
 def row(curve, args):
     """One curve, and the tables behind it."""
     record, model, direction, *seed = curve.split(":")
@@ -70,15 +98,18 @@ def row(curve, args):
     record = "@".join((record, *seed))
     out = dict(zip(KEY, (model, record, direction), strict=True))
     names = ("safe", "collapse", "p10", "median", "p90", "equivalent", "max")
+    names += tuple(f"{of}_{end}" for of in ("p10", "median", "p90") for end in ("low", "high"))
     out |= {f"pga_{name}_g": found[f"pga_{name}_g"] for name in names}
     out |= {name: found[name] for name in ("safe_bound", "runs_planar")} | {"cpu_s": took}
     safe_g, screen = found["pga_safe_g"], run_by("planar", case, motion, direction)
     low = dense(screen, safe_g * math.exp(-WINDOW * round(-math.log(args.down) / WINDOW)), safe_g,
                 args.each)  # fmt: skip
     out |= beneath(low, args.each, args.bound)
+    if args.beside:
+        out |= beside(case, motion, direction, screen, safe_g, low, args)
     tables = {"scan": scan.table, "below": low}
     if math.isfinite(found["pga_p90_g"]):
-        high_g = 1.03 * found["pga_p90_g"]
+        high_g = 1.03 * np.nanmax([found["pga_p90_g"], found["pga_p90_high_g"]])
         few = max(10, int(MOST * WINDOW / math.log(high_g / safe_g)))
         high = dense(screen, safe_g, high_g, min(args.above, few))
         both = pd.concat([low, high]).sort_values("pga_g")
@@ -89,8 +120,9 @@ def row(curve, args):
         tables["above"] = high
     for name, step in (("quick", {}), ("climb", {"step": None})):
         began = time.process_time()
-        ends = crossings(case, motion, direction, **step)
-        out |= {f"{name}_p10_g": ends["pga_p10_g"], f"{name}_median_g": ends["pga_median_g"]}
+        ends = crossings(case, motion, direction, ends=True, **step)
+        out |= {f"{name}_{of}_g": ends[f"pga_{of}_g"] for of in ("p10", "median")}
+        out |= {f"{name}_{of}_g": ends[f"pga_median_{of}_g"] for of in ("low", "high")}
         out |= {f"{name}_runs": ends["runs_planar"], f"{name}_cpu_s": time.process_time() - began}
     return out, tables
 
@@ -103,10 +135,13 @@ def main():
     parser.add_argument("--each", type=int, default=200, help="histories in 1 %% below")
     parser.add_argument("--above", type=int, default=40, help="histories in 1 %% above")
     parser.add_argument("--down", type=float, default=0.8, help="of the safe amplitude")
+    parser.add_argument("--beside", type=float, nargs=2, metavar=("NEAR", "SHARE"))
     parser.add_argument("--bound", type=float, default=0.03, help="share that may fall")
     parser.add_argument("--keep", help="folder of the tables behind a row")
     parser.add_argument("--output", required=True)
     args = parser.parse_args()
+    if args.keep:
+        Path(args.keep).mkdir(parents=True, exist_ok=True)
     there = Path(args.output).is_file()
     rows = pd.read_csv(args.output).to_dict("records") if there else []
     known = {tuple(row[name] for name in KEY) for row in rows}
