@@ -17,7 +17,7 @@ def capacity(**pga_g):
     """One curve a model; every measure at the given amplitude, a band of ± 1 % about it."""
     factors = {"pga_collapse_g": 0.99, "pga_p10_g": 0.99, "pga_p90_g": 1.01, "pga_all_g": 1.01}
     rows = [
-        {"model": name, "record": "A", "direction": "pos", "pga_median_g": g}
+        {"model": name, "record": "A", "direction": "pos", "pga_median_g": g, "pga_equivalent_g": g}
         | {key: g * factor for key, factor in factors.items()}
         for name, g in pga_g.items()
     ]
@@ -57,6 +57,9 @@ def test_a_curve_of_probabilities_alone():
     assert found["pga_median_g"] == pytest.approx(0.25)
     assert found["pga_p90_g"] == pytest.approx(0.35)
     assert found["pga_all_g"] == 0.4
+    ends = np.array([0.1, 0.02**0.5, 0.06**0.5, 0.12**0.5])  # each share up to the next middle
+    rate = np.array([0.0, 0.2, 0.8, 1.0]) @ (ends**-2 - np.append(ends[1:] ** -2, 0.0))
+    assert found["pga_equivalent_g"] == pytest.approx(rate**-0.5)
     assert found["runs"] == 20
     # stands to 0.1 g, then 0.09 + 0.05 + 0.01 g in the three steps
     assert found["pga_mean_g"] == pytest.approx(0.25)
@@ -107,3 +110,26 @@ def test_a_scan_counts_as_planar_and_yades_own_runs_as_yades():
         assert found["pga_collapse_g"] == pytest.approx(0.26)
         assert found["pga_mean_g"] == pytest.approx(0.255)  # stands up to the middle of the step
         assert len(dense) == 31
+
+
+def test_a_loss_counts_what_stands_above_a_first_range():
+    """W2 falls from 0.14 to 0.16 g and from 0.2 g on: half collapse is 0.14 g, not its rate's."""
+    pga_g = np.geomspace(0.1, 0.5, 400)
+    shares = {
+        "W1": pga_g >= 0.4,
+        "W2": ((pga_g >= 0.14) & (pga_g < 0.16)) | (pga_g >= 0.2),
+        "W2m": pga_g >= 0.2,
+    }
+    rows = []
+    for name, fell in shares.items():
+        runs = pd.DataFrame({"pga_g": pga_g, "collapsed": fell.astype(int), "d_over_b": 0.5})
+        runs["status"] = np.where(fell, "overturned", "ok")
+        found, _ = assumptions.measured(runs, 0.01, True)
+        rows.append({"model": name, "record": "A", "direction": "pos"} | found)
+    found = assumptions.losses(pd.DataFrame(rows)).set_index("measure")
+    by_hand = (0.14**-2 - 0.16**-2 + 0.2**-2) ** -0.5
+    assert found.loc["equivalent", "pga_w2_g"] == pytest.approx(by_hand, rel=5e-3)
+    assert found.loc["equivalent", "loss_two_way"] == pytest.approx(0.5, abs=5e-3)
+    assert found.loc["median", "loss_one_way"] == pytest.approx(0.65, abs=5e-3)
+    steeper, _ = assumptions.measured(runs, 0.01, True, slope=3.0)
+    assert steeper["pga_equivalent_g"] == pytest.approx(0.2, rel=5e-3)  # a threshold, for any slope

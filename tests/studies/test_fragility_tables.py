@@ -135,7 +135,7 @@ def test_a_measure_that_leaves_the_pulse_out_is_insufficient(made):
     log_x, noise = draw.normal(scale=[[0.5], [0.05]], size=(2, len(RECORDS)))
     noise -= np.polyval(np.polyfit(log_x, noise, 1), log_x)  # of its own, it has no slope
     x = np.exp(log_x)
-    curves = curves.assign(pga_median_g=0.3 * x**-0.8 * np.exp(noise))
+    curves = curves.assign(pga_equivalent_g=0.3 * x**-0.8 * np.exp(noise))
     properties = {
         name: {"significant_duration_s": 9.0 * d, "pgv_over_pga_s": v}
         for name, v, d in zip(RECORDS, x, draw.permutation(x), strict=True)

@@ -85,6 +85,18 @@ def beside(case, motion, direction, screen, found, low, args):
     }
 
 
+def climbs(case, motion, direction):
+    """Short climbs with the long step and with the scan's: crossings and cost."""
+    out = {}
+    for name, step in (("quick", {}), ("climb", {"step": None})):
+        began = time.process_time()
+        ends = crossings(case, motion, direction, ends=True, **step)
+        out |= {f"{name}_{of}_g": ends[f"pga_{of}_g"] for of in ("p10", "median")}
+        out |= {f"{name}_{of}_g": ends[f"pga_median_{of}_g"] for of in ("low", "high")}
+        out |= {f"{name}_runs": ends["runs_planar"], f"{name}_cpu_s": time.process_time() - began}
+    return out
+
+
 def row(curve, args):
     """One curve, and the tables behind it."""
     record, model, direction, *seed = curve.split(":")
@@ -101,6 +113,9 @@ def row(curve, args):
     names += tuple(f"{of}_{end}" for of in ("p10", "median", "p90") for end in ("low", "high"))
     out |= {f"pga_{name}_g": found[f"pga_{name}_g"] for name in names}
     out |= {name: found[name] for name in ("safe_bound", "runs_planar")} | {"cpu_s": took}
+    out |= climbs(case, motion, direction)
+    if not args.each:
+        return out, {"scan": scan.table}
     safe_g, screen = found["pga_safe_g"], run_by("planar", case, motion, direction)
     low = dense(screen, safe_g * math.exp(-WINDOW * round(-math.log(args.down) / WINDOW)), safe_g,
                 args.each)  # fmt: skip
@@ -118,12 +133,6 @@ def row(curve, args):
         levels = [first_crossing(pga_g, share, level) for level in LEVELS]
         out |= dict(zip(("dense_p10_g", "dense_median_g", "dense_p90_g"), levels, strict=True))
         tables["above"] = high
-    for name, step in (("quick", {}), ("climb", {"step": None})):
-        began = time.process_time()
-        ends = crossings(case, motion, direction, ends=True, **step)
-        out |= {f"{name}_{of}_g": ends[f"pga_{of}_g"] for of in ("p10", "median")}
-        out |= {f"{name}_{of}_g": ends[f"pga_median_{of}_g"] for of in ("low", "high")}
-        out |= {f"{name}_runs": ends["runs_planar"], f"{name}_cpu_s": time.process_time() - began}
     return out, tables
 
 
@@ -132,7 +141,9 @@ def main():
     parser.add_argument("curves", nargs="+", help="record:model:direction[:seed]")
     parser.add_argument("--records", default=SUITE, help="table of records")
     parser.add_argument("--surrogates", default=SURROGATES, help="table of surrogates")
-    parser.add_argument("--each", type=int, default=200, help="histories in 1 %% below")
+    parser.add_argument(
+        "--each", type=int, default=200, help="histories in 1 %% below; 0: climbs only"
+    )
     parser.add_argument("--above", type=int, default=40, help="histories in 1 %% above")
     parser.add_argument("--down", type=float, default=0.8, help="of the safe amplitude")
     parser.add_argument("--beside", type=float, nargs=2, metavar=("NEAR", "SHARE"))

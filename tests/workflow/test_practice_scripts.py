@@ -234,10 +234,12 @@ def test_capacity_ratio_is_in_ground_acceleration(tmp_path):
             "records": [str(tmp_path / "R.json")],
         },
         output={k: str(tmp_path / v) for k, v in out.items()},
-        params={"spread": 0.01, "w1": w1, "w2": w2},
+        params={"spread": 0.01, "hazard_slope": 2.0, "w1": w1, "w2": w2},
     )
     table = pd.read_csv(tmp_path / "t.csv").set_index("direction")
     assert table.loc["pos", "ratio"] == pytest.approx(0.5)
+    assert table.loc["pos", "ratio_equivalent"] == pytest.approx(0.5)
+    assert np.isnan(table.loc["neg", "ratio_equivalent"])
     assert table["censored"].to_dict() == {"pos": 0, "neg": 1}
     assert table.loc["pos", "source"] == "surrogate"
     assert (tmp_path / "f.png").stat().st_size > 5000

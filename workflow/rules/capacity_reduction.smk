@@ -78,6 +78,7 @@ rule figure_capacity_reduction:
         w1=of_run(rules.ida.output[0], model="W1"),
         w2=of_run(rules.reduction_ida.output[0], **BUILDINGS),
         spread=value_of("ensemble.amplitude_spread"),
+        hazard_slope=value_of("risk.hazard_slope"),
         facade=value_of("facade"),
         smdof=value_of("smdof"),
     script:

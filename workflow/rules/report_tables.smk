@@ -67,8 +67,9 @@ REPORT_TABLES = {
     "capacity_reduction": (
         "Capacity reduction",
         "W2/W1 of every record",
-        "Collapse PGA with floor motions over that with the ground motion everywhere. Censored: one"
-        " of the two never collapsed, and the ratio is not used.",
+        "Collapse PGA with floor motions over that with the ground motion everywhere: half collapse, and the"
+        " equivalent PGA, which counts every range of collapse and which the figure shows. Censored: one of"
+        " the two never collapsed.",
     ),
     "strengthening": (
         "Strengthening",

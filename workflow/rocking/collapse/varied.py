@@ -2,14 +2,15 @@
 
 from rocking.collapse.case import Variant
 from rocking.collapse.curve import collapse_curve
+from rocking.collapse.equivalent import SLOPE
 from rocking.collapse.quick import crossings
 
 AS_IT_IS = Variant()
 
 
-def intensities(case, motion, direction, search="scan", **settings):
+def intensities(case, motion, direction, search="scan", slope=SLOPE, **settings):
     """Collapse intensities of a curve, as of `Curve.summary`; settings as of `collapse_curve`."""
-    return collapse_curve(case, motion, direction, search=search, settings=settings).summary()
+    return collapse_curve(case, motion, direction, search=search, settings=settings).summary(slope)
 
 
 def collapses(cases, motion, directions, find=crossings, variants=(AS_IT_IS,)):

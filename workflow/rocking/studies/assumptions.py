@@ -9,11 +9,12 @@ import pandas as pd
 
 from rocking.collapse import probability
 from rocking.collapse.case import Variant
+from rocking.collapse.equivalent import SLOPE, equivalent
 from rocking.collapse.ratios import spread
 from rocking.collapse.varied import collapses, intensities
 from yade_scripts.model.registry import MODELS
 
-MEASURES = ("collapse", "p10", "median", "p90", "all")
+MEASURES = ("collapse", "p10", "median", "p90", "equivalent", "all")
 CAPACITY = [f"pga_{name}_g" for name in MEASURES]
 SIDE = (*MEASURES, "mean")  # of models side by side, whose whole curve is known
 KEY = ["record", "direction"]
@@ -100,7 +101,7 @@ def _about(assumption, level):
 AS_CONFIGURED = Variant("base", about=_about(BASE, ""))
 
 
-def collapse(case, motion, directions, stage, law, surrogate=None):
+def collapse(case, motion, directions, stage, law, surrogate=None, slope=SLOPE):
     """Collapse of a driven case as configured, and with every assumption at another level.
 
     Parameters
@@ -110,6 +111,8 @@ def collapse(case, motion, directions, stage, law, surrogate=None):
         See `variants`.
     law : path
         Coefficients of the law of β.
+    slope : float
+        Of the hazard, see `equivalent`.
 
     Returns
     -------
@@ -118,7 +121,7 @@ def collapse(case, motion, directions, stage, law, surrogate=None):
     """
 
     def find(changed, shaken, direction):
-        return intensities(changed.calibrated(law), shaken, direction, power=0.0)
+        return intensities(changed.calibrated(law), shaken, direction, slope=slope, power=0.0)
 
     every = [AS_CONFIGURED, *variants(case, stage, surrogate)]
     return collapses([case], motion, directions, find, every)
@@ -166,7 +169,7 @@ def mean_intensity(pga_g, share):
     return float(pga_g[0] + np.trapezoid(1.0 - share, pga_g))
 
 
-def measured(runs, spread, planar):
+def measured(runs, spread, planar, slope=SLOPE):
     """Collapse intensities and probability of one curve that was run.
 
     Parameters
@@ -175,6 +178,8 @@ def measured(runs, spread, planar):
         pga_g, status, collapsed; by the planar solver's scan or by YADE alone.
     spread : float
         See `probability.probability`.
+    slope : float
+        Of the hazard, see `equivalent`.
 
     Returns
     -------
@@ -183,12 +188,12 @@ def measured(runs, spread, planar):
     DataFrame
         pga_g, probability, realisations.
     """
-    found = probability.summary(runs if planar else None, runs, (), spread)
+    found = probability.summary(runs if planar else None, runs, (), spread, slope)
     dense = probability.from_scan(runs, spread)
     return found | {"pga_mean_g": mean_intensity(dense["pga_g"], dense["probability"])}, dense
 
 
-def from_probabilities(table):
+def from_probabilities(table, slope=SLOPE):
     """Collapse intensities of one curve of which only probabilities are known.
 
     Parameters
@@ -196,11 +201,13 @@ def from_probabilities(table):
     table : DataFrame
         Columns of tables/collapse_probability.csv; YADE's share where the planar one is blank, its
         columns may be missing.
+    slope : float
+        Of the hazard, see `equivalent`.
 
     Returns
     -------
     dict
-        pga_collapse_g … pga_all_g, pga_mean_g, runs.
+        pga_collapse_g … pga_all_g, pga_equivalent_g, pga_mean_g, runs.
     """
     table = table.reindex(columns=probability.PROBABILITY_COLUMNS).sort_values("pga_g")
     share = table["probability"].fillna(table["probability_yade"])
@@ -213,6 +220,7 @@ def from_probabilities(table):
         "pga_collapse_g": fell.min() if fell.size else np.nan,
         **dict(zip(("pga_p10_g", "pga_median_g", "pga_p90_g"), crossings, strict=True)),
         "pga_all_g": above.min() if fell.size and above.size else np.nan,
+        "pga_equivalent_g": equivalent(pga_g, share, slope),
         "pga_mean_g": mean_intensity(pga_g, share),
         "runs": int(runs),
     }
@@ -279,7 +287,7 @@ def losses(capacity):
         assumption; curves of which all three are known.
     """
     rows = []
-    for measure in ("collapse", "median", "mean", "all"):
+    for measure in ("collapse", "equivalent", "median", "mean", "all"):
         if f"pga_{measure}_g" not in capacity:
             continue
         wide = capacity.pivot(index=KEY, columns="model", values=f"pga_{measure}_g")

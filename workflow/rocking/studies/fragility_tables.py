@@ -191,6 +191,8 @@ def remark(found, part, settings):
 def slopes(curves, factors, properties, settings, stations_of):
     """Whether the collapse intensity in each measure still depends on what the motion is.
 
+    That of a curve is its equivalent one, by the same reading as the fits.
+
     Parameters
     ----------
     curves, factors, stations_of
@@ -212,7 +214,7 @@ def slopes(curves, factors, properties, settings, stations_of):
         places = [stations_of[record] for record in records]
         for name in settings["measures"]:
             factor = np.array([factors[record][name] for record in records])
-            intensity = np.log(part["pga_median_g"].to_numpy(float) * factor)
+            intensity = np.log(probability.one_number(part).to_numpy(float) * factor)
             for against in sufficiency.PROPERTIES:
                 x = np.log([properties[record][against] for record in records])
                 found = sufficiency.slope(x, intensity, places, *draws)

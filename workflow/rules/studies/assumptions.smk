@@ -36,6 +36,7 @@ rule table_assumptions:
     params:
         spread=value_of("ensemble.amplitude_spread"),
         reference=value_of("assumptions.reference"),
+        hazard_slope=value_of("risk.hazard_slope"),
         benchmarks=results("benchmarks"),
     script:
         "../../scripts/assumptions/table_assumptions.py"
@@ -86,6 +87,7 @@ rule assumptions_map:
         assumptions=values_of(
             "assumptions", "mass_ratios", "periods_s", "damping_ratios", "level_ratio"
         ),
+        hazard_slope=value_of("risk.hazard_slope"),
         directions=value_of("directions"),
     script:
         "../../scripts/assumptions/assumptions_map.py"
@@ -153,6 +155,7 @@ rule assumptions_varied:
         benchmarks("assumptions_varied_{model}_{record}")
     params:
         directions=value_of("directions"),
+        hazard_slope=value_of("risk.hazard_slope"),
         surrogates_table=lambda w: RUNS.find_file(ASSUMPTIONS(w.run)["surrogates_table"]),
         seed=value_of("seed"),
     script:

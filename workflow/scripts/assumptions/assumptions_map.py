@@ -12,7 +12,8 @@ from rocking.studies.assumptions import buildings
 from rocking.tables import write_table
 
 COLUMNS = ["record", "direction", "mass_ratio", "period_s", "damping_ratio"]
-COLUMNS += [*(f"pga_{name}_g" for name in ("collapse", "median", "all", "max")), "runs_planar"]
+MEASURES = ("collapse", "median", "equivalent", "all", "max")
+COLUMNS += [*(f"pga_{name}_g" for name in MEASURES), "runs_planar"]
 MEMBERS = 5  # amplitudes behind a probability
 
 
@@ -20,7 +21,7 @@ def main(job):
     case, settings = Case.read(job.input.scene), job.params.assumptions
     motion, ratio, rows = Motion(read_csv(job.input.record)), settings["level_ratio"], []
     how = {"level_ratio": ratio, "amplitude_spread": 0.5 * (MEMBERS - 1) * ratio}
-    find = partial(intensities, search="climb", **how)
+    find = partial(intensities, search="climb", slope=job.params.hazard_slope, **how)
     chain = itemgetter("period_s", "damping_ratio")
     for _, group in groupby(buildings(case, settings), lambda variant: chain(variant.about)):
         mine = list(group)

@@ -17,7 +17,8 @@ def main(job):
     known = record.source != "surrogate" and row is not None and row.path is None
     surrogate = {"table": p.surrogates_table, "seed": p.seed} if known else None
     given = Case.read(job.input.scene), Motion(record), p.directions, stage
-    write_table(collapse(*given, job.input.law, surrogate), job.output[0], COLUMNS)
+    found = collapse(*given, job.input.law, surrogate, p.hazard_slope)
+    write_table(found, job.output[0], COLUMNS)
 
 
 run(main, globals())

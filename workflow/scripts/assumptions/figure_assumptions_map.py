@@ -8,7 +8,7 @@ from rocking.figures.panels import heat_map
 from rocking.runtime.script import run
 
 NUMBERS = ("median", "low", "high", "share_unsafe")
-MEASURES = {"median": "half collapse", "collapse": "lowest collapse"}
+MEASURES = {"equivalent": "equivalent PGA", "collapse": "lowest collapse"}
 
 
 def panel(axis, table, words):
@@ -34,7 +34,7 @@ def main(job):
     figure.colorbar(image, ax=axes[:2], label="one-way over two-way [-]", shrink=0.9)
     axis = axes[2]
     part = table[
-        np.isclose(table["period_s"], p.smdof["period_s"]) & (table["measure"] == "median")
+        np.isclose(table["period_s"], p.smdof["period_s"]) & (table["measure"] == "equivalent")
     ]
     for (damping, group), look in zip(part.groupby("damping_ratio"), style.LOOKS, strict=False):
         group, (colour, line, marker) = group.sort_values("mass_ratio"), look
@@ -45,7 +45,7 @@ def main(job):
     axis.axhline(1.0, color="k", lw=0.7)
     axis.set(xlabel="façade's mass / building's [-]", xlim=(0, None), ylim=(0, None))
     axis.set_ylim(0, 1.05 * max(1.0, part["high"].max()))
-    axis.set_title(f"half collapse, T1 = {p.smdof['period_s']:g} s", loc="left")
+    axis.set_title(f"equivalent PGA, T1 = {p.smdof['period_s']:g} s", loc="left")
     axis.legend(title="damping", loc="lower left")
     style.save(figure, job.output, job.input.facts)
 

@@ -8,7 +8,7 @@ from rocking.runtime.script import run
 
 from yade_scripts.model.registry import MODELS
 
-PARTS = {"ratio_collapse": "lowest collapse", "ratio_median": "half collapse"}
+PARTS = {"ratio_collapse": "lowest collapse", "ratio_equivalent": "equivalent PGA"}
 LINES = ("-", "--", "-.", ":")
 TICKS = (0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0)
 

@@ -18,7 +18,7 @@ def main(job):
     table["level"] = table["level"].fillna("")
     title = style.titles(job.input.facts)
     levels = table[table["assumption"] != BASE].copy()
-    levels["swing"] = np.abs(np.log(levels[["ratio_median", "ratio_collapse"]])).max(axis=1)
+    levels["swing"] = np.abs(np.log(levels[["ratio_equivalent", "ratio_collapse"]])).max(axis=1)
     # one order for all panels: the largest median swing of an assumption's levels at the top
     order = levels.groupby("assumption")["swing"].median().sort_values()
     rows = [
@@ -37,12 +37,14 @@ def main(job):
         axis.axvline(0.0, color="k", lw=0.7, zorder=1)
         for row in mine[mine["assumption"] != BASE].itertuples():
             y = place[row.assumption, row.level]
-            middle, low, high, lowest = np.log(
-                [row.ratio_median, row.ratio_p10, row.ratio_p90, row.ratio_collapse]
-            )
+            middle, half, low, high, lowest = np.log(
+                [row.ratio_equivalent, row.ratio_median, row.ratio_p10, row.ratio_p90,
+                 row.ratio_collapse]
+            )  # fmt: skip
             if np.isfinite(middle):
                 axis.barh(y, np.clip(middle, -LIMIT, LIMIT), 0.62, color=BAR, zorder=2)
                 axis.plot(np.clip([low, high], -LIMIT, LIMIT), [y, y], color=BAND, lw=1.0, zorder=3)
+                axis.plot(np.clip(half, -LIMIT, LIMIT), y, "|", color=BAND, ms=6, zorder=3)
             if np.isfinite(lowest):
                 mark = "d" if abs(lowest) < LIMIT else (">" if lowest > 0 else "<")
                 spot = np.clip(lowest, -LIMIT, LIMIT)
@@ -53,8 +55,8 @@ def main(job):
         axis.set_yticks(range(len(rows)), [f"{a}: {b}" for a, b in rows], fontsize=7)
         axis.set(xlim=(-LIMIT, LIMIT), ylim=(-0.6, len(rows) - 0.4))
     figure.supxlabel("collapse PGA over that as configured [-]", fontsize=8)
-    axes[0, 0].barh(np.nan, 0.0, color=BAR, label="half collapse (p50)")
-    axes[0, 0].plot([], [], color=BAND, lw=1.0, label="p10 to p90 of amplitude scatter")
+    axes[0, 0].barh(np.nan, 0.0, color=BAR, label="equivalent PGA")
+    axes[0, 0].plot([], [], color=BAND, marker="|", lw=1.0, label="p50, p10 to p90")
     axes[0, 0].plot([], [], "d", color=LOWEST, ms=3.6, label="lowest collapse")
     axes[0, 0].fill_between([], [], color="0.9", label="scatter as configured")
     common_legend(figure, loc="outside upper center", ncols=2 if axes.shape[1] < 3 else 4)

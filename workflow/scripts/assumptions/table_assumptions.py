@@ -26,12 +26,13 @@ def cpu_s(folder, rule, key):
 
 def curves(job, records):
     """Key, method, runs, cost, intensities and probability of every curve of these records."""
-    spread, folder = job.params.spread, job.params.benchmarks
+    p = job.params
+    how, folder = {"spread": p.spread, "slope": p.hazard_slope}, p.benchmarks
     for scan in map(pd.read_csv, job.input.scans):
-        key, (found, dense) = curve_key(scan), assumptions.measured(scan, spread, planar=True)
+        key, (found, dense) = curve_key(scan), assumptions.measured(scan, **how, planar=True)
         yield key, "planar", len(scan), cpu_s(folder, "planar_ida", key), found, dense
     for curve in map(read_curve, job.input.bricks):
-        key, (found, dense) = curve_key(curve), assumptions.measured(curve, spread, planar=False)
+        key, (found, dense) = curve_key(curve), assumptions.measured(curve, **how, planar=False)
         yield key, "YADE", len(curve), cpu_s(folder, "ida", key), found, dense
     for path in job.input.others:
         whole = pd.read_csv(path)
@@ -41,7 +42,7 @@ def curves(job, records):
         measured = Path(path).parent.parent / "benchmarks"
         for key, table in whole[whole["record"].isin(records)].groupby(probability.KEY):
             found, cost = (
-                assumptions.from_probabilities(table),
+                assumptions.from_probabilities(table, p.hazard_slope),
                 cpu_s(measured, "complete_scan", key),
             )
             yield key, "given", found["runs"], cost, found, table

@@ -5,7 +5,9 @@ from rocking.studies.assumptions import spread_of
 from rocking.tables import read_tables, write_table
 
 KEY = ["record", "direction", "period_s", "damping_ratio"]
-MEASURES = {f"pga_{name}_g": f"ratio_{name}" for name in ("collapse", "median", "all")}
+MEASURES = {
+    f"pga_{name}_g": f"ratio_{name}" for name in ("collapse", "median", "equivalent", "all")
+}
 
 
 def main(job):

@@ -6,6 +6,7 @@ from rocking.tables import read_tables, write_table
 
 WHAT = ["model", *assumptions.KEY, "assumption", "level"]
 RATIOS = {  # of which intensity, over which of the base
+    "ratio_equivalent": ("pga_equivalent_g", "pga_equivalent_g"),
     "ratio_collapse": ("pga_collapse_g", "pga_collapse_g"),
     "ratio_median": ("pga_median_g", "pga_median_g"),
     "ratio_p10": ("pga_p10_g", "pga_median_g"),
