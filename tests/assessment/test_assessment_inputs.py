@@ -134,7 +134,7 @@ def test_rows_of_a_list_are_marked_key_by_key():
     floors = [{"height_m": 3.0, "load_kn": 20.0}]
     given = STATED | {"facade": STATED["facade"] | {"floors": floors}}
     resolved = configuration.resolve(given)
-    stated = inputs.given_keys(given, resolved, resolved)
+    stated = inputs.every_value(given)
     found = {key: rest for key, *rest in values(resolved, stated)}
     assert found["facade.floors.1.load_kn"] == ["20", "stated"]
     assert found["facade.floors.1.friction"] == ["0.4", "default"]

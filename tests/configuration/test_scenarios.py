@@ -14,6 +14,7 @@ from rocking.configuration.config import (
     ConfigError,
     check_files,
     expand_scenarios,
+    expanded,
     relevant,
     resolve,
 )
@@ -185,3 +186,19 @@ def test_command_lines_of_the_page_reach_the_runs(toy, command, expected):
     assert list(runs) == list(expected)
     for name, values in expected.items():
         assert {p: json.loads(relevant(runs[name], p))[p] for p in values} == values
+
+
+def test_what_a_scenario_or_a_cell_states_is_stated_of_its_run():
+    found = expanded(
+        {
+            "run": "x",
+            "facade": {"height_m": 5.0},
+            "scenarios": {"thick": {"facade": {"thickness_m": 0.6}}, "dotted": {"seed": 3}},
+            "grid": {"facade.width_m": [4.0, 6.0]},
+        }
+    )
+    facades = [stated["facade"] for _, stated in found.values()]
+    plain = [{"height_m": 5.0, "width_m": width} for width in (4.0, 6.0)]
+    assert facades == [*({**one, "thickness_m": 0.6} for one in plain), *plain]
+    assert [stated.get("seed") for _, stated in found.values()] == [None, None, 3, 3]
+    assert [one["run"] for one, _ in found.values()] == list(found)

@@ -25,7 +25,7 @@ HAZARD = checked(assessed.hazard_file)
 def site(wildcards):
     """Files that say how the site shakes; what is missing ends the workflow in one line."""
     try:
-        assessed.check_stated(config, RUNS.cfg(wildcards)["models"])
+        assessed.check_stated(RUNS.stated[wildcards.run], RUNS.cfg(wildcards)["models"])
         assessed.check_mechanisms(RUNS.cfg(wildcards))
         found = SPECTRUM(wildcards) + HAZARD(wildcards)
         assessed.check_demand(RUNS.cfg(wildcards), *found)
@@ -36,8 +36,7 @@ def site(wildcards):
 
 def stated(wildcards):
     """Keys that a run's configuration states, to be told from defaults."""
-    first = next(iter(RUNS.settings.values()))
-    return assessed.given_keys(config, RUNS.cfg(wildcards), first)
+    return sorted(assessed.every_value(RUNS.stated[wildcards.run]))
 
 
 CHECKED = ("facade", "return_wall", "smdof", "assessment")  # what a code's checks read
@@ -138,6 +137,7 @@ rule assess_dynamic:
     output:
         table=results("assessment/dynamic.csv"),
         curves=results("assessment/dynamic_curves.csv"),
+        rates=results("assessment/rate.csv"),
         parts=results("assessment/parts_dynamic.csv"),
     log:
         logs("assess_dynamic"),
@@ -145,6 +145,8 @@ rule assess_dynamic:
         stations=stations,
         period_s=value_of("smdof.period_s"),
         site=value_of("risk.site"),
+        years=value_of("risk.years"),
+        settings=RUNS.params_of("assessment"),
         resamples=value_of("assessment.resamples"),
         seed=value_of("seed"),
     script:

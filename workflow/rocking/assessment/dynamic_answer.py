@@ -11,6 +11,8 @@ from rocking.studies.fragility import bootstrap, brackets_about, fit, points
 POINTS, REACH = 101, 3.0  # of a curve; dispersions either side of the median
 CONFIDENCE = 0.95
 CURVES = ["model", "pga_g", "probability", "band_low", "band_high"]
+RATES = ["model", "hazard", "pga_first_g", "pga_last_g", "annual_rate", "rate_low", "rate_high"]
+RATES += ["outside_share"]
 
 
 def weakest(table):
@@ -31,7 +33,7 @@ def weakest(table):
     return least.assign(runs_planar=own["runs_planar"].sum()).reset_index()
 
 
-def answer(table, stations, demand_g, hazard, resamples, seed):
+def answer(table, stations, demand_g, hazards, resamples, seed):
     """What the collapse PGAs of one model say at the demand.
 
     Parameters
@@ -42,17 +44,19 @@ def answer(table, stations, demand_g, hazard, resamples, seed):
         Station of every record; those of one are drawn together.
     demand_g : float
         PGA of the demand.
-    hazard : rocking.risk.hazard.Hazard or None
-        Of the PGA.
+    hazards : dict of str to rocking.risk.hazard.Hazard
+        Of the PGA; the first is that of the columns `annual_rate` and so on.
     resamples, seed : int
 
     Returns
     -------
     dict
-        Medians and probability with their intervals, and of a hazard the annual rate; NaN from
-        fewer than `FEWEST` stations.
+        Medians and probability with their intervals, and of the first hazard the annual rate; NaN
+        from fewer than `FEWEST` stations.
     DataFrame or None
         CURVES; a curve drawn from so few motions would say nothing.
+    list of dict
+        RATES, a row a hazard.
     """
     collapse = table["pga_median_g"]
     low, high = brackets_about(collapse, table["pga_max_g"], EXACT)
@@ -71,17 +75,23 @@ def answer(table, stations, demand_g, hazard, resamples, seed):
         **dict.fromkeys(("probability", "probability_low", "probability_high"), np.nan),
         "histories": int(table["runs_planar"].sum()),
     }
+    if hazards:
+        row |= dict.fromkeys(("annual_rate", "rate_outside", "rate_low", "rate_high"), np.nan)
     if place.nunique() < FEWEST or not np.isfinite(found.median):
-        return row, None
+        return row, None, []
     draws = bootstrap(low, high, place, resamples, seed)
     row["ci_low_g"], row["ci_high_g"] = draws.interval(draws.median, CONFIDENCE)
     row["probability"] = float(found.probability(demand_g))
     (row["probability_low"],), (row["probability_high"],) = draws.band([demand_g], CONFIDENCE)
-    if hazard is not None:
-        (row["annual_rate"],), (row["rate_outside"],) = collapse_rate(
-            hazard, found.median, found.dispersion
-        )
+    rates = []
+    for name, hazard in hazards.items():
+        (rate,), (outside,) = collapse_rate(hazard, found.median, found.dispersion)
         many, _ = collapse_rate(hazard, draws.median, draws.dispersion)
-        row["rate_low"], row["rate_high"] = draws.interval(many, CONFIDENCE)
+        low, high = draws.interval(many, CONFIDENCE)
+        about = row["model"], name, hazard.intensity[0], hazard.intensity[-1]
+        rates.append(dict(zip(RATES, (*about, rate, low, high, outside), strict=True)))
+    if rates:
+        row |= {key: rates[0][key] for key in ("annual_rate", "rate_low", "rate_high")}
+        row["rate_outside"] = rates[0]["outside_share"]
     drawn = points(found, draws, CONFIDENCE, POINTS, REACH)
-    return row, pd.DataFrame([(row["model"], *p) for p in drawn], columns=CURVES)
+    return row, pd.DataFrame([(row["model"], *p) for p in drawn], columns=CURVES), rates

@@ -3,6 +3,7 @@
 import subprocess
 from collections.abc import Mapping
 
+from rocking.assessment import national
 from rocking.assessment.site import SpectrumError, pga_at, read_spectrum
 from rocking.configuration.differences import flat
 from rocking.records import RecordError
@@ -73,17 +74,25 @@ def hazard_file(resolved, find):
     if path is not None:
         path, period_s = find(path), resolved["smdof"]["period_s"]
         curve = _checked("risk.hazard", read_hazard, path, period_s, resolved["risk"]["site"])
-        if settings["spectrum"] is None and settings["ag_g"] is None:
+        if not any(settings[key] for key in ("spectrum", "ag_g", "hazard")):
             _checked("risk.hazard", pga_at, curve, settings["return_period_years"])
     return path
 
 
 def check_demand(resolved, *files):
-    """Refuse an assessment that has no demand."""
-    if not any(files) and resolved["assessment"]["ag_g"] is None:
+    """Refuse an assessment that has no demand, or two."""
+    own = resolved["assessment"]
+    if own["hazard"]:
+        national.check_rows(own["hazard"])
+        national.row_at(own["hazard"], own["return_period_years"])
+        if own["ag_g"] is not None:
+            raise ValueError(
+                "assess: assessment.ag_g: stated beside assessment.hazard; expected one of the two"
+            )
+    if not any(files) and own["ag_g"] is None and not own["hazard"]:
         raise ValueError(
-            "assess: no demand; expected assessment.spectrum (columns period_s,sa_g), "
-            "assessment.ag_g (NTC 2018) or risk.hazard (columns pga_g,annual_rate)"
+            "assess: no demand; expected assessment.hazard (rows of NTC 2018), assessment.ag_g, "
+            "assessment.spectrum (columns period_s,sa_g) or risk.hazard (columns pga_g,annual_rate)"
         )
 
 
@@ -117,23 +126,6 @@ def every_value(settings):
         else:
             found[key] = value
     return found
-
-
-def given_keys(given, resolved, first):
-    """Dotted keys that a run's configuration states, scenarios and grid included.
-
-    Those of rows of lists as `every_value` has them.
-
-    Parameters
-    ----------
-    given : mapping
-        The configuration as the user gave it.
-    resolved, first : dict
-        Of the run, and of the first run of the study: what differs between them was stated.
-    """
-    found, others = set(every_value(given)), every_value(first)
-    found |= {key for key, value in every_value(resolved).items() if others.get(key) != value}
-    return sorted(found)
 
 
 def commit_of(folder):

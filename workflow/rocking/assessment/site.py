@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rocking.assessment import national
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.demand import RecordDemand, TableDemand
 from rocking.records.text import read_text
@@ -23,10 +24,15 @@ def demand_said(own, sites):
     """Where the demand is from, in words: of section assessment and the site's files."""
     if own["spectrum"]:
         return f"the spectrum in {own['spectrum']}"
-    if own["ag_g"] is not None:
+    row, years = own, ""
+    if own["hazard"]:
+        row = national.row_at(own["hazard"], own["return_period_years"])
+        years = f" once in {own['return_period_years']:g} years"
+    if row["ag_g"] is not None:
         return (
-            f"the spectrum of NTC 2018 for a_g = {own['ag_g']:g} g, F0 = {own['f0']:g}, "
-            f"T_C* = {own['tc_star_s']:g} s, subsoil {own['soil']}, topography {own['topography']}"
+            f"the spectrum of NTC 2018{years} for a_g = {row['ag_g']:.3g} g, F0 = {row['f0']:.3g}, "
+            f"T_C* = {row['tc_star_s']:.3g} s, subsoil {own['soil']}, topography "
+            f"{own['topography']}"
         )
     return (
         f"that of {', '.join(Path(str(s)).name for s in sites)} once in "
@@ -128,6 +134,8 @@ def at_pga(shape, pga_g):
 def demand_of(own, records, spectrum=None, hazard=None):
     """The ground's demand: of a table, of NTC 2018, or the median shape at the hazard's PGA.
 
+    The first that is stated of spectrum, `hazard` (rows of NTC 2018), `ag_g` and a hazard curve.
+
     Parameters
     ----------
     own : dict
@@ -140,9 +148,36 @@ def demand_of(own, records, spectrum=None, hazard=None):
     """
     if spectrum:
         return read_spectrum(spectrum)
+    if own["hazard"]:
+        years = own["return_period_years"]
+        return national.demand_at(own["hazard"], years, own["soil"], own["topography"])
     if own["ag_g"] is not None:
         return CodeDemand(own["ag_g"], own["f0"], own["tc_star_s"], own["soil"], own["topography"])
     return at_pga(shapes(records), pga_at(hazard, own["return_period_years"]))
+
+
+def hazards_of(own, curve=None, name=""):
+    """Hazard curves of the PGA that a site has, by what they are called; the code's own first.
+
+    Parameters
+    ----------
+    own : dict
+        Section assessment.
+    curve : rocking.risk.hazard.Hazard or None
+        Of risk.hazard; of another measure it gives no rate here.
+    name : str
+        Of its file.
+
+    Returns
+    -------
+    dict of str to Hazard
+    """
+    found = {}
+    if own["hazard"]:
+        found["NTC 2018"] = national.curve_of(own["hazard"], own["soil"], own["topography"])
+    if curve is not None and curve.measure == "pga_g":
+        found[name] = curve
+    return found
 
 
 def demand_from(settings, records, spectrum, hazard):

@@ -191,6 +191,17 @@ def expand_scenarios(config: Mapping) -> dict[str, dict[str, Any]]:
     ConfigError
         In one line that names the scenario, of those that are chosen.
     """
+    return {name: resolved for name, (resolved, _) in expanded(config).items()}
+
+
+def expanded(config: Mapping) -> dict[str, tuple[dict[str, Any], dict[str, Any]]]:
+    """As `expand_scenarios`, with what each run states beside what is resolved of it.
+
+    Returns
+    -------
+    dict of str to (resolved, stated)
+        `stated` is the user's configuration with the run's scenario and cell of the grid.
+    """
     if not isinstance(config, Mapping):
         raise ConfigError("expected keys and values at the top level")
     base = config_schema.plain(config)
@@ -202,7 +213,7 @@ def expand_scenarios(config: Mapping) -> dict[str, dict[str, Any]]:
     named = {name: overrides for name, overrides in named.items() if name in chosen}
     if len(cells) * max(len(named), 1) > MAX_RUNS:
         raise ConfigError(f"scenarios and grid make more than {MAX_RUNS} runs")
-    runs: dict[str, dict] = {}
+    runs: dict[str, tuple[dict, dict]] = {}
     for name, overrides in (named or {"": {}}).items():
         for label, cell in cells.items():
             ending = "-".join(part for part in (name, label) if part)
@@ -217,7 +228,7 @@ def expand_scenarios(config: Mapping) -> dict[str, dict[str, Any]]:
                 raise ConfigError(f"scenario '{ending}': {error.detail}") from None
             if one["run"] in runs:
                 raise ConfigError(f"two runs would be called '{one['run']}'")
-            runs[one["run"]] = one
+            runs[one["run"]] = one, given
     return runs
 
 

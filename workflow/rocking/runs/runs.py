@@ -37,6 +37,8 @@ class Runs:
         Name that all runs begin with, `run` of the configuration.
     settings : dict of str to dict
         Resolved configuration of each run.
+    stated : dict of str to dict
+        What the user's configuration says of each run, scenario and grid included.
     tables : dict of str to dict
         Rows of its records table, by record.
     records : dict of str to list of str
@@ -51,7 +53,9 @@ class Runs:
     def __init__(self, config, base):
         """Resolve the configuration and read the records tables."""
         self.base = Path(base)
-        self.settings = configuration.expand_scenarios(config)
+        known = configuration.expanded(config)
+        self.settings = {run: resolved for run, (resolved, _) in known.items()}
+        self.stated = {run: stated for run, (_, stated) in known.items()}
         self.name = str(config.get("run") or "main")
         self.tables = {run: read_table(self.table_path(run)) for run in self.settings}
         self.records = {run: self._record_names(run) for run in self.settings}

@@ -4,27 +4,35 @@ A motion fells the façade where it fells one of its mechanisms, so of those tha
 least PGA counts; each mechanism's own answer stands in a table beside.
 """
 
+import json
+from pathlib import Path
+
 import pandas as pd
-from rocking.assessment.dynamic_answer import CURVES, answer, weakest
+from rocking.assessment.dynamic_answer import CURVES, RATES, answer, weakest
 from rocking.assessment.shaken import WHOLE_PART
+from rocking.assessment.site import hazards_of
 from rocking.risk.hazard import read_hazard
+from rocking.risk.rates import probability_within
 from rocking.runtime.script import run
 from rocking.tables import read_tables, write_table
 
 
 def main(job):
-    p = job.params
-    hazard = read_hazard(str(job.input.hazard), p.period_s, p.site) if job.input.hazard else None
-    if hazard is not None and hazard.measure != "pga_g":
-        hazard = None
+    p, file = job.params, str(job.input.hazard)
+    curve = read_hazard(file, p.period_s, p.site) if file else None
+    hazards = hazards_of(json.loads(p.settings)["assessment"], curve, Path(file).name)
     demand_g = pd.read_csv(job.input.checks)["pga_demand_g"].iloc[0]
-    given = (p.stations, demand_g, hazard, p.resamples, p.seed)
+    given = (p.stations, demand_g, hazards, p.resamples, p.seed)
     whole = read_tables(job.input.collapse).assign(part=WHOLE_PART)
     every = pd.concat([whole, read_tables(job.input.parts)], ignore_index=True)
     found = [answer(weakest(rows), *given) for _, rows in every.groupby("model", sort=False)]
-    write_table([row for row, _ in found], job.output.table)
-    curves = [curve for _, curve in found if curve is not None]
+    write_table([row for row, *_ in found], job.output.table)
+    curves = [curve for _, curve, _ in found if curve is not None]
     write_table(pd.concat(curves) if curves else [], job.output.curves, CURVES)
+    rates = [{**row, "years": p.years} for *_, rows in found for row in rows]
+    for row in rates:
+        row["probability"] = probability_within(row["annual_rate"], p.years)
+    write_table(rates, job.output.rates, [*RATES, "years", "probability"])
     own = every.groupby(["part", "model"], sort=False)
     write_table(
         [{"part": part, **answer(rows, *given)[0]} for (part, _), rows in own], job.output.parts

@@ -1,0 +1,99 @@
+"""The seismic hazard of NTC 2018 as it is tabulated: a_g, F0 and T_C* by return period.
+
+The national grid gives them at nine return periods T_R from 30 to 2475 years. Between two of them
+every parameter p follows log p = log p1 + log(p2/p1) log(T_R/T_R1)/log(T_R2/T_R1) (NTC 2008, annex
+A, formula 2, which NTC 2018 keeps). a_g S_S S_T is the PGA that is exceeded 1/T_R times a year, so
+the rows are a hazard curve as well as spectra.
+"""
+
+import math
+
+import numpy as np
+
+from rocking.assessment.code_spectrum import CodeDemand
+from rocking.risk.hazard import Hazard
+
+PARAMETERS = ("ag_g", "f0", "tc_star_s")
+PERIOD = "return_period_years"
+
+
+def check_rows(rows):
+    """Refuse rows that are no hazard.
+
+    Parameters
+    ----------
+    rows : list of dict
+        return_period_years, ag_g, f0, tc_star_s.
+
+    Raises
+    ------
+    ValueError
+        In one line that names the row and what was expected of it.
+    """
+    if len(rows) < 2:
+        raise ValueError(
+            f"assessment.hazard: {len(rows)} row; expected two or more, by return period"
+        )
+    for number, (one, two) in enumerate(zip(rows, rows[1:], strict=False), 2):
+        for key in (PERIOD, "ag_g"):
+            if two[key] <= one[key]:
+                raise ValueError(
+                    f"assessment.hazard: row {number}: {key} = {two[key]:g} after {one[key]:g}; "
+                    "expected return periods and a_g that rise"
+                )
+
+
+def row_at(rows, return_period_years):
+    """a_g, F0 and T_C* of a return period, by the code's interpolation.
+
+    Parameters
+    ----------
+    rows : list of dict
+        Ascending, see `check_rows`.
+    return_period_years : float
+
+    Returns
+    -------
+    dict
+        ag_g, f0, tc_star_s.
+
+    Raises
+    ------
+    ValueError
+        If the rows do not reach the return period.
+    """
+    periods = [row[PERIOD] for row in rows]
+    if not periods[0] <= return_period_years <= periods[-1]:
+        raise ValueError(
+            f"assessment.return_period_years = {return_period_years:g}: assessment.hazard has "
+            f"{periods[0]:g} to {periods[-1]:g} years; expected one of them or between"
+        )
+    at, known = math.log(return_period_years), np.log(periods)
+    return {
+        key: float(np.exp(np.interp(at, known, np.log([row[key] for row in rows]))))
+        for key in PARAMETERS
+    }
+
+
+def demand_at(rows, return_period_years, soil, topography):
+    """Elastic spectrum of NTC 2018 of a return period."""
+    return CodeDemand(*row_at(rows, return_period_years).values(), soil, topography)
+
+
+def curve_of(rows, soil, topography):
+    """Hazard curve of the PGA on a subsoil: a_g S_S S_T and 1/T_R a year.
+
+    S_S falls as the ground is shaken harder, on subsoil D beyond F0 a_g = 0.8 faster than a_g
+    rises. Rows whose PGA is not above all before them are left out there.
+
+    Returns
+    -------
+    rocking.risk.hazard.Hazard
+    """
+    points: list[tuple[float, float]] = []
+    for row in rows:
+        given = (row[key] for key in PARAMETERS)
+        pga_g = CodeDemand(*given, soil, topography).pga_g
+        if not points or pga_g > points[-1][0]:
+            points.append((pga_g, 1.0 / row[PERIOD]))
+    return Hazard("pga_g", *np.array(points).T)
