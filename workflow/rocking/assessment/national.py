@@ -77,7 +77,7 @@ def row_at(rows, return_period_years):
 
 def demand_at(rows, return_period_years, soil, topography):
     """Elastic spectrum of NTC 2018 of a return period."""
-    return CodeDemand(*row_at(rows, return_period_years).values(), soil, topography)
+    return CodeDemand(**row_at(rows, return_period_years), soil=soil, topography=topography)
 
 
 def curve_of(rows, soil, topography):
@@ -92,8 +92,8 @@ def curve_of(rows, soil, topography):
     """
     points: list[tuple[float, float]] = []
     for row in rows:
-        given = (row[key] for key in PARAMETERS)
-        pga_g = CodeDemand(*given, soil, topography).pga_g
+        given = {key: row[key] for key in PARAMETERS}
+        pga_g = CodeDemand(**given, soil=soil, topography=topography).pga_g
         if not points or pga_g > points[-1][0]:
             points.append((pga_g, 1.0 / row[PERIOD]))
     return Hazard("pga_g", *np.array(points).T)
