@@ -8,7 +8,7 @@ import sys
 
 import pytest
 from rocking import compile_ahead
-from rocking.runtime.compiled import compiled
+from rocking.runtime.compiled import looped
 from rocking.solver.block import march_blocks
 
 SEEN = """
@@ -116,7 +116,7 @@ def test_a_change_in_the_file_beside_is_seen(tmp_path):
 def test_without_a_folder_for_its_cache_a_function_is_compiled_alike():
     given = {}
     exec("def over(x):\n    return 1.0 / x\n", given)  # of no file: numba finds no folder
-    over = compiled(given["over"])
+    over = looped(given["over"])
     assert over(0.0) == math.inf
     assert over.stats.cache_path is None
     assert march_blocks.stats.cache_path is not None
@@ -125,15 +125,16 @@ def test_without_a_folder_for_its_cache_a_function_is_compiled_alike():
 
 @pytest.mark.slow
 def test_what_is_given_functions_is_kept_in_the_cache_of_what_gives_them(tmp_path):
+    """Within a loop alone, and as Python where Python calls."""
     (tmp_path / "outer.py").write_text(
-        "from rocking.runtime.compiled import compiled, inlined, taking_functions\n"
+        "from rocking.runtime.compiled import inlined, looped\n"
         "@inlined\ndef more(x):\n    return x + 1\n"
-        "@taking_functions\ndef twice(f, x):\n    return f(f(x))\n"
-        "@compiled\ndef g(x):\n    return twice(more, x)\n"
-        "print(g(10), sum(g.stats.cache_hits.values()))\n"
+        "@inlined\ndef twice(f, x):\n    return f(f(x))\n"
+        "@looped\ndef g(x):\n    return twice(more, x)\n"
+        "print(g(10), sum(g.stats.cache_hits.values()), twice(more, 10))\n"
     )
     answers = [printed(tmp_path, "import outer").split() for _ in range(2)]
-    assert answers == [["12", "0"], ["12", "1"]]
+    assert answers == [["12", "0", "12"], ["12", "1", "12"]]
 
 
 KILLED = """

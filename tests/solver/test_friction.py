@@ -1,16 +1,13 @@
 """Joints keep their friction, |T| ≤ μN: node by node in each solver, and blocks that slide."""
 
-import types
-
 import numpy as np
 import pytest
 from friction_cases import thrown
-from numba.core.dispatcher import Dispatcher
 from rocking import reference
 from rocking.collapse.scan import BRICKS_STEP, driving
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from rocking.reference import contact
-from rocking.solver import Motions, history, law, stack_kernel, to_plane
+from rocking.solver import Motions, history, law, march, stack_kernel, to_plane
 from rocking.solver.runs import _set_up, stable_step
 from test_bricks import job, shaking
 from yade_process import in_yade, resolved
@@ -43,32 +40,9 @@ def test_spring_and_dashpot_together_keep_coulombs_limit():
     assert 1000 < slides < 7000
 
 
-def as_python(function, seen, modules):
-    """A compiled function as Python runs it, and all that it calls of its package.
-
-    What `law.dry` is given and gives is appended to `seen`.
-    """
-    if function is law.dry:
-
-        def watched(*given):
-            found = function(*given)
-            seen.append((given, found))
-            return found
-
-        return watched
-    plain = function.py_func
-    if plain.__module__ not in modules:
-        own = modules[plain.__module__] = dict(plain.__globals__)
-        for name, value in plain.__globals__.items():
-            if isinstance(value, Dispatcher) and value.__module__.startswith("rocking.solver."):
-                own[name] = as_python(value, seen, modules)
-    code, own = plain.__code__, modules[plain.__module__]
-    return types.FunctionType(code, own, plain.__name__, plain.__defaults__)
-
-
 @pytest.mark.parametrize("model", BRICKS)
-def test_every_node_of_the_bricks_at_every_step(model):
-    """The compiled loop as Python runs it, half a second of shaking that breaks and slides."""
+def test_every_node_of_the_bricks_at_every_step(model, monkeypatch):
+    """The loop as Python runs it, half a second of shaking that breaks and slides."""
     data = job(model)
     t, columns = shaking(BRICKS[model])
     t, columns = t[:130], {name: values[:130] for name, values in columns.items()}
@@ -79,8 +53,14 @@ def test_every_node_of_the_bricks_at_every_step(model):
     numerics, seen = {**data["numerics"], "after_motion_s": 0.0}, []
     step = BRICKS_STEP * stable_step(plane)
     carried, table, rules, cases = _set_up(plane, motions, numerics, 1.0, None, step)
-    march = as_python(stack_kernel.march_stack, seen, {})
-    march(plane, carried, table, rules, cases[0], 1, np.zeros((0, 14)))
+
+    def watched(*given):
+        seen.append((given, law.dry(*given)))
+        return seen[-1][1]
+
+    monkeypatch.setattr(stack_kernel, "dry", watched)
+    loop = stack_kernel.STACK._replace(one=stack_kernel.march_stack.py_func)
+    march.one(loop, plane, carried, table, rules, cases[0], 1, np.zeros((0, 14)))
     normal, shear = np.array([found[:2] for _, found in seen]).T
     most = np.array([given[6][2] for given, _ in seen]) * normal
     assert normal.size > 20000

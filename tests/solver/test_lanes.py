@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from rocking.runtime.compiled import inlined
+from numba import njit
 from rocking.solver import (
     Motions,
     law,
@@ -167,7 +167,7 @@ def test_the_law_gives_lanes_the_digits_of_one_number():
     rate, speed = 100.0 * rate, 100.0 * speed
     joint, found = (2.76e-3, 0.33, 0.2), np.zeros((6, WIDTH))
 
-    @inlined
+    @njit(error_model="numpy")
     def lanes(values, out):
         was = take(values, 5) > 0.0
         got = law.dry(

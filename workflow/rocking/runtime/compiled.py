@@ -9,9 +9,11 @@ from typing import Any
 
 from numba import njit
 from numba.core.caching import IndexDataCacheFile
+from numba.extending import register_jitable
 
 OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}  # without the interpreter's lock
 UNCOUNTED: dict[str, Any] = {"_nrt": False}  # without numba's counts of who refers to an array
+WITHIN: Any = {"forceinline": True, "no_cfunc_wrapper": True, **OPTIONS, **UNCOUNTED}
 
 
 class Kept(IndexDataCacheFile):
@@ -51,16 +53,16 @@ class Kept(IndexDataCacheFile):
                 path.unlink(missing_ok=True)
 
 
-def compiled(function):
-    """Compile; cached on disk where some folder can be written.
+def compiled(function, **more):
+    """Compile, with `more` of numba's options; cached on disk where some folder can be written.
 
     numba's cache looks at the file of a function alone, and would keep what it calls from the
     files beside it as these were; here a change of any of them makes it anew.
     """
     try:
-        made: Any = njit(cache=True, **OPTIONS)(function)
+        made: Any = njit(cache=True, **OPTIONS, **more)(function)
     except RuntimeError:  # numba found no folder for its cache
-        return njit(**OPTIONS)(function)
+        return njit(**OPTIONS, **more)(function)
     beside = sorted(Path(function.__code__.co_filename).parent.glob("*.py"))
     digest = hashlib.sha256(b"".join(path.read_bytes() for path in beside)).hexdigest()
     cache = made._cache
@@ -69,18 +71,15 @@ def compiled(function):
     return made
 
 
+def looped(function):
+    """Compile a loop, as `compiled`, that neither makes nor returns an array; see `inlined`."""
+    return compiled(function, **UNCOUNTED)
+
+
 def inlined(function):
     """Compile into whatever calls it, so that cutting a loop into named steps costs nothing.
 
     It does not count who refers to an array, which in a loop may take longer than all the rest: so
-    it may neither make nor return any.
+    it may neither make nor return any. Called from Python it runs as Python.
     """
-    return njit(forceinline=True, **OPTIONS, **UNCOUNTED)(function)
-
-
-def taking_functions(function):
-    """Compile into whatever calls it what has compiled functions among its arguments.
-
-    Apart, it would hold the address of each, and with that could be kept in no cache.
-    """
-    return njit(inline="always", **OPTIONS)(function)
+    return register_jitable(**WITHIN)(function)

@@ -1,10 +1,10 @@
 """One block in a step: its contact, line by line, and its acceleration; see `march`."""
 
-from rocking.runtime.compiled import compiled, inlined
+from rocking.runtime.compiled import inlined, looped
 
 from .groups import touched, untouched
 from .joints import block_contact
-from .march import march_many, march_one
+from .march import TO_THE_END, Loop, advance, march_many
 from .vectors import cos_sin, put, take
 
 
@@ -103,17 +103,21 @@ def accelerate(p, parts, half, ag, gravity):
     put(parts.rise, 2, at)
 
 
-@compiled
-def march_block(p, bodies, table, rules, case, every, samples):
-    """One history of a `Planar`, as `march.march_one`."""
-    state, whole = untouched(p)
-    weight = p.mass_kg, p.mass_kg, p.inertia_kg_m2
-    given = p, whole, state, bodies, table, rules, case, every, samples, weight
-    return march_one(contact, accelerate, monitor, given)
+@looped
+def march_block(given, rows, scratch, every, samples, weight):
+    """One history of a `Planar`, see `march.advance`."""
+    what = contact, accelerate, monitor
+    return advance(what, given, rows, scratch, TO_THE_END, every, samples, weight)
 
 
-@compiled
-def march_blocks(p, bodies, table, rules, cases):
-    """Histories of a `Planar` side by side, as `march.march_many`."""
-    state, whole = untouched(p)
-    return march_many(contact, accelerate, monitor, (p, whole, state, bodies, table, rules, cases))
+@looped
+def march_blocks(given, memory, scratch, case, found):
+    """Histories of a `Planar` side by side, see `march.march_many`."""
+    march_many((contact, accelerate, monitor), given, memory, scratch, case, found)
+
+
+def _start(p):
+    return *untouched(p), (p.mass_kg, p.mass_kg, p.inertia_kg_m2)
+
+
+BLOCK = Loop(march_block, march_blocks, _start)

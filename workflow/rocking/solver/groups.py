@@ -4,11 +4,12 @@ A group that touches with all its nodes, none sliding, is summed: each resultant
 Σ kn·(1, s, s²), and its slips from one line that is added to those that were stored.
 """
 
+import itertools
 from typing import NamedTuple
 
 import numpy as np
 
-from rocking.runtime.compiled import compiled, inlined
+from rocking.runtime.compiled import inlined
 
 from .vectors import alone, choose, like, lone, put, put_where, some, take
 
@@ -47,26 +48,19 @@ class Touch(NamedTuple):
     intact: np.ndarray
 
 
-@compiled
 def untouched(p):
     """Rows of nodes that have not met their planes yet, and what stays of their groups.
 
     The latter has a row a group: Σ kn·(1, s, s²) of all its nodes, and its largest |s|.
     """
-    groups, nodes = p.level_m.size, p.place_m.size
-    rows = np.zeros(12 * groups + nodes + nodes * p.bonded.any())
-    whole = np.zeros((groups, 4))
-    for g in range(groups):
-        for i in range(p.first[g], p.first[g + 1]):
-            s = p.place_m[i]
-            whole[g, 0] += p.kn_n_m[i]
-            whole[g, 1] += p.kn_n_m[i] * s
-            whole[g, 2] += p.kn_n_m[i] * s * s
-            whole[g, 3] = max(whole[g, 3], abs(s))
-            if p.bonded[i]:
-                rows[groups + g] += 1.0
-                rows[12 * groups + nodes + i] = 1.0
-    return rows, whole
+    first, k, s = p.first[:-1], p.kn_n_m, p.place_m
+    left = np.add.reduceat(p.bonded, first, dtype=float)
+    rows = np.zeros(12 * first.size)
+    rows[first.size : 2 * first.size] = left
+    nodes = np.zeros(s.size), p.bonded[: s.size * p.bonded.any()]
+    ends = itertools.pairwise(p.first)
+    sums = [[np.cumsum(row[a:b])[-1] for row in (k, k * s, k * s * s)] for a, b in ends]
+    return np.concatenate((rows, *nodes)), np.c_[sums, np.maximum.reduceat(abs(s), first)]
 
 
 @inlined

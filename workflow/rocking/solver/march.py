@@ -13,16 +13,17 @@ that last fit into fewer chunks. What marches, one block or several, gives three
     monitor(p, parts)                          place and speed of the watched point
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from rocking.runtime.compiled import compiled, inlined, taking_functions
+from rocking.runtime.compiled import inlined
 
 from . import bars, carriers
 from .inputs import COLUMNS, Supports, drive, standing, verdict
 from .vectors import WIDTH, alone, choose, like, lone, put, put_where, rows_of_lanes, some, take
 
+TO_THE_END = 0, np.iinfo(np.int64).max
 STRIDE = 256  # steps between two looks at which histories have ended
 # Largest |d|, when it last moved, factor, end of the motion, quiet, failing speed; whether it goes
 # on, its outcome and end
@@ -115,11 +116,30 @@ def _write(out, time, d, v, parts, half, energy, field, weight, chained):
 
 
 @inlined
-def _advance(contact, accelerate, monitor, given, state, scratch, span, every, samples, weight):
+def advance(what, given, state, scratch, span, every, samples, weight):
     """March a history, or a chunk, from a step up to another, or until all have ended.
 
-    Returns how many samples were written, and how many bonds and ties broke.
+    Parameters
+    ----------
+    what : tuple of functions
+        `contact`, `accelerate`, `monitor`, see above.
+    given : tuple
+        The plane, what stays of its nodes, `Bodies`, `Table`, `Rules`.
+    state, scratch : ndarray, shape (rows,) or (rows, WIDTH)
+        What is remembered, see `Parts`, and room for a step.
+    span : tuple of 2 ints
+        From which step, and before which.
+    every, samples : int, ndarray (n, COLUMNS + 2·supports)
+        Of one history every so many steps a row is written while rows last; none: (0, …).
+    weight : tuple of 3 floats
+        Mass, mass and inertia, by which a row has the force of the contact.
+
+    Returns
+    -------
+    int, number
+        Rows written; bonds and ties that broke.
     """
+    contact, accelerate, monitor = what
     p, whole, bodies, table, rules = given
     dt, last = table.step_s, table.ground_m_s2.size - 1
     parts = _parts(p, bodies, table, state, scratch)
@@ -190,70 +210,6 @@ def _advance(contact, accelerate, monitor, given, state, scratch, span, every, s
 
 
 @inlined
-def _started(p, bodies, table, state):
-    """Rows before those of the blocks, and all rows of a history."""
-    supports, ride, barred = _shape(p, bodies, table)
-    first = HISTORY + supports + ride + barred
-    return first, first + p.start.size // 2 * 3 + state.size
-
-
-@compiled
-def _begin(rows, p, first, state, case):
-    """Fill the rows of a history before its first step."""
-    rows[FACTOR : FASTEST + 1], rows[ALIVE] = case, 1.0
-    start, blocks = p.start.reshape((-1, 6)), p.start.size // 6
-    for block in range(blocks):
-        for m in range(3):
-            rows[first + 3 * block + m] = start[block, m]
-            rows[first + 3 * (blocks + block) + m] = start[block, 3 + m]
-    rows[first + 9 * blocks :] = state
-
-
-@taking_functions
-def march_one(contact, accelerate, monitor, given):
-    """Advance one history until a rule ends it.
-
-    Parameters
-    ----------
-    contact, accelerate, monitor : compiled functions
-        See above.
-    given : tuple of what follows
-    p : NamedTuple
-        The plane.
-    whole : ndarray
-        What stays of its nodes.
-    state : ndarray, shape (rows,)
-        What they remember at the start.
-    bodies : Bodies
-    table : Table
-    rules : Rules
-    case : ndarray, shape (4,)
-        Factor on all horizontal motions, its size on the vertical one, which has no direction; end
-        of the motion that matters; absolute acceleration below which a mass of the chain is quiet;
-        relative speed from which the run has failed.
-    every, samples : int, ndarray (n, COLUMNS + 2·supports)
-        Every so many steps a row is written while rows last; none: (0, …).
-    weight : tuple of 3 floats
-        Mass, mass and inertia, by which a row has the force of the contact.
-
-    Returns
-    -------
-    ndarray of 3, int, float
-        Peak [m], status, end [s]; rows written; bonds and ties that broke.
-    """
-    p, whole, state, bodies, table, rules, case, every, samples, weight = given
-    first, size = _started(p, bodies, table, state)
-    rows, scratch = np.zeros(size), np.zeros(SCRATCH * (p.start.size // 6))
-    _begin(rows, p, first, state, case)
-    span = 0, np.iinfo(np.int64).max
-    parts = p, whole, bodies, table, rules
-    written, broken = _advance(
-        contact, accelerate, monitor, parts, rows, scratch, span, every, samples, weight
-    )
-    return np.array([rows[PEAK], rows[STATUS], rows[END]]), written, broken
-
-
-@compiled
 def _gathered(memory, case, chunks, found):
     """Take over what ended, peak, status and end; fit what goes on into fewer chunks: how many."""
     left = 0
@@ -268,51 +224,117 @@ def _gathered(memory, case, chunks, found):
     fewer = (left + WIDTH - 1) // WIDTH
     free = 0  # lanes before this one are taken
     for at in range(fewer * WIDTH, chunks * WIDTH):
-        c, lane = divmod(at, WIDTH)
+        c, lane = at // WIDTH, at % WIDTH
         if case[c, lane] < 0:
             continue
         while case[free // WIDTH, free % WIDTH] >= 0:
             free += 1
-        to, there = divmod(free, WIDTH)
+        to, there = free // WIDTH, free % WIDTH
         case[to, there] = case[c, lane]
-        memory[to, :, there] = memory[c, :, lane]
+        for row in range(memory.shape[1]):
+            memory[to, row, there] = memory[c, row, lane]
     return fewer
 
 
-@taking_functions
-def march_many(contact, accelerate, monitor, given):
-    """Advance the histories of all cases, shape (n, 4), as `march_one`, side by side.
+@inlined
+def march_many(what, given, memory, scratch, case, found):
+    """Advance histories side by side until rules have ended them all.
+
+    Parameters
+    ----------
+    what, given : tuple
+        See `advance`.
+    memory, scratch : ndarray, shape (chunks, n, WIDTH), (n, WIDTH)
+    case : ndarray of int, shape (chunks, WIDTH)
+        Which history a lane has; −1: none.
+    found : ndarray, shape (histories, 3)
+        Gets peak [m], status, end [s].
+    """
+    k, chunks = 0, len(case)
+    while chunks > 0:
+        for c in range(chunks):
+            advance(
+                *(what, given, memory[c], scratch),
+                *((k, k + STRIDE), 1, found, (0.0, 0.0, 0.0)),  # of lanes no samples are written
+            )
+        k += STRIDE
+        chunks = _gathered(memory, case, chunks, found)
+
+
+class Loop(NamedTuple):
+    """What marches a kind of plane.
+
+    Attributes
+    ----------
+    one, many : compiled functions
+        `advance` to the end of one history, and `march_many`, with its contact.
+    start : callable
+        From the plane: what its nodes remember at the start, in rows; what stays of them; weight.
+    """
+
+    one: Any
+    many: Any
+    start: Any
+
+
+def _begun(p, state, bodies, table):
+    """Rows of a history before its first step, and room for a step; the case is still missing."""
+    start = p.start.reshape(-1, 6)
+    own = np.zeros(HISTORY + sum(_shape(p, bodies, table)))
+    own[ALIVE] = 1.0
+    places, rates, rises = start[:, :3].ravel(), start[:, 3:].ravel(), np.zeros(3 * len(start))
+    return np.concatenate((own, places, rates, rises, state)), SCRATCH * len(start)
+
+
+def one(loop, p, bodies, table, rules, case, every, samples):
+    """One history.
+
+    Parameters
+    ----------
+    loop : Loop
+    p : NamedTuple
+        The plane.
+    bodies : Bodies
+    table : Table
+    rules : Rules
+    case : ndarray, shape (4,)
+        Factor on all horizontal motions, its size on the vertical one, which has no direction; end
+        of the motion that matters; absolute acceleration below which a mass of the chain is quiet;
+        relative speed from which the run has failed.
+    every, samples
+        See `advance`.
+
+    Returns
+    -------
+    ndarray of 3, int, float
+        Peak [m], status, end [s]; rows written; bonds and ties that broke.
+    """
+    state, whole, weight = loop.start(p)
+    rows, room = _begun(p, state, bodies, table)
+    rows[FACTOR : FASTEST + 1] = case
+    given, scratch = (p, whole, bodies, table, rules), np.zeros(room)
+    written, broken = loop.one(given, rows, scratch, every, samples, weight)
+    return rows[[PEAK, STATUS, END]], written, broken
+
+
+def many(loop, p, bodies, table, rules, cases):
+    """Histories of all cases, shape (n, 4), as those of `one`, side by side.
 
     Returns
     -------
     ndarray, shape (n, 3)
         Peak [m], status, end [s].
     """
-    p, whole, state, bodies, table, rules, cases = given
-    count, parts = len(cases), (p, whole, bodies, table, rules)
-    first, size = _started(p, bodies, table, state)
-    chunks = (count + WIDTH - 1) // WIDTH
-    memory = rows_of_lanes(chunks * size).reshape(chunks, size, WIDTH)
-    scratch = rows_of_lanes(SCRATCH * (p.start.size // 6))
-    lanes, found = np.full((chunks, WIDTH), -1), np.zeros((count, 3))
-    own = np.zeros(size)
-    _begin(own, p, first, state, np.zeros(4))
-    own[ALIVE] = 0.0
-    for c in range(chunks):
-        for lane in range(WIDTH):
-            memory[c, :, lane] = own
-    for i in range(count):
-        c, lane = divmod(i, WIDTH)
-        lanes[c, lane] = i
-        memory[c, ALIVE, lane] = 1.0
-        memory[c, FACTOR : FASTEST + 1, lane] = cases[i]
-    k, none = 0, np.zeros((0, COLUMNS))
-    while chunks > 0:
-        for c in range(chunks):
-            span, rows = (k, k + STRIDE), memory[c]
-            _advance(
-                contact, accelerate, monitor, parts, rows, scratch, span, 1, none, (0.0, 0.0, 0.0)
-            )
-        k += STRIDE
-        chunks = _gathered(memory, lanes, chunks, found)
+    state, whole, _ = loop.start(p)
+    rows, room = _begun(p, state, bodies, table)
+    count, chunks = len(cases), -(-len(cases) // WIDTH)
+    memory = rows_of_lanes(chunks * len(rows)).reshape(chunks, len(rows), WIDTH)
+    memory[:] = rows[:, None]
+    places = np.arange(chunks * WIDTH).reshape(chunks, WIDTH)
+    memory[:, ALIVE] = places < count
+    filled = np.concatenate((cases, np.zeros((chunks * WIDTH - count, cases.shape[1]))))
+    filled = filled.reshape(chunks, WIDTH, -1)
+    memory[:, FACTOR : FASTEST + 1] = filled.transpose(0, 2, 1)
+    found, case = np.zeros((count, 3)), np.where(places < count, places, -1)
+    loop.many((p, whole, bodies, table, rules), memory, rows_of_lanes(room), case, found)
     return found

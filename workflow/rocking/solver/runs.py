@@ -7,12 +7,13 @@ from typing import Any
 import numpy as np
 from scipy.linalg import block_diag
 
-from .block import march_block, march_blocks
+from . import march
+from .block import BLOCK
 from .carriers import NO_BODIES
 from .inputs import COLUMNS, FAILED, OVERTURNED, REST_RATIO, Rules, Table
 from .plane import matrices
 from .stack import Stack, stack_matrices
-from .stack_kernel import march_stack, march_stacks
+from .stack_kernel import STACK
 
 STATUS = ("ok", "overturned", "failed")
 STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
@@ -248,6 +249,10 @@ def _set_up(planar, motions, numerics, factors, carried, step_s):
     return carried, table, rules, np.stack([factors, *own], axis=1)
 
 
+def _loop(planar):
+    return STACK if isinstance(planar, Stack) else BLOCK
+
+
 def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None, sample_s=0.005):
     """One history with its time series.
 
@@ -276,9 +281,8 @@ def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None,
     supports = carried.mass_kg.size or table.place_m.shape[1]
     count = math.ceil(rules.limit_s / table.step_s) // every + 1
     rows = np.zeros((count, COLUMNS + 2 * supports))
-    march = march_stack if isinstance(planar, Stack) else march_block
-    (peak, status, end), written, broken = march(
-        planar, carried, table, rules, cases[0], every, rows
+    (peak, status, end), written, broken = march.one(
+        _loop(planar), planar, carried, table, rules, cases[0], every, rows
     )
     rows = rows[:written]
     return Series(
@@ -332,14 +336,12 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
     Peaks
     """
     carried, table, rules, cases = _set_up(planar, motions, numerics, factors, carried, step_s)
-    stack, rows = isinstance(planar, Stack), np.zeros((0, COLUMNS))
+    given, rows = (_loop(planar), planar, carried, table, rules), np.zeros((0, COLUMNS))
     if len(cases) > FEW:
-        march = march_stacks if stack else march_blocks
         parts = [cases[i : i + AT_ONCE] for i in range(0, len(cases), AT_ONCE)]
-        found = np.concatenate([march(planar, carried, table, rules, part) for part in parts])
+        found = np.concatenate([march.many(*given, part) for part in parts])
     else:
-        one = march_stack if stack else march_block
-        outcomes = [one(planar, carried, table, rules, case, 1, rows)[0] for case in cases]
+        outcomes = [march.one(*given, case, 1, rows)[0] for case in cases]
         found = np.reshape(outcomes, (-1, 3))
     peak, status, end = found.T
     failed = status == FAILED

@@ -9,11 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocking.runtime.compiled import compiled, inlined
+from rocking.runtime.compiled import inlined, looped
 
 from .dashpots import couple, damp, solve_row, solved
 from .law import bond_breaks, bonded, dry, released
-from .march import march_many, march_one
+from .march import TO_THE_END, Loop, advance, march_many
 from .vectors import alone, choose, cos_sin, like, put, put_where, some, take
 
 OPEN, CLOSED, HOLDS, GONE = 0.0, 1.0, 2.0, 3.0  # states of a node
@@ -41,14 +41,11 @@ def _nodes(p, rows):
     return Nodes(rows[:count], rows[count : 2 * count], rows[2 * count :])
 
 
-@compiled
 def _start(p):
-    """Rows of nodes that have not met their planes yet, and of blocks that all go."""
-    count = p.kn_n_m.size
-    rows = np.ones(2 * count + p.mass_kg.size)
-    rows[:count] = 0.0
-    rows[count : 2 * count] = np.where(p.bonded, HOLDS, OPEN)
-    return rows
+    """Rows of nodes that have not met their planes yet, and of blocks that all go; see `Loop`."""
+    slip, state = np.zeros(p.kn_n_m.size), np.where(p.bonded, HOLDS, OPEN)
+    rows = np.concatenate((slip, state, np.ones(p.mass_kg.size)))
+    return rows, np.zeros((0, 4)), (0.0, 0.0, 0.0)
 
 
 @inlined
@@ -356,16 +353,17 @@ def monitor(p, parts):
     return d, v
 
 
-@compiled
-def march_stack(p, bodies, table, rules, case, every, samples):
-    """One history of a `Stack`, as `march.march_one`; its rows are those of the first block."""
-    state, whole, weight = _start(p), np.zeros((0, 4)), (0.0, 0.0, 0.0)
-    given = p, whole, state, bodies, table, rules, case, every, samples, weight
-    return march_one(contact, accelerate, monitor, given)
+@looped
+def march_stack(given, rows, scratch, every, samples, weight):
+    """One history of a `Stack`, see `march.advance`; its samples are of the first block."""
+    what = contact, accelerate, monitor
+    return advance(what, given, rows, scratch, TO_THE_END, every, samples, weight)
 
 
-@compiled
-def march_stacks(p, bodies, table, rules, cases):
-    """Histories of a `Stack` side by side, as `march.march_many`."""
-    given = p, np.zeros((0, 4)), _start(p), bodies, table, rules, cases
-    return march_many(contact, accelerate, monitor, given)
+@looped
+def march_stacks(given, memory, scratch, case, found):
+    """Histories of a `Stack` side by side, see `march.march_many`."""
+    march_many((contact, accelerate, monitor), given, memory, scratch, case, found)
+
+
+STACK = Loop(march_stack, march_stacks, _start)

@@ -8,17 +8,21 @@ in an array of one dimension, of `WIDTH` in one of shape (rows, WIDTH).
 
 import math
 import operator
-from typing import Any
 
 import numpy as np
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.imputils import lower_builtin, lower_cast
 from numba.core.typeconv import Conversion
-from numba.core.typing.templates import ConcreteTemplate, infer_global, signature
-from numba.extending import intrinsic, models, overload, register_model
+from numba.core.typing.templates import (
+    AbstractTemplate,
+    ConcreteTemplate,
+    infer_global,
+    signature,
+)
+from numba.extending import models, overload, register_model
 
-from rocking.runtime.compiled import compiled, inlined
+from rocking.runtime.compiled import WITHIN, inlined
 
 WIDTH = 8  # as many as one AVX-512 register holds; narrower machines take several for one
 _REALS = ir.VectorType(ir.DoubleType(), WIDTH)
@@ -78,6 +82,7 @@ def _wide(builder, value):
 
 @lower_cast(types.float64, Lanes)
 @lower_cast(types.boolean, Mask)
+@lower_cast(types.BooleanLiteral, Mask)
 def _widen(context, builder, _from, _to, value):
     return _wide(builder, value)
 
@@ -140,120 +145,168 @@ for _function, _emit in ((operator.and_, ir.IRBuilder.and_), (operator.or_, ir.I
 _defined(operator.invert, MASK, [(MASK,)], ir.IRBuilder.not_)
 
 
-def _emitted(function) -> Any:
-    """Let compiled code call what a function emits."""
-    return intrinsic(function)
+def _emitted(typed, emit):
+    """Let compiled code have what is emitted for a function; Python calls the function itself.
+
+    Nothing is compiled for it, as it would be for every kind of numbers of an overload.
+
+    Parameters
+    ----------
+    typed : callable
+        From the typing context and the types of the arguments: type of the result, and of the
+        arguments as the emitter takes them.
+    emit : callable
+        Takes the target's context, builder, signature and the values.
+    """
+
+    def decorate(function):
+        class Typing(AbstractTemplate):
+            key = function
+
+            def generic(self, args, kws):
+                result, *wanted = typed(self.context, *map(types.unliteral, args))
+                return signature(result, *wanted)
+
+        infer_global(function, types.Function(Typing))
+
+        @lower_builtin(function, *[types.Any] * function.__code__.co_argcount)
+        def lower(context, builder, sig, values):
+            return emit(context, builder, sig, *values)
+
+        return function
+
+    return decorate
 
 
-@_emitted
-def _select(typingctx, mask, yes, no):
-    def emit(context, builder, sig, values):
-        return builder.select(values[0], _wide(builder, values[1]), _wide(builder, values[2]))
-
-    return LANES(mask, yes, no), emit
-
-
-@_emitted
-def _some(typingctx, mask):
-    def emit(context, builder, sig, values):
-        bits = builder.bitcast(values[0], _BITS)
-        return builder.icmp_unsigned("!=", bits, ir.Constant(_BITS, 0))
-
-    return types.boolean(mask), emit
+def _as_many(kind, number):
+    """Type of a float or truth value, of as many as a number or mask stands for."""
+    if not isinstance(number, Lanes | Mask):
+        return kind
+    return MASK if isinstance(kind, types.Boolean | Mask) else LANES
 
 
+def _of_choice(context, mask, yes, no):
+    kind = _as_many(context.unify_types(yes, no), mask)
+    return kind, mask, kind, kind
+
+
+@_emitted(_of_choice, lambda context, builder, sig, *values: builder.select(*values))
 def choose(mask, yes, no):
     """`yes` where the mask is true, else `no`; both are computed."""
     return yes if mask else no
 
 
+def _bits(sign, bits):
+    """Emit how the bits of a mask are held against others; one truth value is itself."""
+
+    def emit(context, builder, sig, mask):
+        if not isinstance(sig.args[0], Mask):
+            return mask
+        return builder.icmp_unsigned(sign, builder.bitcast(mask, _BITS), ir.Constant(_BITS, bits))
+
+    return emit
+
+
+def _of_mask(context, mask):
+    return types.boolean, mask
+
+
+@_emitted(_of_mask, _bits("!=", 0))
 def some(mask):
     """Whether the mask is true anywhere."""
     return mask
 
 
+@_emitted(_of_mask, _bits("==", 2**WIDTH - 1))
 def every(mask):
     """Whether the mask is true everywhere."""
     return mask
 
 
-@overload(choose)
-def _choose(mask, yes, no):
-    if isinstance(mask, Mask):
-        return lambda mask, yes, no: _select(mask, yes, no)
-    return choose
+def _of_like(context, value, number):
+    kind = _as_many(value, number)
+    return kind, kind, number
 
 
-@overload(some)
-def _of_some(mask):
-    if isinstance(mask, Mask):
-        return lambda mask: _some(mask)
-    return some
-
-
-@overload(every)
-def _of_every(mask):
-    if isinstance(mask, Mask):
-        return lambda mask: not _some(~mask)
-    return every
-
-
-@_emitted
-def _widened(typingctx, value):
-    kind = MASK if isinstance(value, types.Boolean) else LANES
-    return kind(value), lambda context, builder, sig, values: _wide(builder, values[0])
-
-
+@_emitted(_of_like, lambda context, builder, sig, value, number: value)
 def like(value, number):
     """`value`, a float or truth value, as many as `number` stands for."""
     return value
 
 
-@overload(like)
-def _like(value, number):
-    if isinstance(number, Lanes) and not isinstance(value, Lanes | Mask):
-        return lambda value, number: _widened(value)
-    return like
+def _whether_one(context, builder, sig, number):
+    return ir.Constant(ir.IntType(1), not isinstance(sig.args[0], Lanes))
 
 
+@_emitted(lambda context, number: (types.boolean, number), _whether_one)
 def alone(number):
     """Whether a number stands for itself alone; a constant to the compiler."""
     return True
 
 
-@overload(alone)
-def _alone(number):
-    if isinstance(number, Lanes):
-        return lambda number: False
-    return alone
+def _first(context, builder, sig, number):
+    if not isinstance(sig.args[0], Lanes):
+        return number
+    return builder.extract_element(number, ir.Constant(ir.IntType(32), 0))
 
 
-@_emitted
-def _lane(typingctx, lanes, lane):
-    def emit(context, builder, sig, values):
-        return builder.extract_element(*values)
-
-    return types.float64(lanes, types.intp), emit
-
-
+@_emitted(lambda context, number: (types.float64, number), _first)
 def lone(number):
     """A number that stands for itself alone; of lanes the first."""
     return number
 
 
-@overload(lone)
-def _lone(number):
-    if isinstance(number, Lanes):
-        return lambda number: _lane(number, 0)
-    return lone
+def _at(context, builder, kind, array, row):
+    """Address of a row."""
+    data = context.make_array(kind)(context, builder, array).data
+    if kind.ndim == 1:
+        return builder.gep(data, [row])
+    first = builder.mul(row, ir.Constant(row.type, WIDTH))
+    return builder.bitcast(builder.gep(data, [first]), _REALS.as_pointer())
 
 
-@_emitted
-def _with_lane(typingctx, lanes, lane, value):
-    def emit(context, builder, sig, values):
-        return builder.insert_element(values[0], values[2], values[1])
+def _of_row(array):
+    """Type of what a row has."""
+    return LANES if array.ndim == 2 else array.dtype
 
-    return LANES(lanes, types.intp, types.float64), emit
+
+def _load(context, builder, sig, array, row):
+    return builder.load(_at(context, builder, sig.args[0], array, row), align=8)
+
+
+def _store(context, builder, sig, array, row, value):
+    builder.store(value, _at(context, builder, sig.args[0], array, row), align=8)
+    return context.get_dummy_value()
+
+
+@_emitted(lambda context, array, row: (_of_row(array), array, types.intp), _load)
+def take(array, row):
+    """Number or lanes of a row of contiguous floats, shape (rows,) or (rows, WIDTH)."""
+    return array[row]
+
+
+@_emitted(lambda context, array, row, _: (types.none, array, types.intp, _of_row(array)), _store)
+def put(array, row, value):
+    """Write a number or lanes into such a row."""
+    array[row] = value
+
+
+def _extract(context, builder, sig, lanes, lane):
+    return builder.extract_element(lanes, lane)
+
+
+def _insert(context, builder, sig, lanes, lane, value):
+    return builder.insert_element(lanes, value, lane)
+
+
+@_emitted(lambda context, lanes, lane: (types.float64, lanes, types.intp), _extract)
+def _lane(lanes, lane):
+    return lanes[lane]
+
+
+@_emitted(lambda context, lanes, *_: (LANES, lanes, types.intp, types.float64), _insert)
+def _with_lane(lanes, lane, value):
+    return [*lanes[:lane], value, *lanes[lane + 1 :]]
 
 
 def cos_sin(angle, wanted):
@@ -261,13 +314,13 @@ def cos_sin(angle, wanted):
     return math.cos(angle), math.sin(angle)
 
 
-@overload(cos_sin)
+@overload(cos_sin, jit_options=WITHIN)
 def _cos_sin(angle, wanted):
     if not isinstance(angle, Lanes):
         return cos_sin
 
     def lane_by_lane(angle, wanted):
-        cos, sin, ask = _widened(1.0), _widened(0.0), choose(wanted, 1.0, _widened(0.0))
+        cos, sin, ask = like(1.0, angle), like(0.0, angle), choose(wanted, 1.0, like(0.0, angle))
         for lane in range(WIDTH):
             if _lane(ask, lane) > 0.0:
                 cos = _with_lane(cos, lane, math.cos(_lane(angle, lane)))
@@ -282,7 +335,7 @@ def hypot(y, z):
     return math.hypot(y, z)
 
 
-@overload(hypot)
+@overload(hypot, jit_options=WITHIN)
 def _hypot(y, z):
     if not isinstance(y, Lanes):
         return hypot
@@ -296,61 +349,12 @@ def _hypot(y, z):
     return lane_by_lane
 
 
-def _at(context, builder, kind, array, row):
-    """Address of a row, and how many numbers it has."""
-    data = context.make_array(kind)(context, builder, array).data
-    if kind.ndim == 1:
-        return builder.gep(data, [row])
-    first = builder.mul(row, ir.Constant(row.type, WIDTH))
-    return builder.bitcast(builder.gep(data, [first]), _REALS.as_pointer())
-
-
-@_emitted
-def _take(typingctx, array, row):
-    def emit(context, builder, sig, values):
-        return builder.load(_at(context, builder, sig.args[0], *values), align=8)
-
-    return (LANES if array.ndim == 2 else types.float64)(array, types.intp), emit
-
-
-@_emitted
-def _put(typingctx, array, row, value):
-    def emit(context, builder, sig, values):
-        where = _at(context, builder, sig.args[0], *values[:2])
-        value = values[2] if sig.args[0].ndim == 1 else _wide(builder, values[2])
-        builder.store(value, where, align=8)
-        return context.get_dummy_value()
-
-    return types.none(array, types.intp, value), emit
-
-
-def take(array, row):
-    """Number or lanes of a row of contiguous floats, shape (rows,) or (rows, WIDTH)."""
-    return array[row]
-
-
-def put(array, row, value):
-    """Write a number or lanes into such a row."""
-    array[row] = value
-
-
-@overload(take)
-def _taken(array, row):
-    return lambda array, row: _take(array, row)
-
-
-@overload(put)
-def _written(array, row, value):
-    return lambda array, row, value: _put(array, row, value)
-
-
 @inlined
 def put_where(array, row, mask, value):
     """Write into such a row where the mask is true."""
     put(array, row, choose(mask, value, take(array, row)))
 
 
-@compiled
 def rows_of_lanes(count):
     """Zeros, shape (count, WIDTH), each row in a line of the cache of its own."""
     size = count * WIDTH
