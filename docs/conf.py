@@ -18,6 +18,7 @@ extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 include_patterns = ["*.md", "docs/**", "config/README.md"]
 exclude_patterns = ["results", "build", ".*", "docs/examples"]  # a page to copy is none of the site
 myst_heading_anchors = 3
+OFF_NAVIGATION = ("docs/log/", "docs/keys/")  # reached from one page that lists them, and by search
 
 autodoc_mock_imports = ["yade", "minieigen"]  # built for the system's Python alone
 autodoc_member_order = "bysource"
@@ -35,9 +36,14 @@ html_show_copyright = False
 
 
 def setup(app):
-    """Bars in docstrings are magnitudes, as in |θ0|, and no references."""
+    """Bars in docstrings are magnitudes, as in |θ0|, and no references; some pages no entries."""
 
     def bars(app, what, name, obj, options, lines):
         lines[:] = [line if "``" in line else line.replace("|", r"\|") for line in lines]
 
+    def beside(app, doctree):
+        if app.env.docname.startswith(OFF_NAVIGATION):
+            app.env.metadata[app.env.docname]["orphan"] = True
+
     app.connect("autodoc-process-docstring", bars)
+    app.connect("doctree-read", beside)

@@ -108,18 +108,27 @@ def test_faults_of_a_study_are_named(config, message):
 
 def test_the_page_follows_the_schemas(capsys):
     assert docs.main(["--check"]) == 0, "run python -m rocking.configuration.docs"
-    page = docs.README.read_text("utf-8")
+    overview = docs.README.read_text("utf-8")
     for path, _ in LEAVES:
-        assert f"| `{path.partition('.')[2] or path}` |" in page
+        name, _, key = path.partition(".") if "." in path else ("top_level", "", path)
+        assert f"| `{key}` |" in (docs.KEYS / f"{name}.md").read_text("utf-8")
+        assert f"`{key}`" in overview
 
 
 def test_drift_of_the_page_is_found(tmp_path, monkeypatch, capsys):
     stale = tmp_path / "README.md"
     stale.write_text(docs.render().replace("6.48", "6.5"), "utf-8")
     monkeypatch.setattr(docs, "README", stale)
+    monkeypatch.setattr(docs, "KEYS", tmp_path / "keys")
     assert docs.main(["--check"]) == 1
     assert docs.main([]) == 0
     assert docs.main(["--check"]) == 0
+    (docs.KEYS / "gone.md").write_text("of a section that is no more", "utf-8")
+    assert docs.main(["--check"]) == 1
+    assert docs.main([]) == 0
+    assert not (docs.KEYS / "gone.md").exists()
+    (docs.KEYS / "facade.md").write_text("changed", "utf-8")
+    assert docs.main(["--check"]) == 1
 
 
 SHIPPED = [ROOT / "config" / "config.yaml", *sorted((ROOT / "config" / "scenarios").glob("*.yaml"))]

@@ -73,7 +73,7 @@ def test_a_target_of_five_files_runs_and_stands_on_the_generated_pages(project):
     assert (project / "results/new/figures/friction.png").stat().st_size > 5000
     assert called(project, "rocking.configuration.docs", "--check").returncode == 1
     assert called(project, "rocking.configuration.docs").returncode == 0
-    assert "`angles_deg`" in (project / "config/README.md").read_text("utf-8")
+    assert "| `angles_deg` |" in (project / "docs/keys/friction.md").read_text("utf-8")
     assert "| `friction` |" in (project / "docs/targets.md").read_text("utf-8")
 
 

@@ -1,5 +1,6 @@
-"""Writes config/README.md from the schemas, the tables of docs/targets.md from the rules.
+"""Writes the pages of the configuration from the schemas, the tables of docs/targets.md from the rules.
 
+config/README.md says how to give values and names every key; docs/keys/ has a page for each section.
 `python -m rocking.configuration.docs --check` finds drift.
 """
 
@@ -12,6 +13,8 @@ from rocking.configuration import targets
 
 README = Path(__file__).resolve().parents[3] / "config" / "README.md"
 EXAMPLES = README.parent / "scenarios"
+KEYS = README.parents[1] / "docs" / "keys"
+WRITTEN = "<!-- Written by `python -m rocking.configuration.docs` from workflow/schemas/; edit those. -->"
 
 INTRO = """\
 # Configuration
@@ -76,27 +79,50 @@ snakemake --cores 2 --config run=walls 'grid={facade.thickness_m: [0.25, 0.375, 
 - A configuration file with `__use_yte__: true` is a template that Snakemake evaluates as Python;
   run such files only from people you trust. Plain files are read with YAML's safe loader.
 
-## Parameters
+## Every key, by section
 
-Units are SI unless the key's name says otherwise; "-" is dimensionless.
+A section's page has unit, default, allowed values and meaning of each key.
+
+| section | what | keys |
+|---|---|---|
 """
 
 
 def render() -> str:
-    """Return the text of config/README.md: how to override, then a table for each section."""
+    """Return the text of config/README.md: how to override, then which keys a section has."""
     example = EXAMPLES / "heights_and_damping.yaml"
-    lines = [INTRO.replace("{example}", example.read_text("utf-8"))]
+    text = INTRO.replace("{example}", example.read_text("utf-8"))
     for name, schema in config_schema.sections().items():
-        heading = "Top level" if name == config_schema.TOP else f"`{name}`"
-        lines += [f"### {heading}: {schema.get('title', name).lower()}", ""]
+        keys = ", ".join(f"`{path}`" for path, _ in config_schema.leaves(schema))
+        title = schema.get("title", name)
+        title = title[0].upper() + title[1:]
+        text += f"| [{_heading(name)}](../docs/keys/{_stem(name)}.md) | {title} | {keys} |\n"
+    return text
+
+
+def sections() -> dict[str, str]:
+    """Return the text of docs/keys/{section}.md by the file's name: a table of the section's keys."""
+    pages = {}
+    for name, schema in config_schema.sections().items():
+        lines = [f"# {_heading(name)}: {schema.get('title', name).lower()}", "", WRITTEN, ""]
         lines += [" ".join(schema.get("description", "").split()), ""]
+        lines += ["Units are SI unless the key's name says otherwise; \"-\" is dimensionless."]
+        lines += ["[How to give values](../../config/README.md).", ""]
         lines += ["| key | unit | default | allowed | meaning |", "|---|---|---|---|---|"]
         for path, part in config_schema.leaves(schema):
             lines.append(_row(path, part))
             entries = part.get("items", {})
             lines += [_row(f"{path}[].{key}", one) for key, one in config_schema.leaves(entries)]
-        lines.append("")
-    return "\n".join(lines).rstrip() + "\n"
+        pages[f"{_stem(name)}.md"] = "\n".join(lines) + "\n"
+    return pages
+
+
+def _heading(name: str) -> str:
+    return "Top level" if name == config_schema.TOP else f"`{name}`"
+
+
+def _stem(name: str) -> str:
+    return "top_level" if name == config_schema.TOP else name
 
 
 def _row(path: str, schema: dict) -> str:
@@ -121,7 +147,7 @@ def _text(value: object) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Write both pages, or with `--check` say which is out of date; return the exit status."""
+    """Write all pages, or with `--check` say which are out of date; return the exit status."""
     parser = argparse.ArgumentParser(prog="python -m rocking.configuration.docs")
     parser.add_argument("--check", action="store_true", help="write nothing; exit 1 on drift")
     given = parser.parse_args(arguments)
@@ -130,17 +156,21 @@ def main(arguments: list[str] | None = None) -> int:
     except ValueError as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
-    status = 0
-    for page, text in ((README, render()), (targets.PAGE, tables)):
-        if page.is_file() and text == page.read_text("utf-8"):
-            continue
-        if not given.check:
-            page.write_text(text, "utf-8")
-        else:
-            where = f"{page.parent.name}/{page.name}"
-            print(f"{where} is out of date; run python -m rocking.configuration.docs")
-            status = 1
-    return status
+    pages = {README: render(), targets.PAGE: tables}
+    pages |= {KEYS / name: text for name, text in sections().items()}
+    wrong = [p for p, text in pages.items() if not p.is_file() or p.read_text("utf-8") != text]
+    gone = [page for page in sorted(KEYS.glob("*.md")) if page not in pages]
+    if not given.check:
+        KEYS.mkdir(exist_ok=True)
+        for page in wrong:
+            page.write_text(pages[page], "utf-8")
+        for page in gone:
+            page.unlink()
+        return 0
+    for page in wrong + gone:
+        where = f"{page.parent.name}/{page.name}"
+        print(f"{where} is out of date; run python -m rocking.configuration.docs")
+    return 1 if wrong or gone else 0
 
 
 if __name__ == "__main__":
