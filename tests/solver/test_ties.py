@@ -288,7 +288,33 @@ def test_the_cost_is_said_beforehand():
     """Two heights of 25 forces and none: 51 × 61 histories; 13 each and none: 27 × 35."""
     assert strengthening.most_histories(SEARCH, 6.0) == (3111, 945)
     said = strengthening.forecast(SEARCH, 6.0, 0.06)
-    assert said == "0.06 s a history: 0.945 to 3.11 min of processor time in all"
+    assert said == "0.06 s a history: at most 3.11 min of processor time in all"
+
+
+def test_what_is_left_is_said_once_a_height_is_through(monkeypatch):
+    """Lower ties cease to hold at larger forces; 0.06 s a history: within a factor of two."""
+    clock, said, at = [0.0], [], []
+
+    def realisations(case, motion, direction, settings):
+        row = (case["facade"]["ties"] or [{"height_m": 3.0, "diameter_mm": 0.0}])[0]
+        over = row["diameter_mm"] / (12.0 * math.sqrt(4.5 / row["height_m"]))
+        histories = 13 if over < 1.0 else 61 if over < 1.3 else 37
+        clock[0] += 0.06 * histories
+        return (histories if over < 1.0 else 0), histories
+
+    def say(text):
+        said.append(text)
+        at.append(clock[0])
+
+    monkeypatch.setattr(strengthening, "realisations", realisations)
+    monkeypatch.setattr(strengthening.time, "process_time", lambda: clock[0])
+    case = Case.configured("W1")
+    settings = {**resolved()["strengthening"], **SEARCH, "heights_m": [3.0, 4.5, 6.0]}
+    strengthening.search(case, None, "pos", settings, say=say)
+    told = [k for k, text in enumerate(said) if " min of processor time for the " in text]
+    for k, words in zip(told, ("2 heights that are left", "height that is left"), strict=True):
+        assert said[k].endswith(words)
+        assert 0.5 < 60.0 * float(said[k].split()[1]) / (clock[0] - at[k]) < 2.0
 
 
 def test_realisations_end_where_they_have_decided(monkeypatch):

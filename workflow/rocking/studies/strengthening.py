@@ -84,9 +84,30 @@ def most_histories(settings, height_m):
 
 
 def forecast(settings, height_m, seconds):
-    """What the whole search takes, in words, at so many processor seconds a history."""
-    most, fewest = (n * seconds / 60.0 for n in most_histories(settings, height_m))
-    return f"{seconds:.2g} s a history: {fewest:.3g} to {most:.3g} min of processor time in all"
+    """What the whole search takes at most, in words, at so many processor seconds a history.
+
+    How many histories it takes depends on where ties cease to hold: no more is known before one
+    height is through.
+    """
+    most = most_histories(settings, height_m)[0] * seconds / 60.0
+    return f"{seconds:.2g} s a history: at most {most:.3g} min of processor time in all"
+
+
+def forecast_of_heights(histories, left, seconds):
+    """What the heights take that are left, in words, if they take what those before did.
+
+    Parameters
+    ----------
+    histories : list of int
+        Of each height that is through.
+    left : int
+        Heights.
+    seconds : float
+        Processor time a history.
+    """
+    minutes = left * np.mean(histories) * seconds / 60.0
+    heights = "height that is" if left == 1 else f"{left} heights that are"
+    return f"about {minutes:.2g} min of processor time for the {heights} left"
 
 
 def realisations(case, motion, direction, settings):
@@ -174,7 +195,7 @@ def search(case, motion, direction, settings, kept=None, say=lambda text: None):
     kept = kept or Kept(None, "")
     heights = trial_heights(settings, case["facade"]["height_m"])
     none, *forces = trial_forces(settings, settings["levels"])
-    taken: list[float] = []  # processor seconds a history
+    taken: list[tuple[float, int]] = []  # processor seconds and histories of what is new
 
     def tried(height, force):
         if (known := kept.get(height, force)) is None:
@@ -185,9 +206,9 @@ def search(case, motion, direction, settings, kept=None, say=lambda text: None):
             seconds = time.process_time() - began
             kept.put(height, force, known)
             say(f"tie of {force:.3g} kN at {height:.2f} m: {known[0]} of {known[1]} fell")
-            taken.append(seconds / max(known[1], 1))
+            taken.append((seconds, known[1]))
             if len(taken) == 2:  # the first compiles
-                say(forecast(settings, case["facade"]["height_m"], taken[1]))
+                say(forecast(settings, case["facade"]["height_m"], seconds / max(known[1], 1)))
         fell, n = known
         band = binomtest(fell, n).proportion_ci(CONFIDENCE, "wilson") if n else None
         low, high = (band.low, band.high) if band else (np.nan, np.nan)
@@ -198,6 +219,7 @@ def search(case, motion, direction, settings, kept=None, say=lambda text: None):
 
     bare = tried(heights[0], none)
     rows: list[tuple] = []
+    through: list[int] = []  # histories of each height
     for number, height in enumerate(heights, 1):
         say(f"height {number} of {len(heights)}: {height:.2f} m")
         rows.append((height, *bare[1:]))
@@ -218,6 +240,10 @@ def search(case, motion, direction, settings, kept=None, say=lambda text: None):
             if lost(own[k]):
                 break
         rows += own.values()
+        through.append(sum(row[3] for row in own.values()))
+        if number < len(heights) and len(taken) > 1:
+            seconds, histories = map(sum, zip(*taken[1:], strict=True))
+            say(forecast_of_heights(through, len(heights) - number, seconds / max(histories, 1)))
     names = ["height_m", "force_kn", "fell", "realisations", "probability", "low", "high"]
     return pd.DataFrame(rows, columns=names).sort_values(names[:2], ignore_index=True)
 
