@@ -86,6 +86,16 @@ class Settings(str):
 
     @property
     def words(self):
-        """What is set, in words; what the workflow chooses itself and empty lists are left out."""
-        sections = json.loads(self).values()
-        return _listed(pair for values in sections for pair in values.items())
+        """What is set, in words; not what the workflow chooses itself, nor what there is none of.
+
+        There is none of what an empty list says, or a 0 that is the default: gables, gaps, bonds.
+        """
+        from .config import resolve  # which takes this class
+
+        usual = resolve({})
+        return _listed(
+            (key, value)
+            for section, values in json.loads(self).items()
+            for key, value in values.items()
+            if isinstance(value, bool) or value != 0 or usual.get(section, {}).get(key) != 0
+        )
