@@ -30,6 +30,7 @@ LIBRARIES = (
     "matplotlib.backends.backend_pdf",
     "matplotlib.backends.backend_agg",
 )
+COMPILED, READY = "rocking.runtime.compiled", "rocking.runtime.ready"
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMEXPR_NUM_THREADS")
 
 
@@ -164,7 +165,8 @@ def serve(workflow):
         return
     modules = {path for job in due for path in _modules(job)}
     try:
-        server = Server(sources.names(stamps.files(modules)))
+        names = sources.names(stamps.files(modules))
+        server = Server([*names, *([READY] if COMPILED in names else [])])
         cold = PythonScript.execute_script
     except OSError:
         return
