@@ -1,6 +1,6 @@
-"""Writes the pages of the configuration from the schemas, the tables of docs/targets.md from the rules.
+"""Writes the pages of the configuration from the schemas, docs/targets.md from the rules.
 
-config/README.md says how to give values and names every key; docs/keys/ has a page for each section.
+config/README.md says how to give values and names every key; docs/keys/ has a page a section.
 `python -m rocking.configuration.docs --check` finds drift.
 """
 
@@ -14,7 +14,9 @@ from rocking.configuration import targets
 README = Path(__file__).resolve().parents[3] / "config" / "README.md"
 EXAMPLES = README.parent / "scenarios"
 KEYS = README.parents[1] / "docs" / "keys"
-WRITTEN = "<!-- Written by `python -m rocking.configuration.docs` from workflow/schemas/; edit those. -->"
+WRITTEN = (
+    "<!-- Written by `python -m rocking.configuration.docs` from workflow/schemas/; edit those. -->"
+)
 
 INTRO = """\
 # Configuration
@@ -101,12 +103,12 @@ def render() -> str:
 
 
 def sections() -> dict[str, str]:
-    """Return the text of docs/keys/{section}.md by the file's name: a table of the section's keys."""
+    """Return the text of docs/keys/{section}.md by the file's name, a table of its keys."""
     pages = {}
     for name, schema in config_schema.sections().items():
         lines = [f"# {_heading(name)}: {schema.get('title', name).lower()}", "", WRITTEN, ""]
         lines += [" ".join(schema.get("description", "").split()), ""]
-        lines += ["Units are SI unless the key's name says otherwise; \"-\" is dimensionless."]
+        lines += ['Units are SI unless the key\'s name says otherwise; "-" is dimensionless.']
         lines += ["[How to give values](../../config/README.md).", ""]
         lines += ["| key | unit | default | allowed | meaning |", "|---|---|---|---|---|"]
         for path, part in config_schema.leaves(schema):
