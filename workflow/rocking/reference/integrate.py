@@ -92,10 +92,13 @@ def _row(law, state, time, u, rows, written):
     """Write a row; twice the room where there is none left."""
     if written == rows.shape[0]:
         wider = np.empty((2 * written, COLUMNS))
-        wider[:written] = rows
+        for i in range(written):
+            for m in range(COLUMNS):
+                wider[i, m] = rows[i, m]
         rows = wider
     rows[written, 0] = time
-    rows[written, 1 : SLIP + 1] = state[:SLIP]
+    for m in range(SLIP):  # a slice takes as long to compile as all the rest
+        rows[written, 1 + m] = state[m]
     rows[written, SLIP + 1] = top_displacement(law, state)
     rows[written, SLIP + 2] = elastic_energy(law, state, u)
     return rows

@@ -24,7 +24,7 @@ from yade_scripts.model.stiffness import critical_step
 from .inputs import FAILED
 from .plane import moving_supports
 from .runs import STATUS, limits
-from .spatial_kernel import COLUMNS, Spatial, march_spatial
+from .spatial_kernel import COLUMNS, Spatial, at_rest, march_spatial
 
 STEP_FRACTION = 0.2  # of the critical step
 
@@ -141,8 +141,9 @@ def history(spatial, motions, numerics, factor=1.0, *, sample_s=None):
     every = max(1, round((sample_s or 1.0) / p.step_s))
     count = math.ceil(rules.limit_s / p.step_s) // every + 1 if sample_s else 0
     rows = np.zeros((count, COLUMNS))
+    start = at_rest(p, across.place_m.shape[1])
     peak, status, end, written, twist, slid = march_spatial(
-        p, across, beside, factor, rules, float(ends), float(own[2][0]), every, rows
+        p, start, across, beside, factor, rules, float(ends), float(own[2][0]), every, rows
     )
     ratio = math.nan if status == FAILED else peak / p.thickness_m
     return Outcome(ratio, twist, slid, STATUS[int(status)], end, rows[:written])

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocking.runtime.compiled import compiled, inlined
+from rocking.runtime.compiled import compiled, inlined, looped
 
 from .inputs import drive, verdict
 from .law import rub, since_closed
@@ -160,9 +160,8 @@ class Motion(NamedTuple):
     touching: np.ndarray
 
 
-@compiled
-def _at_rest(p, supports):
-    """The block before its motion."""
+def at_rest(p, supports):
+    """The block before its motion, and room for a step."""
     nodes, moving = p.level_m.size, supports + 1
     x, q, turn = p.place_m.copy(), p.turn.copy(), np.zeros((3, 3))
     v, momentum, a, torque = np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3)
@@ -170,9 +169,9 @@ def _at_rest(p, supports):
     slip, closed = np.zeros((nodes, 3)), np.zeros(nodes, np.bool_)
     touching = np.zeros(p.first.size - 1, np.int64)
     spin, now_v, now_spin = np.zeros(3), np.zeros(3), np.zeros(3)
-    return Motion(
-        x, q, v, momentum, a, torque, turn, spin, now_v, now_spin, u, us, du, slip, closed, touching
-    )
+    rates = v, momentum, a, torque, turn, spin, now_v, now_spin
+    motion = Motion(x, q, *rates, u, us, du, slip, closed, touching)
+    return motion, (np.zeros(3), np.zeros((4, 3)), np.zeros((3, 3)), np.zeros(4))
 
 
 @inlined
@@ -300,13 +299,15 @@ def _kinetic(p, m, half, room):
     return energy
 
 
-@compiled
-def march_spatial(p, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows):
+@looped
+def march_spatial(p, start, across, beside, factor, rules, motion_s, max_speed_m_s, every, rows):
     """Advance one history until a rule ends it.
 
     Parameters
     ----------
     p : Spatial
+    start : tuple
+        See `at_rest`.
     across, beside : Table
         Motions along y and x; the vertical one with the first.
     factor : float
@@ -325,9 +326,7 @@ def march_spatial(p, across, beside, factor, rules, motion_s, max_speed_m_s, eve
         Largest |d|; largest rotation about z, and displacement of the centroid along x.
     """
     dt, last = across.step_s, across.ground_m_s2.size - 1
-    m = _at_rest(p, across.place_m.shape[1])
-    force, room = np.zeros(3), np.zeros((4, 3))
-    middle, other = np.zeros((3, 3)), np.zeros(4)
+    m, (force, room, middle, other) = start
     peak = twist = slid = spent = work = moving_until = time = 0.0
     written, k = 0, 0
     while True:
