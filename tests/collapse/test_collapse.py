@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.collapse import agreement, hidden, probability
-from rocking.collapse.plan import plan
+from rocking.collapse.plan import SLIGHT, plan
 
 GRID = np.geomspace(0.1, 1.0, 1200)
 
@@ -197,7 +197,7 @@ def test_the_plan_goes_where_outcomes_change():
     assert said.shape == (2, 3, 3)
     assert np.all((said[0, :, 0] < 0.3) & (said[0, :, 1] > 0.7))  # a shift of 3 % would show
     assert np.all((said[1, :, 0] > 0.7) & (said[1, :, 2] < 0.3))
-    slight = table.assign(d_over_b=np.where(GRID < 0.2, 0.01, table["d_over_b"]))
+    slight = table.assign(d_over_b=SLIGHT * np.where(GRID < 0.2, 0.99, 1.01))
     assert plan(slight, ida, ensemble)["runs"][0] == pytest.approx(0.1 * 1.35**2, abs=1e-4)
     slow = table.assign(collapsed=(np.sin(1e4 * GRID) < (GRID - 0.5) * 5).astype(int))
     slow["status"] = np.where(slow["collapsed"] == 1, "overturned", "ok")
