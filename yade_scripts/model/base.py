@@ -15,6 +15,8 @@ other was chosen for its static curve; how far it holds is said in docs/studies/
 Being linear and without tension, the joint scales with the load on it, as the column does.
 """
 
+import itertools
+
 import numpy as np
 
 BASE = "base"  # name of the block that a façade stands on
@@ -27,13 +29,18 @@ def base_jkn(facade):
     """Joint stiffness of the base [Pa/m]: as stated; E/h; of courses E over half a course."""
     if facade["base_stiffness_pa_m"]:
         return facade["base_stiffness_pa_m"]
-    length = 0.5 * course_height(facade) if facade.get("courses") else facade["height_m"]
+    length = 0.5 * course_tops(facade)[0] if facade.get("courses") else facade["height_m"]
     return facade["e_mpa"] * 1e6 / length
 
 
-def course_height(facade):
-    """Height of one of `facade.courses` equal courses [m]."""
-    return facade["height_m"] / facade["courses"]
+def course_tops(facade):
+    """Heights of the tops of `facade.courses`, from the lowest up, the façade's own the last [m].
+
+    Each is `courses_growth` times as high as the one below it.
+    """
+    growth = facade.get("courses_growth") or 1.0
+    sums = list(itertools.accumulate(growth**k for k in range(facade["courses"])))
+    return [facade["height_m"] * (each / sums[-1]) for each in sums]
 
 
 def parts(facade):

@@ -39,7 +39,7 @@ from yade_scripts.model.motion import along
 from yade_scripts.model.panels import base_block, hang_base
 from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
 from yade_scripts.model.rest import at_rest
-from yade_scripts.model.return_walls import add_return_walls, back_jkn
+from yade_scripts.model.return_walls import WALL, add_return_walls, back_jkn
 from yade_scripts.model.scene import DOFS, Block, NodeList, Scene, box_inertia, held
 from yade_scripts.model.shape import is_plain, shape_of
 from yade_scripts.model.ties import anchor_ties, facade_ties
@@ -189,8 +189,14 @@ def facade_scene(
         notes={
             **({"motions": motions} if motions else {}),
             **({"watched": tops} if tops else {}),
+            **({"even": _even(nodes.joints, tops)} if facade.get("courses") else {}),
         },
     )
+
+
+def _even(joints, tops):
+    """Names of the joints between courses, under them and behind them, whose springs are even."""
+    return [name for k, name in enumerate(joints) if k <= len(tops) or name.startswith(WALL)]
 
 
 def _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_stand, base):

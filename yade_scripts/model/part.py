@@ -2,10 +2,10 @@
 
 A mechanism takes what lies above a *foot*: all of it (it overturns), or what lies below a *held*
 level, open at a *hinge* between the two (vertical bending). The part keeps its thickness, openings,
-ties and floors, counted from its foot; what is below the foot moves with the building, and the base
-of the part stands on that (`base_height_m`). The chain's masses stay where they are
-(`building_height_m`). A part above all that the return walls hold, a gable or a parapet, has none
-behind it and rocks to both sides.
+ties and floors, counted from its foot, and has as many courses if it overturns; what is below the
+foot moves with the building, and the base of the part stands on that (`base_height_m`). The chain's
+masses stay where they are (`building_height_m`). A part above all that the return walls hold, a
+gable or a parapet, has none behind it and rocks to both sides.
 
 What lies above a held level bears on it with its weight, and what holds it there holds the part.
 """
@@ -38,8 +38,7 @@ def part_of(section, foot_m, held_m=None, hinge_m=None):
     Raises
     ------
     ValueError
-        One line for heights that the façade has not, hinges or courses that are stated already, or
-        a tilt.
+        One line for heights that the façade has not, hinges that are stated already, or a tilt.
     """
     if (foot_m, held_m, hinge_m) == WHOLE:  # with hinges, courses or a tilt of its own
         return dict(section)
@@ -53,6 +52,7 @@ def part_of(section, foot_m, held_m=None, hinge_m=None):
         "building_height_m": section.get("building_height_m") or _place(base + eaves),
         "base_stiffness_pa_m": None if foot_m else section["base_stiffness_pa_m"],
         "hinges_m": [] if hinge_m is None else [_place(hinge_m - foot_m)],
+        "courses": section.get("courses", 0) if hinge_m is None else 0,
     }
     if foot_m >= eaves - NEAR_M:
         return found | _above_the_walls(section, shape)
@@ -78,7 +78,7 @@ def part_of(section, foot_m, held_m=None, hinge_m=None):
 
 def _check(section, foot_m, held_m, hinge_m):
     eaves, top = section["height_m"], shape_of(section).top_m
-    for key in ("hinges_m", "courses", "tilt_deg"):
+    for key in ("hinges_m", "tilt_deg"):
         if section[key]:
             raise ValueError(f"part of a façade: expected no facade.{key}")
     highest = top if held_m is None else held_m
@@ -106,6 +106,7 @@ def _above_the_walls(section, shape):
         "height_m": _place(shape.top_m - section["height_m"]),
         "thickness_m": _place(front - back),
         "outline": "triangle" if gable else "box",
+        "courses": 0,
         "sides": "two",
         "gap_m": 0.0,
         "gable_height_m": 0.0,

@@ -22,6 +22,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from yade_scripts.model.base import course_tops
 from yade_scripts.model.intervals import without
 from yade_scripts.model.scene import box_inertia
 
@@ -288,11 +289,10 @@ def _box(density, x, y, z):
 
 
 def _hinges(facade):
-    """Heights of the joints between rigid pieces: as stated, or between equal courses [m]."""
-    courses = facade.get("courses") or 1
-    return tuple(facade.get("hinges_m", ())) or tuple(
-        facade["height_m"] * k / courses for k in range(1, courses)
-    )
+    """Heights of the joints between rigid pieces: as stated, or between courses [m]."""
+    if facade.get("courses"):
+        return tuple(course_tops(facade)[:-1])
+    return tuple(facade.get("hinges_m", ()))
 
 
 def _storeys(facade):

@@ -27,9 +27,9 @@ STEPS = 4  # different steps of the realisations
 SHORTER = tuple(1.0 - STEP_SPREAD * k / STEPS for k in range(STEPS))
 LAYOUTS_SHORTER = tuple(1.0 - 0.03 * k for k in range(NODE_CHOICES))  # of long steps
 BRICKS_STEP = 0.5  # of W3's stable step, which its bricks decide: 0.24 ms
-COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}
+COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}  # beds need none
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
-COURSES_STEP = 0.125  # of the stable step of a stack: joints that open chatter at longer ones
+COURSES_STEP = 0.08  # of the stable step of the same façade in one block
 
 
 class Scan:
@@ -159,9 +159,15 @@ class Screen(Scan):
         if fraction:
             self.shorter = LAYOUTS_SHORTER
         self.steps_s = [share * stable_step(plane) for plane in self.planes]
+        if courses:
+            self.steps_s = [min(share, COURSES_STEP) * one_block_step(case)] * len(self.planes)
         self.carried = carried_masses(case, scene) if kind.two_way and not bricks else None
         if self.carried is not None:  # light masses between stiff contacts want shorter ones
-            most = [LIGHT_STEP * stable_step(plane, self.carried) for plane in self.planes]
+            ahead = [getattr(plane, "lead", 0.0) for plane in self.planes]
+            most = [
+                LIGHT_STEP * stable_step(plane, self.carried, lead)
+                for plane, lead in zip(self.planes, ahead, strict=True)
+            ]
             self.steps_s = list(map(min, self.steps_s, most))
         self.scene, self.two_way = scene, kind.two_way
         self.time_s, self.columns, self.before = time_s, columns, before
@@ -219,6 +225,15 @@ def driving(scene, time_s, columns):
     base = columns[scene.blocks[scene.index(scene.reference)].motion]
     supports = [columns[name] for name in moving_supports(scene)]
     return Motions(time_s, base, supports, columns.get(VERTICAL))
+
+
+def one_block_step(case):
+    """Stable step of the façade of a case of courses in one block, walls driven [s]."""
+    facade = {**case["facade"], "courses": 0}
+    name = registry.model(case["model"]).one_way_model
+    numerics = {**case["numerics"], **dict.fromkeys(NODE_KEYS, NODES)}
+    scene = models.build_scene({**case, "facade": facade, "model": name, "numerics": numerics})
+    return stable_step(to_plane(scene))
 
 
 def layouts(numerics, nodes=None):

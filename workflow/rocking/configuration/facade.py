@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from rocking.configuration.schema import ConfigError, show
 from rocking.configuration.standing import WEAKEST, check_standing
 from yade_scripts.model import interlocking, registry
-from yade_scripts.model.base import STUDY
+from yade_scripts.model.base import STUDY, course_tops
 from yade_scripts.model.shape import OWN_KEYS, TRIANGLE, Shape, is_plain, shape_of
 from yade_scripts.model.wall_motion import building_height
 
@@ -195,6 +195,8 @@ def _check_shape(resolved: Mapping) -> None:
         if not registry.model(name).single_block:
             raise ConfigError(f"models = {name}: expected a façade of one block with a shape")
     _check_outline(facade)
+    if facade["courses"]:
+        _shape(facade, course_tops(facade)[:-1], "courses")
     if facade["tilt_deg"]:
         raise ConfigError(
             f"facade.tilt_deg = {show(facade['tilt_deg'])}: expected 0 (°) with a shape"
@@ -202,14 +204,14 @@ def _check_shape(resolved: Mapping) -> None:
     _shape(facade, ())
 
 
-def _shape(facade: Mapping, hinges: Sequence) -> None:
+def _shape(facade: Mapping, hinges: Sequence, key: str = "hinges_m") -> None:
     """Refuse a shape that cannot be, cut at these heights."""
     try:
         shape = shape_of({**facade, "hinges_m": hinges})
         for z in hinges:
             shape.joint_at(z)
     except ValueError as error:
-        raise ConfigError(str(error)) from None
+        raise ConfigError(str(error).replace("facade.hinges_m", f"facade.{key}", 1)) from None
 
 
 def _check_outline(facade: Mapping) -> None:
@@ -248,16 +250,12 @@ def _check_hinges(resolved: Mapping) -> None:
         raise ConfigError(f"facade.courses = {courses}: expected 0 with facade.hinges_m")
     for name in resolved["models"]:
         kind = registry.model(name)
-        if not kind.planar or kind.bonded or (kind.two_way and courses):
-            raise ConfigError(
-                f"models = {name}: expected W1 or W2, dry and driven, with facade.{given}, or W2m "
-                "with hinges"
-            )
+        if not kind.planar or kind.bonded:
+            raise ConfigError(f"models = {name}: expected W1, W2 or W2m, dry, with facade.{given}")
     if facade["tilt_deg"]:
         raise ConfigError(f"facade.{given}: expected facade.tilt_deg = 0 (°)")
-    if not is_plain(facade) and (courses or heights == WEAKEST):
-        which = given if courses else f"{given} = {WEAKEST}"
-        raise ConfigError(f"facade.{which}: expected a plain façade on the ground")
+    if not is_plain(facade) and heights == WEAKEST:
+        raise ConfigError(f"facade.{given} = {WEAKEST}: expected a plain façade on the ground")
     if courses:
         return
     if heights != WEAKEST:

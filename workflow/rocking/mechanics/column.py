@@ -70,9 +70,13 @@ def rotation_law(moment):
     return 3.0 * m * first**4 + 2.0 / 9.0 * (integral(1.0) - integral(first))
 
 
-def courses(count):
-    """Heights of the joints of so many equal courses below the top, over h, both ends included."""
-    return np.linspace(0.0, 1.0, count + 1)
+def courses(count, growth=1.0):
+    """Heights of the joints of so many courses below the top, over h, both ends included.
+
+    Each course is `growth` times as high as the one below it.
+    """
+    heights = float(growth) ** np.arange(count)[::-1]
+    return np.concatenate(([0.0], np.cumsum(heights) / heights.sum()))
 
 
 def graded(count=PIECES, finest=FINEST):

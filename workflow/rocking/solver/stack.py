@@ -9,8 +9,11 @@ from typing import NamedTuple
 import numpy as np
 
 from .bars import Bars, elements
+from .lines import Lines, lines_of
+from .lines import elements as of_lines
 
 FREEDOMS = "yzX"
+LEAD = 1.0  # of courses: their springs as by Newmark's β of 1/2, at any step
 
 
 class Stack(NamedTuple):
@@ -57,6 +60,11 @@ class Stack(NamedTuple):
     in_row : bool
         Pieces that stand on each other: every node joins two that follow each other, or one to a
         support, so that all their dashpots can be solved together.
+    lines : Lines
+        Beds of theirs that are summed in closed form, apart from the nodes.
+    lead, beta : float
+        By how much of a step the springs of pieces are taken beyond now, with their dashpots; 0:
+        they act as they are. β of all of them.
     gravity_m_s2, thickness_m, height_m : float
     foot : int
         See `plane.Planar`.
@@ -95,6 +103,9 @@ class Stack(NamedTuple):
     link_n_m: np.ndarray
     link_ns_m: np.ndarray
     in_row: bool
+    lines: Lines
+    lead: float
+    beta: float
     gravity_m_s2: float
     thickness_m: float
     height_m: float
@@ -132,6 +143,15 @@ def stacked(scene, own, column, bars):
     if np.any((a < 0) & (b < 0)):
         raise ValueError("planar solver: every node of several blocks must meet a free one")
     links = [link for link in scene.links if number[link.a] >= 0]
+    in_row = bool(
+        not links
+        and all(set(FREEDOMS) <= set(blocks[i].free) and blocks[i].motion is None for i in own)
+        and np.all((a < 0) | (b < 0) | (np.abs(a - b) == 1))
+    )
+    beta = nodes.beta_s[0]
+    even = in_row and np.all(nodes.beta_s == beta) and scene.notes.get("even", ())
+    lines, summed = lines_of(scene, even or (), number, column)
+    nodes, a, b = nodes.select(~summed), a[~summed], b[~summed]
     if any(tuple(link.direction) != (0.0, 1.0, 0.0) for link in links):
         raise ValueError("planar solver: expected links along y")
     centre = np.array([block.centre_m[1:] for block in blocks], float)
@@ -145,7 +165,8 @@ def stacked(scene, own, column, bars):
     support = [column.get(blocks[i].motion, -1) for i in still]
     joint = [scene.joints[j] for j in nodes.joint]
     rims, partial = scene.notes.get("rims", {}), set(scene.notes.get("partial", ()))
-    rim = np.array([rims.get(name, ((0.0, 0.0, 0.0), 0.0))[0][1:] for name in joint], float)
+    none = ((0.0, 0.0, 0.0), 0.0)
+    rim = np.array([rims.get(name, none)[0][1:] for name in joint], float).reshape(-1, 2)
     edge = np.array([rims.get(name, (None, 0.0))[1] for name in joint], float)
     mine = [blocks[i] for i in own]
     poses = [
@@ -189,14 +210,13 @@ def stacked(scene, own, column, bars):
         link_b=np.array([number[link.b] for link in links], np.int64),
         link_n_m=np.array([link.stiffness_n_m for link in links], float),
         link_ns_m=np.array([link.dashpot_ns_m for link in links], float),
-        in_row=bool(
-            not links
-            and all(set(FREEDOMS) <= set(block.free) and block.motion is None for block in mine)
-            and np.all((a < 0) | (b < 0) | (np.abs(a - b) == 1))
-        ),
+        in_row=in_row,
+        lines=lines,
+        lead=LEAD if even else 0.0,
+        beta=float(beta),
         gravity_m_s2=float(scene.gravity_m_s2),
         thickness_m=float(scene.thickness_m),
-        height_m=float(max(p[1] for _, p in watched) - nodes.position_m[:, 2].min()),
+        height_m=float(max(p[1] for _, p in watched) - scene.nodes.position_m[:, 2].min()),
         foot=column.get(blocks[scene.index(scene.reference)].motion, -1),
         bars=bars,
     )
@@ -240,6 +260,17 @@ def stack_matrices(stack, supports=0):
                 elif supports and p.support[i] >= 0:
                     row[3 * n + p.support[i]] = sign * y
             add(row, ratio * p.kn_n_m[i], p.beta_s[i] * share * ratio * p.kn_n_m[i])
+    for i, place, stiffness in of_lines(p.lines, p.centre_m):
+        ny, nz = p.lines.normal[i]
+        for (y, z), ratio in (((ny, nz), 1.0), ((-nz, ny), p.lines.shear_ratio[i])):
+            row = np.zeros(len(k))
+            for body, sign in ((p.lines.body_a[i], 1.0), (p.lines.body_b[i], -1.0)):
+                if body >= 0:
+                    ry, rz = place - p.centre_m[body]
+                    row[3 * body : 3 * body + 3] = sign * np.array([y, z, z * ry - y * rz])
+                elif supports and p.lines.support[i] >= 0:
+                    row[3 * n + p.lines.support[i]] = sign * y
+            add(row, ratio * stiffness, p.lines.beta_s[i] * ratio * stiffness)
     for stiffness, dashpot, row in elements(p.bars, supports, n):
         add(row, stiffness, dashpot)
     for i, (a, b) in enumerate(zip(p.link_a, p.link_b, strict=True)):

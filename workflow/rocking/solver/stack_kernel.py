@@ -13,6 +13,7 @@ from rocking.runtime.compiled import inlined, looped
 
 from .dashpots import couple, damp, solve_row, solved
 from .law import bond_breaks, bonded, dry, released
+from .lines import MEMORY, press
 from .march import TO_THE_END, Loop, advance, march_many
 from .vectors import alone, choose, cos_sin, like, put, put_where, some, take
 
@@ -27,24 +28,28 @@ class Nodes(NamedTuple):
     slip, state : a row a node
     goes : a row a block
         0 where it came out of its slot and takes no part any more.
+    lines : `lines.MEMORY` rows a line
+        See `lines.press`.
     """
 
     slip: np.ndarray
     state: np.ndarray
     goes: np.ndarray
+    lines: np.ndarray
 
 
 @inlined
 def _nodes(p, rows):
     """`Nodes` in the rows of `_start`."""
-    count = p.kn_n_m.size
-    return Nodes(rows[:count], rows[count : 2 * count], rows[2 * count :])
+    count, goes = p.kn_n_m.size, 2 * p.kn_n_m.size + p.mass_kg.size
+    return Nodes(rows[:count], rows[count : 2 * count], rows[2 * count : goes], rows[goes:])
 
 
 def _start(p):
     """Rows of nodes that have not met their planes yet, and of blocks that all go; see `Loop`."""
     slip, state = np.zeros(p.kn_n_m.size), np.where(p.bonded, HOLDS, OPEN)
-    rows = np.concatenate((slip, state, np.ones(p.mass_kg.size)))
+    lines = np.zeros(MEMORY * p.lines.half_m.size)
+    rows = np.concatenate((slip, state, np.ones(p.mass_kg.size), lines))
     return rows, np.zeros((0, 4)), (0.0, 0.0, 0.0)
 
 
@@ -142,6 +147,7 @@ def _force(p, i, j, parts, nodes, where, arms, time, acts):
     else:
         ry, gy = ry - sv, gy - sdu
     kn, beta, ratio, friction = p.kn_n_m[i], p.beta_s[i], p.shear_ratio[i], p.friction[i]
+    ahead = beta + p.lead * dt  # of the dashpots, and of springs that are taken beyond now
     ty, tz = -nz, ny
     rate, speed, way = -(ny * ry + nz * rz), ty * ry + tz * rz, ty * gy + tz * gz
     had = take(nodes.slip, i)
@@ -168,16 +174,16 @@ def _force(p, i, j, parts, nodes, where, arms, time, acts):
             depth, rate, speed, had, own, touching & ~was, joint, dt, p.drag[i]
         )
         put_where(nodes.state, i, touching, CLOSED)
-        across = choose(touching & pressed, beta * kn, none)
-        along = choose(touching & sticks, beta * kn * ratio, none)
+        across = choose(touching & pressed, ahead * kn, none)
+        along = choose(touching & sticks, ahead * kn * ratio, none)
     if some(holds):
         pull, drag, whole, held, _, _, kept_j, taken_j = bonded(
             depth, rate, speed, had + way, grip, dt
         )
         normal, shear = choose(holds, pull, normal), choose(holds, drag, shear)
         share, after = choose(holds, whole, share), choose(holds, held, after)
-        across = choose(holds, beta * kn, across)
-        along = choose(holds, beta * kn * grip[1], along)
+        across = choose(holds, ahead * kn, across)
+        along = choose(holds, ahead * kn * grip[1], along)
         stored, taken = choose(holds, kept_j, stored), choose(holds, taken_j, taken)
     acting = touching | holds
     put(nodes.slip, i, choose(acting, after, had))
@@ -233,7 +239,9 @@ def contact(p, whole, parts, turning, time, alive, counts, spent):
     """Forces of all nodes and links, and dashpots; energy stored and taken, bonds that broke."""
     _predict(p, parts, time, alive)
     nodes, supports = _nodes(p, parts.nodes), parts.supports
-    elastic = broken = like(0.0, spent)
+    broken = like(0.0, spent)
+    elastic, taken = press(p, parts, nodes.lines, time, alive, counts)
+    spent += taken
     for i in range(p.kn_n_m.size):
         now = take(nodes.state, i)
         live = alive & (now < GONE)
@@ -296,14 +304,22 @@ def contact(p, whole, parts, turning, time, alive, counts, spent):
 
 @inlined
 def accelerate(p, parts, half, ag, gravity):
-    """Accelerations of all blocks, with a block's own dashpots at the velocity of this step."""
+    """Accelerations of all blocks, with a block's own dashpots at the velocity of this step.
+
+    With `p.lead` the springs between and behind pieces act as far ahead: with K beside C in the
+    matrix, (M + ½hC + ½·lead·h²K)·a = F(x, v⁻) + ½hC·a⁻, at twice the lead Newmark's β.
+    """
     own, rise, force, nodes = parts.own, parts.rise, parts.force, _nodes(p, parts.nodes)
+    before = 1.0  # the dashpots' part of what stands in `own`
+    if p.lead > 0.0 and half > 0.0:
+        before = p.beta / (p.beta + 2.0 * p.lead * half)
     for row in range(len(own)):
         put(own, row, take(own, row) * half)
     for i in range(p.mass_kg.size):
         at, to = 3 * i, 6 * i
         mass, inertia = p.mass_kg[i], p.inertia_kg_m2[i]
-        y, z, turn = take(rise, at), take(rise, at + 1), take(rise, at + 2)
+        y, z = before * take(rise, at), before * take(rise, at + 1)
+        turn = before * take(rise, at + 2)
         c00, c01, c02 = take(own, to), take(own, to + 1), take(own, to + 2)
         c11, c12, c22 = take(own, to + 3), take(own, to + 4), take(own, to + 5)
         push = take(parts.push, at), take(parts.push, at + 1), take(parts.push, at + 2)
@@ -329,8 +345,8 @@ def accelerate(p, parts, half, ag, gravity):
                     at, one, other = 9 * i + 3 * m + n, 3 * i + m, 3 * i + 3 + n
                     c = take(parts.between, at) * half
                     put(parts.between, at, c)
-                    put(force, one, take(force, one) + c * take(rise, other))
-                    put(force, other, take(force, other) + c * take(rise, one))
+                    put(force, one, take(force, one) + before * c * take(rise, other))
+                    put(force, other, take(force, other) + before * c * take(rise, one))
         solve_row(own, parts.between, parts.inverse, p.mass_kg, p.inertia_kg_m2, force)
         for row in range(len(force)):
             put(rise, row, take(force, row))

@@ -1,16 +1,17 @@
-"""What a rigid façade's base is worth, beside the elastic wall that it stands for.
+"""Models of a façade beside the elastic wall that they stand for: how near, and at what cost.
 
 The wall is a column (`mechanics.column`): its static curve is exact. Under a motion it is a stack
-of rigid courses on elastic joints, which converges to it. Both are compared with the rigid block on
-`facade.base: study` and `column`.
+of rigid courses on elastic joints, which converges to it: of many. Rigid blocks on `facade.base`
+`study` and `column` are compared with both, and stacks of fewer courses, equal or thin at the foot.
 """
 
-from functools import partial
+import time
 
 import numpy as np
 import pandas as pd
 
 from rocking.collapse.case import Variant
+from rocking.collapse.curve import collapse_curve
 from rocking.collapse.probability import KEY
 from rocking.collapse.quick import ENDS, PGA, RATIO, crossings, over_first
 from rocking.collapse.ratios import spread
@@ -21,8 +22,9 @@ from rocking.runtime.drawing import drawing
 from yade_scripts.model import base
 
 BASES = (base.STUDY, base.COLUMN)
-COURSES = 10  # of the stack under a motion; its static curve lies 1 to 3 % below the column's
-FINE = 20  # of the stack whose static curve is drawn
+FINE = 20  # equal courses of the stack that stands for the wall
+STACKS = [(2, 1.0), (3, 1.0), (4, 1.0), (6, 1.0), (10, 1.0)]  # courses, growth
+STACKS += [(3, 1.6), (4, 1.5), (6, 1.35), (10, 1.2)]
 D_OVER_B = np.array([0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8])
 FACADES = {  # h, b [m], ρ [kg/m³], E [MPa]; none of them but the first chose the base's law
     "study": (6.48, 0.375, 1800.0, 1800.0),
@@ -34,20 +36,29 @@ FACADES = {  # h, b [m], ρ [kg/m³], E [MPa]; none of them but the first chose 
 }
 STATIC = ["facade", "h_m", "b_m", "e_mpa", "gamma", "d_over_b", "lambda_rigid", "lambda_wall"]
 STATIC += ["lambda_courses", *(f"lambda_base_{name}" for name in BASES)]
-COLUMNS = [*KEY, "facade", *PGA, "ratio", "runs_planar", *ENDS, *RATIO[1:]]
+COLUMNS = [*KEY, "facade", *PGA, "ratio", "runs_planar", *ENDS, *RATIO[1:], "cpu_s"]
 SUMMARY = {"n": "n", "n_censored": "n_censored", "p10": 10, "median": 50, "p90": 90}
 SUMMARY |= {"scatter": "scatter"}
-STACK = "courses"
 LABELS = {"study": "rigid block, base E/h", "column": "rigid block, the column's base"}
 COLOURS = {"study": "#c1440e", "column": "#1f6f8b"}
 
 
+def stack_name(courses, growth=1.0):
+    """What tables call a stack, as "6 courses" or "6 courses, 1.35"."""
+    return f"{courses} courses" + (f", {growth:g}" if growth != 1.0 else "")
+
+
+STACK = stack_name(FINE)
+
+
 def variants():
-    """The stack of courses, then the rigid block on either base."""
-    forms = [(STACK, base.STUDY, COURSES), *((name, name, 0) for name in BASES)]
+    """The stack that stands for the wall, the rigid block on either base, then other stacks."""
+    forms = [(STACK, base.STUDY, FINE, 1.0), *((name, name, 0, 1.0) for name in BASES)]
+    forms += [(stack_name(*stack), base.STUDY, *stack) for stack in STACKS]
+    keys = "facade.base", "facade.courses", "facade.courses_growth"
     return [
-        Variant(name, {"facade.base": law, "facade.courses": courses}, about={"facade": name})
-        for name, law, courses in forms
+        Variant(name, dict(zip(keys, values, strict=True)), about={"facade": name})
+        for name, *values in forms
     ]
 
 
@@ -83,22 +94,34 @@ def static(facades=None):
     return pd.concat(parts, ignore_index=True)[STATIC]
 
 
+def costed(case, motion, direction):
+    """Crossings of a curve with their ends, and the processor time that they took."""
+    few = {"pga_g": [1e-3, 2e-3, 3e-3]}  # what compiles or loads is no part of it
+    collapse_curve(case, motion, direction, search="list", settings=few)
+    start = time.process_time()
+    found = crossings(case, motion, direction, step=None, ends=True)
+    return found | {"cpu_s": time.process_time() - start}
+
+
 def collapse(case, motion, direction):
-    """Collapse of the stack, and of the block on either base, under one motion.
+    """Collapse of the wall, of the block on either base and of stacks, under one motion.
 
     Returns
     -------
     DataFrame
-        COLUMNS; ratio of pga_median_g to the stack's, with what the scatter of both leaves of it.
+        COLUMNS; ratio of pga_median_g to the wall's, with what the scatter of both leaves of it;
+        processor time.
     """
-    find = partial(crossings, step=None, ends=True)
-    rows = collapses([case], motion, [direction], find, variants())
+    rows = collapses([case], motion, [direction], costed, variants())
     return over_first(pd.DataFrame(rows).reindex(columns=COLUMNS))
 
 
 def summary(table):
     """Spread of the ratios by model and base: 10, 50, 90 % of the curves, scatter of ln ratio."""
-    return spread(table[table["facade"] != STACK], ["model", "facade"], SUMMARY)
+    others = table[table["facade"] != STACK]
+    found = spread(others, ["model", "facade"], SUMMARY)
+    time_s = others.groupby(["model", "facade"])["cpu_s"].median()
+    return found.join(time_s.rename("cpu_s"), on=["model", "facade"])
 
 
 @drawing

@@ -1,0 +1,273 @@
+"""Even joints of blocks that stand on each other, in closed form, whatever of them is open.
+
+A joint whose springs are spread evenly along a line has a penetration δ(s) = d₀ + d₁ s and a rate
+q₀ + q₁ s. So it presses where both δ and δ + β δ̇ are above nothing, from one place to another, and
+
+    N = k ∫ (δ + β δ̇) ds,   M = k ∫ s (δ + β δ̇) ds
+
+follow from the two places: what nodes across the joint converge to, without their steps. Along the
+joint it is `BINS` parts, shorter towards its ends. Each has a slip of its own, the mean of what is
+pressed of it: what closes anew starts without any. With one slip for all a wall that rocks would
+creep along its beds, since what opens last has borne longest.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from rocking.runtime.compiled import inlined
+
+from .dashpots import couple, damp
+from .law import bounded, rub
+from .vectors import alone, choose, like, lone, put, some, take
+
+BINS = 8
+ENDS = tuple(-math.cos(math.pi * k / BINS) for k in range(BINS + 1))  # of the parts, over half
+MEMORY = BINS + 2  # rows a line
+SIDE = 0.5 / math.sqrt(3.0)  # two springs there have the moments of an even line of length 1
+
+
+class Lines(NamedTuple):
+    """Beds between pieces and under the lowest, and their joints with what is behind them.
+
+    Attributes
+    ----------
+    body_a, body_b, support : ndarray of int, shape (lines,)
+        As of `stack.Stack`: the block above, the one below, and the motion of a support.
+    arm_a_m, arm_b_m : ndarray, shape (lines, 2)
+        The middle from the centroids of their blocks, of a support from the origin.
+    normal, along : ndarray, shape (lines, 2)
+        From b into a, which turns with b; along the line, which turns with a.
+    half_m, k_n_m2 : ndarray, shape (lines,)
+        Half its length; stiffness over length.
+    shear_ratio, beta_s, friction : ndarray, shape (lines,)
+    """
+
+    body_a: np.ndarray
+    body_b: np.ndarray
+    support: np.ndarray
+    arm_a_m: np.ndarray
+    arm_b_m: np.ndarray
+    normal: np.ndarray
+    along: np.ndarray
+    half_m: np.ndarray
+    k_n_m2: np.ndarray
+    shear_ratio: np.ndarray
+    beta_s: np.ndarray
+    friction: np.ndarray
+
+
+def lines_of(scene, even, number, column):
+    """`Lines` of the joints that a scene calls even, and the mask of their nodes.
+
+    Parameters
+    ----------
+    scene : Scene
+    even : collection of str
+        Names of the joints; a bonded one stays with its nodes.
+    number : ndarray of int
+        Of every block of the scene among those that are free; −1: a support.
+    column : dict of str to int
+        Of each motion.
+    """
+    nodes, blocks = scene.nodes, scene.blocks
+    found: dict[str, list] = {name: [] for name in Lines._fields}
+    taken = np.zeros(len(nodes), bool)
+    for j, name in enumerate(scene.joints):
+        at = np.flatnonzero(nodes.joint == j)
+        if name not in even or not at.size or nodes.bonded[at].any():
+            continue
+        taken[at] = True
+        kn, first, places = nodes.kn_n_m[at], at[0], nodes.position_m[at, 1:]
+        low, high = places[np.lexsort(places.T)[[0, -1]]]
+        length, middle = np.linalg.norm(high - low), 0.5 * (low + high)
+        normal = nodes.normal[first, 1:]
+        own, other = blocks[nodes.a[first]], blocks[nodes.b[first]]
+        stands = number[nodes.b[first]] < 0
+        from_b = 0.0 if stands else np.array(other.centre_m[1:])
+        row = {
+            "body_a": number[nodes.a[first]],
+            "body_b": number[nodes.b[first]],
+            "support": column.get(other.motion, -1) if stands else -1,
+            "arm_a_m": middle - own.centre_m[1:],
+            "arm_b_m": middle - nodes.gap_m[first] * normal - from_b,
+            "normal": normal,
+            "along": (high - low) / length,
+            "half_m": 0.5 * length,
+            "k_n_m2": kn.sum() / length,
+            "shear_ratio": nodes.ks_n_m[first] / kn[0],
+            "beta_s": nodes.beta_s[first],
+            "friction": np.tan(nodes.friction_rad[first]),
+        }
+        for key, values in found.items():
+            values.append(row[key])
+    whole = ("body_a", "body_b", "support")
+    columns = {key: np.array(v, np.int64 if key in whole else float) for key, v in found.items()}
+    for key in ("arm_a_m", "arm_b_m", "normal", "along"):
+        columns[key] = columns[key].reshape(-1, 2)
+    return Lines(**columns), taken
+
+
+def elements(lines, centre):
+    """(line, place (y, z), stiffness) of two springs that are each line's, all of it closed."""
+    for i, half in enumerate(lines.half_m):
+        for side in (-2.0 * SIDE, 2.0 * SIDE):
+            place = lines.arm_a_m[i] + side * half * lines.along[i] + centre[lines.body_a[i]]
+            yield i, place, lines.k_n_m2[i] * half
+
+
+@inlined
+def _reach(f0, f1, low, high):
+    """The part of a line from `low` to `high` where f0 + f1·s > 0; of nothing high <= low."""
+    steep = abs(f1) > 0.0
+    at = -f0 / choose(steep, f1, 1.0)
+    rises, falls = f1 > 0.0, f1 < 0.0
+    low = choose(rises, max(low, at), low)
+    high = choose(falls, min(high, at), high)
+    return low, choose(steep | (f0 > 0.0), high, low)
+
+
+@inlined
+def _springs(p, i, parts, base, turns, along, at, dashpot):
+    """Add what acts along a direction at a place of a line to the matrices of its blocks."""
+    a, b = p.lines.body_a[i], p.lines.body_b[i]
+    (y, z), (arm_a, arm_b), turn = base, turns, along
+    one, other = arm_a + turn * at, arm_b + turn * at
+    damp(parts.own, a, y, z, one, dashpot)
+    if b >= 0:
+        damp(parts.own, b, y, z, other, dashpot)
+        couple(parts.between, b, y, z, other, one, dashpot)
+
+
+@inlined
+def press(p, parts, rows, time, alive, counts):
+    """What the lines do to their blocks.
+
+    Parameters
+    ----------
+    p : Stack
+    parts : march.Parts
+    rows : rows, `MEMORY` a line
+        From where to where it was pressed at the last step, and the slip of each part.
+    time : tuple of 3 floats
+        Half a step, the step since the last one, the step.
+    alive : mask
+    counts : bool
+        Whether energies are wanted.
+
+    Returns
+    -------
+    elastic, spent : number
+        Energy stored, and taken in this step [J].
+    """
+    _, past, dt = time
+    lines, supports = p.lines, parts.supports
+    elastic = spent = like(0.0, take(parts.place, 0))
+    for i in range(lines.half_m.size):
+        a, b = lines.body_a[i], lines.body_b[i]
+        j = lines.support[i] if lines.support[i] >= 0 else len(supports.y) - 1
+        half, k, beta = lines.half_m[i], lines.k_n_m2[i], lines.beta_s[i]
+        ratio, friction = lines.shear_ratio[i], lines.friction[i]
+        cos, sin = take(parts.turn, 2 * a), take(parts.turn, 2 * a + 1)
+        ay = cos * lines.arm_a_m[i, 0] - sin * lines.arm_a_m[i, 1]
+        az = sin * lines.arm_a_m[i, 0] + cos * lines.arm_a_m[i, 1]
+        ey = cos * lines.along[i, 0] - sin * lines.along[i, 1]
+        ez = sin * lines.along[i, 0] + cos * lines.along[i, 1]
+        py = p.centre_m[a, 0] + take(parts.place, 3 * a) + ay
+        pz = p.centre_m[a, 1] + take(parts.place, 3 * a + 1) + az
+        spin, turn = take(parts.now, 3 * a + 2), take(parts.rate, 3 * a + 2)
+        ry, rz = take(parts.now, 3 * a) - spin * az, take(parts.now, 3 * a + 1) + spin * ay
+        gy = past * (take(parts.rate, 3 * a) - turn * az)
+        gz = past * (take(parts.rate, 3 * a + 1) + turn * ay)
+        ny, nz = like(lines.normal[i, 0], py), like(lines.normal[i, 1], py)
+        by, bz = py, pz
+        if b >= 0:
+            cos, sin = take(parts.turn, 2 * b), take(parts.turn, 2 * b + 1)
+            ny, nz = cos * ny - sin * nz, sin * ny + cos * nz
+            by = py - p.centre_m[b, 0] - take(parts.place, 3 * b)
+            bz = pz - p.centre_m[b, 1] - take(parts.place, 3 * b + 1)
+            qy = cos * lines.arm_b_m[i, 0] - sin * lines.arm_b_m[i, 1]
+            qz = sin * lines.arm_b_m[i, 0] + cos * lines.arm_b_m[i, 1]
+            d0 = -ny * (by - qy) - nz * (bz - qz)
+            other, more = take(parts.now, 3 * b + 2), take(parts.rate, 3 * b + 2)
+            ry = ry - take(parts.now, 3 * b) + other * bz
+            rz = rz - take(parts.now, 3 * b + 1) - other * by
+            gy -= past * (take(parts.rate, 3 * b) - more * bz)
+            gz -= past * (take(parts.rate, 3 * b + 1) + more * by)
+            spin = spin - other
+        else:
+            su = take(supports.y, j)
+            d0 = -ny * (py - lines.arm_b_m[i, 0] - su) - nz * (pz - lines.arm_b_m[i, 1])
+            ry, gy = ry - take(supports.vy, j), gy - take(supports.dy, j)
+        across = nz * ey - ny * ez
+        d1 = -(ny * ey + nz * ez)
+        if not alone(d0):
+            d0, d1 = choose(alive, d0, -1.0), choose(alive, d1, 0.0)
+        ty, tz = -nz, ny
+        q0, q1 = -(ny * ry + nz * rz), -spin * across
+        h0, h1 = d0 + beta * q0, d1 + beta * q1
+        shut = _reach(d0, d1, like(-half, d0), like(half, d0))
+        low, high = _reach(h0, h1, *shut)
+        length, first = max(high - low, 0.0), MEMORY * i
+        was = take(rows, first), take(rows, first + 1)
+        put(rows, first, low)
+        put(rows, first + 1, high)
+        acts = length > 0.0
+        if not counts and not some(acts):
+            continue
+        middle, whole = 0.5 * (low + high), k * length
+        mean = max(h0 + h1 * middle, 0.0)
+        normal = whole * mean
+        moment = whole * (mean * middle + h1 * (length * length / 12.0))
+        speed, step = ty * ry + tz * rz, ty * gy + tz * gz
+        shear = grip = stuck = like(0.0, d0)
+        for part in range(BINS):
+            at = first + 2 + part
+            one, two = half * ENDS[part], half * ENDS[part + 1]
+            start, stop = max(low, one), min(high, two)
+            share = max(stop - start, 0.0)
+            shut_m = share > 0.0
+            before = max(min(was[1], two) - max(was[0], one), 0.0)
+            had = take(rows, at)
+            if counts:
+                spent += 0.5 * k * ratio * lone(before) * (lone(had) * lone(had))
+            if not some(shut_m):
+                put(rows, at, 0.0)
+                continue
+            had = had * (min(before, share) / choose(shut_m, share, 1.0))
+            limit = max(h0 + h1 * (0.5 * (start + stop)), 0.0)
+            spring, slip, _, sticks = rub(had + step, limit, ratio, friction, had)
+            bound, within = bounded(spring + ratio * beta * speed, friction * limit)
+            shear += share * choose(sticks, bound, spring)
+            stuck += choose(sticks & within, share, 0.0)
+            put(rows, at, choose(shut_m, slip, 0.0))
+            grip += share * slip * slip
+        shear = k * shear
+        fy, fz = ny * normal - ty * shear, nz * normal - tz * shear
+        for m, value in ((0, fy), (1, fz), (2, ay * fz - az * fy + across * moment)):
+            put(parts.force, 3 * a + m, take(parts.force, 3 * a + m) + value)
+        if b >= 0:
+            for m, value in ((0, fy), (1, fz), (2, by * fz - bz * fy + across * moment)):
+                put(parts.force, 3 * b + m, take(parts.force, 3 * b + m) - value)
+        else:
+            put(supports.fy, j, take(supports.fy, j) - fy)
+        each = 0.5 * (beta + p.lead * dt) * whole
+        arms = nz * ay - ny * az, nz * by - ny * bz
+        _springs(p, i, parts, (ny, nz), arms, across, middle - SIDE * length, each)
+        _springs(p, i, parts, (ny, nz), arms, across, middle + SIDE * length, each)
+        arms = tz * ay - ty * az, tz * by - ty * bz
+        grips = ratio * (beta + p.lead * dt) * k * stuck
+        _springs(p, i, parts, (ty, tz), arms, 0.0, middle, grips)
+        if counts:
+            low, high = shut
+            length, middle = max(high - low, 0.0), 0.5 * (low + high)
+            at, second = d0 + d1 * middle, length * length / 12.0
+            stiff = k * length
+            kept = 0.5 * stiff * (at * at + d1 * d1 * second)
+            held = stiff * at, stiff * (at * middle + d1 * second)
+            gripped = 0.5 * k * ratio * grip
+            elastic += kept + gripped
+            spent += dt * ((normal - held[0]) * q0 + (moment - held[1]) * q1)
+            spent += shear * step - gripped
+    return elastic, spent
