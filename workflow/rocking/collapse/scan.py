@@ -30,6 +30,7 @@ BRICKS_STEP = 0.5  # of W3's stable step, which its bricks decide: 0.24 ms
 COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}  # beds need none
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
 COURSES_STEP = 0.08  # of the stable step of the same façade in one block
+MANY = 10  # courses, beyond which joints chatter unless the step falls with their square
 
 
 class Scan:
@@ -160,7 +161,8 @@ class Screen(Scan):
             self.shorter = LAYOUTS_SHORTER
         self.steps_s = [share * stable_step(plane) for plane in self.planes]
         if courses:
-            self.steps_s = [min(share, COURSES_STEP) * one_block_step(case)] * len(self.planes)
+            share = min(share, COURSES_STEP) * min(1.0, (MANY / courses) ** 2)
+            self.steps_s = [share * one_block_step(case)] * len(self.planes)
         self.carried = carried_masses(case, scene) if kind.two_way and not bricks else None
         if self.carried is not None:  # light masses between stiff contacts want shorter ones
             ahead = [getattr(plane, "lead", 0.0) for plane in self.planes]

@@ -26,7 +26,8 @@ def chosen(resolved, fidelity_file, law_file):
     facade, wall = resolved["facade"], resolved["return_wall"]
     lines = ["Chosen where null stands above:"]
     if facade["base_stiffness_pa_m"] is None:
-        lines.append(f"  facade.base_stiffness_pa_m: {base:.6g} (E/h)")
+        law = "E over half the lowest course" if facade["courses"] else "E/h"
+        lines.append(f"  facade.base_stiffness_pa_m: {base:.6g} ({law})")
     if wall["length_m"] is None:
         lines.append(f"  return_wall.length_m: {0.5 * facade['height_m']:.6g} (h/2)")
     beta, outside = beta_and_range(resolved, law_file)

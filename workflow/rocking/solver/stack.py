@@ -14,6 +14,7 @@ from .lines import elements as of_lines
 
 FREEDOMS = "yzX"
 LEAD = 1.0  # of courses: their springs as by Newmark's β of 1/2, at any step
+RECALL = 0.0  # of courses: predicted rates that swing from step to step would open and close joints
 
 
 class Stack(NamedTuple):
@@ -62,9 +63,10 @@ class Stack(NamedTuple):
         support, so that all their dashpots can be solved together.
     lines : Lines
         Beds of theirs that are summed in closed form, apart from the nodes.
-    lead, beta : float
+    lead, beta, recall : float
         By how much of a step the springs of pieces are taken beyond now, with their dashpots; 0:
-        they act as they are. β of all of them.
+        they act as they are. β of all of them. Share of the last acceleration by which rates are
+        predicted.
     gravity_m_s2, thickness_m, height_m : float
     foot : int
         See `plane.Planar`.
@@ -106,6 +108,7 @@ class Stack(NamedTuple):
     lines: Lines
     lead: float
     beta: float
+    recall: float
     gravity_m_s2: float
     thickness_m: float
     height_m: float
@@ -214,6 +217,7 @@ def stacked(scene, own, column, bars):
         lines=lines,
         lead=LEAD if even else 0.0,
         beta=float(beta),
+        recall=RECALL if even else 1.0,
         gravity_m_s2=float(scene.gravity_m_s2),
         thickness_m=float(scene.thickness_m),
         height_m=float(max(p[1] for _, p in watched) - scene.nodes.position_m[:, 2].min()),

@@ -23,7 +23,7 @@ from yade_scripts.model import base
 
 BASES = (base.STUDY, base.COLUMN)
 FINE = 20  # equal courses of the stack that stands for the wall
-STACKS = [(2, 1.0), (3, 1.0), (4, 1.0), (6, 1.0), (10, 1.0)]  # courses, growth
+STACKS = [(3, 1.0), (4, 1.0), (6, 1.0), (10, 1.0)]  # courses, growth
 STACKS += [(3, 1.6), (4, 1.5), (6, 1.35), (10, 1.2)]
 D_OVER_B = np.array([0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8])
 FACADES = {  # h, b [m], ρ [kg/m³], E [MPa]; none of them but the first chose the base's law
@@ -96,8 +96,8 @@ def static(facades=None):
 
 def costed(case, motion, direction):
     """Crossings of a curve with their ends, and the processor time that they took."""
-    few = {"pga_g": [1e-3, 2e-3, 3e-3]}  # what compiles or loads is no part of it
-    collapse_curve(case, motion, direction, search="list", settings=few)
+    for few in ([1e-3], [1e-3, 2e-3, 3e-3]):  # what compiles or loads is no part of it
+        collapse_curve(case, motion, direction, search="list", settings={"pga_g": few})
     start = time.process_time()
     found = crossings(case, motion, direction, step=None, ends=True)
     return found | {"cpu_s": time.process_time() - start}
