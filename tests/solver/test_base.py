@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 from both_solvers import BETA_S, pulses
 from rocking import Case, Variant
+from rocking import Motion as Shaking
 from rocking.accuracy.fidelity import CHOSEN, OF_COURSES
+from rocking.collapse.curve import collapse_curve
 from rocking.collapse.scan import COURSES_NODES, COURSES_STEP, one_block_step
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
@@ -132,6 +134,52 @@ def test_against_the_reference_solver():
     judged = simulate_batch(wall, Motion(0.01, ground, None), [1.0], tolerance=1e-6)
     assert planar.peak_d_over_b > 0.05
     assert planar.peak_d_over_b == pytest.approx(float(judged.peak_d_over_b[0]), rel=0.01)
+
+
+@pytest.mark.slow
+def test_courses_before_a_heavy_building():
+    """Walls that hang on masses a million times the façade's move as those that are driven."""
+    t, ground = pulses(1.2)
+    motion = Shaking.sampled(ground, float(t[1]), name="pulses")
+    found = {}
+    for model in ("W2", "W2m"):
+        given = {"facade.courses": 4, "return_wall.building_mass_kg": 1e11}
+        case = Case.configured(model, given)
+        settings = {"pga_g": [0.08, 0.1, 0.12]}
+        curve = collapse_curve(case, motion, search="list", settings=settings)
+        found[model] = curve.table["d_over_b"].to_numpy(float)
+    assert found["W2"].max() > 0.05
+    assert found["W2m"] == pytest.approx(found["W2"], rel=0.01)
+
+
+OPEN = {"x_m": -0.5, "z_m": 1.0, "width_m": 1.0, "height_m": 1.5}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "shape",
+    [
+        {"openings": [OPEN]},
+        {"gable_height_m": 1.0},
+        {"thickness_steps": [{"z_m": 3.0, "thickness_m": 0.3}]},
+        {"base_height_m": 2.0},
+        {"ties": [{"height_m": 5.0}]},
+        {"floors": [{"height_m": 6.0, "load_kn": 20.0, "friction": 0.3}]},
+    ],
+)
+def test_courses_of_a_shape_stand(shape):
+    """Hardly shaken, a façade of any shape hardly moves, in one block or in courses."""
+    t, ground = pulses(1.2)
+    motion = Shaking.sampled(ground, float(t[1]), name="pulses")
+    peaks = []
+    for courses in (0, 5):
+        case = Case.configured("W2", {**{f"facade.{k}": v for k, v in shape.items()}})
+        case = case.varied({"facade.courses": courses})
+        settings = {"pga_g": [0.0005, 0.001, 0.15]}
+        curve = collapse_curve(case, motion, search="list", settings=settings)
+        peaks.append(curve.table["d_over_b"].to_numpy(float))
+    assert np.max(peaks, axis=0)[1] < 0.02
+    assert peaks[1][2] > 0.01
 
 
 @pytest.mark.yade

@@ -88,7 +88,7 @@ class Scan:
         """
         pga_g = np.asarray(pga_g, float)
         turn = np.arange(pga_g.size) * bool(scatter)
-        extra, step = turn % NODE_CHOICES, np.array(self.shorter)[turn % len(self.shorter)]
+        extra, step = turn % len(self.planes), np.array(self.shorter)[turn % len(self.shorter)]
         table = pd.DataFrame({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
         table["d_over_b"], table["status"] = np.nan, "failed"
         for layout, (plane, whole) in enumerate(zip(self.planes, self.steps_s, strict=True)):
@@ -151,7 +151,8 @@ class Screen(Scan):
         bricks = not kind.single_block  # their scene holds the masses that carry them
         courses = case["facade"].get("courses", 0)
         self.planes = []
-        for numerics in layouts(case["numerics"], COURSES_NODES if courses else {}):
+        turns = layouts(case["numerics"], COURSES_NODES if courses else {})
+        for numerics in turns[:1] if courses else turns:  # joints of courses have no nodes
             name = case["model"] if bricks else kind.one_way_model
             scene = models.build_scene({**case, "model": name, "numerics": numerics})
             self.planes.append(to_plane(scene, GROUND if kind.two_way and not bricks else None))
@@ -160,7 +161,8 @@ class Screen(Scan):
         if fraction:
             self.shorter = LAYOUTS_SHORTER
         self.steps_s = [share * stable_step(plane) for plane in self.planes]
-        if courses:
+        if courses:  # realisations differ by amplitude alone: those of one step march side by side
+            self.shorter = SHORTER[:1]
             share = min(share, COURSES_STEP) * min(1.0, (MANY / courses) ** 2)
             self.steps_s = [share * one_block_step(case)] * len(self.planes)
         self.carried = carried_masses(case, scene) if kind.two_way and not bricks else None

@@ -22,9 +22,12 @@ from rocking.runtime.drawing import drawing
 from yade_scripts.model import base
 
 BASES = (base.STUDY, base.COLUMN)
-FINE = 20  # equal courses of the stack that stands for the wall
-STACKS = [(3, 1.0), (4, 1.0), (6, 1.0), (10, 1.0)]  # courses, growth
-STACKS += [(3, 1.6), (4, 1.5), (6, 1.35), (10, 1.2)]
+FINE = 20  # equal courses of the stack whose static curve is drawn
+WALL = (
+    10,
+    1.2,
+)  # courses, growth: stands for the wall; its static curve is within 0.6 % of the peak
+STACKS = [(3, 1.0), (4, 1.0), (6, 1.0), (10, 1.0), (3, 1.6), (4, 1.5), (6, 1.35)]
 D_OVER_B = np.array([0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8])
 FACADES = {  # h, b [m], ρ [kg/m³], E [MPa]; none of them but the first chose the base's law
     "study": (6.48, 0.375, 1800.0, 1800.0),
@@ -48,12 +51,12 @@ def stack_name(courses, growth=1.0):
     return f"{courses} courses" + (f", {growth:g}" if growth != 1.0 else "")
 
 
-STACK = stack_name(FINE)
+STACK = stack_name(*WALL)
 
 
 def variants():
     """The stack that stands for the wall, the rigid block on either base, then other stacks."""
-    forms = [(STACK, base.STUDY, FINE, 1.0), *((name, name, 0, 1.0) for name in BASES)]
+    forms = [(STACK, base.STUDY, *WALL), *((name, name, 0, 1.0) for name in BASES)]
     forms += [(stack_name(*stack), base.STUDY, *stack) for stack in STACKS]
     keys = "facade.base", "facade.courses", "facade.courses_growth"
     return [
@@ -133,7 +136,7 @@ def _draw_static(axis, table):
     d = part["d_over_b"]
     axis.plot(d, part["lambda_rigid"], ":", color=style.GREY, lw=1.0, label="rigid")
     axis.plot(d, part["lambda_wall"], "k-", lw=1.6, label="elastic column")
-    axis.plot(d, part["lambda_courses"], "k+", ms=5, label="stack of 20 courses")
+    axis.plot(d, part["lambda_courses"], "k+", ms=5, label=f"stack of {FINE} courses")
     for name in BASES:
         axis.plot(d, part[f"lambda_base_{name}"], "--", color=COLOURS[name], label=LABELS[name])
     axis.set(xlabel="top displacement over thickness d/b [-]", ylabel="static multiplier λ [-]")
@@ -145,7 +148,7 @@ def _draw_static(axis, table):
 
 @drawing
 def _draw_collapse(axis, table):
-    """Draw PGA of half collapse on either base against the stack's, a point a curve."""
+    """Draw PGA of half collapse on either base against the wall's, a point a curve."""
     stack = table[table["facade"] == STACK].set_index(KEY)
     most = 0.0
     for name in BASES:
@@ -154,20 +157,49 @@ def _draw_collapse(axis, table):
         axis.plot(x, part["pga_median_g"], "o", ms=4, color=COLOURS[name], label=LABELS[name])
         most = np.nanmax([most, x.max(), part["pga_median_g"].max()])
     ends = np.array([0.0, 1.1 * most])
-    axis.plot(ends, ends, "k-", lw=0.8, zorder=0)
-    axis.set(xlabel="collapse PGA, stack of courses [g]", ylabel="collapse PGA, rigid block [g]")
+    axis.plot(ends, ends, "k-", lw=0.8, zorder=0, label="alike")
+    axis.set(xlabel=f"collapse PGA, stack of {STACK} [g]", ylabel="collapse PGA, rigid block [g]")
     axis.set_xlim(ends)
     axis.set_ylim(ends)
     models = ", ".join(table["model"].unique())
-    axis.set_title(f"half collapse, {models}; colours as on the left", loc="left")
+    axis.set_title(f"half collapse, {models}", loc="left")
+    axis.legend(fontsize=6.5, frameon=False, loc="upper left")
+
+
+@drawing
+def _draw_cost(axis, table):
+    """Draw the error of half collapse, median and 10 to 90 %, against processor time a curve."""
+    from rocking.figures import style
+
+    others = table[table["facade"] != STACK]
+    for name, part in others.groupby("facade", sort=False):
+        low, middle, high = 100.0 * (part["ratio"].dropna().quantile([0.1, 0.5, 0.9]) - 1.0)
+        at, graded = part["cpu_s"].median(), "," in name
+        colour = COLOURS.get(name, "#2e7d32" if graded else "k")
+        axis.plot([at, at], [low, high], "-", color=colour, lw=1.0)
+        axis.plot(at, middle, "s" if graded else "o", ms=4, color=colour)
+        words = {"study": "block, E/h", "column": "block, column"}.get(name, name)
+        axis.annotate(
+            words, (at, high), (0, 3), textcoords="offset points", fontsize=6, ha="center"
+        )
+    axis.axhline(0.0, color="k", lw=0.8, zorder=0)
+    for side in (-15.0, 15.0):
+        axis.axhline(side, color=style.GREY, lw=0.6, ls=":", zorder=0)
+    axis.set_xscale("log")
+    axis.set(xlabel="processor time of a curve [s]", ylabel="error of half collapse [%]")
+    curves = len(table[table["facade"] == STACK])
+    title = f"beside the stack of {STACK}, {curves} curves: median, 10 to 90 %"
+    axis.set_title(f"{title}; squares: thin at the foot", loc="left")
 
 
 @drawing
 def draw(static, table):
-    """Draw static curves of the study's façade, and collapse of the rigid block by the stack's."""
+    """Draw static curves of the study's façade, collapse by the wall's, and error by cost."""
     import matplotlib.pyplot as plt
 
-    figure, (left, right) = plt.subplots(1, 2, figsize=(7.2, 3.4))
-    _draw_static(left, static)
-    _draw_collapse(right, table)
+    figure = plt.figure(figsize=(7.2, 6.4))
+    grid = figure.add_gridspec(2, 2)
+    _draw_static(figure.add_subplot(grid[0, 0]), static)
+    _draw_collapse(figure.add_subplot(grid[0, 1]), table)
+    _draw_cost(figure.add_subplot(grid[1, :]), table)
     return figure
