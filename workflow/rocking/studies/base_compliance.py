@@ -23,11 +23,8 @@ from yade_scripts.model import base
 
 BASES = (base.STUDY, base.COLUMN)
 FINE = 20  # equal courses of the stack whose static curve is drawn
-WALL = (
-    10,
-    1.2,
-)  # courses, growth: stands for the wall; its static curve is within 0.6 % of the peak
-STACKS = [(3, 1.0), (4, 1.0), (6, 1.0), (10, 1.0), (3, 1.6), (4, 1.5), (6, 1.35)]
+WALL = (8, 1.2)  # courses, growth: stands for the wall; within 1.1 % of its static peak
+STACKS = [(3, 1.0), (4, 1.0), (6, 1.0), (10, 1.0), (3, 1.6), (4, 1.5), (5, 1.4)]
 D_OVER_B = np.array([0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8])
 FACADES = {  # h, b [m], ρ [kg/m³], E [MPa]; none of them but the first chose the base's law
     "study": (6.48, 0.375, 1800.0, 1800.0),
