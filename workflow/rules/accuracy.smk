@@ -41,18 +41,6 @@ rule stability:
         " --limits {output.limits:q} 2> {log:q}"
 
 
-rule figure_stability:
-    input:
-        limits=rules.stability.output.limits,
-        modules=code("accuracy/figure_stability"),
-    output:
-        **figure("stability", "Accuracy and stability", "critical step"),
-    log:
-        logs("figure_stability"),
-    script:
-        "../scripts/accuracy/figure_stability.py"
-
-
 # The compiled planar solver finds intensities, tells what repeats, and gives the reference.
 rule accuracy_plan:
     input:
@@ -278,10 +266,10 @@ rule accuracy:
             rules.speed_accuracy.output.table,
             rules.speed_accuracy.output.summary,
             rules.stability.output.trials,
+            rules.stability.output.limits,
             rules.table_energy_balance.output,
             rules.ensemble_realisations.output,
             rules.figure_speed_accuracy.output.png,
-            rules.figure_stability.output.png,
             rules.figure_energy_balance.output.png,
             rules.figure_chaos.output.png,
         ),

@@ -144,6 +144,12 @@ REPORT_TABLES = {
         "critical step",
         "Whether a step is stable by prediction and as observed, on both sides of the critical one.",
     ),
+    "stability_limits": (
+        "Accuracy and stability",
+        "how large a step is stable",
+        "Critical step found by bisection in YADE and as predicted from the scene's stiffness and mass, by"
+        " damping and stiffness of the joints (1: the façade's own).",
+    ),
 }
 
 

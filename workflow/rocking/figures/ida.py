@@ -1,12 +1,15 @@
 """One panel of an incremental dynamic analysis: static curve, dense scan, YADE's runs, probability.
 
-PGA goes up and the peak top displacement d/b across; the probability stands on an axes of its own.
+PGA goes up and the peak top displacement d/b across. Beside it stands a strip for each model, as
+dark as the share that falls there: where outcomes alternate a line would be a zigzag.
 """
 
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
+from matplotlib.colors import to_rgb
+from matplotlib.lines import Line2D
 
 from rocking.collapse.ida import branches, curve_key
 from rocking.figures.style import GREY
@@ -14,6 +17,8 @@ from rocking.mechanics.closed_forms import capacity_rigid
 from rocking.studies.pushover import smoothed
 from yade_scripts.model.registry import MODELS
 from yade_scripts.model.shape import shape_of
+
+HALF = 0.4  # of a strip's width; strips of models are 1 apart
 
 
 def draw_pushover(axis, path, facade):
@@ -23,11 +28,11 @@ def draw_pushover(axis, path, facade):
         b, h = shape_of(facade).lever_m
         theta = np.linspace(0.0, np.arctan2(b, h), 50)
         d_over_b, value = h * np.sin(theta) / b, capacity_rigid(theta, h, b)
-        axis.plot(d_over_b, value, label="pushover, rigid block", **grey)
+        axis.plot(d_over_b, value, label="static λ of a rigid block", **grey)
         return
     curve, kind = pd.read_csv(path), MODELS[Path(path).stem]
     value = smoothed(curve, "lambda_dem") if kind.walls == "bricks" else curve["lambda_dem"]
-    axis.plot(curve["d_over_b"], value, ls=kind.static, label=f"pushover {kind.name}", **grey)
+    axis.plot(curve["d_over_b"], value, ls=kind.static, label=f"static λ, {kind.name}", **grey)
 
 
 def draw_scan(axis, scan):
@@ -58,17 +63,44 @@ def draw_curve(axis, curve, top, joined):
         axis.plot(rows["d_over_b"], rows["pga_g"], kind.marker, mfc=face, label=label, **symbol)
 
 
-def draw_probability(axis, table, row):
-    """Collapse probability: a line, of the scan or, without one, of YADE's runs; else symbols."""
+def draw_probability(axis, place, table, row, top):
+    """Collapse probability of a model as a strip about `place`, up to PGA `top`.
+
+    White where nothing falls, in the model's colour where all does; hatched where that is not
+    known. Symbols are shares of YADE's realisations, filled as the strip is coloured.
+    """
     kind = MODELS[row["model"]]
+    colour = np.array(to_rgb(kind.colour))
     dense = table[table["realisations"].notna() & table["probability_yade"].isna()]
-    known = dense["probability"]
+    own = table[table["probability_yade"].notna()]
+    pga, share = dense["pga_g"], dense["probability"]
+    if not len(dense):  # no scan: of YADE's own runs
+        pga, share = own["pga_g"], own["probability_yade"]
+    pga, share = pga.to_numpy(float), share.to_numpy(float)
+    side = (place - HALF, place + HALF)
+    if len(pga):
+        edges = np.r_[0.0, (pga[1:] + pga[:-1]) / 2.0, max(top, pga[-1])]
+        faces = 1.0 - share[:, None] * (1.0 - colour)
+        axis.pcolormesh(side, edges, faces[:, None, :], rasterized=True)
+    elif np.isfinite(row["pga_collapse_g"]):
+        low, high = np.nan_to_num(row["pga_safe_g"]), row["pga_collapse_g"]
+        axis.fill_betweenx((low, high), *side, fc="white", ec=colour, hatch="////", lw=0.0)
+        axis.fill_betweenx((high, max(top, high)), *side, color=colour, lw=0.0)
+    axis.plot((side[0],) * 2 + (side[1],) * 2, (top, 0.0, 0.0, top), color=kind.colour, lw=0.6)
     if len(dense):
-        symbol = {"color": kind.colour, "mfc": "none"}
-        axis.plot(table["probability_yade"], table["pga_g"], kind.marker, **symbol)
-    else:  # no scan: of YADE's own runs
-        dense, known = table, table["probability_yade"]
-    axis.plot(known, dense["pga_g"], color=kind.colour, lw=0.9)
-    if not len(dense) and np.isfinite(row["pga_collapse_g"]):
-        edge = (row["pga_safe_g"], row["pga_collapse_g"])
-        axis.plot((0.0, 1.0), edge, color=kind.colour, lw=0.9, ls=":")
+        for _, run in own.iterrows():
+            face = 1.0 - run["probability_yade"] * (1.0 - colour)
+            symbol = {"mfc": face, "mec": "k", "mew": 0.6, "zorder": 4, "clip_on": False}
+            axis.plot(place, run["pga_g"], kind.marker, **symbol)
+
+
+def symbols(scanned=True):
+    """What filled, open and small symbols say, as {words: handle} for a legend."""
+    grey: dict = {"color": "0.3", "ls": ""}
+    words = {
+        "YADE: stood": Line2D([], [], marker="o", **grey),
+        "YADE: fell": Line2D([], [], marker="o", mfc="white", **grey),
+    }
+    if scanned:
+        words["planar solver"] = Line2D([], [], marker=".", ms=3.0, mew=0, **grey)
+    return words

@@ -41,10 +41,10 @@ def lowest(axes, count):
     return list(axes.flat[max(0, count - axes.shape[1]) : count])
 
 
-def common_legend(figure, last=(), **place):
+def common_legend(figure, last=(), more=(), **place):
     """Give a figure one legend, where it has labels: each once, as it is drawn first.
 
-    Labels of `last` come after the others, in its order.
+    Labels of `last` come after the others, in its order; then those of `more`, {label: handle}.
     """
     entries: dict = {}
     for axis in figure.axes:
@@ -52,6 +52,8 @@ def common_legend(figure, last=(), **place):
             entries.setdefault(label, handle)
     names = [name for name in entries if name not in last]
     names += [name for name in last if name in entries]
+    names += list(more)
+    entries.update(more)
     if names:
         figure.legend([entries[name] for name in names], names, **place)
 

@@ -62,6 +62,17 @@ def plain_numbers(figure):
                 axis.set_minor_formatter(PlainNumbers(labelOnlyBase=False))
 
 
+def round_length(most):
+    """Return the largest of 1, 2 and 5 times a power of ten within `most`, for a scale bar.
+
+    Zero where `most` is not positive.
+    """
+    if not most > 0.0:
+        return 0.0
+    decade = 10.0 ** np.floor(np.log10(most))
+    return float(max(step for step in (1.0, 2.0, 5.0) if step * decade <= most) * decade)
+
+
 def _meets(line, box):
     """Whether a line passes through a box of the screen."""
     path = line.get_transform().transform_path(line.get_path()).cleaned(remove_nans=True)

@@ -163,7 +163,7 @@ def draw(table):
     from rocking.figures.panels import panels
 
     models = list(dict.fromkeys(table["model"]))
-    figure, axes = panels(len(models), len(models), (1.75, 3.2), around=(1.2, 0.0), sharey=True)
+    figure, axes = panels(len(models), 3, (2.3, 2.3), around=(0.8, 0.5), sharey=True)
     levels = sorted(set(table["first_pga_g"]))
     at = {level: k for k, level in enumerate(levels)}
     for axis, model in zip(axes.flat, models, strict=True):
@@ -175,12 +175,13 @@ def draw(table):
         for level in levels[1:]:
             fell = int(part.loc[part["first_pga_g"] == level, "fell_first"].sum())
             if fell:
-                axis.annotate(f"{fell}\nfell", (at[level], 0.02), ha="center", fontsize=6)
+                axis.annotate(f"{fell}\nfell", (at[level], 0.02), ha="center", fontsize=8)
         axis.axhline(1.0, color=style.GREY, lw=0.8, zorder=0)
         axis.set_title(model, loc="left")
         axis.set_xticks(range(len(levels)), [f"{level:g}" for level in levels])
         axis.set_xlim(-0.3, len(levels) - 0.7)
     top = 1.1 * max(1.0, float(np.nanmax(table["ratio"], initial=1.0)))
-    axes[0, 0].set(ylabel="collapse PGA, after over before [-]", ylim=(0.0, top))
+    axes[0, 0].set_ylim(0.0, top)
+    figure.supylabel("collapse PGA, after over before [-]", fontsize=9)
     figure.supxlabel("PGA of the first shock [g]; direction +: filled, −: open", fontsize=9)
     return figure

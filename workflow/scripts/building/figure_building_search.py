@@ -10,8 +10,8 @@ from rocking.runtime.script import run
 
 LOOK = {"mass": ("o", "#0072B2"), "order": ("^", "#D55E00")}
 TITLES = {
-    "mass": "(a) sway: largest mass along y",
-    "order": "(b) first two modes with 5 % of mass",
+    "mass": "(a) read by mass: sway moves most mass along y",
+    "order": "(b) read by order: first two modes with 5 % of it",
 }
 NEAR_S = 0.01
 FRONT = {"marker": "s", "s": 20, "facecolors": "none", "edgecolors": "k", "linewidths": 0.5}
@@ -22,7 +22,9 @@ GOAL["label"] = "the study, ± 0.01 s"
 
 def main(job):
     table = pd.read_csv(job.input.search)
-    figure, axes = plt.subplots(1, 3, figsize=(7.4, 3.3))
+    figure, grid = plt.subplots(2, 2, figsize=(6.8, 5.6))
+    axes = list(grid.flat)
+    axes[3].set_axis_off()
     for axis, reading in zip(axes, READINGS, strict=False):
         part = table[table["reading"] == reading]
         met, best = reached(part, NEAR_S)
@@ -35,15 +37,16 @@ def main(job):
         corner = [PAPER_PERIODS_S["SBDEM", kind] - NEAR_S for kind in ("y", "rz")]
         axis.add_patch(plt.Rectangle(corner, 2 * NEAR_S, 2 * NEAR_S, **GOAL))
         axis.set(xlabel="SBDEM, translation [s]", xlim=(0.16, 0.34), ylim=(0.08, 0.4))
-        axis.set_title(TITLES[reading], fontsize=6.5)
-        look = {"facecolors": "none", "edgecolors": colour, "label": f"read by {reading}"}
+        axis.set_title(TITLES[reading], fontsize=8)
+        look = {"facecolors": "none", "edgecolors": colour, "label": f"(c) read by {reading}"}
         axes[2].scatter(part["sbdem_y_mass_y"], part["largest_error_s"], **symbols, **look)
-    axes[0].set_ylabel("SBDEM, rotation [s]")
-    axes[2].axhline(NEAR_S, color="k", lw=0.7, ls="--", label="0.01 s")
+    for axis in (axes[0], axes[1]):
+        axis.set_ylabel("SBDEM, rotation [s]")
+    axes[2].axhline(NEAR_S, color="k", lw=0.7, ls="--", label="(c) 0.01 s")
     axes[2].set(xlabel="mass of SBDEM's translation [-]", ylabel="largest of four errors [s]")
     axes[2].set_yscale("log")
-    axes[2].set_title("(c) periods and mass", fontsize=6.5)
-    common_legend(figure, loc="outside lower center", ncols=3, fontsize=6.5)
+    axes[2].set_title("(c) how far each variant is off, by mass", fontsize=8)
+    common_legend(figure, loc="center", bbox_to_anchor=(0.78, 0.25), fontsize=8)
     style.save(figure, job.output)
 
 

@@ -8,12 +8,14 @@ import pandas as pd
 from rocking.collapse.probability import KEY, one_number
 from rocking.configuration.words import said
 from rocking.figures import style
+from rocking.figures.panels import common_legend
 from rocking.runtime.script import run
 from rocking.tables import headed, write_table
 
 from yade_scripts.model.registry import MODELS
 
 SHOWN = 4  # differing keys below a run; the table has all
+LINE_IN = 0.16  # height of a line of a run's label
 
 
 def joined(paths, differing):
@@ -32,7 +34,8 @@ def _plain(value):
 def label(name, values):
     """Name of a run and the first of what it has different."""
     pairs = [said(key.rpartition(".")[2], _plain(v)) for key, v in values.items() if v is not None]
-    return "\n".join([name, *pairs[:SHOWN]])
+    shown = [", ".join(pairs[k : k + 2]) for k in range(0, min(len(pairs), SHOWN), 2)]
+    return "\n".join([name, *shown])
 
 
 def main(job):
@@ -43,21 +46,24 @@ def main(job):
     wide = table.assign(pga_g=one_number(table)).pivot(index=KEY, columns="run", values="pga_g")
     wide = wide.reindex(columns=names)
     models = list(dict.fromkeys(table["model"]))
-    figure, axis = plt.subplots(figsize=(max(4.5, 1.3 + 1.25 * len(names)), 4.2))
-    for model in models:
+    words = [label(name, differing[name]) for name in names]
+    lines = [1.2 + text.count("\n") for text in words]
+    places = np.cumsum(lines) - np.array(lines) / 2.0
+    figure, axis = plt.subplots(figsize=(6.8, 1.2 + LINE_IN * sum(lines)))
+    for k, model in enumerate(models):
         how = MODELS[model]
+        look = {"color": how.colour, "marker": how.marker, "ls": ""}
         own = wide.loc[[model]]
+        beside = places + (k + 0.5) / len(models) - 0.5
         for _, row in own.iterrows():
-            axis.plot(names, row, color=how.colour, marker=how.marker, ms=2.5, lw=0.5, alpha=0.5)
-        whole = own.dropna()
-        if len(whole):
-            mean = np.exp(np.log(whole).mean())
-            axis.plot(names, mean, color=how.colour, marker=how.marker, ms=6, lw=2.0, label=model)
-        else:
-            axis.plot([], [], color=how.colour, marker=how.marker, lw=0.5, label=model)
-    axis.set(ylabel="equivalent collapse PGA [g]", ylim=(0.0, None))
-    axis.set_xticks(range(len(names)), [label(n, differing[n]) for n in names], fontsize=6.5)
-    axis.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+            axis.plot(row, beside, ms=2.5, alpha=0.5, **look)
+        whole = own.dropna()  # a mean over other curves would be no comparison
+        mean = np.exp(np.log(whole).mean()) if len(whole) else np.full(len(names), np.nan)
+        axis.plot(mean, beside, ms=7, mfc="none", mew=1.2, label=model, **look)
+    axis.set(xlabel="equivalent collapse PGA [g]: curves, and their mean", xlim=(0.0, None))
+    axis.set_yticks(places, words, fontsize=7)
+    axis.set_ylim(sum(lines), 0.0)  # the first run on top
+    common_legend(figure, loc="outside upper center", ncols=6)
     Path(job.output.png).parent.mkdir(parents=True, exist_ok=True)
     style.save(figure, job.output, job.input.facts)
 

@@ -2,6 +2,7 @@
 
 from itertools import cycle
 
+import numpy as np
 import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import band, panels, plain_log
@@ -12,6 +13,7 @@ from rocking.stations import heading
 from yade_scripts.model.registry import MODELS
 
 LINES = ("-", "--", "-.")
+TICKS = ((50.0, (1.0, 2.0, 5.0)), (500.0, (1.0, 3.0)), (np.inf, (1.0,)))  # by the axis' range
 
 
 def main(job):
@@ -36,7 +38,8 @@ def main(job):
         ]
         if len(spread):
             axis.set_xlim(spread.min(), spread.max())
-        plain_log(axis.xaxis, (1.0, 2.0, 5.0))
+        low, high = axis.get_xlim()
+        plain_log(axis.xaxis, next(steps for ratio, steps in TICKS if high < ratio * low))
         axis.set(xlabel=MEASURES[name].label, ylim=(0, 1))
         if axis.get_legend_handles_labels()[0]:
             title = f"median [{MEASURES[name].unit}], dispersion"

@@ -1,7 +1,7 @@
 """Figure 9: a panel a record and direction, with its collapse probability beside it.
 
-Behind stand the outcomes of the dense scan, before them YADE's runs: one sees where one answer
-exists and where a distribution does.
+Behind stand the outcomes of the dense scan, before them YADE's runs, and beside them the share
+that falls: one sees where one answer exists and where a distribution does.
 """
 
 import json
@@ -12,11 +12,12 @@ import pandas as pd
 from rocking.collapse import probability
 from rocking.collapse.ida import by_curve, highest, read_curve
 from rocking.figures import style
-from rocking.figures.ida import draw_curve, draw_probability, draw_pushover, draw_scan
-from rocking.figures.panels import common_legend, plain_log
+from rocking.figures.ida import draw_curve, draw_probability, draw_pushover, draw_scan, symbols
+from rocking.figures.panels import common_legend, plain_log, ticks
 from rocking.runtime.script import run
 
 LOG_RATIO = 8.0  # between the strongest and the weakest model of a record
+LABEL = "PGA [g]; static λ [-]"
 BESIDE = (1.06, 0.0, 0.2, 1.0)  # place of the probability, over the panel's width and height
 
 
@@ -48,25 +49,31 @@ def main(job):
             beside = axis.inset_axes(BESIDE, sharey=axis)
             for path in pushovers:
                 draw_pushover(axis, path, facade)
-            for key in (key for key in rows if key[1:] == (record, direction)):
+            models = [key[0] for key in rows if key[1:] == (record, direction)]
+            for place, key in enumerate((model, record, direction) for model in models):
                 if key in scans:
                     draw_scan(axis, scans[key])
                 if key in curves:
                     draw_curve(axis, curves[key], top, joined=key not in scans)
-                draw_probability(beside, tables.get(key, blank), rows[key])
+                draw_probability(beside, place, tables.get(key, blank), rows[key], 1.1 * top)
             sign = style.SIGNS[direction]
             axis.set_title(f"{titles[record]}, direction {sign}", loc="left")
-            axis.set(xlim=(0, 1.0), ylim=(0, top), ylabel="PGA [g]" if j == 0 else None)
+            axis.set(xlim=(0, 1.0), ylim=(0, top), ylabel=LABEL if j == 0 else None)
             if logarithmic:
                 axis.set_yscale("log")
                 axis.set_ylim(0.85 * least, 1.1 * top)
                 plain_log(axis.yaxis, (1.0, 2.0, 5.0))
-            beside.set(xlim=(-0.05, 1.05), xticks=(0, 1))
+            beside.set(xlim=(-0.6, len(models) - 0.4))
+            beside.grid(False)
+            ticks(beside.xaxis, range(len(models)), [])
             beside.tick_params(labelleft=False)
             if i == shape[0] - 1:
                 axis.set_xlabel("peak top displacement d/b [-]")
-                beside.set_xlabel("P(collapse)")
-    common_legend(figure, loc="outside upper center", ncols=5)
+                beside.set_xlabel("share that falls:\nwhite 0, full 1")
+                ticks(beside.xaxis, range(len(models)), models)
+                beside.tick_params("x", labelsize=6.5, rotation=90 if len(models) > 2 else 0)
+    more = symbols(bool(scans))
+    common_legend(figure, more=more, loc="outside upper center", ncols=3 if shape[1] == 1 else 6)
     style.save(figure, job.output, job.input.facts)
 
 

@@ -17,9 +17,9 @@ def main(job):
     peaks = measures(record)
     figure, axes = plt.subplot_mosaic("as;vs;ds", width_ratios=(1.7, 1.0))
     for key, values, label, peak in (
-        ("a", record.acceleration_m_s2 / G_M_S2, "acceleration [g]", f"{peaks['pga_g']:.3f} g"),
-        ("v", velocity * 100, "velocity [cm/s]", f"{peaks['pgv_cm_s']:.1f} cm/s"),
-        ("d", displacement * 100, "displacement [cm]", f"{peaks['pgd_cm']:.1f} cm"),
+        ("a", record.acceleration_m_s2 / G_M_S2, "acceleration [g]", f"{peaks['pga_g']:.3g} g"),
+        ("v", velocity * 100, "velocity [cm/s]", f"{peaks['pgv_cm_s']:.3g} cm/s"),
+        ("d", displacement * 100, "displacement [cm]", f"{peaks['pgd_cm']:.3g} cm"),
     ):
         axes[key].plot(record.time_s, values, lw=0.8)
         axes[key].set_ylabel(label)

@@ -28,13 +28,13 @@ def main(job):
         axes[0].plot(time, motion + level * gap, color=colour, lw=0.7)
     axes[0].set(xlabel="time [s]", yticks=[level * gap for level in range(len(motions))])
     axes[0].set_yticklabels(
-        [f"{name}\n{np.abs(m).max():.2f} g" for name, m in zip(labels, motions, strict=True)]
+        [f"{name}\n{np.abs(m).max():.3g} g" for name, m in zip(labels, motions, strict=True)]
     )
     axes[0].set_title("absolute acceleration, peak beside each", loc="left")
-    axes[0].plot([time[-1]] * 2, [0.0, 1.0], color="k", lw=1.5)
-    axes[0].annotate(
-        "1 g", (time[-1], 0.5), xytext=(-3, 0), textcoords="offset points", ha="right", va="center"
-    )
+    length = style.round_length(0.5 * gap)
+    axes[0].plot([time[-1]] * 2, [0.0, length], color="k", lw=1.5)
+    place = {"xytext": (-3, 0), "textcoords": "offset points", "ha": "right", "va": "center"}
+    axes[0].annotate(f"{length:g} g", (time[-1], 0.5 * length), **place)
     periods = np.geomspace(0.03, 4.0, 140)
     for motion, colour in zip(motions, colours, strict=True):
         spectrum = response_spectrum(motion * G_M_S2, time[1] - time[0], periods)
