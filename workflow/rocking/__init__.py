@@ -13,13 +13,15 @@ Names are loaded when they are asked for, so that `import rocking` stays quick.
 import importlib
 
 _PUBLIC = {
-    "Case": "case",
-    "Curve": "curve",
-    "History": "curve",
-    "Motion": "motion",
-    "Variant": "case",
-    "collapse_curve": "curve",
-    "history": "curve",
+    "Case": "collapse.case",
+    "Curve": "collapse.curve",
+    "Estimate": "formula.law",
+    "History": "collapse.curve",
+    "Motion": "collapse.motion",
+    "Variant": "collapse.case",
+    "collapse_curve": "collapse.curve",
+    "estimate": "formula.law",
+    "history": "collapse.curve",
 }
 __all__ = list(_PUBLIC)
 
@@ -30,7 +32,7 @@ def __getattr__(name):
         return importlib.import_module("rocking.version").version()
     if name not in _PUBLIC:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(importlib.import_module(f"rocking.collapse.{_PUBLIC[name]}"), name)
+    return getattr(importlib.import_module(f"rocking.{_PUBLIC[name]}"), name)
 
 
 def __dir__():

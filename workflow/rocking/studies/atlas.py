@@ -1,4 +1,4 @@
-"""An atlas of façades: half collapse over a space-filling design of façades, under recorded motions.
+"""An atlas: half collapse over a space-filling design of façades, under recorded motions.
 
 The façades are Sobol' points (Sobol', 1967; scrambled after Owen, 1998, by SciPy) over what the
 answer may depend on. A longer design of the same seed begins with the shorter one, so an atlas
@@ -14,8 +14,10 @@ import pandas as pd
 from rocking.calibration.beta import LAW_FILE, RangeWarning
 from rocking.collapse.quick import PGA, crossings
 from rocking.collapse.varied import collapses
+from rocking.formula.groups import dimensions
 
 PIECE = 8  # façades of one job
+WALLS = 2  # return walls, each as thick as the façade
 LOG, EVEN, WHOLE = "log", "even", "whole"  # how a dimension is filled between its ends
 DIMENSIONS = {  # in the order of the points' coordinates: a change of it is another design
     "height_m": LOG,
@@ -101,6 +103,7 @@ def facade(case, row, changes=None, law=LAW_FILE):
             "facade.friction_deg": float(row["friction_deg"]),
             "return_wall.friction_deg": float(row["friction_deg"]),
             "return_wall.thickness_m": float(b),
+            "return_wall.count": WALLS,
             "return_wall.building_mass_kg": float(row["mass_ratio"] * mass_kg(row)),
             "smdof.period_s": float(row["period_s"]),
             "smdof.n_dof": int(row["storeys"]),
@@ -111,6 +114,26 @@ def facade(case, row, changes=None, law=LAW_FILE):
         warnings.simplefilter("ignore", RangeWarning)  # the design is wider than its walls
         beta = varied.calibrated(law)["beta_s"]
     return varied.varied({"beta_s": beta * row["beta_factor"]})
+
+
+def described(case, table, law=LAW_FILE):
+    """`formula.groups.DIMENSIONS` of the façades of a design.
+
+    Parameters
+    ----------
+    case : Case
+        Of a model that knows all of them.
+    table : DataFrame
+        Of `design`.
+    law : path
+
+    Returns
+    -------
+    DataFrame
+        By facade.
+    """
+    rows = [dimensions(facade(case, row, law=law)) for row in table.to_dict("records")]
+    return pd.DataFrame(rows, index=pd.Index(table["facade"], name="facade"))
 
 
 def parts(settings):

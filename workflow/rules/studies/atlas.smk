@@ -1,6 +1,9 @@
 # One formula for any façade: a design of façades under the run's records. Ask for `atlas`.
 
 
+FORMULA_FILE = str(BASE / "config" / "formula.json")
+
+
 wildcard_constraints:
     base="[a-z]+",
     piece=r"\d+",
@@ -56,10 +59,98 @@ rule atlas_table:
         "../../scripts/studies/table.py"
 
 
+rule atlas_formula:
+    input:
+        table=rules.atlas_table.output.table,
+        records=of_run(rules.record.output.record),
+        scene=of_run(rules.scene.output[0], model="W2m"),
+        law=LAW_FILE,
+        modules=code("atlas/atlas_formula"),
+    output:
+        formula=results("formula.json"),
+        facades=results("tables/atlas_facades.csv"),
+        coefficients=results("tables/atlas_formula.csv"),
+        errors=results("tables/atlas_errors.csv"),
+    log:
+        logs("atlas_formula"),
+    params:
+        settings=values_of("atlas", "facades", "seed", "ranges"),
+        base=value_of("facade.base"),
+        directions=value_of("directions"),
+        damping_ratio=value_of("smdof.damping_ratio"),
+        stations=stations,
+    script:
+        "../../scripts/atlas/atlas_formula.py"
+
+
+rule formula_page:
+    input:
+        formula=rules.atlas_formula.output.formula,
+        modules=code("atlas/formula_page"),
+    output:
+        results("formula.html"),
+    log:
+        logs("formula_page"),
+    script:
+        "../../scripts/atlas/formula_page.py"
+
+
+rule figure_atlas_chart:
+    input:
+        formula=rules.atlas_formula.output.formula,
+        facts=of_run(rules.record.output.facts),
+        modules=code("studies/figure", study="atlas_chart"),
+    output:
+        **figure("atlas_chart", "Fragility", "one formula for any façade", about="study"),
+    log:
+        logs("figure_atlas_chart"),
+    params:
+        study="atlas_chart",
+        caption="Median PGA of half collapse by the formula, against the façade's height: one line a"
+        " slenderness and first period, the band of one standard deviation over ground motions"
+        " about one of them.",
+    script:
+        "../../scripts/studies/figure.py"
+
+
+rule class_fragility:
+    input:
+        law=FORMULA_FILE,
+        modules=code("atlas/class_fragility"),
+    output:
+        table=results("tables/class_fragility.csv"),
+        facades=results("class/facades.csv"),
+        pga_g=results("class/fragility_pga_g.xml"),
+        pgv_cm_s=results("class/fragility_pgv_cm_s.xml"),
+    log:
+        logs("class_fragility"),
+    params:
+        settings=value_of("facade_class"),
+        base=value_of("facade.base"),
+        models=lambda w: [m for m in RUNS.planar(w.run) if m in ("W1", "W2", "W2m")],
+    script:
+        "../../scripts/atlas/class_fragility.py"
+
+
+rule facade_class:
+    """
+    Fragility of a class of façades by the formula, scatter by façade and by motion apart; NRML too.
+    Costs: seconds; nothing is shaken.
+    Page: docs/studies/atlas.md
+    """
+    input:
+        every_run(rules.class_fragility.output.table),
+
+
 rule atlas:
     """
     One formula for any façade: collapse of a design of façades, and what is fitted to it.
     Costs: 25 min of processor for 32 façades and 18 motions in both directions.
     """
     input:
-        every_run(rules.atlas_table.output),
+        every_run(
+            rules.atlas_table.output,
+            rules.atlas_formula.output,
+            rules.formula_page.output,
+            rules.figure_atlas_chart.output.png,
+        ),

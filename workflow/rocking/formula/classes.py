@@ -1,0 +1,172 @@
+"""Fragility of a class of façades by the formula: what differs between façades and between motions.
+
+A façade of the class falls at IM ~ Lognormal(θ_i, δ_i) over ground motions. Over the class θ
+scatters too: with weights w_i
+
+    ln θ = Σ w_i ln θ_i,   β_f² = Σ w_i (ln θ_i − ln θ)²,   β_m² = Σ w_i δ_i²,
+
+and a lognormal curve with β² = β_f² + β_m² has the mean and the variance of the mixture's
+logarithm. The class of one façade has β_f = 0 and is that façade's curve.
+"""
+
+import math
+
+import numpy as np
+import pandas as pd
+from scipy.special import ndtr, ndtri
+
+from rocking.formula import groups, law
+from rocking.studies.fragility import Fragility
+
+COLUMNS = ["model", "measure", "median", "dispersion", "by_facade", "by_motion", "by_formula"]
+COLUMNS += ["n", "n_outside"]
+OUTSIDE = 0.05  # share of a class that may lie outside of the formula's limits
+DRAWN = (*groups.DIMENSIONS, "thickness_m")  # what a distribution may be of
+
+
+def combined(medians, dispersions, weights=None):
+    """Median of a class, its dispersion, and the parts by façade and by motion.
+
+    Parameters
+    ----------
+    medians, dispersions : array_like, shape (n,)
+        θ_i and δ_i.
+    weights : array_like, shape (n,), optional
+        Alike without.
+
+    Returns
+    -------
+    tuple of float
+        θ, β, β_f, β_m.
+    """
+    x, spread = np.log(np.asarray(medians, float)), np.asarray(dispersions, float)
+    w = np.ones(x.size) if weights is None else np.asarray(weights, float)
+    w = w / w.sum()
+    mean = float(w @ x)
+    by_facade = math.sqrt(max(0.0, float(w @ (x - mean) ** 2)))
+    by_motion = math.sqrt(float(w @ spread**2))
+    return math.exp(mean), math.hypot(by_facade, by_motion), by_facade, by_motion
+
+
+def mixture(intensity, medians, dispersions, weights=None):
+    """Probability that a façade drawn from the class falls, without a lognormal for it."""
+    w = np.ones(np.size(medians)) if weights is None else np.asarray(weights, float)
+    z = np.log(np.asarray(intensity, float)[..., None] / np.asarray(medians, float))
+    return ndtr(z / np.asarray(dispersions, float)) @ (w / w.sum())
+
+
+def quantile(row, u):
+    """Value of a distribution at a probability.
+
+    Parameters
+    ----------
+    row : mapping
+        distribution: value, uniform, lognormal or choice; value or median [unit of the parameter],
+        spread (standard deviation of the logarithm), low and high; choice: values, all alike.
+    u : ndarray
+
+    Returns
+    -------
+    ndarray
+        A lognormal one is cut at low and high, where they are given.
+    """
+    kind = row["distribution"]
+    if kind == "value":
+        return np.full_like(u, row["median"])
+    if kind == "uniform":
+        return row["low"] + (row["high"] - row["low"]) * u
+    if kind == "choice":
+        values = np.asarray(row["values"], float)
+        return values[np.minimum((u * values.size).astype(int), values.size - 1)]
+    ends = [row.get("low") or 0.0, row.get("high") or math.inf]
+    with np.errstate(divide="ignore"):
+        low, high = ndtr(np.log(np.array(ends) / row["median"]) / row["spread"])
+    return row["median"] * np.exp(row["spread"] * ndtri(low + (high - low) * u))
+
+
+def drawn(settings):
+    """Façades of a class: Sobol' points over its distributions, the parameters independent.
+
+    Parameters
+    ----------
+    settings : dict
+        Section facade_class: samples, seed, parameters.
+
+    Returns
+    -------
+    DataFrame
+        `groups.DIMENSIONS`. A thickness takes the place of the slenderness.
+
+    Raises
+    ------
+    ValueError
+        In one line, for a parameter that is missing or named twice.
+    """
+    from scipy.stats import qmc
+
+    rows = settings["parameters"]
+    names = [row["parameter"] for row in rows]
+    for name in names:
+        if names.count(name) > 1:
+            raise ValueError(f"facade_class.parameters: {name} stands there twice; expected once")
+    maker = qmc.Sobol(len(rows), rng=np.random.default_rng(settings["seed"]))
+    points = maker.random(settings["samples"])
+    table = pd.DataFrame(
+        {row["parameter"]: quantile(row, u) for row, u in zip(rows, points.T, strict=True)}
+    )
+    if "thickness_m" in table and "slenderness" not in table:
+        table["slenderness"] = table["height_m"] / table["thickness_m"]
+    if missing := [name for name in groups.DIMENSIONS if name not in table]:
+        raise ValueError(
+            f"facade_class.parameters: {missing[0]} is missing; expected {', '.join(DRAWN)}, "
+            "thickness_m or slenderness"
+        )
+    return table[list(groups.DIMENSIONS)]
+
+
+def fragility(facades, model, measure="pga_g", base=None, known=None):
+    """Curve of a class by the formula.
+
+    Parameters
+    ----------
+    facades : DataFrame
+        `groups.DIMENSIONS`, and weight, if they do not count alike.
+    model, measure, base
+        As of `law.said`.
+    known : dict or None
+        Of `law.read`.
+
+    Returns
+    -------
+    dict
+        COLUMNS.
+
+    Raises
+    ------
+    OutsideError
+        In one line, where more than `OUTSIDE` of the class lies outside of the formula's limits;
+        less is left out, and counted.
+    """
+    said, weights, outside = [], [], 0.0
+    given = facades.get("weight", pd.Series(1.0, facades.index))
+    last = None
+    for row, weight in zip(facades[list(groups.DIMENSIONS)].to_dict("records"), given, strict=True):
+        try:
+            said.append(law.said(row, model, measure, base, known))
+            weights.append(weight)
+        except groups.OutsideError as error:
+            outside, last = outside + weight, error
+    if outside > OUTSIDE * given.sum():
+        raise groups.OutsideError(
+            f"class: {100 * outside / given.sum():.0f} % of it lie outside of the formula: {last}"
+        )
+    medians, spreads, errors = (np.array(part) for part in zip(*said, strict=True))
+    found = combined(medians, spreads, weights)
+    error = float(np.sqrt(np.average(errors**2, weights=weights)))
+    values = (model, measure, *found, error, len(said), len(facades) - len(said))
+    return dict(zip(COLUMNS, values, strict=True))
+
+
+def curves(table):
+    """`Fragility` of every model of a table of `fragility`, for `risk.nrml.document`."""
+    return {row["model"]: Fragility(row["median"], row["dispersion"]) for row in table}

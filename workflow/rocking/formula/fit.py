@@ -1,0 +1,287 @@
+"""Fitting the formula to an atlas, and its error at façades and stations that had no part.
+
+Of every façade the mean over motions of ln(PGA50/tan α) is fitted by least squares, and the
+dispersion is the pooled standard deviation within façades. In another measure a motion's intensity
+is a factor of its PGA, so that the means differ by that factor's mean alone.
+"""
+
+import itertools
+
+import numpy as np
+import pandas as pd
+
+from rocking import stations as drawing
+from rocking.formula import groups
+from rocking.formula.law import MEASURES
+
+TERMS = {  # as few as the error of left-out façades allows; docs/studies/atlas.md has the reasons
+    "W1": ("1", "ln p", "ln z"),
+    "W2": ("1", "ln p", "ln z", "G", "ln T1", "ln2 T1"),
+    "W2m": ("1", "ln p", "ln z", "G", "ln T1", "ln2 T1", "m/M", "m/M ln T1"),
+}
+OF_SA = ("ln T1", "ln2 T1")  # Sa(T1) over PGA depends on T1, for models on the ground too
+OF_BASE = ("1", "G")  # of the ratio between two bases
+FOLDS = 4  # of stations; façades are left out one by one
+P16 = 15.865525  # % of a normal distribution below one standard deviation under its mean
+CONFIDENCE = 0.90
+RESAMPLES = 400
+
+
+def wide(table, design, model, base, factor=None, column="pga_median_g"):
+    """Ln(IM/tan α) of every façade (rows) under every motion (columns: record, direction).
+
+    Parameters
+    ----------
+    table : DataFrame
+        Of the atlas, `studies.atlas.COLUMNS`.
+    design : DataFrame
+        `groups.DIMENSIONS`, by façade.
+    model, base : str
+    factor : DataFrame or None
+        The measure over PGA, by façade (rows) and record.
+    column : str
+
+    Returns
+    -------
+    DataFrame
+        NaN where a façade stood up to the largest intensity.
+    """
+    part = table[(table["model"] == model) & (table["base"] == base)]
+    found = part.pivot(index="facade", columns=["record", "direction"], values=column)
+    if factor is not None:
+        found = found * factor.loc[found.index, found.columns.get_level_values(0)].to_numpy()
+    slender = design["slenderness"].loc[found.index]
+    return np.log(found.mul(slender, axis=0))
+
+
+def matrix(design, names):
+    """Values of terms by façade, shape (façades, terms)."""
+    rows = [groups.terms(row) for row in design.to_dict("records")]
+    return pd.DataFrame(rows, index=design.index)[list(names)].to_numpy()
+
+
+def solve(terms, values, weights=None):
+    """Least squares of the means over motions.
+
+    Parameters
+    ----------
+    terms : ndarray, shape (n, k)
+    values : ndarray, shape (n, m)
+        NaN where a curve is not known.
+    weights : (ndarray of shape (n,), ndarray of shape (m,)), optional
+        How often each façade and each motion counts.
+
+    Returns
+    -------
+    ndarray, shape (k,)
+    """
+    rows, columns = weights or (np.ones(values.shape[0]), np.ones(values.shape[1]))
+    known = np.isfinite(values)
+    mean = np.nansum(values * columns, axis=1) / (known @ columns)
+    root = np.sqrt(rows)
+    return np.linalg.lstsq(terms * root[:, None], mean * root, rcond=None)[0]
+
+
+def pooled(values):
+    """Standard deviation over motions within façades, pooled."""
+    return float(np.sqrt(np.nanmean(np.nanvar(values, axis=1, ddof=1))))
+
+
+def left_out(terms, values, stations):
+    """Errors at façades and stations of which neither had a part.
+
+    Every façade is foretold by the others under the other stations, for every fold of stations
+    in turn. An error has two parts: that of the level, which a handful of left-out motions has by
+    chance and all façades share, and that of the façade.
+
+    Parameters
+    ----------
+    terms, values
+        As of `solve`.
+    stations : sequence of str
+        Of every motion.
+
+    Returns
+    -------
+    DataFrame
+        A row a façade and fold: fold, at (row of the façade), error (ln of what was run over what
+        was foretold, of the mean), level (mean over façades in the fold), of_facade (error −
+        level), p16 (likewise of the 16 % fractile, by the dispersion of the others).
+    """
+    names = list(dict.fromkeys(stations))
+    of = np.array([names.index(name) % FOLDS for name in stations])
+    rows = []
+    for fold, at in itertools.product(range(FOLDS), range(len(values))):
+        others = np.delete(np.arange(len(values)), at)
+        train, test = values[np.ix_(others, np.flatnonzero(of != fold))], values[at, of == fold]
+        found = terms[at] @ solve(terms[others], train)
+        low = np.nanpercentile(test, P16)
+        rows.append((fold, at, np.nanmean(test) - found, low - (found - pooled(train))))
+    table = pd.DataFrame(rows, columns=["fold", "at", "error", "p16"])
+    table["level"] = table.groupby("fold")["error"].transform("mean")
+    table["of_facade"] = table["error"] - table["level"]
+    return table
+
+
+def facades_out(terms, values):
+    """Error of the mean of every façade, foretold by the others under the same motions."""
+    every = np.arange(len(values))
+    return np.array(
+        [
+            np.nanmean(values[k]) - terms[k] @ solve(np.delete(terms, k, 0), values[every != k])
+            for k in every
+        ]
+    )
+
+
+def fractile_out(terms, values):
+    """Error of the 16 % fractile of every façade, foretold by the others."""
+    errors, every = [], np.arange(len(values))
+    for k in every:
+        found = terms[k] @ solve(np.delete(terms, k, 0), values[every != k])
+        errors.append(np.nanpercentile(values[k], P16) - found + pooled(values[every != k]))
+    return np.array(errors)
+
+
+def intervals(terms, values, stations, seed):
+    """Intervals of the coefficients: façades and stations are drawn again, together.
+
+    Returns
+    -------
+    ndarray, shape (2, k)
+        Ends that hold `CONFIDENCE`.
+    """
+    facades = drawing.drawn(np.arange(len(values)), RESAMPLES, seed)
+    motions = drawing.drawn(stations, RESAMPLES, seed + 1)
+    found = [solve(terms, values, pair) for pair in zip(facades, motions, strict=True)]
+    tail = 50.0 * (1.0 - CONFIDENCE)
+    return np.percentile(found, (tail, 100.0 - tail), axis=0)
+
+
+def rms(values):
+    """Root mean square."""
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+def fitted(table, design, model, base, measure, factor, stations_of, seed):
+    """What the file says of one model in one measure.
+
+    Parameters
+    ----------
+    table, design, model, base
+        See `wide`.
+    measure : str
+    factor : DataFrame or None
+        See `wide`.
+    stations_of : mapping
+        Station by record.
+    seed : int
+
+    Returns
+    -------
+    dict
+        terms, coefficients, low, high (their intervals), dispersion, error, and the checks.
+    """
+    names = TERMS[model]
+    if measure == "sa_t1_g":
+        names = (*names, *(name for name in OF_SA if name not in names))
+    values = wide(table, design, model, base, factor)
+    stations = [stations_of[record] for record in values.columns.get_level_values(0)]
+    terms, y = matrix(design.loc[values.index], names), values.to_numpy()
+    low, high = intervals(terms, y, stations, seed)
+    both, alone, fractile = (
+        left_out(terms, y, stations),
+        facades_out(terms, y),
+        fractile_out(terms, y),
+    )
+    level = both.groupby("fold")["level"].first()
+    spread = pooled(y)
+    return {
+        "terms": list(names),
+        "coefficients": _round(solve(terms, y)),
+        "low": _round(low),
+        "high": _round(high),
+        "dispersion": round(spread, 4),
+        "error": round(float(np.hypot(rms(alone), spread / np.sqrt(len(set(stations))))), 4),
+        "checks": {
+            "facades_rms": round(rms(alone), 4),
+            "facades_largest": round(float(np.abs(alone).max()), 4),
+            "p16_rms": round(rms(fractile), 4),
+            "both_rms": round(rms(both["error"]), 4),
+            "both_of_facade_rms": round(rms(both["of_facade"]), 4),
+            "both_of_facade_largest": round(float(both["of_facade"].abs().max()), 4),
+            "level_rms": round(rms(level), 4),
+            "facades": len(y),
+            "motions": y.shape[1],
+            "stations": len(set(stations)),
+            "censored": int(np.isnan(y).sum()),
+        },
+    }
+
+
+def ratio_of_bases(table, design, model, base, other, seed, stations_of):
+    """Law of half collapse on another base over that on the atlas's own, and its error."""
+    pair = [wide(table, design, model, name) for name in (base, other)]
+    ratio = pair[1] - pair[0].loc[pair[1].index, pair[1].columns]
+    stations = [stations_of[record] for record in ratio.columns.get_level_values(0)]
+    terms, y = matrix(design.loc[ratio.index], OF_BASE), ratio.to_numpy()
+    low, high = intervals(terms, y, stations, seed)
+    return {
+        "terms": list(OF_BASE),
+        "coefficients": _round(solve(terms, y)),
+        "low": _round(low),
+        "high": _round(high),
+        "error": round(rms(facades_out(terms, y)), 4),
+        "facades": len(y),
+    }
+
+
+def _round(values):
+    return [float(f"{v:.5g}") for v in values]
+
+
+def law(table, design, factors, stations_of, made_of, own="own"):
+    """Content of the formula's file.
+
+    Parameters
+    ----------
+    table, design
+        See `wide`.
+    factors : dict of str to DataFrame
+        By measure, see `wide`; that of PGA is left out.
+    stations_of : mapping
+    made_of : dict
+        What the atlas is: base, seed, …
+    own : str
+        Name of the atlas's own base in the table.
+
+    Returns
+    -------
+    dict
+    """
+    seed, bases = made_of["seed"], [name for name in table["base"].unique() if name != own]
+    models = [name for name in TERMS if name in set(table["model"])]
+    here = design.loc[sorted(table.loc[table["base"] == own, "facade"].unique())]
+    # the ends that were drawn from; of what follows from several, the ends that came out
+    came = {name: [float(here[name].min()), float(here[name].max())] for name in here}
+    limits = {name: made_of["ranges"].get(name, came[name]) for name in groups.DIMENSIONS}
+    return {
+        "made_of": {**made_of, "facades": len(here)},
+        "limits": {name: [float(f"{v:.4g}") for v in ends] for name, ends in limits.items()},
+        "models": {
+            model: {
+                measure: fitted(
+                    table, here, model, own, measure, factors.get(measure), stations_of, seed
+                )
+                for measure in MEASURES
+            }
+            for model in models
+        },
+        "bases": {
+            base: {
+                model: ratio_of_bases(table, here, model, own, base, seed, stations_of)
+                for model in models
+            }
+            for base in bases
+        },
+    }

@@ -1,0 +1,199 @@
+"""The formula as numbers: reading its file, and what it says of a façade.
+
+    ln IM50 = ln tan α + Σ c_k t_k,      ln IM ~ Normal(ln IM50, δ²) over ground motions
+
+with the groups t_k of `groups.terms`, and IM any of `MEASURES`. A base other than the one of the
+atlas has a second sum for the ratio of the two.
+"""
+
+import json
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+from scipy.special import ndtr
+
+from rocking.formula import groups
+from rocking.formula.groups import OutsideError
+from rocking.shipped import shipped
+
+FILE = shipped("config/formula.json")
+MEASURES = {"pga_g": "g", "pgv_cm_s": "cm/s", "sa_t1_g": "g"}
+SLACK = 1e-9  # of a limit
+NOT_FOR = {  # dimensions that a model does not know
+    "W1": ("period_s", "mass_ratio", "storeys"),
+    "W2": ("mass_ratio",),
+    "W2m": (),
+}
+
+
+@lru_cache(maxsize=4)
+def read(path=FILE):
+    """Content of a formula's file.
+
+    Raises
+    ------
+    ValueError
+        In one line, where it is none.
+    """
+    try:
+        law = json.loads(Path(path).read_text("utf-8"))
+        law["models"], law["limits"], law["bases"]
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise ValueError(f"{path}: expected the formula's file (target atlas): {error}") from None
+    return law
+
+
+def check_limits(row, model, law):
+    """Refuse a façade outside of the atlas.
+
+    Raises
+    ------
+    OutsideError
+        In one line that names dimension, value and limits.
+    """
+    for name, (low, high) in law["limits"].items():
+        value = row[name]
+        if name in NOT_FOR[model]:
+            continue
+        if value is None or not low * (1.0 - SLACK) <= value <= high * (1.0 + SLACK):
+            said = "nothing" if value is None else f"{value:.4g}"
+            raise OutsideError(
+                f"formula: {name} = {said}: the atlas has {low:.4g} to {high:.4g} ({model})"
+            )
+
+
+def total(part, found):
+    """Σ c_k t_k of a part of the file: terms, coefficients."""
+    pairs = zip(part["terms"], part["coefficients"], strict=True)
+    return math.fsum(c * found[name] for name, c in pairs)
+
+
+def said(row, model, measure="pga_g", base=None, law=None):
+    """Median over motions of half collapse, dispersion by motion, and the formula's own error.
+
+    Parameters
+    ----------
+    row : mapping
+        `groups.DIMENSIONS`; those that the model does not know may be None.
+    model : str
+    measure : str
+        Of `MEASURES`.
+    base : str or None
+        None: that of the atlas.
+    law : dict or None
+        Of `read`.
+
+    Returns
+    -------
+    tuple of float
+        Median [unit of the measure], δ, and the standard error of ln median by façades and
+        stations left out.
+
+    Raises
+    ------
+    OutsideError
+        In one line, outside of the atlas, or for a model, measure or base that it has not.
+    """
+    law = law or read()
+    if model not in law["models"]:
+        raise OutsideError(f"formula: model {model}: the atlas has {', '.join(law['models'])}")
+    if measure not in MEASURES:
+        raise OutsideError(f"formula: measure {measure}: expected one of {', '.join(MEASURES)}")
+    check_limits(row, model, law)
+    known = {**row, **{name: law["limits"][name][0] for name in row if row[name] is None}}
+    found, own = groups.terms(known), law["models"][model][measure]
+    value, error = math.log(groups.tan_alpha(row)) + total(own, found), own["error"]
+    if base not in (None, law["made_of"]["base"]):
+        if base not in law["bases"]:
+            other = ", ".join([law["made_of"]["base"], *law["bases"]])
+            raise OutsideError(f"formula: facade.base = {base}: the atlas has {other}")
+        ratio = law["bases"][base][model]
+        value, error = value + total(ratio, found), math.hypot(error, ratio["error"])
+    return math.exp(value), own["dispersion"], error
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """What the formula says of a façade.
+
+    Attributes
+    ----------
+    model, measure : str
+    median : float
+        Of half collapse over ground motions [unit of the measure].
+    dispersion : float
+        Standard deviation of its logarithm over ground motions, δ.
+    error : float
+        Standard error of ln median, as façades and stations that were left out show it.
+    """
+
+    model: str
+    measure: str
+    median: float
+    dispersion: float
+    error: float
+
+    @property
+    def low(self):
+        """16 % of the motions fell it below."""
+        return self.median * math.exp(-self.dispersion)
+
+    @property
+    def high(self):
+        """84 % of the motions fell it below."""
+        return self.median * math.exp(self.dispersion)
+
+    def probability(self, intensity):
+        """P(collapse) at intensities, over ground motions."""
+        import numpy as np
+
+        return ndtr(np.log(np.asarray(intensity, float) / self.median) / self.dispersion)
+
+    def __repr__(self):
+        """Return one line: median, its band by motion, the formula's error."""
+        unit = MEASURES[self.measure]
+        return (
+            f"Estimate {self.model}: half collapse {self.median:.3g} {unit}; two thirds of the "
+            f"motions {self.low:.3g} to {self.high:.3g} {unit}; formula ± {100 * self.error:.0f} %"
+        )
+
+
+def estimate(case, measure="pga_g", law=None):
+    """Half collapse of a case by the formula, without a history.
+
+    Parameters
+    ----------
+    case : Case
+    measure : str
+        pga_g, pgv_cm_s or sa_t1_g (Sa at the building's T1, 5 % damping).
+    law : path or None
+        A formula's file; None: the one that comes with the project.
+
+    Returns
+    -------
+    Estimate
+
+    Raises
+    ------
+    OutsideError
+        In one line that names the key, for a façade that the formula does not describe.
+
+    Examples
+    --------
+    >>> from rocking import Case, estimate
+    >>> found = estimate(Case.configured("W1", {"facade.base": "column"}))
+    >>> bool(0.2 < found.median < 0.6)
+    True
+    """
+    known = read(law or FILE)
+    base = base_of(case)
+    row = groups.dimensions(case)
+    return Estimate(case.model, measure, *said(row, case.model, measure, base, known))
+
+
+def base_of(case):
+    """Name of a case's base, as the formula's file has it."""
+    facade = case["facade"]
+    return f"courses{facade['courses']}" if facade["courses"] else facade["base"]

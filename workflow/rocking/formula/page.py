@@ -1,0 +1,66 @@
+"""The page on which a reader moves a façade's numbers: HTML with the formula's file inside."""
+
+import json
+from pathlib import Path
+
+from rocking.formula.law import NOT_FOR
+from yade_scripts.model.gravity import GRAVITY_M_S2
+
+TEMPLATE = Path(__file__).with_name("page.html")
+PLACES = ("/*LAW*/null", "/*G*/9.81")
+
+
+def content(law):
+    """What the page needs of a formula's file.
+
+    Parameters
+    ----------
+    law : dict
+        Of `law.read`.
+
+    Returns
+    -------
+    dict
+    """
+    made = law["made_of"]
+    parts = {
+        model: {
+            measure: {key: part[key] for key in ("terms", "coefficients", "dispersion", "error")}
+            for measure, part in own.items()
+        }
+        for model, own in law["models"].items()
+    }
+    return {
+        "base": made["base"],
+        "limits": law["limits"],
+        "not_for": {model: list(NOT_FOR[model]) for model in parts},
+        "models": parts,
+        "bases": law["bases"],
+        "about": (
+            f"Fitted to {made['facades']} façades under {len(made['records'])} recorded motions in "
+            f"{len(made['directions'])} directions. It stands for a computed answer, not for a "
+            "test: no experiment says when such a façade falls."
+        ),
+    }
+
+
+def page(law):
+    """Text of the page.
+
+    Parameters
+    ----------
+    law : dict
+        Of `law.read`.
+
+    Returns
+    -------
+    str
+        It loads nothing from anywhere.
+    """
+    text = TEMPLATE.read_text("utf-8")
+    values = json.dumps(content(law), ensure_ascii=False, sort_keys=True).replace("</", "<\\/")
+    for place, value in zip(PLACES, (values, repr(GRAVITY_M_S2)), strict=True):
+        if text.count(place) != 1:
+            raise ValueError(f"{TEMPLATE.name}: expected one {place}")
+        text = text.replace(place, value)
+    return text

@@ -1,0 +1,33 @@
+"""Fragility of a class of façades by the formula: a table, and NRML for OpenQuake."""
+
+from pathlib import Path
+
+from rocking.formula import classes
+from rocking.formula.law import read
+from rocking.risk.hazard import imt_of
+from rocking.risk.nrml import document
+from rocking.runtime.script import run
+from rocking.tables import write_table
+
+
+def main(job):
+    settings, known = job.params.settings, read(job.input.law)
+    facades = classes.drawn(settings)
+    rows = [
+        classes.fragility(facades, model, measure, job.params.base, known)
+        for model in job.params.models
+        for measure in ("pga_g", "pgv_cm_s")
+    ]
+    write_table(rows, job.output.table, classes.COLUMNS)
+    write_table(facades, job.output.facades)
+    words = (
+        f"Out-of-plane collapse of a class of masonry facades, run {job.wildcards.run}, by formula"
+    )
+    for measure in ("pga_g", "pgv_cm_s"):
+        fits = classes.curves([row for row in rows if row["measure"] == measure])
+        name = f"facade_class_{job.wildcards.run}_{measure}"[:100].replace(".", "_")
+        text = document(name, words, imt_of(measure, 0.0), fits)
+        Path(job.output[measure]).write_text(text)
+
+
+run(main, globals())
