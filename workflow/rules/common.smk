@@ -235,6 +235,10 @@ onstart:
             cores = workflow.resource_settings.cores
             print(progress.opening(tasks, list(RUNS.settings), cores), file=sys.stderr)
             progress.Progress(tasks).watch()
+        from rocking.formula import words  # slow to load
+
+        for line in words.of_runs(RUNS.settings):
+            print(line, file=sys.stderr)
         with left_out_if_unknown("a server of scripts"):
             warm.serve(workflow)
     except KeyboardInterrupt:

@@ -1,0 +1,87 @@
+"""What a run and a report say of a façade by the formula."""
+
+import math
+import warnings
+
+from rocking.collapse.case import SECTIONS, Case
+from rocking.configuration import schema
+from rocking.formula.groups import OutsideError
+from rocking.formula.law import estimate
+
+OWN = ("facade", "return_wall", "smdof")  # sections in which an own façade differs from the default
+MODELS = ("W1", "W2", "W2m")
+MOST = 4  # runs of a study that say something
+REACH = 2.0  # standard errors beyond which a computed value is remarked upon
+
+
+def of_runs(settings):
+    """Lines of `of_run` for the first runs of a study, by its resolved configurations."""
+    return [line for one in list(settings.items())[:MOST] if (line := of_run(*one))]
+
+
+def of_run(name, resolved):
+    """One line before a run of an own façade; nothing where the formula does not describe it.
+
+    Parameters
+    ----------
+    name : str
+        Of the run.
+    resolved : dict
+        Its configuration.
+
+    Returns
+    -------
+    str
+        Empty for the default façade and for one that the formula does not describe.
+    """
+    known = schema.sections()
+    if all(resolved[section] == schema.complete({}, known[section]) for section in OWN):
+        return ""
+    found = []
+    for model in (m for m in MODELS if m in resolved["models"]):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # the run says of β itself what there is to say
+            try:
+                case = Case.chosen({key: resolved[key] for key in SECTIONS}, model)
+                found.append(estimate(case))
+            except (OutsideError, ValueError):
+                continue
+    if not found:
+        return ""
+    said = ", ".join(f"{one.model} {one.median:.2g} g" for one in found)
+    factor = math.exp(max(one.dispersion for one in found))
+    return (
+        f"{name}: by the formula half of the motions fell it at a PGA of {said} "
+        f"(two thirds of them within a factor of {factor:.2g}; docs/studies/atlas.md)"
+    )
+
+
+def remark(found, computed_g, stations):
+    """What to say of a computed median that lies outside of the formula's range; else nothing.
+
+    Its standard error is the formula's own, and that of a median over so few motions.
+
+    Parameters
+    ----------
+    found : Estimate
+    computed_g : float
+        Median of half collapse that histories gave [unit of the measure].
+    stations : int
+        How many stations stand behind it.
+
+    Returns
+    -------
+    str
+    """
+    if not (math.isfinite(computed_g) and computed_g > 0.0 and stations > 0):
+        return ""
+    error = math.hypot(found.error, found.dispersion / math.sqrt(stations))
+    if abs(math.log(computed_g / found.median)) <= REACH * error:
+        return ""
+    side = "more" if computed_g > found.median else "less"
+    return (
+        f"{found.model}: the computed median of {computed_g:.3g} g is {side} than the formula for "
+        f"such façades allows ({found.median * math.exp(-REACH * error):.3g} to "
+        f"{found.median * math.exp(REACH * error):.3g} g). Look at what this façade or its "
+        "motions have that others have not, or for a mistake in the input."
+    )
