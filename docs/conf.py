@@ -45,5 +45,14 @@ def setup(app):
         if app.env.docname.startswith(OFF_NAVIGATION):
             app.env.metadata[app.env.docname]["orphan"] = True
 
+    def formula_page(app, error):
+        """The page on which a reader moves a façade, with the shipped formula inside."""
+        if error is None and app.builder.format == "html":
+            from rocking.formula.law import read
+            from rocking.formula.page import page
+
+            (Path(app.outdir) / "formula.html").write_text(page(read()), encoding="utf-8")
+
     app.connect("autodoc-process-docstring", bars)
     app.connect("doctree-read", beside)
+    app.connect("build-finished", formula_page)

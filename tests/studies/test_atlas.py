@@ -4,12 +4,14 @@ import json
 import math
 import shutil
 import subprocess
+import warnings
 
 import numpy as np
 import pandas as pd
 import pytest
 from rocking import Case, estimate
 from rocking.formula import classes, fit, groups, law, page, words
+from rocking.shipped import shipped
 from rocking.studies import atlas
 from scipy.special import ndtr
 
@@ -360,3 +362,22 @@ def test_a_computed_median_far_from_the_formula_is_remarked_upon():
     assert "less than" in words.remark(found, 0.3 / 1.01 / edge, 16)
     assert words.remark(found, 0.3 * 1.01 * edge, 2) == ""  # two motions say little
     assert words.remark(found, math.nan, 16) == ""
+
+
+def test_shipped_formula_is_the_one_of_the_shipped_atlas(known):
+    """Coefficients and errors follow from config/atlas.csv anew."""
+    table, made = pd.read_csv(shipped("config/atlas.csv")), known["made_of"]
+    settings = {**SETTINGS, "facades": made["facades"], "seed": made["seed"]}
+    settings["ranges"] = made["ranges"]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)
+        of = Case.configured("W2m", {**COLUMN, "facade.base": made["base"]})
+    design = atlas.described(of, atlas.design(settings))
+    for model, parts in known["models"].items():
+        values = fit.wide(table, design, model, atlas.OWN)
+        terms = fit.matrix(design.loc[values.index], fit.TERMS[model])
+        found = fit.solve(terms, values.to_numpy())
+        assert list(fit.TERMS[model]) == parts["pga_g"]["terms"]
+        assert found == pytest.approx(parts["pga_g"]["coefficients"], rel=1e-3, abs=1e-3)
+        errors = fit.facades_out(terms, values.to_numpy())
+        assert fit.rms(errors) == pytest.approx(parts["pga_g"]["checks"]["facades_rms"], abs=1e-3)

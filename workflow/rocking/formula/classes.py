@@ -162,8 +162,8 @@ def fragility(facades, model, measure="pga_g", base=None, known=None):
         )
     medians, spreads, errors = (np.array(part) for part in zip(*said, strict=True))
     found = combined(medians, spreads, weights)
-    error = float(np.sqrt(np.average(errors**2, weights=weights)))
-    values = (model, measure, *found, error, len(said), len(facades) - len(said))
+    own = float(np.sqrt(np.average(errors**2, weights=weights)))
+    values = (model, measure, *found, own, len(said), len(facades) - len(said))
     return dict(zip(COLUMNS, values, strict=True))
 
 

@@ -7,6 +7,7 @@ grows without being computed anew. The formula of `rocking.formula` rests on its
 
 import math
 import warnings
+from functools import partial
 
 import numpy as np
 import pandas as pd
@@ -170,12 +171,12 @@ def collapse(cases, motion, directions, settings, base=OWN, piece=1, law=LAW_FIL
     """
     changes = {} if base == OWN else _of_base(settings, base)
     drawn = design({**settings, "facades": PIECE * piece}).iloc[-PIECE:]
-    how = {"max_pga_g": settings["max_pga_g"]}
+    find = partial(crossings, settings={"max_pga_g": settings["max_pga_g"]})
     rows = []
     for row in drawn.to_dict("records"):
         here = [facade(case, row, changes, law) for case in cases]
         key = {"facade": row["facade"], "base": base}
-        found = collapses(here, motion, directions, lambda *of: crossings(*of, how))
+        found = collapses(here, motion, directions, find)
         rows += [key | one for one in found]
     return pd.DataFrame(rows, columns=COLUMNS)
 

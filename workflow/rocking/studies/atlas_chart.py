@@ -31,7 +31,8 @@ def lines(law, model, points=40):
     heights : ndarray, shape (points,)
     found : dict of (float, float) to (ndarray, float)
     """
-    heights = np.linspace(*law["limits"]["height_m"], points)
+    low, high = law["limits"]["height_m"]
+    heights = np.linspace(low, high, points)
     found = {}
     for slender in SLENDERNESS:
         for period in PERIODS_S[1:2] if model == "W1" else PERIODS_S:
