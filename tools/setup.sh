@@ -12,6 +12,9 @@ packages=()
 compgen -G '/usr/lib/*/yade*/py/yade/__init__.py' >/dev/null || [ -n "${YADE_PREFIX:-}" ] || packages+=(yade)
 [ -x $python ] || packages+=(python3)
 $python -c 'import ensurepip, venv' 2>/dev/null || packages+=(python3-venv)
+# the report's PDF; where YADE is Debian's its packages bring both
+compgen -G '/usr/lib/*/libpangoft2-1.0.so.0' >/dev/null || packages+=(libpangoft2-1.0-0)
+compgen -G '/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf' >/dev/null || packages+=(fonts-dejavu-core)
 if [ ${#packages[@]} -gt 0 ]; then
   command -v apt-get >/dev/null || { say "no apt-get here: install ${packages[*]} by hand, then run this again"; exit 1; }
   root=(); [ "$(id -u)" -eq 0 ] || root=(sudo)

@@ -1,6 +1,7 @@
 # The answer of codes of practice compared with the dynamic one: a report for one façade. Over many façades:
 # code_against_dynamics.smk.
 from rocking.assessment import inputs as assessed
+from rocking.assessment.verdict import GOVERNS
 
 COMMIT = assessed.commit_of(BASE)
 
@@ -52,11 +53,12 @@ def dry(run):
     return [model for model in RUNS.planar(run) if not MODELS[model].bonded]
 
 
-def last_dry(run):
-    """Model whose sensitivity is asked for: the last of them."""
-    if not dry(run):
+def governing(run):
+    """Model that the verdict rests on: W2m where it is among them, else the last of them."""
+    found = dry(run)
+    if not found:
         stop("models: expected W1, W2 or W2m among them for assess")
-    return dry(run)[-1]
+    return GOVERNS if GOVERNS in found else found[-1]
 
 
 rule assess_collapse:
@@ -124,7 +126,8 @@ use rule assess_collapse as assess_parts_collapse with:
         benchmarks("assess_parts_collapse_{model}")
 
 
-PARTS_COLLAPSE = of_run(rules.assess_parts_collapse.output[0], model=dry)
+# Of the model that governs alone: with all of them the parts would take most of the time.
+PARTS_COLLAPSE = of_run(rules.assess_parts_collapse.output[0], model=lambda run: [governing(run)])
 
 
 rule assess_dynamic:
@@ -231,12 +234,40 @@ rule assess_confirm:
         "../scripts/assess/assess_confirm.py"
 
 
+rule assess_ties:
+    input:
+        **MOTIONS,
+        site=site,
+        spectrum=SPECTRUM,
+        hazard=HAZARD,
+        scene=of_run(rules.scene.output[0], model=governing),
+        motions=rules.assess_selection.output.motions,
+        verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=governing),
+        modules=code("assess/assess_ties"),
+    output:
+        rows=results("assessment/ties.csv"),
+        after=results("assessment/ties_mechanisms.csv"),
+        tried=results("assessment/ties_tried.csv"),
+        yaml=results("assessment/ties.yaml"),
+    log:
+        logs("assess_ties"),
+    params:
+        run=lambda w: w.run,
+        table=lambda w: RUNS.table_path(w.run),
+        records=lambda w: RUNS.records[w.run],
+        settings=RUNS.params_of(
+            *CHECKED, "strengthening", "directions", "baseline", "seed", "risk.site"
+        ),
+    script:
+        "../scripts/assess/assess_ties.py"
+
+
 rule assess_sensitivity:
     input:
         **MOTIONS,
-        scene=of_run(rules.scene.output[0], model=last_dry),
-        collapse=of_run(rules.assess_collapse.output[0], model=last_dry),
-        parts=of_run(rules.assess_parts_collapse.output[0], model=last_dry),
+        scene=of_run(rules.scene.output[0], model=governing),
+        collapse=of_run(rules.assess_collapse.output[0], model=governing),
+        parts=of_run(rules.assess_parts_collapse.output[0], model=governing),
         shaken=rules.assess_code.output.shaken,
         modules=code("assess/assess_sensitivity"),
     output:
@@ -260,7 +291,11 @@ rule assess_report:
             rules.assess_dynamic.output,
             rules.assess_sensitivity.output,
             rules.assess_selection.output,
+            rules.assess_ties.output.rows,
+            rules.assess_ties.output.after,
+            rules.assess_ties.output.tried,
         ),
+        ties=rules.assess_ties.output.yaml,
         verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),
         yade=of_run(rules.assess_confirm.output[0], model=dry),
         site=site,
@@ -274,8 +309,6 @@ rule assess_report:
         logs("assess_report"),
     params:
         run=lambda w: w.run,
-        table=lambda w: RUNS.table_path(w.run),
-        stations=stations,
         given=stated,
         commit=COMMIT,
         config=lambda w: RUNS.cfg(w),

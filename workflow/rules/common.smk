@@ -221,6 +221,11 @@ onstart:
             lock(workflow.dag)
             file_times.settle(f"{RESULTS}/.shared")
             BY = version.stated()
+            earlier = [
+                configuration.changed(resolved, f"{RESULTS}/{name}/config.yaml")
+                for name, resolved in RUNS.settings.items()
+            ]
+            terminal.warn(filter(None, earlier))
             for name, resolved in RUNS.settings.items():
                 file_times.settle(f"{RESULTS}/{name}")
                 choices = [f"By {BY}.", *chosen(resolved, FIDELITY_FILE, LAW_FILE)]

@@ -1,15 +1,25 @@
-"""The report's data, and its appendix: numbers between, formulas, every value, provenance."""
+"""The report's data, and its appendix: mechanisms by hand, motions, formulas, values, evidence."""
 
-import hashlib
 from dataclasses import dataclass, field
-from pathlib import Path
 
-from rocking.assessment.code_checks import CHECKS
-from rocking.assessment.document import Heading, Paragraph, Table
+from rocking.assessment import byhand
+from rocking.assessment.checks import confidence
+from rocking.assessment.code_spectrum import CodeDemand
+from rocking.assessment.demand import eta
 from rocking.assessment.family import Candidate, Family
+from rocking.assessment.national import PARAMETERS, row_at
+from rocking.assessment.paper import Table
 from rocking.assessment.selection import fit_of
 from rocking.assessment.sources import FORMULAS
-from rocking.assessment.values import values
+from rocking.assessment.values import DEFAULT, values
+
+NUMBERS = {  # of the formulas behind the steps of a check
+    "T_SLV": "C8.7.1.10",
+    "S_De": "C8.7.1.2.1.8, C8.7.1.12",
+    "a_g,SLD": "C8.7.1.8",
+    "a_g,SLV": "not below a_g,SLD",
+}
+STEPS = ("T_SLV", "T_max", "S_De", "a_g,SLD", "a_g,SLV")
 
 
 @dataclass
@@ -24,8 +34,9 @@ class Data:
         Keys that the user stated.
     tables : dict of str to DataFrame
         By file name; verdicts and yade of all models.
-    demand_said, program, commit : str
-    provenance : list of (what, value)
+    run, demand_said, program, commit : str
+    folder : str
+        Where the tables are, for the sources.
     family, weakest
         `family.Family`, and its `Candidate` that fails first.
     fit, range_s
@@ -35,10 +46,11 @@ class Data:
     config: dict
     given: list
     tables: dict
+    run: str
     demand_said: str
     program: str
     commit: str
-    provenance: list
+    folder: str
     family: Family = field(init=False)
     weakest: Candidate = field(init=False)
     fit: tuple | None = field(init=False)
@@ -53,67 +65,253 @@ class Data:
         self.weakest = next(one for one in self.family.all() if one.name == least)
         self.fit, self.range_s = fit_of(self.tables["selected_spectra"])
 
+    @property
+    def factor(self):
+        """FC that the checks use."""
+        own = self.config["assessment"]
+        return confidence(own["confidence_factor"], own["hinge_inset_m"])
 
-def _checksum(path):
-    """First digits of a file's SHA-256."""
-    return f"SHA-256 {hashlib.sha256(Path(path).read_bytes()).hexdigest()[:16]}…"
+
+def _six(value):
+    return f"{value:.6g}".replace("-", "−")
 
 
-def provenance(given, made, stations, table, run, seed, dynamic):
-    """Inputs and tables with their checksums, and what stands in which file: (what, value)."""
-    places, histories = len(set(stations.values())), int(dynamic["histories"].sum())
-    return [
-        *((f"input {Path(str(f)).name}", f"{f}, {_checksum(f)}") for f in given),
-        ("motions", f"{len(stations)} from {places} stations; {table}"),
-        ("histories of the suite", f"{histories} by the planar solver (rocking.solver)"),
-        ("every key, defaults included", f"results/{run}/config.yaml"),
-        ("seed of the intervals", str(seed)),
-        *((Path(f).name, _checksum(f)) for f in sorted(map(str, made))),
+def _parts(rows, total, whole):
+    """Table of the parts with their sums; `whole`: says what its columns are."""
+    cells = [
+        (
+            p.name,
+            _six(1e-3 * p.weight_n),
+            "–" if p.y_m != p.y_m else f"{p.y_m:.4f}",
+            f"{p.z_m:.4f}",
+            *map(_six, (p.out, p.up, p.square)),
+            *map(_six, (1e-3 * p.weight_n * v for v in (p.out, p.up, p.square))),
+        )
+        for p in rows
     ]
+    sums = (1e-3 * v for v in (total.out_n, total.up_n, total.square_n))
+    cells.append(("sum", _six(1e-3 * total.weight_n), "", "", "", "", "", *map(_six, sums)))
+    said = (
+        "Parts: width × thickness of the masonry between two heights, weight and centroid (y from "
+        "the inner face of the foot outward, z above the base), and its virtual displacements "
+        "for a unit "
+        "rotation of the lowest block; δx² is the mean over the part's own height."
+    )
+    return Table(
+        said if whole else "Parts.",
+        ("part", "P [kN]", "y [m]", "z [m]", "δx", "δz", "δx²", "P δx", "P δz", "P δx²"),
+        cells,
+        (0.26, 0.08, 0.07, 0.08, 0.08, 0.08, 0.08, 0.09, 0.09, 0.09),
+        "",
+        (len(cells) - 1,),
+    )
 
 
-def blocks(data, folder):
-    """Blocks of the appendix."""
+def _holds(rows):
+    """Table of what holds, with its work."""
+    cells = [
+        (
+            h.name,
+            f"{1e-3 * h.force_n:.4g}",
+            f"{h.height_m:.3f}",
+            f"{1e3 * h.slack_m:.3g} to {1e3 * h.reach_m:.4g}",
+            _six(h.out),
+            _six(1e-3 * h.force_n * h.out),
+        )
+        for h in rows
+    ]
+    return Table(
+        "What holds it: force, height, and from which to which outward way of its point it pulls.",
+        ("hold", "F [kN]", "z [m]", "pulls [mm]", "δF", "F δF"),
+        cells,
+        (0.3, 0.14, 0.14, 0.18, 0.12, 0.12),
+    )
+
+
+def by_hand(data, candidate, whole=True):
+    """One mechanism's tables: parts, holds, capacity, demand and verdict.
+
+    Parameters
+    ----------
+    data : Data
+    candidate : rocking.assessment.family.Candidate
+    whole : bool
+        Says how each number comes about; else they stand two in a row.
+
+    Returns
+    -------
+    dict
+        name, tables.
+    """
+    tables: list = []
+    if candidate.plane:
+        rows, holds = byhand.parts(data.family, candidate), byhand.pulled(candidate)
+        total = byhand.sums(rows, holds)
+        tables = [_parts(rows, total, whole), *([_holds(holds)] if holds else [])]
+        found = byhand.results(candidate, total, data.factor)
+        cells = [(s, how, f"{v:.4g} {unit}".strip()) for s, how, v, unit in found]
+        cells += _demand_of(data, candidate.name)
+        if not whole:
+            pairs = [(symbol, value) for symbol, _, value in cells[:-1]]
+            return {"name": candidate.name, "tables": [*tables, _paired(pairs, cells[-1])]}
+        tables.append(
+            Table(
+                f"Capacity, demand and verdict, with FC = {data.factor:g}.",
+                ("", "how", "value"),
+                cells,
+                (0.14, 0.66, 0.2),
+                f"{data.folder}/code_steps.csv",
+                (len(cells) - 1,),
+            )
+        )
+    else:
+        row = data.tables["mechanisms"].set_index("mechanism").loc[candidate.name]
+        pairs = [
+            ("α0", f"{row['multiplier']:.4g}"),
+            ("M*", f"{row['participating_mass_kg']:.4g} kg"),
+        ]
+        pairs += [("e*", f"{row['e_star']:.4g}"), ("d0", f"{row['d0_m']:.4g} m")]
+        demand = _demand_of(data, candidate.name)
+        pairs += [(symbol, value) for symbol, _, value in demand[:-1]]
+        words = "Both walls up to their cracks, turning about the bisector's normal; by strips. "
+        tables = [_paired(pairs, demand[-1], words)]
+    return {"name": candidate.name, "tables": tables}
+
+
+def _paired(pairs, last, words=""):
+    """Table of symbols and values, three pairs in a row; the verdict in its caption."""
+    third = -(-len(pairs) // 3)
+    columns = [pairs[k * third : (k + 1) * third] for k in range(3)]
+    rows = [
+        tuple(word for c in columns for word in (c[k] if k < len(c) else ("", "")))
+        for k in range(third)
+    ]
+    said = f"{words}At a PGA of {last[2]} it {last[1]}."
+    return Table(said, ("",) * 6, rows, (0.17, 0.16, 0.17, 0.17, 0.17, 0.16))
+
+
+def _demand_of(data, name):
+    """Rows of the demand on a mechanism, and where it fails."""
     steps = data.tables["code_steps"]
-    several = steps["mechanism"].nunique() > 1
+    own, rows, fails = steps[steps["mechanism"] == name], [], []
+    for key, words in (("slv_ground", "ground"), ("slv_height", "floor")):
+        found = own[own["check"] == key].set_index("symbol")
+        for symbol in STEPS if len(found) else ():
+            step = found.loc[symbol]
+            number = f" ({NUMBERS[symbol]})" if symbol in NUMBERS else ""
+            unit = "" if step["unit"] == "-" else step["unit"]
+            rows.append(
+                (f"{symbol}, {words}", f"{step['meaning']}{number}", f"{step['value']:.4g} {unit}")
+            )
+        if len(found):
+            fails.append(float(found.loc["a_g,SLV", "value"]))
+    demand = data.tables["code_checks"]["pga_demand_g"].iloc[0]
+    least = min(fails)
+    word = "passes" if least >= demand else "fails"
+    words = "fails, beyond" if least >= demand else "fails, short of"
+    rows.append(("PGA", f"{words} the demand's {demand:.4g} g: it {word}", f"{least:.4g} g"))
+    return rows
+
+
+def spectrum(data):
+    """Numbers behind the demand's spectra on the ground and on the weakest mechanism's floor."""
+    own, chain = data.config["assessment"], data.config["smdof"]
     rows = []
-    for (mechanism, key), part in steps.groupby(["mechanism", "check"], sort=False):
-        name = CHECKS.get(key, key)
-        first = f"{name}; {mechanism}" if several else name
-        for r in part.itertuples():
-            rows.append((first, r.symbol, r.meaning, f"{r.value:.4g}", r.unit))
-            first = ""
-    return [
-        Heading("Appendix A: numbers between"),
-        Table(
-            "Every number between input and result.",
-            ("check", "symbol", "meaning", "value", "unit"),
-            rows,
-            (0.26, 0.13, 0.41, 0.12, 0.08),
-            f"{folder}/code_steps.csv",
-        ),
-        Heading("Appendix B: formulas and how they were read"),
-        Table(
-            "Official wording: the text in a public transcription with page numbers. "
-            "Transcription: a formula in the same place, from the page's image.",
-            ("document", "number", "formula or rule", "read as"),
-            [(f.document, f.number, f.text, f.status) for f in FORMULAS.values()],
-            (0.17, 0.15, 0.52, 0.16),
-            "",
-        ),
-        Paragraph(
-            "Not applied: the displacement check of New Zealand's guidelines for rocking walls, "
-            "which could not be read."
-        ),
-        Heading("Appendix C: every value"),
-        Table(
-            "Stated: in the user's file; derived: from other values, or by a rule of the code; "
-            "default: neither.",
-            ("key", "value", ""),
-            values(data.config, data.given),
-            (0.4, 0.48, 0.12),
-            f"{folder}/values.csv",
-        ),
-        Heading("Appendix D: provenance"),
-        Table("", ("what", "value"), data.provenance, (0.3, 0.7), ""),
+    if not own["spectrum"] and (own["hazard"] or own["ag_g"] is not None):
+        row = row_at(own["hazard"], own["return_period_years"]) if own["hazard"] else own
+        given = {key: row[key] for key in PARAMETERS}
+        demand = CodeDemand(**given, soil=own["soil"], topography=own["topography"])
+        ss, st, tb, tc, td = demand.factors
+        rows = [
+            ("a_g, F0, T_C*", f"{row['ag_g']:.4g} g, {row['f0']:.4g}, {row['tc_star_s']:.4g} s"),
+            (
+                "S_S, S_T",
+                f"{ss:.4g}, {st:.4g} (subsoil {own['soil']}, topography {own['topography']})",
+            ),
+            ("T_B, T_C, T_D", f"{tb:.4g}, {tc:.4g}, {td:.4g} s"),
+            ("PGA", f"a_g S_S S_T = {demand.pga_g:.4g} g"),
+        ]
+        rows.append(("η", f"√(10/(5 + ξ)) = {eta(0.08):.4g} at 8 %, {eta(0.10):.4g} at 10 %"))
+    else:
+        rows = [("demand", data.demand_said)]
+    period = chain["period_s"] * own["building_period_factor"]
+    rows.append(
+        (
+            "floor",
+            f"first mode of {chain['n_dof']} equal storeys, T1 = {period:.4g} s; taken at "
+            f"{data.weakest.place:.3g} of the eaves' height, the middle of what holds the part",
+        )
+    )
+    return Table(
+        "The demand: S_De(T) = S_e(T) T²/4π² on the ground; on the floor by C7.2.5–8.",
+        ("", ""),
+        rows,
+        (0.2, 0.8),
+        f"{data.folder}/spectra.csv",
+    )
+
+
+def others(data):
+    """Every mechanism but the weakest, by hand, the weakest of them first."""
+    found = data.tables["mechanisms"]
+    order = found[found["kind"] == "as stated"].sort_values("pga_fails_g")["mechanism"]
+    known = {one.name: one for one in data.family.all()}
+    return [by_hand(data, known[name], False) for name in order if name != data.weakest.name]
+
+
+def motions(data):
+    """Table of the motions of the dynamic check, and lines on their source and licence."""
+    found = data.tables["selected_motions"].fillna("")
+    rows = [
+        (r.record, r.station, r.component, r.event, f"{r.factor:.3f}", f"{r.pga_g:.3f}")
+        for r in found.itertuples()
     ]
+    table = Table(
+        "Motions, each scaled by its factor so that their mean fits the demand's spectrum (picture "
+        "of the dynamic check).",
+        ("motion", "station", "component", "event", "factor", "PGA [g]"),
+        rows,
+        (0.16, 0.1, 0.14, 0.4, 0.1, 0.1),
+        f"{data.folder}/selected_motions.csv",
+    )
+    said = found[["source", "licence"]].drop_duplicates().itertuples(index=False)
+    lines = []
+    for source, licence in said if len(found) else ():
+        of = f"Licence: {licence}." if licence else "Its file states no licence."
+        lines.append(f"Source: {source or 'not stated'} {of}")
+    return table, lines
+
+
+def formulas():
+    """Table of every formula and how it was read."""
+    return Table(
+        "Official wording: the text in a public transcription with page numbers. "
+        "Transcription: a formula in the same place, from the page's image.",
+        ("document", "number", "formula or rule", "read as"),
+        [(f.document, f.number, f.text, f.status) for f in FORMULAS.values()],
+        (0.17, 0.15, 0.52, 0.16),
+    )
+
+
+def stated(data):
+    """Table of the values that were stated or derived; defaults are in the evidence.
+
+    Rows of floors, openings, ties and the hazard stand in one line each.
+    """
+    rows: dict[tuple, list] = {}
+    for key, value, standing in values(data.config, data.given):
+        if standing == DEFAULT:
+            continue
+        place, _, last = key.rpartition(".")
+        listed = place[-1:].isdigit()
+        words = f"{last} {value}" if listed else value
+        rows.setdefault((place if listed else key, standing), []).append(words)
+    cells = [(key, ", ".join(words), standing) for (key, standing), words in rows.items()]
+    return Table(
+        "Stated: in the user's file; derived: from other values, or by a rule of the code. All "
+        "others, at their defaults, are in values.csv of the evidence.",
+        ("key", "value", ""),
+        cells,
+        (0.3, 0.6, 0.1),
+        f"{data.folder}/values.csv",
+    )

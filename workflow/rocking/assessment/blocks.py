@@ -8,7 +8,16 @@ import cmath
 import math
 from typing import NamedTuple
 
-from rocking.assessment.mechanism import Mechanism, Pull, Weight, spread_weight, turning
+import numpy as np
+
+from rocking.assessment.mechanism import (
+    Mechanism,
+    Pull,
+    Weight,
+    cos_sin,
+    spread_weight,
+    turning,
+)
 from rocking.mechanics.closed_forms import _positive
 
 
@@ -138,8 +147,8 @@ def bending(name, lower, upper, base, joint, top, loads=(), held=(), pulls=()):
 
         def path(theta):
             y, z = first(theta)
-            psi = cmath.acos((top[0] - y) / length) - angle  # leaves the top where it is in y
-            cos, sin = cmath.cos(psi), cmath.sin(psi)
+            acos = np.arccos if isinstance(y, np.ndarray) else cmath.acos
+            cos, sin = cos_sin(acos((top[0] - y) / length) - angle)  # the top stays in y
             return y + ry * cos - rz * sin, z + ry * sin + rz * cos
 
         return path
@@ -162,7 +171,7 @@ def _part(path, which):
 
     def only(theta):
         y, z = path(theta)
-        return (y, complex(0.0)) if which == 0 else (complex(0.0), z)
+        return (y, 0.0 * z) if which == 0 else (0.0 * y, z)
 
     return only
 

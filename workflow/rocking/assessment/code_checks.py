@@ -71,6 +71,34 @@ def damaged(sections):
     return own["building_period_factor"], stated if damping is None else damping
 
 
+def places_of(candidate, sections, demand):
+    """Demands that a mechanism is held to, and where each is, by "ground" and "height".
+
+    Parameters
+    ----------
+    candidate, sections, demand
+        See `code_checks`.
+    """
+    chain = sections["smdof"]
+    floor = floor_demand(demand, candidate.place, chain, damaged=damaged(sections))
+    places = {"height": (floor, f"at {candidate.place:.3g} of the height")}
+    if candidate.on_ground:
+        places = {"ground": (demand, "on the ground"), **places}
+    return places
+
+
+def slv_pga(candidate, sections, demand):
+    """PGA at which the non-linear SLV check of one mechanism fails [g], as `least` has it."""
+    own = sections["assessment"]
+    fc = checks.confidence(own["confidence_factor"], own["hinge_inset_m"])
+    return min(
+        checks.nonlinear(
+            candidate.mechanism, at, where, confidence_factor=fc, t0_s=candidate.t0_s
+        ).failing_pga_g
+        for at, where in places_of(candidate, sections, demand).values()
+    )
+
+
 def code_checks(candidate, sections, demand, confidence_factor=None):
     """Every check of one mechanism under one demand, but the oscillator's.
 
@@ -89,14 +117,11 @@ def code_checks(candidate, sections, demand, confidence_factor=None):
     dict of str to Check
         By the keys of `CHECKS`; those on the ground only where the mechanism stands on it.
     """
-    facade, chain, settings = (sections[k] for k in ("facade", "smdof", "assessment"))
+    facade, settings = sections["facade"], sections["assessment"]
     mechanism, place, t0 = candidate.mechanism, candidate.place, candidate.t0_s
     inset, q = settings["hinge_inset_m"], settings["behaviour_factor"]
     fc = confidence_factor or checks.confidence(settings["confidence_factor"], inset)
-    floor = floor_demand(demand, place, chain, damaged=damaged(sections))
-    places = {"height": (floor, f"at {place:.3g} of the height")}
-    if candidate.on_ground:
-        places = {"ground": (demand, "on the ground"), **places}
+    places = places_of(candidate, sections, demand)
     found = {}
     for key, (at, where) in places.items():
         found[f"linear_{key}"] = checks.linear(

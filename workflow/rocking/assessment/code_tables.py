@@ -10,7 +10,6 @@ from rocking.assessment.code_checks import code_checks, least
 from rocking.assessment.demand import floor_demand
 from rocking.assessment.family import Family, pulls_of, stretched
 from rocking.assessment.shaken import label, of_label
-from rocking.assessment.site import PERIODS_S, shapes
 from rocking.collapse.case import Case, Variant
 from rocking.records import G_M_S2
 from rocking.records.floors import chain_motions
@@ -30,6 +29,7 @@ VARIED = {  # factors by key
 }
 DAMAGE = ("assessment.building_period_factor", "assessment.building_damping")
 DAMAGED = ((1.5, 0.10), (2.0, 0.20))  # of a damaged building
+DRAWN_S = np.geomspace(0.05, 4.0, 49)  # periods of the drawn spectra
 SHOWN = ("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height")
 SECTIONS = ("facade", "return_wall", "smdof", "assessment")
 
@@ -125,8 +125,8 @@ def spectra(records, settings, demand, share):
     chain = settings["smdof"]
     n = chain["n_dof"]
     floor = floor_demand(demand, share, chain)
-    periods = PERIODS_S[1::2]
-    exact = []
+    periods = DRAWN_S
+    exact, ground = [], []
     for record in records:
         motion = chain_motions(record, chain)
         levels = np.vstack([motion.ground_m_s2, motion.floors_m_s2])
@@ -136,13 +136,14 @@ def spectra(records, settings, demand, share):
         scale = demand.pga_g / (np.abs(motion.ground_m_s2).max() / G_M_S2)
         dt = record.dt_s / motion.refine
         exact.append(response_spectrum(moved, dt, periods, 0.05).psa_m_s2 / G_M_S2 * scale)
-    ground = demand.pga_g * shapes(records)[:, 1::2]
+        own = response_spectrum(record.acceleration_m_s2, record.dt_s, periods, 0.05)
+        ground.append(own.psa_m_s2 / G_M_S2 * scale)
     table = {
         "period_s": periods,
         "ground_g": [demand.acceleration(t) for t in periods],
         "floor_formula_g": [floor.acceleration(t) for t in periods],
     }
-    for name, rows in (("ground_suite", ground), ("floor_chain", np.array(exact))):
+    for name, rows in (("ground_suite", np.array(ground)), ("floor_chain", np.array(exact))):
         for tail in (16, 50, 84):
             table[f"{name}_p{tail}_g"] = np.percentile(rows, tail, axis=0)
     return pd.DataFrame(table)
@@ -150,6 +151,8 @@ def spectra(records, settings, demand, share):
 
 def checks_of(ranked):
     """Checks of the mechanism that fails first and of the whole façade, with every step.
+
+    Of every other mechanism the steps of its non-linear SLV checks.
 
     Parameters
     ----------
@@ -172,4 +175,9 @@ def checks_of(ranked):
             steps += [(one.name, key, *step) for step in check.steps]
         d, alpha = one.mechanism.curve()
         curves.append(pd.DataFrame({"mechanism": one.name, "d_m": d, "multiplier": alpha}))
+    told = {one.name for _, one, _ in ([whole] if ranked[0] is whole else [ranked[0], whole])}
+    for _, one, found in ranked:
+        for key in ("slv_ground", "slv_height"):
+            if one.name not in told and key in found:
+                steps += [(one.name, key, *step) for step in found[key].steps]
     return checks, steps, pd.concat(curves)

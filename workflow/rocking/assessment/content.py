@@ -1,12 +1,12 @@
-"""What the assessment report says: its first page, the checks, the dynamic answers, an appendix."""
+"""Tables and pictures of the assessment report's body: mechanisms, dynamic answers, ties, rate."""
 
-from rocking.assessment import appendix, drawings, pictures, verdict
-from rocking.assessment.checks import LEAST_KNOWN, confidence
+import math
+
+from rocking.assessment import pictures, verdict
 from rocking.assessment.code_checks import CHECKS
-from rocking.assessment.document import Heading, List, PageBreak, Paragraph, Picture, Table
+from rocking.assessment.paper import Picture, Table
 from rocking.assessment.shaken import WHOLE_PART, is_later
 from rocking.assessment.verdict import g3, per_cent
-from yade_scripts.model.registry import MODELS
 
 SHOWN = (
     *("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height"),
@@ -20,75 +20,7 @@ def with_unit(value, unit):
     return g3(value) if unit == "-" else f"{g3(value)} {unit}"
 
 
-def first_page(data):
-    """Title, who and what for, drawing, verdict, what it rests on, what is next."""
-    own, t = data.config["assessment"], data.tables
-    mechanisms, checks = t["mechanisms"], t["code_checks"]
-    fit, shaken = data.fit, t["shaken"]
-    sentences = [
-        verdict.kinematic(checks, mechanisms),
-        verdict.dynamic_check(t["verdicts"], fit, shaken),
-        verdict.suite(t["dynamic"], shaken["shaken"].sum() > 1),
-    ]
-    weakest = data.weakest
-    demand = checks["pga_demand_g"].iloc[0]
-    worse = verdict.damage(t["code_sensitivity"], mechanisms, demand)
-    known = ""
-    if confidence(own["confidence_factor"], own["hinge_inset_m"]) != own["confidence_factor"]:
-        known = (
-            "Give assessment.hinge_inset_m, from the masonry's compressive strength, to be allowed "
-            f"the stated confidence factor {own['confidence_factor']:g} instead of {LEAST_KNOWN}."
-        )
-    who = [
-        ("client", own["client"] or "–", "engineer", own["engineer"] or "–"),
-        ("place", own["place"] or "–", "date", own["date"] or "–"),
-        ("program", data.program, "commit", data.commit),
-    ]
-    return [
-        Heading(f"{own['title'] or 'Façade'}: out-of-plane assessment", 1),
-        Table("", ("", "", "", ""), who, (0.12, 0.38, 0.12, 0.38), ""),
-        Picture(
-            drawings.facade(data.family, weakest),
-            72.0,
-            "To scale. Crosses: ties; dashed lines: floors; dashed outline: the weakest mechanism.",
-            drawings.words(data.family, weakest),
-            "config.yaml",
-        ),
-        Paragraph(_models_said(t["dynamic"]["model"])),
-        Paragraph("\n".join(sentences), strong=True),
-        Heading("What this rests on"),
-        List(_rests_on(data)),
-        Heading("What is recommended next"),
-        List(verdict.next_steps(checks, mechanisms, t["verdicts"], worse, known, shaken=shaken)),
-        PageBreak(),
-    ]
-
-
-def _models_said(names):
-    """What the models are, before any of them is named in a verdict."""
-    meanings = "; ".join(f"{name}: {MODELS[name].moved}" for name in names)
-    return f"Models of how the return walls move behind the façade. {meanings}."
-
-
-def _rests_on(data):
-    """Lines: demand, models, and what is left out."""
-    f, t = data.config["facade"], data.tables
-    demand = t["code_checks"]["pga_demand_g"].iloc[0]
-    return [
-        f"The demand is {data.demand_said}, a PGA of {g3(demand)} g.",
-        f"The façade is rigid blocks of {f['density_kg_m3']:g} kg/m³ on dry joints; it does not "
-        "crush or fall apart, and the mechanisms know ties and anchors but no friction of floors.",
-        "Every part turns over the whole width, but for the corners, which end at the eaves and "
-        "take the return wall as one without openings.",
-        "In the dynamic models each mechanism is a rigid part on the building, or two that bend, "
-        "and leans on the return walls behind it" + _floors_said(f["floors"]),
-        "The Circolare was read in a public transcription with page numbers, EN 1998-3 and NZS "
-        "1170.5 at second hand (appendix B). Whoever signs compares them with the text in force.",
-        "Every value is marked stated, derived or default in appendix C.",
-    ]
-
-
-def _floors_said(floors):
+def floors_said(floors):
     """End of the sentence on the dynamic models: what their floors hold by."""
     rubbing = sorted({row["friction"] for row in floors if row["load_kn"] and row["friction"]})
     if not rubbing:
@@ -96,59 +28,47 @@ def _floors_said(floors):
     return f"; floors hold it by friction of {' and '.join(f'{mu:g}' for mu in rubbing)} too."
 
 
-def _mechanisms(table, folder):
-    rows = []
-    for r in table.itertuples():
-        letter = r.multiplier / r.e_star_letter
-        start = r.multiplier / r.e_star
-        both = g3(start) if abs(letter - start) < 1e-6 * start else f"{g3(start)} ({g3(letter)})"
-        name = r.mechanism if r.kind == "as stated" else f"{r.mechanism}; {r.kind}"
-        rows.append((name, g3(r.multiplier), both, g3(r.d0_m), f"{r.place:.2f}", g3(r.pga_fails_g)))
-    return Table(
-        "Mechanisms: the least first, then what one more row of ties would do to it, and the wall "
-        "held at the eaves. Onset is "
-        "α0/e* [g] without FC; where a held load does not move, in brackets what the code's letter "
-        "gives, which counts that load in e* and is the less safe. Height: where the floor's "
-        "shaking is taken, the middle of what holds the part, over the height of the eaves.",
-        ("mechanism", "α0", "onset", "d0 [m]", "height", "SLV fails at [g]"),
-        rows,
-        (0.42, 0.1, 0.16, 0.1, 0.09, 0.13),
-        f"{folder}/mechanisms.csv",
-    )
-
-
-def _shaken(tables, folder):
+def by_mechanism(tables, relied, folder):
     """Mechanism by mechanism: by hand, by the code's dynamic check, half collapse by model."""
     shaken, own = tables["shaken"], tables["parts_dynamic"]
     verdicts, models = tables["verdicts"], list(tables["dynamic"]["model"])
     demand = tables["code_checks"]["pga_demand_g"].iloc[0]
-    half = own.set_index(["part", "model"])["median_pga_g"]
+    stated = tables["mechanisms"].query("kind == 'as stated'").set_index("mechanism")
+    half = own.set_index(["part", "model"])["median_pga_g"].to_dict()
     held = verdicts.set_index(["part", "model"])["slv"] if len(verdicts) else {}
     later, rows = is_later(shaken), []
     for r in shaken[~later].itertuples():
         name = r.mechanism if r.shaken else f"{r.mechanism}; not shaken: {r.why_not}"
+        known = stated.loc[r.mechanism]
         cells = []
         for model in models:
             check = held.get((r.part, model))
-            said = "" if check is None else "fulfilled; " if check else "not fulfilled; "
-            cells.append(f"{said}{g3(half[r.part, model])}" if r.shaken else "–")
-        rows.append((name, f"{g3(r.pga_fails_g)} ({per_cent(r.pga_fails_g / demand)})", *cells))
+            said = [] if check is None else ["held" if check else "not held"]
+            said += [g3(half[r.part, model])] if (r.part, model) in half else []
+            cells.append("; ".join(said) if r.shaken else "–")
+        by_hand = f"{g3(r.pga_fails_g)} ({per_cent(r.pga_fails_g / demand)})"
+        rows.append((name, f"{known['multiplier']:.4f}", by_hand, *cells))
     more = f" Not shaken: {later.sum()} that fail by hand far later." if later.any() else ""
-    share = 0.44 / len(models)
+    share = 0.42 / len(models)
+    heads = [f"{model} (governs)" if model == relied else model for model in models]
     return Table(
-        "Mechanism by mechanism: the PGA at which the SLV check by hand fails (over the demand's); "
-        "the code's dynamic check under each model, and the median PGA of half collapse [g]. The "
-        f"worst decides.{more}",
-        ("mechanism", "by hand [g]", *models),
+        "Every mechanism, the weakest by hand first: α0; the PGA at which its SLV check by hand "
+        "fails, over the demand's in brackets; and by model whether the code's dynamic check is "
+        "held, "
+        f"with the median PGA of half collapse [g], of parts with {relied} alone. The worst "
+        f"decides.{more}",
+        ("mechanism", "α0", "by hand [g]", *heads),
         rows,
-        (0.41, 0.15, *[share] * len(models)),
+        (0.36, 0.08, 0.14, *[share] * len(models)),
         f"{folder}/parts_dynamic.csv",
+        (0,),
     )
 
 
-def _checks(checks, folder):
-    blocks = []
-    for name, part in checks.groupby("mechanism", sort=False):
+def checks(found, folder):
+    """Checks of the mechanism that fails first and of the whole façade, a table each."""
+    tables = []
+    for name, part in found.groupby("mechanism", sort=False):
         own = part.set_index("check")
         rows = []
         for key in SHOWN:
@@ -166,7 +86,7 @@ def _checks(checks, folder):
                 )
             )
         both = " What stands on the ground has two demands, ground and floor; the larger governs."
-        blocks.append(
+        tables.append(
             Table(
                 f"Checks of: {name}. A check just fails at the PGA in the fifth column; the last "
                 "is that over the demand's PGA. Displacements are the equivalent oscillator's, not "
@@ -177,67 +97,74 @@ def _checks(checks, folder):
                 f"{folder}/code_checks.csv",
             )
         )
-    return blocks
+    return tables
 
 
-def _dynamic_check(data, folder):
-    verdicts, yade = data.tables["verdicts"], data.tables["yade"]
+def dynamic_check(data, folder):
+    """Lines, picture and tables of the code's dynamic check."""
+    tables = data.tables
+    verdicts, yade = tables["verdicts"], tables["yade"]
     if verdicts.empty:
-        return [
-            Paragraph(
-                "Not made: it wants as many motions of different stations as assessment.motions "
-                f"says ({data.config['assessment']['motions']})."
-            )
-        ]
-    names = dict(
-        zip(data.tables["shaken"]["part"], data.tables["shaken"]["mechanism"], strict=True)
-    )
+        wanted = data.config["assessment"]["motions"]
+        said = (
+            f"Not made: it wants motions of as many stations as assessment.motions says ({wanted})."
+        )
+        return {"lines": [said], "picture": None, "tables": []}
+    relied = verdict.relied_on(verdicts["model"])
+    names = dict(zip(tables["shaken"]["part"], tables["shaken"]["mechanism"], strict=True))
     rows = [
         (
             f"{r.model}, {names[r.part]}",
             f"{r.exceed_d0:.0f} of {r.motions:.0f}",
             f"{1e3 * r.mean_d_m:.0f} mm",
             f"{1e3 * r.d_slv_m:.0f}, {1e3 * r.d_slc_m:.0f} mm",
-            *("fulfilled" if held else "not fulfilled" for held in (r.slv, r.slc)),
+            *("held" if held else "not held" for held in (r.slv, r.slc)),
             per_cent(r.agree),
         )
         for r in verdicts.itertuples()
     ]
-    verdict_table = Table(
-        "The code's dynamic check (C8.7.1.2.1.9): fulfilled if no history exceeds d0 and "
-        "the mean of the largest displacements of the top does not exceed d_SLV (d_SLC). Last "
-        "column: share of draws with one perturbed history a motion that give the same verdict "
-        "on SLV.",
+    strong = tuple(k for k, r in enumerate(verdicts.itertuples()) if r.model == relied)
+    table = Table(
+        "The code's dynamic check (C8.7.1.2.1.9): held if no history exceeds d0 and the mean of "
+        "the "
+        "largest displacements of the top does not exceed d_SLV (d_SLC). Last column: share of "
+        "draws with one perturbed history a motion that give the same verdict on SLV. In bold "
+        "the model that governs.",
         ("model, mechanism", "beyond d0", "mean", "d_SLV, d_SLC", "SLV", "SLC", "same verdict"),
         rows,
-        (0.3, 0.1, 0.09, 0.16, 0.125, 0.125, 0.1),
+        (0.34, 0.1, 0.09, 0.15, 0.1, 0.1, 0.12),
         f"{folder}/dynamic_check_*.csv",
+        strong,
     )
-    confirmed = [_in_yade(yade, folder)] if len(yade) else []
-    return [*_motions(data, folder), verdict_table, *confirmed]
+    lines = [verdict.dynamic_check(verdicts, data.fit, tables["shaken"]), _motions(data)]
+    low, high, _ = data.fit
+    picture = Picture(
+        pictures.selected(tables["selected_spectra"]),
+        50.0,
+        "Spectra of 5 %: the demand, the motions' mean, and each motion.",
+        f"The mean lies {per_cent(low)} to {per_cent(high)} from the demand.",
+        f"{folder}/selected_spectra.csv",
+    )
+    return {
+        "lines": lines,
+        "picture": picture,
+        "tables": [table, *([_in_yade(yade, folder)] if len(yade) else [])],
+    }
 
 
-def _motions(data, folder):
+def _motions(data):
     """The selected motions and how their mean fits the demand."""
     motions, (low, high, fits) = data.tables["selected_motions"], data.fit
     factors = motions["factor"]
-    return [
-        Paragraph(
-            f"{len(motions)} recorded motions, one horizontal component a station, factors "
-            f"{factors.min():.2f} to {factors.max():.2f}. Their mean spectrum lies "
-            f"{per_cent(low)} to {per_cent(high)} from the demand's between "
-            f"{data.range_s[0]:.2f} and {data.range_s[1]:.2f} s, "
-            f"{'within' if fits else 'outside'} the code's −10 to +30 %. "
-            "Directions: " + ", ".join(data.config["directions"]) + "."
-        ),
-        Picture(
-            pictures.selected(data.tables["selected_spectra"]),
-            55.0,
-            "Spectra of 5 %: the demand, the motions' mean, and each motion.",
-            f"The mean lies {per_cent(low)} to {per_cent(high)} from the demand.",
-            f"{folder}/selected_spectra.csv",
-        ),
-    ]
+    return (
+        f"{len(motions)} recorded motions, one horizontal component a station (appendix C), "
+        "factors "
+        f"{factors.min():.2f} to {factors.max():.2f}, in "
+        f"{'both directions' if len(data.config['directions']) == 2 else 'one direction'}. Their "
+        f"mean spectrum lies {per_cent(low)} to {per_cent(high)} from the demand's between "
+        f"{data.range_s[0]:.2f} and {data.range_s[1]:.2f} s, "
+        f"{'within' if fits else 'outside'} the code's −10 to +30 %."
+    )
 
 
 def _in_yade(yade, folder):
@@ -260,46 +187,178 @@ def _in_yade(yade, folder):
     )
 
 
-def _suite(dynamic, folder):
+def suite(dynamic, relied, folder):
+    """Collapse under all motions of the run, by model."""
     rows = []
     for r in dynamic.itertuples():
         middle, share = g3(r.median_pga_g), "–"
         if r.probability == r.probability:  # from enough stations
             middle += f" ({g3(r.ci_low_g)} to {g3(r.ci_high_g)})"
             share = "".join(verdict.collapses(r))
-        line = [r.model, middle, g3(r.dispersion), share, f"{r.curves} ({r.never_collapsed})"]
-        if "annual_rate" in dynamic:
-            line.append(f"{r.annual_rate:.2g} ({r.rate_low:.2g} to {r.rate_high:.2g})")
-        rows.append(tuple(line))
-    columns = ["model", "median PGA [g]", "dispersion", "collapse at the demand", "curves (stood)"]
-    widths = [0.1, 0.28, 0.14, 0.26, 0.22]
-    if "annual_rate" in dynamic:
-        columns.append("a year")
-        widths.append(0.24)
+        curves = f"{r.curves} ({r.never_collapsed})"
+        of = f"{r.model}, {'whole façade' if r.mechanisms == 1 else f'{r.mechanisms} mechanisms'}"
+        rows.append((of, middle, g3(r.dispersion), share, curves))
     return Table(
         "Every motion of the run scaled until the façade falls: PGA of half collapse, and collapse "
         "at the demand's PGA. In brackets 95 % intervals, stations drawn with replacement; none "
-        "from fewer than seven stations.",
-        tuple(columns),
+        "from fewer than seven stations. In bold the model that governs, under which a motion "
+        "fells the "
+        "façade where it fells any mechanism.",
+        ("model", "median PGA [g]", "dispersion", "collapse at the demand", "curves (stood)"),
         rows,
-        tuple(widths),
+        (0.22, 0.25, 0.12, 0.24, 0.17),
         f"{folder}/dynamic.csv",
+        tuple(k for k, model in enumerate(dynamic["model"]) if model == relied),
     )
 
 
-def _sensitivity(data, folder):
+def rate(data, relied, folder):
+    """Annual rate by model and hazard curve; why there is none."""
+    rates = data.tables["rate"]
+    if rates.empty:
+        why = (
+            "No rate: it wants the site's hazard (assessment.hazard, rows of NTC 2018, or "
+            "risk.hazard) and motions of seven stations or more."
+        )
+        return {"lines": [why], "tables": []}
+    rows = [
+        (
+            r.model,
+            r.hazard,
+            f"{r.annual_rate:.2g} ({r.rate_low:.2g} to {r.rate_high:.2g})",
+            f"{100 * r.probability:.2g} %",
+            per_cent(r.outside_share),
+        )
+        for r in rates.itertuples()
+    ]
+    table = Table(
+        f"Annual rate of collapse with its 95 % interval, and the probability within "
+        f"{rates['years'].iloc[0]:g} years: the lognormal curve of all motions over each hazard "
+        "curve. Last column: share of the rate from beyond the ends of the hazard curve, where it "
+        "goes on as a power law.",
+        ("model", "hazard", "collapses a year", "in that time", "from beyond"),
+        rows,
+        (0.1, 0.3, 0.32, 0.14, 0.14),
+        f"{folder}/rate.csv",
+        tuple(k for k, model in enumerate(rates["model"]) if model == relied),
+    )
+    first, last = rates["pga_first_g"].iloc[0], rates["pga_last_g"].iloc[0]
+    base = data.config["facade"]["base"]
+    lines = [
+        f"The hazard of {rates['hazard'].iloc[0]} goes from {g3(first)} to {g3(last)} g of PGA on "
+        f"the ground of the site. The rate depends on facade.base, here {base} (docs/risk.md); "
+        "uncertainty of hazard, material and model is not in the intervals."
+    ]
+    return {"lines": lines, "tables": [table]}
+
+
+def ties(data, relied, folder):
+    """Lines and tables of the rows of ties with which the façade passes."""
+    rows, after = data.tables["ties"], data.tables["ties_mechanisms"]
+    beyond = after[after["beyond"] == 1]
+    lines, tables = [ties_said(data, relied)], []
+    if len(rows):
+        tables.append(
+            Table(
+                "Least rows with which every mechanism passes, and what they take in steel. The "
+                "force "
+                "is that of the whole row at yield; anchors have to hold more than their rods.",
+                ("level", "by hand", "with the dynamic check", "rods", "diameter", "sold as"),
+                [
+                    (
+                        f"{r.height_m:.2f} m",
+                        f"{r.force_by_hand_kn:.1f} kN",
+                        f"{r.force_kn:.1f} kN",
+                        f"{r.count} of {r.yield_mpa:g} MPa, {r.length_m:g} m long",
+                        f"{r.diameter_mm:.1f} mm",
+                        f"φ{r.commercial_mm:g}",
+                    )
+                    for r in rows.itertuples()
+                ],
+                (0.12, 0.14, 0.2, 0.28, 0.13, 0.13),
+                f"{folder}/ties.csv",
+            )
+        )
+        told = []
+        for r in after.itertuples():
+            shaken = "–"
+            if not math.isnan(r.mean_d_m):
+                over = f", {r.exceed_d0:.0f} beyond d0" if r.exceed_d0 else ""
+                shaken = f"{1e3 * r.mean_d_m:.0f} of {1e3 * r.d_slv_m:.0f} mm{over}"
+            word = "remains" if r.beyond else "passes"
+            told.append((r.mechanism, g3(r.pga_fails_g), per_cent(r.ratio), shaken, word))
+        tables.append(
+            Table(
+                f"What every mechanism then does: by hand, and in the dynamic check with {relied}, "
+                "mean of the largest displacements of its d_SLV.",
+                ("mechanism with these rows", "by hand [g]", "of demand", "shaken", ""),
+                told,
+                (0.42, 0.12, 0.12, 0.24, 0.1),
+                f"{folder}/ties_mechanisms.csv",
+            )
+        )
+        lines.append(
+            f"To assess the façade with these rows, give {folder}/ties.yaml after its own file. "
+            "Each row is the least for itself: by hand, with less in any one of them a mechanism "
+            "fails."
+        )
+    if len(beyond):
+        lines.append(
+            "Not held by rows at these levels: " + "; ".join(beyond["mechanism"]) + ". Hold these "
+            "otherwise, or state further levels in assessment.tie_levels_m."
+        )
+    return {"lines": lines, "tables": tables}
+
+
+def ties_said(data, relied):
+    """The answer on ties in one sentence."""
+    rows, after, tried = (data.tables[k] for k in ("ties", "ties_mechanisms", "ties_tried"))
+    by_hand, held = verdict.passes(
+        *(data.tables[k] for k in ("code_checks", "mechanisms", "verdicts"))
+    )
+    if data.config["assessment"]["tie_levels_m"] == []:
+        return "Not looked for: assessment.tie_levels_m is empty."
+    if by_hand and held is not False:
+        return "None are needed for this demand."
+    if rows.empty:
+        return "No row at floors or eaves makes the façade pass; what fails is named under Ties."
+    said = " and ".join(
+        f"{r.force_kn:.1f} kN at {r.height_m:.2f} m ({r.count} φ{r.commercial_mm:g}, "
+        f"{r.yield_mpa:g} MPa)"
+        for r in rows.itertuples()
+    )
+    left = list(after.loc[after["beyond"] == 1, "mechanism"])
+    failed = len(tried) and math.isnan(_factor(rows))
+    if failed:
+        end = f"the kinematic checks pass; the dynamic check with {relied} never does"
+    elif len(tried):
+        end = f"the kinematic checks and the dynamic check with {relied} pass"
+    else:
+        end = "the kinematic checks pass; the dynamic check was not made"
+    rest = f", but for what no row at these levels holds: {'; '.join(left)}" if left else ""
+    less = "" if failed else " With 95 % of the force they do not."
+    return f"With rows of ties of {said} {end}{rest}.{less}"
+
+
+def _factor(rows):
+    """Of the dynamic check on the least forces by hand; NaN where it never held."""
+    return float(rows["factor"].iloc[0])
+
+
+def sensitivity(data, folder):
+    """Pictures and table of what changes the answers."""
     code, dynamic = data.tables["code_sensitivity"], data.tables["dynamic_sensitivity"]
     own = data.tables["code_checks"]
     own = own[own["mechanism"] == data.weakest.name].set_index("check")["ratio"]
-    blocks: list = []
+    drawn, tables = [], []
     for key, words in (("slv_ground", "ground"), ("slv_height", "floor")):
         part = code[code["check"] == key].rename(columns={"ratio": "value"})
         if part.empty or key not in own:
             continue
-        blocks.append(
+        drawn.append(
             Picture(
                 pictures.tornado(part, own[key], "PGA of failure over the demand's [-]"),
-                45.0,
+                42.0,
                 f"Sensitivity of the non-linear SLV check, {words}; line: as stated. What changes "
                 "nothing is left out.",
                 "; ".join(f"{r.key} ×{r.factor:g} gives {g3(r.value)}" for r in part.itertuples()),
@@ -323,7 +382,7 @@ def _sensitivity(data, folder):
                     f"{part['size'].min():.0f}",
                 )
             )
-        blocks.append(
+        tables.append(
             Table(
                 f"Sensitivity of the dynamic answer ({dynamic['model'].iloc[0]}): PGA of half "
                 "collapse over that of the façade as stated, for some of the motions.",
@@ -333,65 +392,4 @@ def _sensitivity(data, folder):
                 f"{folder}/dynamic_sensitivity.csv",
             )
         )
-    return blocks
-
-
-def blocks(data, folder):
-    """All blocks of the report.
-
-    Parameters
-    ----------
-    data : rocking.assessment.appendix.Data
-    folder : str
-        Where the tables are, for the sources.
-    """
-    t, demand = data.tables, data.tables["code_checks"]["pga_demand_g"].iloc[0]
-    out = [
-        *first_page(data),
-        Heading("Mechanism by mechanism"),
-        _shaken(t, folder),
-        Heading("The kinematic checks"),
-        _mechanisms(t["mechanisms"], folder),
-        *_checks(t["code_checks"], folder),
-        Picture(
-            pictures.capacity(t["capacity_curve"], t["mechanisms"]),
-            50.0,
-            "Capacity curve. d_SLV is the least of 0.4 d0 and of where a tie or an anchor gives "
-            "way and takes more than half of the capacity.",
-            "The multiplier falls to zero at d0.",
-            f"{folder}/capacity_curve.csv",
-        ),
-        Picture(
-            pictures.spectra(t["spectra"]),
-            65.0,
-            f"Elastic spectra of 5 % at a PGA of {g3(demand)} g: the demand, the Circolare's floor "
-            "spectrum where the weakest mechanism is held, and the building's chain under the "
-            "run's motions scaled to that PGA.",
-            "Ground, floor by formula, floor by the chain.",
-            f"{folder}/spectra.csv",
-        ),
-        Heading("The code's own dynamic check"),
-        *_dynamic_check(data, folder),
-        Heading("Collapse under all motions"),
-    ]
-    if len(t["dynamic_curves"]):
-        out.append(
-            Picture(
-                pictures.fragility(t["dynamic_curves"], t["dynamic"], t["mechanisms"]),
-                55.0,
-                "Probability of collapse with 95 % bands; mark: PGA at which the SLV check fails.",
-                "; ".join(
-                    f"{r.model}: half collapse at {g3(r.median_pga_g)} g"
-                    for r in t["dynamic"].itertuples()
-                ),
-                f"{folder}/dynamic_curves.csv",
-            )
-        )
-    out += [
-        _suite(t["dynamic"], folder),
-        Heading("Sensitivity"),
-        *_sensitivity(data, folder),
-        PageBreak(),
-        *appendix.blocks(data, folder),
-    ]
-    return out
+    return {"pictures": drawn, "tables": tables}

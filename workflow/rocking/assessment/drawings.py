@@ -1,22 +1,70 @@
-"""Drawings to scale: the façade with openings and ties, and its weakest mechanism turned."""
+"""Drawings to scale: the façade with all its measures, and its weakest mechanism turned."""
 
 import numpy as np
-from matplotlib.patches import FancyArrowPatch, Polygon, Rectangle
+from matplotlib.patches import Polygon, Rectangle
 
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.holds import rod
 
-PAPER = {"fc": "1", "ec": "none", "pad": 0.8}  # behind words that lie on lines
+SMALL = 6.5  # points, of numbers
+SECTION_MM = -42.0, 26.0  # paper of the section, from the inner face
 
 
-def _dimension(axis, start, end, words, offset=(0.0, 0.0), **style):
-    arrow = FancyArrowPatch(start, end, arrowstyle="<->", mutation_scale=7, lw=0.7, color="0.2")
-    axis.add_patch(arrow)
-    middle = 0.5 * (np.add(start, end)) + np.array(offset)
-    axis.text(*middle, words, size=7, ha="center", va="center", **style)
+def spread(values, gap, low, high):
+    """Places of labels near their values, no nearer than `gap`, ascending.
+
+    Parameters
+    ----------
+    values : sequence of float
+        Ascending.
+    gap, low, high : float
+        Least distance, and where labels may be; more of them than fit share the room evenly.
+    """
+    count = len(values)
+    gap = min(gap, (high - low) / max(count - 1, 1))
+    found = list(values)
+    for _ in range(200):
+        moved = False
+        for k in range(count - 1):
+            short = gap - (found[k + 1] - found[k])
+            if short > 1e-9:
+                found[k], found[k + 1], moved = (
+                    found[k] - 0.5 * short,
+                    found[k + 1] + 0.5 * short,
+                    True,
+                )
+        found = [
+            min(max(v, low + k * gap), high - (count - 1 - k) * gap) for k, v in enumerate(found)
+        ]
+        if not moved:
+            break
+    return found
 
 
-def _elevation(axis, family, candidate):
+def _levels(axis, at, levels, reach, side, gap, span):
+    """Heights beside a drawing: a line from its edge to each number."""
+    values = sorted(levels)
+    for z, place in zip(values, spread(values, gap, *span), strict=True):
+        x = [at, at + 0.35 * side * reach, at + 0.8 * side * reach, at + side * reach]
+        axis.plot(x, [z, z, place, place], color="0.55", lw=0.4)
+        words = f"{z:.2f}{levels[z]}"
+        start = {"ha": "left" if side > 0 else "right", "va": "center", "size": SMALL}
+        axis.text(at + 1.05 * side * reach, place, words, **start)
+
+
+def _places(axis, at, values, reach, gap, span):
+    """Places along the width below a drawing, from its left edge."""
+    values = sorted(values)
+    left = values[0]
+    for x, place in zip(values, spread(values, gap, *span), strict=True):
+        z = [at, at - 0.35 * reach, at - 0.8 * reach, at - reach]
+        axis.plot([x, x, place, place], z, color="0.55", lw=0.4)
+        words = f"{x - left:.2f}"
+        axis.text(place, at - 1.1 * reach, words, size=SMALL, rotation=90, ha="center", va="top")
+
+
+def _elevation(axis, family, candidate, scale):
+    """`scale`: metres a millimetre of paper."""
     m, section = family.masonry, family.section
     half, h, top = 0.5 * m.width_m, m.height_m, m.top_m
     outline = [(-half, 0.0), (half, 0.0)]
@@ -24,36 +72,45 @@ def _elevation(axis, family, candidate):
         outline += [(half, h), (0.0, top), (-half, h)]
     else:
         outline += [(half, top), (-half, top)]
-    axis.add_patch(Polygon(outline, fc="0.88", ec="0", lw=1.1))
+    axis.add_patch(Polygon(outline, fc="0.88", ec="0", lw=1.0))
     for x0, x1, z0, z1 in m.shape.openings:
-        axis.add_patch(Rectangle((x0, z0), x1 - x0, z1 - z0, fc="1", ec="0", lw=0.8))
+        axis.add_patch(Rectangle((x0, z0), x1 - x0, z1 - z0, fc="1", ec="0", lw=0.7))
     for z0, *_ in m.shape.storeys[1:]:
         axis.plot([-half, half], [z0, z0], color="0.4", lw=0.6, ls=":")
+    for row in section["floors"]:
+        axis.plot([-half, half], [row["height_m"]] * 2, color="0.2", lw=0.8, ls="--")
     for row in section["ties"]:
         z = row["height_m"]
         across = np.linspace(-0.8 * half, 0.8 * half, row["count"]) if row["count"] > 1 else [0.0]
-        axis.plot(across, [z] * len(across), "x", color="0", ms=5, mew=1.4)
-    for row in section["floors"]:
-        axis.plot([-half, half], [row["height_m"]] * 2, color="0.2", lw=0.9, ls="--")
+        axis.plot(across, [z] * len(across), "x", color="0", ms=4.5, mew=1.3)
     if "corner" in candidate.name:
         corner = _corner(family, candidate)
         axis.add_patch(Polygon(corner, fc="none", ec="0", lw=1.1, ls="--"))
     if family.base_m > 0.0:
-        axis.add_patch(
-            Rectangle(
-                (-half, -family.base_m), 2 * half, family.base_m, fc="1", ec="0.5", hatch="//"
-            )
-        )
+        below = (-half, -family.base_m)
+        axis.add_patch(Rectangle(below, 2 * half, family.base_m, fc="1", ec="0.5", hatch="//"))
     ground = -family.base_m
-    axis.plot([-1.2 * half, 1.2 * half], [ground] * 2, color="0", lw=1.4)
-    _dimension(
-        axis,
-        (-half, ground - 0.06 * top),
-        (half, ground - 0.06 * top),
-        f"w = {m.width_m:g} m",
-        (0.0, -0.05 * top),
-    )
-    axis.set_title("elevation", size=8)
+    axis.plot([-half - 4 * scale, half + 4 * scale], [ground] * 2, color="0", lw=1.2)
+    span = ground, max(top, ground + 3.0 * scale)
+    own: dict[float, list] = {0.0: [], round(h, 3): ["eaves"] if top > h else [], round(top, 3): []}
+    for word, heights in (
+        ("floor", [row["height_m"] for row in section["floors"]]),
+        ("step", [z for z, *_ in m.shape.storeys[1:]]),
+        ("tie", [row["height_m"] for row in section["ties"]]),
+        ("ground", [ground] if family.base_m > 0.0 else []),
+    ):
+        for z in heights:
+            if word not in own.setdefault(round(z, 3), []):
+                own[round(z, 3)].append(word)
+    named = {z: f" {', '.join(words)}" for z, words in own.items()}
+    gap = 2.9 * scale
+    _levels(axis, -half, named, 5.0 * scale, -1, gap, span)
+    edges = {round(z, 3): "" for o in m.shape.openings for z in o[2:]}
+    if edges:
+        _levels(axis, half, edges, 5.0 * scale, 1, gap, span)
+    edges_m = {-half, half, *(round(x, 3) for o in m.shape.openings for x in o[:2])}
+    _places(axis, ground, edges_m, 4.0 * scale, gap, (-half - 2 * scale, half + 2 * scale))
+    axis.set_title("elevation, from outside", size=7.5)
 
 
 def _corner(family, candidate):
@@ -66,20 +123,20 @@ def _corner(family, candidate):
     return [(edge, foot), (edge, m.height_m), (inner, m.height_m), (inner, met)]
 
 
-def _section(axis, family, candidate):
+def _section(axis, family, candidate, scale):
     m, section = family.masonry, family.section
     for z0, z1, y0, y1 in m.shape.storeys:
         axis.add_patch(Rectangle((y0, z0), y1 - y0, z1 - z0, fc="0.75", ec="0", lw=0.9))
     if m.gable_m > 1e-9:
         y0, y1 = m.shape.storeys[-1][2:]
         axis.add_patch(Rectangle((y0, m.height_m), y1 - y0, m.gable_m, fc="0.9", ec="0", lw=0.7))
-    depth = 0.16 * m.top_m
-    axis.add_patch(Rectangle((-depth, 0.0), depth, m.height_m, fc="0.95", ec="0.6", hatch="//"))
+    depth = 14 * scale
+    axis.add_patch(Rectangle((-depth, 0.0), depth, m.height_m, fc="0.97", ec="0.7", hatch="//"))
     b, top = section["thickness_m"], m.top_m
     ground = -family.base_m
     if family.base_m > 0.0:
         axis.add_patch(Rectangle((-depth, ground), depth + b, family.base_m, fc="1", ec="0.5"))
-    axis.plot([-1.3 * depth, b + 0.35 * top], [ground] * 2, color="0", lw=1.4)
+    axis.plot([-1.2 * depth, b + 16 * scale], [ground] * 2, color="0", lw=1.2)
     theta = 0.5 * candidate.mechanism.ultimate()[0]
     corner = "corner" in candidate.name
     for low, high, move in () if corner else candidate.mechanism.pieces:
@@ -91,32 +148,40 @@ def _section(axis, family, candidate):
             turned = [tuple(v.real for v in move(end)(theta)) for end in ends]
             axis.add_patch(Polygon(turned, fc="none", ec="0", lw=0.9, ls="--"))
     edge = family._edge(candidate.foot_m, family.settings["hinge_inset_m"])
-    axis.plot(edge, candidate.foot_m, "o", ms=4, color="0")
+    axis.plot(edge, candidate.foot_m, "o", ms=3.5, color="0")
+    held: dict[float, str] = {}
     for row in section["ties"]:
         z = row["height_m"]
-        back, front = m.faces(z)
-        axis.plot([-depth, front], [z, z], color="0", lw=1.3)
-        words = f"{1e-3 * rod(row)[1]:.3g} kN"
-        axis.text(front + 0.02 * top, z, words, size=6.5, va="center", bbox=PAPER)
+        axis.plot([-depth, m.faces(z)[1]], [z, z], color="0", lw=1.3)
+        held[z] = f"{held.get(z, '')} tie {1e-3 * rod(row)[1]:.3g} kN"
     for row in section["floors"]:
-        y = place_of(row, m.shape)[1]
-        axis.annotate(
-            f"{row['load_kn']:g} kN",
-            (y, row["height_m"]),
-            (y - 0.05 * top, row["height_m"] + 0.06 * top),
-            size=6.5,
-            ha="right",
-            bbox=PAPER,
-            arrowprops={"arrowstyle": "->", "lw": 0.7},
+        z = place_of(row, m.shape)[2]
+        axis.plot(
+            [-depth, 0.5 * sum(m.faces(z, above=False))], [z, z], color="0.2", lw=0.9, ls="--"
         )
-    right = b + 0.33 * top
-    _dimension(axis, (right, 0.0), (right, top), f"{top:g} m", (0.06 * top, 0.0), rotation=90)
-    below = ground - 0.06 * top
-    _dimension(axis, (0.0, below), (b, below), f"b = {b:g} m", (0.0, -0.05 * top))
-    axis.set_title("section", size=8)
+        anchor = f", anchors {row['anchor_kn']:g} kN" if row["anchor_kn"] else ""
+        held[z] = f"{held.get(z, '')} floor {row['load_kn']:g} kN{anchor}"
+    values = sorted(held)
+    span = ground, max(top, ground + 3.0 * scale)
+    for z, place in zip(values, spread(values, 3.2 * scale, *span), strict=True):
+        axis.plot([-depth, -1.15 * depth], [z, place], color="0.55", lw=0.4)
+        words = held[z].strip()
+        axis.text(-1.2 * depth, place, words, size=SMALL, ha="right", va="center")
+    _places(axis, ground, {0.0, b}, 4.0 * scale, 2.9 * scale, (-4 * scale, b + 4 * scale))
+    for z0, z1, y0, y1 in m.shape.storeys:
+        place = y1 + 9 * scale, 0.5 * (z0 + z1)
+        axis.annotate(
+            f"{y1 - y0:.3g} thick",
+            (0.5 * (y0 + y1), place[1]),
+            place,
+            size=SMALL,
+            va="center",
+            arrowprops={"arrowstyle": "-", "lw": 0.4, "color": "0.55"},
+        )
+    axis.set_title("section and the mechanism that fails first", size=7.5)
 
 
-def facade(family, candidate):
+def facade(family, candidate, wide_mm=176.0, high_mm=84.0):
     """Elevation with openings, floors (dashed) and ties (crosses), and the section beside it.
 
     Parameters
@@ -124,29 +189,30 @@ def facade(family, candidate):
     family : rocking.assessment.family.Family
     candidate : rocking.assessment.family.Candidate
         Drawn turned by half of the rotation at which its multiplier vanishes.
+    wide_mm, high_mm : float
+        Of the paper; one scale serves both drawings.
     """
 
     def draw(figure):
         m = family.masonry
-        wide = max(1.3 * m.width_m, 0.3 * m.top_m)
-        start, end = -0.22 * m.top_m, section_end(family)
-        axes = figure.subplots(1, 2, width_ratios=(wide, end - start))  # at one scale
-        _elevation(axes[0], family, candidate)
-        _section(axes[1], family, candidate)
-        low = -family.base_m - 0.16 * m.top_m
-        for axis in axes:
+        around = 23.0  # paper for numbers on either side of the elevation [mm]
+        tall = m.top_m + family.base_m
+        beside = 2 * around + SECTION_MM[1] - SECTION_MM[0]
+        scale = max(tall / (high_mm - 19.0), m.width_m / (wide_mm - beside))
+        ends = (
+            (-0.5 * m.width_m - around * scale, 0.5 * m.width_m + around * scale),
+            (SECTION_MM[0] * scale, SECTION_MM[1] * scale),
+        )
+        axes = figure.subplots(1, 2, width_ratios=[b - a for a, b in ends])  # at one scale
+        _elevation(axes[0], family, candidate, scale)
+        _section(axes[1], family, candidate, scale)
+        for axis, end in zip(axes, ends, strict=True):
             axis.set_aspect("equal")
-            axis.set_ylim(low, 1.08 * m.top_m)
+            axis.set_ylim(-family.base_m - 13.0 * scale, m.top_m + 2.0 * scale)
+            axis.set_xlim(*end)
             axis.set_axis_off()
-        axes[0].set_xlim(-0.5 * wide, 0.5 * wide)
-        axes[1].set_xlim(start, end)
 
     return draw
-
-
-def section_end(family):
-    """Right end of the section's axis."""
-    return family.section["thickness_m"] + 0.45 * family.masonry.top_m
 
 
 def words(family, candidate):

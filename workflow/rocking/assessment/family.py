@@ -354,11 +354,16 @@ class Family:
         list of Candidate
             Those that stand at rest; what falls by its own weight raises a ValueError.
         """
-        found = [self.part(z, name) for z, name in self.feet().items()]
-        found += self.spans()
-        if self.wall["count"] > 0:
-            found += [self.corner(side) for side in (-1, 1)]
+        found = self.plane() + self.corners()
         for one in found:
             if one.mechanism.multiplier() <= 0.0:
                 raise ValueError(f"{one.name}: does not stand under its own weight")
         return found
+
+    def plane(self):
+        """Mechanisms that turn over the whole width; those of ties and anchors."""
+        return [self.part(z, name) for z, name in self.feet().items()] + self.spans()
+
+    def corners(self):
+        """Both corners; no tie holds them."""
+        return [self.corner(side) for side in (-1, 1)] if self.wall["count"] > 0 else []

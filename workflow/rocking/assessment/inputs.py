@@ -109,7 +109,9 @@ def check_mechanisms(resolved):
             "assess: part: expected none; every part that fails first is shaken, beside the whole"
         )
     from rocking.assessment.family import Family  # slow to load
+    from rocking.assessment.ties import check_levels
 
+    check_levels(resolved)
     try:
         Family(resolved).all()
     except ValueError as error:

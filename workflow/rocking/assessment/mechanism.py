@@ -83,18 +83,19 @@ class Mechanism:
     _known: dict = field(default_factory=dict, repr=False, compare=False)
 
     def multiplier(self, theta_rad=0.0):
-        """α(θ) of the module's equation [-]."""
-        lifted = sum(p * _rate(path, theta_rad)[1] for p, path in self.weights)
-        pushed = sum(p * _rate(path, theta_rad)[0] for p, path in self.weights)
+        """α(θ) of the module's equation [-]; of an array of rotations an array."""
+        lifted = pushed = 0.0
+        for p, path in self.weights:
+            out, up = _rate(path, theta_rad)
+            pushed, lifted = pushed + p * out, lifted + p * up
         return (lifted + sum(self._pull(pull, theta_rad) for pull in self.pulls)) / pushed
 
     @staticmethod
     def _pull(pull, theta):
         gone = pull.path(theta)[0].real - pull.path(0.0)[0].real
-        if not pull.slack_m <= gone <= pull.reach_m * (1.0 + AT_END):
-            return 0.0
-        left = max(1.0 - gone / pull.reach_m, 0.0) if pull.fades else 1.0
-        return left * pull.force_n * _rate(pull.path, theta)[0]
+        acts = (pull.slack_m <= gone) & (gone <= pull.reach_m * (1.0 + AT_END))
+        left = np.maximum(1.0 - gone / pull.reach_m, 0.0) if pull.fades else 1.0
+        return acts * left * pull.force_n * _rate(pull.path, theta)[0]
 
     def displacement(self, theta_rad):
         """d_C of the control point [m]."""
@@ -120,7 +121,7 @@ class Mechanism:
                     if 0.0 < gone < math.inf and (turned := self._turned(pull, gone)) is not None:
                         grid |= {turned, turned * (1.0 + BESIDE)}
             found = np.array(sorted(grid))
-            self._known["course"] = found, np.array([self.multiplier(t) for t in found])
+            self._known["course"] = found, self.multiplier(found)
         return self._known["course"]
 
     def falls(self):
@@ -216,9 +217,16 @@ class Mechanism:
 
 
 def _rate(path, theta):
-    """Derivative of a path by θ."""
-    y, z = path(complex(theta, TINY))
+    """Derivative of a path by θ, one or an array of them."""
+    y, z = path(theta + 1j * TINY)
     return y.imag / TINY, z.imag / TINY
+
+
+def cos_sin(angle):
+    """Cosine and sine of a complex angle, or of an array of them."""
+    if isinstance(angle, np.ndarray):
+        return np.cos(angle.astype(complex)), np.sin(angle.astype(complex))
+    return cmath.cos(angle), cmath.sin(angle)
 
 
 def turning(point, hinge):
@@ -226,8 +234,7 @@ def turning(point, hinge):
     dy, dz = point[0] - hinge[0], point[1] - hinge[1]
 
     def path(theta):
-        theta = complex(theta)
-        cos, sin = cmath.cos(theta), cmath.sin(theta)
+        cos, sin = cos_sin(theta)
         return hinge[0] + dy * cos + dz * sin, hinge[1] - dy * sin + dz * cos
 
     return path

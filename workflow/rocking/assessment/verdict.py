@@ -6,6 +6,7 @@ from rocking.assessment.mechanism import WHOLE
 from rocking.assessment.shaken import is_later
 from rocking.stations import FEWEST
 
+GOVERNS = "W2m"  # the model that the verdict rests on, where it is among a run's
 ROUNDED = 1e-4  # relative; tables have six figures
 OTHERS = {"en": "EN 1998-3", "parts": "NZS 1170.5"}  # by the first part of a check's key
 SURE = 0.005  # of a probability that rounds to 0 or 100 %
@@ -40,6 +41,86 @@ def _models(names):
 def gives_way(row):
     """Whether d_SLV is where a tie or an anchor fails, not 0.4 d0."""
     return row["d_slv_m"] < 0.4 * row["d0_m"] * (1.0 - ROUNDED)
+
+
+def relied_on(names):
+    """Model that the verdict rests on: W2m where it is among them, else the last; None of none."""
+    names = list(dict.fromkeys(names))
+    return None if not names else GOVERNS if GOVERNS in names else names[-1]
+
+
+def passes(checks, mechanisms, verdicts):
+    """Whether a façade passes by hand, and in the dynamic check of the model that is relied on.
+
+    Returns
+    -------
+    by_hand : bool
+    shaken : bool or None
+        None where the dynamic check was not made.
+    """
+    stated = mechanisms[mechanisms["kind"] == "as stated"]
+    by_hand = bool(stated["pga_fails_g"].min() >= checks["pga_demand_g"].iloc[0])
+    if verdicts.empty:
+        return by_hand, None
+    own = verdicts[verdicts["model"] == relied_on(verdicts["model"])]
+    return by_hand, bool(own["slv"].all())
+
+
+def headline(checks, mechanisms, verdicts, shaken, when, factor):
+    """What the report says first: passes or not, by which check, mechanism and model.
+
+    Parameters
+    ----------
+    checks, mechanisms, verdicts, shaken : DataFrame
+        As in the report's tables.
+    when : str
+        Return period of the demand in words, or that it is the stated one.
+    factor : float
+        FC that was used.
+
+    Returns
+    -------
+    list of str
+        The verdict, the check by hand, the dynamic check.
+    """
+    by_hand, held = passes(checks, mechanisms, verdicts)
+    demand = checks["pga_demand_g"].iloc[0]
+    least = mechanisms[mechanisms["kind"] == "as stated"].sort_values("pga_fails_g").iloc[0]
+    share = per_cent(least["pga_fails_g"] / demand)
+    well = by_hand and held is not False
+    first = (
+        f"{when} (PGA {g3(demand)} g) the façade {'passes' if well else 'does not pass'}: "
+        f"life safety (SLV) is {'kept' if by_hand else 'lost'} "
+        f"{'up to' if by_hand else 'at'} {share} of that shaking, with FC = {factor:g}."
+    )
+    second = (
+        f"By hand, by the non-linear kinematic check of the Circolare 7/2019, the weakest "
+        "mechanism "
+        f"is {least['mechanism']}: it holds up to a PGA of {g3(least['pga_fails_g'])} g."
+    )
+    return [first, second, _governed(verdicts, shaken, held)]
+
+
+def _governed(verdicts, shaken, held):
+    """The dynamic check of the model that is relied on, and what the others say."""
+    if held is None:
+        return "The code's dynamic check was not made: too few motions of different stations."
+    model = relied_on(verdicts["model"])
+    names = dict(zip(shaken["part"], shaken["mechanism"], strict=True))
+    worst = deciding(verdicts).set_index("model")
+    row = worst.loc[model]
+    words = (
+        f"The code's dynamic check (C8.7.1.2.1.9) is {'' if held else 'not '}fulfilled with "
+        f"{model}, "
+        f"the model that governs: the {names[row['part']]} moves {1e3 * row['mean_d_m']:.0f} mm "
+        "in the "
+        f"mean of {row['motions']:.0f} histories, of d_SLV = {1e3 * row['d_slv_m']:.0f} mm"
+    )
+    if row["exceed_d0"]:
+        words += f", and beyond d0 in {row['exceed_d0']:.0f} of them"
+    others = [name for name in worst.index if name != model]
+    said = [f"{n} is {'' if worst.loc[n, 'slv'] else 'not '}fulfilled" for n in others]
+    return words + "." + (f" Beside it {_models(said)}." if said else "")
 
 
 def kinematic(checks, mechanisms):
@@ -190,7 +271,7 @@ def next_steps(checks, mechanisms, verdicts, *more, shaken=None):
         lines.append(
             "Tie or hold the façade against: "
             + "; ".join(f"{r.mechanism} ({g3(r.pga_fails_g)} g)" for r in weak.itertuples())
-            + ". What rows of ties do is below; the target strengthening finds the least one."
+            + ". Which rows of ties do so stands on page 1."
         )
         lines.append(
             "Verify on site what the checks leave out: the bond with the return walls, the anchors "

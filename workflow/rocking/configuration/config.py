@@ -14,7 +14,7 @@ from typing import Any
 from rocking.configuration import refusals, renamed
 from rocking.configuration import schema as config_schema
 from rocking.configuration.facade import check_facade
-from rocking.configuration.files import check_files, write_resolved
+from rocking.configuration.files import changed, check_files, write_resolved
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show
 from rocking.configuration.units import unusual
 from rocking.configuration.words import Settings
@@ -23,6 +23,7 @@ from yade_scripts.model.part import part_of
 __all__ = [
     "ConfigError",
     "check",
+    "changed",
     "check_files",
     "expand_scenarios",
     "nested",

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import yaml
 
+from rocking.configuration.differences import flat
 from rocking.configuration.schema import ConfigError
 from yade_scripts.files import write_atomic
 
@@ -24,6 +25,46 @@ def write_resolved(resolved: Mapping, path: str | os.PathLike, chosen: Iterable[
     if target.is_file() and target.read_text("utf-8") == text:
         return
     write_atomic(target, text)
+
+
+SHOWN_CHANGES = 4  # keys named in one line
+
+
+def changed(resolved: Mapping, path: str | os.PathLike) -> str:
+    """What a run's settings change of those that its results were made with, in one line.
+
+    Parameters
+    ----------
+    resolved : mapping
+        Resolved configuration of the run.
+    path : path
+        Its config.yaml, written by `write_resolved`; missing or unreadable: nothing is said.
+
+    Returns
+    -------
+    str
+        Empty where nothing differs.
+    """
+    try:
+        before = flat(yaml.safe_load(Path(path).read_text("utf-8")))
+    except (OSError, ValueError, yaml.YAMLError, AttributeError):
+        return ""
+    now = flat(resolved)
+    keys = [key for key in now if key in before and before[key] != now[key]]
+    if not keys:
+        return ""
+    named = [f"{key} {_shown(before[key])} → {_shown(now[key])}" for key in keys[:SHOWN_CHANGES]]
+    more = f" and {len(keys) - SHOWN_CHANGES} more" if len(keys) > SHOWN_CHANGES else ""
+    return (
+        f"run {resolved['run']} gets other settings than its results have: {', '.join(named)}"
+        f"{more}; what depends on them is made again (run=<another name> keeps both)"
+    )
+
+
+def _shown(value):
+    """A value in few characters."""
+    words = str(value)
+    return words if len(words) <= 24 else words[:21] + "…"
 
 
 _CONVERSION = (ValueError, TypeError, LookupError, ArithmeticError, AttributeError)

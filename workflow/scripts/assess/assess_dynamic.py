@@ -1,7 +1,8 @@
 """The dynamic answer for one façade: fragility of each model with its bands, rate of collapse.
 
 A motion fells the façade where it fells one of its mechanisms, so of those that were shaken the
-least PGA counts; each mechanism's own answer stands in a table beside.
+least PGA counts; each mechanism's own answer stands in a table beside. Mechanisms are shaken so
+with the model that governs; of the others the whole façade alone.
 """
 
 import json
@@ -25,8 +26,11 @@ def main(job):
     given = (p.stations, demand_g, hazards, p.resamples, p.seed)
     whole = read_tables(job.input.collapse).assign(part=WHOLE_PART)
     every = pd.concat([whole, read_tables(job.input.parts)], ignore_index=True)
-    found = [answer(weakest(rows), *given) for _, rows in every.groupby("model", sort=False)]
-    write_table([row for row, *_ in found], job.output.table)
+    own = every.groupby("model", sort=False)
+    found = [answer(weakest(rows), *given) for _, rows in own]
+    counts = own["part"].nunique()
+    rows = [{**row, "mechanisms": counts[row["model"]]} for row, *_ in found]
+    write_table(rows, job.output.table)
     curves = [curve for _, curve, _ in found if curve is not None]
     write_table(pd.concat(curves) if curves else [], job.output.curves, CURVES)
     rates = [{**row, "years": p.years} for *_, rows in found for row in rows]

@@ -1,14 +1,14 @@
-"""The assessment of one façade as a page that opens offline and as a PDF."""
+"""The assessment of one façade: a page that opens offline, its PDF, and the evidence of both."""
 
 import json
 from importlib.metadata import version
 from pathlib import Path
 
 import pandas as pd
-from rocking.assessment import pages
-from rocking.assessment.appendix import Data, provenance
-from rocking.assessment.content import blocks
-from rocking.assessment.document import page
+import yaml
+from rocking.assessment import evidence, paper
+from rocking.assessment.appendix import Data
+from rocking.assessment.report import context
 from rocking.assessment.site import demand_said
 from rocking.assessment.values import values
 from rocking.runtime.script import run
@@ -19,21 +19,30 @@ def main(job):
     p, config = job.params, json.loads(json.dumps(dict(job.params.config)))
     tables = {Path(str(path)).stem: pd.read_csv(path) for path in job.input.tables}
     tables |= {"verdicts": read_tables(job.input.verdicts), "yade": read_tables(job.input.yade)}
-    given = [*job.input.site, job.input.table]
-    made = [*job.input.tables, *job.input.verdicts, *job.input.yade]
+    write_table(values(config, list(p.given)), job.output.values, ["key", "value", "standing"])
+    program = f"rocking-facades {version('rocking-facades')}"
     data = Data(
         config,
         list(p.given),
         tables,
+        p.run,
         demand_said(config["assessment"], job.input.site),
-        f"rocking-facades {version('rocking-facades')}",
+        program,
         p.commit[:12],
-        provenance(given, made, p.stations, p.table, p.run, config["seed"], tables["dynamic"]),
+        f"results/{p.run}/assessment",
     )
-    body = blocks(data, f"results/{p.run}/assessment")
-    Path(job.output.html).write_text(page(body), encoding="utf-8")
-    pages.write(job.output.pdf, body, config["assessment"]["title"] or p.run)
-    write_table(values(config, data.given), job.output.values, ["key", "value", "standing"])
+    texts = {
+        "config.yaml": yaml.safe_dump(config, sort_keys=False, allow_unicode=True, width=100),
+        "version.json": json.dumps({"program": program, "commit": p.commit}, indent=1) + "\n",
+    }
+    given = [*job.input.site, job.input.table]
+    made = [*job.input.tables, *job.input.verdicts, *job.input.yade, job.output.values]
+    files = evidence.gathered([*given, *made, job.input.ties], texts)
+    text = paper.page(context(data, evidence.digest_of(files)))
+    Path(job.output.html).write_text(text, encoding="utf-8")
+    paper.write_pdf(job.output.pdf, text)
+    folder = Path(job.output.html).parent / "evidence"
+    print(evidence.keep(folder, files, [job.output.html, job.output.pdf]))
 
 
 run(main, globals())

@@ -1,0 +1,222 @@
+"""What the assessment report says on its first pages, and all that its template shows."""
+
+from rocking.assessment import appendix, content, drawings, evidence, pictures, verdict
+from rocking.assessment.checks import LEAST_KNOWN
+from rocking.assessment.paper import Picture
+from rocking.assessment.verdict import g3, per_cent
+from yade_scripts.model.registry import MODELS
+
+WIDE_MM, HIGH_MM = 176.0, 104.0  # of the drawing
+
+
+def context(data, digest):
+    """All that the template shows.
+
+    Parameters
+    ----------
+    data : rocking.assessment.appendix.Data
+    digest : str
+        Of the evidence.
+
+    Returns
+    -------
+    dict
+    """
+    own, t, folder = data.config["assessment"], data.tables, data.folder
+    relied = verdict.relied_on(t["dynamic"]["model"])
+    motions, motions_said = appendix.motions(data)
+    return {
+        "title": f"{own['title'] or data.run}: out-of-plane assessment",
+        "engineer": own["engineer"],
+        "registration": own["registration"],
+        "date": ", ".join(filter(None, (own["place"], own["date"]))),
+        "program": data.program,
+        "who": who(data),
+        "verdict": verdict.headline(
+            t["code_checks"], t["mechanisms"], t["verdicts"], t["shaken"], when(own), data.factor
+        ),
+        "drawing": drawing(data),
+        "answers": answers(data, relied),
+        "rests_on": rests_on(data, relied),
+        "mechanisms": content.by_mechanism(t, relied, folder),
+        "next_steps": next_steps(data),
+        "hand": appendix.by_hand(data, data.weakest),
+        "capacity": Picture(
+            pictures.capacity(t["capacity_curve"], t["mechanisms"]),
+            46.0,
+            "Capacity curve. d_SLV is the least of 0.4 d0 and of where a tie or an anchor gives "
+            "way and takes more than half of the capacity.",
+            "The multiplier falls to zero at d0.",
+            f"{folder}/capacity_curve.csv",
+        ),
+        "spectrum": appendix.spectrum(data),
+        "dynamic": content.dynamic_check(data, folder),
+        "ties": content.ties(data, relied, folder),
+        "fragility": fragility(data),
+        "suite": content.suite(t["dynamic"], relied, folder),
+        "rate": content.rate(data, relied, folder),
+        "sensitivity": content.sensitivity(data, folder),
+        "others": appendix.others(data),
+        "checks": content.checks(t["code_checks"], folder),
+        "spectra": spectra(data),
+        "motions": motions,
+        "motions_said": motions_said,
+        "formulas": appendix.formulas(),
+        "stated": appendix.stated(data),
+        "evidence": kept(data, digest),
+    }
+
+
+def who(data):
+    """Line of client, place, run and program."""
+    own = data.config["assessment"]
+    known = [("Client", own["client"]), ("Place", own["place"]), ("Run", data.run)]
+    said = [f"{name}: {value}" for name, value in known if value]
+    return " · ".join([*said, f"{data.program}, commit {data.commit}"])
+
+
+def when(own):
+    """What the demand is, to begin a sentence with."""
+    stated = own["spectrum"] or (own["ag_g"] is not None)
+    if stated and not own["hazard"]:
+        return "Under the stated demand"
+    return f"For a return period of {own['return_period_years']:g} years"
+
+
+def drawing(data):
+    """Picture of elevation and section with all measures."""
+    return Picture(
+        drawings.facade(data.family, data.weakest, WIDE_MM, HIGH_MM),
+        HIGH_MM,
+        "To scale, in metres. Crosses: ties; dashed: floors; dashed outline: the mechanism that "
+        "fails "
+        "first, turned by half of the rotation at which it falls.",
+        drawings.words(data.family, data.weakest),
+        "",
+        WIDE_MM,
+    )
+
+
+def answers(data, relied):
+    """(question, answer) of ties, rate and what is not covered."""
+    rows = [
+        ("Which ties?", content.ties_said(data, relied)),
+        ("How often?", rate_said(data, relied)),
+    ]
+    rows.append(
+        (
+            "Not covered",
+            "Failure in the façade's own plane, masonry that falls apart or crushes, "
+            "foundations, what "
+            "pushes from neighbours, and what one mechanism does to another. Ties need a check of "
+            "anchors, of the walls they end in and of what carries them. Formulas of the codes "
+            "were "
+            "read in a transcription (appendix D): compare them with the text in force.",
+        )
+    )
+    return rows
+
+
+def rate_said(data, relied):
+    """The rate of collapse in one sentence."""
+    rates = data.tables["rate"]
+    rates = rates[rates["model"] == relied]
+    if rates.empty:
+        return (
+            "No rate: state assessment.hazard (the rows of NTC 2018) or risk.hazard, and motions "
+            "of "
+            "seven stations or more."
+        )
+    said = [
+        f"{r.annual_rate:.2g} collapses a year by {r.hazard} (95 % {r.rate_low:.2g} to "
+        f"{r.rate_high:.2g}), {100 * r.probability:.2g} % in {r.years:g} years"
+        for r in rates.itertuples()
+    ]
+    base = data.config["facade"]["base"]
+    return (
+        f"With {relied}: {'; '.join(said)}. As it stands, without ties, with facade.base: {base}."
+    )
+
+
+def rests_on(data, relied):
+    """Lines: demand, models, and what is left out."""
+    f, t = data.config["facade"], data.tables
+    demand = t["code_checks"]["pga_demand_g"].iloc[0]
+    meanings = "; ".join(f"{name}: {MODELS[name].moved}" for name in t["dynamic"]["model"])
+    return [
+        f"The demand is {data.demand_said}, a PGA of {g3(demand)} g.",
+        f"Models of how the return walls move behind the façade. {meanings}. The verdict, ties and "
+        f"rate rest on {relied}; the others show what that choice changes.",
+        f"The façade is rigid blocks of {f['density_kg_m3']:g} kg/m³ on dry joints; it does not "
+        "crush or fall apart, and the mechanisms know ties and anchors but no friction of floors.",
+        "Every part turns over the whole width, but for the corners, which end at the eaves and "
+        "take the return wall as one without openings.",
+        "In the dynamic models each mechanism is a rigid part on the building, or two that bend, "
+        "and leans on the return walls behind it" + content.floors_said(f["floors"]),
+        "The Circolare was read in a public transcription with page numbers, EN 1998-3 and NZS "
+        "1170.5 at second hand (appendix D).",
+        f"Confidence factor FC = {data.factor:g}.",
+    ]
+
+
+def next_steps(data):
+    """Lines of what is recommended next."""
+    t, own = data.tables, data.config["assessment"]
+    demand = t["code_checks"]["pga_demand_g"].iloc[0]
+    worse = verdict.damage(t["code_sensitivity"], t["mechanisms"], demand)
+    known = ""
+    if data.factor != own["confidence_factor"]:
+        known = (
+            "Give assessment.hinge_inset_m, from the masonry's compressive strength, to be allowed "
+            f"the stated confidence factor {own['confidence_factor']:g} instead of {LEAST_KNOWN}."
+        )
+    given = t["code_checks"], t["mechanisms"], t["verdicts"]
+    return verdict.next_steps(*given, worse, known, shaken=t["shaken"])
+
+
+def fragility(data):
+    """Picture of the collapse probability; None where motions are too few."""
+    t = data.tables
+    if not len(t["dynamic_curves"]):
+        return None
+    return Picture(
+        pictures.fragility(t["dynamic_curves"], t["dynamic"], t["mechanisms"]),
+        48.0,
+        "Probability of collapse with 95 % bands; mark: PGA at which the SLV check fails. "
+        + verdict.suite(t["dynamic"], t["shaken"]["shaken"].sum() > 1),
+        "; ".join(
+            f"{r.model}: half collapse at {g3(r.median_pga_g)} g" for r in t["dynamic"].itertuples()
+        ),
+        f"{data.folder}/dynamic_curves.csv",
+    )
+
+
+def spectra(data):
+    """Picture of the demand on ground and floor."""
+    demand = data.tables["code_checks"]["pga_demand_g"].iloc[0]
+    return Picture(
+        pictures.spectra(data.tables["spectra"]),
+        60.0,
+        f"Elastic spectra of 5 % at a PGA of {g3(demand)} g: the demand, the Circolare's floor "
+        "spectrum where the weakest mechanism is held, and the building's chain under the "
+        "run's motions scaled to that PGA.",
+        "Ground, floor by formula, floor by the chain.",
+        f"{data.folder}/spectra.csv",
+    )
+
+
+def kept(data, digest):
+    """Lines that cite the evidence."""
+    place = f"{data.folder}/evidence/{digest[: evidence.DIGITS]}"
+    dynamic = data.tables["dynamic"]
+    histories = int(dynamic["histories"].sum())
+    agree = data.tables["verdicts"]
+    worst = f" Least agreement of draws: {per_cent(agree['agree'].min())}." if len(agree) else ""
+    return [
+        f"Configuration with every key, table of motions, the site's files, every table behind a "
+        f"number above, and program with version are in {place}/, with this report. No later "
+        "command rewrites that folder.",
+        f"Its {evidence.SUMS} lists the SHA-256 of every file and has itself the SHA-256 {digest}.",
+        f"Behind the collapse probabilities stand {histories} histories by the planar "
+        f"solver.{worst}",
+    ]

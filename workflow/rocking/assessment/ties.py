@@ -1,0 +1,287 @@
+"""The least rows of ties with which a façade passes: by hand first, then under the chosen motions.
+
+Rows may stand at `levels`. By hand a set of rows passes if the SLV check of every mechanism of the
+façade with these rows does (`code_checks.slv_pga`). Every row pulls with its capacity, so more
+force raises the multiplier, and the least is found by halving: first one force common to all
+levels, then each row for itself, the lowest first, since it has the least lever arm; a row that is
+not needed goes. What is left is least in each of its rows: with less in any one, a mechanism fails.
+
+Mechanisms that fail under the strongest rows too (the gable above a row, bending between two of
+them) are *beyond* these levels. They are left out of the search and named.
+
+Then the façade with its rows is held to the code's dynamic check, mechanism by mechanism, and all
+rows are made stronger by the same factor, of steps of 1/0.95, until it holds. So 95 % of what is
+found has been tried and does not pass. What no added row holds is left out here too.
+"""
+
+import math
+from typing import NamedTuple
+
+from rocking.assessment.code_checks import slv_pga
+from rocking.assessment.family import LEAST_PART_M, Family
+from rocking.assessment.shaken import label
+from rocking.assessment.ties_shaken import LEAST_SHARE, MOST_SHARE, stronger
+from rocking.studies.strengthening import row_of_rods
+
+CLOSE = 0.005  # relative, of a row's least force
+FIRST_SHARE = 0.01  # of the weight, of the first row where by hand none is needed
+COMMERCIAL_MM = (8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 36, 40, 45, 50, 60, 70, 80)
+ROWS = ["height_m", "force_by_hand_kn", "force_kn", "count", "diameter_mm", "commercial_mm"]
+ROWS += ["yield_mpa", "length_m", "factor"]
+AFTER = ["part", "mechanism", "pga_fails_g", "ratio", "exceed_d0", "mean_d_m", "d_slv_m", "holds"]
+AFTER += ["beyond"]
+
+
+class Row(NamedTuple):
+    """A row to be added: its height above the façade's base and its capacity."""
+
+    height_m: float
+    force_n: float
+
+
+class Tied:
+    """A façade that rows of ties may be added to.
+
+    Parameters
+    ----------
+    sections : dict
+        Sections facade, return_wall, smdof, assessment and strengthening of a configuration; the
+        last says what rods the rows are of.
+    demand
+        See `code_checks.code_checks`.
+    """
+
+    def __init__(self, sections, demand):
+        """Keep what every trial takes."""
+        self.sections, self.demand = sections, demand
+        masonry = Family(sections).masonry
+        self.weight_n = sum(w for w, *_ in masonry.masses(0.0, masonry.top_m))
+        self.corners = {
+            label(one): slv_pga(one, sections, demand) for one in Family(sections).corners()
+        }
+        self._first: list[str] = []  # mechanisms that failed last are tried first
+
+    def levels(self):
+        """Heights at which a row may be added [m], ascending: `levels_of`."""
+        return levels_of(self.sections)
+
+    def entries(self, rows):
+        """Entries of facade.ties for rows, those without force left out."""
+        own = self.sections["strengthening"]
+        return [row_of_rods(own, row.height_m, 1e-3 * row.force_n) for row in rows if row.force_n]
+
+    def family(self, rows):
+        """Mechanisms of the façade with rows added."""
+        facade = self.sections["facade"]
+        ties = [*facade["ties"], *self.entries(rows)]
+        return Family({**self.sections, "facade": {**facade, "ties": ties}})
+
+    def failing(self, rows):
+        """Labels of the mechanisms that fail by hand, and the PGA at which each does [g]."""
+        known = {label(one): one for one in self.family(rows).plane()}
+        pga_g = {name: slv_pga(one, self.sections, self.demand) for name, one in known.items()}
+        pga_g |= self.corners
+        return {name: at for name, at in pga_g.items() if at < self.demand.pga_g}
+
+    def passes(self, rows, beyond=()):
+        """Whether every mechanism passes by hand but those that are beyond.
+
+        Corners, which no row holds, are beyond or pass.
+        """
+        known = {label(one): one for one in self.family(rows).plane()}
+        for name in sorted(known, key=lambda name: name not in self._first):
+            if name in beyond:
+                continue
+            if slv_pga(known[name], self.sections, self.demand) < self.demand.pga_g:
+                self._first = [name, *(n for n in self._first if n != name)]
+                return False
+        return True
+
+    def least(self, levels):
+        """Least rows that pass by hand.
+
+        Returns
+        -------
+        rows : list of Row
+            Ascending; empty where none is needed, or none helps.
+        beyond : list of str
+            Labels of mechanisms that fail with the strongest rows too.
+        """
+        if not self.failing([]):
+            return [], []
+        strongest = [Row(z, MOST_SHARE * self.weight_n) for z in levels]
+        beyond = sorted(self.failing(strongest))
+        if self.passes([], beyond):
+            return [], beyond
+
+        def common(share):
+            return [Row(z, share * self.weight_n) for z in levels]
+
+        share = _halved(lambda s: self.passes(common(s), beyond), LEAST_SHARE, MOST_SHARE)
+        rows = common(share)
+        for _ in range(2):
+            for k in range(len(rows)):
+                rows[k] = rows[k]._replace(force_n=self._less(rows, k, beyond))
+        return [row for row in rows if row.force_n], beyond
+
+    def _less(self, rows, k, beyond):
+        """Least force of one row, the others as they are."""
+
+        def holds(force_n):
+            own = Row(rows[k].height_m, force_n)
+            return self.passes([*rows[:k], own, *rows[k + 1 :]], beyond)
+
+        if holds(0.0):
+            return 0.0
+        return _halved(holds, LEAST_SHARE * self.weight_n, rows[k].force_n)
+
+
+def levels_of(sections):
+    """Heights at which a row may be added [m]: as stated, or floors and eaves.
+
+    Of heights nearer than `LEAST_PART_M` the higher; none below that or above the return walls.
+    """
+    facade, stated = sections["facade"], sections["assessment"]["tie_levels_m"]
+    if stated is not None:
+        return list(stated)
+    top = facade["height_m"]
+    found = [top]
+    for z in sorted((row["height_m"] for row in facade["floors"]), reverse=True):
+        if LEAST_PART_M <= z <= found[-1] - LEAST_PART_M:
+            found.append(z)
+    return found[::-1]
+
+
+def check_levels(sections):
+    """Refuse stated levels at which no return wall stands.
+
+    Raises
+    ------
+    ValueError
+        In one line.
+    """
+    top = sections["facade"]["height_m"]
+    for z in sections["assessment"]["tie_levels_m"] or ():
+        if z > top:
+            raise ValueError(
+                f"assess: assessment.tie_levels_m: {z:g} m; expected heights up to "
+                f"facade.height_m = {top:g} m, where return walls can hold a row"
+            )
+
+
+def _halved(holds, low, high):
+    """Least value that holds between one that does not and one that does, by its logarithm."""
+    if holds(low):
+        return low
+    while high > (1.0 + CLOSE) * low:
+        middle = math.sqrt(low * high)
+        low, high = (low, middle) if holds(middle) else (middle, high)
+    return high
+
+
+def commercial(diameter_mm):
+    """Next diameter that is sold [mm]; the diameter itself beyond the last."""
+    return next((d for d in COMMERCIAL_MM if d >= diameter_mm - 1e-9), math.ceil(diameter_mm))
+
+
+class Found(NamedTuple):
+    """Rows of ties that make a façade pass.
+
+    Attributes
+    ----------
+    rows : list of Row
+        With their final force; empty where none is needed, or none helps.
+    by_hand_n : list of float
+        Least force of each by hand; 0 where the dynamic check alone asks for it.
+    factor : float
+        Of the dynamic check on the least rows; NaN without motions or where it never holds.
+    beyond : list of str
+        Labels of the mechanisms that these rows do not make pass.
+    """
+
+    rows: list
+    by_hand_n: list
+    factor: float
+    beyond: list
+
+
+def found(tied, shaken, stands, say=lambda text: None):
+    """Rows with which the façade passes by hand and under the chosen motions.
+
+    Parameters
+    ----------
+    tied : Tied
+    shaken : Shaken or None
+        None: no motions were chosen, so by hand alone.
+    stands : bool
+        Whether the dynamic check holds without rows.
+    say : callable
+        Receives a line a trial.
+
+    Returns
+    -------
+    Found
+    """
+    levels = levels_of(tied.sections)
+    rows, beyond = tied.least(levels) if levels else ([], sorted(tied.failing([])))
+    say(f"by hand: {', '.join(f'{1e-3 * r.force_n:.3g} kN at {r.height_m:g} m' for r in rows)}")
+    by_hand = [row.force_n for row in rows]
+    if shaken is None or not levels or (stands and not rows):
+        return Found(rows, by_hand, math.nan, beyond)
+    trials = [(rows, True)]
+    if not rows:
+        first = FIRST_SHARE * tied.weight_n
+        trials = [([Row(levels[-1], first)], False), ([Row(z, first) for z in levels], False)]
+        by_hand = []
+    for own, known in trials:
+        factor = stronger(shaken, own, known, say)
+        if factor is not None:
+            rows = [row._replace(force_n=factor * row.force_n) for row in own]
+            shaken.holds(rows, factor, whole=True)
+            beyond = sorted({*beyond, *shaken.unheld})
+            return Found(rows, by_hand or [0.0] * len(rows), factor, beyond)
+    shaken.holds(rows, 1.0, whole=True)
+    last = {part for part, row in shaken.final.items() if not row["holds"]}
+    return Found(rows, by_hand, math.nan, sorted({*beyond, *shaken.unheld, *last}))
+
+
+def table_of(result, own):
+    """Rows as a table, with the rods they take (ROWS).
+
+    Parameters
+    ----------
+    result : Found
+    own : dict
+        Section strengthening.
+    """
+    rows = []
+    for row, least_n in zip(result.rows, result.by_hand_n, strict=True):
+        rod = row_of_rods(own, row.height_m, 1e-3 * row.force_n)
+        size = rod["diameter_mm"]
+        forces = 1e-3 * least_n, 1e-3 * row.force_n
+        rods = (
+            rod["count"],
+            size,
+            commercial(size),
+            rod["yield_mpa"],
+            rod["length_m"],
+            result.factor,
+        )
+        rows.append(dict(zip(ROWS, (row.height_m, *forces, *rods), strict=True)))
+    return rows
+
+
+def after(tied, result, shaken):
+    """What each mechanism does with the rows: by hand, and in the dynamic check (AFTER)."""
+    rows, beyond = [], set(result.beyond)
+    last = shaken.final if shaken is not None else {}
+    for one in tied.family(result.rows).all():
+        name = label(one)
+        pga_g = slv_pga(one, tied.sections, tied.demand)
+        own = last.get(name, {})
+        ratio = pga_g / tied.demand.pga_g
+        shake = [own.get(key, math.nan) for key in ("exceed_d0", "mean_d_m", "d_slv_m")]
+        held = int(own["holds"]) if own else ""
+        about = name, one.name, pga_g, ratio, *shake, held, int(name in beyond)
+        rows.append(dict(zip(AFTER, about, strict=True)))
+    return sorted(rows, key=lambda row: row["pga_fails_g"])

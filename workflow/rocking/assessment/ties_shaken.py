@@ -1,0 +1,150 @@
+"""The code's dynamic check of a façade with rows of ties added, and how strong the rows have to be.
+
+See `ties`. Every mechanism of the tied façade that is shaken is run under all chosen motions; rows
+grow by a common factor until all hold.
+"""
+
+import json
+
+from rocking.assessment.code_checks import slv_pga
+from rocking.assessment.dynamic_check import exceeds, histories, limits_of
+from rocking.assessment.shaken import cases, chosen, of_label
+from rocking.collapse.case import Variant
+
+LEAST_SHARE, MOST_SHARE = 1e-4, 2.0  # of the façade's weight, of one row
+STEP = 0.95  # of the force, between two strengths of the rows
+COARSE = 8  # steps at once, until the dynamic check holds
+TRIED = ["factor", "part", "mechanism", "exceed_d0", "mean_d_m", "d_slv_m", "histories", "holds"]
+
+
+class Shaken:
+    """The code's dynamic check of a façade with rows added, mechanism by mechanism.
+
+    Parameters
+    ----------
+    case : rocking.collapse.case.Case
+        Without the rows.
+    tied : Tied
+    motions : list of (Record, pga_g)
+    directions : sequence of str
+    """
+
+    def __init__(self, case, tied, motions, directions):
+        """Keep what every trial takes."""
+        self.case, self.tied = case, tied
+        self.motions, self.directions = motions, directions
+        self.rows: list[dict] = []  # TRIED, in their order
+        self.final: dict[str, dict] = {}  # rows of TRIED by part, of the last whole trial
+        self.unheld: set[str] = set()  # parts that fail and that no added row holds
+        self._known: dict[str, dict] = {}
+        self._first: list[str] = []
+
+    def holds(self, rows, factor, whole=False):
+        """Whether every mechanism holds under all motions but those that no row holds.
+
+        Parameters
+        ----------
+        rows : list of Row
+        factor : float
+            That they stand for, in the table of what was tried.
+        whole : bool
+            All mechanisms are run, also when one has failed.
+        """
+        entries = self.tied.entries(rows)
+        case = self.case.varied(Variant("tied", added={"facade.ties": entries}))
+        family, own = self.tied.family(rows), self.tied.sections["assessment"]
+        known = of_label(family)
+        ranked = [
+            (slv_pga(one, self.tied.sections, self.tied.demand), one, None)
+            for one in known.values()
+        ]
+        ranked.sort(key=lambda row: row[0])
+        table = chosen(ranked, [case], own["shaken_within"])
+        parts = sorted(cases(case, table), key=lambda p: p[0].part not in self._first)
+        every = True
+        self.final = {} if whole else self.final
+        for row, part in parts:
+            found = self._of(part, known[row.part])
+            about = {"factor": factor, "part": row.part, "mechanism": row.mechanism} | found
+            if about not in self.rows:
+                self.rows.append(about)
+            if whole:
+                self.final[row.part] = about
+            if not found["holds"]:
+                if not part["facade"]["ties"]:
+                    self.unheld.add(row.part)
+                    continue
+                every, self._first = False, [row.part, *self._first]
+                if not whole:
+                    break
+        return every
+
+    def _of(self, part, one):
+        """Exceeded d0, mean and verdict of one part; histories end once it cannot hold."""
+        key = json.dumps(part.scene, sort_keys=True)
+        if key not in self._known:
+            limits, total, over, count = limits_of(one.mechanism), 0.0, 0, 0
+            most = limits.slv_m * len(self.motions) * len(self.directions)
+            for record, pga_g in self.motions:
+                for direction in self.directions:
+                    table = histories(part.scene, record, direction, [pga_g], 0)
+                    kept = table[table["status"] != "failed"]
+                    over += int(exceeds(kept, limits).sum())
+                    total, count = total + float(kept["d_m"].sum()), count + len(kept)
+                if over or total > most:
+                    break
+            mean = total / max(count, 1)
+            self._known[key] = {
+                "exceed_d0": over,
+                "mean_d_m": mean,
+                "d_slv_m": limits.slv_m,
+                "histories": count,
+                "holds": bool(count and not over and total <= most and mean <= limits.slv_m),
+            }
+        return self._known[key]
+
+
+def stronger(shaken, rows, by_hand=True, say=lambda text: None):
+    """Factor on all rows with which the dynamic check holds.
+
+    It goes up in coarse steps until the check holds, then halves the steps between: the next weaker
+    one, by 0.95, does not hold.
+
+    Parameters
+    ----------
+    shaken : Shaken
+    rows : list of Row
+    by_hand : bool
+        Whether weaker rows fail by hand; else it goes down too.
+    say : callable
+        Receives a line a trial.
+
+    Returns
+    -------
+    float or None
+        None: it does not hold at the strongest either.
+    """
+    forces, weight_n = [row.force_n for row in rows], shaken.tied.weight_n
+
+    def tried(steps):
+        factor = STEP**-steps
+        held = shaken.holds([row._replace(force_n=factor * row.force_n) for row in rows], factor)
+        say(f"rows times {factor:.3g}: {'hold' if held else 'do not hold'}")
+        return held
+
+    low, high = -1, 0
+    if tried(high):
+        while not by_hand and tried(high - COARSE):
+            high -= COARSE
+            if STEP**-high * max(forces) < LEAST_SHARE * weight_n:
+                break
+        low = -1 if by_hand else high - COARSE
+    else:
+        while not tried(high):
+            low, high = high, high + COARSE
+            if STEP**-high * min(forces) > MOST_SHARE * weight_n:
+                return None
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if tried(middle) else (middle, high)
+    return STEP**-high

@@ -1,0 +1,51 @@
+"""Rows of ties with which the façade passes: by hand, then under the chosen motions with one model.
+
+The rows stand as YAML too, to be given beside the façade's own file.
+"""
+
+import json
+
+import pandas as pd
+import yaml
+from rocking import Case
+from rocking.assessment import site, ties, ties_shaken
+from rocking.records import load_as
+from rocking.runtime.script import run
+from rocking.tables import read_tables, write_table
+
+ADDED = """# Rows of ties with which the façade passes; give this file after the façade's own:
+# .venv/bin/snakemake --cores 2 --configfile my_facade.yaml {path} -- assess
+"""
+
+
+def main(job):
+    case, settings = Case.read(job.input.scene), json.loads(job.params.settings)
+    records = {n: load_as(settings, n, job.params.table) for n in job.params.records}
+    given = settings, list(records.values()), job.input.spectrum, job.input.hazard
+    tied = ties.Tied(settings, site.demand_from(*given))
+    motions = [(records[r.record], r.pga_g) for r in pd.read_csv(job.input.motions).itertuples()]
+    verdicts, shaken = read_tables(job.input.verdicts), None
+    if motions:
+        shaken = ties_shaken.Shaken(case, tied, motions, settings["directions"])
+    stands = bool(len(verdicts)) and bool(verdicts["slv"].all())
+
+    def say(text):
+        with open(str(job.log), "a", encoding="utf-8") as log:
+            log.write(f"{text}\n")
+
+    found = ties.found(tied, shaken, stands, say)
+    write_table(ties.table_of(found, settings["strengthening"]), job.output.rows, ties.ROWS)
+    write_table(ties.after(tied, found, shaken), job.output.after, ties.AFTER)
+    write_table(shaken.rows if shaken else [], job.output.tried, ties_shaken.TRIED)
+    rows = [*settings["facade"]["ties"], *tied.entries(found.rows)]
+    rows = [
+        {k: float(f"{v:.6g}") if isinstance(v, float) else v for k, v in r.items()} for r in rows
+    ]
+    text = yaml.safe_dump(
+        {"run": f"{job.params.run}_tied", "facade": {"ties": rows}}, sort_keys=False
+    )
+    with open(job.output.yaml, "w", encoding="utf-8") as file:
+        file.write(ADDED.format(path=job.output.yaml) + text)
+
+
+run(main, globals())
