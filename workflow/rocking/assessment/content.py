@@ -329,15 +329,15 @@ def ties_said(data, relied):
     )
     left = list(after.loc[after["beyond"] == 1, "mechanism"])
     failed = len(tried) and math.isnan(_factor(rows))
-    if failed:
-        end = f"the kinematic checks pass; the dynamic check with {relied} never does"
-    elif len(tried):
-        end = f"the kinematic checks and the dynamic check with {relied} pass"
-    else:
-        end = "the kinematic checks pass; the dynamic check was not made"
     rest = f", but for what no row at these levels holds: {'; '.join(left)}" if left else ""
+    if failed:
+        end = f"the kinematic checks pass{rest}; the dynamic check with {relied} never does"
+    elif len(tried):
+        end = f"the kinematic checks and the dynamic check with {relied} pass{rest}"
+    else:
+        end = f"the kinematic checks pass{rest}; the dynamic check was not made"
     less = "" if failed else " With 95 % of the force they do not."
-    return f"With rows of ties of {said} {end}{rest}.{less}"
+    return f"With rows of ties of {said} {end}.{less}"
 
 
 def _factor(rows):

@@ -7,6 +7,7 @@ from yade_scripts.model.floors import place_of
 from yade_scripts.model.holds import rod
 
 SMALL = 6.5  # points, of numbers
+AROUND_MM, MARGIN_MM = 23.0, 22.0  # paper for numbers: on either side, above and below
 SECTION_MM = -42.0, 26.0  # paper of the section, from the inner face
 
 
@@ -63,6 +64,16 @@ def _places(axis, at, values, reach, gap, span):
         axis.text(place, at - 1.1 * reach, words, size=SMALL, rotation=90, ha="center", va="top")
 
 
+def _steps(masonry, z):
+    """Whether a face steps at a height."""
+    return not np.allclose(masonry.faces(z), masonry.faces(z, above=False))
+
+
+def _titled(axis, x, z, words):
+    """Title within the axes, where no layout cuts it off."""
+    axis.text(x, z, words, size=7.5, ha="center", va="bottom")
+
+
 def _elevation(axis, family, candidate, scale):
     """`scale`: metres a millimetre of paper."""
     m, section = family.masonry, family.section
@@ -95,7 +106,7 @@ def _elevation(axis, family, candidate, scale):
     own: dict[float, list] = {0.0: [], round(h, 3): ["eaves"] if top > h else [], round(top, 3): []}
     for word, heights in (
         ("floor", [row["height_m"] for row in section["floors"]]),
-        ("step", [z for z, *_ in m.shape.storeys[1:]]),
+        ("step", [z for z, *_ in m.shape.storeys[1:] if _steps(m, z)]),
         ("tie", [row["height_m"] for row in section["ties"]]),
         ("ground", [ground] if family.base_m > 0.0 else []),
     ):
@@ -110,7 +121,7 @@ def _elevation(axis, family, candidate, scale):
         _levels(axis, half, edges, 5.0 * scale, 1, gap, span)
     edges_m = {-half, half, *(round(x, 3) for o in m.shape.openings for x in o[:2])}
     _places(axis, ground, edges_m, 4.0 * scale, gap, (-half - 2 * scale, half + 2 * scale))
-    axis.set_title("elevation, from outside", size=7.5)
+    _titled(axis, 0.0, top + 3.0 * scale, "elevation, from outside")
 
 
 def _corner(family, candidate):
@@ -178,7 +189,21 @@ def _section(axis, family, candidate, scale):
             va="center",
             arrowprops={"arrowstyle": "-", "lw": 0.4, "color": "0.55"},
         )
-    axis.set_title("section and the mechanism that fails first", size=7.5)
+    words = "section, and the mechanism that fails first"
+    _titled(axis, 0.5 * sum(SECTION_MM) * scale, top + 3.0 * scale, words)
+
+
+def scale_of(family, wide_mm, high_mm):
+    """Metres of the façade a millimetre of paper, at which it fits with all its numbers."""
+    m, beside = family.masonry, 2 * AROUND_MM + SECTION_MM[1] - SECTION_MM[0]
+    tall = m.top_m + family.base_m
+    return max(tall / (high_mm - MARGIN_MM), m.width_m / (wide_mm - beside))
+
+
+def height_mm(family, wide_mm, high_mm):
+    """Paper that the drawing takes, at most `high_mm`: a wide façade needs less."""
+    tall = family.masonry.top_m + family.base_m
+    return min(high_mm, tall / scale_of(family, wide_mm, high_mm) + MARGIN_MM)
 
 
 def facade(family, candidate, wide_mm=176.0, high_mm=84.0):
@@ -195,12 +220,9 @@ def facade(family, candidate, wide_mm=176.0, high_mm=84.0):
 
     def draw(figure):
         m = family.masonry
-        around = 23.0  # paper for numbers on either side of the elevation [mm]
-        tall = m.top_m + family.base_m
-        beside = 2 * around + SECTION_MM[1] - SECTION_MM[0]
-        scale = max(tall / (high_mm - 19.0), m.width_m / (wide_mm - beside))
+        scale = scale_of(family, wide_mm, high_mm)
         ends = (
-            (-0.5 * m.width_m - around * scale, 0.5 * m.width_m + around * scale),
+            (-0.5 * m.width_m - AROUND_MM * scale, 0.5 * m.width_m + AROUND_MM * scale),
             (SECTION_MM[0] * scale, SECTION_MM[1] * scale),
         )
         axes = figure.subplots(1, 2, width_ratios=[b - a for a, b in ends])  # at one scale
@@ -208,7 +230,7 @@ def facade(family, candidate, wide_mm=176.0, high_mm=84.0):
         _section(axes[1], family, candidate, scale)
         for axis, end in zip(axes, ends, strict=True):
             axis.set_aspect("equal")
-            axis.set_ylim(-family.base_m - 13.0 * scale, m.top_m + 2.0 * scale)
+            axis.set_ylim(-family.base_m - 12.0 * scale, m.top_m + 8.0 * scale)
             axis.set_xlim(*end)
             axis.set_axis_off()
 

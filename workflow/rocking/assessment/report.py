@@ -85,12 +85,14 @@ def when(own):
 
 def drawing(data):
     """Picture of elevation and section with all measures."""
+    high_mm = drawings.height_mm(data.family, WIDE_MM, HIGH_MM)
+    facade = data.config["facade"]
+    marks = "Crosses: ties. " * bool(facade["ties"]) + "Dashed: floors. " * bool(facade["floors"])
     return Picture(
         drawings.facade(data.family, data.weakest, WIDE_MM, HIGH_MM),
-        HIGH_MM,
-        "To scale, in metres. Crosses: ties; dashed: floors; dashed outline: the mechanism that "
-        "fails "
-        "first, turned by half of the rotation at which it falls.",
+        high_mm,
+        f"To scale, in metres. {marks}Dashed outline: the mechanism that fails first, turned by "
+        "half of the rotation at which it falls.",
         drawings.words(data.family, data.weakest),
         "",
         WIDE_MM,

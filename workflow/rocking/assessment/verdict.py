@@ -93,12 +93,7 @@ def headline(checks, mechanisms, verdicts, shaken, when, factor):
         f"life safety (SLV) is {'kept' if by_hand else 'lost'} "
         f"{'up to' if by_hand else 'at'} {share} of that shaking, with FC = {factor:g}."
     )
-    second = (
-        f"By hand, by the non-linear kinematic check of the Circolare 7/2019, the weakest "
-        "mechanism "
-        f"is {least['mechanism']}: it holds up to a PGA of {g3(least['pga_fails_g'])} g."
-    )
-    return [first, second, _governed(verdicts, shaken, held)]
+    return [first, kinematic(checks, mechanisms), _governed(verdicts, shaken, held)]
 
 
 def _governed(verdicts, shaken, held):
@@ -142,7 +137,7 @@ def deciding(verdicts):
 
     Those that are not fulfilled before those that are, then by the mean over d_SLV.
     """
-    if "part" not in verdicts:  # of the whole façade alone
+    if verdicts.empty or "part" not in verdicts:  # of the whole façade alone
         return verdicts
     over = verdicts["mean_d_m"] / verdicts["d_slv_m"]
     order = verdicts.assign(over=over).sort_values(["slv", "over"], ascending=[True, False])
