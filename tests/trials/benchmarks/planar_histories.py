@@ -50,9 +50,11 @@ def main(arguments=None):
     parser.add_argument("--histories", type=int, default=5000)
     parser.add_argument("--low", type=float, default=0.05, help="least PGA (g)")
     parser.add_argument("--high", type=float, default=1.0, help="largest PGA (g)")
+    parser.add_argument("--building", type=float, default=60.0, help="its mass, of W2m (t)")
     parser.add_argument("--adaptive", type=int, help="nodes: the adaptive solver instead")
     args = parser.parse_args(arguments)
-    job = config.resolve({"models": [args.model]})
+    mass = {"building_mass_kg": 1e3 * args.building}
+    job = config.resolve({"models": [args.model], "return_wall": mass})
     job |= {"model": args.model, "beta_s": job["damping"]["beta_s"]}
     job["numerics"], _ = choose(job, args.model, read_fidelity(ROOT / "config" / "fidelity.yaml"))
     names, chain = list(read_table(SUITE)), job["smdof"]
