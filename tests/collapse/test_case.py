@@ -109,7 +109,7 @@ def test_what_cannot_be_is_refused_in_a_line(case, pulse):
         ({"return_wall.thickness_m": 3.0}, "return_wall.count = 2: expected count × thickness_m"),
         ({"facade.hinges_m": [7.0]}, "expected heights below facade.height_m"),
         ({"facade.gap_m": 0.5}, "expected a value below facade.thickness_m = 0.375"),
-        ({"model": "W2m", "facade.courses": 5}, "models = W2m: expected W1 or W2"),
+        ({"model": "W2cm", "facade.courses": 5}, "models = W2cm: expected W1, W2 or W2m"),
         (Variant(factors={"facade.thickness_m": -1.0}), "facade.thickness_m = -0.375: expected"),
         (Variant(factors={"return_wall.length_m": 2.0}), "return_wall.length_m = null: expected"),
         (Variant(factors={"damping.law": 2.0}), "damping.law = 'value': expected a number"),

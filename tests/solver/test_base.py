@@ -15,7 +15,7 @@ from rocking.mechanics.closed_forms import capacity_compliant_base
 from rocking.reference import Motion, simulate_batch
 from rocking.reference.facade import wall_of
 from rocking.solver.plane import to_plane
-from rocking.solver.runs import Motions, history, stable_step
+from rocking.solver.runs import Motions, history, peaks, stable_step
 from test_floors import slow
 from test_ties import G
 from yade_process import in_yade, resolved
@@ -111,17 +111,29 @@ def test_the_step_of_a_stack():
     """Half the step moves the peak by less than 1 %; so do 33 nodes in place of closed forms."""
     t, ground = pulses(1.2)
     fine = dict.fromkeys(COURSES_NODES, 33)
-    peaks = []
+    found = []
     for even, share in ((True, 1.0), (True, 0.5), (False, 0.5)):
         config, scene = scene_of({"courses": 5}, COURSES_NODES if even else fine)
         scene.notes["even"] = scene.notes["even"] if even else []
         step = share * course_step(config)
         if not even:  # springs as they are, by an explicit step
             step = 0.1 * stable_step(to_plane(scene))
-        found = history(to_plane(scene), Motions(t, ground), config["numerics"], step_s=step)
-        peaks.append(found.peak_d_over_b)
-    assert peaks[0] > 0.05
-    assert peaks == pytest.approx([peaks[0]] * 3, rel=0.01)
+        got = history(to_plane(scene), Motions(t, ground), config["numerics"], step_s=step)
+        found.append(got.peak_d_over_b)
+    assert found[0] > 0.05
+    assert found == pytest.approx([found[0]] * 3, rel=0.01)
+
+
+def test_courses_side_by_side():
+    """Eight histories in one vector have the digits of each alone."""
+    t, ground = pulses(1.2)
+    config, scene = scene_of({"courses": 4, "courses_growth": 1.5}, COURSES_NODES)
+    plane, step, factors = to_plane(scene), course_step(config), [0.5, 1.0, 1.5, 40.0]
+    given = plane, Motions(t, ground), config["numerics"]
+    together = peaks(*given, factors, step_s=step)
+    alone = [history(*given, factor, step_s=step).peak_d_over_b for factor in factors]
+    assert together.overturned.tolist() == [False, False, False, True]
+    assert together.d_over_b.tolist() == alone
 
 
 def test_against_the_reference_solver():
@@ -171,15 +183,15 @@ def test_courses_of_a_shape_stand(shape):
     """Hardly shaken, a façade of any shape hardly moves, in one block or in courses."""
     t, ground = pulses(1.2)
     motion = Shaking.sampled(ground, float(t[1]), name="pulses")
-    peaks = []
+    found = []
     for courses in (0, 5):
         case = Case.configured("W2", {**{f"facade.{k}": v for k, v in shape.items()}})
         case = case.varied({"facade.courses": courses})
         settings = {"pga_g": [0.0005, 0.001, 0.15]}
         curve = collapse_curve(case, motion, search="list", settings=settings)
-        peaks.append(curve.table["d_over_b"].to_numpy(float))
-    assert np.max(peaks, axis=0)[1] < 0.02
-    assert peaks[1][2] > 0.01
+        found.append(curve.table["d_over_b"].to_numpy(float))
+    assert np.max(found, axis=0)[1] < 0.02
+    assert found[1][2] > 0.01
 
 
 @pytest.mark.yade
