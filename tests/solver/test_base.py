@@ -108,9 +108,12 @@ def course_step(config, share=COURSES_STEP):
 
 
 def test_the_step_of_a_stack():
-    """Half the step moves the peak by less than 1 %; so do 33 nodes in place of closed forms."""
+    """Half the step moves the peak by less than 1 %; so do many nodes in place of closed forms.
+
+    Of 33 up the back joint some seven are behind a course, which is not enough.
+    """
     t, ground = pulses(1.2)
-    fine = dict.fromkeys(COURSES_NODES, 33)
+    fine = {**dict.fromkeys(COURSES_NODES, 33), "nodes_height": 129}
     found = []
     for even, share in ((True, 1.0), (True, 0.5), (False, 0.5)):
         config, scene = scene_of({"courses": 5}, COURSES_NODES if even else fine)
