@@ -74,7 +74,7 @@ def met_d_over_b():
 def shaken(scene, limit_s=4.0):
     """History of a scene under one cycle of sine."""
     step_s, _ = simulate.choose_step(scene, NUMERICS)
-    ground = adapter.Motion(TIME_S, GROUND_M_S2)
+    ground = adapter.SupportMotion(TIME_S, GROUND_M_S2)
     rules = simulate.StopRules(TIME_S[-1], limit_s)
     return simulate.run(scene, {"ground": ground}, step_s, rules)
 

@@ -96,9 +96,9 @@ def let_go(scene, limit_s, setup=None, step_s=None):
 
     Returns
     -------
-    simulate.History
+    simulate.YadeHistory
     """
-    still = adapter.Motion(np.array([0.0, limit_s + 1.0]), np.zeros(2))
+    still = adapter.SupportMotion(np.array([0.0, limit_s + 1.0]), np.zeros(2))
     step_s = step_s or simulate.choose_step(scene, NUMERICS)[0]
     rules = simulate.StopRules(limit_s, limit_s)
     return simulate.run(scene, {"ground": still}, step_s, rules, sample_s=0.002, setup=setup)

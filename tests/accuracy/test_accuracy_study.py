@@ -36,7 +36,9 @@ def cycle(tmp_path_factory):
 
 def solver(model, cycle):
     """Compiled solver of a default façade under the cycle."""
-    return histories.Solver({**resolved(), "model": model, "beta_s": 0.00276}, *cycle[1:], "pos")
+    return histories.PeakSolver(
+        {**resolved(), "model": model, "beta_s": 0.00276}, *cycle[1:], "pos"
+    )
 
 
 @pytest.mark.slow

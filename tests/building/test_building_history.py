@@ -11,7 +11,7 @@ from yade_process import run_study
 
 import smdof
 from yade_scripts.model.building.assembly import build
-from yade_scripts.model.building.plan import Opening, Plan, Wall
+from yade_scripts.model.building.plan import Opening, Plan, PlanWall
 from yade_scripts.model.scene import to_json
 from yade_scripts.studies.explicit_building import corner
 
@@ -19,7 +19,7 @@ from yade_scripts.studies.explicit_building import corner
 @pytest.fixture(scope="module")
 def wall():
     """A wall out of plane along y, a few bricks: the scene, its solver and all but one mode."""
-    plan = Plan("wall", (Wall("wall", (0.0, 0.0), (0.96, 0.0), 0.24, 1.92),))
+    plan = Plan("wall", (PlanWall("wall", (0.0, 0.0), (0.96, 0.0), 0.24, 1.92),))
     building = build(plan, coarsening=4.0)
     solver = Solver(building.scene)
     return building.scene, solver, solver.modes(len(solver.mass) - 1)
@@ -133,7 +133,7 @@ def test_fewest_masses_after_which_nothing_is_gained(means, gain, n):
 def test_explicit_run_rings_under_sudden_gravity(tmp_path):
     """A wall with a door near one end leans as it settles: the corner's motion is the modal one."""
     door = Opening("door", 0.24, 0.72, 0.0, 1.2)
-    plan = Plan("wall", (Wall("wall", (0.0, 0.0), (0.0, 1.92), 0.24, 1.92, openings=(door,)),))
+    plan = Plan("wall", (PlanWall("wall", (0.0, 0.0), (0.0, 1.92), 0.24, 1.92, openings=(door,)),))
     scene = build(plan, coarsening=4.0).scene
     solver = Solver(scene)
     modes = solver.modes(len(solver.mass) - 1)

@@ -18,7 +18,7 @@ from rocking.building.case import (
 from rocking.building.loads import LoadedModes
 from rocking.building.modes import Modes, Solver
 from rocking.building.search import (
-    Variant,
+    PlanVariant,
     evaluate,
     fitted,
     loaded,
@@ -49,7 +49,7 @@ def plan():
 
 @pytest.fixture(scope="module")
 def chosen():
-    return Variant(0.94, 0.94, 0.94, 1.0, 1.0, 0.0, 1800.0)
+    return PlanVariant(0.94, 0.94, 0.94, 1.0, 1.0, 0.0, 1800.0)
 
 
 @pytest.fixture(scope="module")
@@ -229,7 +229,9 @@ def test_the_sample_fills_its_ranges_and_repeats():
     assert places.min() >= 0.0
     assert places.max() <= 1.0
     assert np.all(np.histogram(places[:, 0], 8, (0, 1))[0] == 8)  # a Sobol net is even
-    ranges = dict.fromkeys(Variant.__dataclass_fields__, (1.0, 3.0)) | {"facade_bond": (0.01, 1.0)}
+    ranges = dict.fromkeys(PlanVariant.__dataclass_fields__, (1.0, 3.0)) | {
+        "facade_bond": (0.01, 1.0)
+    }
     middle = variant(ranges, [0.5] * 7)
     assert middle.opening_left_m == pytest.approx(2.0)
     assert middle.facade_bond == pytest.approx(0.1)

@@ -14,7 +14,7 @@ from yade_scripts.model import floor_motions, stiffness
 from yade_scripts.model.building import assembly
 from yade_scripts.model.building.complete import apart, behind, with_rigid_floors
 from yade_scripts.model.building.contacts import Joints
-from yade_scripts.model.building.plan import Floor, Opening, Plan, PlanError, Wall
+from yade_scripts.model.building.plan import Opening, Plan, PlanError, PlanWall, TimberFloor
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.scene import from_dict, to_json
 from yade_scripts.studies.search import next_level
@@ -27,11 +27,13 @@ T = np.arange(0.0, 1.2, 0.01)
 def small(**walls):
     """Two return walls and a façade before them, one floor."""
     sides = tuple(
-        Wall(name, (x, 0.0), (x, 1.2), 0.12, HEIGHT_M, **walls)
+        PlanWall(name, (x, 0.0), (x, 1.2), 0.12, HEIGHT_M, **walls)
         for name, x in (("left", 0.06), ("right", 1.14))
     )
-    front = Wall("front", (0.0, 1.14), (1.2, 1.14), 0.12, HEIGHT_M, facade=True)
-    floor = Floor("roof", 1.2, ("left", "right"), (0.2, 1.0), bearing_m=0.06, load_kg_m2=200.0)
+    front = PlanWall("front", (0.0, 1.14), (1.2, 1.14), 0.12, HEIGHT_M, facade=True)
+    floor = TimberFloor(
+        "roof", 1.2, ("left", "right"), (0.2, 1.0), bearing_m=0.06, load_kg_m2=200.0
+    )
     return Plan("small", (*sides, front), (floor,))
 
 

@@ -7,12 +7,12 @@ from rocking.building import drawing
 from rocking.building.modes import Solver
 
 from yade_scripts.model.building.assembly import build
-from yade_scripts.model.building.plan import Plan, Wall
+from yade_scripts.model.building.plan import Plan, PlanWall
 
 
 @pytest.fixture(scope="module")
 def building():
-    plan = Plan("wall", (Wall("wall", (0.0, 0.0), (0.96, 0.0), 0.24, 1.92),))
+    plan = Plan("wall", (PlanWall("wall", (0.0, 0.0), (0.96, 0.0), 0.24, 1.92),))
     return build(plan, coarsening=4.0)
 
 
@@ -113,7 +113,7 @@ def test_faces_towards_the_light_are_brighter(building):
 
 
 def test_dimensions_say_the_lengths_between_the_edges():
-    wall = Wall("wall", (0.0, 0.0), (4.0, 0.0), 0.24, 2.5)
+    wall = PlanWall("wall", (0.0, 0.0), (4.0, 0.0), 0.24, 2.5)
     ax = Figure().subplots()
     drawing.elevation(ax, wall, "wall")
     assert sorted(text.get_text() for text in ax.texts) == ["2.50", "4.00"]

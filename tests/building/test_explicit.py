@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from rocking.building.explicit import differences, ringing_period, second_along_y
-from rocking.building.history import History
+from rocking.building.history import PointHistory
 
 TIME_S = np.arange(0.0, 3.0, 0.0005)
 
@@ -33,7 +33,7 @@ def test_a_twin_of_the_first_mode_is_not_the_second_along_y():
 
 def test_a_run_is_at_no_distance_from_itself_and_each_point_and_quantity_is_its_own():
     a, d = (np.array([np.sin(k * TIME_S) for k in ks]) for ks in ((5.0, 7.0), (2.0, 3.0)))
-    history = History(TIME_S, 0.0 * TIME_S, a, d)
+    history = PointHistory(TIME_S, 0.0 * TIME_S, a, d)
     run = np.column_stack([TIME_S, *a, *d])
     other = run.copy()
     other[:, 4] *= 1.1  # the displacement of the second point

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from rocking.building.case import PAPER_PERIODS_S
 from rocking.building.comparison import N_DOF, PAPER_WME, TopMotion, chain_top, top_motion
-from rocking.building.history import History, mass_damping_rate, modal_history
+from rocking.building.history import PointHistory, mass_damping_rate, modal_history
 from rocking.building.modes import Modes
 from rocking.building.readings import Reading, errors, readings, strong_part
 from rocking.records import Record
@@ -92,7 +92,7 @@ def history_of_chain(n_dof, damping_ratio=0.05):
     record = Record("noise", noise(), 0.01, "file", "m/s2", "none")
     chain = smdof.floor_motions(record.acceleration_m_s2, 0.01, n_dof, PERIOD_S, damping_ratio)
     top = chain.floors_m_s2[-1:]
-    return record, History(chain.time_s, chain.ground_m_s2, top, np.zeros_like(top))
+    return record, PointHistory(chain.time_s, chain.ground_m_s2, top, np.zeros_like(top))
 
 
 @pytest.mark.parametrize("name", list(readings()))

@@ -103,7 +103,9 @@ def vibration(config, beta_s, fractions, duration_s, amplitude):
     """Top displacement at a fixed instant of a façade that never uplifts, by step."""
     scene = facade.facade_scene(config, "free", beta_s)
     time_s = np.linspace(0.0, duration_s, 401)
-    motion = adapter.Motion(time_s, amplitude * np.sin(2.0 * math.pi * time_s / duration_s) ** 2)
+    motion = adapter.SupportMotion(
+        time_s, amplitude * np.sin(2.0 * math.pi * time_s / duration_s) ** 2
+    )
     out = []
     for fraction in fractions:
         steps = round(duration_s / (fraction * critical_step(scene)))

@@ -65,7 +65,7 @@ def pull(scene, speed, travel, samples=250):
     dt = 0.1 * stiffness.critical_step(scene)
     ramp = 0.02 * travel / abs(speed)
     time = np.array([0.0, ramp, 1.001 * ramp, 10.0])
-    motion = adapter.Motion(time, np.array([1.0, 1.0, 0.0, 0.0]) * speed / ramp)
+    motion = adapter.SupportMotion(time, np.array([1.0, 1.0, 0.0, 0.0]) * speed / ramp)
     built = adapter.build(scene, {"push": motion}, dt)
     omega = built.omega
     support = [b.id for b in omega.bodies if type(b.shape).__name__ == "Box"]
@@ -228,7 +228,7 @@ def energy_is_kept():
         moving = dict(velocity_m_s=(0.0, 0.01, 0.005), angular_velocity_rad_s=(0.01, 0.0, 0.0))
         scene.blocks[0] = replace(scene.blocks[0], motion="ground")
         scene.blocks[1] = replace(scene.blocks[1], motion=None, **moving)
-        still = adapter.Motion(np.array([0.0, 10.0]), np.zeros(2))
+        still = adapter.SupportMotion(np.array([0.0, 10.0]), np.zeros(2))
         probe = energy_probe.EnergyProbe(scene, 0.002)
         step = fraction * stiffness.critical_step(scene)
         rules = simulate.StopRules(2.0, 2.0)

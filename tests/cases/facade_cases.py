@@ -12,14 +12,14 @@ from yade_scripts.studies import shaking
 
 def quiet(scene, duration_s=100.0):
     """Motions of supports that stay where they are."""
-    still = adapter.Motion(np.array([0.0, duration_s]), np.zeros(2))
+    still = adapter.SupportMotion(np.array([0.0, duration_s]), np.zeros(2))
     return dict.fromkeys(scene.motions, still)
 
 
 def drive(config, time_s, acceleration_m_s2, dt_s, until_s=None):
     """Displacement of the driven base at `until_s` or its motion's end [m], façade on it."""
     scene = facade.facade_scene(config, "W1", 0.00276)
-    motion = adapter.Motion(np.array(time_s), np.array(acceleration_m_s2))
+    motion = adapter.SupportMotion(np.array(time_s), np.array(acceleration_m_s2))
     kept = []
     until_s = until_s or time_s[-1]
     rules = simulate.StopRules(until_s, until_s, overturn_ratio=1e9)

@@ -21,7 +21,9 @@ def slide(config, beta_s, speed_m_s, drag, dt_s, limit_s):
     from yade_scripts.engine import adapter, simulate
 
     scene = thrown(config, beta_s, speed_m_s, drag)
-    still = {name: adapter.Motion(np.array([0.0, 1.0]), np.zeros(2)) for name in scene.motions}
+    still = {
+        name: adapter.SupportMotion(np.array([0.0, 1.0]), np.zeros(2)) for name in scene.motions
+    }
     rules = simulate.StopRules(limit_s, limit_s, overturn_ratio=1e9)
     return float(simulate.run(scene, still, dt_s, rules, sample_s=0.01).d_m[-1])
 

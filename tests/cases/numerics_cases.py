@@ -109,7 +109,7 @@ def interrupted_run(config):
     """Ctrl-C in the middle of a long run, and a run after it in the same process."""
     scene = facade.facade_scene(config, "W1", BETA_S)
     time_s, acceleration = _motion()
-    motions = {name: adapter.Motion(time_s, acceleration) for name in scene.motions}
+    motions = {name: adapter.SupportMotion(time_s, acceleration) for name in scene.motions}
     step = 0.1 * critical_step(scene)
     # a shell's background jobs, and what they start, ignore the signal
     signal.signal(signal.SIGINT, signal.default_int_handler)

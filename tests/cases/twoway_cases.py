@@ -21,7 +21,7 @@ def chain_alone(config, ground, dt_s, beta_s=0.002):
         scene, nodes=type(nodes)(**{name: column[kept] for name, column in vars(nodes).items()})
     )
     time_s = np.arange(len(ground)) * dt_s
-    motions = {"ground": adapter.Motion(time_s, np.array(ground))}
+    motions = {"ground": adapter.SupportMotion(time_s, np.array(ground))}
     step, _ = simulate.choose_step(scene, config["numerics"])
     rules = simulate.StopRules(time_s[-1], time_s[-1], overturn_ratio=1e9, max_speed_m_s=1e9)
     rows = []
@@ -83,7 +83,7 @@ def momenta(config, model, time_s, ground, stride):
         loop.between(sample, stride, first=1)
 
     step, _ = simulate.choose_step(scene, config["numerics"])
-    motions = {"ground": adapter.Motion(np.array(time_s), np.array(ground))}
+    motions = {"ground": adapter.SupportMotion(np.array(time_s), np.array(ground))}
     rules = simulate.StopRules(time_s[-1], time_s[-1], overturn_ratio=1e9)
     history = simulate.run(case.scene, motions, step, rules, setup=setup)
     blocks = [scene.blocks[i] for i in free]

@@ -26,7 +26,7 @@ def release(config, beta_s, ratio, vertical_m_s2, limit_s):
     time_s = np.array([0.0, limit_s])
     columns = {"ground": np.zeros(2), "vertical": np.full(2, vertical_m_s2)}
     scene, columns = floor_motions.shaken(scene, columns)
-    motions = {name: adapter.Motion(time_s, columns[name]) for name in scene.motions}
+    motions = {name: adapter.SupportMotion(time_s, columns[name]) for name in scene.motions}
     step, _ = simulate.choose_step(scene, config["numerics"])
     rules = simulate.StopRules(0.0, 0.99 * limit_s, overturn_ratio=1e9)
     check = Noted(scene, motions)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from planar_cases import facade
-from rocking.reference import Motion, integrate
+from rocking.reference import SupportTable, integrate
 
 
 def test_the_scheme_is_of_fifth_order_with_a_fourth_beside_it():
@@ -28,7 +28,7 @@ def test_the_scheme_is_of_fifth_order_with_a_fourth_beside_it():
 def test_supports_between_samples_are_those_of_the_motion(factor):
     """By the motion's own polynomials; mirrored, what is vertical stays; after it all rest."""
     draw = np.random.default_rng(4)
-    motion = Motion(0.01, draw.normal(size=6), draw.normal(size=(2, 6)), draw.normal(size=6))
+    motion = SupportTable(0.01, draw.normal(size=6), draw.normal(size=(2, 6)), draw.normal(size=6))
     drive = integrate.Drive(
         0.01,
         motion.base_m_s2,

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from planar_cases import facade, rate, sorrentino
 from rocking.mechanics import closed_forms as cf
-from rocking.reference import Motion, Wall, simulate, simulate_batch
+from rocking.reference import SupportTable, Wall, simulate, simulate_batch
 from rocking.reference.adaptive import run
 from rocking.reference.contact import (
     SLIP,
@@ -50,7 +50,7 @@ def test_integration_of_a_motion_is_exact():
     velocity, displacement = integrate_linear(2.0 + 3.0 * time, 0.3)
     assert velocity == pytest.approx(2.0 * time + 1.5 * time**2)
     assert displacement == pytest.approx(time**2 + 0.5 * time**3)
-    motion = Motion(0.3, np.zeros(11), [2.0 + 3.0 * time])
+    motion = SupportTable(0.3, np.zeros(11), [2.0 + 3.0 * time])
     _, u, v = motion.interval(4, 1)(0.1)
     assert (u[0], v[0]) == pytest.approx((1.3**2 + 0.5 * 1.3**3, 2.6 + 1.5 * 1.69))
 
@@ -168,7 +168,7 @@ def test_energy_is_conserved_without_dissipation():
 def test_work_balance_and_dissipation_of_a_shaken_wall():
     """Kinetic + potential = work of contacts and inertia; contacts only take energy away."""
     time = np.arange(301) * 0.01
-    motion = Motion(0.01, 1.2 * np.sin(2 * np.pi * time) * np.sin(np.pi * time / 3.0))
+    motion = SupportTable(0.01, 1.2 * np.sin(2 * np.pi * time) * np.sin(np.pi * time / 3.0))
     history = simulate(facade(nodes_base=5, nodes_up=5), motion)
     assert history.theta_over_alpha.max() > 0.1
     mechanical = history.kinetic_j + history.potential_j
@@ -220,7 +220,7 @@ def test_overturning_by_a_rectangular_pulse():
     for e_pa in (5e9, 2e10):
         wall = Wall(h, b, e_pa=e_pa, beta_s=2e-5, base_friction_deg=60.0, nodes_base=3)
         factors = np.linspace(0.9, 1.05, 76)
-        result = simulate_batch(wall, Motion(0.001, base), factors, tolerance=1e-4)
+        result = simulate_batch(wall, SupportTable(0.001, base), factors, tolerance=1e-4)
         over = result.overturned
         assert not over[0]
         assert np.all(np.diff(over.astype(int)) >= 0)
@@ -234,7 +234,7 @@ def test_sliding_agrees_with_the_event_exact_integration():
     """A squat block on a stiff, slippery base."""
     ground = np.random.default_rng(2).normal(scale=6.0, size=60)
     wall = Wall(0.2, 0.6, e_pa=1e9, beta_s=1e-4, base_friction_deg=np.degrees(np.arctan(0.1)))
-    history = simulate(wall, Motion(0.02, ground))
+    history = simulate(wall, SupportTable(0.02, ground))
     slip, _ = sliding_response(ground, 0.02, 0.1)
     measured = np.interp(np.arange(60) * 0.02, history.time_s, history.y_m - 0.3)
     assert np.abs(slip).max() > 0.01
@@ -247,7 +247,7 @@ def test_sliding_agrees_with_the_event_exact_integration():
 def test_fixed_step_is_of_fourth_order_while_contacts_keep():
     """Weak shaking, no uplift, no slip: the error falls by 16 when the step is halved."""
     time = np.arange(41) * 0.01
-    motion = Motion(0.01, 0.05 * np.sin(4 * np.pi * time))
+    motion = SupportTable(0.01, 0.05 * np.sin(4 * np.pi * time))
     wall = facade(return_thickness_m=0.0, nodes_base=3)
     ends = [_end_state(wall, motion, dt) for dt in (2.5e-3, 1.25e-3, 6.25e-4)]
     rate = np.log2(np.abs(ends[0] - ends[1]) / np.abs(ends[1] - ends[2]))
@@ -276,7 +276,7 @@ def test_tolerance_controls_the_error_through_impacts():
 def test_batch_agrees_with_single_histories_and_the_fixed_step():
     time = np.arange(101) * 0.01
     base = -2.0 * np.sin(2 * np.pi * time)
-    motion = Motion(0.01, base, [0.0 * base, 0.3 * base])
+    motion = SupportTable(0.01, base, [0.0 * base, 0.3 * base])
     wall = facade(nodes_base=5, nodes_up=5, segments=2)
     scales = [0.5, 3.0]
     batch = simulate_batch(wall, motion, scales)
@@ -296,8 +296,8 @@ def test_walls_that_move_with_the_base_change_nothing():
     """W2 with the base's own motion everywhere is W1 with the same nodes."""
     base = 3.0 * np.sin(2 * np.pi * np.arange(101) * 0.01)
     wall = facade(nodes_base=3, nodes_up=5, segments=4)
-    together = simulate(wall, Motion(0.01, base, np.tile(base, (4, 1))))
-    plain = simulate(wall, Motion(0.01, base))
+    together = simulate(wall, SupportTable(0.01, base, np.tile(base, (4, 1))))
+    plain = simulate(wall, SupportTable(0.01, base))
     assert together.theta_rad[-1] == pytest.approx(plain.theta_rad[-1], rel=1e-9)
     assert abs(plain.theta_over_alpha).max() > 1e-3
 
@@ -308,7 +308,7 @@ def test_a_wall_that_moves_out_takes_the_facade_along():
     push = 0.02 * np.pi**2 * np.cos(np.pi * np.arange(201) * 0.01)
     push[100:] = 0.0
     wall = Wall(1.0, 0.8, beta_s=1e-3, return_thickness_m=0.5, base_friction_deg=0.0)
-    history = simulate(wall, Motion(0.01, base, [push]), duration_s=1.9)
+    history = simulate(wall, SupportTable(0.01, base, [push]), duration_s=1.9)
     _, displacement = integrate_linear(push, 0.01)
     moved = np.interp(1.0, history.time_s, history.y_m) - 0.4
     assert moved >= 0.99 * displacement.max() > 0.005
@@ -330,7 +330,7 @@ def test_w1_under_the_rinaldi_record():
 
     Its dashpots along joints have no limit: with 2 nodes, which nobody uses, that makes 1 %.
     """
-    motion = Motion(0.01, rinaldi(0.2))
+    motion = SupportTable(0.01, rinaldi(0.2))
     for nodes, expected in ((5, 0.436), (9, 0.436)):
         history = simulate(facade(nodes_base=nodes), motion, duration_s=4.0)
         assert history.theta_over_alpha.max() == pytest.approx(expected, rel=0.01)
@@ -341,7 +341,7 @@ def test_w1_under_the_rinaldi_record():
 def test_w2_under_the_rinaldi_record():
     """Design page: 0.264 at 0.10 g with 9 nodes up each block."""
     floors = floor_motions(rinaldi(0.1), 0.01, 4, 0.27)
-    motion = Motion(floors.time_s[1], floors.ground_m_s2, floors.floors_m_s2)
+    motion = SupportTable(floors.time_s[1], floors.ground_m_s2, floors.floors_m_s2)
     history = simulate(facade(segments=4), motion, duration_s=4.0)
     assert history.theta_over_alpha.max() == pytest.approx(0.264, rel=0.01)
 
@@ -355,9 +355,12 @@ def test_w2_under_the_rinaldi_record():
         (lambda: facade(segments=(3.0, 4.0)), "segments"),
         (lambda: facade(segments=0), "segments"),
         (lambda: simulate(facade()), "duration"),
-        (lambda: simulate(facade(), Motion(0.1, [0.0, 1.0], np.zeros((3, 2)))), "3 return-wall"),
-        (lambda: Motion(0.1, [0.0, np.nan]), "finite"),
-        (lambda: Motion(0.1, [0.0, 1.0], np.zeros((2, 3))), "2 samples"),
+        (
+            lambda: simulate(facade(), SupportTable(0.1, [0.0, 1.0], np.zeros((3, 2)))),
+            "3 return-wall",
+        ),
+        (lambda: SupportTable(0.1, [0.0, np.nan]), "finite"),
+        (lambda: SupportTable(0.1, [0.0, 1.0], np.zeros((2, 3))), "2 samples"),
         (lambda: simulate_batch(facade(), duration_s=1.0, dt_s=-1.0), "dt_s"),
     ],
 )

@@ -12,7 +12,7 @@ from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.mechanics import column
 from rocking.mechanics.closed_forms import capacity_compliant_base
-from rocking.reference import Motion, simulate_batch
+from rocking.reference import SupportTable, simulate_batch
 from rocking.reference.facade import wall_of
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import Motions, history, peaks, stable_step
@@ -149,7 +149,7 @@ def test_against_the_reference_solver():
     t, ground = pulses(1.2)
     planar = history(to_plane(build_scene(case.scene)), Motions(t, ground), case["numerics"])
     wall = wall_of(case.scene, 17)
-    judged = simulate_batch(wall, Motion(0.01, ground, None), [1.0], tolerance=1e-6)
+    judged = simulate_batch(wall, SupportTable(0.01, ground, None), [1.0], tolerance=1e-6)
     assert planar.peak_d_over_b > 0.05
     assert planar.peak_d_over_b == pytest.approx(float(judged.peak_d_over_b[0]), rel=0.01)
 

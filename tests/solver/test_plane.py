@@ -212,7 +212,7 @@ def test_agrees_with_the_judge(model):
     config, planar = case(model)
     floors = floor_motions(ground, t[1])
     driven = floors.floors_m_s2 if model == "W2" else None
-    motion = reference.Motion(floors.time_s[1], floors.ground_m_s2, driven)
+    motion = reference.SupportTable(floors.time_s[1], floors.ground_m_s2, driven)
     factor = 0.6 if model == "W2" else 1.0
     wall = wall_of(config, 4 if model == "W2" else 1)
     expected = reference.simulate(wall, motion, scale=factor, tolerance=3e-6).d_over_b.max()
@@ -235,7 +235,7 @@ def test_the_reference_solver_nears_it_where_friction_is_low(model, factor):
     floors = floor_motions(ground, t[1])
     driven = floors.floors_m_s2 if model == "W2" else None
     motions = Motions(floors.time_s, floors.ground_m_s2, driven if model == "W2" else ())
-    motion = reference.Motion(floors.time_s[1], floors.ground_m_s2, driven)
+    motion = reference.SupportTable(floors.time_s[1], floors.ground_m_s2, driven)
     runs = [
         history(planar, motions, config["numerics"], factor, step_s=s, sample_s=0.0)
         for s in (4e-4, 2.5e-5)

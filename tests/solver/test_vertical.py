@@ -68,7 +68,7 @@ def test_a_mirror_image_keeps_the_vertical_motion():
         found = {}
         for lift in (up, None):
             h = history(planar, Motions(time_s, ground, (), lift), config["numerics"], factor)
-            motion = reference.Motion(time_s[1], ground, None, lift)
+            motion = reference.SupportTable(time_s[1], ground, None, lift)
             expected = reference.simulate(wall, motion, scale=factor, tolerance=3e-6)
             assert h.peak_d_over_b > 0.03
             assert h.peak_d_over_b == pytest.approx(expected.d_over_b.max(), rel=2e-3)

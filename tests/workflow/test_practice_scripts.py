@@ -12,7 +12,7 @@ from rocking.runs import Runs
 from run_script import script
 
 from smdof.chain import floor_motions
-from yade_scripts.model.motion import Motion
+from yade_scripts.model.motion import SupportMotion
 
 pytestmark = pytest.mark.slow
 
@@ -188,7 +188,7 @@ def test_motion_of_a_facade_up_the_building_is_that_of_the_floors_it_stands_on(t
     motions = found.to_numpy()[:, 1:].T
     np.testing.assert_allclose(motions, levels[below:], rtol=1e-6, atol=1e-7)
     for level in motions:  # YADE holds the last value, so what drives a support ends at zero
-        driven = Motion(found["time_s"].to_numpy(), level)
+        driven = SupportMotion(found["time_s"].to_numpy(), level)
         np.testing.assert_array_equal(driven.acceleration_m_s2[: level.size], level)
         assert driven.acceleration_m_s2[-1] == 0.0 or abs(level[-1]) < 1e-9 * abs(level).max()
     speed = np.cumsum(levels[-1] - levels[0]) * 0.01

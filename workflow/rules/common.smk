@@ -28,7 +28,7 @@ from rocking.records.check import check_runs, reach_g
 from rocking.runtime import cluster, file_times, first_page, interrupts, progress
 from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
 from rocking.runtime.way_back import left_out_if_unknown
-from rocking.runs import Curve, Runs
+from rocking.runs import CurveKey, Runs
 from rocking import version
 from yade_scripts.engine import lifeline
 from yade_scripts.model.registry import COMPLETE, MODELS, PLANAR, PUSHED, WITH_WALLS

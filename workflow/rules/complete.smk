@@ -90,7 +90,7 @@ def two_way_curves(run):
     """Curves of the reduced models compared with those that YADE runs."""
     models = [two_way(model) for model in complete_settings(run)["models"]]
     records, directions = RUNS.confirmed(run), RUNS.settings[run]["directions"]
-    return [Curve(*names) for names in product(models, records, directions)]
+    return [CurveKey(*names) for names in product(models, records, directions)]
 
 
 LEVELS = {"complete": "CB", "kind": "level", "cases": brick_models}

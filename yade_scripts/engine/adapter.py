@@ -16,14 +16,15 @@ from yade_scripts.engine.floors import Floors
 from yade_scripts.engine.guide import GUIDE_INTERVAL_S, Guide
 from yade_scripts.engine.library import EngineError, load_yade
 from yade_scripts.engine.links import Links
-from yade_scripts.engine.parts import Parts
+from yade_scripts.engine.parts import SceneParts
 from yade_scripts.engine.releases import Releases
 from yade_scripts.engine.ties import Ties
 from yade_scripts.engine.welds import Welds
-from yade_scripts.model.motion import Motion
+from yade_scripts.model.motion import SupportMotion
 from yade_scripts.model.scene import DOFS
 
-__all__ = ["Built", "EngineError", "FaceError", "Motion", "build", "load_yade"]
+__all__ = ["Built", "EngineError", "FaceError", "Motion", "SupportMotion", "build", "load_yade"]
+Motion = SupportMotion  # its name of one version ago
 
 # A node and a face so near are looked at in every step. A larger distance costs more of that than
 # it spares of sorting, which YADE does anew once a body has moved so far.
@@ -78,7 +79,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     Parameters
     ----------
     scene : Scene
-    motions : dict of str to Motion
+    motions : dict of str to SupportMotion
         One for each name in `scene.motions`.
     dt_s : float
         Time step; the caller has compared it with the critical one.
@@ -105,7 +106,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     omega = w.Omega()
     loop.reset(omega)
     faces = Faces(scene)
-    parts = Parts(w, utils, omega, scene, faces, node_radius_m)
+    parts = SceneParts(w, utils, omega, scene, faces, node_radius_m)
     given = w, utils, omega, scene
     linked, tied, held, welded = Links(*given), Ties(*given), Floors(*given), Welds(*given)
     attached: list[Attached] = [linked, tied, held, welded]

@@ -19,7 +19,7 @@ UNLIMITED_FRICTION = 1.57  # rad
 STAND_IN_INERTIA = (1.0, 2.0, 3.0)
 
 
-class Parts:
+class SceneParts:
     """Appends the bodies of a scene's blocks to YADE.
 
     Parameters

@@ -23,7 +23,7 @@ def run(scene, motion, dt_s, limit_s, *, sample_s=0.005, damping=0.2):
     ----------
     scene : Scene
         Of model W1.
-    motion : adapter.Motion
+    motion : adapter.SupportMotion
     dt_s, limit_s : float
     damping : float
         Non-viscous damping of the integrator.

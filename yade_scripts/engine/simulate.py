@@ -46,7 +46,7 @@ class StopRules:
 
 
 @dataclass
-class History:
+class YadeHistory:
     """Sampled result of one run.
 
     Attributes
@@ -198,7 +198,7 @@ def run(
     Parameters
     ----------
     scene : Scene
-    motions : dict of str to adapter.Motion
+    motions : dict of str to adapter.SupportMotion
     dt_s : float
     rules : StopRules
     sample_s : float
@@ -251,7 +251,7 @@ def run(
     peak = cubic_peak(time_s[finite], d[finite], v[finite]) if finite.any() else np.nan
     if monitor.status == FAILED:
         peak = np.nan
-    return History(
+    return YadeHistory(
         time_s,
         d,
         v,

@@ -43,7 +43,7 @@ def numbers(time_s):
 
 
 @dataclass
-class Motion:
+class SupportMotion:
     """A support's prescribed acceleration along y, linear between samples.
 
     Attributes

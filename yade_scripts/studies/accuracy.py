@@ -92,7 +92,7 @@ def run_case(case, time_s, columns, spec):
 
     Returns
     -------
-    history : simulate.History
+    history : simulate.YadeHistory
     ratio : float
         Step over critical step.
     """
@@ -130,7 +130,7 @@ def _polyhedra(scene, motion, step):
         os.close(quiet)
         os.close(terminal)
     end = np.array([simulated])
-    return simulate.History(end, 0 * end, 0 * end, 0 * end, peak, status, "", step, steps, wall)
+    return simulate.YadeHistory(end, 0 * end, 0 * end, 0 * end, peak, status, "", step, steps, wall)
 
 
 def as_row(spec, nodes, history, ratio):

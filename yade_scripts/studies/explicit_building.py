@@ -20,7 +20,7 @@ import numpy as np
 from yade_scripts.engine import adapter, loop
 from yade_scripts.files import read_json, write_atomic, write_json
 from yade_scripts.model.floor_motions import GROUND
-from yade_scripts.model.motion import Motion
+from yade_scripts.model.motion import SupportMotion
 from yade_scripts.model.scene import from_dict
 from yade_scripts.studies import command
 from yade_scripts.studies.tables import history_csv
@@ -53,7 +53,7 @@ class ExplicitBuilding:
             for b in scene.blocks
         ]
         self.scene = replace(scene, blocks=blocks, shaking=GROUND, gravity_m_s2=gravity_m_s2)
-        self.step_s, self.motion = step_s, Motion(time_s, ground_m_s2)
+        self.step_s, self.motion = step_s, SupportMotion(time_s, ground_m_s2)
         self.built = adapter.build(self.scene, {GROUND: self.motion}, step_s)
 
     def run(self, duration_s, points):

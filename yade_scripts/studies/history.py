@@ -76,7 +76,7 @@ def trace(shaken):
 
     Returns
     -------
-    history : simulate.History
+    history : simulate.YadeHistory
     values : dict of str to ndarray, shape (n,)
         By column of the table, time_s first.
     """

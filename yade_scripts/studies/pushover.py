@@ -59,7 +59,7 @@ def push_motion(speed_m_s, travel_m):
     edge = 1e-6 * np.diff(time_s)
     slope = np.diff(speed) / np.diff(time_s)
     knots = np.stack([time_s[:-1] + edge, time_s[1:]], axis=1).ravel()
-    return adapter.Motion(
+    return adapter.SupportMotion(
         np.concatenate(([0.0], knots)), np.concatenate(([slope[0]], np.repeat(slope, 2)))
     )
 
@@ -140,7 +140,7 @@ def push(scene, numerics, *, speed_m_s=0.02, reach=1.0, samples=400, force_sampl
     step, _ = simulate.choose_step(scene, numerics)
     travel = 0.5 * reach * scene.thickness_m
     motion = push_motion(0.5 * speed_m_s, travel)
-    still = adapter.Motion.none(motion.duration_s)
+    still = adapter.SupportMotion.none(motion.duration_s)
     motions = {name: still for name in scene.motions} | {PUSH: motion}
     built = adapter.build(scene, motions, step, node_radius_m=numerics["node_radius_m"])
     steps = int(motion.duration_s / step)

@@ -30,7 +30,7 @@ class Runner:
     ----------
     count, reused : int
         Runs so far, and how many of them the journal had.
-    history : simulate.History or None
+    history : simulate.YadeHistory or None
         Of the last run; None where the journal had it.
     """
 

@@ -19,7 +19,7 @@ class Shaking:
     Attributes
     ----------
     scene : Scene
-    motions : dict of str to adapter.Motion
+    motions : dict of str to adapter.SupportMotion
     rules : simulate.StopRules
     step_s, critical_step_s, sample_s, node_radius_m : float
     retry : bool
@@ -97,7 +97,7 @@ def set_up(scene, numerics, time_s, columns, factor):
     """
     scene, columns = floor_motions.shaken(scene, columns)
     moved = floor_motions.scaled({name: columns[name] for name in scene.motions}, factor)
-    motions = {name: adapter.Motion(time_s, values) for name, values in moved.items()}
+    motions = {name: adapter.SupportMotion(time_s, values) for name, values in moved.items()}
     level = {name: motion for name, motion in motions.items() if name != scene.vertical}
     step, critical = simulate.choose_step(scene, numerics)
     return Shaking(
@@ -141,7 +141,7 @@ def stop_rules(scene, numerics, time_s, motions):
         Section numerics of the configuration.
     time_s : ndarray
         Times of the motion file [s].
-    motions : dict of str to adapter.Motion
+    motions : dict of str to adapter.SupportMotion
         The horizontal ones: the vertical motion moves no façade that stands upright.
 
     Returns

@@ -177,7 +177,7 @@ def growth(scene, dt_s):
     w = adapter.load_yade()
     has_walls = any(name.startswith("return wall") for name in scene.joints)
     gravity = np.array([0.0, -PRESS_M_S2 if has_walls else 0.0, -scene.gravity_m_s2])
-    zero = adapter.Motion.none(1e6)
+    zero = adapter.SupportMotion.none(1e6)
     small = 0.3 * critical_step(scene)
     built = adapter.build(pressed(scene, gravity), {name: zero for name in scene.motions}, small)
     omega = built.omega

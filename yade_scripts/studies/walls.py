@@ -88,7 +88,7 @@ def released(wall, beta_s):
     )
     return simulate.run(
         scene,
-        {GROUND: adapter.Motion.none(limit_s + 1.0)},
+        {GROUND: adapter.SupportMotion.none(limit_s + 1.0)},
         step,
         rules,
         sample_s=limit_s / SAMPLES,

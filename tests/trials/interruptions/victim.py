@@ -47,7 +47,9 @@ def main():
     draw = random.Random(job["seed"])
     scene = models.build_scene(job)
     time_s = np.linspace(0.0, 4.0, 401)
-    still = {name: adapter.Motion(time_s, 0.3 * np.sin(7.0 * time_s)) for name in scene.motions}
+    still = {
+        name: adapter.SupportMotion(time_s, 0.3 * np.sin(7.0 * time_s)) for name in scene.motions
+    }
     step = 0.1 * simulate.choose_step(scene, models.numerics(job))[1]
 
     def run(limit_s, setup=None):

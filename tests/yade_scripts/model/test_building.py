@@ -19,7 +19,7 @@ from yade_scripts.model import stiffness
 from yade_scripts.model.building.assembly import build
 from yade_scripts.model.building.bricks import Brick, lay
 from yade_scripts.model.building.contacts import KINDS, Joints
-from yade_scripts.model.building.plan import Opening, Plan, PlanError, Wall, plan_from_dict
+from yade_scripts.model.building.plan import Opening, Plan, PlanError, PlanWall, plan_from_dict
 
 BUILDINGS = Path(__file__).parents[3] / "config" / "buildings"
 JOINTS, BRICK = Joints(), Brick()
@@ -38,7 +38,7 @@ SETTINGS = {
 
 
 def single_wall(length, height, thickness=0.12, **keys):
-    return Plan("one", (Wall("wall", (0.0, 0.0), (0.0, length), thickness, height, **keys),))
+    return Plan("one", (PlanWall("wall", (0.0, 0.0), (0.0, length), thickness, height, **keys),))
 
 
 def volume(bricks):
@@ -80,8 +80,8 @@ def test_running_bond_breaks_every_vertical_joint():
 def test_corner_interlocks():
     """The wall along x passes the corner on even courses, the wall along y on odd ones."""
     walls = (
-        Wall("x", (0.0, 0.0), (2.0, 0.0), 0.24, 0.6),
-        Wall("y", (0.12, -0.12), (0.12, 2.0), 0.24, 0.6),
+        PlanWall("x", (0.0, 0.0), (2.0, 0.0), 0.24, 0.6),
+        PlanWall("y", (0.12, -0.12), (0.12, 2.0), 0.24, 0.6),
     )
     bricks = lay(Plan("corner", walls), BRICK)
     for course in range(10):
@@ -330,15 +330,18 @@ def test_wall_without_support_is_refused_by_name():
     hanging = Plan(
         "p",
         (
-            Wall("a", (0, 0), (3, 0), 0.24, 2.4),
-            Wall("loft", (0.12, 0), (0.12, 3), 0.24, 1.2, base_m=1.2),
+            PlanWall("a", (0, 0), (3, 0), 0.24, 2.4),
+            PlanWall("loft", (0.12, 0), (0.12, 3), 0.24, 1.2, base_m=1.2),
         ),
     )
     with pytest.raises(PlanError, match="wall 'loft' has no support.*1.2 m"):
         build(hanging, coarsening=2.0)
     on_top = Plan(
         "p",
-        (Wall("a", (0, 0), (3, 0), 0.24, 1.2), Wall("b", (0, 0), (3, 0), 0.24, 1.2, base_m=1.2)),
+        (
+            PlanWall("a", (0, 0), (3, 0), 0.24, 1.2),
+            PlanWall("b", (0, 0), (3, 0), 0.24, 1.2, base_m=1.2),
+        ),
     )
     assert len(build(on_top, coarsening=2.0).bricks) > 0
 

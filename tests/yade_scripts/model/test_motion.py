@@ -4,7 +4,7 @@ from yade_process import resolved
 
 from yade_scripts.model import floor_motions
 from yade_scripts.model.facade import facade_scene
-from yade_scripts.model.motion import Motion, amplitude, numbers
+from yade_scripts.model.motion import SupportMotion, amplitude, numbers
 
 
 def test_motions_of_one_time_axis_share_its_numbers():
@@ -18,7 +18,7 @@ def test_motions_of_one_time_axis_share_its_numbers():
 
 def test_position_is_the_double_integral():
     """Up to 2 m/s² in a second, down in two: t³/3, then by the same rule; 3 m/s from then on."""
-    motion = Motion(np.array([0.0, 1.0, 3.0]), np.array([0.0, 2.0, 0.0]))
+    motion = SupportMotion(np.array([0.0, 1.0, 3.0]), np.array([0.0, 2.0, 0.0]))
     expected = [0.0, 1.0 / 24.0, 1.0 / 3.0, 13.0 / 6.0, 5.0, 8.0]
     assert motion.position([0.0, 0.5, 1.0, 2.0, 3.0, 4.0]) == pytest.approx(expected)
     assert motion.peak_speed() == pytest.approx(3.0)
@@ -26,7 +26,7 @@ def test_position_is_the_double_integral():
 
 def test_a_motion_ends_at_zero():
     """One more sample where it does not, as far on as the one before."""
-    motion = Motion(np.array([0.0, 0.1]), np.array([0.0, 1.0]))
+    motion = SupportMotion(np.array([0.0, 0.1]), np.array([0.0, 1.0]))
     assert motion.time_s == pytest.approx([0.0, 0.1, 0.2])
     assert motion.acceleration_m_s2.tolist() == [0.0, 1.0, 0.0]
     assert motion.duration_s == pytest.approx(0.2)

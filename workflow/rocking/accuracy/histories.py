@@ -47,7 +47,7 @@ def half(number):
     return REPORTING if number // 2 % 2 else CHOOSING
 
 
-class Solver:
+class PeakSolver:
     """Peak d/b of one model, record and direction at any nodes and step, by the compiled solver.
 
     Parameters
@@ -107,7 +107,7 @@ def reference_of(solver, pga_g, settings):
 
     Parameters
     ----------
-    solver : Solver
+    solver : PeakSolver
     pga_g : float
     settings : dict
         reference_nodes, reference_step, trusted, repeat_tolerance.
@@ -148,7 +148,7 @@ def histories(solver, labels, settings):
 
     Parameters
     ----------
-    solver : Solver
+    solver : PeakSolver
     labels : dict
         half, model, record, direction.
     settings : dict

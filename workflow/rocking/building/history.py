@@ -21,7 +21,7 @@ LOADS = {"without dead load": 0.0, "sudden gravity": GRAVITY_M_S2}
 
 
 @dataclass(frozen=True)
-class History:
+class PointHistory:
     """Absolute acceleration and relative displacement of some points.
 
     Attributes
@@ -113,4 +113,4 @@ def modal_history(
         displacement += shape * q
         relative += shape * (load - rate_1_s * v - omega**2 * q)
     time = np.arange(ground.size) * step
-    return History(time, ground, ground + relative, displacement)
+    return PointHistory(time, ground, ground + relative, displacement)

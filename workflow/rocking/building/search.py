@@ -41,7 +41,7 @@ WANTED = [(model, kind) for kind in ("y", "rz") for model in MODELS]
 
 
 @dataclass(frozen=True)
-class Variant:
+class PlanVariant:
     """What distinguishes a variant from the plan and settings it starts from.
 
     Widths in metres, an opening narrower than SMALLEST_OPENING_M is bricked up;
@@ -94,24 +94,24 @@ def variant(ranges, place):
     Parameters
     ----------
     ranges : dict
-        (low, high) of every field of `Variant`; those in LOGARITHMIC are divided evenly in
+        (low, high) of every field of `PlanVariant`; those in LOGARITHMIC are divided evenly in
         their logarithm.
     place : array_like, shape (n_fields,)
         0 … 1 in the order of the fields.
     """
     values = {}
-    for name, part in zip(Variant.__dataclass_fields__, np.clip(place, 0.0, 1.0), strict=True):
+    for name, part in zip(PlanVariant.__dataclass_fields__, np.clip(place, 0.0, 1.0), strict=True):
         low, high = ranges[name]
         if name in LOGARITHMIC:
             values[name] = float(np.exp(np.log(low) + part * (np.log(high) - np.log(low))))
         else:
             values[name] = float(low + part * (high - low))
-    return Variant(**values)
+    return PlanVariant(**values)
 
 
 def sample(count, seed):
     """Return `count` places of the unit cube, a scrambled Sobol sequence (Owen, 1998)."""
-    fields = len(Variant.__dataclass_fields__)
+    fields = len(PlanVariant.__dataclass_fields__)
     return qmc.Sobol(fields, rng=seed).random(count)
 
 

@@ -74,7 +74,7 @@ def groups(config: Mapping) -> dict[str, float]:
 
 
 @dataclass(frozen=True)
-class Law:
+class PowerLaw:
     """A fitted power law β·ω_c = exp(c0)·Π x_i^c_i.
 
     Attributes
@@ -169,7 +169,7 @@ def fit_law(walls, betas_s, names):
 
     Returns
     -------
-    Law
+    PowerLaw
 
     Raises
     ------
@@ -196,7 +196,7 @@ def fit_law(walls, betas_s, names):
     leverage = np.einsum("ij,jk,ik->i", x, inverse, x)
     loo = residual / (1.0 - leverage)
     every = [name for name in walls[0] if name != "omega_c_rad_s"]
-    return Law(
+    return PowerLaw(
         names=tuple(names),
         coefficients=tuple(map(float, coefficients)),
         covariance=tuple(tuple(map(float, row)) for row in variance * inverse),
@@ -281,7 +281,7 @@ def read_laws(path=LAW_FILE):
         data = json.loads(Path(path).read_text("utf-8"))
         if "names" in data:  # a file of version 0.2: one law, of the study's base
             data = {bases.STUDY: data}
-        laws = {base: Law(**law) for base, law in data.items()}
+        laws = {base: PowerLaw(**law) for base, law in data.items()}
         for law in laws.values():
             sizes = len(law.coefficients), len(law.names)
             if sizes[0] != 1 + sizes[1] or not np.all(np.isfinite(law.coefficients)):

@@ -151,7 +151,7 @@ def along_slenderness(settings, law, count=60):
     ----------
     settings : dict
         Section calibration.
-    law : `beta.Law`
+    law : `beta.PowerLaw`
     count : int
 
     Returns

@@ -33,7 +33,7 @@ def compare(table):
 
     Returns
     -------
-    beta.Law
+    beta.PowerLaw
         Of the forms whose leave-one-out error is within WORTH of the least, the one with the
         fewest groups.
     list of dict

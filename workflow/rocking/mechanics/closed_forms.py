@@ -24,7 +24,7 @@ def _positive(**values):
 # Geometry and free rocking -----------------------------------------------------------------------
 
 
-class Block(NamedTuple):
+class BlockShape(NamedTuple):
     """Slenderness α [rad], half diagonal R [m] and rocking frequency p [rad/s] of a block."""
 
     alpha_rad: float
@@ -36,7 +36,7 @@ def block(h_m, b_m, gravity_m_s2=GRAVITY_M_S2):
     """α = atan(b/h), R = √(h² + b²)/2 and p = √(3g/4R) of a homogeneous block (Housner, 1963)."""
     _positive(h_m=h_m, b_m=b_m, gravity_m_s2=gravity_m_s2)
     radius = 0.5 * math.hypot(h_m, b_m)
-    return Block(math.atan2(b_m, h_m), radius, math.sqrt(0.75 * gravity_m_s2 / radius))
+    return BlockShape(math.atan2(b_m, h_m), radius, math.sqrt(0.75 * gravity_m_s2 / radius))
 
 
 def _release(ratio):

@@ -26,7 +26,7 @@ import numpy as np
 
 from .errors import RecordError
 from .record import G_M_S2, MAX_PGA_G, MIN_PGA_G, Record
-from .surrogate_model import Model, Noise, Pulse, Spec
+from .surrogate_model import Noise, Pulse, Spec, SurrogateModel
 
 TOLERANCE = 0.01  # accepted relative error of PGA, PGV and PGD
 DEFAULT_SEED = 1977
@@ -195,7 +195,7 @@ def generate(name, pga_g, pgv_cm_s, pgd_cm, duration_s, *, spec=None, seed=DEFAU
     for draw in range(MAX_DRAWS):
         sequence = np.random.SeedSequence([seed, zlib.crc32(name.encode()), draw])
         white = np.random.Generator(np.random.PCG64(sequence)).standard_normal(count)
-        model = Model(spec, count, white)
+        model = SurrogateModel(spec, count, white)
         solved, error = _solve(model, spec, target)
         if best is None or error < best[0]:
             best = (error, draw + 1, model, solved)

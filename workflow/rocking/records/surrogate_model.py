@@ -125,7 +125,7 @@ def _correction(t, dt_s):
     return basis, ends
 
 
-class Model:
+class SurrogateModel:
     """Acceleration as a function of the parameters, for one noise draw."""
 
     def __init__(self, spec, count, white):

@@ -5,9 +5,18 @@ return walls: `wall` describes it, `contact` holds the interface law, `motion`
 the supports, `adaptive` and `batch` integrate.
 """
 
-from .adaptive import History, simulate
+from .adaptive import AdaptiveHistory, simulate
 from .batch import BatchResult, simulate_batch
-from .motion import Motion
+from .motion import SupportTable
 from .wall import Wall
 
-__all__ = ["BatchResult", "History", "Motion", "Wall", "simulate", "simulate_batch"]
+__all__ = [
+    "AdaptiveHistory",
+    "BatchResult",
+    "Motion",
+    "SupportTable",
+    "Wall",
+    "simulate",
+    "simulate_batch",
+]
+Motion = SupportTable  # its name of one version ago

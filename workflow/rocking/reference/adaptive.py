@@ -7,13 +7,13 @@ import numpy as np
 
 from .contact import initial, law_of
 from .integrate import COLUMNS, Control, Drive, fixed, march, units
-from .motion import Motion
+from .motion import SupportTable
 
 ROWS = 4096  # room for rows at the start
 
 
 @dataclass(frozen=True)
-class History:
+class AdaptiveHistory:
     """One simulated history, sampled at the accepted steps (first row: the start).
 
     Attributes
@@ -85,7 +85,7 @@ def simulate(
     Parameters
     ----------
     wall : Wall
-    motion : Motion or None
+    motion : SupportTable or None
         None leaves the supports at rest (free rocking).
     duration_s : float or None
         Simulated time; None takes the motion's. Beyond the motion the supports rest.
@@ -121,7 +121,7 @@ def simulate(
     )
     time, y, z, theta, vy, vz, omega, contact, given, d, elastic = rows[:written].T
     kinetic = 0.5 * wall.mass_kg * (vy**2 + vz**2) + 0.5 * wall.inertia_kg_m2 * omega**2
-    return History(
+    return AdaptiveHistory(
         time_s=time,
         y_m=y,
         z_m=z,
@@ -178,7 +178,7 @@ def checked(wall, motion, duration_s):
     if motion is None:
         if duration_s is None:
             raise ValueError("simulate: expected a motion or a duration")
-        return Motion(duration_s, np.zeros(2)), duration_s
+        return SupportTable(duration_s, np.zeros(2)), duration_s
     if motion.walls_m_s2 is not None and len(motion.walls_m_s2) != wall.n_segments:
         raise ValueError(
             f"simulate: the motion drives {len(motion.walls_m_s2)} return-wall segments, "

@@ -54,7 +54,7 @@ def simulate_batch(
     Parameters
     ----------
     wall : Wall
-    motion : Motion or None
+    motion : SupportTable or None
         None leaves the supports at rest.
     scales : float or array_like, shape (cases,)
         Factors on all accelerations of `motion`.

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocking.reference import Motion, Wall, simulate_batch
+from rocking.reference import SupportTable, Wall, simulate_batch
 from yade_scripts.model import base, floor_motions, registry
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.shape import refuse
@@ -57,7 +57,7 @@ def motion_of(time_s, columns, model):
     vertical = columns.pop(floor_motions.VERTICAL, None)
     ground, *floors = columns.values()
     floors = np.array(floors) if registry.model(model).chain else None
-    return Motion(float(time_s[1] - time_s[0]), ground, floors, vertical)
+    return SupportTable(float(time_s[1] - time_s[0]), ground, floors, vertical)
 
 
 def peak_d_over_b(case, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-5):
@@ -96,7 +96,7 @@ def outcomes(case, motion_path, direction, pga_g, *, nodes, tolerance):
 
 
 def answers(case, motion, direction, pga_g, *, nodes, tolerance):
-    """`Outcomes` of one scene and `Motion` at some amplitudes."""
+    """`Outcomes` of one scene and `SupportTable` at some amplitudes."""
     scales = [amplitude(motion.base_m_s2, direction, g) for g in pga_g]
     found = simulate_batch(
         wall_of(case, nodes), motion, scales, tolerance=tolerance, stop_d_over_b=1.0

@@ -55,7 +55,7 @@ class Control(NamedTuple):
 
 
 class Drive(NamedTuple):
-    """Support motions at their samples, see `Motion`; walls relative to the base, (m, nt)."""
+    """Support motions at their samples, see `SupportTable`; walls relative to the base, (m, nt)."""
 
     dt_s: float
     base_m_s2: np.ndarray

@@ -27,7 +27,7 @@ def integrate_linear(acceleration, dt_s):
 
 
 @dataclass(frozen=True)
-class Motion:
+class SupportTable:
     """Accelerations of the base and of the return-wall segments.
 
     The block is solved in the base's frame, so only the walls' motion relative

@@ -3,7 +3,7 @@
 Nothing here knows a path of the results, which stand in the rules, and nothing touches Snakemake.
 """
 
-from rocking.runs.runs import Curve, Runs
+from rocking.runs.runs import CurveKey, Runs
 from rocking.runs.shared import Shared
 
-__all__ = ["Curve", "Runs", "Shared"]
+__all__ = ["CurveKey", "Runs", "Shared"]

@@ -12,7 +12,7 @@ from yade_scripts.model.registry import MODELS, PUSHED
 from yade_scripts.model.shape import is_plain, refuse
 
 
-class Curve(NamedTuple):
+class CurveKey(NamedTuple):
     """What one incremental dynamic analysis is of."""
 
     model: str
@@ -216,11 +216,11 @@ class Runs:
             **self.shared.keys[run],
         }
 
-    def curves(self, run) -> list[Curve]:
+    def curves(self, run) -> list[CurveKey]:
         """Every curve of a run."""
         resolved = self.settings[run]
         found = product(resolved["models"], self.records[run], resolved["directions"])
-        return [Curve(*names) for names in found]
+        return [CurveKey(*names) for names in found]
 
     def confirmed(self, run) -> list[str]:
         """Records whose dense scans YADE confirms: one of every `ida.confirm_every`, in order."""
@@ -230,11 +230,11 @@ class Runs:
         """Whether the curves of a model follow a dense scan by the planar solver."""
         return MODELS[model].scanned and self.settings[run]["ida"]["mode"] != "grid"
 
-    def scans(self, run) -> list[Curve]:
+    def scans(self, run) -> list[CurveKey]:
         """Curves that a dense scan stands behind."""
         return [curve for curve in self.curves(run) if self.scanned(run, curve.model)]
 
-    def by_yade(self, run) -> list[Curve]:
+    def by_yade(self, run) -> list[CurveKey]:
         """Curves that YADE runs."""
         confirmed = self.confirmed(run)
         return [
@@ -243,7 +243,7 @@ class Runs:
             if curve.record in confirmed or not self.scanned(run, curve.model)
         ]
 
-    def ensembles(self, run) -> list[Curve]:
+    def ensembles(self, run) -> list[CurveKey]:
         """Curves with a perturbed ensemble; none where config switches them off."""
         return [] if self.settings[run]["ensemble"]["enabled"] == "off" else self.by_yade(run)
 

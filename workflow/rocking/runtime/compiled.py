@@ -16,7 +16,7 @@ UNCOUNTED: dict[str, Any] = {"_nrt": False}  # without numba's counts of who ref
 WITHIN: Any = {"forceinline": True, "no_cfunc_wrapper": True, **OPTIONS, **UNCOUNTED}
 
 
-class Kept(IndexDataCacheFile):
+class KeptLoops(IndexDataCacheFile):
     """Machine code on disk, and the index of what is of which types, written in this order.
 
     numba writes the index first, and after a change of the source names files in it that are there
@@ -67,7 +67,7 @@ def compiled(function, **more):
     digest = hashlib.sha256(b"".join(path.read_bytes() for path in beside)).hexdigest()
     cache = made._cache
     stamp = (cache._cache_file._source_stamp, digest)
-    cache._cache_file = Kept(cache.cache_path, cache._impl.filename_base, stamp)
+    cache._cache_file = KeptLoops(cache.cache_path, cache._impl.filename_base, stamp)
     return made
 
 

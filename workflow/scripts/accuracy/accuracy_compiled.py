@@ -3,7 +3,7 @@
 import itertools
 import time
 
-from rocking.accuracy.histories import Solver
+from rocking.accuracy.histories import PeakSolver
 from rocking.accuracy.study import COMPILED
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
@@ -18,7 +18,7 @@ def main(job):
     rows = []
     for case in plan["cases"]:
         motion = floor_motions.read(plan["motions"][case["record"]])
-        solver = Solver(scenes[case["model"]], *motion, case["direction"])
+        solver = PeakSolver(scenes[case["model"]], *motion, case["direction"])
         for nodes, step in [grid[0], *grid]:  # the first one compiles
             began = time.perf_counter()
             found = solver.peaks(case["pga_g"], nodes, step)

@@ -1,7 +1,7 @@
 """Histories of the accuracy study with their converged answer, and the runs of YADE they get."""
 
 import pandas as pd
-from rocking.accuracy.histories import COLUMNS, Solver, drawn, half, histories
+from rocking.accuracy.histories import COLUMNS, PeakSolver, drawn, half, histories
 from rocking.accuracy.study import charted, plan_runs
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_json, write_table
@@ -22,7 +22,7 @@ def main(job):
         for model, scene in scenes.items():
             for direction in settings["directions"]:
                 labels = {"half": half(number), "model": model, "record": record}
-                solver = Solver(scene, *motion, direction)
+                solver = PeakSolver(scene, *motion, direction)
                 rows += histories(solver, {**labels, "direction": direction}, limits)
     table = pd.DataFrame(rows)[list(COLUMNS)]
     write_table(table, job.output.histories)

@@ -6,7 +6,7 @@ after them the plans that have a file of their own.
 
 import pandas as pd
 from rocking.building.case import read_plan
-from rocking.building.search import READINGS, Variant, evaluate
+from rocking.building.search import READINGS, PlanVariant, evaluate
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
@@ -15,13 +15,13 @@ def main(job):
     settings, search = dict(job.params.building), dict(job.params.search)
     plan = read_plan(job.input.plan)
     table = pd.read_csv(job.input.search)
-    names = list(Variant.__dataclass_fields__)
+    names = list(PlanVariant.__dataclass_fields__)
     rows, size = [], settings["coarsening"]
     for reading in READINGS:
         mine = table[table["reading"] == reading].nsmallest(search["verified"], "largest_error_s")
         for _, row in mine.iterrows():
             rows.append({**row, "coarsening": search["coarsening"]})
-            chosen = Variant(**{name: float(row[name]) for name in names})
+            chosen = PlanVariant(**{name: float(row[name]) for name in names})
             fine = evaluate(chosen.settings(settings), chosen.plan(plan), size).get(reading)
             if fine is not None:
                 rows.append({**row, **fine, "stage": "verified", "coarsening": size})

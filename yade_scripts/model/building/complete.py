@@ -18,7 +18,7 @@ from dataclasses import replace
 import numpy as np
 
 from yade_scripts.model.building.contacts import Joints
-from yade_scripts.model.building.plan import TOLERANCE_M, PlanError, Wall, shortened
+from yade_scripts.model.building.plan import TOLERANCE_M, PlanError, PlanWall, shortened
 from yade_scripts.model.facade import FACADE, add_base, plain_block
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.return_walls import back_jkn, back_strength
@@ -54,7 +54,7 @@ def behind(plan):
     """
     front = front_wall(plan)
     crack = front.offset_m - 0.5 * front.thickness_m
-    walls: list[Wall] = []
+    walls: list[PlanWall] = []
     met = False
     for wall in plan.walls:
         if wall is front:

@@ -38,7 +38,7 @@ class Opening:
 
 
 @dataclass(frozen=True)
-class Wall:
+class PlanWall:
     """A straight wall: ends of its centre line, thickness, base and top above z = 0."""
 
     name: str
@@ -95,7 +95,7 @@ class Wall:
 
 
 @dataclass(frozen=True)
-class Floor:
+class TimberFloor:
     """A timber floor: rigid beams from wall to wall and a rigid panel on top of them.
 
     `level_m` is the seat of the beams, `walls` the two parallel walls that carry
@@ -260,9 +260,9 @@ def plan_from_dict(data, source="plan"):
                 for j, row in enumerate(rows or ())
             )
         }
-        walls.append(_record(Wall, item, where, openings))
+        walls.append(_record(PlanWall, item, where, openings))
     floors = tuple(
-        _record(Floor, item, f"{source}, floor '{label(item, k)}'", {"walls": tuple})
+        _record(TimberFloor, item, f"{source}, floor '{label(item, k)}'", {"walls": tuple})
         for k, item in enumerate(data.get("floors") or ())
     )
     rest = {k: v for k, v in data.items() if k not in ("walls", "floors")}
