@@ -319,7 +319,7 @@ rule assess_report:
 rule assess:
     """
     Codes of practice compared with the dynamic answer, one façade: a report in HTML and PDF.
-    Costs: 4 min for three models and 44 motions; by records and height.
+    Costs: minutes for three models and 44 motions; by records, mechanisms and height.
     Page: docs/assessment.md
     """
     input:
