@@ -39,5 +39,5 @@ def test_what_there_is_none_of_is_left_out_and_a_stated_nought_is_not():
     words = config.relevant(config.resolve({"facade": facade}), "facade").words
     assert "friction 0°" in words
     assert "tilt 1.5°" in words
-    for absent in ("gable", "parapet", "gap", "bond", "courses", "base height"):
+    for absent in ("gable", "parapet", "gap", "bond", "courses 0", "base height"):
         assert absent not in words
