@@ -85,8 +85,8 @@ def main():
     about = instructions(FILE.read_text("utf-8"))
     if not (root / PROJECT).exists():
         copied(root)
-        if inside(root, about["RUN"]):
-            return "RUN failed"
+    if not (root / PROJECT / ".venv" / ".installed").exists() and inside(root, about["RUN"]):
+        return "RUN failed: give the same command again, which goes on"
     shutil.rmtree(room, ignore_errors=True)
     room.mkdir()
     subprocess.run(["chown", USER, room], check=True)
