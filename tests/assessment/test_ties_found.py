@@ -115,7 +115,7 @@ class Shaken:
 @pytest.mark.parametrize("least", [0.2, 1.0, 1.03, 1.7, 6.0])
 def test_rows_grow_until_the_dynamic_check_holds_and_95_per_cent_was_tried(least):
     tied = ties.Tied(sections(PLAIN), DEMAND)
-    rows = [ties.Row(6.0, 0.01 * tied.weight_n)]
+    rows = [ties.TieRow(6.0, 0.01 * tied.weight_n)]
     shaken = Shaken(least, tied)
     factor = ties_shaken.stronger(shaken, rows, by_hand=least >= 1.0)
     assert factor >= least

@@ -32,7 +32,7 @@ AFTER = ["part", "mechanism", "pga_fails_g", "ratio", "exceed_d0", "mean_d_m", "
 AFTER += ["beyond"]
 
 
-class Row(NamedTuple):
+class TieRow(NamedTuple):
     """A row to be added: its height above the façade's base and its capacity."""
 
     height_m: float
@@ -102,20 +102,20 @@ class Tied:
 
         Returns
         -------
-        rows : list of Row
+        rows : list of TieRow
             Ascending; empty where none is needed, or none helps.
         beyond : list of str
             Labels of mechanisms that fail with the strongest rows too.
         """
         if not self.failing([]):
             return [], []
-        strongest = [Row(z, MOST_SHARE * self.weight_n) for z in levels]
+        strongest = [TieRow(z, MOST_SHARE * self.weight_n) for z in levels]
         beyond = sorted(self.failing(strongest))
         if self.passes([], beyond):
             return [], beyond
 
         def common(share):
-            return [Row(z, share * self.weight_n) for z in levels]
+            return [TieRow(z, share * self.weight_n) for z in levels]
 
         share = _halved(lambda s: self.passes(common(s), beyond), LEAST_SHARE, MOST_SHARE)
         rows = common(share)
@@ -128,7 +128,7 @@ class Tied:
         """Least force of one row, the others as they are."""
 
         def holds(force_n):
-            own = Row(rows[k].height_m, force_n)
+            own = TieRow(rows[k].height_m, force_n)
             return self.passes([*rows[:k], own, *rows[k + 1 :]], beyond)
 
         if holds(0.0):
@@ -189,7 +189,7 @@ class Found(NamedTuple):
 
     Attributes
     ----------
-    rows : list of Row
+    rows : list of TieRow
         With their final force; empty where none is needed, or none helps.
     by_hand_n : list of float
         Least force of each by hand; 0 where the dynamic check alone asks for it.
@@ -231,7 +231,7 @@ def found(tied, shaken, stands, say=lambda text: None):
     trials = [(rows, True)]
     if not rows:
         first = FIRST_SHARE * tied.weight_n
-        trials = [([Row(levels[-1], first)], False), ([Row(z, first) for z in levels], False)]
+        trials = [([TieRow(levels[-1], first)], False), ([TieRow(z, first) for z in levels], False)]
         by_hand = []
     for own, known in trials:
         factor = stronger(shaken, own, known, say)
