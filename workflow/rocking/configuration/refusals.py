@@ -30,7 +30,9 @@ def unknown_key(path: str, known: dict) -> ConfigError:
         return decimal_comma(digits, where)
     paths = [p for p, _ in leaves(known)]
     section, _, leaf = path.rpartition(".")
-    same = [p for p in paths if p.rpartition(".")[2] == leaf]
+    alike = [p for p in paths if p.rpartition(".")[2] == leaf]
+    depth = min((p.count(".") for p in alike), default=0)
+    same = [p for p in alike if p.count(".") == depth]  # not what lies deeper in another section
     near = same
     if same and not section:  # "record" at the top level is rather "records" than "pictures.record"
         near = [*difflib.get_close_matches(leaf, known["properties"], 1, 0.85), *same]
