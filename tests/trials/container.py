@@ -18,7 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 FILE = ROOT / "containers" / "Containerfile"
 PROJECT = "opt/rocking-facades"
-USER = "1000:1000"
+USER = "65534:65534"  # nobody: Snakemake asks for a name
 CURVE = ["records=RRS228", "directions=neg", "models=W1", "run=try"]
 MADE = ("results/try/tables/ida_collapse.csv", "results/try/figures/fig09_ida.png")
 UNTRIED = "Not tried: the base image, and how podman and Apptainer read their files."
@@ -42,9 +42,8 @@ def inside(root, words, *, user=None, read_only=False, room=None):
         steps += [f"mount -o remount,bind,ro {root}", f"mount -t tmpfs tmpfs {root}/tmp"]
         steps.append(f"chmod 1777 {root}/tmp")
     change = f"--userspec={user} " if user else ""
-    steps.append(
-        f'exec chroot {change}{root} /usr/bin/env -i PATH="$PATH" LANG=C.UTF-8 bash -c "$0"'
-    )
+    clean = '/usr/bin/env -i PATH="$PATH" LANG=C.UTF-8 HOME=/tmp'
+    steps.append(f'exec chroot {change}{root} {clean} bash -c "$0"')
     command = ["unshare", "--mount", "bash", "-c", "\n".join(steps), words]
     return subprocess.run(command, timeout=LIMIT_S, check=False).returncode
 
