@@ -158,7 +158,7 @@ def test_a_process_killed_as_it_keeps_leaves_no_old_code_behind(tmp_path, what, 
             f"@compiled\ndef f(x):\n    return x + {step}\n"
         )
         if step > 1:
-            killed = KILLED.format(cls="compiled.Kept", what=what, given=given)
+            killed = KILLED.format(cls="compiled.KeptLoops", what=what, given=given)
             printed(tmp_path, killed)
         answers.append(printed(tmp_path, "from outer import f; print(int(f(10)))").strip())
     assert answers == ["11", "12"]
