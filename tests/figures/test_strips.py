@@ -1,6 +1,5 @@
 """The strip of a model beside Figure 9: its colour is the share that falls."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
@@ -18,13 +17,6 @@ ROW = {"model": "W1", "pga_safe_g": 0.1, "pga_collapse_g": 0.2}
 def table(**changes):
     whole = {"pga_g": PGA, "probability": SHARE, "realisations": 11, "probability_yade": np.nan}
     return pd.DataFrame(whole | changes)
-
-
-@pytest.fixture
-def axis():
-    figure, axis = plt.subplots()
-    yield axis
-    plt.close(figure)
 
 
 def test_a_strip_is_white_where_nothing_falls_and_full_where_all_does(axis):

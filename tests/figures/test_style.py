@@ -13,13 +13,6 @@ from rocking.figures import style
 ROOT = Path(__file__).resolve().parents[2]
 
 
-@pytest.fixture
-def axis():
-    figure, axis = plt.subplots()
-    yield axis
-    plt.close(figure)
-
-
 def texts(axis):
     return [text.get_text() for text in axis.get_legend().get_texts()]
 

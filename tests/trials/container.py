@@ -50,7 +50,8 @@ def inside(root, words, *, user=None, read_only=False, room=None):
 
 def base(root, mirror):
     """An empty Debian, and the network's settings of this machine."""
-    subprocess.run(["debootstrap", "--variant=minbase", "bookworm", root, mirror], check=True)
+    given = [mirror] if mirror else []
+    subprocess.run(["debootstrap", "--variant=minbase", "bookworm", root, *given], check=True)
     shutil.copy("/etc/resolv.conf", root / "etc" / "resolv.conf")
     (root / "work").mkdir()
 
@@ -69,7 +70,7 @@ def main():
     """Build and run; the exit status is 1 where a step failed."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--folder", type=Path, required=True, help="where image and results stand")
-    parser.add_argument("--mirror", default="http://deb.debian.org/debian")
+    parser.add_argument("--mirror", help="of Debian's packages; debootstrap's own by default")
     shared = "files and folders of this machine that its network asks for"
     parser.add_argument("--share", nargs="*", type=Path, default=[], help=shared)
     given = parser.parse_args()

@@ -11,17 +11,7 @@ PLACES = ("/*LAW*/null", "/*G*/9.81")
 
 
 def content(law):
-    """What the page needs of a formula's file.
-
-    Parameters
-    ----------
-    law : dict
-        Of `law.read`.
-
-    Returns
-    -------
-    dict
-    """
+    """What the page needs of a formula's file, as `law.read` gives it."""
     made = law["made_of"]
     parts = {
         model: {
@@ -45,18 +35,7 @@ def content(law):
 
 
 def page(law):
-    """Text of the page.
-
-    Parameters
-    ----------
-    law : dict
-        Of `law.read`.
-
-    Returns
-    -------
-    str
-        It loads nothing from anywhere.
-    """
+    """Text of the page for what `law.read` gives; it loads nothing from anywhere."""
     text = TEMPLATE.read_text("utf-8")
     values = json.dumps(content(law), ensure_ascii=False, sort_keys=True).replace("</", "<\\/")
     for place, value in zip(PLACES, (values, repr(GRAVITY_M_S2)), strict=True):
