@@ -4,7 +4,7 @@
 # make quick   the tests that need neither YADE nor more than a second or two each
 # make docs    the documentation site, build/site/index.html; a warning is an error. Names old pictures
 # make gallery the pictures of docs/gallery.md again, by its commands
-# make study   docs/study.md again: the study row by row beside a run of all its stages
+# make study   docs/study.md again: the study row by row beside a run of all its stages. CONFIG: settings, as records_table=FILE
 # make predictions  predictions of tests again, into config/predictions; MOTIONS: folder of table motions
 # make mutations  one sign, factor or unit changed at a time: do the tests notice?
 # make freeze  the tables of a small run of every target, against those of REVISION (main)
@@ -45,7 +45,7 @@ gallery: setup
 	.venv/bin/python tools/gallery.py $(ARGS)
 
 study: setup
-	$(SNAKEMAKE) --configfile config/scenarios/five_models.yaml --config run=study -- study
+	$(SNAKEMAKE) --configfile config/scenarios/five_models.yaml --config run=study $(CONFIG) -- study
 	sed 's#](figures/#](pictures/study_#' results/study/study.md > docs/study.md
 	.venv/bin/python tools/gallery.py --study results/study/figures
 
