@@ -214,6 +214,28 @@ def test_outside_of_the_atlas_it_refuses_in_one_line(change, said_of):
     assert "\n" not in str(said.value)
 
 
+def test_a_stack_of_courses_is_known_by_its_number_and_growth(known):
+    rows = [{"name": "courses", "courses": 4, "courses_growth": 1.5}]
+    own = {**known, "made_of": {**known["made_of"], "others": rows}}
+    stack = {"base": "study", "courses": 4, "courses_growth": 1.5}
+    assert law.base_of(stack, own) == "courses"
+    assert law.base_of({**stack, "courses": 0}, own) == "study"
+    with pytest.raises(groups.OutsideError, match="4 of growth 1.2: of stacks .* 4 of growth 1.5"):
+        law.base_of({**stack, "courses_growth": 1.2}, own)
+
+
+def test_pieces_of_another_base_may_take_the_first_records_alone():
+    others = [{"name": "courses", "facades": 8, "records": 1}]
+    found = atlas.parts({"facades": 16, "others": others}, ["A", "B"])
+    assert [(row["base"], row["piece"], row["record"]) for row in found] == [
+        ("own", 1, "A"),
+        ("own", 1, "B"),
+        ("own", 2, "A"),
+        ("own", 2, "B"),
+        ("courses", 1, "A"),
+    ]
+
+
 def test_a_model_without_a_law_is_refused():
     with pytest.raises(groups.OutsideError, match="model W1c"):
         estimate(Case.configured("W1c", {"facade.base": "column"}))
@@ -274,6 +296,24 @@ def test_class_of_distributions_keeps_to_them():
     without = [row for row in rows if row["parameter"] != "friction_deg"]
     with pytest.raises(ValueError, match="friction_deg is missing"):
         classes.drawn({"samples": 8, "seed": 1, "parameters": without})
+
+
+@pytest.mark.parametrize(
+    ("row", "said_of"),
+    [
+        ({"distribution": "value"}, "value without median; expected median"),
+        ({"distribution": "uniform", "low": 5.0}, "uniform without high; expected low and high"),
+        ({"distribution": "lognormal", "median": 5.0}, "lognormal without spread"),
+        ({"distribution": "choice"}, "choice without values"),
+        ({"distribution": "uniform", "low": 9.0, "high": 5.0}, "from 9 to 5; expected low < high"),
+    ],
+)
+def test_row_of_a_class_that_is_incomplete_ends_in_one_line(row, said_of):
+    settings = {"samples": 8, "seed": 1, "parameters": [{"parameter": "height_m", **row}]}
+    with pytest.raises(ValueError, match="facade_class.parameters: height_m: ") as said:
+        classes.drawn(settings)
+    assert said_of in str(said.value)
+    assert "\n" not in str(said.value)
 
 
 def test_class_outside_of_the_formula_is_refused():

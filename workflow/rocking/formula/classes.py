@@ -21,6 +21,12 @@ from rocking.studies.fragility import Fragility
 COLUMNS = ["model", "measure", "median", "dispersion", "by_facade", "by_motion", "by_formula"]
 COLUMNS += ["n", "n_outside"]
 OUTSIDE = 0.05  # share of a class that may lie outside of the formula's limits
+ASKS = {  # keys of a row by its distribution
+    "value": ("median",),
+    "uniform": ("low", "high"),
+    "lognormal": ("median", "spread"),
+    "choice": ("values",),
+}
 DRAWN = (*groups.DIMENSIONS, "thickness_m")  # what a distribution may be of
 
 
@@ -84,6 +90,23 @@ def quantile(row, u):
     return row["median"] * np.exp(row["spread"] * ndtri(low + (high - low) * u))
 
 
+def check_row(row):
+    """Refuse a row that lacks what its distribution asks for, or whose ends do not ascend.
+
+    Raises
+    ------
+    ValueError
+        In one line.
+    """
+    asks = ASKS[row["distribution"]]
+    said = f"facade_class.parameters: {row['parameter']}: {row['distribution']}"
+    if lacks := [key for key in asks if row.get(key) is None]:
+        raise ValueError(f"{said} without {lacks[0]}; expected {' and '.join(asks)}")
+    low, high = row.get("low"), row.get("high")
+    if None not in (low, high) and low >= high:
+        raise ValueError(f"{said} from {low:g} to {high:g}; expected low < high")
+
+
 def drawn(settings):
     """Façades of a class: Sobol' points over its distributions, the parameters independent.
 
@@ -100,7 +123,7 @@ def drawn(settings):
     Raises
     ------
     ValueError
-        In one line, for a parameter that is missing or named twice.
+        In one line, for a parameter that is missing or named twice, and as of `check_row`.
     """
     from scipy.stats import qmc
 
@@ -109,6 +132,8 @@ def drawn(settings):
     for name in names:
         if names.count(name) > 1:
             raise ValueError(f"facade_class.parameters: {name} stands there twice; expected once")
+    for row in rows:
+        check_row(row)
     maker = qmc.Sobol(len(rows), rng=np.random.default_rng(settings["seed"]))
     points = maker.random(settings["samples"])
     table = pd.DataFrame(

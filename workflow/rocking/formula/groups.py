@@ -39,6 +39,7 @@ HELD = {
         "friction_deg",
         "base",
         "courses",
+        "courses_growth",
         "base_stiffness_pa_m",
         "flush_face",
         "parapet_thickness_m",

@@ -188,12 +188,35 @@ def estimate(case, measure="pga_g", law=None):
     True
     """
     known = read(law or FILE)
-    base = base_of(case)
+    base = base_of(case["facade"], known)
     row = groups.dimensions(case)
     return Estimate(case.model, measure, *said(row, case.model, measure, base, known))
 
 
-def base_of(case):
-    """Name of a case's base, as the formula's file has it."""
-    facade = case["facade"]
-    return f"courses{facade['courses']}" if facade["courses"] else facade["base"]
+def base_of(facade, law):
+    """Name of a façade's base, as the formula's file has it.
+
+    Parameters
+    ----------
+    facade : mapping
+        Section facade: base, courses, courses_growth.
+    law : dict
+        Of `read`.
+
+    Raises
+    ------
+    OutsideError
+        In one line, for a stack of courses that the atlas has not.
+    """
+    if not facade["courses"]:
+        return facade["base"]
+    keys, known = ("courses", "courses_growth"), law["made_of"].get("others", [])
+    for row in known:
+        if all(row[key] == facade[key] for key in keys):
+            return row["name"]
+    has = [f"{row['courses']} of growth {row['courses_growth']:g}" for row in known]
+    stacks = ", ".join(one for one in has if not one.startswith("0 ")) or "none"
+    raise OutsideError(
+        f"formula: facade.courses = {facade['courses']} of growth {facade['courses_growth']:g}: "
+        f"of stacks the atlas has {stacks}"
+    )

@@ -137,13 +137,28 @@ def described(case, table, law=LAW_FILE):
     return pd.DataFrame(rows, index=pd.Index(table["facade"], name="facade"))
 
 
-def parts(settings):
-    """Base and number of every piece of the design: the run's own base, then the others'."""
-    bases = {OWN: settings["facades"], **{b["name"]: b["facades"] for b in settings["others"]}}
+def parts(settings, records):
+    """Base, number and record of every piece of the design: the run's own base, then the others'.
+
+    Parameters
+    ----------
+    settings : dict
+        Section atlas.
+    records : list of str
+        Of the run; a row of `others` may take the first ones alone.
+
+    Returns
+    -------
+    list of dict
+        base, piece, record.
+    """
+    bases = [(OWN, settings["facades"], None)]
+    bases += [(row["name"], row["facades"], row["records"]) for row in settings["others"]]
     return [
-        (name, piece)
-        for name, count in bases.items()
+        {"base": name, "piece": piece, "record": record}
+        for name, count, first in bases
         for piece in range(1, 1 + math.ceil(min(count, settings["facades"]) / PIECE))
+        for record in records[:first]
     ]
 
 
@@ -184,4 +199,4 @@ def collapse(cases, motion, directions, settings, base=OWN, piece=1, law=LAW_FIL
 def _of_base(settings, name):
     """Changes of a case for a row of `others`."""
     (row,) = (row for row in settings["others"] if row["name"] == name)
-    return {"facade.base": row["base"], "facade.courses": row["courses"]}
+    return {f"facade.{key}": row[key] for key in ("base", "courses", "courses_growth")}

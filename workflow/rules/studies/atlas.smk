@@ -13,12 +13,7 @@ def atlas_cases(run):
     """Base and number of every piece of a run's design, with each of its records."""
     from rocking.studies.atlas import parts  # slow to load
 
-    found = parts(RUNS.settings[run]["atlas"])
-    return [
-        {"record": record, "base": base, "piece": piece}
-        for base, piece in found
-        for record in RUNS.records[run]
-    ]
+    return parts(RUNS.settings[run]["atlas"], RUNS.records[run])
 
 
 rule atlas_collapse:
@@ -74,7 +69,7 @@ rule atlas_formula:
     log:
         logs("atlas_formula"),
     params:
-        settings=values_of("atlas", "facades", "seed", "ranges"),
+        settings=values_of("atlas", "facades", "seed", "ranges", "others"),
         base=value_of("facade.base"),
         directions=value_of("directions"),
         damping_ratio=value_of("smdof.damping_ratio"),
@@ -126,7 +121,7 @@ rule class_fragility:
         logs("class_fragility"),
     params:
         settings=value_of("facade_class"),
-        base=value_of("facade.base"),
+        facade=values_of("facade", "base", "courses", "courses_growth"),
         models=lambda w: [m for m in RUNS.planar(w.run) if m in ("W1", "W2", "W2m")],
     script:
         "../../scripts/atlas/class_fragility.py"

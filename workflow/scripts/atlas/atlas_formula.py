@@ -23,6 +23,7 @@ def main(job):
         "base": job.params.base,
         "seed": settings["seed"],
         "ranges": settings["ranges"],
+        "others": settings["others"],
         "records": [record.name for record in records],
         "directions": job.params.directions,
         "damping_ratio": job.params.damping_ratio,

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from rocking.formula import classes
-from rocking.formula.law import read
+from rocking.formula.law import base_of, read
 from rocking.risk.hazard import imt_of
 from rocking.risk.nrml import document
 from rocking.runtime.script import run
@@ -12,9 +12,9 @@ from rocking.tables import write_table
 
 def main(job):
     settings, known = job.params.settings, read(job.input.law)
-    facades = classes.drawn(settings)
+    facades, base = classes.drawn(settings), base_of(job.params.facade, known)
     rows = [
-        classes.fragility(facades, model, measure, job.params.base, known)
+        classes.fragility(facades, model, measure, base, known)
         for model in job.params.models
         for measure in ("pga_g", "pgv_cm_s")
     ]
