@@ -5,11 +5,13 @@ import math
 import shutil
 import subprocess
 import warnings
+from types import SimpleNamespace
 
 import numpy as np
 import pandas as pd
 import pytest
 from rocking import Case, estimate
+from rocking.assessment import report
 from rocking.formula import classes, fit, groups, law, page, words
 from rocking.shipped import shipped
 from rocking.studies import atlas
@@ -32,6 +34,7 @@ ROW = {
     "contact_damping": 1.0,
     "storeys": 3,
 }
+PARTS = ("whole", "above_2.000")  # of an assessment
 SETTINGS = {"facades": 32, "seed": 48, "others": [], "max_pga_g": 8.0}
 SETTINGS["ranges"] = {
     "height_m": [3.0, 12.0],
@@ -402,6 +405,27 @@ def test_a_computed_median_far_from_the_formula_is_remarked_upon():
     assert "less than" in words.remark(found, 0.3 / 1.01 / edge, 16)
     assert words.remark(found, 0.3 * 1.01 * edge, 2) == ""  # two motions say little
     assert words.remark(found, math.nan, 16) == ""
+
+
+def test_an_assessment_says_where_its_median_is_far_from_the_formula():
+    from rocking.configuration import config
+
+    own = config.resolve({"models": ["W1"], "facade": {"height_m": 7.2, "base": "column"}})
+    by_formula = estimate(Case.configured("W1", {"facade.height_m": 7.2, "facade.base": "column"}))
+    rows = [{"model": "W1", "median_pga_g": by_formula.median, "stations": 22}]
+    assert words.remarks(own, pd.DataFrame(rows)) == []
+    rows[0]["median_pga_g"] *= 5.0
+    (said,) = words.remarks(own, pd.DataFrame(rows))
+    assert said.startswith("W1: the computed median")
+    tables = {
+        "parts_dynamic": pd.DataFrame([{**row, "part": part} for row in rows for part in PARTS]),
+        "dynamic": pd.DataFrame(rows),
+        "code_checks": pd.DataFrame({"pga_demand_g": [0.3]}),
+    }
+    data = SimpleNamespace(config=own, tables=tables, demand_said="stated", factor=1.35)
+    assert report.rests_on(data, "W1").count(said) == 1  # of the whole façade, not of its parts
+    own["facade"]["ties"] = [{"height_m": 3.0}]
+    assert words.remarks(own, pd.DataFrame(rows)) == []  # no formula, nothing to say
 
 
 def test_shipped_formula_is_the_one_of_the_shipped_atlas(known):

@@ -3,7 +3,9 @@
 from rocking.assessment import appendix, content, drawings, evidence, pictures, verdict
 from rocking.assessment.checks import LEAST_KNOWN
 from rocking.assessment.paper import Picture
+from rocking.assessment.shaken import WHOLE_PART
 from rocking.assessment.verdict import g3, per_cent
+from rocking.formula import words
 from yade_scripts.model.registry import MODELS
 
 WIDE_MM, HIGH_MM = 176.0, 104.0  # of the drawing
@@ -145,6 +147,7 @@ def rests_on(data, relied):
     f, t = data.config["facade"], data.tables
     demand = t["code_checks"]["pga_demand_g"].iloc[0]
     meanings = "; ".join(f"{name}: {MODELS[name].moved}" for name in t["dynamic"]["model"])
+    whole = t["parts_dynamic"][t["parts_dynamic"]["part"] == WHOLE_PART]
     return [
         f"The demand is {data.demand_said}, a PGA of {g3(demand)} g.",
         f"Models of how the return walls move behind the façade. {meanings}. The verdict, ties and "
@@ -158,6 +161,7 @@ def rests_on(data, relied):
         "The Circolare was read in a public transcription with page numbers, EN 1998-3 and NZS "
         "1170.5 at second hand (appendix D).",
         f"Confidence factor FC = {data.factor:g}.",
+        *words.remarks(data.config, whole),
     ]
 
 

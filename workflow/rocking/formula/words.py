@@ -19,6 +19,16 @@ def of_runs(settings):
     return [line for one in list(settings.items())[:MOST] if (line := of_run(*one))]
 
 
+def _estimated(resolved, model):
+    """`estimate` of a run's façade; None where the formula does not describe it."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # the run says of β itself what there is to say
+        try:
+            return estimate(Case.chosen({key: resolved[key] for key in SECTIONS}, model))
+        except (OutsideError, ValueError):
+            return None
+
+
 def of_run(name, resolved):
     """One line before a run of an own façade; nothing where the formula does not describe it.
 
@@ -37,15 +47,8 @@ def of_run(name, resolved):
     known = schema.sections()
     if all(resolved[section] == schema.complete({}, known[section]) for section in OWN):
         return ""
-    found = []
-    for model in (m for m in MODELS if m in resolved["models"]):
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # the run says of β itself what there is to say
-            try:
-                case = Case.chosen({key: resolved[key] for key in SECTIONS}, model)
-                found.append(estimate(case))
-            except (OutsideError, ValueError):
-                continue
+    every = [_estimated(resolved, model) for model in MODELS if model in resolved["models"]]
+    found = [one for one in every if one]
     if not found:
         return ""
     said = ", ".join(f"{one.model} {one.median:.2g} g" for one in found)
@@ -54,6 +57,27 @@ def of_run(name, resolved):
         f"{name}: by the formula half of the motions fell it at a PGA of {said} "
         f"(two thirds of them within a factor of {factor:.2g}; docs/studies/atlas.md)"
     )
+
+
+def remarks(resolved, table):
+    """`remark` of a run's computed medians of the whole façade, where there is any to make.
+
+    Parameters
+    ----------
+    resolved : dict
+        Configuration of the run.
+    table : DataFrame
+        model, median_pga_g, stations.
+
+    Returns
+    -------
+    list of str
+    """
+    said = []
+    for row in table.to_dict("records"):
+        found = _estimated(resolved, row["model"])
+        said += [remark(found, row["median_pga_g"], row["stations"])] if found else []
+    return [line for line in said if line]
 
 
 def remark(found, computed_g, stations):
