@@ -111,27 +111,12 @@ rule accuracy_reference:
         "../scripts/accuracy/accuracy_reference.py"
 
 
-# Optional: needs requirements-engines.in.
-rule accuracy_engine:
-    input:
-        plan=rules.accuracy_plan.output.plan,
-        modules=code("accuracy/engine"),
-    output:
-        results("accuracy/engine_{engine}.csv"),
-    log:
-        logs("accuracy_engine_{engine}"),
-    wildcard_constraints:
-        engine="drake|mujoco",
-    script:
-        "../scripts/accuracy/engine.py"
-
-
 rule speed_accuracy:
     input:
         runs=all_of(
             rules.accuracy_runs.output,
             rules.accuracy_compiled.output,
-            of_run(rules.accuracy_engine.output, engine=RUNS.key("accuracy.engines")),
+            lambda w: list(map(RUNS.find_file, RUNS.cfg(w)["accuracy"]["engines"])),
         ),
         reference=rules.accuracy_reference.output[0],
         plan=rules.accuracy_plan.output.plan,

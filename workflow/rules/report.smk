@@ -37,14 +37,14 @@ rule report_table:
         report(
             results("report/{table}.html"),
             caption=caption("report_table"),
-            category=lambda w: REPORT_TABLES[w.table][0],
-            labels=lambda w: {"run": w.run, "result": REPORT_TABLES[w.table][1]},
+            category=lambda w: REPORT_TABLES[w.table]["category"],
+            labels=lambda w: {"run": w.run, "result": REPORT_TABLES[w.table]["label"]},
         ),
     log:
         logs("report_table_{table}"),
     params:
-        title=lambda w: REPORT_TABLES[w.table][1],
-        text=lambda w: REPORT_TABLES[w.table][2],
+        title=lambda w: REPORT_TABLES[w.table]["label"],
+        text=lambda w: REPORT_TABLES[w.table]["text"],
     script:
         "../scripts/report/report_table.py"
 

@@ -40,18 +40,12 @@ rule atlas_collapse:
         "../../scripts/studies/collapse.py"
 
 
-rule atlas_table:
-    input:
-        tables=of_run(rules.atlas_collapse.output.table, cases=atlas_cases),
-        modules=code("studies/table", study="atlas"),
-    output:
-        table=results("tables/atlas.csv"),
-    log:
-        logs("atlas_table"),
-    params:
-        study="atlas",
-    script:
-        "../../scripts/studies/table.py"
+table_of(
+    "atlas",
+    "atlas_table",
+    tables=of_run(rules.atlas_collapse.output.table, cases=atlas_cases),
+    table="atlas",
+)
 
 
 rule atlas_formula:
@@ -90,22 +84,16 @@ rule formula_page:
         "../../scripts/atlas/formula_page.py"
 
 
-rule figure_atlas_chart:
-    input:
-        formula=rules.atlas_formula.output.formula,
-        facts=of_run(rules.record.output.facts),
-        modules=code("studies/figure", study="atlas_chart"),
-    output:
-        **figure("atlas_chart", "Fragility", "one formula for any façade", about="study"),
-    log:
-        logs("figure_atlas_chart"),
-    params:
-        study="atlas_chart",
-        caption="Median PGA of half collapse by the formula, against the façade's height: one line a"
-        " slenderness and first period, the band of one standard deviation over ground motions"
-        " about one of them.",
-    script:
-        "../../scripts/studies/figure.py"
+figure_of(
+    "atlas_chart",
+    "atlas_chart",
+    "Fragility",
+    "one formula for any façade",
+    caption="Median PGA of half collapse by the formula, against the façade's height: one line a"
+    " slenderness and first period, the band of one standard deviation over ground motions"
+    " about one of them.",
+    formula=rules.atlas_formula.output.formula,
+)
 
 
 rule class_fragility:

@@ -10,17 +10,7 @@ def of_one_block(run):
     return found
 
 
-rule base_static:
-    input:
-        modules=code("studies/table", study="base_compliance"),
-    output:
-        static=results("tables/base_static.csv"),
-    log:
-        logs("base_static"),
-    params:
-        study="base_compliance",
-    script:
-        "../../scripts/studies/table.py"
+table_of("base_compliance", "base_static", static="base_static")
 
 
 rule base_collapse:
@@ -40,44 +30,25 @@ rule base_collapse:
         "../../scripts/studies/collapse.py"
 
 
-rule base_table:
-    input:
-        tables=of_run(rules.base_collapse.output.table, model=of_one_block),
-        modules=code("studies/table", study="base_compliance"),
-    output:
-        table=results("tables/base_collapse.csv"),
-        summary=results("tables/base_summary.csv"),
-    log:
-        logs("base_table"),
-    params:
-        study="base_compliance",
-    script:
-        "../../scripts/studies/table.py"
-
-
-rule figure_base_compliance:
-    input:
-        static=rules.base_static.output.static,
-        table=rules.base_table.output.table,
-        facts=of_run(rules.record.output.facts),
-        modules=code("studies/figure", study="base_compliance"),
-    output:
-        **figure(
-            "base_compliance",
-            "Records",
-            "what the base of a rigid façade is worth",
-            about="study",
-        ),
-    log:
-        logs("figure_base_compliance"),
-    params:
-        study="base_compliance",
-        caption="Left: static curves of the study's façade. The elastic wall carries half as much"
-        " again as the rigid block on E/h and less than the rigid one. Right: PGA of half collapse,"
-        " rigid block against the stack of courses that it stands for, one point a curve; on the"
-        " line both are alike.",
-    script:
-        "../../scripts/studies/figure.py"
+table_of(
+    "base_compliance",
+    "base_table",
+    tables=of_run(rules.base_collapse.output.table, model=of_one_block),
+    table="base_collapse",
+    summary="base_summary",
+)
+figure_of(
+    "base_compliance",
+    "base_compliance",
+    "Records",
+    "what the base of a rigid façade is worth",
+    caption="Left: static curves of the study's façade. The elastic wall carries half as much"
+    " again as the rigid block on E/h and less than the rigid one. Right: PGA of half collapse,"
+    " rigid block against the stack of courses that it stands for, one point a curve; on the"
+    " line both are alike.",
+    static=rules.base_static.output.static,
+    table=rules.base_table.output.table,
+)
 
 
 rule base_compliance:

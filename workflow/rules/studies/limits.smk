@@ -17,22 +17,17 @@ rule limits_table:
         "../../scripts/accuracy/limits.py"
 
 
-rule figure_limits:
-    input:
-        table=rules.limits_table.output[0],
-        facts=of_run(rules.own_record.output.facts, record=lambda run: RUNS.records[run][0]),
-        modules=code("studies/figure", study="limits"),
-    output:
-        **figure("limits", "Accuracy and stability", "where the methods fail", about="study"),
-    log:
-        logs("figure_limits"),
-    params:
-        study="limits",
-        caption="Where the methods fail: both planar solvers on one cell each, at half and at 0.8 of"
-        " its lowest collapse. What the words mean stands in docs/studies/limits.md; the"
-        " table ``tables/limits.csv`` has the reason of each cell.",
-    script:
-        "../../scripts/studies/figure.py"
+figure_of(
+    "limits",
+    "limits",
+    "Accuracy and stability",
+    "where the methods fail",
+    caption="Where the methods fail: both planar solvers on one cell each, at half and at 0.8 of"
+    " its lowest collapse. What the words mean stands in docs/studies/limits.md; the"
+    " table ``tables/limits.csv`` has the reason of each cell.",
+    facts=of_run(rules.own_record.output.facts, record=lambda run: RUNS.records[run][0]),
+    table=rules.limits_table.output[0],
+)
 
 
 rule limits:

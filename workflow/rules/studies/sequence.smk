@@ -52,19 +52,13 @@ use rule strengthen_yade as sequence_yade with:
         journal=results("cache/sequence/{model}_{record}_{direction}.jsonl"),
 
 
-rule sequence_table:
-    input:
-        tables=of_run(rules.sequence_collapse.output.table, model=searched),
-        modules=code("studies/table", study="sequence"),
-    output:
-        table=results("tables/sequence.csv"),
-        summary=results("tables/sequence_summary.csv"),
-    log:
-        logs("sequence_table"),
-    params:
-        study="sequence",
-    script:
-        "../../scripts/studies/table.py"
+table_of(
+    "sequence",
+    "sequence_table",
+    tables=of_run(rules.sequence_collapse.output.table, model=searched),
+    table="sequence",
+    summary="sequence_summary",
+)
 
 
 def facts_of_both(wildcards):
@@ -74,22 +68,17 @@ def facts_of_both(wildcards):
     return of_run(rules.record.output.facts, record=list(dict.fromkeys(names)))(wildcards)
 
 
-rule figure_sequence:
-    input:
-        table=rules.sequence_table.output.table,
-        facts=facts_of_both,
-        modules=code("studies/figure", study="sequence"),
-    output:
-        **figure("sequence", "Records", "what a first shock leaves", about="study"),
-    log:
-        logs("figure_sequence"),
-    params:
-        study="sequence",
-        caption="PGA at which half of the realisations first collapse, after a first shock over that"
-        " of the façade as it was, against the first shock's PGA. One line a curve; curves that the"
-        " first shock alone overturns are counted below.",
-    script:
-        "../../scripts/studies/figure.py"
+figure_of(
+    "sequence",
+    "sequence",
+    "Records",
+    "what a first shock leaves",
+    caption="PGA at which half of the realisations first collapse, after a first shock over that"
+    " of the façade as it was, against the first shock's PGA. One line a curve; curves that the"
+    " first shock alone overturns are counted below.",
+    facts=facts_of_both,
+    table=rules.sequence_table.output.table,
+)
 
 
 rule sequence:

@@ -32,67 +32,40 @@ rule surrogate_collapse:
         "../../scripts/studies/collapse.py"
 
 
-rule surrogate_trust:
-    input:
-        tables=of_run(rules.surrogate_collapse.output.table),
-        modules=code("studies/table", study="surrogates"),
-    output:
-        table=results("tables/surrogates.csv"),
-        scatter=results("tables/surrogate_scatter.csv"),
-        summary=results("tables/surrogate_trust.csv"),
-    log:
-        logs("surrogate_trust"),
-    params:
-        study="surrogates",
-    script:
-        "../../scripts/studies/table.py"
-
-
-rule figure_surrogate_trust:
-    input:
-        table=rules.surrogate_trust.output.table,
-        summary=rules.surrogate_trust.output.summary,
-        facts=of_run(rules.record.output.facts),
-        modules=code("studies/figure", study="surrogates"),
-    output:
-        **figure(
-            "surrogate_trust",
-            "Records",
-            "surrogates compared with their records",
-            about="study",
-        ),
-    log:
-        logs("figure_surrogate_trust"),
-    params:
-        study="surrogates",
-        caption="How far a surrogate stands for its record. Top: PGA of collapse under the"
-        " surrogate over that under the record (first PGA around which half of a scan falls), as a"
-        " distribution over records and directions; numbers: its median and the standard deviation"
-        " of its logarithm. Bottom: logarithm to base 2 of the ratio between the two directions. A"
-        " surrogate that keeps the weak side lies in the first or third quadrant; from peaks alone,"
-        " that is chance.",
-    script:
-        "../../scripts/studies/figure.py"
-
-
-rule figure_surrogate_scatter:
-    input:
-        table=rules.surrogate_trust.output.table,
-        facts=of_run(rules.record.output.facts),
-        modules=code("studies/figure", study="surrogates"),
-    output:
-        **figure("surrogate_scatter", "Records", "draws of surrogates", about="study"),
-    log:
-        logs("figure_surrogate_scatter"),
-    params:
-        study="surrogates",
-        draw="draw_scatter",
-        caption="PGA at which W1 and W2 collapse with a probability of one half, under draws of a"
-        " surrogate that differ in their noise alone (dots; open: never collapsed, at the largest"
-        " PGA that was run) and under the recorded motion (bar), where there is one. Right:"
-        " standard deviation of the logarithm over the draws.",
-    script:
-        "../../scripts/studies/figure.py"
+table_of(
+    "surrogates",
+    "surrogate_trust",
+    tables=of_run(rules.surrogate_collapse.output.table),
+    table="surrogates",
+    scatter="surrogate_scatter",
+    summary="surrogate_trust",
+)
+figure_of(
+    "surrogates",
+    "surrogate_trust",
+    "Records",
+    "surrogates compared with their records",
+    caption="How far a surrogate stands for its record. Top: PGA of collapse under the"
+    " surrogate over that under the record (first PGA around which half of a scan falls), as a"
+    " distribution over records and directions; numbers: its median and the standard deviation"
+    " of its logarithm. Bottom: logarithm to base 2 of the ratio between the two directions. A"
+    " surrogate that keeps the weak side lies in the first or third quadrant; from peaks alone,"
+    " that is chance.",
+    table=rules.surrogate_trust.output.table,
+    summary=rules.surrogate_trust.output.summary,
+)
+figure_of(
+    "surrogates",
+    "surrogate_scatter",
+    "Records",
+    "draws of surrogates",
+    caption="PGA at which W1 and W2 collapse with a probability of one half, under draws of a"
+    " surrogate that differ in their noise alone (dots; open: never collapsed, at the largest"
+    " PGA that was run) and under the recorded motion (bar), where there is one. Right:"
+    " standard deviation of the logarithm over the draws.",
+    draw="draw_scatter",
+    table=rules.surrogate_trust.output.table,
+)
 
 
 rule surrogates:

@@ -52,44 +52,25 @@ rule two_components_curves:
         "../../scripts/studies/collapse.py"
 
 
-rule two_components_table:
-    input:
-        tables=of_run(rules.two_components_curves.output.table),
-        modules=code("studies/table", study="two_components"),
-    output:
-        table=results("tables/two_components.csv"),
-        summary=results("tables/two_components_summary.csv"),
-    log:
-        logs("two_components"),
-    params:
-        study="two_components",
-    script:
-        "../../scripts/studies/table.py"
-
-
-rule figure_two_components:
-    input:
-        table=rules.two_components_table.output.table,
-        facts=of_run(rules.record.output.facts),
-        modules=code("studies/figure", study="two_components"),
-    output:
-        **figure(
-            "two_components",
-            "Two components",
-            "both components compared with one",
-            about="study",
-        ),
-    log:
-        logs("figure_two_components"),
-    params:
-        study="two_components",
-        caption="The façade in three dimensions under both horizontal components, compared with the"
-        " planar scene under one. Left: lowest PGA that overturns it under both over that under one"
-        " (both), and over itself with a node more and a shorter step (repeated), as distributions"
-        " over records and directions. Right: largest d/b under both over that under one, at half"
-        " the planar collapse, against the PGA of the component along the façade.",
-    script:
-        "../../scripts/studies/figure.py"
+table_of(
+    "two_components",
+    "two_components_table",
+    tables=of_run(rules.two_components_curves.output.table),
+    table="two_components",
+    summary="two_components_summary",
+)
+figure_of(
+    "two_components",
+    "two_components",
+    "Two components",
+    "both components compared with one",
+    caption="The façade in three dimensions under both horizontal components, compared with the"
+    " planar scene under one. Left: lowest PGA that overturns it under both over that under one"
+    " (both), and over itself with a node more and a shorter step (repeated), as distributions"
+    " over records and directions. Right: largest d/b under both over that under one, at half"
+    " the planar collapse, against the PGA of the component along the façade.",
+    table=rules.two_components_table.output.table,
+)
 
 
 # One curve at the intensities of the compiled solver, in YADE: ask for the file.

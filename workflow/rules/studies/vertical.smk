@@ -35,38 +35,24 @@ rule vertical_collapse:
         "../../scripts/studies/collapse.py"
 
 
-rule vertical_ratios:
-    input:
-        tables=of_run(rules.vertical_collapse.output.table),
-        modules=code("studies/table", study="vertical"),
-    output:
-        table=results("tables/vertical.csv"),
-        summary=results("tables/vertical_ratios.csv"),
-    log:
-        logs("vertical_ratios"),
-    params:
-        study="vertical",
-    script:
-        "../../scripts/studies/table.py"
-
-
-rule figure_vertical:
-    input:
-        table=rules.vertical_ratios.output.table,
-        facts=of_run(rules.record.output.facts),
-        modules=code("studies/figure", study="vertical"),
-    output:
-        **figure("vertical", "Records", "what vertical motion changes", about="study"),
-    log:
-        logs("figure_vertical"),
-    params:
-        study="vertical",
-        caption="What the vertical motion of ground and building changes: PGA at which half of a"
-        " curve's realisations first collapse, with over without it. Left: distribution over"
-        " records and directions; grey, a hundredth of the vertical motion: what the scatter of"
-        " histories near collapse makes alone. Right: by how strong the vertical motion is.",
-    script:
-        "../../scripts/studies/figure.py"
+table_of(
+    "vertical",
+    "vertical_ratios",
+    tables=of_run(rules.vertical_collapse.output.table),
+    table="vertical",
+    summary="vertical_ratios",
+)
+figure_of(
+    "vertical",
+    "vertical",
+    "Records",
+    "what vertical motion changes",
+    caption="What the vertical motion of ground and building changes: PGA at which half of a"
+    " curve's realisations first collapse, with over without it. Left: distribution over"
+    " records and directions; grey, a hundredth of the vertical motion: what the scatter of"
+    " histories near collapse makes alone. Right: by how strong the vertical motion is.",
+    table=rules.vertical_ratios.output.table,
+)
 
 
 rule vertical:

@@ -17,36 +17,22 @@ rule friction_collapse:
         "../../scripts/studies/collapse.py"
 
 
-rule friction_table:
-    input:
-        tables=of_run(rules.friction_collapse.output.table, model=RUNS.planar),
-        modules=code("studies/table", study="friction"),
-    output:
-        table=results("tables/friction.csv"),
-        summary=results("tables/friction_summary.csv"),
-    log:
-        logs("friction_table"),
-    params:
-        study="friction",
-    script:
-        "../../scripts/studies/table.py"
-
-
-rule figure_friction:
-    input:
-        table=rules.friction_table.output.table,
-        facts=of_run(rules.record.output.facts),
-        modules=code("studies/figure", study="friction"),
-    output:
-        **figure("friction", "Records", "what friction is worth", about="study"),
-    log:
-        logs("figure_friction"),
-    params:
-        study="friction",
-        caption="PGA at which half of the realisations first collapse, by the friction angle of the"
-        " façade's joints, over that of the first angle. One line a curve.",
-    script:
-        "../../scripts/studies/figure.py"
+table_of(
+    "friction",
+    "friction_table",
+    tables=of_run(rules.friction_collapse.output.table, model=RUNS.planar),
+    table="friction",
+    summary="friction_summary",
+)
+figure_of(
+    "friction",
+    "friction",
+    "Records",
+    "what friction is worth",
+    caption="PGA at which half of the realisations first collapse, by the friction angle of the"
+    " façade's joints, over that of the first angle. One line a curve.",
+    table=rules.friction_table.output.table,
+)
 
 
 rule friction:

@@ -1,4 +1,4 @@
-"""The W1 cases of the accuracy study in Drake, for comparison (optional extra).
+"""The W1 cases of the accuracy study in Drake, for comparison.
 
 Configured as its manual allows: the same contact nodes as spheres against half spaces, compliant
 point contact in its convex (SAP) solver, whose linear dissipation has a relaxation time that is
@@ -10,8 +10,7 @@ is solved in the base's frame: an actuator along y carries −m a_g from a sourc
 import time
 
 import numpy as np
-
-from rocking.accuracy.outside import AFTER_S, SAMPLE_S, Peak
+from outside import AFTER_S, SAMPLE_S, Peak
 
 NAME, PACKAGE = "Drake", "pydrake"
 STEPS = (2.0, 1.0, 0.5)  # over the critical one of our own scheme

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from rocking.accuracy.outside import Peak
 from yade_process import resolved
 
+from tests.trials.engines.outside import Peak
 from yade_scripts.model.facade import facade_scene
 
 

@@ -1,12 +1,21 @@
-"""The W1 cases of the accuracy study in an outside engine: what its comparisons share."""
+"""The W1 cases of the accuracy study in another engine (needs requirements-engines.in).
 
+    .venv/bin/snakemake --cores 2 --config run=engines -- results/engines/accuracy/plan.json
+    .venv/bin/python tests/trials/engines/outside.py mujoco results/engines/accuracy
+
+writes engine_mujoco.csv beside the plan; `accuracy={engines: [<that file>]}` puts it into the
+study's table and chart.
+"""
+
+import argparse
 import importlib
 import math
 import sys
+from pathlib import Path
 
 import numpy as np
-
 from rocking.tables import write_table
+
 from yade_scripts.files import read_json
 from yade_scripts.model import facade, floor_motions
 from yade_scripts.model.motion import amplitude
@@ -38,32 +47,31 @@ class Peak:
         return self.status != "ok"
 
 
-def compare(job, method, package, run_case, fractions):
+def compare(plan_path, output, engine):
     """Run every W1 case of the chart at some steps; write the table of runs.
 
     Parameters
     ----------
-    job : object
-        Snakemake's: input.plan, output[0].
-    method, package : str
-        The engine's name and the Python package to import.
-    run_case : callable
-        (scene, time_s, ground_m_s2, dt_s) → (Peak, simulated_s, wall_s), start-up apart.
-    fractions : sequence of float
-        Steps, over the critical one of our own scheme.
+    plan_path, output : path-like
+        accuracy/plan.json of a run; the table, with columns of `yade_scripts.studies.accuracy`.
+    engine : module
+        NAME; PACKAGE to import; STEPS over the critical one of our own scheme; run_case, which
+        takes scene, time_s, ground_m_s2 and dt_s and returns Peak, simulated_s and wall_s, without
+        start-up.
 
     Raises
     ------
-    ValueError
+    SystemExit
         One line when the engine is not installed.
     """
     try:
-        importlib.import_module(package)
+        importlib.import_module(engine.PACKAGE)
     except ImportError:
-        raise ValueError(
-            f"{method} is not installed: .venv/bin/pip install -r requirements-engines.in"
-        ) from None
-    plan = read_json(job.input.plan)
+        sys.exit(
+            f"error: {engine.NAME} is not installed:"
+            " .venv/bin/pip install -r requirements-engines.in"
+        )
+    plan = read_json(plan_path)
     scene_job = read_json(plan["scenes"]["W1"])
     scene = facade.facade_scene(scene_job, "W1", scene_job["beta_s"])
     critical = float(critical_step(scene))
@@ -72,9 +80,9 @@ def compare(job, method, package, run_case, fractions):
         time_s, columns = floor_motions.read(plan["motions"][case["record"]])
         ground = columns[floor_motions.GROUND]
         factor = amplitude(ground, case["direction"], case["pga_g"])
-        for fraction in fractions:
+        for fraction in engine.STEPS:
             dt = fraction * critical
-            peak, simulated, wall = run_case(scene, time_s, factor * ground, dt)
+            peak, simulated, wall = engine.run_case(scene, time_s, factor * ground, dt)
             rows.append(
                 {
                     "case": case["case"],
@@ -82,7 +90,7 @@ def compare(job, method, package, run_case, fractions):
                     "record": case["record"],
                     "direction": case["direction"],
                     "pga_g": case["pga_g"],
-                    "method": method,
+                    "method": engine.NAME,
                     "nodes": scene_job["numerics"]["nodes_height"],
                     "factor": 1.0,
                     "dt_s": dt,
@@ -95,4 +103,18 @@ def compare(job, method, package, run_case, fractions):
                 }
             )
             print(rows[-1], file=sys.stderr)
-    write_table(rows, job.output[0])
+    write_table(rows, output)
+
+
+def main():
+    """Command line."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("engine", choices=("drake", "mujoco"))
+    parser.add_argument("folder", type=Path, help="folder of plan.json")
+    args = parser.parse_args()
+    engine = importlib.import_module(f"in_{args.engine}")
+    compare(args.folder / "plan.json", args.folder / f"engine_{args.engine}.csv", engine)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,4 +1,4 @@
-"""The W1 cases of the accuracy study in MuJoCo, for comparison (optional extra).
+"""The W1 cases of the accuracy study in MuJoCo, for comparison.
 
 Configured as its manual allows: the same contact nodes as spheres against planes, elliptic
 friction cones, Newton solver, direct stiffness and damping (negative solref) scaled by the body's
@@ -11,8 +11,7 @@ import math
 import time
 
 import numpy as np
-
-from rocking.accuracy.outside import AFTER_S, SAMPLE_S, Peak
+from outside import AFTER_S, SAMPLE_S, Peak
 
 NAME, PACKAGE = "MuJoCo", "mujoco"
 STEPS = (0.2, 0.1, 0.05)  # over the critical one of our own scheme
