@@ -14,13 +14,8 @@ all its nodes, none sliding, is summed in closed form. Many amplitudes of one mo
 side in vectors (`march`), by the same text and with the digits of one after the other: one block
 (`block`) or several (`stack_kernel`), whatever they meet. `docs/solver.md` shows a step.
 
-Measured with 17 nodes at the base and 17 up each block, on a busy core: 130–190 ns a step of one
-history of W2 by itself, 10.8 ms a history at a step of 0.4 ms (5,016 of them: 44 horizontal
-components, both directions, 0.05 to 1 g; `tests/trials/benchmarks/planar_histories.py`). At that
-step, on motions that chose neither nodes nor step, d/b of repeating histories differs from
-`reference` (33 nodes, tolerance 1e-6) by 0.04 % (median) and 0.6 % (worst) in 26 of W1, by 0.10 %
-and 1.1 % in 14 of W2, 13 of them within 1 %. An earlier sample of 16, chosen less strictly, had 14
-within 1 % and one 22 % off, which amplifies. Near collapse no solver repeats: run many amplitudes.
+What it costs and how far it agrees with `reference` stands in `docs/log/accuracy.md`. Near collapse
+no solver repeats: run many amplitudes.
 """
 
 from .carriers import bodies

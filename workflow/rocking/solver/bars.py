@@ -7,6 +7,7 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined
 
+from .dashpots import push, turned
 from .vectors import choose, hypot, like, put, put_where, some, take
 
 
@@ -84,23 +85,13 @@ def remembered(bars, rows):
 
 
 @inlined
-def _add(push, body, fy, fz, moment):
-    """Add a force and its moment to those of a body."""
-    put(push, 3 * body, take(push, 3 * body) + fy)
-    put(push, 3 * body + 1, take(push, 3 * body + 1) + fz)
-    put(push, 3 * body + 2, take(push, 3 * body + 2) + moment)
-
-
-@inlined
 def _arm(place, turn, body, arm):
     """Where a body is, and an arm that turns with it."""
-    cos, sin = take(turn, 2 * body), take(turn, 2 * body + 1)
-    y, z = take(place, 3 * body), take(place, 3 * body + 1)
-    return y, z, cos * arm[0] - sin * arm[1], sin * arm[0] + cos * arm[1]
+    return take(place, 3 * body), take(place, 3 * body + 1), *turned(turn, body, arm)
 
 
 @inlined
-def _tie(bars, memory, i, place, turn, supports, push):
+def _tie(bars, memory, i, place, turn, supports, pushed):
     """Force of a tie; energy stored, taken in this step, and whether it was lost in it."""
     j, own, k = bars.tie_support[i], bars.tie_body[i], bars.tie_k_n_m[i]
     most, taut, yielded = bars.tie_capacity_n[i], bars.tie_taut_m[i], take(memory.yielded_m, i)
@@ -128,13 +119,13 @@ def _tie(bars, memory, i, place, turn, supports, push):
         spent = choose(yields, pull * (longer - pull / k - yielded), spent)
         put_where(memory.yielded_m, i, yields, longer - pull / k)
     gy, gz = choose(pulls, -pull * ey / length, 0.0), choose(pulls, -pull * ez / length, 0.0)
-    _add(push, own, gy, gz, ry * gz - rz * gy)
+    push(pushed, own, 1.0, (gy, gz), (ry, rz))
     put(supports.fy, at, take(supports.fy, at) - gy)
     return choose(pulls, 0.5 * pull * pull / k, 0.0), spent, lost
 
 
 @inlined
-def _floor(bars, memory, i, place, turn, half_s, supports, ground_m_s2, weight_ratio, push):
+def _floor(bars, memory, i, place, turn, half_s, supports, ground_m_s2, weight_ratio, pushed):
     """Force of a floor; energy stored, its load's included, and taken in this step."""
     j, own, mass = bars.floor_support[i], bars.floor_body[i], bars.mass_kg[i]
     k, most, slid = bars.floor_k_n_m[i], bars.floor_capacity_n[i], take(memory.slid_m, i)
@@ -151,7 +142,7 @@ def _floor(bars, memory, i, place, turn, half_s, supports, ground_m_s2, weight_r
         put_where(memory.slid_m, i, slides, past - held / k)
     load = weight_ratio * bars.floor_load_n[i]
     elastic = 0.5 * held * held / k + bars.floor_load_n[i] * (z + rz - az)
-    _add(push, own, -held, -load, rz * held - ry * load)
+    push(pushed, own, 1.0, (-held, -load), (ry, rz))
     if mass > 0.0:
         speed = take(memory.speed_m_s, i) + half_s * take(memory.rate_m_s2, i)
         stretch, rate = take(memory.place_m, i) - behind, speed - take(supports.vy, at)
@@ -165,7 +156,7 @@ def _floor(bars, memory, i, place, turn, half_s, supports, ground_m_s2, weight_r
 
 
 @inlined
-def act(bars, memory, place, turn, half_s, supports, ground_m_s2, weight_ratio, push):
+def act(bars, memory, place, turn, half_s, supports, ground_m_s2, weight_ratio, pushed):
     """Forces of ties and floors at a whole step.
 
     Parameters
@@ -181,7 +172,7 @@ def act(bars, memory, place, turn, half_s, supports, ground_m_s2, weight_ratio, 
         To their forces those of ties and floors are added.
     ground_m_s2, weight_ratio : number
         Acceleration of the ground, and gravity with it over gravity at rest.
-    push : rows
+    pushed : rows
         Gets force along y and z [N] and moment about x [N·m] on each block.
 
     Returns
@@ -189,15 +180,15 @@ def act(bars, memory, place, turn, half_s, supports, ground_m_s2, weight_ratio, 
     elastic_j, spent_j, lost : number
         Energy stored, loads' included; taken in this step; ties that were lost in it.
     """
-    for row in range(len(push)):
-        put(push, row, 0.0)
+    for row in range(len(pushed)):
+        put(pushed, row, 0.0)
     elastic = spent = lost = like(0.0, weight_ratio)
     for i in range(bars.tie_k_n_m.size):
-        stored, taken, gone = _tie(bars, memory, i, place, turn, supports, push)
+        stored, taken, gone = _tie(bars, memory, i, place, turn, supports, pushed)
         elastic, spent, lost = elastic + stored, spent + taken, lost + gone
     for i in range(bars.floor_k_n_m.size):
         stored, taken = _floor(
-            bars, memory, i, place, turn, half_s, supports, ground_m_s2, weight_ratio, push
+            bars, memory, i, place, turn, half_s, supports, ground_m_s2, weight_ratio, pushed
         )
         elastic, spent = elastic + stored, spent + taken
     return elastic, spent, lost

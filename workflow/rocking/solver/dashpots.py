@@ -1,4 +1,7 @@
-"""Dashpots of blocks in the plane at the velocity of the step: matrices of 3 × 3 a block."""
+"""Blocks of a stack: points that turn with them, forces on them, and their dashpots.
+
+These act at the velocity of the step, by matrices of 3 × 3 a block.
+"""
 
 from rocking.runtime.compiled import inlined
 
@@ -45,6 +48,74 @@ def couple(between, low, y, z, arm_low, arm_high, dashpot):
         for n, other in enumerate((y, z, arm_high)):
             at = 9 * low + 3 * m + n
             put(between, at, take(between, at) - dashpot * one * other)
+
+
+@inlined
+def resist(p, parts, a, b, direction, arms, dashpot):
+    """Add a dashpot along a direction between two blocks; −1: none, which stays as it is."""
+    (y, z), (arm_a, arm_b) = direction, arms
+    if a >= 0:
+        damp(parts.own, a, y, z, arm_a, dashpot)
+    if b >= 0:
+        damp(parts.own, b, y, z, arm_b, dashpot)
+    if p.in_row and a >= 0 and b >= 0:
+        if a < b:
+            couple(parts.between, a, y, z, arm_a, arm_b, dashpot)
+        else:
+            couple(parts.between, b, y, z, arm_b, arm_a, dashpot)
+
+
+@inlined
+def turned(turn, block, arm):
+    """A direction or arm that turns with a block."""
+    cos, sin = take(turn, 2 * block), take(turn, 2 * block + 1)
+    return cos * arm[0] - sin * arm[1], sin * arm[0] + cos * arm[1]
+
+
+@inlined
+def placed(p, parts, block, arm):
+    """Where a point of a block is."""
+    y, z = take(parts.place, 3 * block), take(parts.place, 3 * block + 1)
+    return p.centre_m[block, 0] + y + arm[0], p.centre_m[block, 1] + z + arm[1]
+
+
+@inlined
+def beyond(p, parts, block, y, z):
+    """A place from the centroid of a block."""
+    y = y - p.centre_m[block, 0] - take(parts.place, 3 * block)
+    return y, z - p.centre_m[block, 1] - take(parts.place, 3 * block + 1)
+
+
+@inlined
+def rates(parts, block, arm, past_s):
+    """Velocity of a point of a block now, and its way since the last step."""
+    (ay, az), at = arm, 3 * block
+    spin, turn = take(parts.now, at + 2), take(parts.rate, at + 2)
+    return (
+        take(parts.now, at) - spin * az,
+        take(parts.now, at + 1) + spin * ay,
+        past_s * (take(parts.rate, at) - turn * az),
+        past_s * (take(parts.rate, at + 1) + turn * ay),
+    )
+
+
+@inlined
+def apart(parts, block, arm, past_s, own):
+    """Such rates of another point, less those of the block's."""
+    (by, bz), at, (ry, rz, gy, gz) = arm, 3 * block, own
+    spin, turn = take(parts.now, at + 2), take(parts.rate, at + 2)
+    ry, rz = ry - take(parts.now, at) + spin * bz, rz - take(parts.now, at + 1) - spin * by
+    gy -= past_s * (take(parts.rate, at) - turn * bz)
+    return ry, rz, gy, gz - past_s * (take(parts.rate, at + 1) + turn * by)
+
+
+@inlined
+def push(rows, block, sign, force, arm, couple_n_m=-0.0):
+    """Add a force and a couple, or what reacts to them, to those of a block."""
+    (fy, fz), (ay, az), at = force, arm, 3 * block
+    put(rows, at, take(rows, at) + sign * fy)
+    put(rows, at + 1, take(rows, at + 1) + sign * fz)
+    put(rows, at + 2, take(rows, at + 2) + sign * (ay * fz - az * fy + couple_n_m))
 
 
 @inlined

@@ -10,9 +10,9 @@ passed over, closed forms are summed where one needs them, and nodes visited whe
 
 from rocking.runtime.compiled import inlined
 
-from .groups import close, in_closed_form, let_go, spread
-from .law import bond_breaks, bonded, dry, released
-from .vectors import alone, choose, like, lone, put, put_where, some, take
+from .groups import close, in_closed_form, let_go, spread, touched
+from .law import bond_breaks, node, released
+from .vectors import alone, choose, cos_sin, like, lone, put, put_where, some, take
 
 
 @inlined
@@ -102,31 +102,12 @@ def _each(p, touch, g, touches, before, bound, lines, dt, sums):
                 holds = holds & ~breaks
                 acts = touching | holds
             touching = touching & ~holds
-        had = kept = take(touch.slip, i)
-        normal = shear = share = across = along = stored = taken = none
-        if some(touching):
-            was = before[0] + before[1] * s > 0.0
-            normal, shear, share, kept, pressed, sticks, stored, taken = dry(
-                depth,
-                rate,
-                speed,
-                choose(touching & was, had, 0.0),
-                choose(touching, step, 0.0),
-                touching & ~was,
-                joint,
-                dt,
-            )
-            along = choose(touching & sticks, kn if ratio > 0.0 else 0.0, none)
-            across = choose(touching & pressed, kn, none)
-        if tied and some(holds):
-            pull, drag, whole, held, _, _, kept_j, taken_j = bonded(
-                depth, rate, speed, had + step, grip, dt
-            )
-            normal, shear = choose(holds, pull, normal), choose(holds, drag, shear)
-            share, kept = choose(holds, whole, share), choose(holds, held, kept)
-            along = choose(holds, kn if grip[1] > 0.0 else 0.0, along)
-            across = choose(holds, kn, across)
-            stored, taken = choose(holds, kept_j, stored), choose(holds, taken_j, taken)
+        had, was = take(touch.slip, i), before[0] + before[1] * s > 0.0
+        normal, shear, share, kept, pressed, drags, stored, taken = node(
+            depth, rate, speed, had, step, (touching, holds, was), (joint, grip), dt
+        )
+        along = choose(drags, kn if ratio > 0.0 else 0.0, none)
+        across = choose(pressed, kn, none)
         put(touch.slip, i, choose(acts, kept, had))
         elastic, spent = elastic + kn * stored, spent + kn * taken
         u0, u1, u2 = u0 + across, u1 + across * s, u2 + across * s * s
@@ -165,41 +146,17 @@ def _added(own, arms, directions, sums, dashpots):
 
 
 @inlined
-def block_contact(p, whole, supports, turning, touch, pose, rates, last, past_s, dt, alive, counts):
-    """Forces of all nodes on the block and on its supports.
-
-    Parameters
-    ----------
-    p : Planar
-    whole : ndarray, shape (groups, 4)
-        See `untouched`.
-    supports : Supports
-        Their motion; gets the forces on them.
-    turning : bool
-        Whether supports turn.
-    touch : Touch
-        Brought up to date.
-    pose : tuple
-        y, z, cosine and sine of the rotation.
-    rates, last : tuple of 3 numbers
-        Velocities predicted for now, and those half a step back.
-    past_s, dt : float
-        Since the last step, zero at the first: what touches then has not just closed.
-    alive : mask
-        Histories that go on.
-    counts : bool
-        Whether energies are wanted; of one history alone.
-
-    Returns
-    -------
-    force, own : tuple
-        Along y, z, moment about x; dashpots that act.
-    elastic, spent, broken : number
-        Energy stored, and taken in this step; bonds that broke.
-    """
-    (py, pz, pt), (my, mz, mt) = rates, last
+def contact(p, whole, parts, turning, time, alive, counts, spent):
+    """Forces of all nodes on the block and on its supports, and dashpots; see `march`."""
+    half, past_s, dt = time
+    supports, touch = parts.supports, touched(p, parts.nodes)
+    my, mz, mt = take(parts.rate, 0), take(parts.rate, 1), take(parts.rate, 2)
+    py, pz = my + half * take(parts.rise, 0), mz + half * take(parts.rise, 1)
+    pt = mt + half * take(parts.rise, 2)
+    cos, sin = cos_sin(take(parts.place, 2), alive)
+    pose = take(parts.place, 0), take(parts.place, 1), cos, sin
     none = like(0.0, py)
-    fy = fz = moment = elastic = spent = broken = none
+    fy = fz = moment = elastic = lost = broken = none
     own = none, none, none, none, none, none
     for g in range(p.level_m.size):
         j = p.support[g] if p.support[g] >= 0 else len(supports.y) - 1
@@ -218,7 +175,7 @@ def block_contact(p, whole, supports, turning, touch, pose, rates, last, past_s,
             spread(p, touch, g, summed & ~full)
             summed = summed & full
         if counts:
-            spent += let_go(p, touch, g, lone(d0), lone(d1))
+            lost += let_go(p, touch, g, lone(d0), lone(d1))
         if not some(touches | bound):
             continue
         ty, tz = -nz, ny
@@ -265,8 +222,8 @@ def block_contact(p, whole, supports, turning, touch, pose, rates, last, past_s,
             ready = each & (full | bound) & (take(touch.bonds, g) <= 0.0)
             if some(ready):
                 close(p, touch, g, ready, 0.5 * friction * least / ratio)
-        (n0, n1), (t0, t1), across, along, stored, taken, lost = sums
-        elastic, spent, broken = elastic + stored, spent + taken, broken + lost
+        (n0, n1), (t0, t1), across, along, stored, taken, gone = sums
+        elastic, lost, broken = elastic + stored, lost + taken, broken + gone
         gy, gz = sign * (ny * n0 - ty * t0), sign * (nz * n0 - tz * t0)
         fy += gy
         fz += gz
@@ -279,4 +236,12 @@ def block_contact(p, whole, supports, turning, touch, pose, rates, last, past_s,
             back = arm_y * gz - arm_z * gy + along_y * (sign * far_z) - along_z * (sign * far_y)
             put(supports.moment, j, take(supports.moment, j) - back)
         own = _added(own, (ry, rz, ey, ez), (ny, nz, ty, tz), (across, along), (beta, ratio))
-    return (fy, fz, moment), own, elastic, spent, broken
+    put(parts.turn, 0, cos)
+    put(parts.turn, 1, sin)
+    for m, value in enumerate((py, pz, pt)):
+        put(parts.now, m, value)
+    for m, value in enumerate((fy, fz, moment)):
+        put(parts.force, m, value)
+    for m, value in enumerate(own):
+        put(parts.own, m, value)
+    return elastic, spent + lost, broken

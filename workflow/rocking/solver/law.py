@@ -17,7 +17,7 @@ import math
 
 from rocking.runtime.compiled import inlined
 
-from .vectors import choose, every, some
+from .vectors import choose, every, like, some
 
 
 @inlined
@@ -132,3 +132,29 @@ def bonded(depth_m, rate_m_s, speed_m_s, slip_m, joint, dt_s):
     taken = dt_s * beta * (rate_m_s * rate_m_s + ratio * speed_m_s * speed_m_s)
     stored = 0.5 * (depth_m * depth_m + ratio * slip_m * slip_m)
     return normal, shear, 1.0, slip_m, True, True, stored, taken
+
+
+@inlined
+def node(depth_m, rate_m_s, speed_m_s, had_m, step_m, acts, joints, dt_s, drag=1.0):
+    """What `dry` and `bonded` say of a node, each where it acts; elsewhere nothing.
+
+    `acts`: it touches, its bond holds, it touched before. `joints`: its own, and that of its bond.
+    """
+    touching, holds, was = acts
+    normal = shear = share = stored = taken = like(0.0, depth_m)
+    slip, pressed, drags = had_m, touching & ~touching, touching & ~touching
+    if some(touching):
+        had, step = choose(touching & was, had_m, 0.0), choose(touching, step_m, 0.0)
+        normal, shear, share, slip, pressed, drags, stored, taken = dry(
+            depth_m, rate_m_s, speed_m_s, had, step, touching & ~was, joints[0], dt_s, drag
+        )
+        pressed, drags = touching & pressed, touching & drags
+    if some(holds):
+        pull, held, whole, after, _, _, kept, lost = bonded(
+            depth_m, rate_m_s, speed_m_s, had_m + step_m, joints[1], dt_s
+        )
+        normal, shear = choose(holds, pull, normal), choose(holds, held, shear)
+        share, slip = choose(holds, whole, share), choose(holds, after, slip)
+        pressed, drags = pressed | holds, choose(holds, joints[1][1] > 0.0, drags)
+        stored, taken = choose(holds, kept, stored), choose(holds, lost, taken)
+    return normal, shear, share, slip, pressed, drags, stored, taken

@@ -18,7 +18,7 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined
 
-from .dashpots import couple, damp
+from .dashpots import apart, beyond, placed, push, rates, resist, turned
 from .law import bounded, rub
 from .vectors import alone, choose, like, lone, put, some, take
 
@@ -129,37 +129,10 @@ def _reach(f0, f1, low, high):
 
 
 @inlined
-def _springs(p, i, parts, base, turns, along, at, dashpot):
-    """Add what acts along a direction at a place of a line to the matrices of its blocks."""
-    a, b = p.lines.body_a[i], p.lines.body_b[i]
-    (y, z), (arm_a, arm_b), turn = base, turns, along
-    one, other = arm_a + turn * at, arm_b + turn * at
-    damp(parts.own, a, y, z, one, dashpot)
-    if b >= 0:
-        damp(parts.own, b, y, z, other, dashpot)
-        couple(parts.between, b, y, z, other, one, dashpot)
-
-
-@inlined
 def press(p, parts, rows, time, alive, counts):
-    """What the lines do to their blocks.
+    """What the lines do to their blocks; energy stored, and taken in this step [J]; see `march`.
 
-    Parameters
-    ----------
-    p : Stack
-    parts : march.Parts
-    rows : rows, `MEMORY` a line
-        From where to where it was pressed at the last step, and the slip of each part.
-    time : tuple of 3 floats
-        Half a step, the step since the last one, the step.
-    alive : mask
-    counts : bool
-        Whether energies are wanted.
-
-    Returns
-    -------
-    elastic, spent : number
-        Energy stored, and taken in this step [J].
+    `rows`: from where to where each was pressed at the last step, and the slip of each part.
     """
     _, past, dt = time
     lines, supports = p.lines, parts.supports
@@ -169,33 +142,20 @@ def press(p, parts, rows, time, alive, counts):
         j = lines.support[i] if lines.support[i] >= 0 else len(supports.y) - 1
         half, k, beta = lines.half_m[i], lines.k_n_m2[i], lines.beta_s[i]
         ratio, friction = lines.shear_ratio[i], lines.friction[i]
-        cos, sin = take(parts.turn, 2 * a), take(parts.turn, 2 * a + 1)
-        ay = cos * lines.arm_a_m[i, 0] - sin * lines.arm_a_m[i, 1]
-        az = sin * lines.arm_a_m[i, 0] + cos * lines.arm_a_m[i, 1]
-        ey = cos * lines.along[i, 0] - sin * lines.along[i, 1]
-        ez = sin * lines.along[i, 0] + cos * lines.along[i, 1]
-        py = p.centre_m[a, 0] + take(parts.place, 3 * a) + ay
-        pz = p.centre_m[a, 1] + take(parts.place, 3 * a + 1) + az
-        spin, turn = take(parts.now, 3 * a + 2), take(parts.rate, 3 * a + 2)
-        ry, rz = take(parts.now, 3 * a) - spin * az, take(parts.now, 3 * a + 1) + spin * ay
-        gy = past * (take(parts.rate, 3 * a) - turn * az)
-        gz = past * (take(parts.rate, 3 * a + 1) + turn * ay)
+        ay, az = turned(parts.turn, a, (lines.arm_a_m[i, 0], lines.arm_a_m[i, 1]))
+        ey, ez = turned(parts.turn, a, (lines.along[i, 0], lines.along[i, 1]))
+        py, pz = placed(p, parts, a, (ay, az))
+        spin = take(parts.now, 3 * a + 2)
+        ry, rz, gy, gz = rates(parts, a, (ay, az), past)
         ny, nz = like(lines.normal[i, 0], py), like(lines.normal[i, 1], py)
         by, bz = py, pz
         if b >= 0:
-            cos, sin = take(parts.turn, 2 * b), take(parts.turn, 2 * b + 1)
-            ny, nz = cos * ny - sin * nz, sin * ny + cos * nz
-            by = py - p.centre_m[b, 0] - take(parts.place, 3 * b)
-            bz = pz - p.centre_m[b, 1] - take(parts.place, 3 * b + 1)
-            qy = cos * lines.arm_b_m[i, 0] - sin * lines.arm_b_m[i, 1]
-            qz = sin * lines.arm_b_m[i, 0] + cos * lines.arm_b_m[i, 1]
+            ny, nz = turned(parts.turn, b, (ny, nz))
+            by, bz = beyond(p, parts, b, py, pz)
+            qy, qz = turned(parts.turn, b, (lines.arm_b_m[i, 0], lines.arm_b_m[i, 1]))
             d0 = -ny * (by - qy) - nz * (bz - qz)
-            other, more = take(parts.now, 3 * b + 2), take(parts.rate, 3 * b + 2)
-            ry = ry - take(parts.now, 3 * b) + other * bz
-            rz = rz - take(parts.now, 3 * b + 1) - other * by
-            gy -= past * (take(parts.rate, 3 * b) - more * bz)
-            gz -= past * (take(parts.rate, 3 * b + 1) + more * by)
-            spin = spin - other
+            ry, rz, gy, gz = apart(parts, b, (by, bz), past, (ry, rz, gy, gz))
+            spin = spin - take(parts.now, 3 * b + 2)
         else:
             su = take(supports.y, j)
             d0 = -ny * (py - lines.arm_b_m[i, 0] - su) - nz * (pz - lines.arm_b_m[i, 1])
@@ -245,20 +205,18 @@ def press(p, parts, rows, time, alive, counts):
             grip += share * slip * slip
         shear = k * shear
         fy, fz = ny * normal - ty * shear, nz * normal - tz * shear
-        for m, value in ((0, fy), (1, fz), (2, ay * fz - az * fy + across * moment)):
-            put(parts.force, 3 * a + m, take(parts.force, 3 * a + m) + value)
+        push(parts.force, a, 1.0, (fy, fz), (ay, az), across * moment)
         if b >= 0:
-            for m, value in ((0, fy), (1, fz), (2, by * fz - bz * fy + across * moment)):
-                put(parts.force, 3 * b + m, take(parts.force, 3 * b + m) - value)
+            push(parts.force, b, -1.0, (fy, fz), (by, bz), across * moment)
         else:
             put(supports.fy, j, take(supports.fy, j) - fy)
         each = 0.5 * (beta + p.lead * dt) * whole
-        arms = nz * ay - ny * az, nz * by - ny * bz
-        _springs(p, i, parts, (ny, nz), arms, across, middle - SIDE * length, each)
-        _springs(p, i, parts, (ny, nz), arms, across, middle + SIDE * length, each)
+        one, other = nz * ay - ny * az, nz * by - ny * bz
+        for side in (-SIDE, SIDE):
+            more = across * (middle + side * length)
+            resist(p, parts, a, b, (ny, nz), (one + more, other + more), each)
         arms = tz * ay - ty * az, tz * by - ty * bz
-        grips = ratio * (beta + p.lead * dt) * k * stuck
-        _springs(p, i, parts, (ty, tz), arms, 0.0, middle, grips)
+        resist(p, parts, a, b, (ty, tz), arms, ratio * (beta + p.lead * dt) * k * stuck)
         if counts:
             low, high = shut
             length, middle = max(high - low, 0.0), 0.5 * (low + high)

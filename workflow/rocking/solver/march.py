@@ -8,9 +8,15 @@ array: those named here, then what `Parts` cuts out of it. Of many histories a c
 `WIDTH` numbers a row and marches as one; histories that ended leave their lanes idle until those
 that last fit into fewer chunks. What marches, one block or several, gives three functions:
 
-    contact(p, whole, parts, …)                forces and dashpots of the nodes, into `parts`
-    accelerate(p, parts, half_s, ag, gravity)  accelerations by them
-    monitor(p, parts)                          place and speed of the watched point
+    contact(p, whole, parts, turning, time, alive, counts, spent)
+        Forces and dashpots of the nodes, into `parts`; gives energy stored, energy taken so far,
+        and bonds that broke. `turning`: whether supports turn. `time`: half a step, the step since
+        the last one, the step; the first two are 0 at the first, and what touches then has not just
+        closed. `alive`: histories that go on. `counts`: whether energies are wanted, of one alone.
+    accelerate(p, parts, half_s, ag, gravity)
+        Accelerations by them.
+    monitor(p, parts)
+        Place and speed of the watched point.
 """
 
 from typing import Any, NamedTuple

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .bars import Bars, elements, of_scene
-from .stack import FREEDOMS, stacked
+from .stack import FREEDOMS, matrices_of, pose, row_of, stacked
 
 LEVEL_M = 1e-9  # nodes of one group lie this close to one line, their planes to one plane
 
@@ -137,40 +137,24 @@ def to_plane(scene, frame=None):
         raise ValueError("planar solver: every node must join the block to a support")
     centre = np.array(block.centre_m)[1:]
     groups = [_group(scene, own, centre, column, mine) for mine in _groups(nodes, centre)]
-    order = np.concatenate([group["nodes"] for group in groups])
-    sizes = [len(group["nodes"]) for group in groups]
+    sizes = [len(group["place_m"]) for group in groups]
+    order = np.concatenate([group.pop("nodes") for group in groups])
     kn = nodes.kn_n_m[order]
-
-    def column_of(name, kind=float):
-        return np.array([group[name] for group in groups], kind)
-
+    places = np.concatenate([group.pop("place_m") for group in groups])
+    kinds = {"carried": bool, "support": np.int64}
+    columns = {
+        key: np.array([group[key] for group in groups], kinds.get(key, float)) for key in groups[0]
+    }
     return Planar(
         first=np.concatenate(([0], np.cumsum(sizes))).astype(np.int64),
-        origin_m=column_of("origin_m"),
-        along=column_of("along"),
-        normal=column_of("normal"),
-        arm_m=column_of("arm_m"),
-        level_m=column_of("level_m"),
-        carried=column_of("carried", bool),
-        support=column_of("support", np.int64),
-        beta_s=column_of("beta_s"),
-        shear_ratio=column_of("shear_ratio"),
-        friction=column_of("friction"),
-        place_m=np.concatenate([group["place_m"] for group in groups]),
+        **columns,
+        place_m=places,
         kn_n_m=kn,
         pull_m=nodes.tension_n[order] / kn,
         hold_m=nodes.cohesion_n[order] / kn,
         bonded=nodes.bonded[order],
         tie=nodes.tie[order],
-        start=np.array(
-            [
-                *block.displacement_m[1:],
-                block.rotation_rad[0],
-                *block.velocity_m_s[1:],
-                block.angular_velocity_rad_s[0],
-            ],
-            float,
-        ),
+        start=pose(block),
         mass_kg=float(block.mass_kg),
         inertia_kg_m2=float(block.inertia_kg_m2[0]),
         gravity_m_s2=float(scene.gravity_m_s2),
@@ -254,24 +238,22 @@ def matrices(planar, supports=0):
     p = planar
     floors = p.bars.mass_kg[p.bars.mass_kg > 0.0]
     size = 3 + 3 * supports + floors.size
-    k, c = np.zeros((size, size)), np.zeros((size, size))
-    for g in range(len(p.level_m)):
-        ny, nz = p.normal[g]
-        for i in range(p.first[g], p.first[g + 1]):
-            ry, rz = p.origin_m[g] + p.place_m[i] * p.along[g]
-            arm_y, arm_z = p.arm_m[g] + p.place_m[i] * p.along[g]
-            for (y, z), stiffness in (((ny, nz), 1.0), ((-nz, ny), p.shear_ratio[g])):
-                row = np.zeros(size)
-                row[:3] = y, z, z * ry - y * rz
-                if supports and p.support[g] >= 0:
-                    row[3 + p.support[g]] = -y
-                    row[size - 2 * supports + p.support[g]] = -z
-                    row[size - supports + p.support[g]] = y * arm_z - z * arm_y
-                element = stiffness * p.kn_n_m[i] * np.outer(row, row)
-                k += element
-                c += p.beta_s[g] * element
-    for stiffness, dashpot, part in elements(p.bars, supports):
-        row = np.pad(part, (0, 2 * supports))
-        k += stiffness * np.outer(row, row)
-        c += dashpot * np.outer(row, row)
+
+    def springs():
+        for g in range(len(p.level_m)):
+            for i in range(p.first[g], p.first[g + 1]):
+                arm = p.origin_m[g] + p.place_m[i] * p.along[g]
+                far_y, far_z = p.arm_m[g] + p.place_m[i] * p.along[g]
+                ny, nz = p.normal[g]
+                for (y, z), ratio in (((ny, nz), 1.0), ((-nz, ny), p.shear_ratio[g])):
+                    row = row_of(size, (y, z), ((0, 1.0, arm),))
+                    if supports and p.support[g] >= 0:
+                        row[3 + p.support[g]] = -y
+                        row[size - 2 * supports + p.support[g]] = -z
+                        row[size - supports + p.support[g]] = y * far_z - z * far_y
+                    yield row, ratio * p.kn_n_m[i], (p.beta_s[g], ratio * p.kn_n_m[i])
+        for stiffness, dashpot, part in elements(p.bars, supports):
+            yield np.pad(part, (0, 2 * supports)), stiffness, (dashpot, 1.0)
+
+    k, c = matrices_of(size, springs())
     return np.array([p.mass_kg, p.mass_kg, p.inertia_kg_m2, *floors]), k, c

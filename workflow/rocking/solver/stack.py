@@ -116,28 +116,16 @@ class Stack(NamedTuple):
     bars: Bars
 
 
+def pose(block):
+    """y, z [m] and rotation about x [rad] of a block, and their rates."""
+    turned, turns = block.rotation_rad[0], block.angular_velocity_rad_s[0]
+    return np.array([*block.displacement_m[1:], turned, *block.velocity_m_s[1:], turns], float)
+
+
 def stacked(scene, own, column, bars):
-    """Reduce a scene to its plane.
+    """Reduce a scene with several free blocks, see `plane.to_plane`.
 
-    Parameters
-    ----------
-    scene : Scene
-        Its free blocks have freedoms of y, z and about x; every node joins two of them, or one
-        to a support.
-    own : list of int
-        The free blocks; the first one is the façade, or its lowest piece.
-    column : dict of str to int
-        Of each motion.
-    bars : Bars
-
-    Returns
-    -------
-    Stack
-
-    Raises
-    ------
-    ValueError
-        One line if a node joins no free block, or a link is not along y.
+    `own` are these, the façade or its lowest piece first; `column` is that of each motion.
     """
     nodes, blocks = scene.nodes, scene.blocks
     number = np.full(len(blocks), -1, np.int64)
@@ -172,15 +160,6 @@ def stacked(scene, own, column, bars):
     rim = np.array([rims.get(name, none)[0][1:] for name in joint], float).reshape(-1, 2)
     edge = np.array([rims.get(name, (None, 0.0))[1] for name in joint], float)
     mine = [blocks[i] for i in own]
-    poses = [
-        [
-            *block.displacement_m[1:],
-            block.rotation_rad[0],
-            *block.velocity_m_s[1:],
-            block.angular_velocity_rad_s[0],
-        ]
-        for block in mine
-    ]
     return Stack(
         mass_kg=np.array([block.mass_kg for block in mine], float),
         inertia_kg_m2=np.array([block.inertia_kg_m2[0] for block in mine], float),
@@ -190,7 +169,7 @@ def stacked(scene, own, column, bars):
         debris=np.array([block.name in scene.notes.get("debris", ()) for block in mine]),
         watched=np.array([i for i, _ in watched], np.int64),
         monitor_m=np.array([point - centre[own[i]] for i, point in watched], float),
-        start=np.array(poses, float),
+        start=np.array([pose(block) for block in mine]),
         body_a=a,
         body_b=b,
         support=np.where((a >= 0) & (b >= 0), -1, np.array(support, np.int64)),
@@ -226,6 +205,25 @@ def stacked(scene, own, column, bars):
     )
 
 
+def row_of(size, direction, ends):
+    """How far each freedom opens a spring along a direction; `ends`: block, sign, its arm."""
+    (y, z), row = direction, np.zeros(size)
+    for body, sign, (ry, rz) in ends:
+        row[3 * body : 3 * body + 3] = sign * np.array([y, z, z * ry - y * rz])
+    return row
+
+
+def matrices_of(size, springs):
+    """Stiffness and damping by (row, stiffness, two factors of the dashpot) of each spring."""
+    k, c = np.zeros((2, size, size))
+    for row, stiffness, (one, other) in springs:
+        touched = np.flatnonzero(row)
+        at, element = np.ix_(touched, touched), np.outer(row[touched], row[touched])
+        k[at] += stiffness * element
+        c[at] += one * (other * element)
+    return k, c
+
+
 def stack_matrices(stack, supports=0):
     """Mass, stiffness and damping of what moves freely, nodes closed, ties taut.
 
@@ -243,46 +241,34 @@ def stack_matrices(stack, supports=0):
     """
     p, n = stack, len(stack.mass_kg)
     floors = p.bars.mass_kg[p.bars.mass_kg > 0.0]
-    k, c = np.zeros((2, *(3 * n + supports + floors.size,) * 2))
+    size = 3 * n + supports + floors.size
 
-    def add(row, stiffness, dashpot):
-        touched = np.flatnonzero(row)
-        at = np.ix_(touched, touched)
-        element = np.outer(row[touched], row[touched])
-        k[at] += stiffness * element
-        c[at] += dashpot * element
+    def between(one, i, place, kn, drag):
+        ny, nz = one.normal[i]
+        sides = (one.body_a[i], 1.0), (one.body_b[i], -1.0)
+        ends = [(m, sign, place - p.centre_m[m]) for m, sign in sides if m >= 0]
+        for (y, z), ratio, share in (((ny, nz), 1.0, 1.0), ((-nz, ny), one.shear_ratio[i], drag)):
+            row = row_of(size, (y, z), ends)
+            if supports and one.support[i] >= 0:
+                row[3 * n + one.support[i]] = y if one.body_a[i] < 0 else -y
+            yield row, ratio * kn, (1.0, one.beta_s[i] * share * ratio * kn)
 
-    node = p.arm_a_m + np.where((p.body_a >= 0)[:, None], p.centre_m[p.body_a], 0.0)
-    for i, (ny, nz) in enumerate(p.normal):
-        drag = 1.0 if p.bonded[i] else p.drag[i]
-        for (y, z), ratio, share in (((ny, nz), 1.0, 1.0), ((-nz, ny), p.shear_ratio[i], drag)):
-            row = np.zeros(len(k))
-            for body, sign in ((p.body_a[i], 1.0), (p.body_b[i], -1.0)):
-                if body >= 0:
-                    ry, rz = node[i] - p.centre_m[body]
-                    row[3 * body : 3 * body + 3] = sign * np.array([y, z, z * ry - y * rz])
-                elif supports and p.support[i] >= 0:
-                    row[3 * n + p.support[i]] = sign * y
-            add(row, ratio * p.kn_n_m[i], p.beta_s[i] * share * ratio * p.kn_n_m[i])
-    for i, place, stiffness in of_lines(p.lines, p.centre_m):
-        ny, nz = p.lines.normal[i]
-        for (y, z), ratio in (((ny, nz), 1.0), ((-nz, ny), p.lines.shear_ratio[i])):
-            row = np.zeros(len(k))
-            for body, sign in ((p.lines.body_a[i], 1.0), (p.lines.body_b[i], -1.0)):
-                if body >= 0:
-                    ry, rz = place - p.centre_m[body]
-                    row[3 * body : 3 * body + 3] = sign * np.array([y, z, z * ry - y * rz])
-                elif supports and p.lines.support[i] >= 0:
-                    row[3 * n + p.lines.support[i]] = sign * y
-            add(row, ratio * stiffness, p.lines.beta_s[i] * ratio * stiffness)
-    for stiffness, dashpot, row in elements(p.bars, supports, n):
-        add(row, stiffness, dashpot)
-    for i, (a, b) in enumerate(zip(p.link_a, p.link_b, strict=True)):
-        row = np.zeros(len(k))
-        row[3 * a] = 1.0
-        if b >= 0:
-            row[3 * b] = -1.0
-        add(row, p.link_n_m[i], p.link_ns_m[i])
+    def springs():
+        node = p.arm_a_m + np.where((p.body_a >= 0)[:, None], p.centre_m[p.body_a], 0.0)
+        for i, kn in enumerate(p.kn_n_m):
+            yield from between(p, i, node[i], kn, 1.0 if p.bonded[i] else p.drag[i])
+        for i, place, kn in of_lines(p.lines, p.centre_m):
+            yield from between(p.lines, i, place, kn, 1.0)
+        for stiffness, dashpot, row in elements(p.bars, supports, n):
+            yield row, stiffness, (1.0, dashpot)
+        for i, (a, b) in enumerate(zip(p.link_a, p.link_b, strict=True)):
+            row = np.zeros(size)
+            row[3 * a] = 1.0
+            if b >= 0:
+                row[3 * b] = -1.0
+            yield row, p.link_n_m[i], (1.0, p.link_ns_m[i])
+
+    k, c = matrices_of(size, springs())
     mass = np.stack([p.mass_kg, p.mass_kg, p.inertia_kg_m2], axis=1).ravel()
     more = supports + floors.size
     block = np.concatenate((np.repeat(np.arange(n), 3), n + np.arange(more)))

@@ -11,8 +11,8 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined, looped
 
-from .dashpots import couple, damp, solve_row, solved
-from .law import bond_breaks, bonded, dry, released
+from .dashpots import apart, beyond, placed, push, rates, resist, solve_row, solved, turned
+from .law import bond_breaks, node, released
 from .lines import MEMORY, press
 from .march import TO_THE_END, Loop, advance, march_many
 from .vectors import alone, choose, cos_sin, like, put, put_where, some, take
@@ -78,13 +78,6 @@ def _predict(p, parts, time, alive):
 
 
 @inlined
-def _turned(parts, block, arm):
-    """A direction or arm that turns with a block."""
-    cos, sin = take(parts.turn, 2 * block), take(parts.turn, 2 * block + 1)
-    return cos * arm[0] - sin * arm[1], sin * arm[0] + cos * arm[1]
-
-
-@inlined
 def _come_out(p, i, parts, nodes, out):
     """Take the debris that meets node i out of the scene where it is out, with all its nodes.
 
@@ -106,28 +99,6 @@ def _come_out(p, i, parts, nodes, out):
 
 
 @inlined
-def _push(parts, block, sign, force, arm):
-    """Add a force, or what reacts to it, to those of a block."""
-    (fy, fz), (ay, az), at = force, arm, 3 * block
-    put(parts.force, at, take(parts.force, at) + sign * fy)
-    put(parts.force, at + 1, take(parts.force, at + 1) + sign * fz)
-    put(parts.force, at + 2, take(parts.force, at + 2) + sign * (ay * fz - az * fy))
-
-
-@inlined
-def _rates(parts, block, arm, past_s):
-    """Velocity of a point of a block now, and its way since the last step."""
-    (ay, az), at = arm, 3 * block
-    spin, turn = take(parts.now, at + 2), take(parts.rate, at + 2)
-    return (
-        take(parts.now, at) - spin * az,
-        take(parts.now, at + 1) + spin * ay,
-        past_s * (take(parts.rate, at) - turn * az),
-        past_s * (take(parts.rate, at + 1) + turn * ay),
-    )
-
-
-@inlined
 def _force(p, i, j, parts, nodes, where, arms, time, acts):
     """What node i does to its blocks where it acts; energy stored, taken, and bonds that broke."""
     a, b = p.body_a[i], p.body_b[i]
@@ -136,15 +107,11 @@ def _force(p, i, j, parts, nodes, where, arms, time, acts):
     none = like(0.0, depth)
     sv, sdu = take(parts.supports.vy, j), take(parts.supports.dy, j)
     if a >= 0:
-        ry, rz, gy, gz = _rates(parts, a, (ay, az), past_s)
+        ry, rz, gy, gz = rates(parts, a, (ay, az), past_s)
     else:
         ry, rz, gy, gz = sv, none, sdu, none
     if b >= 0:
-        at = 3 * b
-        spin, turn = take(parts.now, at + 2), take(parts.rate, at + 2)
-        ry, rz = ry - take(parts.now, at) + spin * bz, rz - take(parts.now, at + 1) - spin * by
-        gy -= past_s * (take(parts.rate, at) - turn * bz)
-        gz -= past_s * (take(parts.rate, at + 1) + turn * by)
+        ry, rz, gy, gz = apart(parts, b, (by, bz), past_s, (ry, rz, gy, gz))
     else:
         ry, gy = ry - sv, gy - sdu
     kn, beta, ratio, friction = p.kn_n_m[i], p.beta_s[i], p.shear_ratio[i], p.friction[i]
@@ -167,50 +134,27 @@ def _force(p, i, j, parts, nodes, where, arms, time, acts):
     if past_s == 0.0:  # what touches at first has not just closed
         was = touching
     joint = beta, ratio, friction
-    normal = shear = share = across = along = stored = taken = none
-    after = had
-    if some(touching):
-        own = choose(touching, way, 0.0)
-        normal, shear, share, after, pressed, sticks, stored, taken = dry(
-            depth, rate, speed, had, own, touching & ~was, joint, dt, p.drag[i]
-        )
-        put_where(nodes.state, i, touching, CLOSED)
-        across = choose(touching & pressed, ahead * kn, none)
-        along = choose(touching & sticks, ahead * kn * ratio, none)
-    if some(holds):
-        pull, drag, whole, held, _, _, kept_j, taken_j = bonded(
-            depth, rate, speed, had + way, grip, dt
-        )
-        normal, shear = choose(holds, pull, normal), choose(holds, drag, shear)
-        share, after = choose(holds, whole, share), choose(holds, held, after)
-        across = choose(holds, ahead * kn, across)
-        along = choose(holds, ahead * kn * grip[1], along)
-        stored, taken = choose(holds, kept_j, stored), choose(holds, taken_j, taken)
+    normal, shear, share, after, pressed, drags, stored, taken = node(
+        depth, rate, speed, had, way, (touching, holds, was), (joint, grip), dt, p.drag[i]
+    )
+    put_where(nodes.state, i, touching, CLOSED)
+    across = choose(pressed, ahead * kn, none)
+    along = choose(drags, ahead * kn * ratio, none)
     acting = touching | holds
     put(nodes.slip, i, choose(acting, after, had))
     weight = share * kn
     fy = choose(acting, weight * (ny * normal - ty * shear), 0.0)
     fz = choose(acting, weight * (nz * normal - tz * shear), 0.0)
-    turn_a, turn_b = (nz * ay - ny * az, tz * ay - ty * az), (nz * by - ny * bz, tz * by - ty * bz)
     if a >= 0:
-        _push(parts, a, 1.0, (fy, fz), (ay, az))
-        damp(parts.own, a, ny, nz, turn_a[0], across)
-        damp(parts.own, a, ty, tz, turn_a[1], along)
+        push(parts.force, a, 1.0, (fy, fz), (ay, az))
     else:
         put(parts.supports.fy, j, take(parts.supports.fy, j) + fy)
     if b >= 0:
-        _push(parts, b, -1.0, (fy, fz), (by, bz))
-        damp(parts.own, b, ny, nz, turn_b[0], across)
-        damp(parts.own, b, ty, tz, turn_b[1], along)
-        if p.in_row and a >= 0:
-            if a < b:
-                couple(parts.between, a, ny, nz, turn_a[0], turn_b[0], across)
-                couple(parts.between, a, ty, tz, turn_a[1], turn_b[1], along)
-            else:
-                couple(parts.between, b, ny, nz, turn_b[0], turn_a[0], across)
-                couple(parts.between, b, ty, tz, turn_b[1], turn_a[1], along)
+        push(parts.force, b, -1.0, (fy, fz), (by, bz))
     else:
         put(parts.supports.fy, j, take(parts.supports.fy, j) - fy)
+    resist(p, parts, a, b, (ny, nz), (nz * ay - ny * az, nz * by - ny * bz), across)
+    resist(p, parts, a, b, (ty, tz), (tz * ay - ty * az, tz * by - ty * bz), along)
     acting_j = choose(acting, kn * taken, 0.0), choose(acting, kn * stored, 0.0)
     return acting_j[1], spent, acting_j[0], broken
 
@@ -237,7 +181,7 @@ def _links(p, parts, dt, elastic, spent):
 
 @inlined
 def contact(p, whole, parts, turning, time, alive, counts, spent):
-    """Forces of all nodes and links, and dashpots; energy stored and taken, bonds that broke."""
+    """Forces of all nodes and links, and dashpots; see `march`."""
     _predict(p, parts, time, alive)
     nodes, supports = _nodes(p, parts.nodes), parts.supports
     broken = like(0.0, spent)
@@ -254,21 +198,19 @@ def contact(p, whole, parts, turning, time, alive, counts, spent):
         ny, nz = like(p.normal[i, 0], su), like(p.normal[i, 1], su)
         ay, az = like(p.arm_a_m[i, 0], su), like(p.arm_a_m[i, 1], su)
         if a >= 0:
-            ay, az = _turned(parts, a, (ay, az))
-            py = p.centre_m[a, 0] + take(parts.place, 3 * a) + ay
-            pz = p.centre_m[a, 1] + take(parts.place, 3 * a + 1) + az
+            ay, az = turned(parts.turn, a, (ay, az))
+            py, pz = placed(p, parts, a, (ay, az))
         else:
             py, pz = ay + su, az
         by, bz = like(p.arm_b_m[i, 0], su), like(p.arm_b_m[i, 1], su)
         if b >= 0:
-            ny, nz = _turned(parts, b, (ny, nz))
-            cy, cz = _turned(parts, b, (by, bz))
-            by = py - p.centre_m[b, 0] - take(parts.place, 3 * b)
-            bz = pz - p.centre_m[b, 1] - take(parts.place, 3 * b + 1)
+            ny, nz = turned(parts.turn, b, (ny, nz))
+            cy, cz = turned(parts.turn, b, (by, bz))
+            by, bz = beyond(p, parts, b, py, pz)
             depth = -ny * (by - cy) - nz * (bz - cz)
             oy, oz = p.rim[i, 0], p.rim[i, 1]
             if oy != 0.0 or oz != 0.0:
-                ey, ez = _turned(parts, b, (oy, oz))
+                ey, ez = turned(parts.turn, b, (oy, oz))
                 out = live & (ey * by + ez * bz > p.rim_m[i])
                 if some(out):
                     if not p.partial[i]:
@@ -323,10 +265,10 @@ def accelerate(p, parts, half, ag, gravity):
         turn = before * take(rise, at + 2)
         c00, c01, c02 = take(own, to), take(own, to + 1), take(own, to + 2)
         c11, c12, c22 = take(own, to + 3), take(own, to + 4), take(own, to + 5)
-        push = take(parts.push, at), take(parts.push, at + 1), take(parts.push, at + 2)
-        fy = take(force, at) + (push[0] + c00 * y + c01 * z + c02 * turn) - mass * ag
-        fz = take(force, at + 1) + (push[1] + c01 * y + c11 * z + c12 * turn) - mass * gravity
-        moment = take(force, at + 2) + (push[2] + c02 * y + c12 * z + c22 * turn)
+        bars = take(parts.push, at), take(parts.push, at + 1), take(parts.push, at + 2)
+        fy = take(force, at) + (bars[0] + c00 * y + c01 * z + c02 * turn) - mass * ag
+        fz = take(force, at + 1) + (bars[1] + c01 * y + c11 * z + c12 * turn) - mass * gravity
+        moment = take(force, at + 2) + (bars[2] + c02 * y + c12 * z + c22 * turn)
         if not p.in_row:
             goes = take(nodes.goes, i) > 0.0
             free = goes & p.free[i, 0], goes & p.free[i, 1], goes & p.free[i, 2]
