@@ -5,12 +5,15 @@ import math
 
 import numpy as np
 import pytest
+from rocking import Case
 from rocking.assessment.blocks import Facade, Held, overturning
 from rocking.assessment.code_checks import governing
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.family import Family
 from rocking.configuration import config
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
+
+from yade_scripts.model.base import course_tops
 
 WALL = {"height_m": 8.0, "thickness_m": 0.42, "width_m": 7.5, "density_kg_m3": 1800.0}
 DEMAND = CodeDemand(0.22, 2.45, 0.32, "C")
@@ -187,3 +190,34 @@ def test_a_pull_that_ends_beyond_the_share_of_d0_does_not_raise_the_limit():
     d0 = held.ultimate()[1]
     assert held.limit(0.4) == (pytest.approx(0.4 * d0), False)
     assert d0 == pytest.approx(6.0 * math.sin(math.atan(0.1)), rel=1e-3)
+
+
+def test_a_facade_of_courses_is_one_body_by_hand_and_stacks_of_its_own_when_shaken():
+    """No foot at a joint of courses; each part above a foot has as many, bending two pieces."""
+    facade = {
+        "gable_height_m": 1.6,
+        "thickness_steps": [{"z_m": 4.0, "thickness_m": 0.36}],
+        "openings": [{"x_m": 0.0, "z_m": 5.0, "width_m": 1.0, "height_m": 1.4}],
+        "ties": [tie(3.0)],
+        "floors": [{"height_m": 4.0, "load_kn": 20.0}, {"height_m": 8.0, "anchor_kn": 6.0}],
+    }
+    stack = {**facade, "courses": 4, "courses_growth": 1.5}
+    of_block, of_stack = (Family(settings(f)).all() for f in (facade, stack))
+    assert [one.name for one in of_stack] == [one.name for one in of_block]
+    for one, other in zip(of_block, of_stack, strict=True):
+        assert one.mechanism.multiplier() == pytest.approx(other.mechanism.multiplier(), rel=1e-12)
+    case = Case.configured("W2m", settings(stack))
+    seen = set()
+    for one in of_stack:
+        if not one.plane or one.name.endswith("(sill of an opening)"):
+            continue
+        section = case.part(one.foot_m, one.held_m, one.hinge_m)["facade"]
+        kind = "bends" if one.held_m else "gable" if one.foot_m == 8.0 else "stack"
+        assert section["courses"] == {"bends": 0, "gable": 0, "stack": 4}[kind]
+        assert len(section["hinges_m"]) == (kind == "bends")
+        if kind == "stack":
+            tops = course_tops(section)
+            assert tops[-1] == pytest.approx(8.0 - one.foot_m)
+            assert tops[1] - tops[0] == pytest.approx(1.5 * tops[0])
+        seen.add(kind)
+    assert seen == {"bends", "gable", "stack"}

@@ -135,14 +135,14 @@ def test_the_dynamic_check_of_a_tied_facade_holds_at_the_end_and_not_one_step_be
     tied = ties.Tied(resolved, DEMAND)
     table = "config/suites/recorded_suite.tsv"
     motions = [(Motion.named(name, table).record, 0.5) for name in ("IS101_Lo", "GMN_NS")]
-    shaken = ties_shaken.Shaken(case, tied, motions, ["neg"])
+    shaken = ties_shaken.Shaken([case], tied, motions, ["neg"])
     found = ties.found(tied, shaken, False)
     assert found.rows
     assert found.factor >= 1.0
     assert shaken.final
     assert all(row["holds"] or part in shaken.unheld for part, row in shaken.final.items())
     if found.factor > 1.0:
-        again = ties_shaken.Shaken(case, tied, motions, ["neg"])
+        again = ties_shaken.Shaken([case], tied, motions, ["neg"])
         assert not again.holds(times(found.rows, 0.95), 0.95)
     rows = ties.table_of(found, resolved["strengthening"])
     for row, own in zip(rows, found.rows, strict=True):

@@ -54,7 +54,7 @@ def dry(run):
 
 
 def governing(run):
-    """Model that the verdict rests on: W2m where it is among them, else the last of them."""
+    """Model that the rate rests on: W2m where it is among them, else the last of them."""
     found = dry(run)
     if not found:
         stop("models: expected W1, W2 or W2m among them for assess")
@@ -103,6 +103,8 @@ rule assess_code:
         shaken=results("assessment/shaken.csv"),
     log:
         logs("assess_code"),
+    benchmark:
+        benchmarks("assess_code")
     params:
         table=lambda w: RUNS.table_path(w.run),
         records=lambda w: RUNS.records[w.run],
@@ -126,8 +128,7 @@ use rule assess_collapse as assess_parts_collapse with:
         benchmarks("assess_parts_collapse_{model}")
 
 
-# Of the model that governs alone: with all of them the parts would take most of the time.
-PARTS_COLLAPSE = of_run(rules.assess_parts_collapse.output[0], model=lambda run: [governing(run)])
+PARTS_COLLAPSE = of_run(rules.assess_parts_collapse.output[0], model=dry)
 
 
 rule assess_dynamic:
@@ -144,6 +145,8 @@ rule assess_dynamic:
         parts=results("assessment/parts_dynamic.csv"),
     log:
         logs("assess_dynamic"),
+    benchmark:
+        benchmarks("assess_dynamic")
     params:
         stations=stations,
         period_s=value_of("smdof.period_s"),
@@ -168,6 +171,8 @@ rule assess_selection:
         spectra=results("assessment/selected_spectra.csv"),
     log:
         logs("assess_selection"),
+    benchmark:
+        benchmarks("assess_selection")
     params:
         table=lambda w: RUNS.table_path(w.run),
         stations=stations,
@@ -187,6 +192,8 @@ rule assess_histories:
         verdict=results("assessment/dynamic_check_{model}.csv"),
     log:
         logs("assess_histories_{model}"),
+    benchmark:
+        benchmarks("assess_histories_{model}")
     params:
         table=lambda w: RUNS.table_path(w.run),
         settings=RUNS.params_of("directions", "baseline", "seed", "vertical_motion", "assessment"),
@@ -206,6 +213,8 @@ use rule assess_histories as assess_parts_histories with:
         verdict=results("assessment/parts_check_{model}.csv"),
     log:
         logs("assess_parts_histories_{model}"),
+    benchmark:
+        benchmarks("assess_parts_histories_{model}")
 
 
 CHECKED_PARTS = rules.assess_histories.output, rules.assess_parts_histories.output
@@ -214,22 +223,26 @@ CHECKED_PARTS = rules.assess_histories.output, rules.assess_parts_histories.outp
 rule assess_confirm:
     input:
         **MOTIONS,
-        scene=rules.scene.output[0],
-        histories=[one.histories for one in CHECKED_PARTS],
-        verdicts=[one.verdict for one in CHECKED_PARTS],
+        scenes=of_run(rules.scene.output[0], model=dry),
+        histories=of_run(*(one.histories for one in CHECKED_PARTS), model=dry),
+        verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),
         shaken=rules.assess_code.output.shaken,
         yade=rules.yade_check.output[0],
         modules=code("assess/assess_confirm"),
         study=study_code("ida"),
     output:
-        results("assessment/dynamic_check_{model}_yade.csv"),
+        results("assessment/dynamic_check_yade.csv"),
     log:
-        logs("assess_confirm_{model}"),
+        logs("assess_confirm"),
+    benchmark:
+        benchmarks("assess_confirm")
     params:
         yade=YADE,
         folder=results("cache/assessment"),
         table=lambda w: RUNS.table_path(w.run),
-        settings=RUNS.params_of("baseline", "seed", "vertical_motion"),
+        settings=RUNS.params_of(
+            "baseline", "seed", "vertical_motion", "assessment", "facade.courses"
+        ),
     script:
         "../scripts/assess/assess_confirm.py"
 
@@ -240,9 +253,9 @@ rule assess_ties:
         site=site,
         spectrum=SPECTRUM,
         hazard=HAZARD,
-        scene=of_run(rules.scene.output[0], model=governing),
+        scenes=of_run(rules.scene.output[0], model=dry),
         motions=rules.assess_selection.output.motions,
-        verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=governing),
+        verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),
         modules=code("assess/assess_ties"),
     output:
         rows=results("assessment/ties.csv"),
@@ -251,6 +264,8 @@ rule assess_ties:
         yaml=results("assessment/ties.yaml"),
     log:
         logs("assess_ties"),
+    benchmark:
+        benchmarks("assess_ties")
     params:
         run=lambda w: w.run,
         table=lambda w: RUNS.table_path(w.run),
@@ -274,6 +289,8 @@ rule assess_sensitivity:
         results("assessment/dynamic_sensitivity.csv"),
     log:
         logs("assess_sensitivity"),
+    benchmark:
+        benchmarks("assess_sensitivity")
     params:
         table=lambda w: RUNS.table_path(w.run),
         records=lambda w: RUNS.records[w.run],
@@ -297,7 +314,7 @@ rule assess_report:
         ),
         ties=rules.assess_ties.output.yaml,
         verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),
-        yade=of_run(rules.assess_confirm.output[0], model=dry),
+        yade=[rules.assess_confirm.output[0]],
         site=site,
         table=lambda w: RUNS.table_path(w.run),
         modules=code("assess/assess_report"),
@@ -307,6 +324,8 @@ rule assess_report:
         values=results("assessment/values.csv"),
     log:
         logs("assess_report"),
+    benchmark:
+        benchmarks("assess_report")
     params:
         run=lambda w: w.run,
         given=stated,

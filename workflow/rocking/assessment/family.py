@@ -128,8 +128,8 @@ class Family:
 
     def __init__(self, sections, added_n=0.0):
         """Read shape, loads and ties."""
-        names = "facade", "return_wall", "assessment"
-        self.section, self.wall, self.settings = (sections[name] for name in names)
+        self.wall, self.settings = sections["return_wall"], sections["assessment"]
+        self.section = {**sections["facade"], "courses": 0}  # by hand the masonry is one body
         section, settings = self.section, self.settings
         self.masonry = Masonry(section)
         self.base_m = section.get("base_height_m") or 0.0

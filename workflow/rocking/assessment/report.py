@@ -40,7 +40,7 @@ def context(data, digest):
         "drawing": drawing(data),
         "answers": answers(data, relied),
         "rests_on": rests_on(data, relied),
-        "mechanisms": content.by_mechanism(t, relied, folder),
+        "mechanisms": content.by_mechanism(t, folder),
         "next_steps": next_steps(data),
         "hand": appendix.by_hand(data, data.weakest),
         "capacity": Picture(
@@ -53,7 +53,7 @@ def context(data, digest):
         ),
         "spectrum": appendix.spectrum(data),
         "dynamic": content.dynamic_check(data, folder),
-        "ties": content.ties(data, relied, folder),
+        "ties": content.ties(data, folder),
         "fragility": fragility(data),
         "suite": content.suite(t["dynamic"], relied, folder),
         "rate": content.rate(data, relied, folder),
@@ -104,7 +104,7 @@ def drawing(data):
 def answers(data, relied):
     """(question, answer) of ties, rate and what is not covered."""
     rows = [
-        ("Which ties?", content.ties_said(data, relied)),
+        ("Which ties?", content.ties_said(data)),
         ("How often?", rate_said(data, relied)),
     ]
     rows.append(
@@ -123,13 +123,12 @@ def answers(data, relied):
 
 def rate_said(data, relied):
     """The rate of collapse in one sentence."""
-    rates = data.tables["rate"]
-    rates = rates[rates["model"] == relied]
+    every = data.tables["rate"]
+    rates = every[every["model"] == relied]
     if rates.empty:
         return (
             "No rate: state assessment.hazard (the rows of NTC 2018) or risk.hazard, and motions "
-            "of "
-            "seven stations or more."
+            "of seven stations or more."
         )
     said = [
         f"{r.annual_rate:.2g} collapses a year by {r.hazard} (95 % {r.rate_low:.2g} to "
@@ -137,8 +136,14 @@ def rate_said(data, relied):
         for r in rates.itertuples()
     ]
     base = data.config["facade"]["base"]
+    first = every[every["hazard"] == every["hazard"].iloc[0]]
+    others = [
+        f"{r.annual_rate:.2g} with {r.model}" for r in first.itertuples() if r.model != relied
+    ]
+    beside = f" ({verdict.words_of(others)})" if others else ""
     return (
-        f"With {relied}: {'; '.join(said)}. As it stands, without ties, with facade.base: {base}."
+        f"With {relied}: {'; '.join(said)}{beside}. As it stands, without further ties, with "
+        f"facade.base: {base}."
     )
 
 
@@ -150,8 +155,8 @@ def rests_on(data, relied):
     whole = t["parts_dynamic"][t["parts_dynamic"]["part"] == WHOLE_PART]
     return [
         f"The demand is {data.demand_said}, a PGA of {g3(demand)} g.",
-        f"Models of how the return walls move behind the façade. {meanings}. The verdict, ties and "
-        f"rate rest on {relied}; the others show what that choice changes.",
+        f"Models of how the return walls move behind the façade. {meanings}. Verdict and ties are "
+        f"those of the worst of them; the rate rests on {relied}.",
         f"The façade is rigid blocks of {f['density_kg_m3']:g} kg/m³ on dry joints; it does not "
         "crush or fall apart, and the mechanisms know ties and anchors but no friction of floors.",
         "Every part turns over the whole width, but for the corners, which end at the eaves and "

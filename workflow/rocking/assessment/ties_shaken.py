@@ -14,7 +14,8 @@ from rocking.collapse.case import Variant
 LEAST_SHARE, MOST_SHARE = 1e-4, 2.0  # of the façade's weight, of one row
 STEP = 0.95  # of the force, between two strengths of the rows
 COARSE = 8  # steps at once, until the dynamic check holds
-TRIED = ["factor", "part", "mechanism", "exceed_d0", "mean_d_m", "d_slv_m", "histories", "holds"]
+TRIED = ["factor", "model", "part", "mechanism", "exceed_d0", "mean_d_m", "d_slv_m", "histories"]
+TRIED += ["holds"]
 
 
 class Shaken:
@@ -22,22 +23,22 @@ class Shaken:
 
     Parameters
     ----------
-    case : rocking.collapse.case.Case
-        Without the rows.
+    cases : list of rocking.collapse.case.Case
+        Without the rows, one of each model.
     tied : Tied
     motions : list of (Record, pga_g)
     directions : sequence of str
     """
 
-    def __init__(self, case, tied, motions, directions):
+    def __init__(self, cases, tied, motions, directions):
         """Keep what every trial takes."""
-        self.case, self.tied = case, tied
+        self.cases, self.tied = cases, tied
         self.motions, self.directions = motions, directions
         self.rows: list[dict] = []  # TRIED, in their order
-        self.final: dict[str, dict] = {}  # rows of TRIED by part, of the last whole trial
+        self.final: dict[str, dict] = {}  # worst rows of TRIED by part, of the last whole trial
         self.unheld: set[str] = set()  # parts that fail and that no added row holds
         self._known: dict[str, dict] = {}
-        self._first: list[str] = []
+        self._first: list[tuple] = []  # model and part of those that failed, the last first
 
     def holds(self, rows, factor, whole=False):
         """Whether every mechanism holds under all motions but those that no row holds.
@@ -51,7 +52,8 @@ class Shaken:
             All mechanisms are run, also when one has failed.
         """
         entries = self.tied.entries(rows)
-        case = self.case.varied(Variant("tied", added={"facade.ties": entries}))
+        variant = Variant("tied", added={"facade.ties": entries})
+        tried = [case.varied(variant) for case in self.cases]
         family, own = self.tied.family(rows), self.tied.sections["assessment"]
         known = of_label(family)
         ranked = [
@@ -59,29 +61,36 @@ class Shaken:
             for one in known.values()
         ]
         ranked.sort(key=lambda row: row[0])
-        table = chosen(ranked, [case], own["shaken_within"])
-        parts = sorted(cases(case, table), key=lambda p: p[0].part not in self._first)
+        table = chosen(ranked, tried, own["shaken_within"])
+        parts = [(row, part) for case in tried for row, part in cases(case, table)]
+        parts.sort(key=lambda p: self._turn(p[1].model, p[0].part))
         every = True
         self.final = {} if whole else self.final
         for row, part in parts:
             found = self._of(part, known[row.part])
-            about = {"factor": factor, "part": row.part, "mechanism": row.mechanism} | found
+            about = {"factor": factor, "model": part.model, "part": row.part}
+            about |= {"mechanism": row.mechanism, **found}
             if about not in self.rows:
                 self.rows.append(about)
             if whole:
-                self.final[row.part] = about
+                self.final[row.part] = max(self.final.get(row.part, about), about, key=_worse)
             if not found["holds"]:
                 if not part["facade"]["ties"]:
                     self.unheld.add(row.part)
                     continue
-                every, self._first = False, [row.part, *self._first]
+                every, self._first = False, [(part.model, row.part), *self._first]
                 if not whole:
                     break
         return every
 
+    def _turn(self, model, part):
+        """Place in the order of trial: what failed last first."""
+        one = model, part
+        return self._first.index(one) if one in self._first else len(self._first)
+
     def _of(self, part, one):
         """Exceeded d0, mean and verdict of one part; histories end once it cannot hold."""
-        key = json.dumps(part.scene, sort_keys=True)
+        key = json.dumps(part.scene, sort_keys=True)  # model, façade and all
         if key not in self._known:
             limits, total, over, count = limits_of(one.mechanism), 0.0, 0, 0
             most = limits.slv_m * len(self.motions) * len(self.directions)
@@ -102,6 +111,11 @@ class Shaken:
                 "holds": bool(count and not over and total <= most and mean <= limits.slv_m),
             }
         return self._known[key]
+
+
+def _worse(row):
+    """Order of rows of TRIED: those that do not hold, then by the mean over d_SLV."""
+    return not row["holds"], row["mean_d_m"] / row["d_slv_m"]
 
 
 def stronger(shaken, rows, by_hand=True, say=lambda text: None):

@@ -6,7 +6,7 @@ from rocking.assessment.mechanism import WHOLE
 from rocking.assessment.shaken import is_later
 from rocking.stations import FEWEST
 
-GOVERNS = "W2m"  # the model that the verdict rests on, where it is among a run's
+GOVERNS = "W2m"  # the model that the rate rests on, where it is among a run's
 ROUNDED = 1e-4  # relative; tables have six figures
 OTHERS = {"en": "EN 1998-3", "parts": "NZS 1170.5"}  # by the first part of a check's key
 SURE = 0.005  # of a probability that rounds to 0 or 100 %
@@ -34,7 +34,8 @@ def collapses(row, sign=""):
     return per_cent(row.probability), f" ({low:.0f} to {high:.0f}{sign})"
 
 
-def _models(names):
+def words_of(names):
+    """Names in a sentence: one, two and three."""
     return " and ".join([", ".join(names[:-1]), names[-1]] if names[1:] else names)
 
 
@@ -44,13 +45,13 @@ def gives_way(row):
 
 
 def relied_on(names):
-    """Model that the verdict rests on: W2m where it is among them, else the last; None of none."""
+    """Model that the rate rests on: W2m where it is among them, else the last; None of none."""
     names = list(dict.fromkeys(names))
     return None if not names else GOVERNS if GOVERNS in names else names[-1]
 
 
 def passes(checks, mechanisms, verdicts):
-    """Whether a façade passes by hand, and in the dynamic check of the model that is relied on.
+    """Whether a façade passes by hand, and in the dynamic check of every model and mechanism.
 
     Returns
     -------
@@ -62,8 +63,7 @@ def passes(checks, mechanisms, verdicts):
     by_hand = bool(stated["pga_fails_g"].min() >= checks["pga_demand_g"].iloc[0])
     if verdicts.empty:
         return by_hand, None
-    own = verdicts[verdicts["model"] == relied_on(verdicts["model"])]
-    return by_hand, bool(own["slv"].all())
+    return by_hand, bool(verdicts["slv"].all())
 
 
 def headline(checks, mechanisms, verdicts, shaken, when, factor):
@@ -97,25 +97,23 @@ def headline(checks, mechanisms, verdicts, shaken, when, factor):
 
 
 def _governed(verdicts, shaken, held):
-    """The dynamic check of the model that is relied on, and what the others say."""
+    """The dynamic check of the model and mechanism that decide, and what the others say."""
     if held is None:
         return "The code's dynamic check was not made: too few motions of different stations."
-    model = relied_on(verdicts["model"])
+    model = decided_by(verdicts)
     names = dict(zip(shaken["part"], shaken["mechanism"], strict=True))
     worst = deciding(verdicts).set_index("model")
     row = worst.loc[model]
     words = (
-        f"The code's dynamic check (C8.7.1.2.1.9) is {'' if held else 'not '}fulfilled with "
-        f"{model}, "
-        f"the model that governs: the {names[row['part']]} moves {1e3 * row['mean_d_m']:.0f} mm "
-        "in the "
-        f"mean of {row['motions']:.0f} histories, of d_SLV = {1e3 * row['d_slv_m']:.0f} mm"
+        f"The code's dynamic check (C8.7.1.2.1.9) is {'' if held else 'not '}fulfilled. The model "
+        f"that governs is {model}: the {names[row['part']]} moves {1e3 * row['mean_d_m']:.0f} mm "
+        f"in the mean of {row['motions']:.0f} histories, of d_SLV = {1e3 * row['d_slv_m']:.0f} mm"
     )
     if row["exceed_d0"]:
         words += f", and beyond d0 in {row['exceed_d0']:.0f} of them"
     others = [name for name in worst.index if name != model]
-    said = [f"{n} is {'' if worst.loc[n, 'slv'] else 'not '}fulfilled" for n in others]
-    return words + "." + (f" Beside it {_models(said)}." if said else "")
+    said = [f"with {n} it is {'' if worst.loc[n, 'slv'] else 'not '}fulfilled" for n in others]
+    return words + "." + (f" Beside it {words_of(said)}." if said else "")
 
 
 def kinematic(checks, mechanisms):
@@ -145,6 +143,16 @@ def deciding(verdicts):
     return first.loc[verdicts["model"].unique()].reset_index()
 
 
+def decided_by(verdicts):
+    """Model that governs: of those that decide (`deciding`) the worst; None without a check."""
+    if verdicts.empty:
+        return None
+    worst = deciding(verdicts)
+    over = worst["mean_d_m"] / worst["d_slv_m"]
+    order = worst.assign(over=over).sort_values(["slv", "over"], ascending=[True, False])
+    return order["model"].iloc[0]
+
+
 def by_hand_alone(shaken):
     """End of a sentence: which mechanisms were not shaken; nothing where there are none."""
     left, later = shaken["shaken"] == 0, is_later(shaken)
@@ -153,7 +161,7 @@ def by_hand_alone(shaken):
     said = shaken.loc[left & ~later, "mechanism"].tolist()
     if later.any():
         said.append(f"{later.sum()} that by hand fail far later")
-    return f" Not shaken, judged by hand alone: {_models(said)}."
+    return f" Not shaken, judged by hand alone: {words_of(said)}."
 
 
 def dynamic_check(verdicts, fit, shaken=None):
@@ -195,14 +203,14 @@ def dynamic_check(verdicts, fit, shaken=None):
     elif not held:
         verdict = "is not fulfilled for any model"
     else:
-        verdict = f"is fulfilled for {_models(held)} and not for {_models(lost)}"
+        verdict = f"is fulfilled for {words_of(held)} and not for {words_of(lost)}"
     unsure = [r.model for r in verdicts.itertuples() if r.agree < 0.95]
     of = "the whole façade" if count == 1 else f"{count} mechanisms"
     top = "the top" if count == 1 else "the top of the worst of them"
     words = f"The code's dynamic check of {of} (C8.7.1.2.1.9) {verdict}, {about}: "
     words += f"mean displacements of {top} are {said}; {'; '.join(limits)}"
     if unsure:
-        words += f"; for {_models(unsure)} the verdict hangs on the numerics"
+        words += f"; for {words_of(unsure)} the verdict hangs on the numerics"
     return words + "." + left
 
 
@@ -289,7 +297,7 @@ def next_steps(checks, mechanisms, verdicts, *more, shaken=None):
     lost = [r.model for r in verdicts.itertuples() if not r.slv]
     if lost and not len(weak):
         lines.append(
-            f"The kinematic check passes and the dynamic one does not ({_models(lost)}): do not "
+            f"The kinematic check passes and the dynamic one does not ({words_of(lost)}): do not "
             "rest on the kinematic check alone; tie the façade or find what the building's motion "
             "really is."
         )

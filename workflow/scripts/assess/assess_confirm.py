@@ -1,6 +1,6 @@
-"""YADE's word on two histories of the code's dynamic check: the worst and the nearest to d_SLV.
+"""YADE's word on histories of the code's dynamic check: the nearest to d_SLV, then the largest.
 
-They are of the mechanism that comes nearest to its d_SLV or furthest beyond, by the mean.
+They are of the model and mechanism that come nearest to their d_SLV, or furthest beyond.
 """
 
 import json
@@ -12,6 +12,7 @@ import pandas as pd
 from rocking import Case
 from rocking.assessment.dynamic_check import width_of
 from rocking.assessment.shaken import cases
+from rocking.assessment.verdict import decided_by, deciding
 from rocking.records import load_as
 from rocking.records.floors import floor_columns
 from rocking.runtime.script import run
@@ -20,6 +21,7 @@ from rocking.tables import read_tables, write_table
 from yade_scripts.model import floor_motions
 
 LIMIT_S = 3600.0  # of one run in YADE
+USUAL = 1  # history of a block; of courses none, which take minutes
 COLUMNS = [
     "model",
     "record",
@@ -34,18 +36,18 @@ COLUMNS = [
 
 
 def main(job):
-    case = Case.read(job.input.scene)
     settings = json.loads(job.params.settings)
+    count, courses = settings["assessment"]["yade_histories"], settings["facade.courses"]
+    count = (0 if courses else USUAL) if count is None else count
     rows, folder = [], Path(job.params.folder)
     folder.mkdir(parents=True, exist_ok=True)
     verdicts, table = read_tables(job.input.verdicts), read_tables(job.input.histories)
-    if len(verdicts):
-        case, found, table = _governing(case, verdicts, table, pd.read_csv(job.input.shaken))
-    scene, kept = case.scene, folder / f"{case.model}.json"
-    kept.write_text(case.to_json())
-    for which in ("worst", "nearest"):
-        if verdicts.empty:
-            break
+    asked = ("nearest", "worst")[:count] if len(verdicts) else ()
+    if asked:
+        case, found, table = _governing(job.input.scenes, verdicts, table, job.input.shaken)
+        scene, kept = case.scene, folder / f"{case.model}.json"
+        kept.write_text(case.to_json())
+    for which in asked:
         own = table[(table["record"] == found[which]) & (table["realisation"] == 0)]
         row = own.sort_values("d_m").iloc[-1]
         record = load_as(settings, row["record"], job.params.table)
@@ -69,11 +71,15 @@ def main(job):
     write_table(rows, job.output[0], COLUMNS)
 
 
-def _governing(case, verdicts, histories, shaken):
-    """Case, verdict and histories of the mechanism with the largest mean over d_SLV."""
-    found = verdicts.iloc[(verdicts["mean_d_m"] / verdicts["d_slv_m"]).argmax()]
-    own = {row.part: part for row, part in cases(case, shaken)}[found["part"]]
-    return own, found, histories[histories["part"] == found["part"]]
+def _governing(scenes, verdicts, histories, shaken):
+    """Case, verdict and histories of the model and mechanism that decide."""
+    worst = deciding(verdicts).set_index("model")
+    found = worst.loc[decided_by(verdicts)]
+    every = {case.model: case for case in map(Case.read, scenes)}
+    parts = cases(every[found.name], pd.read_csv(shaken))
+    own = {row.part: part for row, part in parts}[found["part"]]
+    mine = (histories["part"] == found["part"]) & (histories["model"] == found.name)
+    return own, found, histories[mine]
 
 
 run(main, globals())

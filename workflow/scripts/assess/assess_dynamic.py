@@ -1,8 +1,7 @@
 """The dynamic answer for one façade: fragility of each model with its bands, rate of collapse.
 
 A motion fells the façade where it fells one of its mechanisms, so of those that were shaken the
-least PGA counts; each mechanism's own answer stands in a table beside. Mechanisms are shaken so
-with the model that governs; of the others the whole façade alone.
+least PGA counts; each mechanism's own answer stands in a table beside.
 """
 
 import json

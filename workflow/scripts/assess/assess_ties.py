@@ -1,4 +1,4 @@
-"""Rows of ties with which the façade passes: by hand, then under the chosen motions with one model.
+"""Rows of ties with which the façade passes: by hand, then under the chosen motions.
 
 The rows stand as YAML too, to be given beside the façade's own file.
 """
@@ -19,14 +19,15 @@ ADDED = """# Rows of ties with which the façade passes; give this file after th
 
 
 def main(job):
-    case, settings = Case.read(job.input.scene), json.loads(job.params.settings)
+    settings = json.loads(job.params.settings)
     records = {n: load_as(settings, n, job.params.table) for n in job.params.records}
     given = settings, list(records.values()), job.input.spectrum, job.input.hazard
     tied = ties.Tied(settings, site.demand_from(*given))
     motions = [(records[r.record], r.pga_g) for r in pd.read_csv(job.input.motions).itertuples()]
     verdicts, shaken = read_tables(job.input.verdicts), None
     if motions:
-        shaken = ties_shaken.Shaken(case, tied, motions, settings["directions"])
+        cases = [Case.read(path) for path in job.input.scenes]
+        shaken = ties_shaken.Shaken(cases, tied, motions, settings["directions"])
     stands = bool(len(verdicts)) and bool(verdicts["slv"].all())
 
     def say(text):
