@@ -16,7 +16,7 @@ _PUBLIC = {
     "Case": "collapse.case",
     "Curve": "collapse.curve",
     "Estimate": "formula.law",
-    "History": "collapse.curve",
+    "History": "collapse.history",
     "Motion": "collapse.motion",
     "Variant": "collapse.case",
     "collapse_curve": "collapse.curve",

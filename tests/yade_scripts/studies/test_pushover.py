@@ -4,12 +4,12 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.mechanics import closed_forms
+from rocking.mechanics.smoothing import smoothed
 from rocking.studies.pushover import (
     VARIANTS,
     closed_form,
     complete_curve,
     laid,
-    smoothed,
     summary,
     theta_of,
     variant,

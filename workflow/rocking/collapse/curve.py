@@ -13,6 +13,7 @@ import pandas as pd
 from rocking.collapse import probability, search
 from rocking.collapse.case import Case
 from rocking.collapse.equivalent import SLOPE
+from rocking.collapse.history import History
 from rocking.collapse.motion import Motion
 from rocking.collapse.scan import Screen, scan_settings
 from rocking.records.reader import nearest
@@ -230,31 +231,6 @@ def strategy(name, case, outcomes, settings):
         start = settings.get("from_g") or case.kind.climb_from * outcomes.static_g
         return search.crossings(start, settings["max_pga_g"], case.kind.climb_ratio)
     raise ValueError(f"search = {name!r}: expected scan, climb, crossings or list")
-
-
-@dataclass(frozen=True)
-class History:
-    """One history.
-
-    Attributes
-    ----------
-    table : DataFrame
-        time_s, d_over_b, velocity_m_s, rotation_rad (outward), and what the solver adds.
-    d_over_b : float
-        Largest |d|/b; NaN where the run failed.
-    status : str
-    broken : int or None
-        Bonds that broke; None where the solver does not count them.
-    """
-
-    table: pd.DataFrame
-    d_over_b: float
-    status: str
-    broken: int | None = None
-
-    def __repr__(self):
-        """Return one line: outcome, peak, rows."""
-        return f"History {self.status}: peak d/b {self.d_over_b:.3f}, {len(self.table)} rows"
 
 
 def history(case, motion, direction="pos", pga_g=0.1, *, solver="planar", sample_s=0.01):

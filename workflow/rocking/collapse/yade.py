@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from rocking.collapse.curve import History
+from rocking.collapse.history import History
 from rocking.collapse.scan import Scan
 from yade_scripts.model import models
 from yade_scripts.model.floor_motions import write_columns

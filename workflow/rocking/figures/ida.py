@@ -14,7 +14,7 @@ from matplotlib.lines import Line2D
 from rocking.collapse.ida import branches, curve_key
 from rocking.figures.style import GREY
 from rocking.mechanics.closed_forms import capacity_rigid
-from rocking.studies.pushover import smoothed
+from rocking.mechanics.smoothing import smoothed
 from yade_scripts.model.registry import MODELS
 from yade_scripts.model.shape import shape_of
 

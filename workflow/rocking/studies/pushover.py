@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 
 from rocking.mechanics import closed_forms
+from rocking.mechanics.smoothing import smoothed
 from yade_scripts.model import base, interlocking, registry
 from yade_scripts.model.shape import refuse
 
@@ -19,7 +20,6 @@ CURVE_COLUMNS = [
     "lambda_elastic_lower",
     "lambda_dem_corrected",
 ]
-WIDTH = 0.02  # of d/b, over which a curve is smoothed
 RULES = ("rigid", "bonded", "sliding", "hinged")
 DRAWN = (*RULES, "study")
 # one change of the default W3 each; "header_*" without inclined joints, so only the rule differs
@@ -145,17 +145,6 @@ def complete_curve(raw, config, model):
             "lambda_dem_corrected": raw["lambda_dem"] - shift,
         }
     )[CURVE_COLUMNS]
-
-
-def smoothed(curve, column):
-    """Mean of a column over ±WIDTH/2 in d/b at each point: slips make the curve a saw tooth."""
-    d, value = curve["d_over_b"].to_numpy(), curve[column].to_numpy()
-    total = np.concatenate(([0.0], np.cumsum(value)))
-    # at least the neighbours, at most the window; symmetric near the start
-    half = np.minimum(0.5 * WIDTH, np.maximum(d - d[0], 0.0)) + 1e-9
-    low = np.searchsorted(d, d - half, side="left")
-    high = np.searchsorted(d, d + half, side="right")
-    return (total[high] - total[low]) / np.maximum(high - low, 1)
 
 
 def summary(curve, reach=0.5, bonded=False):

@@ -14,9 +14,9 @@ TITLES = {
     "order": "(b) read by order: first two modes with 5 % of it",
 }
 NEAR_S = 0.01
-FRONT = {"marker": "s", "s": 20, "facecolors": "none", "edgecolors": "k", "linewidths": 0.5}
+FRONT = {"s": 34, "facecolors": "#F0E442", "edgecolors": "k", "linewidths": 0.8, "zorder": 3}
 FRONT["label"] = "of these, none nearer in all four"
-GOAL = {"facecolor": "0.85", "edgecolor": "k", "lw": 0.6, "zorder": 0}
+GOAL = {"facecolor": "#BDE3C8", "edgecolor": "k", "lw": 0.6, "zorder": 1}
 GOAL["label"] = "the study, ± 0.01 s"
 
 
@@ -30,13 +30,14 @@ def main(job):
         met, best = reached(part, NEAR_S)
         marker, colour = LOOK[reading]
         symbols = {"marker": marker, "s": 11, "linewidths": 0.6}
-        missed = {"facecolors": "none", "edgecolors": style.GREY, "label": "CBDEM missed"}
+        missed = {"facecolors": "none", "edgecolors": "0.75", "label": "CBDEM missed"}
         points(axis, part[~met], **symbols, **missed)
         points(axis, part[met], **symbols, color=colour, label="CBDEM within 0.01 s")
-        points(axis, part[best].sort_values("sbdem_y_s"), **FRONT)
+        points(axis, part[best], marker=marker, **FRONT)
         corner = [PAPER_PERIODS_S["SBDEM", kind] - NEAR_S for kind in ("y", "rz")]
         axis.add_patch(plt.Rectangle(corner, 2 * NEAR_S, 2 * NEAR_S, **GOAL))
         axis.set(xlabel="SBDEM, translation [s]", xlim=(0.16, 0.34), ylim=(0.08, 0.4))
+        axis.set_xticks([0.20, 0.25, 0.30])
         axis.set_title(TITLES[reading], fontsize=8)
         look = {"facecolors": "none", "edgecolors": colour, "label": f"(c) read by {reading}"}
         axes[2].scatter(part["sbdem_y_mass_y"], part["largest_error_s"], **symbols, **look)

@@ -6,6 +6,7 @@ import pandas as pd
 from matplotlib.patches import Patch
 from rocking.figures import style
 from rocking.figures.pictures import FILLS, side_view
+from rocking.mechanics.smoothing import smoothed
 from rocking.runtime.script import run
 from rocking.studies.pushover import (
     DRAWN,
@@ -13,7 +14,6 @@ from rocking.studies.pushover import (
     complete_curve,
     friction_moment_ratio,
     joint_forces,
-    smoothed,
     theta_of,
 )
 from rocking.tables import read_json
