@@ -50,16 +50,10 @@ def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, roll=Non
 
     Parameters
     ----------
-    mass_kg : array_like, shape (n,)
-        From the bottom up.
-    stiffness_n_m, damping_n_s_m : array_like, shape (n, n)
-    hang : array_like, shape (m, n), or None
-        Motion of each support along y, in the order of `moving_supports(scene)`; None: support i
-        moves with mass i.
-    lift, roll : array_like, shape (m, n), or None
-        The same along z, and rotation about x; None: none.
-    ground : array_like, shape (n,), or None
-        None: masses, which the ground moves by one.
+    mass_kg, stiffness_n_m, damping_n_s_m, ground : array_like
+        Of the masses from the bottom up; without `ground` it moves all of them by one.
+    hang, lift, roll : array_like, shape (m, n), or None
+        In the order of `moving_supports(scene)`; without `hang` support i moves with mass i.
 
     Raises
     ------

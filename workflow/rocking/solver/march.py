@@ -293,22 +293,10 @@ def _begun(p, state, bodies, table):
 
 
 def one(loop, p, bodies, table, rules, case, every, samples):
-    """One history.
+    """One history of a plane, as `Series` or `Peaks` are made of.
 
-    Parameters
-    ----------
-    loop : Loop
-    p : NamedTuple
-        The plane.
-    bodies : Bodies
-    table : Table
-    rules : Rules
-    case : ndarray, shape (4,)
-        Factor on all horizontal motions, its size on the vertical one, which has no direction; end
-        of the motion that matters; absolute acceleration below which a mass of the chain is quiet;
-        relative speed from which the run has failed.
-    every, samples
-        See `advance`.
+    `case`: factor on all horizontal motions, its size on the vertical one, which has no direction;
+    then what `runs.limits` gives for it. `every`, `samples`: see `advance`.
 
     Returns
     -------
@@ -324,13 +312,7 @@ def one(loop, p, bodies, table, rules, case, every, samples):
 
 
 def many(loop, p, bodies, table, rules, cases):
-    """Histories of all cases, shape (n, 4), as those of `one`, side by side.
-
-    Returns
-    -------
-    ndarray, shape (n, 3)
-        Peak [m], status, end [s].
-    """
+    """Peak, status and end of all cases, shape (n, 4), as of `one`; they march side by side."""
     state, whole, _ = loop.start(p)
     rows, room = _begun(p, state, bodies, table)
     count, chunks = len(cases), -(-len(cases) // WIDTH)

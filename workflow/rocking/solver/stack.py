@@ -14,7 +14,6 @@ from .lines import elements as of_lines
 
 FREEDOMS = "yzX"
 LEAD = 1.0  # of courses: their springs as by Newmark's β of 1/2, at any step
-RECALL = 0.0  # of courses: predicted rates that swing from step to step would open and close joints
 
 
 class Stack(NamedTuple):
@@ -42,13 +41,10 @@ class Stack(NamedTuple):
     arm_a_m, arm_b_m, normal : ndarray, shape (nodes, 2)
         The node and a point of the plane from the centroids of their blocks (of a support from
         the origin); normal from b into a.
-    kn_n_m, shear_ratio, beta_s, friction : ndarray, shape (nodes,)
+    kn_n_m, shear_ratio, beta_s, friction, bonded, tie, pull_m, hold_m : ndarray, shape (nodes,)
+        See `plane.Planar`.
     drag : ndarray, shape (nodes,)
         Of a dry node, its dashpot along the joint over β·ks.
-    bonded, tie : ndarray of bool, shape (nodes,)
-        A tie is a bond that transmits no shear.
-    pull_m, hold_m : ndarray, shape (nodes,)
-        Strengths of a bond over kn: tension and cohesion [m].
     rim : ndarray, shape (nodes, 2)
         Outward direction of the rim of the plane (y, z), which turns with b; 0: it has none.
     rim_m : ndarray, shape (nodes,)
@@ -63,10 +59,9 @@ class Stack(NamedTuple):
         support, so that all their dashpots can be solved together.
     lines : Lines
         Beds of theirs that are summed in closed form, apart from the nodes.
-    lead, beta, recall : float
+    lead, beta : float
         By how much of a step the springs of pieces are taken beyond now, with their dashpots; 0:
-        they act as they are. β of all of them. Share of the last acceleration by which rates are
-        predicted.
+        they act as they are, and the last acceleration predicts rates. β of all of them.
     gravity_m_s2, thickness_m, height_m : float
     foot : int
         See `plane.Planar`.
@@ -108,7 +103,6 @@ class Stack(NamedTuple):
     lines: Lines
     lead: float
     beta: float
-    recall: float
     gravity_m_s2: float
     thickness_m: float
     height_m: float
@@ -196,7 +190,6 @@ def stacked(scene, own, column, bars):
         lines=lines,
         lead=LEAD if even else 0.0,
         beta=float(beta),
-        recall=RECALL if even else 1.0,
         gravity_m_s2=float(scene.gravity_m_s2),
         thickness_m=float(scene.thickness_m),
         height_m=float(max(p[1] for _, p in watched) - scene.nodes.position_m[:, 2].min()),
@@ -227,17 +220,9 @@ def matrices_of(size, springs):
 def stack_matrices(stack, supports=0):
     """Mass, stiffness and damping of what moves freely, nodes closed, ties taut.
 
-    Summed over the arrays that the loop marches: a test that they equal those of
-    `stiffness.assemble` is one that the scene was read right.
-
-    Returns
-    -------
-    mass : ndarray, shape (n,)
-        Of the free ones among y, z, rotation of every block; then of the floors with a mass.
-    k, c : ndarray, shape (n + supports, n + supports)
-        The freedoms of supports that other masses carry come between the two.
-    block : ndarray of int, shape (n + supports,)
-        Which block each freedom belongs to; supports and floors count on.
+    As `plane.matrices`, of the free ones among y, z, rotation of every block; supports that other
+    masses carry move along y alone. Returns beside them which block each freedom belongs to;
+    supports and floors count on.
     """
     p, n = stack, len(stack.mass_kg)
     floors = p.bars.mass_kg[p.bars.mass_kg > 0.0]

@@ -57,7 +57,7 @@ def _start(p):
 def _predict(p, parts, time, alive):
     """Rates at the whole step, cosines and sines of all blocks; forces and dashpots at nothing."""
     half, _, dt = time
-    ahead = half * p.recall
+    ahead = half * (1.0 - p.lead)  # led, rates that swing from step to step would open joints
     for m in range(len(parts.place)):
         put(parts.now, m, take(parts.rate, m) + ahead * take(parts.rise, m))
         put(parts.force, m, 0.0)
@@ -255,7 +255,7 @@ def accelerate(p, parts, half, ag, gravity):
     own, rise, force, nodes = parts.own, parts.rise, parts.force, _nodes(p, parts.nodes)
     before = 1.0  # the dashpots' part of what stands in `own`
     if p.lead > 0.0 and half > 0.0:
-        before = p.recall * p.beta / (p.beta + 2.0 * p.lead * half)
+        before = (1.0 - p.lead) * p.beta / (p.beta + 2.0 * p.lead * half)
     for row in range(len(own)):
         put(own, row, take(own, row) * half)
     for i in range(p.mass_kg.size):
