@@ -51,18 +51,20 @@ def couple(between, low, y, z, arm_low, arm_high, dashpot):
 
 
 @inlined
-def resist(p, parts, a, b, direction, arms, dashpot):
-    """Add a dashpot along a direction between two blocks; −1: none, which stays as it is."""
-    (y, z), (arm_a, arm_b) = direction, arms
+def resist(p, parts, a, b, dashpots):
+    """Add dashpots between two blocks, −1: none, each by direction, arms along it, and size."""
     if a >= 0:
-        damp(parts.own, a, y, z, arm_a, dashpot)
+        for (y, z), (arm_a, _), dashpot in dashpots:
+            damp(parts.own, a, y, z, arm_a, dashpot)
     if b >= 0:
-        damp(parts.own, b, y, z, arm_b, dashpot)
+        for (y, z), (_, arm_b), dashpot in dashpots:
+            damp(parts.own, b, y, z, arm_b, dashpot)
     if p.in_row and a >= 0 and b >= 0:
-        if a < b:
-            couple(parts.between, a, y, z, arm_a, arm_b, dashpot)
-        else:
-            couple(parts.between, b, y, z, arm_b, arm_a, dashpot)
+        for (y, z), (arm_a, arm_b), dashpot in dashpots:
+            if a < b:
+                couple(parts.between, a, y, z, arm_a, arm_b, dashpot)
+            else:
+                couple(parts.between, b, y, z, arm_b, arm_a, dashpot)
 
 
 @inlined

@@ -212,11 +212,14 @@ def press(p, parts, rows, time, alive, counts):
             put(supports.fy, j, take(supports.fy, j) - fy)
         each = 0.5 * (beta + p.lead * dt) * whole
         one, other = nz * ay - ny * az, nz * by - ny * bz
-        for side in (-SIDE, SIDE):
-            more = across * (middle + side * length)
-            resist(p, parts, a, b, (ny, nz), (one + more, other + more), each)
+        near, far = across * (middle - SIDE * length), across * (middle + SIDE * length)
         arms = tz * ay - ty * az, tz * by - ty * bz
-        resist(p, parts, a, b, (ty, tz), arms, ratio * (beta + p.lead * dt) * k * stuck)
+        dashpots = (
+            ((ny, nz), (one + near, other + near), each),
+            ((ny, nz), (one + far, other + far), each),
+            ((ty, tz), arms, ratio * (beta + p.lead * dt) * k * stuck),
+        )
+        resist(p, parts, a, b, dashpots)
         if counts:
             low, high = shut
             length, middle = max(high - low, 0.0), 0.5 * (low + high)

@@ -153,8 +153,8 @@ def _force(p, i, j, parts, nodes, where, arms, time, acts):
         push(parts.force, b, -1.0, (fy, fz), (by, bz))
     else:
         put(parts.supports.fy, j, take(parts.supports.fy, j) - fy)
-    resist(p, parts, a, b, (ny, nz), (nz * ay - ny * az, nz * by - ny * bz), across)
-    resist(p, parts, a, b, (ty, tz), (tz * ay - ty * az, tz * by - ty * bz), along)
+    turn_n, turn_t = (nz * ay - ny * az, nz * by - ny * bz), (tz * ay - ty * az, tz * by - ty * bz)
+    resist(p, parts, a, b, (((ny, nz), turn_n, across), ((ty, tz), turn_t, along)))
     acting_j = choose(acting, kn * taken, 0.0), choose(acting, kn * stored, 0.0)
     return acting_j[1], spent, acting_j[0], broken
 
