@@ -123,7 +123,10 @@ def main():
     parser.add_argument("--study", type=Path, help="renew those of the study's page from here")
     args = parser.parse_args()
     if args.study:
-        for name in re.findall(r"\(pictures/study_([^)]+)\)", STUDY.read_text("utf-8")):
+        names = re.findall(r"\(pictures/study_([^)]+)\)", STUDY.read_text("utf-8"))
+        if missing := [name for name in names if not (args.study / name).is_file()]:
+            sys.exit(f"error: {args.study}: no {', '.join(missing)}; make study makes them")
+        for name in names:
             shrink(args.study / name, picture := DRAWN_BY.parent / f"study_{name}")
             note(picture)
         return

@@ -69,13 +69,23 @@ def test_a_prediction_that_was_changed_is_not_scored(small, name):
         predictions.score(small)
 
 
-def test_outcomes_that_are_none(small):
-    outcomes(small, (1, "leant"))
-    with pytest.raises(ConfigError, match="outcome = leant: expected stood or fell"):
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("run,outcome,peak_mm\n1,leant,\n", "outcome = leant: expected stood or fell"),
+        ("run,outcome,peak_mm\n", "expected rows of run,outcome,peak_mm"),
+        ("", "expected rows of run,outcome,peak_mm"),
+        ("run;outcome\n1;stood\n", "with commas between"),
+        ("run,outcome\n1,stood\n2,fell,3,4\n", "Expected 2 fields in line 3"),
+        ("run,outcome\n99,stood\n", "run = 99: expected a run of predicted.csv"),
+        ("run,outcome\n1,stood\n1,fell\n", "run = 1: expected each run once"),
+    ],
+)
+def test_outcomes_that_are_none(small, text, said):
+    (small / predictions.OUTCOMES).write_text(text)
+    with pytest.raises(ConfigError, match=said) as caught:
         predictions.score(small)
-    outcomes(small)
-    with pytest.raises(ConfigError, match="expected rows of run, outcome, peak_mm"):
-        predictions.score(small)
+    assert str(small / predictions.OUTCOMES) in str(caught.value)
 
 
 def test_a_motion_amplified_and_shifted():

@@ -308,6 +308,34 @@ def unchanged(folder):
     return {name: words.get(name) == value for name, value in now.items()}
 
 
+def outcomes_of(path, runs):
+    """Rows of outcomes.csv that state an outcome.
+
+    Raises
+    ------
+    ConfigError
+        One line if it is no such table, or names a run twice, one that was not predicted (`runs`)
+        or something else than a fall or a stand.
+    """
+    try:
+        outcomes = pd.read_csv(path, comment="#")
+    except pd.errors.ParserError as error:
+        raise ConfigError(f"{path}: {str(error).strip()}") from None
+    except pd.errors.EmptyDataError:
+        outcomes = pd.DataFrame()
+    if not {"run", "outcome"} <= set(outcomes) or outcomes["outcome"].isna().all():
+        raise ConfigError(f"{path}: expected rows of run,outcome,peak_mm with commas between")
+    outcomes = outcomes.dropna(subset=["outcome"])
+    for what, wrong, expected in (
+        ("outcome", ~outcomes["outcome"].isin([FELL, STOOD]), f"{STOOD} or {FELL}"),
+        ("run", ~outcomes["run"].isin(runs), f"a run of {TABLE}"),
+        ("run", outcomes["run"].duplicated(), "each run once"),
+    ):
+        for given in outcomes.loc[wrong, what]:
+            raise ConfigError(f"{path}: {what} = {given}: expected {expected}")
+    return outcomes
+
+
 def score(folder):
     """Set a prediction against outcomes.csv, by variant, how and solver.
 
@@ -327,14 +355,8 @@ def score(folder):
     for name, same in unchanged(folder).items():
         if not same:
             raise ConfigError(f"{folder}: what was {name} is not what {DIGEST} says")
-    outcomes = pd.read_csv(folder / OUTCOMES, comment="#").dropna(subset=["outcome"])
-    strangers = outcomes[~outcomes["outcome"].isin([FELL, STOOD])]
-    if len(strangers):
-        given = strangers["outcome"].iloc[0]
-        raise ConfigError(f"{folder}/{OUTCOMES}: outcome = {given}: expected {STOOD} or {FELL}")
-    if outcomes.empty:
-        raise ConfigError(f"{folder}/{OUTCOMES}: expected rows of run, outcome, peak_mm")
     table = pd.read_csv(folder / TABLE)
+    outcomes = outcomes_of(folder / OUTCOMES, set(table["run"]))
     table = table.merge(outcomes, on="run", suffixes=("", "_measured"))
     keys = [key for key in ("variant", "how", "solver") if key in table]
     rows = []
