@@ -4,9 +4,10 @@ import json
 from dataclasses import replace
 
 import numpy as np
+import pandas as pd
 import pytest
 from rocking.building.case import real_brick
-from rocking.building.complete import complete_building, critical_step, linear_history
+from rocking.building.complete import complete_building, critical_step, linear_history, plan_of
 from rocking.building.modes import Solver
 from yade_process import in_yade, resolved, run_study
 
@@ -314,3 +315,19 @@ def test_levels_end():
     while (g := next_level(done, SETTINGS, 0.2)) is not None:
         done[g] = "failed"
     assert max(done) == 3.0
+
+
+def test_a_curve_begins_inside_the_first_range_of_the_scan():
+    """The gap between two ranges and the second are looked at too; without a collapse, the end."""
+    pga = 0.1 * 1.01 ** np.arange(120)
+    fell = ((pga > 0.15) & (pga < 0.18)) | (pga > 0.2)
+
+    def planned(fallen):
+        status = np.where(fallen, "overturned", "ok")
+        scan = {"pga_g": pga, "collapsed": fallen.astype(int), "status": status}
+        return plan_of(pd.DataFrame(scan), spread=0.01, step=0.05, most=4)
+
+    plan = planned(fell)
+    assert plan["start_g"] == pytest.approx(1.05 * pga[pga > 0.15][0], abs=1e-3)
+    assert plan["ranges"] == pytest.approx([0.19, 0.5 * (0.2 + pga[-1])], abs=0.004)
+    assert planned(0 * fell) == {"start_g": pytest.approx(pga[-1], abs=1e-4), "ranges": []}

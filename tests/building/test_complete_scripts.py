@@ -1,6 +1,5 @@
-"""Scripts of the complete building, run alone: where a curve begins, and its tables."""
+"""Scripts of the complete building, run alone: tables of its curves."""
 
-import json
 from pathlib import Path
 
 import numpy as np
@@ -12,28 +11,6 @@ from run_script import script
 pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).parents[2]
-
-
-def test_a_curve_begins_inside_the_first_range_of_the_scan(tmp_path):
-    """The gap between two ranges and the second are looked at too; without a collapse, the end."""
-    pga = 0.1 * 1.01 ** np.arange(120)
-    fell = ((pga > 0.15) & (pga < 0.18)) | (pga > 0.2)
-    for name, values in (("falls", fell), ("stands", 0 * fell)):
-        scan = pd.DataFrame({"pga_g": pga, "collapsed": values.astype(int)})
-        scan["status"] = np.where(values, "overturned", "ok")
-        scan.to_csv(tmp_path / f"{name}.csv", index=False)
-        script(
-            "complete_plan",
-            tmp_path,
-            input={"scan": f"{name}.csv"},
-            output={"plan": f"{name}.json"},
-            params={"spread": 0.01, "step": 0.05, "most": 4},
-        )
-    plan = json.loads((tmp_path / "falls.json").read_text())
-    assert plan["start_g"] == pytest.approx(1.05 * pga[pga > 0.15][0], abs=1e-3)
-    assert plan["ranges"] == pytest.approx([0.19, 0.5 * (0.2 + pga[-1])], abs=0.004)
-    plan = json.loads((tmp_path / "stands.json").read_text())
-    assert plan == {"start_g": pytest.approx(pga[-1], abs=1e-4), "ranges": []}
 
 
 def test_curves_are_tabled_in_the_form_of_the_other_models(tmp_path):

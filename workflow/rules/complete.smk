@@ -127,7 +127,8 @@ rule complete_scan:
         motion=of_run(rules.floor_motions.output[0]),
         modules=code("complete/complete_scan"),
     output:
-        results("planar/{complete}/{record}_{direction}.csv"),
+        scan=results("planar/{complete}/{record}_{direction}.csv"),
+        plan=results("complete/plans/{complete}_{record}_{direction}.json"),
     log:
         logs("complete_scan_{complete}_{record}_{direction}"),
     benchmark:
@@ -138,31 +139,16 @@ rule complete_scan:
             **{key: RUNS.cfg(w)["ida"][key] for key in ("beyond", "max_pga_g")},
             "amplitude_spread": RUNS.cfg(w)["ensemble"]["amplitude_spread"],
         },
-    script:
-        "../scripts/complete/complete_scan.py"
-
-
-rule complete_plan:
-    input:
-        scan=rules.complete_scan.output[0],
-        modules=code("complete/complete_plan"),
-    output:
-        results("complete/plans/{complete}_{record}_{direction}.json"),
-    log:
-        logs("complete_plan_{complete}_{record}_{direction}"),
-    params:
-        spread=value_of("ensemble.amplitude_spread"),
-        step=value_of("complete.level_ratio"),
         most=value_of("ida.max_collapse_ranges"),
     script:
-        "../scripts/complete/complete_plan.py"
+        "../scripts/complete/complete_scan.py"
 
 
 use rule ida as complete_ida with:
     input:
         scene=curve_scene,
         motion=of_run(rules.floor_motions.output[0]),
-        plan=rules.complete_plan.output[0],
+        plan=rules.complete_scan.output.plan,
         yade=rules.yade_check.output[0],
         modules=study_code("ida"),
     output:
@@ -248,7 +234,7 @@ rule complete_collapse:
             complete=COMPLETE_MODELS,
             record=RUNS.confirmed,
         ),
-        scans=of_run(rules.complete_scan.output[0], complete=COMPLETE_MODELS),
+        scans=of_run(rules.complete_scan.output.scan, complete=COMPLETE_MODELS),
         modules=code("complete/table_complete_collapse"),
     output:
         collapse=results("tables/complete_collapse.csv"),
@@ -269,7 +255,7 @@ rule figure_complete:
             record=RUNS.confirmed,
         ),
         scans=all_of(
-            of_run(rules.complete_scan.output, complete=COMPLETE_MODELS),
+            of_run(rules.complete_scan.output.scan, complete=COMPLETE_MODELS),
             of_run(rules.planar_ida.output.scan, cases=two_way_curves),
         ),
         facts=of_run(rules.record.output.facts),

@@ -1,15 +1,19 @@
 """The complete building of a configuration (CB, CBc): its scene, its modes, its linear answer."""
 
+import itertools
+
 import numpy as np
 from scipy.optimize import brentq
 from scipy.signal import cont2discrete, dlsim
 
 from rocking.calibration.beta import beta_for
+from rocking.collapse.probability import collapse_ranges, from_scan
 from yade_scripts.files import read_json
 from yade_scripts.model import stiffness
 from yade_scripts.model.building import complete
 from yade_scripts.model.registry import COMPLETE
 from yade_scripts.studies.perturb import Realisation, perturbed_numerics
+from yade_scripts.studies.search import DIGITS
 
 from .case import build_model, read_plan, real_brick, real_joints, translation_mode
 from .history import mass_damping_rate
@@ -154,3 +158,37 @@ def run_numerics(config):
         If one of them is missing.
     """
     return {**config["numerics"], "step_s": None, **{key: config["complete"][key] for key in OWN}}
+
+
+def plan_of(scan, spread, step, most):
+    """Where YADE begins a curve of the complete building and where it looks, by its scan.
+
+    It begins inside the scan's first range of collapse and not at its edge, which the reduction
+    places to a per cent or two only; of `most` further ranges it runs the middle, and that of the
+    gap below each.
+
+    Parameters
+    ----------
+    scan : DataFrame
+        pga_g, status, collapsed.
+    spread, step : float
+        Half width of the window of a probability; how far above the edge YADE begins at most.
+    most : int
+
+    Returns
+    -------
+    dict
+        start_g; ranges [g].
+    """
+    table = from_scan(scan, spread)
+    found = collapse_ranges(table["pga_g"].to_numpy(), table["probability"].to_numpy())
+    start = scan["pga_g"].max()
+    if found:
+        low, high = found[0]
+        start = min(0.5 * (low + high), low * (1.0 + step))
+    between = [
+        0.5 * (one + two)
+        for (_, b), (c, d) in itertools.islice(itertools.pairwise(found), most)
+        for one, two in ((b, c), (c, d))
+    ]
+    return {"start_g": round(float(start), DIGITS), "ranges": [round(g, DIGITS) for g in between]}

@@ -1,13 +1,14 @@
-"""Dense scan of one curve of the complete building, by its reduction to few coordinates."""
+"""Dense scan of one curve of the complete building by its reduction, and where YADE is to look."""
 
 import json
 
+import pandas as pd
 from rocking.accuracy.fidelity import choose, read_fidelity
-from rocking.building.complete import run_numerics, scene_of
+from rocking.building.complete import plan_of, run_numerics, scene_of
 from rocking.building.reduced import ReducedScan
 from rocking.collapse import search
 from rocking.runtime.script import run
-from rocking.tables import headed, write_table
+from rocking.tables import headed, write_json, write_table
 
 from yade_scripts.model import floor_motions
 from yade_scripts.studies.perturb import NODE_CHOICES
@@ -25,7 +26,12 @@ def main(job):
     settings = {**job.params.settings, **own["scan"]}
     table, _ = screen.seen(search.scan(0.5 * screen.static_g, settings))
     named = headed(table, model=w.complete, record=w.record, direction=w.direction)
-    write_table(named, job.output[0])
+    write_table(named, job.output.scan)
+    kept = pd.read_csv(job.output.scan)  # as every reader has it
+    plan = plan_of(
+        kept, job.params.settings["amplitude_spread"], own["level_ratio"], job.params.most
+    )
+    write_json(job.output.plan, plan, indent=None, sort_keys=True)
 
 
 run(main, globals())
