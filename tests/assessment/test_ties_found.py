@@ -105,11 +105,11 @@ class Shaken:
     """Stands in for the dynamic check: holds from a factor on."""
 
     def __init__(self, from_factor, tied):
-        self.tied, self.least, self.tried = tied, from_factor, []
+        self.tied, self.least, self.tried, self.all = tied, from_factor, [], 0.0
 
-    def holds(self, rows, factor, whole=False):
+    def holds(self, rows, factor, whole=False, short=False):
         self.tried.append(factor)
-        return factor >= self.least
+        return factor >= (self.least if short else max(self.least, self.all))
 
 
 @pytest.mark.parametrize("least", [0.2, 1.0, 1.03, 1.7, 6.0])
@@ -123,6 +123,17 @@ def test_rows_grow_until_the_dynamic_check_holds_and_95_per_cent_was_tried(least
     if least > 1.0 or least < 0.5:
         assert any(tried == pytest.approx(0.95 * factor) for tried in shaken.tried)
     assert ties_shaken.stronger(Shaken(math.inf, tied), rows) is None
+
+
+def test_a_mechanism_that_did_not_fail_first_is_held_too():
+    """It asks for twice the rows, which no short trial knows."""
+    tied = ties.Tied(sections(PLAIN), DEMAND)
+    rows = [ties.TieRow(6.0, 0.01 * tied.weight_n)]
+    shaken = Shaken(1.3, tied)
+    shaken.all = 2.0
+    factor = ties_shaken.stronger(shaken, rows)
+    assert factor >= 2.0
+    assert shaken.tried.count(factor) >= 2
 
 
 @pytest.mark.slow

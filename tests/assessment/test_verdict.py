@@ -4,7 +4,14 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.assessment.mechanism import WHOLE
-from rocking.assessment.verdict import damage, dynamic_check, next_steps, suite
+from rocking.assessment.verdict import (
+    damage,
+    decided_by,
+    dynamic_check,
+    next_steps,
+    passes,
+    suite,
+)
 
 CHECKS = pd.DataFrame({"check": ["linear_ground"], "pga_demand_g": [0.2], "ratio": [1.2]})
 
@@ -43,6 +50,18 @@ def dynamic(stations):
 )
 def test_the_dynamic_checks_sentence(found, words):
     assert words in dynamic_check(found, (-0.05, 0.2, True))
+
+
+def test_a_facade_passes_where_every_model_holds_and_the_worst_of_them_governs():
+    """W1 at 0.5 of d_SLV and W2 beyond d0: W2 governs; where both hold, the nearer to d_SLV."""
+    stood = mechanisms(whole=0.25)
+    assert passes(CHECKS, stood, verdicts(True, True)) == (True, True)
+    assert passes(CHECKS, stood, verdicts(True, False)) == (True, False)
+    assert passes(CHECKS, mechanisms(whole=0.15), verdicts(True, True)) == (False, True)
+    assert passes(CHECKS, stood, pd.DataFrame()) == (True, None)
+    assert decided_by(verdicts(True, False)) == "W2"
+    assert decided_by(verdicts(True, True).assign(mean_d_m=[0.06, 0.05])) == "W1"
+    assert decided_by(verdicts(False, True).assign(mean_d_m=[0.02, 0.09])) == "W1"
 
 
 def test_a_link_that_sets_d_slv_is_named():

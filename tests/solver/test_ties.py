@@ -211,6 +211,15 @@ SEARCH = {"probability": 0.1, "realisations": 61, "levels": 25, "forces_kn": [2.
 SEARCH |= {"heights_m": [3.0, 6.0]}
 
 
+def test_over_all_motions_a_share_stands_that_grows_with_the_force():
+    """Three motions: one fells nothing, one asks for 20 kN, one is held by no tie tried."""
+    about = {"model": "W2", "height_m": 3.0}
+    table = pd.DataFrame([{**about, "force_kn": force} for force in (0.0, 20.0, np.nan)])
+    found = strengthening.together(table).set_index("force_kn")
+    assert found["share_stands"].to_dict() == pytest.approx({0.0: 1 / 3, 20.0: 2 / 3})
+    assert set(found["curves"]) == {3}
+
+
 def test_the_search_goes_down_from_the_strongest_to_the_first_that_fails(monkeypatch):
     """An island of collapse at 20 to 30 kN: whatever holds below it cannot be the least tie."""
 

@@ -90,7 +90,8 @@ rule table_strengthening:
         yade=of_run(rules.strengthen_yade.output[0], model=models_for("strengthening")),
         modules=code("strengthening/table_strengthening"),
     output:
-        results("tables/strengthening.csv"),
+        table=results("tables/strengthening.csv"),
+        share=results("tables/strengthening_share.csv"),
     log:
         logs("table_strengthening"),
     params:

@@ -40,7 +40,7 @@ class Shaken:
         self._known: dict[str, dict] = {}
         self._first: list[tuple] = []  # model and part of those that failed, the last first
 
-    def holds(self, rows, factor, whole=False):
+    def holds(self, rows, factor, whole=False, short=False):
         """Whether every mechanism holds under all motions but those that no row holds.
 
         Parameters
@@ -50,6 +50,8 @@ class Shaken:
             That they stand for, in the table of what was tried.
         whole : bool
             All mechanisms are run, also when one has failed.
+        short : bool
+            Those alone that failed before, where any did.
         """
         entries = self.tied.entries(rows)
         variant = Variant("tied", added={"facade.ties": entries})
@@ -64,6 +66,8 @@ class Shaken:
         table = chosen(ranked, tried, own["shaken_within"])
         parts = [(row, part) for case in tried for row, part in cases(case, table)]
         parts.sort(key=lambda p: self._turn(p[1].model, p[0].part))
+        if short and self._first:
+            parts = [p for p in parts if (p[1].model, p[0].part) in self._first]
         every = True
         self.final = {} if whole else self.final
         for row, part in parts:
@@ -122,7 +126,8 @@ def stronger(shaken, rows, by_hand=True, say=lambda text: None):
     """Factor on all rows with which the dynamic check holds.
 
     It goes up in coarse steps until the check holds, then halves the steps between: the next weaker
-    one, by 0.95, does not hold.
+    one, by 0.95, does not hold. On the way only those mechanisms are run that failed before; what
+    is found is held to all of them.
 
     Parameters
     ----------
@@ -140,25 +145,30 @@ def stronger(shaken, rows, by_hand=True, say=lambda text: None):
     """
     forces, weight_n = [row.force_n for row in rows], shaken.tied.weight_n
 
-    def tried(steps):
+    def tried(steps, short=True):
         factor = STEP**-steps
-        held = shaken.holds([row._replace(force_n=factor * row.force_n) for row in rows], factor)
+        own = [row._replace(force_n=factor * row.force_n) for row in rows]
+        held = shaken.holds(own, factor, short=short)
         say(f"rows times {factor:.3g}: {'hold' if held else 'do not hold'}")
         return held
 
-    low, high = -1, 0
-    if tried(high):
-        while not by_hand and tried(high - COARSE):
-            high -= COARSE
+    low, high = 0, COARSE
+    if tried(0, short=False):
+        if by_hand:
+            return 1.0
+        low, high = -COARSE, 0
+        while tried(low):
+            low, high = low - COARSE, low
             if STEP**-high * max(forces) < LEAST_SHARE * weight_n:
                 break
-        low = -1 if by_hand else high - COARSE
-    else:
-        while not tried(high):
+    while True:
+        while low >= 0 and not tried(high):
             low, high = high, high + COARSE
             if STEP**-high * min(forces) > MOST_SHARE * weight_n:
                 return None
-    while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (low, middle) if tried(middle) else (middle, high)
-    return STEP**-high
+        while high - low > 1:
+            middle = (low + high) // 2
+            low, high = (low, middle) if tried(middle) else (middle, high)
+        if tried(high, short=False):
+            return STEP**-high
+        low, high = high, (min(high + COARSE, 0) if high < 0 else high + COARSE)

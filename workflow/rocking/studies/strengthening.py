@@ -278,6 +278,30 @@ def least(table, probability):
     return pd.DataFrame(rows, columns=names)
 
 
+def together(table):
+    """Share of all motions of a run under which the façade stands with a row of ties, by its force.
+
+    A motion counts from its least force on; one under which even the strongest tie does not hold
+    never does. Force 0 is the façade as it is.
+
+    Parameters
+    ----------
+    table : DataFrame
+        Rows of `least` of every curve, with model.
+
+    Returns
+    -------
+    DataFrame
+        model, height_m, force_kn, curves, share_stands.
+    """
+    rows = []
+    for (model, height), part in table.groupby(["model", "height_m"], sort=True):
+        own = part["force_kn"]
+        for force in sorted({0.0, *own.dropna()}):
+            rows.append((model, height, force, len(own), float((own <= force).mean())))
+    return pd.DataFrame(rows, columns=["model", "height_m", "force_kn", "curves", "share_stands"])
+
+
 def best(table):
     """Row of `least` with the least force, the highest of equals; None where none holds."""
     held = table.dropna(subset="force_kn").sort_values(["force_kn", "height_m"])

@@ -55,7 +55,10 @@ def main(job):
         axis.set_xlabel("force of the row of ties at yield [kN]")
         forces = [t for t in TICKS_KN if first <= t <= settings["forces_kn"][1]]
         ticks(axis.xaxis, [0.6 * first, *forces], ["none", *(f"{t:g}" for t in forces)])
-    found = f"least tie {held['force_kn'].min():.3g} kN" if len(held) else "no tie tried holds"
+    found = "no tie tried holds"
+    if len(held):
+        found = f"least tie {held['force_kn'].min():.3g} kN"
+        found = found if held["force_kn"].min() > 0.0 else "it stands without a tie"
     left.set_title(
         f"{table['model'].iloc[0]}, {style.provenance(facts)} "
         f"{style.SIGNS[table['direction'].iloc[0]]}: {found}",

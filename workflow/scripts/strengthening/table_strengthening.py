@@ -1,10 +1,11 @@
-"""Least tie of every curve and height, and what YADE's realisations say of the confirmed one."""
+"""Least tie of every curve and height with YADE's word on it, and the share of all that stands."""
 
 import json
 
 import numpy as np
 import pandas as pd
 from rocking.runtime.script import run
+from rocking.studies.strengthening import together
 from rocking.tables import write_table
 
 
@@ -27,7 +28,8 @@ def main(job):
     table = pd.DataFrame(rows)
     table.insert(3, "pga_g", settings["pga_g"])
     table.insert(4, "accepted", settings["probability"])
-    write_table(table, job.output[0])
+    write_table(table, job.output.table)
+    write_table(together(table), job.output.share)
 
 
 run(main, globals())
