@@ -10,12 +10,14 @@ from types import SimpleNamespace
 import numpy as np
 import pandas as pd
 import pytest
-from rocking import Case, estimate
+from rocking import Case, Motion, estimate
 from rocking.assessment import report
-from rocking.formula import classes, fit, groups, law, page, words
+from rocking.formula import classes, fit, groups, law, measures, page, words
 from rocking.shipped import shipped
 from rocking.studies import atlas
 from scipy.special import ndtr
+
+from smdof.spectra import response_spectrum
 
 COLUMN = {
     "facade.base": "column",
@@ -148,6 +150,22 @@ def test_intervals_hold_the_truth_where_façades_scatter():
     low, high = fit.intervals(terms, values.to_numpy(), stations, 1)
     assert np.all(low < high)
     assert np.mean((low[1:] < truth[1:]) & (truth[1:] < high[1:])) >= 0.8
+
+
+def test_measures_are_those_of_the_spectrum_period_by_period():
+    record = Motion.named("LPCC_H1", table="config/suites/recorded_suite.tsv").record
+    design = pd.DataFrame({"period_s": [0.5, 0.2]}, index=[1, 2])
+    found = measures.factors([record], design)
+    periods = np.geomspace(0.2, 2.0, 10)
+    every = [
+        response_spectrum(record.acceleration_m_s2, record.dt_s, np.array([t]), 0.05).psa_m_s2[0]
+        for t in (*periods, 0.5)
+    ]
+    peak = np.abs(record.acceleration_m_s2).max()
+    average = math.exp(np.mean(np.log(every[:-1]))) / peak
+    assert found["sa_avg_g"]["LPCC_H1"].to_numpy() == pytest.approx([average] * 2, rel=1e-6)
+    own = [every[-1] / peak, every[0] / peak]
+    assert found["sa_t1_g"]["LPCC_H1"].to_numpy() == pytest.approx(own, rel=1e-6)
 
 
 def test_a_measure_moves_the_level_by_its_factor_alone():
