@@ -29,12 +29,26 @@ def test_collapse_under_a_pulse():
     t = 0.01 * np.arange(160)
     pulse = Record("pulse", -np.sin(2.0 * np.pi * t) * (t < 0.5), 0.01, source="file")
     case = Case.configured("W1", SHORT)
-    table = study.collapse(case, Motion(pulse), "pos").set_index("facade")
+    table = study.of_wall("own", case, Motion(pulse), "pos").set_index("facade")
     assert list(table.index)[:3] == ["8 courses, 1.2", "study", "column"]
     assert table.loc["study", "ratio"] < 0.8
     assert table.loc["column", "ratio"] == pytest.approx(1.0, abs=0.05)
-    assert table.loc["10 courses", "ratio"] == pytest.approx(1.0, abs=0.03)
+    assert table.loc[study.CHOICE, "ratio"] == pytest.approx(1.0, abs=0.03)
+    half = table.loc[study.HALF, "pga_median_g"]
+    assert half == pytest.approx(table.loc[study.CHOICE, "pga_median_g"], rel=0.01)
+    assert not table["failed"].any()
     assert (table["cpu_s"] > 0.0).all()
+
+
+def test_walls():
+    """The case's own, and two others: Γ of 0.002 and 0.08, β of their own."""
+    found = dict(study.walls(Case.configured("W1")))
+    assert list(found) == [study.OWN, *study.SHAKEN]
+    sizes = [found[name]["facade"] for name in study.SHAKEN]
+    sizes = [[f[k] for k in ("height_m", "thickness_m", "density_kg_m3", "e_mpa")] for f in sizes]
+    gamma = [study.column.compliance(h, b, rho, 1e6 * e) for h, b, rho, e in sizes]
+    assert gamma == pytest.approx([0.0019, 0.084], rel=0.05)
+    assert len({case["beta_s"] for case in found.values()}) == 3
 
 
 def test_summary():

@@ -6,6 +6,8 @@ of rigid courses on elastic joints, which converges to it: of many. Rigid blocks
 """
 
 import time
+from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pandas as pd
@@ -13,8 +15,9 @@ import pandas as pd
 from rocking.collapse.case import Variant
 from rocking.collapse.curve import collapse_curve
 from rocking.collapse.probability import KEY
-from rocking.collapse.quick import ENDS, PGA, RATIO, crossings, over_first
+from rocking.collapse.quick import ENDS, PGA, RATIO, over_first
 from rocking.collapse.ratios import spread
+from rocking.collapse.scan import COURSES_STEP
 from rocking.collapse.varied import collapses
 from rocking.mechanics import column
 from rocking.mechanics.closed_forms import capacity_compliant_base, capacity_rigid
@@ -24,7 +27,10 @@ from yade_scripts.model import base
 BASES = (base.STUDY, base.COLUMN)
 FINE = 20  # equal courses of the stack whose static curve is drawn
 WALL = (8, 1.2)  # courses, growth: stands for the wall; within 1.1 % of its static peak
-STACKS = [(3, 1.0), (4, 1.0), (6, 1.0), (10, 1.0), (3, 1.6), (4, 1.5), (5, 1.4)]
+CHOSEN = (4, 1.5)  # for a façade of one's own
+STACKS = [(3, 1.0), CHOSEN, (5, 1.4)]
+SCAN = {"power": 0.0, "level_ratio": 0.04}  # half collapse is wanted, not what is safe
+SCAN |= {"realisations": 3, "amplitude_spread": 0.02}
 D_OVER_B = np.array([0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8])
 FACADES = {  # h, b [m], ρ [kg/m³], E [MPa]; none of them but the first chose the base's law
     "study": (6.48, 0.375, 1800.0, 1800.0),
@@ -34,13 +40,16 @@ FACADES = {  # h, b [m], ρ [kg/m³], E [MPa]; none of them but the first chose 
     "Shawa": (3.0, 0.25, 1810.0, 4050.0),
     "slender": (4.5, 0.15, 1700.0, 800.0),
 }
+OWN, SHAKEN = "own", ("Shawa", "slender")  # under motions: Γ of the study's 0.019, 0.002, 0.084
 STATIC = ["facade", "h_m", "b_m", "e_mpa", "gamma", "d_over_b", "lambda_rigid", "lambda_wall"]
 STATIC += ["lambda_courses", *(f"lambda_base_{name}" for name in BASES)]
-COLUMNS = [*KEY, "facade", *PGA, "ratio", "runs_planar", *ENDS, *RATIO[1:], "cpu_s"]
+COLUMNS = [*KEY, "wall", "facade", *PGA, "pga_equivalent_g", *RATIO, *ENDS, "runs_planar"]
+COLUMNS += ["failed", "cpu_s"]
 SUMMARY = {"n": "n", "n_censored": "n_censored", "p10": 10, "median": 50, "p90": 90}
 SUMMARY |= {"scatter": "scatter"}
 LABELS = {"study": "rigid block, base E/h", "column": "rigid block, the column's base"}
 COLOURS = {"study": "#c1440e", "column": "#1f6f8b"}
+GRADED = "#2e7d32"
 
 
 def stack_name(courses, growth=1.0):
@@ -48,7 +57,9 @@ def stack_name(courses, growth=1.0):
     return f"{courses} courses" + (f", {growth:g}" if growth != 1.0 else "")
 
 
-STACK = stack_name(*WALL)
+STACK, CHOICE = stack_name(*WALL), stack_name(*CHOSEN)
+HALF = f"{CHOICE}, half the step"
+IN_HALF = {"facade": HALF}
 
 
 def variants():
@@ -94,26 +105,56 @@ def static(facades=None):
     return pd.concat(parts, ignore_index=True)[STATIC]
 
 
-def costed(case, motion, direction):
-    """Crossings of a curve with their ends, and the processor time that they took."""
+def walls(case):
+    """Façades under which models are compared: the case's own, a stiff one and a slender one.
+
+    The others have return walls as thick as they are, and β by eq. 5.
+
+    Yields
+    ------
+    tuple of str and Case
+    """
+    yield OWN, case
+    for name in SHAKEN:
+        h, b, density, e_mpa = FACADES[name]
+        changes: dict = {"facade.height_m": h, "facade.thickness_m": b, "facade.e_mpa": e_mpa}
+        changes |= {"facade.density_kg_m3": density, "damping.law": "eq5"}
+        yield name, case.varied({**changes, "return_wall.thickness_m": b}).calibrated()
+
+
+def costed(case, motion, direction, step=None):
+    """Half collapse of a dense scan with its ends, and the processor time that it took.
+
+    `step` over the stable one, where it is to be another than the scan's own.
+    """
     for few in ([1e-3], [1e-3, 2e-3, 3e-3]):  # what compiles or loads is no part of it
         collapse_curve(case, motion, direction, search="list", settings={"pga_g": few})
     start = time.process_time()
-    found = crossings(case, motion, direction, step=None, ends=True)
-    return found | {"cpu_s": time.process_time() - start}
+    curve = collapse_curve(case, motion, direction, settings=SCAN, fraction=step)
+    found = curve.summary() | {"cpu_s": time.process_time() - start}
+    return found | {"failed": int((curve.status == "failed").sum())}
 
 
 def collapse(case, motion, direction):
-    """Collapse of the wall, of the block on either base and of stacks, under one motion.
+    """Collapse of walls, of the block on either base and of stacks, under one motion.
 
     Returns
     -------
     DataFrame
-        COLUMNS; ratio of pga_median_g to the wall's, with what the scatter of both leaves of it;
-        processor time.
+        COLUMNS; ratio of pga_median_g to that of the wall (`WALL`), with what the scatter of both
+        leaves of it; processor time. `HALF` is the chosen stack at half its step.
     """
+    found = [of_wall(name, own, motion, direction) for name, own in walls(case)]
+    return pd.concat(found, ignore_index=True)
+
+
+def of_wall(name, case, motion, direction):
+    """Rows of `collapse` of one wall, which is a case of a rigid façade."""
     rows = collapses([case], motion, [direction], costed, variants())
-    return over_first(pd.DataFrame(rows).reindex(columns=COLUMNS))
+    chosen = next(variant for variant in variants() if variant.name == CHOICE)
+    half = partial(costed, step=0.5 * COURSES_STEP)
+    rows += collapses([case], motion, [direction], half, [replace(chosen, about=IN_HALF)])
+    return over_first(pd.DataFrame(rows).assign(wall=name).reindex(columns=COLUMNS))
 
 
 def summary(table):
@@ -146,16 +187,19 @@ def _draw_static(axis, table):
 @drawing
 def _draw_collapse(axis, table):
     """Draw PGA of half collapse on either base against the wall's, a point a curve."""
-    stack = table[table["facade"] == STACK].set_index(KEY)
+    curve = [*KEY, "wall"]
+    stack = table[table["facade"] == STACK].set_index(curve)
     most = 0.0
-    for name in BASES:
-        part = table[table["facade"] == name].set_index(KEY)
+    for name in (*BASES, CHOICE):
+        part = table[table["facade"] == name].set_index(curve)
         x = stack["pga_median_g"].reindex(part.index)
-        axis.plot(x, part["pga_median_g"], "o", ms=4, color=COLOURS[name], label=LABELS[name])
+        mark, colour = ("o", COLOURS[name]) if name in BASES else ("s", GRADED)
+        words = LABELS.get(name, f"stack of {name}")
+        axis.plot(x, part["pga_median_g"], mark, ms=3, color=colour, label=words)
         most = np.nanmax([most, x.max(), part["pga_median_g"].max()])
     ends = np.array([0.0, 1.1 * most])
     axis.plot(ends, ends, "k-", lw=0.8, zorder=0, label="alike")
-    axis.set(xlabel=f"collapse PGA, stack of {STACK} [g]", ylabel="collapse PGA, rigid block [g]")
+    axis.set(xlabel=f"collapse PGA, stack of {STACK} [g]", ylabel="collapse PGA of the model [g]")
     axis.set_xlim(ends)
     axis.set_ylim(ends)
     models = ", ".join(table["model"].unique())
@@ -168,11 +212,11 @@ def _draw_cost(axis, table):
     """Draw the error of half collapse, median and 10 to 90 %, against processor time a curve."""
     from rocking.figures import style
 
-    others = table[table["facade"] != STACK]
+    others = table[~table["facade"].isin([STACK, HALF])]
     for name, part in others.groupby("facade", sort=False):
         low, middle, high = 100.0 * (part["ratio"].dropna().quantile([0.1, 0.5, 0.9]) - 1.0)
         at, graded = part["cpu_s"].median(), "," in name
-        colour = COLOURS.get(name, "#2e7d32" if graded else "k")
+        colour = COLOURS.get(name, GRADED if graded else "k")
         axis.plot([at, at], [low, high], "-", color=colour, lw=1.0)
         axis.plot(at, middle, "s" if graded else "o", ms=4, color=colour)
         words = {"study": "block, E/h", "column": "block, column"}.get(name, name)
