@@ -19,10 +19,9 @@ facade:
   thickness_m: 0.3
   width_m: 4.0
   density_kg_m3: 1700
-  floors: [{height_m: 2.4, load_kn: 8}]
 damping: {law: value, beta_s: 0.001}
 smdof: {n_dof: 2, period_s: 0.2}
-assessment: {confidence_factor: 1.2, ag_g: 0.26, f0: 2.4, tc_star_s: 0.3, soil: B,
+assessment: {confidence_factor: 1.2, ag_g: 0.16, f0: 2.4, tc_star_s: 0.3, soil: B,
   motions: 7, yade_histories: 0, dynamic_realisations: 0, resamples: 100, shaken_within: 1.1}
 """
 TABLES = ["code_checks", "mechanisms", "parts_check_W2", "dynamic_check_W2"]
