@@ -5,7 +5,8 @@ import pytest
 from both_solvers import BETA_S, pulses
 from rocking import Case, Variant
 from rocking import Motion as Shaking
-from rocking.accuracy.fidelity import CHOSEN, OF_COURSES
+from rocking.accuracy.fidelity import COURSES, read_fidelity
+from rocking.collapse.case import FIDELITY_FILE
 from rocking.collapse.curve import collapse_curve
 from rocking.collapse.scan import COURSES_NODES, COURSES_STEP, one_block_step
 from rocking.configuration import config as configuration
@@ -130,6 +131,47 @@ def test_the_step_of_a_stack():
     assert quarter == pytest.approx(nodes, rel=0.005)
 
 
+STIFF = {"facade.height_m": 3.0, "facade.thickness_m": 0.25, "facade.e_mpa": 4050.0}
+
+
+def courses_peaks(wall, forms, share):
+    """Peak d/b of stacks under two pulses, at a share of the step of one block."""
+    t, ground = pulses(1.2)
+    motion = Shaking.sampled(ground, float(t[1]), name="pulses")
+    case = Case.configured("W1", {**wall, "numerics.after_motion_s": 1.0})
+    found = []
+    for courses, growth in forms:
+        stack = case.varied({"facade.courses": courses, "facade.courses_growth": growth})
+        how = {"search": "list", "settings": {"pga_g": [0.06, 0.08, 0.12]}, "fraction": share}
+        curve = collapse_curve(stack, motion, **how)
+        found.append(curve.table["d_over_b"].to_numpy(float))
+    return np.array(found)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("wall", [{}, {**STIFF, "return_wall.thickness_m": 0.25}])
+def test_thin_courses_do_not_ring(wall):
+    """Joints of β many steps long ring if their dashpots act in the middle of a step.
+
+    Twelve equal courses, and eight whose lowest is as thin: at half the step within 1.5 %.
+    """
+    forms = [(12, 1.0), (8, 1.2)]
+    whole, half = (courses_peaks(wall, forms, share) for share in (COURSES_STEP, COURSES_STEP / 2))
+    assert np.all(whole[:, -1] > 0.1)
+    assert half == pytest.approx(whole, rel=0.015)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("wall", [{}, {**STIFF, "return_wall.thickness_m": 0.25}])
+def test_courses_converge(wall):
+    """With more and thinner courses at the foot peaks go towards those of eight."""
+    two, chosen, five, eight = courses_peaks(
+        wall, [(2, 1.0), (4, 1.5), (5, 1.4), (8, 1.2)], COURSES_STEP
+    )[:, 1]
+    assert abs(two - eight) > 2.0 * abs(chosen - eight) > 2.0 * abs(five - eight)
+    assert five == pytest.approx(eight, rel=0.06)
+
+
 def test_courses_side_by_side():
     """Eight histories in one vector have the digits of each alone."""
     t, ground = pulses(1.2)
@@ -206,7 +248,7 @@ def test_yade_and_the_compiled_solver(facade):
     """Peak d/b within 1 %, and YADE's energy balance closes."""
     numerics = {**NODES, "nodes_thickness": 9}
     if "courses" in facade:
-        numerics = dict(zip(CHOSEN[:-1], OF_COURSES, strict=False))
+        numerics = read_fidelity(FIDELITY_FILE)[COURSES]
     config, scene = scene_of(facade, numerics)
     config["numerics"]["after_motion_s"] = 1.0
     t, ground = pulses(1.2)
@@ -215,7 +257,7 @@ def test_yade_and_the_compiled_solver(facade):
     planar = history(plane, Motions(t, ground), config["numerics"], sample_s=0.01, step_s=step)
     got = in_yade(
         "accuracy_cases", "balanced", config=config, model="W1", beta_s=BETA_S,
-        fraction=OF_COURSES[-1] if "courses" in facade else 0.05,
+        fraction=numerics.get("step_fraction", 0.05),
         time_s=t.tolist(), columns={"ground": ground.tolist()},
     )  # fmt: skip
     assert got["status"] == planar.status == "ok"

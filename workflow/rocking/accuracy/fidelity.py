@@ -6,7 +6,7 @@ from yade_scripts.model import registry
 
 MOST_BASE_NODES = 33  # against 65, median change of d/b 0.01 % over 24 histories of W2
 CHOSEN = ("nodes_thickness", "nodes_height", "nodes_per_block", "step_fraction")
-OF_COURSES = (17, 33, 17, 0.3)  # of `CHOSEN`, for a façade of courses in YADE
+COURSES = "courses"  # in config/fidelity.yaml: `CHOSEN` of a façade of courses in YADE
 
 
 def fidelity_table(table, share, fewest_nodes):
@@ -64,8 +64,8 @@ def choose(config, model, measured):
     What is stated is kept. The rest is the cheapest measured pair within
     `numerics.fidelity_tolerance`, or the finest without one; a bonded model takes the values
     measured for the dry one. Interlocking bricks have their own numbers in section w3. A façade of
-    courses has `OF_COURSES`: the compiled solver sums its joints in closed form, and at these YADE
-    is within 1 % of that (docs/log/base.md).
+    courses has one set for all models: the compiled solver sums its joints in closed form, and at
+    these YADE is within 1 % of that (docs/log/base.md).
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def choose(config, model, measured):
         Resolved configuration, or a scene file; sections numerics and, for bricks, w3.
     model : str
     measured : dict
-        Content of config/fidelity.yaml (`fidelity_table`).
+        Content of config/fidelity.yaml (`fidelity_table`, and `COURSES`).
 
     Returns
     -------
@@ -92,7 +92,10 @@ def choose(config, model, measured):
         own = {key: config["w3"][key] for key in ("nodes_thickness", "step_fraction")}
         return {**numerics, **own, **stated}, "section w3"
     if config.get("facade", {}).get("courses"):
-        return {**numerics, **dict(zip(CHOSEN, OF_COURSES, strict=True)), **stated}, "of courses"
+        own = {**measured.get(COURSES, {}), **stated}
+        if len(own) == len(CHOSEN):
+            return {**numerics, **own}, "of courses in config/fidelity.yaml"
+        model, measured = "courses", {}
     tolerance = numerics["fidelity_tolerance"]
     pairs = measured.get(kind.plain, [])
     good = [pair for pair in pairs if pair["error"] <= tolerance] if tolerance else []

@@ -10,7 +10,6 @@ from rocking.solver.plane import moving_supports, to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, Peaks, peaks, stable_step
 from smdof.chain import shear_chain
 from yade_scripts.model import floor_motions, models, registry
-from yade_scripts.model.base import course_tops
 from yade_scripts.model.floor_motions import GROUND, VERTICAL
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.wall_motion import floor_motion
@@ -31,7 +30,7 @@ BRICKS_STEP = 0.4  # of W3's stable step, which its bricks decide: 0.20 ms
 COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}  # beds need none
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
 COURSES_STEP = 0.08  # of the stable step of the same façade in one block
-MANY = 10  # h over a course beyond which joints chatter, unless the step falls with its square
+LATE_STEP = 0.5  # of that, where the dashpots of thin courses act at the end of a step
 
 
 class Scan:
@@ -164,8 +163,7 @@ class Screen(Scan):
         self.steps_s = [share * stable_step(plane) for plane in self.planes]
         if courses:  # realisations differ by amplitude alone: those of one step march side by side
             self.shorter = SHORTER[:1]
-            thin = course_tops(case["facade"])[0] / case["facade"]["height_m"]
-            share = min(share, COURSES_STEP) * min(1.0, (MANY * thin) ** 2)
+            share = min(share, COURSES_STEP) * (LATE_STEP if self.planes[0].late > 1.0 else 1.0)
             self.steps_s = [share * one_block_step(case)] * len(self.planes)
         self.carried = carried_masses(case, scene) if kind.two_way and not bricks else None
         if self.carried is not None:  # light masses between stiff contacts want shorter ones

@@ -210,14 +210,15 @@ def press(p, parts, rows, time, alive, counts):
             push(parts.force, b, -1.0, (fy, fz), (by, bz), across * moment)
         else:
             put(supports.fy, j, take(supports.fy, j) - fy)
-        each = 0.5 * (beta + p.lead * dt) * whole
+        ahead = p.late * beta + p.lead * dt
+        each = 0.5 * ahead * whole
         one, other = nz * ay - ny * az, nz * by - ny * bz
         near, far = across * (middle - SIDE * length), across * (middle + SIDE * length)
         arms = tz * ay - ty * az, tz * by - ty * bz
         dashpots = (
             ((ny, nz), (one + near, other + near), each),
             ((ny, nz), (one + far, other + far), each),
-            ((ty, tz), arms, ratio * (beta + p.lead * dt) * k * stuck),
+            ((ty, tz), arms, ratio * ahead * k * stuck),
         )
         resist(p, parts, a, b, dashpots)
         if counts:

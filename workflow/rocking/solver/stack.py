@@ -14,6 +14,7 @@ from .lines import elements as of_lines
 
 FREEDOMS = "yzX"
 LEAD = 1.0  # of courses: their springs as by Newmark's β of 1/2, at any step
+MANY = 9  # height over the thinnest course beyond which their dashpots are taken at a step's end
 
 
 class Stack(NamedTuple):
@@ -59,9 +60,10 @@ class Stack(NamedTuple):
         support, so that all their dashpots can be solved together.
     lines : Lines
         Beds of theirs that are summed in closed form, apart from the nodes.
-    lead, beta : float
+    lead, beta, late : float
         By how much of a step the springs of pieces are taken beyond now, with their dashpots; 0:
         they act as they are, and the last acceleration predicts rates. β of all of them.
+        Where in a step the dashpots of `lines` act: 1, in its middle; 2, at its end.
     gravity_m_s2, thickness_m, height_m : float
     foot : int
         See `plane.Planar`.
@@ -103,6 +105,7 @@ class Stack(NamedTuple):
     lines: Lines
     lead: float
     beta: float
+    late: float
     gravity_m_s2: float
     thickness_m: float
     height_m: float
@@ -135,6 +138,10 @@ def stacked(scene, own, column, bars):
     )
     beta = nodes.beta_s[0]
     even = in_row and np.all(nodes.beta_s == beta) and scene.notes.get("even", ())
+    late = 1.0
+    if even:
+        heights = [blocks[i].size_m[2] for i in own]
+        late = 2.0 if sum(heights) > MANY * min(heights) else 1.0
     lines, summed = lines_of(scene, even or (), number, column)
     nodes, a, b = nodes.select(~summed), a[~summed], b[~summed]
     if any(tuple(link.direction) != (0.0, 1.0, 0.0) for link in links):
@@ -190,6 +197,7 @@ def stacked(scene, own, column, bars):
         lines=lines,
         lead=LEAD if even else 0.0,
         beta=float(beta),
+        late=late,
         gravity_m_s2=float(scene.gravity_m_s2),
         thickness_m=float(scene.thickness_m),
         height_m=float(max(p[1] for _, p in watched) - scene.nodes.position_m[:, 2].min()),

@@ -250,7 +250,8 @@ def accelerate(p, parts, half, ag, gravity):
     """Accelerations of all blocks, with a block's own dashpots at the velocity of this step.
 
     With `p.lead` the springs between and behind pieces act as far ahead: with K beside C in the
-    matrix, (M + ½hC + ½·lead·h²K)·a = F(x, v⁻) + ½hC·a⁻, at twice the lead Newmark's β.
+    matrix, (M + ½hC + ½·lead·h²K)·a = F(x, v⁻) + ½hC·a⁻, at twice the lead Newmark's β. Dashpots
+    of `lines` stand there `p.late` times, once more where they would ring: docs/solver.md.
     """
     own, rise, force, nodes = parts.own, parts.rise, parts.force, _nodes(p, parts.nodes)
     before = 1.0  # the dashpots' part of what stands in `own`
