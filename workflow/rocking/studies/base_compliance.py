@@ -229,8 +229,9 @@ def _draw_cost(axis, table):
     axis.set_xscale("log")
     axis.set(xlabel="processor time of a curve [s]", ylabel="error of half collapse [%]")
     curves = len(table[table["facade"] == STACK])
-    title = f"beside the stack of {STACK}, {curves} curves: median, 10 to 90 %"
-    axis.set_title(f"{title}; squares: thin at the foot", loc="left")
+    axis.xaxis.set_major_formatter("{x:g}")
+    axis.xaxis.set_minor_formatter("{x:g}")
+    axis.set_title(f"{curves} curves: median, 10 to 90 %; squares: thin at the foot", loc="left")
 
 
 @drawing
@@ -238,7 +239,7 @@ def draw(static, table):
     """Draw static curves of the study's façade, collapse by the wall's, and error by cost."""
     import matplotlib.pyplot as plt
 
-    figure = plt.figure(figsize=(7.2, 6.4))
+    figure = plt.figure(figsize=(7.2, 6.4), layout="constrained")
     grid = figure.add_gridspec(2, 2)
     _draw_static(figure.add_subplot(grid[0, 0]), static)
     _draw_collapse(figure.add_subplot(grid[0, 1]), table)

@@ -42,10 +42,10 @@ figure_of(
     "base_compliance",
     "Records",
     "what the base of a rigid façade is worth",
-    caption="Left: static curves of the study's façade. The elastic wall carries half as much"
-    " again as the rigid block on E/h and less than the rigid one. Right: PGA of half collapse,"
-    " rigid block against the stack of courses that it stands for, one point a curve; on the"
-    " line both are alike.",
+    caption="Above left: static curves of the study's façade. The elastic wall carries half as much"
+    " again as the rigid block on E/h and less than the rigid one. Above right: PGA of half collapse"
+    " of blocks and of the chosen stack against the stack that stands for the wall, one point a"
+    " curve; on the line both are alike. Below: error of half collapse against processor time.",
     static=rules.base_static.output.static,
     table=rules.base_table.output.table,
 )
@@ -54,7 +54,7 @@ figure_of(
 rule base_compliance:
     """
     Static curve and collapse of the elastic wall beside the rigid block on either base.
-    Costs: 5 min; by records.
+    Costs: 15 min; by records.
     """
     input:
         every_run(
