@@ -169,6 +169,9 @@ def test_commands_of_the_pages_plan_jobs(clone, words):
     (clone / "my_records.tsv").write_text(
         "record\tfile\tformat\tdt_s\tunits\nMINE\tmotion.txt\t\t0.01\tg\n"
     )
+    other = clone / "results/engines/accuracy/engine_mujoco.csv"  # the line before it writes this
+    other.parent.mkdir(parents=True, exist_ok=True)
+    other.touch()
     done = run(clone, "snakemake", "-n", *words)
     assert done.returncode == 0, f"{shlex.join(words)}\n{done.stderr[-1500:]}"
     assert "Job stats" in done.stdout + done.stderr
