@@ -1,7 +1,7 @@
 """The one entry to what runs inside YADE: `python3 yade_scripts STUDY [options]`.
 
 It runs under the Python that YADE was built for, the system's own, and makes the package
-importable there; nothing else sets a path. Each study is a module of `studies` with a
+importable there; nothing else sets a path. Each command is a module of `commands` with a
 function `main(arguments)`; `python3 yade_scripts` lists them, `python3 yade_scripts ida --help`
 says what one takes.
 """
@@ -21,27 +21,27 @@ if __package__ in (None, ""):
     sys.path[0] = str(HERE.parent)
 
 
-def studies():
-    """Names of the studies: the modules of `studies` that have a `main`, sorted."""
-    files = sorted((HERE / "studies").glob("*.py"))
+def commands():
+    """Names of the commands: the modules of `commands` that have a `main`, sorted."""
+    files = sorted((HERE / "commands").glob("*.py"))
     return [path.stem for path in files if "\ndef main(" in path.read_text()]
 
 
 def main(arguments):
     """Run the named study; return the exit status. A foreseen error is one line."""
-    from yade_scripts.engine import lifeline
+    from yade_scripts.engine import parent_process
 
-    if lifeline.follow() and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+    if parent_process.follow() and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         # A job ends by Ctrl-C without a word: the run says what there is to say, and what has
         # finished is in the journal. Half loaded, YADE would fall with a stack of its own.
         signal.signal(signal.SIGINT, signal.SIG_DFL)
     from yade_scripts.engine.adapter import EngineError
 
-    known = studies()
+    known = commands()
     if not arguments or arguments[0] not in known:
         print(f"usage: yade_scripts STUDY [options]; STUDY is one of {', '.join(known)}")
         return 2
-    study = importlib.import_module(f"yade_scripts.studies.{arguments[0]}")
+    study = importlib.import_module(f"yade_scripts.commands.{arguments[0]}")
     try:
         return study.main(arguments[1:])
     except (ValueError, OSError, EngineError) as error:

@@ -10,10 +10,10 @@ from scipy.sparse.linalg import spsolve
 from yade_process import run_study
 
 import smdof
+from yade_scripts.commands.explicit_building import corner
 from yade_scripts.model.building.assembly import build
 from yade_scripts.model.building.plan import Opening, Plan, PlanWall
 from yade_scripts.model.scene import to_json
-from yade_scripts.studies.explicit_building import corner
 
 
 @pytest.fixture(scope="module")

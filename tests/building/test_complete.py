@@ -11,6 +11,7 @@ from rocking.building.complete import complete_building, critical_step, linear_h
 from rocking.building.modes import Solver
 from yade_process import in_yade, resolved, run_study
 
+from yade_scripts.commands.search import next_level
 from yade_scripts.model import floor_motions, stiffness
 from yade_scripts.model.building import assembly
 from yade_scripts.model.building.complete import apart, behind, with_rigid_floors
@@ -18,7 +19,6 @@ from yade_scripts.model.building.contacts import Joints
 from yade_scripts.model.building.plan import Opening, Plan, PlanError, PlanWall, TimberFloor
 from yade_scripts.model.facade import facade_scene
 from yade_scripts.model.scene import from_dict, to_json
-from yade_scripts.studies.search import next_level
 
 BETA_S = 5e-4
 HEIGHT_M, THICKNESS_M = 1.44, 0.12

@@ -7,8 +7,8 @@ import warnings
 
 import numpy as np
 import pytest
-from rocking.calibration import beta as cal
 from rocking.configuration.config import resolve
+from rocking.mechanics import beta as cal
 from rocking.mechanics import closed_forms
 
 

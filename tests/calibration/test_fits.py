@@ -4,10 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from rocking.calibration import fits, study
-from rocking.calibration.beta import groups, read_law
+from rocking.calibration import fits
+from rocking.calibration import free_rocking as study
 from rocking.calibration.restitution import TARGETS, Rebounds
 from rocking.mechanics import closed_forms
+from rocking.mechanics.beta import groups, read_law
 
 BETAS = np.geomspace(1e-4, 1e-2, 9)
 

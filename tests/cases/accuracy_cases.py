@@ -7,10 +7,10 @@ import energy_probe
 import numpy as np
 from facade_cases import quiet
 
+from yade_scripts.commands import energy, shaking, stability
 from yade_scripts.engine import adapter, balance, energy_check, simulate
 from yade_scripts.model import facade, models
 from yade_scripts.model.stiffness import critical_step
-from yade_scripts.studies import energy, shaking, stability
 
 
 def limit(config, name, stiffness_factor, beta_s):

@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from yade_scripts.commands import shaking
+from yade_scripts.commands.complete_history import Recorder
 from yade_scripts.model import facade
 from yade_scripts.model.building.complete import apart
 from yade_scripts.model.scene import from_dict
-from yade_scripts.studies import shaking
-from yade_scripts.studies.complete_history import Recorder
 
 
 def shaken(job, time_s, ground, drop):

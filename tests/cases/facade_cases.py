@@ -5,9 +5,9 @@ import sys
 
 import numpy as np
 
+from yade_scripts.commands import shaking
 from yade_scripts.engine import adapter, loop, simulate
 from yade_scripts.model import facade
-from yade_scripts.studies import shaking
 
 
 def quiet(scene, duration_s=100.0):

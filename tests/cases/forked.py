@@ -225,9 +225,9 @@ def _end_at_once():
 
 def _call(function):
     """Take arguments from the input, as JSON, and print what comes back in a last line."""
-    from yade_scripts.engine import lifeline
+    from yade_scripts.engine import parent_process
 
-    lifeline.follow()
+    parent_process.follow()
     print("RESULT" + json.dumps(function(**json.load(sys.stdin))))
 
 

@@ -60,7 +60,7 @@ class _Forces:
 
 def shears(job, time_s, columns):
     """Largest |T| − μN over the node's force, over all nodes and steps, and how many there were."""
-    from yade_scripts.studies import shaking
+    from yade_scripts.commands import shaking
 
     scene, columns = models.build_scene(job), {k: np.array(v) for k, v in columns.items()}
     forces = _Forces(scene)

@@ -8,12 +8,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from yade_scripts.commands import ida, shaking
+from yade_scripts.commands.journal import Journal
+from yade_scripts.commands.runner import Runner
 from yade_scripts.engine import adapter, energy_check, loop, simulate
 from yade_scripts.model import facade, models
 from yade_scripts.model.stiffness import critical_step
-from yade_scripts.studies import ida, shaking
-from yade_scripts.studies.journal import Journal
-from yade_scripts.studies.runner import Runner
 
 BETA_S = 0.00276
 SAMPLE_STEPS = 5  # steps between samples of `poisoned_run`

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from yade_scripts.commands import shaking
 from yade_scripts.engine import adapter, loop, simulate
 from yade_scripts.model import facade, models
-from yade_scripts.studies import shaking
 
 
 def chain_alone(config, ground, dt_s, beta_s=0.002):

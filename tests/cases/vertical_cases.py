@@ -3,9 +3,9 @@
 import accuracy_cases
 import numpy as np
 
+from yade_scripts.commands import shaking
 from yade_scripts.engine import adapter, energy_check, simulate
 from yade_scripts.model import facade, floor_motions, models
-from yade_scripts.studies import shaking
 
 
 class Noted(energy_check.EnergyCheck):

@@ -1,7 +1,7 @@
 """The viewer's scene without a display; imported inside YADE's Python."""
 
+from yade_scripts.commands import view
 from yade_scripts.engine import loop
-from yade_scripts.studies import view
 
 
 def played(arguments, until_s):

@@ -3,9 +3,9 @@
 
 def push_case(job, speed_m_s=0.1, reach=0.08):
     """Push W3 a little way; return the curve, the joint forces as CSV and the broken bonds."""
+    from yade_scripts.commands.pushover import forces_csv, push
     from yade_scripts.engine import adapter
     from yade_scripts.model import models
-    from yade_scripts.studies.pushover import forces_csv, push
 
     adapter.load_yade()
     scene = models.build_scene(job)
@@ -19,8 +19,8 @@ def shake_case(job, fractions, time_s, columns):
     """Peak d/b of W3 under prescribed floor motions, by step over the critical one."""
     import numpy as np
 
+    from yade_scripts.commands import shaking
     from yade_scripts.model import models
-    from yade_scripts.studies import shaking
 
     scene = models.build_scene(job)
     time_s = np.array(time_s)

@@ -8,7 +8,7 @@ import pytest
 from rocking.collapse import agreement
 from rocking.collapse.agreement import ODDS
 
-from yade_scripts.studies.confirm import ERROR, Confirmation, turns
+from yade_scripts.commands.confirm import ERROR, Confirmation, turns
 
 SHARES = (0.1, 0.5, 0.9)
 MOST = 11

@@ -6,7 +6,7 @@ import pytest
 from rocking.collapse import ensemble
 from yade_process import resolved
 
-from yade_scripts.studies import perturb, search
+from yade_scripts.commands import perturb, search
 
 SETTINGS = resolved()["ensemble"]
 NUMERICS = resolved()["numerics"]

@@ -6,7 +6,7 @@ import pytest
 from rocking.collapse import hidden, probability, search
 from rocking.tables import write_table
 
-from yade_scripts.studies.search import drive
+from yade_scripts.commands.search import drive
 
 SETTINGS = {"level_ratio": 0.02, "beyond": 1.35, "max_pga_g": 2.0}
 SETTINGS |= {"realisations": 6, "amplitude_spread": 0.01, "fine_step": 0.002, "power": 0.0}

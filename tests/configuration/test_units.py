@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 import yaml
-from rocking.configuration import doubts, units
+from rocking.configuration import units, unlikely
 from rocking.configuration.config import ConfigError, expand_scenarios, resolve
 from rocking.configuration.schema import leaves, whole
 
@@ -14,7 +14,7 @@ TIE, FLOOR = {"height_m": 5.0}, {"height_m": 3.0}
 
 
 def said(**given):
-    return doubts.lines({"main": resolve(given)})
+    return unlikely.lines({"main": resolve(given)})
 
 
 @pytest.mark.parametrize(

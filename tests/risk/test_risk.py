@@ -10,9 +10,9 @@ from rocking.collapse.equivalent import equivalent
 from rocking.collapse.probability import KEY
 from rocking.risk import nrml, rates
 from rocking.risk.collapse import risk_of
+from rocking.risk.fragility import Fragility
 from rocking.risk.hazard import Hazard, HazardError, imt_of, read_hazard
 from rocking.studies import fragility_tables
-from rocking.studies.fragility import Fragility
 from run_script import script
 from scipy import stats
 from scipy.integrate import quad

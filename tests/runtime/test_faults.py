@@ -20,9 +20,9 @@ from rocking.runtime import results_folder, run_lock
 
 from tests.trials.faults import inject, trials
 from tests.trials.faults.workspace import comparable, wait_until
+from yade_scripts.commands.journal import Journal
 from yade_scripts.engine import memory
 from yade_scripts.files import write_atomic
-from yade_scripts.studies.journal import Journal
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -119,8 +119,9 @@ def test_a_file_system_without_locks_is_said_once_and_the_run_goes_on(
     assert line.startswith(f"warning: the file system of {tmp_path} has no locks")
 
 
-JOB = "import sys, time; sys.path.insert(0, {root!r}); from yade_scripts.engine import lifeline;"
-JOB += "assert lifeline.follow(); print('on', flush=True); time.sleep(60)"
+JOB = "import sys, time; sys.path.insert(0, {root!r});"
+JOB += "from yade_scripts.engine import parent_process;"
+JOB += "assert parent_process.follow(); print('on', flush=True); time.sleep(60)"
 
 
 def test_a_job_ends_when_its_run_is_killed():

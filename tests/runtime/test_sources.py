@@ -73,7 +73,7 @@ def test_every_rule_depends_on_the_code_it_runs(name, block):
         wanted = f"code({', '.join(names)})"
     else:
         started = re.search(r"{params\.yade} ([a-z_0-9]+)", block)
-        wanted = f'study_code("{started[1]}")'
+        wanted = f'command_code("{started[1]}")'
     assert f"modules={wanted}" in block
 
 
@@ -95,7 +95,7 @@ def test_every_script_lies_where_its_rule_looks_for_it():
 
 def test_a_reader_does_not_touch_the_runs_in_yade():
     """What inside YADE runs knows nothing of records, and a figure nothing of the engine."""
-    ida = {p.name for p in sources.sources(ROOT / "yade_scripts/studies/ida.py")}
+    ida = {p.name for p in sources.sources(ROOT / "yade_scripts/commands/ida.py")}
     assert "reader.py" not in ida
     assert {"adapter.py", "bonds.py", "stiffness.py", "registry.py"} <= ida
     assert "adapter.py" not in {

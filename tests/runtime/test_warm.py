@@ -11,7 +11,7 @@ from types import SimpleNamespace
 
 import pytest
 from rocking.runtime import warm
-from rocking.runtime.way_back import left_out_if_unknown
+from rocking.runtime.fallback import left_out_if_unknown
 from snakemake import benchmark
 from snakemake.script import PythonScript
 
@@ -26,7 +26,7 @@ told = {"name": __name__, "argv": sys.argv, "folder": os.getcwd(), "parent": os.
 
 SNAKEFILE = """
 from rocking.runtime import warm
-from rocking.runtime.way_back import left_out_if_unknown
+from rocking.runtime.fallback import left_out_if_unknown
 
 onstart:
     with left_out_if_unknown("a server of scripts"):

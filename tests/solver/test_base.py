@@ -5,12 +5,12 @@ import pytest
 from both_solvers import BETA_S, pulses
 from rocking import Case, Variant
 from rocking import Motion as Shaking
-from rocking.accuracy.fidelity import COURSES, read_fidelity
 from rocking.collapse.case import FIDELITY_FILE
 from rocking.collapse.curve import collapse_curve
 from rocking.collapse.scan import COURSES_NODES, COURSES_STEP, one_block_step
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
+from rocking.fidelity import COURSES, read_fidelity
 from rocking.mechanics import column
 from rocking.mechanics.closed_forms import capacity_compliant_base
 from rocking.reference import SupportTable, simulate_batch

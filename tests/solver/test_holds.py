@@ -7,7 +7,7 @@ import pytest
 from both_solvers import FEW, agreed, pulses
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
-from rocking.configuration.standing import restoring
+from rocking.configuration.static_stability import restoring
 from rocking.solver.plane import matrices, to_plane
 from rocking.solver.runs import Motions, history
 from test_floors import floored

@@ -13,7 +13,7 @@ from rocking.records.intensity_measures import (
     per_pga,
     record_measures,
 )
-from rocking.studies import fragility
+from rocking.risk import fragility
 from rocking.studies.sufficiency import properties, slope
 from scipy import stats
 from scipy.optimize import minimize

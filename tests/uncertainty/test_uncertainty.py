@@ -8,12 +8,12 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking import Case
-from rocking.calibration.beta import beta_for
 from rocking.collapse.case import LAW_FILE
 from rocking.collapse.scan import Screen
 from rocking.configuration.config import ConfigError, resolve
+from rocking.mechanics.beta import beta_for
+from rocking.risk import fragility
 from rocking.runs import Runs
-from rocking.studies import fragility
 from rocking.uncertainty import design, parts, sampling
 from rocking.uncertainty.design import drawn_motions
 from yade_process import resolved, run_study

@@ -13,12 +13,9 @@ MODULES = {
 }
 # Weakest hinges, façades and ties of the codes of practice are asked for from below.
 LEFT = {
-    ("accuracy", "collapse"),
     ("assessment", "collapse"),
     ("assessment", "configuration"),
     ("assessment", "studies"),
-    ("calibration", "configuration"),
-    ("formula", "studies"),
 }
 # A class of settings that makes itself from what it is resolved by.
 CYCLES = [{"rocking.configuration.config", "rocking.configuration.words"}]

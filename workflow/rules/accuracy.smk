@@ -28,7 +28,7 @@ rule stability:
     input:
         scene=of_run(rules.scene.output[0], model="W2"),
         yade=rules.yade_check.output[0],
-        modules=study_code("stability"),
+        modules=command_code("stability"),
     output:
         trials=results("tables/stability.csv"),
         limits=results("tables/stability_limits.csv"),
@@ -81,7 +81,7 @@ rule accuracy_runs:
     input:
         plan=rules.accuracy_plan.output.plan,
         yade=rules.yade_check.output[0],
-        modules=study_code("accuracy"),
+        modules=command_code("accuracy"),
     output:
         results("accuracy/runs.csv"),
     log:
@@ -195,7 +195,7 @@ rule energy_balance:
         motion=of_run(rules.floor_motions.output[0]),
         curve=rules.ida.output[0],
         yade=rules.yade_check.output[0],
-        modules=study_code("energy"),
+        modules=command_code("energy"),
     output:
         results("energy/{model}/{record}_{direction}_{share}.csv"),
     log:

@@ -50,7 +50,7 @@ MOTIONS = {  # the records table and its files, as inputs
 
 def dry(run):
     """Models of a run that the planar solver stands in for and whose joint is dry."""
-    return [model for model in RUNS.planar(run) if not MODELS[model].bonded]
+    return [model for model in RUNS.compiled(run) if not MODELS[model].bonded]
 
 
 def governing(run):
@@ -229,7 +229,7 @@ rule assess_confirm:
         shaken=rules.assess_code.output.shaken,
         yade=rules.yade_check.output[0],
         modules=code("assess/assess_confirm"),
-        study=study_code("ida"),
+        study=command_code("ida"),
     output:
         results("assessment/dynamic_check_yade.csv"),
     log:

@@ -13,7 +13,7 @@ rule frames:
         scene=rules.scene.output[0],
         motion=of_run(rules.floor_motions.output[0], record=picture_record),
         yade=rules.yade_check.output[0],
-        modules=study_code("frames"),
+        modules=command_code("frames"),
     output:
         results("frames/{model}.json"),
     log:
@@ -38,7 +38,7 @@ rule collapse_frames:
             record=picture_record,
             direction=RUNS.key("pictures.direction"),
         ),
-        modules=study_code("frames"),
+        modules=command_code("frames"),
     output:
         results("frames/{model}_collapse.json"),
     log:

@@ -34,7 +34,7 @@ rule building_explicit:
         scene=of_run(rules.building_explicit_scene.output[0], coarsening=explicit_size),
         record=rules.own_record.output.record,
         yade=rules.yade_check.output[0],
-        modules=study_code("explicit_building"),
+        modules=command_code("explicit_building"),
     output:
         history=results("building/explicit_{load}_{record}.csv"),
         cost=results("building/explicit_{load}_{record}.json"),
@@ -88,7 +88,7 @@ rule building_explicit_cost:
             record=lambda run: RUNS.named("building.wme_records")(run)[0],
         ),
         yade=rules.yade_check.output[0],
-        modules=study_code("explicit_building"),
+        modules=command_code("explicit_building"),
     output:
         history=temp(results("building/explicit_cost_{coarsening}.csv")),
         cost=results("building/explicit_cost_{coarsening}.json"),

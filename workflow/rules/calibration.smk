@@ -51,7 +51,7 @@ rule free_rocking:
     input:
         cases=rules.calibration_cases.output[0],
         yade=ancient(rules.yade_check.output[0]),
-        modules=study_code("walls"),
+        modules=command_code("walls"),
     output:
         results("calibration/histories_{group}.npz"),
     log:

@@ -49,7 +49,7 @@ use rule ida as reduction_ida with:
         motion=rules.reduction_motion.output.motion,
         plan=rules.reduction_planar.output.plan,
         yade=rules.yade_check.output[0],
-        modules=study_code("ida"),
+        modules=command_code("ida"),
     output:
         results("capacity_reduction/T{t1}_below{below}/{record}_{direction}.csv"),
     log:

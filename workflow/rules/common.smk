@@ -19,7 +19,7 @@ except ModuleNotFoundError as error:
     )
 from rocking.collapse.case import SECTIONS
 from rocking.configuration import config as configuration
-from rocking.configuration import doubts, renamed
+from rocking.configuration import unlikely, renamed
 from rocking.configuration.chosen import chosen
 from rocking.records.intensity_measures import MEASURES
 from rocking.studies.pushover import DRAWN, VARIANTS, laid
@@ -27,11 +27,11 @@ from rocking.records import RecordError, read_table
 from rocking.records.check import check_runs, reach_g
 from rocking.runtime import cluster, file_times, first_page, interrupts, progress
 from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
-from rocking.runtime.way_back import left_out_if_unknown
+from rocking.runtime.fallback import left_out_if_unknown
 from rocking.runs import CurveKey, Runs
 from rocking import version
-from yade_scripts.engine import lifeline
-from yade_scripts.model.registry import COMPLETE, MODELS, PLANAR, PUSHED, WITH_WALLS
+from yade_scripts.engine import parent_process
+from yade_scripts.model.registry import COMPLETE, MODELS, REFERENCE_MODELS, PUSHED, WITH_WALLS
 
 # the project's folder: where this file is, or, if it was fetched alone as a module, the package's
 BASE = Path(workflow.source_path("common.smk")).resolve().parents[2]
@@ -48,7 +48,7 @@ YADE_PYTHON = os.environ.get("YADE_PYTHON") or shutil.which("python3", path=os.d
 YADE = shlex.join([str(YADE_PYTHON), str(BASE / "yade_scripts")])
 LAW_FILE = str(BASE / "config" / "beta_law.json")
 FIDELITY_FILE = str(BASE / "config" / "fidelity.yaml")
-os.environ[lifeline.RUN_PID] = str(os.getpid())  # jobs end with this process
+os.environ[parent_process.RUN_PID] = str(os.getpid())  # jobs end with this process
 STOPPED = "stopped: finished runs are kept; repeat the command to go on"
 
 
@@ -71,7 +71,7 @@ RUNS.refuse(FINDINGS)
 if workflow.is_main_process and "check" not in sys.argv:  # that target says so itself
     terminal.warn([str(f) for f in FINDINGS if f.status == "warning"])
 if workflow.is_main_process:
-    terminal.warn([*renamed.lines(config), *doubts.lines(RUNS.settings)])
+    terminal.warn([*renamed.lines(config), *unlikely.lines(RUNS.settings)])
 
 SHARED = RUNS.shared
 
@@ -100,9 +100,9 @@ def code(script, study=None):
     return files
 
 
-def study_code(name):
+def command_code(name):
     """Input function: a study inside YADE and all it imports, as one stamp."""
-    path = BASE / "yade_scripts" / "studies" / f"{name}.py"
+    path = BASE / "yade_scripts" / "commands" / f"{name}.py"
     return lambda w: stamped(path)
 
 

@@ -150,7 +150,7 @@ use rule ida as complete_ida with:
         motion=of_run(rules.floor_motions.output[0]),
         plan=rules.complete_scan.output.plan,
         yade=rules.yade_check.output[0],
-        modules=study_code("ida"),
+        modules=command_code("ida"),
     output:
         results("ida/{complete}/{record}_{direction}.csv"),
     log:
@@ -178,7 +178,7 @@ rule complete_history:
         scene=rules.complete_scene.output[0],
         motion=history_motion,
         yade=rules.yade_check.output[0],
-        modules=study_code("complete_history"),
+        modules=command_code("complete_history"),
     output:
         history=results("complete/histories/{complete}_{coarsening}_{back}_{kind}.csv"),
         cost=results("complete/histories/{complete}_{coarsening}_{back}_{kind}.json"),
@@ -276,7 +276,7 @@ rule complete_frames:
         motion=of_run(rules.floor_motions.output[0]),
         curve=rules.complete_ida.output[0],
         yade=rules.yade_check.output[0],
-        modules=study_code("complete_history"),
+        modules=command_code("complete_history"),
     output:
         history=results("complete/collapse/{complete}_{record}_{direction}.csv"),
         cost=results("complete/collapse/{complete}_{record}_{direction}.json"),

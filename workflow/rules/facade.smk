@@ -29,7 +29,7 @@ rule scene:
 # One early job that says in one line whether this machine can run YADE scenes.
 rule yade_check:
     input:
-        modules=study_code("check_yade"),
+        modules=command_code("check_yade"),
     output:
         results("yade.txt"),
     log:

@@ -8,7 +8,7 @@ rule history:
         scene=rules.scene.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         yade=rules.yade_check.output[0],
-        modules=study_code("history"),
+        modules=command_code("history"),
     output:
         results("histories/{model}/{record}_{direction}_{pga}g.csv"),
     log:
@@ -44,7 +44,7 @@ use rule frames as history_frames with:
         scene=rules.scene.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         yade=rules.yade_check.output[0],
-        modules=study_code("frames"),
+        modules=command_code("frames"),
     output:
         results("histories/{model}/{record}_{direction}_{pga}g.json"),
     log:
@@ -72,7 +72,7 @@ rule history_acting:
         scene=rules.scene.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         yade=rules.yade_check.output[0],
-        modules=study_code("frames"),
+        modules=command_code("frames"),
     output:
         temp(results("histories/{model}/{record}_{direction}_{pga}g_acting.json")),
     log:

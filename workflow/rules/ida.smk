@@ -32,7 +32,7 @@ rule ida:
         motion=of_run(rules.floor_motions.output[0]),
         plan=plan,
         yade=rules.yade_check.output[0],
-        modules=study_code("ida"),
+        modules=command_code("ida"),
     output:
         results("ida/{model}/{record}_{direction}.csv"),
     log:
@@ -56,7 +56,7 @@ rule ida_ensemble:
         motion=of_run(rules.floor_motions.output[0]),
         plan=plan,
         curve=rules.ida.output[0],
-        modules=study_code("ensemble"),
+        modules=command_code("ensemble"),
     output:
         ensemble=results("ida/{model}/{record}_{direction}_ensemble.csv"),
         sensitivity=results("ida/{model}/{record}_{direction}_sensitivity.csv"),

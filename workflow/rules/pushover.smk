@@ -49,7 +49,7 @@ rule pushover:
     input:
         scene=rules.pushover_scene.output[0],
         yade=rules.yade_check.output[0],
-        modules=study_code("pushover"),
+        modules=command_code("pushover"),
     output:
         curve=results("pushover/raw/{pushed}.csv"),
         forces=results("pushover/raw/{pushed}_forces.csv"),
@@ -68,7 +68,7 @@ use rule pushover as pushover_variant with:
     input:
         scene=rules.pushover_variant_scene.output[0],
         yade=rules.yade_check.output[0],
-        modules=study_code("pushover"),
+        modules=command_code("pushover"),
     output:
         curve=results("w3/{variant}.csv"),
         forces=results("w3/{variant}_forces.csv"),

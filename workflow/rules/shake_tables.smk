@@ -73,7 +73,7 @@ rule shake_table:
         tests=rules.shake_table_tests.output.tests,
         motions=rules.shake_table_tests.output.motions,
         yade=ancient(rules.yade_check.output[0]),
-        modules=study_code("walls"),
+        modules=command_code("walls"),
     output:
         results("calibration/shake_table_histories.npz"),
     log:
@@ -156,7 +156,7 @@ use rule ida as damping_choice_ida with:
         motion=of_run(rules.floor_motions.output[0], record=CHOICE_RECORD),
         plan=rules.damping_choice_planar.output.plan,
         yade=ancient(rules.yade_check.output[0]),
-        modules=study_code("ida"),
+        modules=command_code("ida"),
     output:
         results("calibration/choice/{model}_{direction}_{law}.csv"),
     log:

@@ -43,7 +43,7 @@ rule strengthen_yade:
         motion=of_run(rules.floor_motions.output[0]),
         plan=rules.strengthen.output.plan,
         yade=rules.yade_check.output[0],
-        modules=study_code("runs"),
+        modules=command_code("runs"),
     output:
         results("strengthening/{model}/{record}_{direction}_yade.csv"),
     log:

@@ -68,7 +68,7 @@ class Model:
         return self.walls != "bricks"
 
     @property
-    def planar(self):
+    def compiled(self):
         """Whether the compiled planar solver can stand in for YADE, whatever the façade has."""
         return self.single_block and self.scanned
 
@@ -138,7 +138,7 @@ COMPLETE = {
     )
 }
 WITH_WALLS = tuple(name for name, model in MODELS.items() if model.walls != "none")
-PLANAR = tuple(n for n in WITH_WALLS if MODELS[n].single_block and MODELS[n].plain == n)
+REFERENCE_MODELS = tuple(n for n in WITH_WALLS if MODELS[n].single_block and MODELS[n].plain == n)
 PUSHED = tuple(name for name, model in MODELS.items() if model.static)
 
 

@@ -16,9 +16,9 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(ROOT), str(ROOT / "workflow")]
 
-from rocking.accuracy.fidelity import choose, read_fidelity  # noqa: E402
 from rocking.collapse.scan import Screen  # noqa: E402
 from rocking.configuration import config  # noqa: E402
+from rocking.fidelity import choose, read_fidelity  # noqa: E402
 from rocking.records import load, read_table  # noqa: E402
 from rocking.reference import Motion, simulate_batch  # noqa: E402
 from rocking.reference.facade import wall_of  # noqa: E402

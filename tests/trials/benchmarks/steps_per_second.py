@@ -18,8 +18,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(ROOT), str(ROOT / "workflow")]
 
-from rocking.accuracy.fidelity import choose, read_fidelity  # noqa: E402
 from rocking.configuration import config  # noqa: E402
+from rocking.fidelity import choose, read_fidelity  # noqa: E402
 
 PYTHON = os.environ.get("YADE_PYTHON", "/usr/bin/python3")
 BETA_S, LIMIT_S = 0.00276, 600.0
@@ -30,7 +30,7 @@ import numpy as np
 from dataclasses import replace
 from yade_scripts.engine import adapter, energy_check
 from yade_scripts.model import models
-from yade_scripts.studies import shaking
+from yade_scripts.commands import shaking
 job = json.load(sys.stdin)
 adapter.load_yade()
 scene, numerics = models.build_scene(job), models.numerics(job)

@@ -15,7 +15,7 @@ sys.path.insert(0, sys.argv[1])
 
 import numpy as np
 
-from yade_scripts.engine import adapter, lifeline, simulate
+from yade_scripts.engine import adapter, parent_process, simulate
 from yade_scripts.model import models
 
 FURTHER_S = 0.02
@@ -40,7 +40,7 @@ def failing(at_time_s):
 
 
 def main():
-    lifeline.follow()
+    parent_process.follow()
     signal.signal(signal.SIGINT, signal.default_int_handler)  # background jobs ignore it
     job = json.load(sys.stdin)
     adapter.load_yade()

@@ -5,7 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.accuracy import fidelity, study
+from rocking import fidelity
+from rocking.accuracy import errors as study
 from rocking.mechanics.closed_forms import block, overturning_half_sine, overturning_rectangular
 from rocking.reference import facade as reference
 from rocking.reference.facade import ensemble_peaks, peak_d_over_b

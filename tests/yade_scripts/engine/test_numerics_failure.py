@@ -10,7 +10,7 @@ from rocking.collapse.ida import branches, read_curve
 from yade_process import in_yade, resolved
 
 from smdof.chain import floor_motions
-from yade_scripts.studies.search import collapse_bounds
+from yade_scripts.commands.search import collapse_bounds
 
 CASES = "numerics_cases"
 yade = pytest.mark.yade

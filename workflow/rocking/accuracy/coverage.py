@@ -14,7 +14,7 @@ from scipy.optimize import isotonic_regression
 
 from rocking.collapse import probability, search
 from rocking.reference.facade import outcomes
-from yade_scripts.studies.search import drive
+from yade_scripts.commands.search import drive
 
 KEY = probability.KEY
 SCAN_COLUMNS = (*KEY, "pga_g", "level", "d_over_b", "status", "collapsed")

@@ -13,9 +13,9 @@ import numpy as np
 from rocking.collapse import search
 from rocking.collapse.scan import driving
 from rocking.solver import peaks, stable_step, to_plane
+from yade_scripts.commands.search import drive
 from yade_scripts.model import models
 from yade_scripts.model.motion import amplitude
-from yade_scripts.studies.search import drive
 
 CHOOSING, REPORTING = "choosing", "reporting"
 AMPLITUDE_CHANGES = (1e-6, 1e-4)

@@ -10,8 +10,8 @@ import math
 import numpy as np
 import pandas as pd
 
+from rocking.risk.fragility import fit
 from rocking.stations import FEWEST, drawn, interval
-from rocking.studies.fragility import fit
 from rocking.tables import read_tables
 from yade_scripts.model import registry
 

@@ -4,9 +4,9 @@ import numpy as np
 import pandas as pd
 
 from rocking.assessment.comparison import EXACT
+from rocking.risk.fragility import bootstrap, brackets_about, fit, points
 from rocking.risk.rates import collapse_rate
 from rocking.stations import FEWEST
-from rocking.studies.fragility import bootstrap, brackets_about, fit, points
 
 POINTS, REACH = 101, 3.0  # of a curve; dispersions either side of the median
 CONFIDENCE = 0.95

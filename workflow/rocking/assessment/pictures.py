@@ -5,7 +5,7 @@ import numpy as np
 from yade_scripts.model.registry import MODELS
 
 LOOKS = (("-", "0.0"), ("--", "0.35"), ("-.", "0.5"))  # line and grey
-DRY = [name for name, model in MODELS.items() if model.planar and not model.bonded]
+DRY = [name for name, model in MODELS.items() if model.compiled and not model.bonded]
 LINES = dict(zip(DRY, LOOKS, strict=True))
 
 

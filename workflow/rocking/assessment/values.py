@@ -2,10 +2,10 @@
 
 import json
 
-from rocking.accuracy.fidelity import CHOSEN
 from rocking.assessment.checks import LEAST_KNOWN, confidence
 from rocking.assessment.inputs import every_value
-from rocking.calibration.beta import CalibrationError, beta_and_range
+from rocking.fidelity import CHOSEN
+from rocking.mechanics.beta import CalibrationError, beta_and_range
 
 SECTIONS = (
     "facade",

@@ -6,14 +6,14 @@ import numpy as np
 from scipy.optimize import brentq
 from scipy.signal import cont2discrete, dlsim
 
-from rocking.calibration.beta import beta_for
 from rocking.collapse.probability import collapse_ranges, from_scan
+from rocking.mechanics.beta import beta_for
+from yade_scripts.commands.perturb import Realisation, perturbed_numerics
+from yade_scripts.commands.search import DIGITS
 from yade_scripts.files import read_json
 from yade_scripts.model import stiffness
 from yade_scripts.model.building import complete
 from yade_scripts.model.registry import COMPLETE
-from yade_scripts.studies.perturb import Realisation, perturbed_numerics
-from yade_scripts.studies.search import DIGITS
 
 from .case import build_model, read_plan, real_brick, real_joints, translation_mode
 from .history import mass_damping_rate

@@ -13,9 +13,9 @@ import numpy as np
 from scipy.linalg import eigh
 
 from rocking.collapse.scan import Scan
-from rocking.solver.carriers import bodies
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, stable_step
+from rocking.solver.substructure import bodies
 from yade_scripts.model.building.complete import apart
 from yade_scripts.model.floor_motions import GROUND
 
@@ -51,7 +51,7 @@ class Reduction:
     ends: np.ndarray
 
     def carried(self, rate_1_s):
-        """`carriers.Bodies`, each coordinate scaled so that it moves no end by more than itself."""
+        """`substructure.Bodies`, each scaled so that it moves no end by more than itself."""
         scale = 1.0 / np.abs(np.vstack([self.hang, self.lift])).max(axis=0)
         mass = scale**2
         return bodies(

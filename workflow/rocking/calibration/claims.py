@@ -7,8 +7,8 @@ another is named; of the test itself the text states only the ranges in `TARGETS
 import numpy as np
 
 from rocking.calibration import FREE_ROCKING_HIGH_S, FREE_ROCKING_LOW_S
+from rocking.calibration.free_rocking import best_fit
 from rocking.calibration.restitution import IMPACTS, TARGETS
-from rocking.calibration.study import best_fit
 from rocking.mechanics import closed_forms
 from rocking.statements import OURS, STUDY, statement
 

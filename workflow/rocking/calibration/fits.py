@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pandas as pd
 
-from rocking.calibration import beta as calibration
-from rocking.calibration import study
+from rocking.calibration import free_rocking as study
 from rocking.calibration.laws import GROUPS
 from rocking.calibration.restitution import TARGETS, misfit, read_archive
+from rocking.mechanics import beta as calibration
 from rocking.mechanics import closed_forms
 from yade_scripts.files import read_json
 

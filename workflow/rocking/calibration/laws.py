@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from rocking.calibration import beta
+from rocking.mechanics import beta
 
 GROUPS = ("slenderness", "return_wall_ratio", "stiffness_ratio", "base_stiffness")
 FORMS = (

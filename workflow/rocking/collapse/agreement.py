@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 
 from rocking.collapse.probability import PROBABILITY_COLUMNS, from_scan, outcomes, probability
-from yade_scripts.studies.confirm import Confirmation
+from yade_scripts.commands.confirm import Confirmation
 
 ODDS, SHIFT = 9.0, 1.03  # factors on p/(1 − p) and on amplitude: a scan so far off is refuted
 

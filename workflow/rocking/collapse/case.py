@@ -14,12 +14,12 @@ from typing import Any
 
 import yaml
 
-from rocking.accuracy.fidelity import choose, read_fidelity
-from rocking.calibration.beta import LAW_FILE, beta_and_range, beta_for
 from rocking.configuration import config as configuration
 from rocking.configuration import refusals, schema
 from rocking.configuration.facade import WEAKEST, check_facade
 from rocking.configuration.files import check_files
+from rocking.fidelity import choose, read_fidelity
+from rocking.mechanics.beta import LAW_FILE, beta_and_range, beta_for
 from rocking.records.reader import nearest
 from rocking.shipped import found
 from yade_scripts.files import read_json

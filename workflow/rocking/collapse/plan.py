@@ -7,8 +7,8 @@ import numpy as np
 from rocking.collapse.agreement import SHIFT, alternatives
 from rocking.collapse.crossing import first_crossing
 from rocking.collapse.probability import collapse_ranges, from_scan
-from yade_scripts.studies import perturb
-from yade_scripts.studies.search import DIGITS, climb_sequence
+from yade_scripts.commands import perturb
+from yade_scripts.commands.search import DIGITS, climb_sequence
 
 BELOW = 0.97  # of the lowest collapse: the side where nothing falls
 SLIGHT = 0.3  # peak d/b up to which the climb is run once: below, both solvers have the same

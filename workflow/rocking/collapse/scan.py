@@ -5,22 +5,22 @@ import pandas as pd
 
 from rocking.collapse import search
 from rocking.collapse.search import Answer
-from rocking.solver.carriers import Bodies, bodies
 from rocking.solver.plane import moving_supports, to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, Peaks, peaks, stable_step
+from rocking.solver.substructure import Bodies, bodies
 from smdof.chain import shear_chain
-from yade_scripts.model import floor_motions, models, registry
-from yade_scripts.model.floor_motions import GROUND, VERTICAL
-from yade_scripts.model.motion import amplitude
-from yade_scripts.model.wall_motion import floor_motion
-from yade_scripts.studies.perturb import (
+from yade_scripts.commands.perturb import (
     NODE_CHOICES,
     NODE_KEYS,
     STEP_SPREAD,
     Realisation,
     perturbed_numerics,
 )
-from yade_scripts.studies.search import drive
+from yade_scripts.commands.search import drive
+from yade_scripts.model import floor_motions, models, registry
+from yade_scripts.model.floor_motions import GROUND, VERTICAL
+from yade_scripts.model.motion import amplitude
+from yade_scripts.model.wall_motion import floor_motion
 
 NODES = 17  # along every edge: within 1 % of its converged answer where YADE needs more
 STEPS = 4  # different steps of the realisations

@@ -1,6 +1,6 @@
 """Searches for collapse: which intensities a curve is asked for, whatever runs them.
 
-A search yields intensities and is sent their outcomes (`yade_scripts.studies.search`, where those
+A search yields intensities and is sent their outcomes (`yade_scripts.commands.search`, where those
 for runs of minutes stand). Nothing here knows a façade, a motion or a solver::
 
     listed     stated intensities
@@ -21,7 +21,7 @@ import numpy as np
 from rocking.collapse.crossing import first_crossing
 from rocking.collapse.hidden import SHARE, WINDOW, doubtful, needed, windows
 from rocking.collapse.probability import probability
-from yade_scripts.studies.search import Ask
+from yade_scripts.commands.search import Ask
 
 BLOCK = 32  # amplitudes between two looks at whether the façade has fallen for good
 MARGIN = 0.15  # of the PGA, by which the fine scan reaches beyond the first and the last change

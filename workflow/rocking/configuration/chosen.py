@@ -1,7 +1,7 @@
 """What the open values (null) of a run stand for, and why; written below its configuration."""
 
-from rocking.accuracy.fidelity import CHOSEN, choose, read_fidelity
-from rocking.calibration.beta import beta_and_range
+from rocking.fidelity import CHOSEN, choose, read_fidelity
+from rocking.mechanics.beta import beta_and_range
 from rocking.runtime import terminal
 from yade_scripts.model.facade import joint_stiffness
 from yade_scripts.model.models import static_multiplier

@@ -5,7 +5,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from rocking.configuration.schema import ConfigError, show
-from rocking.configuration.standing import WEAKEST, check_standing
+from rocking.configuration.static_stability import WEAKEST, check_static_stability
 from yade_scripts.model import interlocking, registry
 from yade_scripts.model.base import STUDY, course_tops
 from yade_scripts.model.shape import OWN_KEYS, TRIANGLE, Shape, is_plain, shape_of
@@ -46,7 +46,7 @@ def check_facade(resolved: Mapping) -> None:
     check_bars(resolved)
     _check_hinges(resolved)
     _check_bricks(resolved)
-    check_standing(resolved)
+    check_static_stability(resolved)
 
 
 def _check_sides(resolved: Mapping) -> None:
@@ -250,7 +250,7 @@ def _check_hinges(resolved: Mapping) -> None:
         raise ConfigError(f"facade.courses = {courses}: expected 0 with facade.hinges_m")
     for name in resolved["models"]:
         kind = registry.model(name)
-        if not kind.planar or kind.bonded:
+        if not kind.compiled or kind.bonded:
             raise ConfigError(f"models = {name}: expected W1, W2 or W2m, dry, with facade.{given}")
     if facade["tilt_deg"]:
         raise ConfigError(f"facade.{given}: expected facade.tilt_deg = 0 (°)")

@@ -47,17 +47,17 @@ def unusual(resolved: Mapping) -> Iterator[str]:
         value: Any = resolved
         for part in path.split("."):
             value = value.get(part) if isinstance(value, Mapping) else None
-        yield from _doubts(path, value, schema, schema.get("unit", "-"))
+        yield from _unlikely(path, value, schema, schema.get("unit", "-"))
 
 
-def _doubts(path: str, value: Any, schema: Mapping, unit: str) -> Iterator[str]:
+def _unlikely(path: str, value: Any, schema: Mapping, unit: str) -> Iterator[str]:
     if isinstance(value, list):
         items = schema.get("items", {})
         for number, entry in enumerate(value, 1):
-            yield from _doubts(f"{path}[{number}]", entry, items, items.get("unit", unit))
+            yield from _unlikely(f"{path}[{number}]", entry, items, items.get("unit", unit))
     elif isinstance(value, Mapping):
         for key, part in schema.get("properties", {}).items():
-            yield from _doubts(f"{path}.{key}", value.get(key), part, part.get("unit", "-"))
+            yield from _unlikely(f"{path}.{key}", value.get(key), part, part.get("unit", "-"))
     elif "usual" in schema and isinstance(value, int | float) and value:
         low, high = schema["usual"]
         if not low <= value <= high:

@@ -22,7 +22,7 @@ def blocks(frames, frame, walls, config):
     Parameters
     ----------
     frames : dict
-        Of `yade_scripts.studies.frames` with contacts.
+        Of `yade_scripts.commands.frames` with contacts.
     frame : int
     walls : int
         Number of return walls.

@@ -16,7 +16,7 @@ import pandas as pd
 from scipy.special import ndtr, ndtri
 
 from rocking.formula import groups, law
-from rocking.studies.fragility import Fragility
+from rocking.risk.fragility import Fragility
 
 COLUMNS = ["model", "measure", "median", "dispersion", "by_facade", "by_motion", "by_formula"]
 COLUMNS += ["n", "n_outside"]

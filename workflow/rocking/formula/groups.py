@@ -11,9 +11,9 @@ an impact takes.
 
 import math
 
-from rocking.calibration import beta
 from rocking.configuration import schema
 from rocking.configuration.schema import show
+from rocking.mechanics import beta
 from yade_scripts.model.gravity import GRAVITY_M_S2
 
 PERIOD_S = 0.27  # at which the logarithm of T1 is zero

@@ -3,8 +3,7 @@
 import numpy as np
 
 from rocking import stations
-from rocking.risk import rates
-from rocking.studies import fragility
+from rocking.risk import fragility, rates
 
 MUCH = 0.1  # share of the rate from beyond the hazard table, or from above all runs: worth a word
 COLUMNS = ["model", "im", "median", "dispersion", "annual_rate", "rate_low", "rate_high"]

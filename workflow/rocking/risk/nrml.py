@@ -32,7 +32,7 @@ def document(name, description, imt, fits, discrete=False):
     name, description : str
     imt : str
         OpenQuake's name of the intensity measure, "PGA" in g, "PGV" in cm/s, "SA(0.27)" in g.
-    fits : dict of str to rocking.studies.fragility.Fragility
+    fits : dict of str to rocking.risk.fragility.Fragility
         By taxonomy.
     discrete : bool
         Probabilities at `POINTS` intensities in place of mean and standard deviation.

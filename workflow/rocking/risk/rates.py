@@ -19,7 +19,7 @@ import numpy as np
 from scipy.special import ndtr
 
 from rocking.collapse.equivalent import cells
-from rocking.studies.fragility import log_mass
+from rocking.risk.fragility import log_mass
 
 
 def _pieces(hazard, edges):

@@ -256,9 +256,11 @@ class Runs:
         known = not (facade["hinges_m"] or facade["courses"]) and is_plain(facade)
         return [name for name in PUSHED if known and name in models]
 
-    def planar(self, run) -> list[str]:
+    def compiled(self, run) -> list[str]:
         """Models that the compiled planar solver stands in for."""
-        return [model for model in self.settings[run]["models"] if MODELS[model].planar]
+        return [model for model in self.settings[run]["models"] if MODELS[model].compiled]
+
+    planar = compiled  # its former name, for one version
 
     def known_runs(self, job):
         """Number of YADE's runs in a curve's job where its strategy fixes it, else None."""

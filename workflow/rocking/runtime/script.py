@@ -17,7 +17,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from rocking.runtime import drawing
-from yade_scripts.engine import lifeline
+from yade_scripts.engine import parent_process
 
 NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EIO)
 
@@ -87,7 +87,7 @@ def run(main, namespace, draws=False):
     The files it names as output are then dated alike. Unless it `draws`, what is marked as drawing
     is refused: a change there would not run it again (`rocking.runtime.drawing`).
     """
-    lifeline.follow()
+    parent_process.follow()
     job = namespace.get("snakemake") or _from_command_line(namespace.get("__doc__"))
     log = getattr(job, "log", None)
     outputs = job.output if namespace.get("snakemake") else vars(job.output).values()

@@ -19,7 +19,7 @@ from multiprocessing.connection import wait
 from pathlib import Path
 
 from rocking.runtime import stamps
-from rocking.runtime.way_back import expect_parameters, left_out_if_unknown
+from rocking.runtime.fallback import expect_parameters, left_out_if_unknown
 from yade_scripts import sources
 
 FEWEST = 3  # scripts; below, starting the server costs more than it saves

@@ -18,9 +18,9 @@ What it costs and how far it agrees with `reference` stands in `docs/log/accurac
 no solver repeats: run many amplitudes.
 """
 
-from .carriers import bodies
 from .plane import Planar, moving_supports, to_plane
 from .runs import Motions, Peaks, Series, history, peaks, stable_step
+from .substructure import bodies
 
 __all__ = [
     "Motions",

@@ -25,7 +25,7 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined
 
-from . import bars, carriers
+from . import bars, substructure
 from .inputs import COLUMNS, Supports, drive, standing, verdict
 from .vectors import WIDTH, alone, choose, like, lone, put, put_where, rows_of_lanes, some, take
 
@@ -43,7 +43,7 @@ class Parts(NamedTuple):
     Attributes
     ----------
     supports : Supports
-    ride : carriers.Ride
+    ride : substructure.Ride
     memory : bars.Memory
     place, rate, rise : three rows a block
         y, z and rotation about x; rates half a step back; accelerations of the last step.
@@ -56,7 +56,7 @@ class Parts(NamedTuple):
     """
 
     supports: Supports
-    ride: carriers.Ride
+    ride: substructure.Ride
     memory: bars.Memory
     place: np.ndarray
     rate: np.ndarray
@@ -90,7 +90,7 @@ def _parts(p, bodies, table, rows, scratch):
     first = held + barred
     return Parts(
         standing(rows[HISTORY:carried]),
-        carriers.riding(rows[carried:held]),
+        substructure.riding(rows[carried:held]),
         bars.remembered(p.bars, rows[held:first]),
         rows[first : first + 3 * n],
         rows[first + 3 * n : first + 6 * n],
@@ -168,7 +168,7 @@ def advance(what, given, state, scratch, span, every, samples, weight):
                 put(supports.fy, j, 0.0)
                 put(supports.fz, j, 0.0)
                 put(supports.moment, j, 0.0)
-            carriers.carry(bodies, ride, half, past, supports)
+            substructure.carry(bodies, ride, half, past, supports)
         else:
             drive(table, factor, k, past, supports.y, supports.vy, supports.dy)
         time = half, past, dt
@@ -186,7 +186,7 @@ def advance(what, given, state, scratch, span, every, samples, weight):
         peak = choose(alive & (abs(d) > peak), abs(d), peak)
         accelerate(p, parts, half, ag, gravity)
         if chained:
-            shaken = carriers.accelerate(bodies, ride, supports, ag, take(state, QUIET))
+            shaken = substructure.accelerate(bodies, ride, supports, ag, take(state, QUIET))
         if counts and k % every == 0 and written < samples.shape[0]:
             field, energy = (ag, gravity, like(0.0, ag)), (lone(elastic), lone(spent))
             out = samples[written]
@@ -209,7 +209,7 @@ def advance(what, given, state, scratch, span, every, samples, weight):
             put(parts.place, m, take(parts.place, m) + dt * rate)
         if barred:
             bars.advance(p.bars, memory, ahead, dt)
-        carriers.travel(ride, ahead, dt)
+        substructure.travel(ride, ahead, dt)
     put(state, PEAK, peak)
     put(state, MOVED, moved)
     return written, broken

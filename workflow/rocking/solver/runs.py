@@ -9,11 +9,11 @@ from scipy.linalg import block_diag
 
 from . import march
 from .block import BLOCK
-from .carriers import NO_BODIES
 from .inputs import COLUMNS, FAILED, OVERTURNED, REST_RATIO, Rules, Table
 from .plane import matrices
 from .stack import Stack, stack_matrices
 from .stack_kernel import STACK
+from .substructure import NO_BODIES
 
 STATUS = ("ok", "overturned", "failed")
 STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade

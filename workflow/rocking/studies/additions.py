@@ -26,7 +26,7 @@ def planar_models(resolved, target):
         Where no model has a planar counterpart, or the façade cannot have a tie or floor that is
         tried.
     """
-    models = [model for model in resolved["models"] if MODELS[model].planar]
+    models = [model for model in resolved["models"] if MODELS[model].compiled]
     if not models:
         raise ConfigError(f"models = {resolved['models']}: expected one with a planar counterpart")
     settings, height = resolved[target], resolved["facade"]["height_m"]

@@ -12,10 +12,10 @@ from functools import partial
 import numpy as np
 import pandas as pd
 
-from rocking.calibration.beta import LAW_FILE, RangeWarning
 from rocking.collapse.quick import PGA, crossings
 from rocking.collapse.varied import collapses
 from rocking.formula.groups import dimensions
+from rocking.mechanics.beta import LAW_FILE, RangeWarning
 
 PIECE = 8  # façades of one job
 WALLS = 2  # return walls, each as thick as the façade

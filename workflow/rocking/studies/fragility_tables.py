@@ -6,7 +6,8 @@ import pandas as pd
 from rocking import stations
 from rocking.collapse import probability
 from rocking.collapse.equivalent import cells
-from rocking.studies import fragility, sufficiency
+from rocking.risk import fragility
+from rocking.studies import sufficiency
 
 POINTS = 121
 REACH = 3.5  # dispersions either side of the median

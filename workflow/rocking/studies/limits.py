@@ -28,7 +28,7 @@ from rocking.configuration.schema import ConfigError
 from rocking.reference.facade import answers, motion_of
 from rocking.runtime.drawing import drawing
 from rocking.solver.runs import STEP_FRACTION
-from yade_scripts.model.registry import PLANAR
+from yade_scripts.model.registry import REFERENCE_MODELS
 
 SHARES = (0.5, 0.8)  # of the lowest collapse
 AGREE, TRUSTED = 0.01, 10.0
@@ -138,7 +138,7 @@ def _at(pga_g, case, moving, own, half, direction):
     if gain > TRUSTED or moved > AGREE:
         why = f"{gain:.0f} times a change of amplitude; nodes and step {100.0 * moved:.1f} %"
         return {**found, "verdict": "does not repeat", "why": why}
-    if case.model not in PLANAR:
+    if case.model not in REFERENCE_MODELS:
         return {**found, "verdict": "one solver", "why": ""}
     other = answers(case.scene, moving, direction, [pga_g], nodes=NODES, tolerance=TOLERANCE)
     error = float(value / other.d_over_b[0] - 1.0)

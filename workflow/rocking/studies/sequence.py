@@ -17,8 +17,8 @@ from rocking.collapse.ratios import spread
 from rocking.collapse.scan import STEPS
 from rocking.collapse.varied import collapses
 from rocking.runtime.drawing import drawing
+from yade_scripts.commands.perturb import NODE_CHOICES
 from yade_scripts.model.registry import MODELS
-from yade_scripts.studies.perturb import NODE_CHOICES
 
 KEY = ["model", "record", "first", "direction"]
 COLUMNS = [*KEY, "first_pga_g", "fell_first", "left_d_over_b", "left_broken"]

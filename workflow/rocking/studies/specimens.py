@@ -125,7 +125,7 @@ def beta_for(job, damping):
     damping : dict
         A key of `validation.DAMPING`; `first_mode` and `bounce` are ζ.
     """
-    from rocking.calibration.beta import beta_for as beta_by_law
+    from rocking.mechanics.beta import beta_for as beta_by_law
 
     ((key, value),) = damping.items()
     if key == "beta_s":

@@ -21,7 +21,7 @@ from scipy.stats import binomtest
 
 from rocking.collapse.case import Variant
 from rocking.collapse.curve import collapse_curve
-from yade_scripts.studies.journal import Journal, run_key
+from yade_scripts.commands.journal import Journal, run_key
 
 CONFIDENCE = 0.95
 NORMAL_95 = 1.959964  # two-sided

@@ -15,11 +15,11 @@ from rocking.runtime.drawing import drawing
 from rocking.solver import spatial
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import STEP_FRACTION, Motions, peaks, stable_step
+from yade_scripts.commands.perturb import NODE_KEYS
+from yade_scripts.commands.search import drive
 from yade_scripts.model import floor_motions, models
 from yade_scripts.model.motion import amplitude
 from yade_scripts.model.registry import MODELS
-from yade_scripts.studies.perturb import NODE_KEYS
-from yade_scripts.studies.search import drive
 
 FOUND = ["one_g", "again_g", "two_g", "half_g", "d_one", "d_two", "twist_rad", "slid_m"]
 FOUND += ["last_g", "last_d_two", "last_twist_rad", "last_slid_m"]

@@ -19,7 +19,7 @@ def atlas_cases(run):
 rule atlas_collapse:
     input:
         record=rules.own_record.output.record,
-        scenes=of_run(rules.scene.output[0], model=RUNS.planar),
+        scenes=of_run(rules.scene.output[0], model=RUNS.compiled),
         law=LAW_FILE,
         modules=code("studies/collapse", study="atlas"),
     output:
@@ -110,7 +110,7 @@ rule class_fragility:
     params:
         settings=value_of("facade_class"),
         facade=values_of("facade", "base", "courses", "courses_growth"),
-        models=lambda w: [m for m in RUNS.planar(w.run) if m in ("W1", "W2", "W2m")],
+        models=lambda w: [m for m in RUNS.compiled(w.run) if m in ("W1", "W2", "W2m")],
     script:
         "../../scripts/atlas/class_fragility.py"
 

@@ -3,7 +3,7 @@
 
 def of_one_block(run):
     """Models of a run whose façade can be cut into courses: dry, before one-way coupled walls."""
-    models = [m for m in RUNS.settings[run]["models"] if MODELS[m].planar]
+    models = [m for m in RUNS.settings[run]["models"] if MODELS[m].compiled]
     found = [m for m in models if not (MODELS[m].two_way or MODELS[m].bonded)]
     if not found:
         stop(f"base_compliance: models = {', '.join(models)}: expected W1 or W2")

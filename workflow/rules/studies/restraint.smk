@@ -24,7 +24,7 @@ use rule strengthen_yade as restrain_yade with:
         motion=of_run(rules.floor_motions.output[0]),
         plan=rules.restrain.output.plan,
         yade=rules.yade_check.output[0],
-        modules=study_code("runs"),
+        modules=command_code("runs"),
     output:
         results("restraint/{model}/{record}_{direction}_yade.csv"),
     log:

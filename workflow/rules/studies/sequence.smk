@@ -41,7 +41,7 @@ use rule strengthen_yade as sequence_yade with:
         motion=of_run(rules.floor_motions.output[0]),
         first=rules.sequence_collapse.input.first,
         yade=rules.yade_check.output[0],
-        modules=study_code("runs"),
+        modules=command_code("runs"),
     output:
         results("sequence/{model}/{record}_{direction}_yade.csv"),
     log:

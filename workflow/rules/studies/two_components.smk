@@ -8,7 +8,7 @@ def one_block(run):
     for key in ("hinges_m", "courses", "ties", "floors"):
         if given := resolved["facade"][key]:
             stop(f"two_components: facade.{key} = {given}: expected none")
-    wanted = [m for m in RUNS.planar(run) if MODELS[m].plain == m]
+    wanted = [m for m in RUNS.compiled(run) if MODELS[m].plain == m]
     if not wanted:
         stop(f"two_components: models = {resolved['models']}: expected W1 or W2")
     return wanted
@@ -95,7 +95,7 @@ rule two_components_yade:
         motion=of_run(rules.floor_motions.output[0]),
         second=motion_along,
         yade=rules.yade_check.output[0],
-        modules=study_code("runs"),
+        modules=command_code("runs"),
     output:
         results("two_components/{model}_{record}_{direction}_yade.csv"),
     log:

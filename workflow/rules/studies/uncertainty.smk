@@ -78,7 +78,7 @@ rule uncertainty_yade:
     input:
         cells=rules.uncertainty_cells.output[0],
         yade=rules.yade_check.output[0],
-        modules=study_code("runs"),
+        modules=command_code("runs"),
     output:
         results("uncertainty/yade/{cell}.csv"),
     log:

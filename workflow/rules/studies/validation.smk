@@ -84,7 +84,7 @@ use rule shake_table as validation_yade with:
         tests=rules.validation_cases.output.tests,
         motions=rules.validation_cases.output.motions,
         yade=ancient(rules.yade_check.output[0]),
-        modules=study_code("walls"),
+        modules=command_code("walls"),
     output:
         results("validation/{experiment}/histories.npz"),
     log:
@@ -168,7 +168,7 @@ use rule free_rocking as validation_rocking_yade with:
     input:
         cases=rules.validation_rocking_cases.output[0],
         yade=ancient(rules.yade_check.output[0]),
-        modules=study_code("walls"),
+        modules=command_code("walls"),
     output:
         results("validation/{experiment}/rocking_histories.npz"),
     log:

@@ -3,8 +3,8 @@
 import itertools
 import time
 
+from rocking.accuracy.errors import COMPILED
 from rocking.accuracy.histories import PeakSolver
-from rocking.accuracy.study import COMPILED
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
 

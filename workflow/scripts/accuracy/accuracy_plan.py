@@ -1,8 +1,8 @@
 """Histories of the accuracy study with their converged answer, and the runs of YADE they get."""
 
 import pandas as pd
+from rocking.accuracy.errors import charted, plan_runs
 from rocking.accuracy.histories import COLUMNS, PeakSolver, drawn, half, histories
-from rocking.accuracy.study import charted, plan_runs
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_json, write_table
 

@@ -4,7 +4,7 @@ import os
 import time
 from concurrent.futures import ProcessPoolExecutor
 
-from rocking.accuracy.study import ADAPTIVE
+from rocking.accuracy.errors import ADAPTIVE
 from rocking.reference.facade import peak_and_end
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table

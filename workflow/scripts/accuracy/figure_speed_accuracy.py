@@ -2,7 +2,7 @@
 
 import numpy as np
 import pandas as pd
-from rocking.accuracy.study import ADAPTIVE, COMPILED, pareto_front, same_cases, summary
+from rocking.accuracy.errors import ADAPTIVE, COMPILED, pareto_front, same_cases, summary
 from rocking.figures import style
 from rocking.figures.panels import common_legend, panels, plain_log
 from rocking.runtime.script import run

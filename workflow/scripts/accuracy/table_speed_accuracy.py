@@ -2,15 +2,15 @@
 
 import pandas as pd
 import yaml
-from rocking.accuracy.fidelity import fidelity_table
+from rocking.accuracy.errors import TABLE_COLUMNS, chosen_pair, errors, summary
 from rocking.accuracy.histories import CHOOSING
-from rocking.accuracy.study import TABLE_COLUMNS, chosen_pair, errors, summary
+from rocking.fidelity import fidelity_table
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
 
 HEADER = (
     "# Error in d/b that {share:.3g} % of the repeating histories keep, by nodes and step,\n"
-    "# cheapest first (rocking/accuracy/fidelity.py: fidelity_table). Written by\n"
+    "# cheapest first (rocking/fidelity.py: fidelity_table). Written by\n"
     "# `snakemake accuracy` to accuracy/fidelity.yaml of its run.\n"
 )
 

@@ -18,7 +18,7 @@ from rocking.records import G_M_S2, read_csv
 from rocking.runtime.script import run
 from rocking.tables import headed, read_json, write_table
 
-from yade_scripts.studies.explicit_building import corner
+from yade_scripts.commands.explicit_building import corner
 
 MODES = 300
 HIGHEST_HZ = 150.0

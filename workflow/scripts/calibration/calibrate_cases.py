@@ -3,7 +3,7 @@
 import json
 
 import yaml
-from rocking.calibration import study
+from rocking.calibration import free_rocking as study
 from rocking.configuration.config import resolve
 from rocking.runtime.script import run
 from rocking.tables import write_json

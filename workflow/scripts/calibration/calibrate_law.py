@@ -3,7 +3,8 @@
 from pathlib import Path
 
 import pandas as pd
-from rocking.calibration import beta, laws
+from rocking.calibration import laws
+from rocking.mechanics import beta
 from rocking.runtime.script import run
 from rocking.tables import write_table
 

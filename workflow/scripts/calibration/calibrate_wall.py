@@ -5,12 +5,12 @@ import math
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rocking.calibration import study
-from rocking.calibration.beta import groups
+from rocking.calibration import free_rocking as study
 from rocking.calibration.fits import WALL_COLUMNS, rows_of_own, walls_of
 from rocking.calibration.restitution import misfit
 from rocking.figures import style
 from rocking.figures.panels import ticks
+from rocking.mechanics.beta import groups
 from rocking.runtime.script import run
 from rocking.tables import write_table
 

@@ -5,10 +5,11 @@ import json
 import matplotlib.pyplot as plt
 import pandas as pd
 from matplotlib.colors import Normalize
-from rocking.calibration import beta as calibration
-from rocking.calibration import fits, study
+from rocking.calibration import fits
+from rocking.calibration import free_rocking as study
 from rocking.figures import style
 from rocking.figures.panels import band, ticks
+from rocking.mechanics import beta as calibration
 from rocking.runtime.script import run
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")

@@ -3,15 +3,15 @@
 import json
 
 import pandas as pd
-from rocking.accuracy.fidelity import choose, read_fidelity
 from rocking.building.complete import plan_of, run_numerics, scene_of
 from rocking.building.reduced import ReducedScan
 from rocking.collapse import search
+from rocking.fidelity import choose, read_fidelity
 from rocking.runtime.script import run
 from rocking.tables import headed, write_json, write_table
 
+from yade_scripts.commands.perturb import NODE_CHOICES
 from yade_scripts.model import floor_motions
-from yade_scripts.studies.perturb import NODE_CHOICES
 
 
 def main(job):

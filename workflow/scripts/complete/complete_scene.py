@@ -2,8 +2,8 @@
 
 import json
 
-from rocking.accuracy.fidelity import choose, read_fidelity
 from rocking.building.complete import run_numerics, scene_of
+from rocking.fidelity import choose, read_fidelity
 from rocking.runtime.script import run
 from rocking.tables import write_json
 

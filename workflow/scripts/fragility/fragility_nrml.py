@@ -4,10 +4,10 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+from rocking.risk.fragility import Fragility
 from rocking.risk.hazard import imt_of
 from rocking.risk.nrml import document
 from rocking.runtime.script import run
-from rocking.studies.fragility import Fragility
 
 
 def main(job):

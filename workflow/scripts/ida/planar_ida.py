@@ -5,8 +5,8 @@ from rocking.collapse.plan import plan
 from rocking.runtime.script import run
 from rocking.tables import headed, write_json, write_table
 
+from yade_scripts.commands.search import DIGITS
 from yade_scripts.model import models
-from yade_scripts.studies.search import DIGITS
 
 
 def main(job):

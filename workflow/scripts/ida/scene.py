@@ -4,8 +4,8 @@ import json
 import warnings
 from pathlib import Path
 
-from rocking.calibration.beta import RangeWarning
 from rocking.collapse.case import Case
+from rocking.mechanics.beta import RangeWarning
 from rocking.runtime.script import run
 from rocking.tables import read_json
 

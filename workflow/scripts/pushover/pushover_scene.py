@@ -3,7 +3,7 @@
 import json
 import warnings
 
-from rocking.calibration.beta import RangeWarning, beta_for
+from rocking.mechanics.beta import RangeWarning, beta_for
 from rocking.runtime.script import run
 from rocking.studies.pushover import variant
 from rocking.tables import write_json

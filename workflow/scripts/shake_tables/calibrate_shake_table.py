@@ -4,10 +4,10 @@ import json
 import os
 
 import yaml
-from rocking.accuracy.fidelity import choose, read_fidelity
-from rocking.calibration.beta import beta_for
 from rocking.calibration.shake_table import tests_of
 from rocking.configuration.config import ConfigError, resolve
+from rocking.fidelity import choose, read_fidelity
+from rocking.mechanics.beta import beta_for
 from rocking.records import load, read_table
 from rocking.runtime.script import run
 from rocking.tables import write_json

@@ -4,11 +4,12 @@ import json
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rocking.calibration import beta as calibration
-from rocking.calibration import fits, study
+from rocking.calibration import fits
+from rocking.calibration import free_rocking as study
 from rocking.calibration.restitution import IMPACTS, TARGETS
 from rocking.figures import style
 from rocking.figures.panels import band, intervals, ticks
+from rocking.mechanics import beta as calibration
 from rocking.runtime.script import run
 
 MEASURED = {"marker": "D", "mfc": "white", "mec": "k", "color": "k", "ms": 4, "capsize": 4}

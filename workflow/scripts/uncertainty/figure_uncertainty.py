@@ -5,8 +5,8 @@ import numpy as np
 import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import intervals
+from rocking.risk.fragility import Fragility
 from rocking.runtime.script import run
-from rocking.studies.fragility import Fragility
 
 from yade_scripts.model.registry import MODELS
 

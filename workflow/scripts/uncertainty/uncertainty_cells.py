@@ -10,7 +10,7 @@ from rocking.runtime.script import run
 from rocking.tables import read_tables, write_json
 from rocking.uncertainty import design, sampling
 
-from yade_scripts.studies.search import DIGITS
+from yade_scripts.commands.search import DIGITS
 
 SHARES = (0.85, 1.2)  # of the PGA of 10 % and of 50 % collapse
 

@@ -4,8 +4,8 @@ import json
 
 import numpy as np
 import pandas as pd
+from rocking.risk import fragility
 from rocking.runtime.script import run
-from rocking.studies import fragility
 from rocking.tables import read_tables, write_table
 from rocking.uncertainty import parts, sampling
 

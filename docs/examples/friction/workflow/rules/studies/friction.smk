@@ -20,7 +20,7 @@ rule friction_collapse:
 table_of(
     "friction",
     "friction_table",
-    tables=of_run(rules.friction_collapse.output.table, model=RUNS.planar),
+    tables=of_run(rules.friction_collapse.output.table, model=RUNS.compiled),
     table="friction",
     summary="friction_summary",
 )

@@ -1,0 +1,178 @@
+"""Entry point: the perturbed ensemble of one model, record and direction.
+
+Runs under YADE's own Python, after the study `ida`, whose curve it reads:
+
+    python3 yade_scripts ensemble --scene cases/W2.json --motion smdof/1ST280_4dof.csv
+        --record 1ST280 --direction neg --curve ida/W2/1ST280_neg.csv
+        --journal cache/ensemble.jsonl --output ensemble.csv --sensitivity sensitivity.csv
+"""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from yade_scripts.commands import command, perturb
+from yade_scripts.commands.confirm import Confirmation, turns
+from yade_scripts.commands.journal import Journal
+from yade_scripts.commands.runner import Runner
+from yade_scripts.commands.search import collapse_bounds, drive, next_amplitude, one_by_one
+from yade_scripts.commands.tables import RUN_COLUMNS, read_curve, to_csv
+from yade_scripts.engine import simulate
+from yade_scripts.files import read_json, write_atomic
+
+COLUMNS = {
+    "model": "",
+    "record": "",
+    "direction": "",
+    "pga_g": ".4f",
+    "realisation": "d",
+    "amplitude_factor": ".9f",
+    **RUN_COLUMNS,
+}
+SENSITIVITY_COLUMNS = {
+    "model": "",
+    "record": "",
+    "direction": "",
+    "pga_g": ".4f",
+    "perturbation": ".3g",
+    "d_over_b": ".6f",
+    "d_over_b_perturbed": ".6f",
+    "change": ".3e",
+    "repeats": "d",
+}
+
+
+def measure_sensitivity(runner, status, d_over_b, settings):
+    """Change of d/b under a tiny change of amplitude, up to the first collapse.
+
+    Returns
+    -------
+    list of dict
+        Contract of the sensitivity table.
+    """
+    rows: list[dict] = []
+    size = settings["sensitivity_perturbation"]
+    for g in perturb.probe_intensities(status):
+        row = runner.run(g, perturb.Realisation(0, 1.0 + size))
+        value = math.nan if row["d_over_b"] is None else row["d_over_b"]
+        change = perturb.sensitivity(d_over_b[g], value)
+        rows.append(
+            {
+                "model": row["model"],
+                "record": row["record"],
+                "direction": row["direction"],
+                "pga_g": row["pga_g"],
+                "perturbation": size,
+                "d_over_b": d_over_b[g],
+                "d_over_b_perturbed": value,
+                "change": change,
+                "repeats": int(change <= settings["sensitivity_threshold"]),
+            }
+        )
+    worst = max((row["change"] for row in rows), default=math.nan)
+    runner.say(f"sensitivity at {len(rows)} intensities: at most {worst:.2g}")
+    return rows
+
+
+def run_realisations(runner, pga_g, realisations):
+    """Rows of every realisation at one intensity, and the share that collapsed."""
+    rows = [runner.run(pga_g, realisation) for realisation in realisations]
+    outcome = [r["collapsed"] for r in rows if r["status"] != simulate.FAILED]
+    share = float(np.mean(outcome)) if outcome else float("nan")
+    runner.say(f"ensemble of {len(rows)} at {pga_g:.3f} g: {100 * share:.0f} % collapse")
+    return rows, share
+
+
+def confirm(runner, plan, settings):
+    """Rows of realisations at a plan's levels, until they confirm the scan's probabilities.
+
+    Unless the scan is confirmed (`confirm.Confirmation`) all of `realisations` are run at every
+    level, in the order of `confirm.turns`.
+    """
+    levels, realisations = plan["levels"], perturb.draw_realisations(settings)
+    test, rows = Confirmation(), []
+    for level, number in turns(levels, len(realisations)):
+        rows.append(runner.run(levels[level], realisations[number]))
+        if rows[-1]["status"] != simulate.FAILED:
+            test.add(plan["probability"][level][number], rows[-1]["collapsed"])
+        if settings["stop"] == "confirmed" and test.verdict == 1:
+            break
+    told = {1: "confirm", 0: "refute", None: "neither confirm nor refute"}[test.verdict]
+    runner.say(f"{len(rows)} realisations {told} the dense scan")
+    return rows
+
+
+def analyse(runner, status, d_over_b, plan=None):
+    """Run a plan's ensembles; without one search the collapse band, or measure sensitivity alone.
+
+    Parameters
+    ----------
+    plan : dict, optional
+        levels [g], and for every realisation the probabilities of `confirm.Confirmation`.
+
+    Returns
+    -------
+    rows, sensitivity_rows : list of dict
+    """
+    settings, ida = runner.case["ensemble"], runner.case["ida"]
+    if settings["enabled"] == "off":
+        return [], []
+    if plan is not None:
+        named = runner.case["model"] in settings["models"]
+        return confirm(runner, plan, settings) if named and plan["levels"] else [], []
+    if runner.case["model"] not in settings["models"]:
+        return [], measure_sensitivity(runner, status, d_over_b, settings)
+    rows: list[dict] = []
+    if settings["enabled"] == "on":
+        first = collapse_bounds(status)[1] or math.inf
+        realisations = perturb.draw_realisations(settings)
+        for g in sorted(g for g in status if g < first):
+            rows += run_realisations(runner, g, realisations)[0]
+    return rows + search_band(runner, status, settings, ida), []
+
+
+def search_band(runner, status, settings, ida):
+    """Rows of realisations, each at an amplitude of its own, until the collapse band is known."""
+    rows: list[dict] = []
+    realisations = iter(
+        perturb.draw_realisations({**settings, "realisations": settings["max_runs"]})
+    )
+
+    def following(done):
+        return next_amplitude(done, settings, ida) if len(rows) < settings["max_runs"] else None
+
+    def run(ask):
+        (g,) = ask.pga_g
+        rows.append(runner.run(g, replace(next(realisations), amplitude_factor=1.0)))
+        return [rows[-1]["status"]]
+
+    drive(one_by_one(following, status), run)
+    runner.say(f"{len(rows)} realisations at amplitudes of their own")
+    return rows
+
+
+def main(arguments=None):
+    """Parse the command line, run the ensemble, write the tables; return the exit status."""
+    parser = command.parser(
+        __doc__,
+        *command.CURVE,
+        "curve",
+        "journal",
+        output="ensemble table to write (CSV)",
+        sensitivity="sensitivity table to write (CSV)",
+    )
+    parser.add_argument("--plan", help="levels from the dense scan (JSON)")
+    args = parser.parse_args(arguments)
+    case, time_s, columns = command.opened(args)
+    say = command.progress(f"{case['model']} {args.record} {args.direction}")
+    status, d_over_b = read_curve(args.curve)
+    runner = Runner(case, time_s, columns, args.record, args.direction, Journal(args.journal), say)
+    plan = read_json(args.plan) if args.plan else None
+    rows, sensitivity_rows = analyse(runner, status, d_over_b, plan)
+    runner.told()
+    sensitivity_rows.sort(key=lambda r: r["pga_g"])
+    rows.sort(key=lambda r: (r["pga_g"], r["realisation"]))
+    write_atomic(args.sensitivity, to_csv(sensitivity_rows, SENSITIVITY_COLUMNS))
+    write_atomic(args.output, to_csv(rows, COLUMNS))
+    return 0

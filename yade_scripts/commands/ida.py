@@ -1,0 +1,75 @@
+"""Entry point: the incremental dynamic analysis of one model, record and direction.
+
+Runs under YADE's own Python, all intensities in one process; the complete building's case holds
+its scene:
+
+    python3 yade_scripts ida --scene cases/W2.json --motion smdof/RRS228_4dof.csv
+        --record RRS228 --direction neg --journal cache/W2_RRS228_neg.jsonl --output ida.csv
+"""
+
+import math
+
+from yade_scripts.commands import command
+from yade_scripts.commands.journal import Journal
+from yade_scripts.commands.runner import Runner
+from yade_scripts.commands.search import drive, next_level, next_listed, one_by_one
+from yade_scripts.commands.tables import RUN_COLUMNS, to_csv
+from yade_scripts.engine import adapter
+from yade_scripts.files import read_json, write_atomic
+
+COLUMNS = {"model": "", "record": "", "direction": "", "pga_g": ".4f", **RUN_COLUMNS}
+
+
+def analyse(runner, plan=None):
+    """Rows of a curve, by a plan's list of intensities or the case's own; see `next_listed`.
+
+    A case that holds a whole scene, such as the complete building, whose run takes a minute where
+    a planar one takes a millisecond, has a plan with start_g and ranges; see `next_level`.
+
+    Parameters
+    ----------
+    runner : Runner
+    plan : dict, optional
+    """
+    plan, case = plan or {}, runner.case
+    rows: list[dict] = []
+
+    def following(done):
+        if "start_g" in plan:
+            return next_level(done, case["complete"], plan["start_g"], plan["ranges"])
+        return next_listed(done, case["ida"], plan.get("runs"))
+
+    def run(pga_g):
+        row = runner.run(pga_g)
+        if runner.history is not None:
+            peak = "" if row["d_over_b"] is None else f"d/b {row['d_over_b']:.3f}, "
+            outcome = f"{row['status']}, {peak}{runner.history.reason}"
+            runner.say(f"run {runner.count}: {pga_g:.3f} g {outcome} ({row['wall_s']:.1f} s)")
+        rows.append(row)
+        return row["status"]
+
+    drive(one_by_one(following), lambda ask: [run(pga_g) for pga_g in ask.pga_g])
+    runner.told()
+    return rows
+
+
+def main(arguments=None):
+    """Parse the command line, run the analysis, write the table; return the exit status."""
+    parser = command.parser(__doc__, *command.CURVE, "journal", output="table to write (CSV)")
+    parser.add_argument("--plan", help="from the dense scan (JSON)")
+    args = parser.parse_args(arguments)
+    case, time_s, columns = command.opened(args)
+    plan = read_json(args.plan) if args.plan else {}
+    if not math.isfinite(case.get("beta_s", 0.0)):
+        raise ValueError(f"{args.scene}: beta_s must be finite")
+    start = plan.get("start_g", 1.0)
+    if not (math.isfinite(start) and start > 0.0):
+        raise ValueError(f"{args.plan}: start_g must be positive, got {start}")
+    if "scene" in case:
+        columns = {"ground": columns["ground"]}  # a building takes no other motion
+    adapter.load_yade()
+    say = command.progress(f"{case['model']} {args.record} {args.direction}")
+    runner = Runner(case, time_s, columns, args.record, args.direction, Journal(args.journal), say)
+    rows = analyse(runner, plan)
+    write_atomic(args.output, to_csv(sorted(rows, key=lambda r: r["pga_g"]), COLUMNS))
+    return 0

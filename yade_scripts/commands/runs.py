@@ -1,0 +1,112 @@
+"""Entry point: a list of runs, of any cases under any motions, each at its own intensity.
+
+    python3 yade_scripts runs --list runs.json --journal cache/runs.jsonl --output runs.csv
+        [--scene cases/W2.json] [--motion smdof/1ST280_4dof.csv] [--second smdof/…]
+        [--record 1ST280] [--direction neg] [--case cell3]
+
+The list has `cases`, a list or by name, each with::
+
+    scene      case file, or its content
+    motion     floor motions (CSV), or {time_s, columns}
+    second     floor motions along the façade (CSV), or none
+    record, direction
+    changes    sections of the case that differ, or none
+    before     {motion, pga_g, pause_s}: a shock before it, in the same direction, or none
+    pga_g      intensities [g]
+    about      columns that a row begins with, or by intensity a list of them
+    realisations    true: the realisations of section ensemble at every intensity
+
+What a case leaves out, the command line says for all. `ahead` and `beside` of the list have the
+format of the columns of `about`, before those that name a run and after them.
+"""
+
+import numpy as np
+
+from yade_scripts.commands import command, perturb
+from yade_scripts.commands.ensemble import run_realisations
+from yade_scripts.commands.journal import Journal
+from yade_scripts.commands.runner import Runner
+from yade_scripts.commands.tables import RUN_COLUMNS, to_csv
+from yade_scripts.engine import adapter
+from yade_scripts.files import read_json, write_atomic
+from yade_scripts.model import floor_motions
+from yade_scripts.model.motion import SIGNS, amplitude
+
+GIVEN = ("scene", "motion", "second", "record", "direction")
+KEY = {"model": "", "record": "", "direction": "", "pga_g": ".4f"}
+REALISATION = {"realisation": "d", "amplitude_factor": ".9f"}
+
+
+def read_motion(given):
+    """Time and accelerations of a motion, from a file or as lists."""
+    if isinstance(given, str):
+        return floor_motions.read(given)
+    columns = {name: np.array(values, float) for name, values in given["columns"].items()}
+    return np.array(given["time_s"], float), columns
+
+
+def motion_of(case):
+    """Time and accelerations that shake a case, and the shock before them; None: there is none."""
+    time_s, columns = read_motion(case["motion"])
+    if case.get("second"):
+        time_s, columns = floor_motions.with_second(time_s, columns, *read_motion(case["second"]))
+    if not (before := case.get("before")):
+        return time_s, columns, None
+    first_s, first = read_motion(before["motion"])
+    factor = amplitude(first["ground"], case["direction"], before["pga_g"])
+    return time_s, columns, (first_s, floor_motions.scaled(first, factor), before["pause_s"])
+
+
+def run_case(case, journal, say):
+    """Rows of one case."""
+    scene = read_json(case["scene"]) if isinstance(case["scene"], str) else case["scene"]
+    own = {**scene, **case.get("changes", {})}
+    time_s, columns, before = motion_of(case)
+    record, direction = case["record"], case["direction"]
+    runner = Runner(own, time_s, columns, record, direction, journal, say, before)
+    rows: list[dict] = []
+    about = case.get("about", {})
+    for k, pga_g in enumerate(case["pga_g"]):
+        if case.get("realisations"):
+            found, _ = run_realisations(runner, pga_g, perturb.draw_realisations(own["ensemble"]))
+        else:
+            found = [runner.run(pga_g)]
+            say(f"{pga_g:.4g} g {found[0]['status']}")
+        ahead = about[k] if isinstance(about, list) else about
+        rows += [{**ahead, **row} for row in found]
+    return rows
+
+
+def chosen(listed, name, path):
+    """Cases of a list; one of them, if it is named."""
+    cases = listed["cases"]
+    if name is None:
+        return list(cases.values()) if isinstance(cases, dict) else cases
+    if name not in cases:
+        raise ValueError(f"{path}: no {name}; expected one of {', '.join(cases)}")
+    return [cases[name]]
+
+
+def main(arguments=None):
+    """Parse the command line, run the list, write the table; return the exit status."""
+    parser = command.parser(__doc__, "journal", list="runs (JSON)", output="table to write (CSV)")
+    for word in GIVEN:
+        choices = tuple(SIGNS) if word == "direction" else None
+        parser.add_argument(f"--{word}", choices=choices, help="of all cases that state none")
+    parser.add_argument("--case", help="name of the one case to run")
+    args = parser.parse_args(arguments)
+    listed = read_json(args.list)
+    given = {word: value for word in GIVEN if (value := getattr(args, word))}
+    cases = [given | case for case in chosen(listed, args.case, args.list)]
+    for case in cases:
+        if missing := [word for word in (*GIVEN, "pga_g") if word not in (*case, "second")]:
+            raise ValueError(f"{args.list}: a case has no {', '.join(missing)}")
+    adapter.load_yade()
+    journal, rows = Journal(args.journal), []
+    for case in cases:
+        rows += run_case(case, journal, command.progress(f"{case['record']} {case['direction']}"))
+    realisations = REALISATION if any(case.get("realisations") for case in cases) else {}
+    own = listed.get("ahead", {})
+    columns = {**own, **KEY, **own, **listed.get("beside", {}), **realisations, **RUN_COLUMNS}
+    write_atomic(args.output, to_csv(rows, columns))
+    return 0
