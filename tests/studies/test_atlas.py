@@ -163,9 +163,11 @@ def test_measures_are_those_of_the_spectrum_period_by_period():
     ]
     peak = np.abs(record.acceleration_m_s2).max()
     average = math.exp(np.mean(np.log(every[:-1]))) / peak
-    assert found["sa_avg_g"]["LPCC_H1"].to_numpy() == pytest.approx([average] * 2, rel=1e-6)
+    assert found["sa_avg_2s_g"]["LPCC_H1"].to_numpy() == pytest.approx([average] * 2, rel=1e-6)
     own = [every[-1] / peak, every[0] / peak]
     assert found["sa_t1_g"]["LPCC_H1"].to_numpy() == pytest.approx(own, rel=1e-6)
+    mean = [average**0.7 * one**0.3 for one in own]
+    assert found["sa_avg_2s_t1_g"]["LPCC_H1"].to_numpy() == pytest.approx(mean, rel=1e-6)
 
 
 def test_a_measure_moves_the_level_by_its_factor_alone():
@@ -243,6 +245,34 @@ def test_a_stack_of_courses_is_known_by_its_number_and_growth(known):
     assert law.base_of({**stack, "courses": 0}, own) == "study"
     with pytest.raises(groups.OutsideError, match="4 of growth 1.2: of stacks .* 4 of growth 1.5"):
         law.base_of({**stack, "courses_growth": 1.2}, own)
+
+
+def test_the_elastic_wall_in_courses_is_estimated(known, case):
+    """Of four courses, growth 1.5: the block's median times a ratio, with both errors."""
+    stack = {**COLUMN, "facade.base": "study", "facade.courses": 4, "facade.courses_growth": 1.5}
+    found, block = estimate(Case.configured("W2m", stack)), estimate(case)
+    part = known["bases"]["courses"]["W2m"]
+    ratio = law.total(part, groups.terms(groups.dimensions(case)))
+    assert math.log(found.median / block.median) == pytest.approx(ratio, abs=1e-9)
+    assert found.error == pytest.approx(math.hypot(block.error, part["error"]))
+    assert 0.9 < found.median / block.median < 1.1  # `column` was made to follow the elastic wall
+    with pytest.raises(groups.OutsideError, match="courses = 7 of growth 1.5"):
+        estimate(Case.configured("W2m", {**stack, "facade.courses": 7}))
+
+
+def test_the_ratio_of_two_bases_is_found_again():
+    """0.7 of all; and of a base whose loss grows with Γ, exp(−8 Γ)."""
+    table, design, _, _ = made()
+    seven = table.assign(base="seven", pga_median_g=0.7 * table["pga_median_g"])
+    leans = [math.exp(-8.0 * groups.gamma(design.loc[k])) for k in table["facade"]]
+    soft = table.assign(base="soft", pga_median_g=table["pga_median_g"] * leans)
+    both, stations = pd.concat([table, seven, soft]), {f"r{k}": f"s{k}" for k in range(12)}
+    given = (both, design, "W2", "own")
+    stack = fit.ratio_of_bases(*given, "seven", 1, stations, fit.OF_STACK)
+    assert stack["coefficients"] == pytest.approx([math.log(0.7)], abs=1e-4)
+    block = fit.ratio_of_bases(*given, "soft", 1, stations)
+    assert block["coefficients"] == pytest.approx([0.0, -8.0], abs=1e-4)
+    assert max(stack["error"], block["error"]) < 1e-4
 
 
 def test_pieces_of_another_base_may_take_the_first_records_alone():
@@ -350,6 +380,7 @@ def test_page_carries_the_formula_and_loads_nothing(known):
     assert "http" not in text.replace("http://www.w3.org/2000/svg", "")
     inside = text.split("const LAW = ", 1)[1].split(";\n", 1)[0]
     assert json.loads(inside)["limits"] == known["limits"]
+    assert set(json.loads(inside)["walls"]) == {known["made_of"]["base"], *known["bases"]}
     assert 'name="viewport" content="width=device-width' in text
 
 

@@ -20,7 +20,9 @@ TERMS = {  # as few as the error of left-out façades allows; docs/studies/atlas
     "W2m": ("1", "ln p", "ln z", "G", "ln T1", "ln2 T1", "m/M", "m/M ln T1"),
 }
 OF_SA = ("ln T1", "ln2 T1")  # Sa(T1) over PGA depends on T1, for models on the ground too
-OF_BASE = ("1", "G")  # of the ratio between two bases
+AT_T1 = ("sa_t1_g", "sa_avg_2s_t1_g")  # measures with Sa(T1) in them
+OF_BLOCK = ("1", "G")  # of the ratio between two bases: what a base too soft takes grows with Γ
+OF_STACK = ("1",)  # courses are the elastic wall, and `column` follows it at any Γ
 HALVES = 20  # draws of half of the stations; façades are left out one by one
 P16 = 15.865525  # % of a normal distribution below one standard deviation under its mean
 CONFIDENCE = 0.90
@@ -92,9 +94,11 @@ def left_out(terms, values, stations):
     """Errors at façades and stations of which neither had a part.
 
     Every façade is foretold by the others under the other stations, for `HALVES` halves of the
-    stations, drawn at random: one division alone may come out lower or higher by a third. An error
-    has two parts: that of the level, which a handful of left-out motions has by chance and all
-    façades share, and that of the façade.
+    stations, drawn at random: one division alone may come out lower or higher by a third. (To leave
+    each station out in turn, and to compare the mean over all of a façade, is no test of stations:
+    the mean is linear in the curves, so that it comes to `facades_out`.) An error has two parts:
+    that of the level, which a handful of left-out motions has by chance and all façades share, and
+    that of the façade.
 
     Parameters
     ----------
@@ -188,7 +192,7 @@ def fitted(table, design, model, base, measure, factor, stations_of, seed):
         terms, coefficients, low, high (their intervals), dispersion, error, and the checks.
     """
     names = TERMS[model]
-    if measure == "sa_t1_g":
+    if measure in AT_T1:
         names = (*names, *(name for name in OF_SA if name not in names))
     values = wide(table, design, model, base, factor)
     stations = [stations_of[record] for record in values.columns.get_level_values(0)]
@@ -224,15 +228,15 @@ def fitted(table, design, model, base, measure, factor, stations_of, seed):
     }
 
 
-def ratio_of_bases(table, design, model, base, other, seed, stations_of):
+def ratio_of_bases(table, design, model, base, other, seed, stations_of, names=OF_BLOCK):
     """Law of half collapse on another base over that on the atlas's own, and its error."""
     pair = [wide(table, design, model, name) for name in (base, other)]
     ratio = pair[1] - pair[0].loc[pair[1].index, pair[1].columns]
     stations = [stations_of[record] for record in ratio.columns.get_level_values(0)]
-    terms, y = matrix(design.loc[ratio.index], OF_BASE), ratio.to_numpy()
+    terms, y = matrix(design.loc[ratio.index], names), ratio.to_numpy()
     low, high = intervals(terms, y, stations, seed)
     return {
-        "terms": list(OF_BASE),
+        "terms": list(names),
         "coefficients": _round(solve(terms, y)),
         "low": _round(low),
         "high": _round(high),
@@ -265,6 +269,7 @@ def law(table, design, factors, stations_of, made_of, own="own"):
     dict
     """
     seed, bases = made_of["seed"], [name for name in table["base"].unique() if name != own]
+    stacks = {row["name"] for row in made_of.get("others", ()) if row["courses"]}
     models = [name for name in TERMS if name in set(table["model"])]
     here = design.loc[sorted(table.loc[table["base"] == own, "facade"].unique())]
     # the ends that were drawn from; of what follows from several, the ends that came out
@@ -284,7 +289,16 @@ def law(table, design, factors, stations_of, made_of, own="own"):
         },
         "bases": {
             base: {
-                model: ratio_of_bases(table, here, model, own, base, seed, stations_of)
+                model: ratio_of_bases(
+                    table,
+                    here,
+                    model,
+                    own,
+                    base,
+                    seed,
+                    stations_of,
+                    OF_STACK if base in stacks else OF_BLOCK,
+                )
                 for model in models
             }
             for base in bases

@@ -19,7 +19,13 @@ from rocking.formula.groups import OutsideError
 from rocking.shipped import shipped
 
 FILE = shipped("config/formula.json")
-MEASURES = {"pga_g": "g", "pgv_cm_s": "cm/s", "sa_avg_g": "g", "sa_t1_g": "g"}
+MEASURES = {
+    "pga_g": "g",
+    "pgv_cm_s": "cm/s",
+    "sa_avg_2s_g": "g",
+    "sa_t1_g": "g",
+    "sa_avg_2s_t1_g": "g",
+}
 SLACK = 1e-9  # of a limit
 NOT_FOR = {  # dimensions that a model does not know
     "W1": ("period_s", "mass_ratio", "storeys"),
@@ -167,8 +173,8 @@ def estimate(case, measure="pga_g", law=None):
     ----------
     case : Case
     measure : str
-        pga_g, pgv_cm_s, sa_avg_g (geometric mean of Sa over `measures.AVERAGE_S`) or sa_t1_g (at
-        the building's T1); 5 % damping.
+        pga_g, pgv_cm_s, sa_avg_2s_g (geometric mean of Sa over `measures.AVERAGE_S`), sa_t1_g (at
+        the building's T1) or sa_avg_2s_t1_g (Sa_avg^0.7 Sa(T1)^0.3); 5 % damping.
     law : path or None
         A formula's file; None: the one that comes with the project.
 

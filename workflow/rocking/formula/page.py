@@ -8,6 +8,17 @@ from yade_scripts.model.gravity import GRAVITY_M_S2
 
 TEMPLATE = Path(__file__).with_name("page.html")
 PLACES = ("/*LAW*/null", "/*G*/9.81")
+BLOCKS = {"column": "block, elastic base", "study": "block on E/h"}
+
+
+def walls(law):
+    """What a reader calls each base of a formula's file, the atlas's own first."""
+    others = {row["name"]: row for row in law["made_of"].get("others", [])}
+    found = {law["made_of"]["base"]: BLOCKS[law["made_of"]["base"]]}
+    for name in law["bases"]:
+        row = others[name]
+        found[name] = f"{row['courses']} courses" if row["courses"] else BLOCKS[row["base"]]
+    return found
 
 
 def content(law):
@@ -22,6 +33,7 @@ def content(law):
     }
     return {
         "base": made["base"],
+        "walls": walls(law),
         "limits": law["limits"],
         "not_for": {model: list(NOT_FOR[model]) for model in parts},
         "models": parts,

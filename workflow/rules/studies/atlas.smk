@@ -128,7 +128,7 @@ rule facade_class:
 rule atlas:
     """
     One formula for any façade: collapse of a design of façades, and what is fitted to it.
-    Costs: 12 min for 32 façades and twelve motions in both directions; by façades, motions and their length.
+    Costs: half an hour of one core for 32 façades and sixteen motions in both directions; by façades, motions and their length.
     """
     input:
         every_run(
