@@ -115,7 +115,7 @@ def made(noise=0.0, seed=3):
     table = atlas.design(SETTINGS)
     design = table.assign(contact_damping=table["beta_factor"]).set_index("facade")
     names = fit.TERMS["W2"]
-    truth = np.array([2.0, -0.9, 0.2, -5.0, -0.5, -0.2])
+    truth = np.array([2.0, -0.9, 0.2, -5.0, -0.5])
     mean = fit.matrix(design, names) @ truth
     motions = np.repeat(rng.normal(0.0, 0.3, 12), 2) + rng.normal(0.0, 0.1, 24)
     rows = []

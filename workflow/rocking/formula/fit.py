@@ -16,10 +16,10 @@ from rocking.formula.law import MEASURES
 
 TERMS = {  # as few as the error of left-out façades allows; docs/studies/atlas.md has the reasons
     "W1": ("1", "ln p", "ln z"),
-    "W2": ("1", "ln p", "ln z", "G", "ln T1", "ln2 T1"),
-    "W2m": ("1", "ln p", "ln z", "G", "ln T1", "ln2 T1", "m/M", "m/M ln T1"),
+    "W2": ("1", "ln p", "ln z", "G", "ln T1"),
+    "W2m": ("1", "ln p", "ln z", "G", "ln T1", "m/M", "m/M ln T1"),
 }
-OF_SA = ("ln T1", "ln2 T1")  # Sa(T1) over PGA depends on T1, for models on the ground too
+OF_SA = ("ln T1", "ln2 T1")  # Sa(T1) over PGA bends with T1, for models on the ground too
 AT_T1 = ("sa_t1_g", "sa_avg_2s_t1_g")  # measures with Sa(T1) in them
 OF_BLOCK = ("1", "G")  # of the ratio between two bases: what a base too soft takes grows with Γ
 OF_STACK = ("1",)  # courses are the elastic wall, and `column` follows it at any Γ
