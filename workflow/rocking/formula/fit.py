@@ -133,23 +133,20 @@ def left_out(terms, values, stations):
 
 
 def facades_out(terms, values):
-    """Error of the mean of every façade, foretold by the others under the same motions."""
-    every = np.arange(len(values))
-    return np.array(
-        [
-            np.nanmean(values[k]) - terms[k] @ solve(np.delete(terms, k, 0), values[every != k])
-            for k in every
-        ]
-    )
+    """Errors at every façade, foretold by the others under the same motions.
 
-
-def fractile_out(terms, values):
-    """Error of the 16 % fractile of every façade, foretold by the others."""
+    Returns
+    -------
+    mean, fractile : ndarray, shape (façades,)
+        Of the mean, and of the 16 % fractile by the dispersion of the others.
+    """
     errors, every = [], np.arange(len(values))
     for k in every:
-        found = terms[k] @ solve(np.delete(terms, k, 0), values[every != k])
-        errors.append(np.nanpercentile(values[k], P16) - found + pooled(values[every != k]))
-    return np.array(errors)
+        others = values[every != k]
+        found = terms[k] @ solve(terms[every != k], others)
+        low = np.nanpercentile(values[k], P16) + pooled(others)
+        errors.append((np.nanmean(values[k]) - found, low - found))
+    return np.transpose(errors)
 
 
 def intervals(terms, values, stations, seed):
@@ -198,11 +195,7 @@ def fitted(table, design, model, base, measure, factor, stations_of, seed):
     stations = [stations_of[record] for record in values.columns.get_level_values(0)]
     terms, y = matrix(design.loc[values.index], names), values.to_numpy()
     low, high = intervals(terms, y, stations, seed)
-    both, alone, fractile = (
-        left_out(terms, y, stations),
-        facades_out(terms, y),
-        fractile_out(terms, y),
-    )
+    both, (alone, fractile) = left_out(terms, y, stations), facades_out(terms, y)
     level = both.groupby("fold")["level"].first()
     spread = pooled(y)
     return {
@@ -240,7 +233,7 @@ def ratio_of_bases(table, design, model, base, other, seed, stations_of, names=O
         "coefficients": _round(solve(terms, y)),
         "low": _round(low),
         "high": _round(high),
-        "error": round(rms(facades_out(terms, y)), 4),
+        "error": round(rms(facades_out(terms, y)[0]), 4),
         "facades": len(y),
     }
 
@@ -268,8 +261,12 @@ def law(table, design, factors, stations_of, made_of, own="own"):
     -------
     dict
     """
-    seed, bases = made_of["seed"], [name for name in table["base"].unique() if name != own]
-    stacks = {row["name"] for row in made_of.get("others", ()) if row["courses"]}
+    seed, stacks = made_of["seed"], [r["name"] for r in made_of.get("others", ()) if r["courses"]]
+    others = {
+        name: OF_STACK if name in stacks else OF_BLOCK
+        for name in table["base"].unique()
+        if name != own
+    }
     models = [name for name in TERMS if name in set(table["model"])]
     here = design.loc[sorted(table.loc[table["base"] == own, "facade"].unique())]
     # the ends that were drawn from; of what follows from several, the ends that came out
@@ -289,18 +286,9 @@ def law(table, design, factors, stations_of, made_of, own="own"):
         },
         "bases": {
             base: {
-                model: ratio_of_bases(
-                    table,
-                    here,
-                    model,
-                    own,
-                    base,
-                    seed,
-                    stations_of,
-                    OF_STACK if base in stacks else OF_BLOCK,
-                )
+                model: ratio_of_bases(table, here, model, own, base, seed, stations_of, names)
                 for model in models
             }
-            for base in bases
+            for base, names in others.items()
         },
     }

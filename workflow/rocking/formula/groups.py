@@ -101,11 +101,6 @@ def terms(row):
         "ln2 T1": t1 * t1,
         "m/M": 1.0 / row["mass_ratio"],
         "m/M ln T1": t1 / row["mass_ratio"],
-        # tried, and of no use (docs/studies/atlas.md)
-        "ln tan a": math.log(10.0 * tan_alpha(row)),
-        "ln p ln T1": math.log(p) * t1,
-        "mu": math.tan(math.radians(row["friction_deg"])) - 0.6,
-        "1/n": 1.0 / row["storeys"] - 0.25,
     }
 
 
