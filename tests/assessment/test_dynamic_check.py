@@ -3,6 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
+from rocking.assessment import dynamic_check
 from rocking.assessment.dynamic_check import Limits, limits_of, verdict
 from rocking.assessment.family import Family
 from rocking.assessment.selection import Selection, choose, periods
@@ -111,6 +112,41 @@ def test_realisations_tell_what_hangs_on_the_numerics():
     found = verdict(table([0.05, 0.10], realisations, fallen={(1, 3)}), LIMITS, 1)
     assert found["slv"]
     assert found["agree"] == pytest.approx(0.75, abs=0.03)
+
+
+@pytest.mark.parametrize(
+    ("own", "again", "wanted"),
+    [
+        ({"m1": 0.5, "m2": 0.5}, {"m1": 0.3}, ["m1", "m2"]),  # m1 does not always, m2 does
+        ({"m1": 0.5}, {"m1": 0.3}, ["m1", "m0", "m2"]),
+        ({}, {}, ["m0", "m1", "m2"]),
+    ],
+)
+def test_a_motion_that_always_exceeds_d0_settles_what_all_realisations_would_say(
+    monkeypatch, own, again, wanted
+):
+    """The verdict's agreement is that of all realisations of all motions, to the last draw."""
+    d = {name: own.get(name, 0.1) for name in ("m0", "m1", "m2")}
+    limits, asked = Limits(0.40, 0.16, 0.24), []
+
+    def rows(name, values, first):
+        found = table([0.0] * len(values)).assign(record=name, d_m=values)
+        return found.assign(realisation=np.arange(first, first + len(values)))
+
+    def more(job, name, direction, pga_g, count):
+        asked.append(name)
+        return rows(name, [d[name]] * (count - 1) + [again.get(name, d[name])], 1)
+
+    monkeypatch.setattr(
+        dynamic_check, "histories", lambda job, name, *more: rows(name, [d[name]], 0)
+    )
+    monkeypatch.setattr(dynamic_check, "perturbed", more)
+    found = dynamic_check.checked({}, [(name, 0.2) for name in d], ["pos"], limits, 5)
+    assert asked == wanted
+    every = pd.concat([found, *(more({}, n, "pos", 0.2, 5) for n in d if n not in asked)])
+    said, full = verdict(found, limits, 1), verdict(every, limits, 1)
+    for key in ("slv", "slc", "exceed_d0", "mean_d_m", "agree"):
+        assert said[key] == full[key]
 
 
 def test_a_failed_history_is_no_collapse():

@@ -177,6 +177,40 @@ def test_a_short_climb_looks_two_of_its_steps_below_its_first_fall():
         assert found[0] == pytest.approx(low, rel=search.SPREAD)
 
 
+def test_a_short_climb_is_coarse_where_it_is_calm_and_finds_the_same():
+    """d/b = 0.5 g/g_c: calm to 0.6 of the collapse; coarse levels up to there, then all."""
+    known = {}
+    for at_g in np.geomspace(0.06, 1.9, 23):
+        for ratio in (1.03, 1.12):
+            for calm in (True, False):
+                asked = []
+
+                def run(ask, at_g=at_g, calm=calm, asked=asked):
+                    g = np.asarray(ask.pga_g)
+                    asked.extend(g if not ask.realisations else ())
+                    d = 0.5 * g / at_g if calm else np.full(g.size, np.nan)
+                    status = np.where(g > at_g, "overturned", "ok")
+                    return search.Answer(status, np.where(g > at_g, 1.0, d))
+
+                known[calm] = drive(search.crossings(0.02, 2.0, ratio), run), len(set(asked))
+            assert known[True][0] == known[False][0]
+            if ratio == 1.03 and at_g > 0.2:
+                assert known[True][1] < 0.6 * known[False][1]
+
+
+def test_a_short_climb_sees_a_range_of_collapse_above_where_it_is_no_longer_calm():
+    """d/b passes 0.3 at 0.4 g; it falls from 0.45 to 0.47 g alone, below the general 1 g."""
+
+    def run(ask):
+        g = np.asarray(ask.pga_g)
+        fell = (g > 1.0) | ((g > 0.45) & (g < 0.47))
+        return search.Answer(np.where(fell, "overturned", "ok"), np.where(fell, 1.0, 0.75 * g))
+
+    low, half = drive(search.crossings(0.02, 2.0, 1.03), run)
+    assert low == pytest.approx(0.45, rel=search.SPREAD)
+    assert half == pytest.approx(0.45, rel=search.SPREAD)
+
+
 def test_a_dense_search_ends_where_all_within_its_window_fall():
     """Fine steps from below the first fall of the climb to one window past the lowest fall."""
     asked = []

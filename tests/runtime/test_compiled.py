@@ -113,6 +113,22 @@ def test_a_change_in_the_file_beside_is_seen(tmp_path):
     assert answers == [21, 22]
 
 
+@pytest.mark.slow
+def test_what_was_compiled_of_types_of_a_module_that_is_gone_is_made_anew(tmp_path):
+    """As after an update that renames modules."""
+    typed = "from typing import NamedTuple\nclass Pair(NamedTuple):\n    x: float\n    y: float\n"
+    own = "from rocking.runtime.compiled import compiled\n"
+    own += "@compiled\ndef added(p):\n    return p.x + p.y\n"
+    (tmp_path / "sums.py").write_text(own)
+    answers = []
+    for name, more in (("former", 1.0), ("present", 2.0)):
+        (tmp_path / f"{name}.py").write_text(typed)
+        said = f"from sums import added; from {name} import Pair; print(added(Pair(10.0, {more})))"
+        answers.append(float(printed(tmp_path, said)))
+        (tmp_path / f"{name}.py").unlink()
+    assert answers == [11.0, 12.0]
+
+
 def test_without_a_folder_for_its_cache_a_function_is_compiled_alike():
     given = {}
     exec("def over(x):\n    return 1.0 / x\n", given)  # of no file: numba finds no folder

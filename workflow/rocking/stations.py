@@ -32,6 +32,33 @@ def drawn(stations, resamples, seed):
     return np.random.default_rng(seed).multinomial(len(names), share, resamples)[:, index]
 
 
+def turns(stations, directions):
+    """Record and direction of every curve, where those of one station tell much the same.
+
+    Of a station with several components each takes one direction in turn; a component that is alone
+    takes all.
+
+    Parameters
+    ----------
+    stations : mapping
+        Station of every record.
+    directions : sequence of str
+
+    Returns
+    -------
+    list of (record, direction)
+    """
+    own: dict[str, list[str]] = {}
+    for record, station in stations.items():
+        own.setdefault(station, []).append(record)
+    found = []
+    for record, station in stations.items():
+        of = own[station]
+        k = of.index(record) % len(directions)
+        found += [(record, d) for d in (directions if len(of) == 1 else directions[k : k + 1])]
+    return found
+
+
 def interval(values, stations, confidence):
     """Percentile interval of what the draws give.
 

@@ -5,7 +5,7 @@ not exceed d_SLV (d_SLC), with d0, d_SLV and d_SLC those of the capacity curve. 
 those of `selection`; the model follows the façade block by block. Displacements are those of the
 top relative to the base, and so are the limits; d/b is cut off at 1, where a façade has fallen.
 
-Near collapse a history turns on its last digits. So every motion is run as realisations too, which
+Near collapse a history turns on its last digits. So motions are run as realisations too, which
 differ in amplitude, node layout and step, and the verdict is drawn over and over with one
 realisation of each motion.
 """
@@ -43,8 +43,8 @@ def width_of(facade):
     return shape_of(facade).overturning_m
 
 
-def histories(job, record, direction, pga_g, realisations, fraction=None):
-    """Largest displacements of one model under one motion at some intensities.
+def histories(job, record, direction, pga_g, fraction=None):
+    """Largest displacements of one model under one motion at some intensities, each once.
 
     Parameters
     ----------
@@ -53,31 +53,62 @@ def histories(job, record, direction, pga_g, realisations, fraction=None):
     record : rocking.records.Record
     direction : str
     pga_g : sequence of float
-    realisations : int
-        Perturbed ones beside the first, within ± `ensemble.amplitude_spread`.
     fraction : float or None
         Of the stable step; None takes the dense scan's.
 
     Returns
     -------
     DataFrame
-        See COLUMNS; realisation 0 is the one as it is.
+        See COLUMNS; realisation 0.
     """
     screen = run_by("planar", Case(job), Motion(record), direction, fraction=fraction)
-    spread, b = job["ensemble"]["amplitude_spread"], width_of(job["facade"])
-    parts = []
-    for level in pga_g:
-        own = screen.run([level], scatter=False)
-        if realisations:
-            factors = np.linspace(1.0 - spread, 1.0 + spread, realisations)
-            own = pd.concat([own, screen.run(level * factors, scatter=True)], ignore_index=True)
-        own["realisation"] = np.arange(len(own))
-        own["pga_g"] = level
-        parts.append(own)
-    found = pd.concat(parts, ignore_index=True)
-    found["model"], found["record"], found["direction"] = job["model"], record.name, direction
-    found["d_m"] = b * found["d_over_b"]
+    parts = [screen.run([level], scatter=False).assign(pga_g=level) for level in pga_g]
+    return _rows(pd.concat(parts, ignore_index=True), job, record, direction)
+
+
+def perturbed(job, record, direction, pga_g, count):
+    """As `histories`: realisations 1 to `count` within ± `ensemble.amplitude_spread` of a PGA."""
+    screen = run_by("planar", Case(job), Motion(record), direction)
+    spread = job["ensemble"]["amplitude_spread"]
+    factors = np.linspace(1.0 - spread, 1.0 + spread, count)
+    found = screen.run(pga_g * factors, scatter=True).assign(pga_g=pga_g)
+    return _rows(found, job, record, direction).assign(realisation=np.arange(1, count + 1))
+
+
+def _rows(found, job, record, direction):
+    about = {"model": job["model"], "record": record.name, "direction": direction}
+    found = found.assign(**about, d_m=width_of(job["facade"]) * found["d_over_b"], realisation=0)
     return found[COLUMNS]
+
+
+def checked(job, motions, directions, limits, realisations):
+    """Histories that `verdict` takes: every motion as it is, and perturbed where that may tell.
+
+    Motions that exceed d0 are perturbed first. Once one exceeds it in all its realisations every
+    draw fails, whatever the others do, and no more are run.
+
+    Parameters
+    ----------
+    job : dict
+        A scene file.
+    motions : list of (Record, pga_g)
+    directions : sequence of str
+    limits : Limits
+    realisations : int
+
+    Returns
+    -------
+    DataFrame
+        See COLUMNS.
+    """
+    runs = [(record, direction, g) for record, g in motions for direction in directions]
+    found = [histories(job, record, direction, [g]) for record, direction, g in runs]
+    over = [bool(exceeds(own, limits).any()) for own in found]
+    for k in sorted(range(len(runs)), key=lambda k: not over[k]) if realisations else ():
+        found.append(perturbed(job, *runs[k], realisations))
+        if over[k] and exceeds(found[-1], limits).all():
+            break
+    return pd.concat(found, ignore_index=True)
 
 
 def exceeds(table, limits):

@@ -100,7 +100,7 @@ class Shaken:
             most = limits.slv_m * len(self.motions) * len(self.directions)
             for record, pga_g in self.motions:
                 for direction in self.directions:
-                    table = histories(part.scene, record, direction, [pga_g], 0)
+                    table = histories(part.scene, record, direction, [pga_g])
                     kept = table[table["status"] != "failed"]
                     over += int(exceeds(kept, limits).sum())
                     total, count = total + float(kept["d_m"].sum()), count + len(kept)

@@ -1,8 +1,9 @@
 """The short climb: where 10 and 50 % of the realisations first collapse, for thousands of curves.
 
 The dense scan finds every range of collapse of a curve; this takes some forty histories at steps
-four times as long (`search.crossings`). A separate range further below, narrower than a step of its
-climb, may be missed: what that changes is measured in docs/log/assessment.md.
+four times as long (`search.crossings`), few of them where the façade is calm. A separate range
+further below, narrower than a step of its climb, may be missed: what that changes is measured in
+docs/log/assessment.md.
 """
 
 from rocking.collapse.curve import collapse_curve

@@ -1,5 +1,8 @@
 """The dense scan of an incremental dynamic analysis: every range of collapse, with its scatter."""
 
+import functools
+import json
+
 import numpy as np
 import pandas as pd
 
@@ -30,6 +33,7 @@ BRICKS_STEP = 0.4  # of W3's stable step, which its bricks decide: 0.20 ms
 COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}  # beds need none
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
 COURSES_STEP = 0.08  # of the stable step of the same façade in one block
+KEPT = 16  # façades whose scenes are kept, for the motions that follow
 LATE_STEP = 0.5  # of that, where the dashpots of thin courses act at the end of a step
 
 
@@ -127,6 +131,39 @@ class Scan:
         return pd.concat(parts).sort_values("pga_g", ignore_index=True), found
 
 
+@functools.lru_cache(maxsize=KEPT)
+def _layouts_of(text, fraction):
+    """Scene, planes, steps [s], shorter steps and carried masses of a scene file (JSON)."""
+    case = json.loads(text)
+    kind, shorter = registry.model(case["model"]), SHORTER
+    bricks = not kind.single_block  # their scene holds the masses that carry them
+    courses = case["facade"].get("courses", 0)
+    planes = []
+    turns = layouts(case["numerics"], COURSES_NODES if courses else {})
+    for numerics in turns[:1] if courses else turns:  # joints of courses have no nodes
+        name = case["model"] if bricks else kind.one_way_model
+        scene = models.build_scene({**case, "model": name, "numerics": numerics})
+        planes.append(to_plane(scene, GROUND if kind.two_way and not bricks else None))
+    usual = BRICKS_STEP if bricks else COURSES_STEP if courses else STEP_FRACTION
+    share = fraction or usual
+    if fraction:
+        shorter = LAYOUTS_SHORTER
+    steps_s = [share * stable_step(plane) for plane in planes]
+    if courses:  # realisations differ by amplitude alone: those of one step march side by side
+        shorter = SHORTER[:1]
+        share = min(share, COURSES_STEP) * (LATE_STEP if planes[0].late > 1.0 else 1.0)
+        steps_s = [share * one_block_step(case)] * len(planes)
+    carried = carried_masses(case, scene) if kind.two_way and not bricks else None
+    if carried is not None:  # light masses between stiff contacts want shorter ones
+        ahead = [getattr(plane, "lead", 0.0) for plane in planes]
+        most = [
+            LIGHT_STEP * stable_step(plane, carried, lead)
+            for plane, lead in zip(planes, ahead, strict=True)
+        ]
+        steps_s = list(map(min, steps_s, most))
+    return scene, planes, steps_s, shorter, carried
+
+
 class Screen(Scan):
     """Outcomes of one model, record and direction.
 
@@ -147,33 +184,9 @@ class Screen(Scan):
     def __init__(self, case, time_s, columns, direction, fraction=None, before=None):
         """Prepare the scene in every layout of nodes that realisations use."""
         self.numerics, self.direction, self.ground = case["numerics"], direction, columns["ground"]
-        kind = registry.model(case["model"])
-        bricks = not kind.single_block  # their scene holds the masses that carry them
-        courses = case["facade"].get("courses", 0)
-        self.planes = []
-        turns = layouts(case["numerics"], COURSES_NODES if courses else {})
-        for numerics in turns[:1] if courses else turns:  # joints of courses have no nodes
-            name = case["model"] if bricks else kind.one_way_model
-            scene = models.build_scene({**case, "model": name, "numerics": numerics})
-            self.planes.append(to_plane(scene, GROUND if kind.two_way and not bricks else None))
-        usual = BRICKS_STEP if bricks else COURSES_STEP if courses else STEP_FRACTION
-        share = fraction or usual
-        if fraction:
-            self.shorter = LAYOUTS_SHORTER
-        self.steps_s = [share * stable_step(plane) for plane in self.planes]
-        if courses:  # realisations differ by amplitude alone: those of one step march side by side
-            self.shorter = SHORTER[:1]
-            share = min(share, COURSES_STEP) * (LATE_STEP if self.planes[0].late > 1.0 else 1.0)
-            self.steps_s = [share * one_block_step(case)] * len(self.planes)
-        self.carried = carried_masses(case, scene) if kind.two_way and not bricks else None
-        if self.carried is not None:  # light masses between stiff contacts want shorter ones
-            ahead = [getattr(plane, "lead", 0.0) for plane in self.planes]
-            most = [
-                LIGHT_STEP * stable_step(plane, self.carried, lead)
-                for plane, lead in zip(self.planes, ahead, strict=True)
-            ]
-            self.steps_s = list(map(min, self.steps_s, most))
-        self.scene, self.two_way = scene, kind.two_way
+        kept = _layouts_of(json.dumps(case, sort_keys=True), fraction)
+        self.scene, self.planes, self.steps_s, self.shorter, self.carried = kept
+        self.two_way = registry.model(case["model"]).two_way
         self.time_s, self.columns, self.before = time_s, columns, before
         self.motions = self._motions(time_s, columns)
         self.static_g = models.static_multiplier(case)

@@ -30,6 +30,7 @@ CALM_RATIO = 1.1  # a scan begins where a façade stays below d/b of CALM over a
 LEAST_G = 1e-4  # no façade that stands by itself falls below
 EDGE = 2  # windows below the lowest fall that are always filled: another solver's lies in them
 AT_ONCE = 8  # windows that get more realisations between two looks
+AHEAD = 1.25  # ratio of the levels that a short climb asks for until one comes to d/b of CALM
 BELOW_FIRST = 1.03  # ratio of the levels below the first fall of a short climb
 SPREAD = 0.03  # half width of the window over which its realisations count
 MEMBERS = 6  # in that window
@@ -98,6 +99,32 @@ def first(levels, block=1):
         if seen.fell.any():
             return float(seen.pga_g[seen.fell].min())
     return math.nan
+
+
+def first_beyond_calm(levels, ratio):
+    """Find the lowest of ascending levels that falls [g], as `first`, with fewer where all is calm.
+
+    Levels `AHEAD` apart are asked for up to one that comes to d/b of `CALM`; those between only
+    from the one before that. Without d/b all of them are.
+
+    Parameters
+    ----------
+    levels : ndarray
+    ratio : float
+        From one to the next.
+    """
+    seen, stride = Seen(), max(1, round(math.log(AHEAD) / math.log(ratio)))
+    coarse, calm = levels[::stride], 0
+    for at in range(0, len(coarse), CHUNK):
+        yield from seen.ask(coarse[at : at + CHUNK])
+        calm = int(np.logical_and.accumulate(seen.d_over_b < CALM).sum())
+        if calm < seen.pga_g.size:
+            break
+    lowest = min(seen.pga_g[seen.fell], default=math.inf)
+    rest = levels[stride * max(calm - 1, 0) :]
+    rest = rest[(rest < lowest) & ~np.isin(rest, seen.pga_g)]
+    lower = yield from first(rest, CHUNK)
+    return float(np.fmin(lower, lowest if math.isfinite(lowest) else math.nan))
 
 
 def climb(start_g, settings, block=BLOCK):
@@ -227,8 +254,9 @@ def dense(start_g, settings, block=16):
 def crossings(start_g, max_pga_g, ratio):
     """Find where 10 and 50 % of the realisations first collapse, for many curves.
 
-    It climbs at `ratio` to a first collapse, looks for a lower one at `BELOW_FIRST` over two of its
-    steps below, and runs realisations from there up to the crossing of one half.
+    It climbs at `ratio` (at `AHEAD` where it is calm) to a first collapse, looks for a lower one
+    at `BELOW_FIRST` over two of its steps below, and runs realisations from there up to the
+    crossing of one half.
 
     Parameters
     ----------
@@ -239,7 +267,7 @@ def crossings(start_g, max_pga_g, ratio):
     tuple of float
         In the order of `LEVELS` [g]; NaN up to `max_pga_g`.
     """
-    lowest = yield from first(rising(start_g, max_pga_g, ratio), CHUNK)
+    lowest = yield from first_beyond_calm(rising(start_g, max_pga_g, ratio), ratio)
     if not math.isfinite(lowest):
         return (math.nan,) * len(LEVELS)
     if ratio > BELOW_FIRST:

@@ -35,6 +35,13 @@ class KeptLoops(IndexDataCacheFile):
             self._save_index(overloads)
             self._clear({*overloads.values()})
 
+    def _load_index(self):
+        """Read what is of this source; an index that names modules that are gone is of another."""
+        try:
+            return super()._load_index()
+        except (ImportError, AttributeError):
+            return {}
+
     @contextlib.contextmanager
     def _alone(self):
         folder = os.open(self._cache_path, os.O_RDONLY)

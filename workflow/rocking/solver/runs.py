@@ -48,6 +48,7 @@ class Motions:
     supports_m_s2: Any = ()
     vertical_m_s2: Any = None
     _tables: dict = field(default_factory=dict, init=False, repr=False, compare=False)
+    _speed: list = field(default_factory=list, init=False, repr=False, compare=False)
 
     def __post_init__(self):
         """Check, and let every acceleration end at zero."""
@@ -70,10 +71,12 @@ class Motions:
             object.__setattr__(self, name, value)
 
     def peak_speed(self):
-        """Largest |velocity| of ground and supports at a factor of one [m/s]."""
-        rows = np.vstack([self.ground_m_s2, self.supports_m_s2])
-        gain = 0.5 * np.diff(self.time_s) * (rows[:, 1:] + rows[:, :-1])
-        return float(np.abs(np.cumsum(gain, axis=1)).max())
+        """Largest |velocity| of ground and supports at a factor of one [m/s]; kept."""
+        if not self._speed:
+            rows = np.vstack([self.ground_m_s2, self.supports_m_s2])
+            gain = 0.5 * np.diff(self.time_s) * (rows[:, 1:] + rows[:, :-1])
+            self._speed.append(float(np.abs(np.cumsum(gain, axis=1)).max()))
+        return self._speed[0]
 
     def table(self, step_s, supports=True):
         """Motions at the whole steps; those of the supports relative to the ground, exact.

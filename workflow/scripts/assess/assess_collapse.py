@@ -1,4 +1,4 @@
-"""PGA of 10 and 50 % collapse of one model under every motion of the run, by the planar solver.
+"""PGA of 10 and 50 % collapse of one model under the motions of the run, by the planar solver.
 
 Of the whole façade; with a table of mechanisms, of the parts that are shaken instead.
 """
@@ -28,12 +28,12 @@ def main(job):
     most = settings["ida.max_pga_g"]
     find = partial(crossings, settings={"max_pga_g": most})
     rows = []
-    for name in job.params.records:
+    for name, direction in job.params.curves:
         motion = Motion(load_as(settings, name, job.params.table))
         given = {"record_pga_g": measures(motion.record)["pga_g"], "pga_max_g": most}
         for part, own in known:
             about = Variant(about={"part": part, **given})
-            rows += collapses([own], motion, settings["directions"], find, [about])
+            rows += collapses([own], motion, [direction], find, [about])
     write_table(rows, job.output[0], columns)
 
 

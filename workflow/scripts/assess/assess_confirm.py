@@ -49,12 +49,12 @@ def main(job):
         kept.write_text(case.to_json())
     for which in asked:
         own = table[(table["record"] == found[which]) & (table["realisation"] == 0)]
-        row = own.sort_values("d_m").iloc[-1]
+        row = own.loc[(own["d_m"] - found[f"{which}_d_m"]).abs().idxmin()]
         record = load_as(settings, row["record"], job.params.table)
         time_s, columns = floor_columns(record, scene["smdof"])
         vertical = columns.pop(floor_motions.VERTICAL, None)
         ground, *floors = columns.values()
-        name = f"{scene['model']}_{row['record']}"
+        name = f"{scene['model']}_{row['record']}_{row['direction']}"
         motion, plan = folder / f"{name}.csv", folder / f"{name}.json"
         output, journal = folder / f"{name}_yade.csv", folder / f"{name}.jsonl"
         floor_motions.write(str(motion), time_s, ground, floors, vertical)

@@ -7,7 +7,7 @@ import json
 
 import pandas as pd
 from rocking import Case
-from rocking.assessment.dynamic_check import COLUMNS, histories, limits_of, verdict
+from rocking.assessment.dynamic_check import COLUMNS, checked, limits_of, verdict
 from rocking.assessment.family import Family
 from rocking.assessment.shaken import WHOLE_PART, cases, of_label
 from rocking.records import load_as
@@ -21,26 +21,17 @@ def main(job):
     parts = [(WHOLE_PART, case)]
     if shaken := getattr(job.input, "shaken", None):
         parts = [(row.part, own) for row, own in cases(case, pd.read_csv(shaken), whole=False)]
-    known = of_label(Family({**case.scene, "assessment": settings["assessment"]}))
+    assessment = settings["assessment"]
+    known = of_label(Family({**case.scene, "assessment": assessment}))
     records = {name: load_as(settings, name, job.params.table) for name in motions["record"]}
     found, rows = [], []
-    for part, own in parts if len(motions) else ():
-        table = pd.concat(
-            [
-                histories(
-                    own.scene,
-                    records[row.record],
-                    direction,
-                    [row.pga_g],
-                    settings["assessment"]["dynamic_realisations"],
-                )
-                for row in motions.itertuples()
-                for direction in settings["directions"]
-            ],
-            ignore_index=True,
-        )
+    given = [(records[row.record], row.pga_g) for row in motions.itertuples()]
+    for part, own in parts if given else ():
+        limits = limits_of(known[part].mechanism)
+        directions, count = settings["directions"], assessment["dynamic_realisations"]
+        table = checked(own.scene, given, directions, limits, count)
         found.append(table.assign(part=part))
-        said = verdict(table, limits_of(known[part].mechanism), settings["seed"])
+        said = verdict(table, limits, settings["seed"])
         rows.append({"part": part, "model": case.model, **said})
     write_table(pd.concat(found) if found else [], job.output.histories, ["part", *COLUMNS])
     write_table(rows, job.output.verdict, None if rows else ["part", "model"])

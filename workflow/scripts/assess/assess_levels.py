@@ -60,7 +60,7 @@ def main(job):
         for about, case in cases(Case.read(str(path)), shaken):
             parts, direction = [], settings["directions"][0]
             for name, pga_g in wanted.items():
-                given = case.scene, records[name], direction, pga_g.values(), 0, LONG_STEP
+                given = case.scene, records[name], direction, pga_g.values(), LONG_STEP
                 parts.append(histories(*given).assign(ag_g=list(pga_g)))
             table = pd.concat(parts, ignore_index=True)
             limits = limits_of(mechanisms[about.part].mechanism)
