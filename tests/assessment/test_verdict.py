@@ -8,6 +8,7 @@ from rocking.assessment.verdict import (
     damage,
     decided_by,
     dynamic_check,
+    headline,
     next_steps,
     passes,
     suite,
@@ -62,6 +63,26 @@ def test_a_facade_passes_where_every_model_holds_and_the_worst_of_them_governs()
     assert decided_by(verdicts(True, False)) == "W2"
     assert decided_by(verdicts(True, True).assign(mean_d_m=[0.06, 0.05])) == "W1"
     assert decided_by(verdicts(False, True).assign(mean_d_m=[0.02, 0.09])) == "W1"
+
+
+@pytest.mark.parametrize(
+    ("pga_g", "slv", "words"),
+    [
+        (0.25, True, "passes: life safety (SLV) is kept up to 125 %"),
+        (0.15, True, "does not pass: life safety (SLV) is lost at 75 %"),
+        (
+            0.25,
+            False,
+            "does not pass: life safety (SLV) is lost under recorded motions; by hand it is kept "
+            "up to 125 %",
+        ),
+    ],
+)
+def test_the_first_sentence_says_by_which_check_life_safety_is_lost(pga_g, slv, words):
+    part = pd.DataFrame({"part": ["whole"], "mechanism": [WHOLE]})
+    found = verdicts(slv).assign(part="whole")
+    said = headline(CHECKS, mechanisms(whole=pga_g), found, part, "In 475 years", 1.35)
+    assert words in said[0]
 
 
 def test_a_link_that_sets_d_slv_is_named():

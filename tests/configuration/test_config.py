@@ -343,3 +343,15 @@ def test_a_wrong_key_in_a_list_is_answered_with_the_keys_of_its_entries(entry, w
         resolve({"facade": {"ties": [entry]}})
     assert f"facade.ties[1].{next(iter(entry))}" in str(error.value)
     assert words in str(error.value)
+
+
+def test_a_run_with_a_hazard_curve_takes_a_studys_settings_but_what_is_stated():
+    plain, rated = resolve({}), resolve({"risk": {"hazard": "curve.csv"}})
+    assert plain["ensemble"]["enabled"] == "auto"
+    assert rated["ensemble"]["enabled"] == "off"
+    assert (rated["ida"]["confirm"], rated["ida"]["confirm_every"]) == ("collapse", 8)
+    own = {"ida": {"confirm_every": 2, "level_ratio": 0.03}, "ensemble": {"enabled": "on"}}
+    asked = resolve({"risk": {"hazard": "curve.csv"}, **own})
+    assert asked["ensemble"]["enabled"] == "on"
+    assert asked["ida"] == {**rated["ida"], **own["ida"]}
+    assert resolve(rated) == rated

@@ -235,10 +235,12 @@ def spectrum(data):
     else:
         rows = [("demand", data.demand_said)]
     period = chain["period_s"] * own["building_period_factor"]
+    many = chain["n_dof"] > 1
+    storeys = f"{chain['n_dof']} equal storeys" if many else "one storey"
     rows.append(
         (
             "floor",
-            f"first mode of {chain['n_dof']} equal storeys, T1 = {period:.4g} s; taken at "
+            f"first mode of {storeys}, T1 = {period:.4g} s; taken at "
             f"{data.weakest.place:.3g} of the eaves' height, the middle of what holds the part",
         )
     )

@@ -263,8 +263,7 @@ def ties(data, folder):
         tables.append(
             Table(
                 "Least rows with which every mechanism passes, and what they take in steel. The "
-                "force "
-                "is that of the whole row at yield; anchors have to hold more than their rods.",
+                "force is that of the whole row at yield; anchors have to hold more than the rods.",
                 ("level", "by hand", "with the dynamic check", "rods", "diameter", "sold as"),
                 [
                     (
@@ -331,15 +330,19 @@ def ties_said(data):
     )
     left = list(after.loc[after["beyond"] == 1, "mechanism"])
     failed = len(tried) and math.isnan(rows["factor"].iloc[0])
-    rest = f", but for what no row at these levels holds: {'; '.join(left)}" if left else ""
+    models = verdict.words_of(list(data.tables["verdicts"]["model"].unique()))
     if failed:
-        end = f"the kinematic checks pass{rest}; the dynamic check never does"
+        end = "the kinematic checks pass; the dynamic check never does"
     elif len(tried):
-        models = verdict.words_of(list(data.tables["verdicts"]["model"].unique()))
-        end = f"the kinematic checks and the dynamic check with {models} pass{rest}"
+        end = f"the kinematic checks and the dynamic check with {models} pass"
     else:
-        end = f"the kinematic checks pass{rest}; the dynamic check was not made"
-    less = "" if failed else " With 95 % of the force they do not."
+        end = "the kinematic checks pass; the dynamic check was not made"
+    if left:
+        end += (
+            f" for all but {len(left)} mechanism{'s' * (len(left) > 1)} that no row at these "
+            f"levels holds: {'; '.join(left)}. With these rows alone the façade does not pass"
+        )
+    less = "" if failed else f" With 95 % of the force {'more fails' if left else 'they do not'}."
     return f"With rows of ties of {said} {end}.{less}"
 
 
@@ -349,10 +352,13 @@ def sensitivity(data, folder):
     own = data.tables["code_checks"]
     own = own[own["mechanism"] == data.weakest.name].set_index("check")["ratio"]
     drawn, tables = [], []
+    before: list = []
     for key, words in (("slv_ground", "ground"), ("slv_height", "floor")):
         part = code[code["check"] == key].rename(columns={"ratio": "value"})
-        if part.empty or key not in own:
+        values = part[["key", "factor", "value"]].to_numpy().tolist()
+        if part.empty or key not in own or values == before:
             continue
+        before = values
         drawn.append(
             Picture(
                 pictures.tornado(part, own[key], "PGA of failure over the demand's [-]"),

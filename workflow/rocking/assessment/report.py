@@ -151,12 +151,17 @@ def rests_on(data, relied):
     """Lines: demand, models, and what is left out."""
     f, t = data.config["facade"], data.tables
     demand = t["code_checks"]["pga_demand_g"].iloc[0]
-    meanings = "; ".join(f"{name}: {MODELS[name].moved}" for name in t["dynamic"]["model"])
+    names = list(t["dynamic"]["model"])
+    meanings = "; ".join(f"{name}: {MODELS[name].moved}" for name in names)
+    rests, pushed = "", MODELS[names[0]]
+    if len(names) > 1:
+        rests = f" Verdict and ties are those of the worst of them; the rate rests on {relied}."
+    elif pushed.chain and pushed.two_way:
+        meanings = f"{names[0]}: they move with the building, whose mass the façade can push"
     whole = t["parts_dynamic"][t["parts_dynamic"]["part"] == WHOLE_PART]
     return [
         f"The demand is {data.demand_said}, a PGA of {g3(demand)} g.",
-        f"Models of how the return walls move behind the façade. {meanings}. Verdict and ties are "
-        f"those of the worst of them; the rate rests on {relied}.",
+        f"Models of how the return walls move behind the façade. {meanings}.{rests}",
         f"The façade is rigid blocks of {f['density_kg_m3']:g} kg/m³ on dry joints; it does not "
         "crush or fall apart, and the mechanisms know ties and anchors but no friction of floors.",
         "Every part turns over the whole width, but for the corners, which end at the eaves and "

@@ -88,10 +88,11 @@ def headline(checks, mechanisms, verdicts, shaken, when, factor):
     least = mechanisms[mechanisms["kind"] == "as stated"].sort_values("pga_fails_g").iloc[0]
     share = per_cent(least["pga_fails_g"] / demand)
     well = by_hand and held is not False
+    which = "" if well or not by_hand else "under recorded motions; by hand it is "
     first = (
         f"{when} (PGA {g3(demand)} g) the façade {'passes' if well else 'does not pass'}: "
-        f"life safety (SLV) is {'kept' if by_hand else 'lost'} "
-        f"{'up to' if by_hand else 'at'} {share} of that shaking, with FC = {factor:g}."
+        f"life safety (SLV) is {'lost ' + which if which else ''}"
+        f"{'kept up to' if by_hand else 'lost at'} {share} of that shaking, with FC = {factor:g}."
     )
     return [first, kinematic(checks, mechanisms), _governed(verdicts, shaken, held)]
 
@@ -199,9 +200,9 @@ def dynamic_check(verdicts, fit, shaken=None):
         limit = f"d_SLV{where} is {1e3 * own['d_slv_m']:.3g} mm"
         limits.append(limit + ", where a tie or an anchor gives way" * bool(gives_way(own)))
     if not lost:
-        verdict = "is fulfilled for every model"
+        verdict = f"is fulfilled{' for every model' * (len(verdicts) > 1)}"
     elif not held:
-        verdict = "is not fulfilled for any model"
+        verdict = f"is not fulfilled{' for any model' * (len(verdicts) > 1)}"
     else:
         verdict = f"is fulfilled for {words_of(held)} and not for {words_of(lost)}"
     unsure = [r.model for r in verdicts.itertuples() if r.agree < 0.95]

@@ -33,6 +33,12 @@ __all__ = [
 ]
 
 MAX_RUNS = 1000
+RATED: dict[
+    str, dict[str, Any]
+] = {  # of a run with risk.hazard, where nothing else is stated: many motions, one number
+    "ida": {"power": 0.0, "confirm": "collapse", "confirm_every": 8},
+    "ensemble": {"enabled": "off"},
+}
 
 
 def resolve(config: Mapping) -> dict[str, Any]:
@@ -62,13 +68,21 @@ def resolve(config: Mapping) -> dict[str, Any]:
         if values.pop(key, None):
             raise ConfigError(f"'{key}' describes several runs; use expand_scenarios")
     known = config_schema.whole()
-    resolved = config_schema.complete(values, known)
+    resolved = config_schema.complete(_rated(values), known)
     refusals.refuse_invalid(resolved, known)
     try:
         check(resolved)
     except ConfigError as error:  # what follows from a number in another unit is no help alone
         raise ConfigError("; ".join([error.detail, *list(unusual(resolved))[:1]])) from None
     return resolved
+
+
+def _rated(values: dict) -> dict[str, Any]:
+    """Return what was given with `RATED` under it, where a hazard curve is among it."""
+    sections = [values.get(name, {}) for name in ("risk", *RATED)]
+    if not all(isinstance(own, dict) for own in sections) or not sections[0].get("hazard"):
+        return values
+    return {**values, **{name: {**RATED[name], **values.get(name, {})} for name in RATED}}
 
 
 def nested(given: Mapping) -> dict[str, Any]:
