@@ -100,6 +100,14 @@ def test_parts_stand_above_every_sill_head_step_and_floor():
     assert any("vertical bending" in name for name in names)
 
 
+@pytest.mark.parametrize(("thick", "words"), [(None, ""), (0.2, " and change of thickness")])
+def test_a_parapet_as_thick_as_what_it_stands_on_is_no_change_of_thickness(thick, words):
+    flat = {"height_m": 6.0, "thickness_m": 0.4, "width_m": 5.0, "density_kg_m3": 1800.0}
+    flat |= {"parapet_height_m": 1.0, "parapet_thickness_m": thick}
+    names = [c.name for c in family(flat).all()]
+    assert f"part above 6.00 m (foot of the parapet{words})" in names
+
+
 def test_a_part_above_a_sill_by_hand():
     """Above 4.3 m of the façade without gable: 1.7 m high, 0.3 m thick, a window 1 m wide in it.
 

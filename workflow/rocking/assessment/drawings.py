@@ -179,10 +179,14 @@ def _section(axis, family, candidate, scale):
         words = held[z].strip()
         axis.text(-1.2 * depth, place, words, size=SMALL, ha="right", va="center")
     _places(axis, ground, {0.0, b}, 4.0 * scale, 2.9 * scale, (-4 * scale, b + 4 * scale))
+    said = ""
     for z0, z1, y0, y1 in m.shape.storeys:
+        said, before = f"{y1 - y0:.3g} thick", said
+        if said == before:
+            continue
         place = y1 + 9 * scale, 0.5 * (z0 + z1)
         axis.annotate(
-            f"{y1 - y0:.3g} thick",
+            said,
             (0.5 * (y0 + y1), place[1]),
             place,
             size=SMALL,

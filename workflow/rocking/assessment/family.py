@@ -215,7 +215,8 @@ class Family:
         rows += [(row["height_m"], "floor") for row in floors]
         rows += [(z0, "sill of an opening") for *_, z0, _ in m.shape.openings]
         rows += [(z1, "head of an opening") for *_, z1 in m.shape.openings]
-        rows += [(s[0], "change of thickness") for s in m.shape.storeys[1:]]
+        above = zip(m.shape.storeys, m.shape.storeys[1:], strict=False)
+        rows += [(up[0], "change of thickness") for low, up in above if low[2:] != up[2:]]
         every = [*m.edges_m, *(p.height_m for p in self.pulls), *(row[2] for row in self.loads)]
         rows += [(z, "change") for z in every]  # whatever it is that has no word above
         if self.settings["interlocking_course_m"]:
