@@ -300,8 +300,7 @@ def ties(data, folder):
         )
         lines.append(
             f"To assess the façade with these rows, give {folder}/ties.yaml after its own file. "
-            "Each row is the least for itself: by hand, with less in any one of them a mechanism "
-            "fails."
+            "By hand each row is the least: with less in any one of them a mechanism fails."
         )
     if len(beyond):
         lines.append(
@@ -331,19 +330,21 @@ def ties_said(data):
     left = list(after.loc[after["beyond"] == 1, "mechanism"])
     failed = len(tried) and math.isnan(rows["factor"].iloc[0])
     models = verdict.words_of(list(data.tables["verdicts"]["model"].unique()))
+    what, rest, alone = "the kinematic checks", "", ""
     if failed:
-        end = "the kinematic checks pass; the dynamic check never does"
+        rest = "; the dynamic check never does"
     elif len(tried):
-        end = f"the kinematic checks and the dynamic check with {models} pass"
+        what += f" and the dynamic check with {models}"
     else:
-        end = "the kinematic checks pass; the dynamic check was not made"
+        rest = "; the dynamic check was not made"
     if left:
-        end += (
+        alone = " With these rows alone the façade does not pass."
+        rest = (
             f" for all but {len(left)} mechanism{'s' * (len(left) > 1)} that no row at these "
-            f"levels holds: {'; '.join(left)}. With these rows alone the façade does not pass"
+            f"levels holds, {' and '.join(left)}" + rest
         )
     less = "" if failed else f" With 95 % of the force {'more fails' if left else 'they do not'}."
-    return f"With rows of ties of {said} {end}.{less}"
+    return f"With rows of ties of {said} {what} pass{rest}.{alone}{less}"
 
 
 def sensitivity(data, folder):
@@ -351,8 +352,7 @@ def sensitivity(data, folder):
     code, dynamic = data.tables["code_sensitivity"], data.tables["dynamic_sensitivity"]
     own = data.tables["code_checks"]
     own = own[own["mechanism"] == data.weakest.name].set_index("check")["ratio"]
-    drawn, tables = [], []
-    before: list = []
+    drawn, tables, before = [], [], None
     for key, words in (("slv_ground", "ground"), ("slv_height", "floor")):
         part = code[code["check"] == key].rename(columns={"ratio": "value"})
         values = part[["key", "factor", "value"]].to_numpy().tolist()
