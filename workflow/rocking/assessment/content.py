@@ -245,10 +245,10 @@ def rate(data, relied, folder):
         tuple(k for k, model in enumerate(rates["model"]) if model == relied),
     )
     first, last = rates["pga_first_g"].iloc[0], rates["pga_last_g"].iloc[0]
-    base = data.config["facade"]["base"]
+    stands = verdict.stands_on(data.config["facade"])
     lines = [
         f"The hazard of {rates['hazard'].iloc[0]} goes from {g3(first)} to {g3(last)} g of PGA on "
-        f"the ground of the site. The rate depends on facade.base, here {base} (docs/risk.md); "
+        f"the ground of the site. The rate depends on the base, here {stands} (docs/risk.md); "
         "uncertainty of hazard, material and model is not in the intervals."
     ]
     return {"lines": lines, "tables": [table]}

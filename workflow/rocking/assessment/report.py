@@ -135,7 +135,6 @@ def rate_said(data, relied):
         f"{r.rate_high:.2g}), {100 * r.probability:.2g} % in {r.years:g} years"
         for r in rates.itertuples()
     ]
-    base = data.config["facade"]["base"]
     first = every[every["hazard"] == every["hazard"].iloc[0]]
     others = [
         f"{r.annual_rate:.2g} with {r.model}" for r in first.itertuples() if r.model != relied
@@ -143,7 +142,7 @@ def rate_said(data, relied):
     beside = f" ({verdict.words_of(others)})" if others else ""
     return (
         f"With {relied}: {'; '.join(said)}{beside}. As it stands, without further ties, with "
-        f"facade.base: {base}."
+        f"{verdict.stands_on(data.config['facade'])}."
     )
 
 
@@ -151,6 +150,8 @@ def rests_on(data, relied):
     """Lines: demand, models, and what is left out."""
     f, t = data.config["facade"], data.tables
     demand = t["code_checks"]["pga_demand_g"].iloc[0]
+    courses = f["courses"]
+    stack = f"a stack of {courses} elastic courses" if courses else "a rigid part"
     names = list(t["dynamic"]["model"])
     meanings = "; ".join(f"{name}: {MODELS[name].moved}" for name in names)
     rests, pushed = "", MODELS[names[0]]
@@ -162,12 +163,12 @@ def rests_on(data, relied):
     return [
         f"The demand is {data.demand_said}, a PGA of {g3(demand)} g.",
         f"Models of how the return walls move behind the façade. {meanings}.{rests}",
-        f"The façade is rigid blocks of {f['density_kg_m3']:g} kg/m³ on dry joints; it does not "
+        f"{'By hand the' if courses else 'The'} façade is rigid blocks of {f['density_kg_m3']:g} kg/m³ on dry joints; it does not "
         "crush or fall apart, and the mechanisms know ties and anchors but no friction of floors.",
         "Every part turns over the whole width, but for the corners, which end at the eaves and "
         "take the return wall as one without openings.",
-        "In the dynamic models each mechanism is a rigid part on the building, or two that bend, "
-        "and leans on the return walls behind it" + content.floors_said(f["floors"]),
+        f"In the dynamic models each mechanism is {stack} on the building, or two rigid parts that "
+        "bend, and leans on the return walls behind it" + content.floors_said(f["floors"]),
         "The Circolare was read in a public transcription with page numbers, EN 1998-3 and NZS "
         "1170.5 at second hand (appendix D).",
         f"Confidence factor FC = {data.factor:g}.",

@@ -215,6 +215,12 @@ def dynamic_check(verdicts, fit, shaken=None):
     return words + "." + left
 
 
+def stands_on(facade):
+    """What the façade of the dynamic models stands on, in words."""
+    courses = facade["courses"]
+    return f"{courses} elastic courses" if courses else f"facade.base: {facade['base']}"
+
+
 def suite(dynamic, several=False):
     """The third sentence: collapse under all motions of the run, by the first of several parts."""
     stations = int(dynamic["stations"].max())
