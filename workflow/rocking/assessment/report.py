@@ -163,8 +163,9 @@ def rests_on(data, relied):
     return [
         f"The demand is {data.demand_said}, a PGA of {g3(demand)} g.",
         f"Models of how the return walls move behind the façade. {meanings}.{rests}",
-        f"{'By hand the' if courses else 'The'} façade is rigid blocks of {f['density_kg_m3']:g} kg/m³ on dry joints; it does not "
-        "crush or fall apart, and the mechanisms know ties and anchors but no friction of floors.",
+        f"{'By hand the' if courses else 'The'} façade is rigid blocks of "
+        f"{f['density_kg_m3']:g} kg/m³ on dry joints; it does not crush or fall "
+        "apart, and the mechanisms know ties and anchors but no friction of floors.",
         "Every part turns over the whole width, but for the corners, which end at the eaves and "
         "take the return wall as one without openings.",
         f"In the dynamic models each mechanism is {stack} on the building, or two rigid parts that "
