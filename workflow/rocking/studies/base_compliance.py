@@ -220,13 +220,15 @@ def _draw_cost(axis, table):
         axis.plot([at, at], [low, high], "-", color=colour, lw=1.0)
         axis.plot(at, middle, "s" if graded else "o", ms=4, color=colour)
         words = {"study": "block, E/h", "column": "block, column"}.get(name, name)
+        end, away = (low, -9) if name in BASES else (high, 3)  # names of neighbours lie apart
         axis.annotate(
-            words, (at, high), (0, 3), textcoords="offset points", fontsize=6, ha="center"
+            words, (at, end), (0, away), textcoords="offset points", fontsize=6, ha="center"
         )
     axis.axhline(0.0, color="k", lw=0.8, zorder=0)
     for side in (-15.0, 15.0):
         axis.axhline(side, color=style.GREY, lw=0.6, ls=":", zorder=0)
     axis.set_xscale("log")
+    axis.margins(y=0.1)
     axis.set(xlabel="processor time of a curve [s]", ylabel="error of half collapse [%]")
     curves = len(table[table["facade"] == STACK])
     axis.xaxis.set_major_formatter("{x:g}")
