@@ -5,13 +5,13 @@ import math
 import numpy as np
 import pytest
 from rocking.assessment import checks
-from rocking.assessment.blocks import Facade, courses, interlocking, overturning, two_blocks
 from rocking.assessment.demand import (
     RecordDemand,
     TableDemand,
     floor_demand,
 )
 from rocking.assessment.family import pulls_of
+from rocking.mechanics.blocks import Facade, courses, interlocking, overturning, two_blocks
 from rocking.mechanics.closed_forms import (
     block,
 )

@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from rocking.assessment.blocks import Facade, overturning, two_blocks
 from rocking.assessment.drawings import _corner
 from rocking.assessment.family import Family, stretched
 from rocking.assessment.masonry import Masonry
 from rocking.configuration import config
+from rocking.mechanics.blocks import Facade, overturning, two_blocks
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 
 from yade_scripts.model.shape import shape_of

@@ -6,11 +6,11 @@ import math
 import numpy as np
 import pytest
 from rocking import Case
-from rocking.assessment.blocks import Facade, Held, overturning
 from rocking.assessment.code_checks import governing
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.family import Family
 from rocking.configuration import config
+from rocking.mechanics.blocks import Facade, Held, overturning
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 
 from yade_scripts.model.base import course_tops

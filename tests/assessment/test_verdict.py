@@ -3,7 +3,6 @@
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.assessment.mechanism import WHOLE
 from rocking.assessment.verdict import (
     damage,
     decided_by,
@@ -13,6 +12,7 @@ from rocking.assessment.verdict import (
     passes,
     suite,
 )
+from rocking.mechanics.mechanism import WHOLE
 
 CHECKS = pd.DataFrame({"check": ["linear_ground"], "pga_demand_g": [0.2], "ratio": [1.2]})
 

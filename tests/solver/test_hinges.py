@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 from both_solvers import BETA_S, FEW, agreed, pulses
-from rocking.assessment.code_checks import weakest_hinge
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
+from rocking.mechanics.blocks import weakest_hinge
 from rocking.solver.bars import of_scene
 from rocking.solver.plane import moving_supports, to_plane
 from rocking.solver.runs import Motions, history

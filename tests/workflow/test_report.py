@@ -52,7 +52,7 @@ def test_the_answer_says_what_to_trust_and_how_far_records_were_scaled(tmp_path)
     )
     (tmp_path / "figure.png").write_bytes(b"not looked at" * 999)
     code = (
-        "import sys; from types import SimpleNamespace as N; from rocking.configuration.words "
+        "import sys; from types import SimpleNamespace as N; from rocking.configuration.config "
         "import Settings; sys.path.insert(0, sys.argv[1]); snakemake = N(wildcards=N(run='r'), "
         "params=N(facade=Settings('{\"facade\":{\"height_m\":5.0}}'), models=['W1, a block']), "
         "input=N(ida=['ida.csv'], records='records.csv', collapse='collapse.csv', "

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 from rocking.assessment import checks
 from rocking.assessment.family import NEAR_M
-from rocking.assessment.mechanism import TINY
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
+from rocking.mechanics.mechanism import TINY
 from yade_scripts.model.floors import place_of
 
 

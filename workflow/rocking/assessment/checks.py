@@ -94,7 +94,7 @@ def linear(mechanism, demand, where, *, confidence_factor=1.0, behaviour=BEHAVIO
 
     Parameters
     ----------
-    mechanism : rocking.assessment.mechanism.Mechanism
+    mechanism : rocking.mechanics.mechanism.Mechanism
     demand : RecordDemand, TableDemand, CodeDemand or FloorDemand
         Taken at period T0.
     where : str

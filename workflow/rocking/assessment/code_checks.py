@@ -1,19 +1,14 @@
 """All checks of one façade under one demand, and which mechanism of it they are applied to."""
 
 import numpy as np
-from scipy.optimize import minimize_scalar
 
 from rocking.assessment import checks
-from rocking.assessment.blocks import Facade, two_blocks
 from rocking.assessment.demand import RecordDemand, floor_demand
 from rocking.assessment.family import Family
-from rocking.assessment.mechanism import WHOLE
-from rocking.mechanics.closed_forms import GRAVITY_M_S2
+from rocking.mechanics.mechanism import WHOLE
 from rocking.mechanics.rocking_block import overturning_pga
 from rocking.records import integrate
-from yade_scripts.model.floors import lever_of
 from yade_scripts.model.motion import SIGNS
-from yade_scripts.model.shape import refuse
 
 CHECKS = {  # key of the tables: what figures and reports call it
     "linear_ground": "linear q = 2, ground",
@@ -40,28 +35,6 @@ CHECKS = {  # key of the tables: what figures and reports call it
     "housner": "Housner's energy",
     "oscillator": "rocking oscillator",
 }
-
-
-def weakest_hinge(section):
-    """Height of the hinge with the least α0 of `two_blocks`, the top held [m].
-
-    Parameters
-    ----------
-    section : dict
-        Section facade, whose floors stand at its top.
-    """
-    loads = [1e3 * row["load_kn"] for row in section["floors"]]
-    refuse({**section, "hinges_m": (), "courses": 0}, "the weakest hinge")
-    h, b = section["height_m"], section["thickness_m"]
-    arms = [lever_of(row, b) for row in section["floors"]]
-    total = sum(loads)
-    arm = sum(p * s for p, s in zip(loads, arms, strict=True)) / total if total else 0.0
-    weight = section["density_kg_m3"] * GRAVITY_M_S2 * h * b * section["width_m"]
-    facade = Facade(h, b, weight, 0.0, total, arm)
-    found = minimize_scalar(
-        lambda z: two_blocks(facade, z).multiplier(), bounds=(0.02 * h, 0.98 * h), method="bounded"
-    )
-    return float(found.x)
 
 
 def damaged(sections):

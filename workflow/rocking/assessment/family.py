@@ -24,10 +24,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocking.assessment.blocks import Held, bending, interlocking, toppling
 from rocking.assessment.checks import CANTILEVER, initial_period
 from rocking.assessment.masonry import Masonry
-from rocking.assessment.mechanism import WHOLE, Mechanism
+from rocking.mechanics.blocks import Held, bending, interlocking, toppling
+from rocking.mechanics.mechanism import WHOLE, Mechanism
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.holds import FRICTION, holds
 

@@ -2,8 +2,8 @@
 
 import pandas as pd
 
-from rocking.assessment.mechanism import WHOLE
 from rocking.assessment.shaken import is_later
+from rocking.mechanics.mechanism import WHOLE
 from rocking.stations import FEWEST
 
 GOVERNS = "W2m"  # the model that the rate rests on, where it is among a run's

@@ -136,7 +136,7 @@ class Case:
         if mass_kg is not None:
             scene["return_wall"]["building_mass_kg"] = mass_kg
         if scene["facade"]["hinges_m"] == WEAKEST:
-            from rocking.assessment.code_checks import weakest_hinge  # slow to load, rarely needed
+            from rocking.mechanics.blocks import weakest_hinge  # slow to load, rarely needed
 
             scene["facade"]["hinges_m"] = [weakest_hinge(scene["facade"])]
         part = scene.pop("part", None) or {}

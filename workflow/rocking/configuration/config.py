@@ -17,7 +17,7 @@ from rocking.configuration.facade import check_facade
 from rocking.configuration.files import changed, check_files, write_resolved
 from rocking.configuration.schema import STUDY_KEYS, ConfigError, show
 from rocking.configuration.units import unusual
-from rocking.configuration.words import Settings
+from rocking.configuration.words import listed
 from yade_scripts.model.part import part_of
 
 __all__ = [
@@ -171,6 +171,26 @@ def _at(resolved: Mapping, path: str) -> Any:
     for key in path.split("."):
         value = value[key]
     return value
+
+
+class Settings(str):
+    """Sections of the configuration as JSON, for a rule's `params`; captions take its `words`."""
+
+    __slots__ = ()
+
+    @property
+    def words(self):
+        """What is set, in words; not what the workflow chooses itself, nor what there is none of.
+
+        There is none of what an empty list says, or a 0 that is the default: gables, gaps, bonds.
+        """
+        usual = resolve({})
+        return listed(
+            (key, value)
+            for section, values in json.loads(self).items()
+            for key, value in values.items()
+            if isinstance(value, bool) or value != 0 or usual.get(section, {}).get(key) != 0
+        )
 
 
 def relevant(resolved: Mapping, *paths: str) -> Settings:

@@ -51,7 +51,7 @@ def check_static_stability(resolved: Mapping) -> None:
     if not any(kind.single_block and not kind.bonded for kind in models):
         return
     if resolved["facade"]["hinges_m"] == WEAKEST:
-        from rocking.assessment.code_checks import weakest_hinge  # loads SciPy, seldom needed
+        from rocking.mechanics.blocks import weakest_hinge  # loads SciPy, seldom needed
 
         resolved = _with(resolved, {"hinges_m": [weakest_hinge(resolved["facade"])]})
     if stands(resolved):

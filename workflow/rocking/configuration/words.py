@@ -1,6 +1,5 @@
 """Names of columns and keys, and values beside them, as a reader writes them."""
 
-import json
 from typing import Any
 
 # endings of column names in tables, longest first, and how a reader writes the unit
@@ -68,34 +67,12 @@ def said(key: str, value: Any) -> str:
     words, unit = _parts(key)
     if isinstance(value, list):
         if value and isinstance(value[0], dict):
-            return f"{words} ({'; '.join(_listed(row.items()) for row in value)})"
+            return f"{words} ({'; '.join(listed(row.items()) for row in value)})"
         value = ", ".join(f"{v:g}" if isinstance(v, float) else str(v) for v in value)
     number = f"{value:g}" if isinstance(value, float) else str(value)
     return f"{words} {number}" + (unit if unit == "°" else f" {unit}" if unit else "")
 
 
-def _listed(pairs):
+def listed(pairs):
     """Keys with their values, those that have one."""
     return ", ".join(said(key, value) for key, value in pairs if value not in (None, []))
-
-
-class Settings(str):
-    """Sections of the configuration as JSON, for a rule's `params`; captions take its `words`."""
-
-    __slots__ = ()
-
-    @property
-    def words(self):
-        """What is set, in words; not what the workflow chooses itself, nor what there is none of.
-
-        There is none of what an empty list says, or a 0 that is the default: gables, gaps, bonds.
-        """
-        from .config import resolve  # which takes this class
-
-        usual = resolve({})
-        return _listed(
-            (key, value)
-            for section, values in json.loads(self).items()
-            for key, value in values.items()
-            if isinstance(value, bool) or value != 0 or usual.get(section, {}).get(key) != 0
-        )

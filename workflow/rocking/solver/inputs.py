@@ -14,7 +14,7 @@ REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is 
 COLUMNS = 14  # of a history before the supports' own
 
 
-class Table(NamedTuple):
+class SteppedMotion(NamedTuple):
     """Motions at the whole steps, for a factor of one.
 
     Attributes

@@ -130,7 +130,7 @@ def advance(what, given, state, scratch, span, every, samples, weight):
     what : tuple of functions
         `contact`, `accelerate`, `monitor`, see above.
     given : tuple
-        The plane, what stays of its nodes, `Bodies`, `Table`, `Rules`.
+        The plane, what stays of its nodes, `Bodies`, `SteppedMotion`, `Rules`.
     state, scratch : ndarray, shape (rows,) or (rows, WIDTH)
         What is remembered, see `Parts`, and room for a step.
     span : tuple of 2 ints

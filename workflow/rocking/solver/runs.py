@@ -9,7 +9,7 @@ from scipy.linalg import block_diag
 
 from . import march
 from .block import BLOCK
-from .inputs import COLUMNS, FAILED, OVERTURNED, REST_RATIO, Rules, Table
+from .inputs import COLUMNS, FAILED, OVERTURNED, REST_RATIO, Rules, SteppedMotion
 from .plane import matrices
 from .stack import Stack, stack_matrices
 from .stack_kernel import STACK
@@ -85,7 +85,7 @@ class Motions:
 
         Returns
         -------
-        Table
+        SteppedMotion
         """
         kept = self._tables
         if (step_s, supports) not in kept:
@@ -111,7 +111,7 @@ class Motions:
             place.append(u[i] + v[i] * s + 0.5 * a[i] * s**2 + slope * s**3 / 6.0 + now * late)
             speed.append(now)
         shape = (len(place), grid.size)
-        return Table(
+        return SteppedMotion(
             float(step_s),
             np.interp(grid, t, self.ground_m_s2),
             np.interp(grid, t, self.vertical_m_s2),

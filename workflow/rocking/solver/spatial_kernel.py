@@ -120,7 +120,7 @@ def roll(q, momentum, inertia, dt, spin, matrix, other):
         q[m] = other[m] / size
 
 
-class Motion(NamedTuple):
+class SpatialState(NamedTuple):
     """How the block and its supports move, and what its nodes remember.
 
     Attributes
@@ -170,7 +170,7 @@ def at_rest(p, supports):
     touching = np.zeros(p.first.size - 1, np.int64)
     spin, now_v, now_spin = np.zeros(3), np.zeros(3), np.zeros(3)
     rates = v, momentum, a, torque, turn, spin, now_v, now_spin
-    motion = Motion(x, q, *rates, u, us, du, slip, closed, touching)
+    motion = SpatialState(x, q, *rates, u, us, du, slip, closed, touching)
     return motion, (np.zeros(3), np.zeros((4, 3)), np.zeros((3, 3)), np.zeros(4))
 
 
@@ -308,7 +308,7 @@ def march_spatial(p, start, across, beside, factor, rules, motion_s, max_speed_m
     p : Spatial
     start : tuple
         See `at_rest`.
-    across, beside : Table
+    across, beside : SteppedMotion
         Motions along y and x; the vertical one with the first.
     factor : float
         On both; its size on the vertical one, which a half turn of the building leaves as it is.

@@ -20,7 +20,7 @@ from .vectors import alone, choose, cos_sin, like, put, put_where, some, take
 OPEN, CLOSED, HOLDS, GONE = 0.0, 1.0, 2.0, 3.0  # states of a node
 
 
-class Nodes(NamedTuple):
+class StackMemory(NamedTuple):
     """What nodes and blocks remember, in rows.
 
     Attributes
@@ -40,9 +40,9 @@ class Nodes(NamedTuple):
 
 @inlined
 def _nodes(p, rows):
-    """`Nodes` in the rows of `_start`."""
+    """`StackMemory` in the rows of `_start`."""
     count, goes = p.kn_n_m.size, 2 * p.kn_n_m.size + p.mass_kg.size
-    return Nodes(rows[:count], rows[count : 2 * count], rows[2 * count : goes], rows[goes:])
+    return StackMemory(rows[:count], rows[count : 2 * count], rows[2 * count : goes], rows[goes:])
 
 
 def _start(p):

@@ -31,7 +31,7 @@ def case(specimen, changes=(), height_m=None):
     dict
         Sections, model, beta_s and observed_m, see `models.build_scene`.
     """
-    from rocking.assessment.code_checks import weakest_hinge
+    from rocking.mechanics.blocks import weakest_hinge
 
     given, changes = copy.deepcopy(specimen["sections"]), dict(changes)
     damping = changes.pop("damping", specimen["damping"])

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from rocking.assessment.blocks import Facade, courses, overturning, two_blocks
+from rocking.mechanics.blocks import Facade, courses, overturning, two_blocks
 from rocking.mechanics.closed_forms import GRAVITY_M_S2, capacity_interlocking, capacity_rigid
 
 WALL = Facade(height_m=6.0, thickness_m=0.6, weight_n=100e3)

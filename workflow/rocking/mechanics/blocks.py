@@ -9,8 +9,10 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from scipy.optimize import minimize_scalar
 
-from rocking.assessment.mechanism import (
+from rocking.mechanics.closed_forms import GRAVITY_M_S2, _positive
+from rocking.mechanics.mechanism import (
     Mechanism,
     Pull,
     Weight,
@@ -18,7 +20,8 @@ from rocking.assessment.mechanism import (
     spread_weight,
     turning,
 )
-from rocking.mechanics.closed_forms import _positive
+from yade_scripts.model.floors import lever_of
+from yade_scripts.model.shape import refuse
 
 
 class Held(NamedTuple):
@@ -271,3 +274,25 @@ def two_blocks(facade, hinge_height_m):
         (b, h),
         held=[(f.roof_n, f.roof_arm_m, h)],
     )
+
+
+def weakest_hinge(section):
+    """Height of the hinge with the least α0 of `two_blocks`, the top held [m].
+
+    Parameters
+    ----------
+    section : dict
+        Section facade, whose floors stand at its top.
+    """
+    loads = [1e3 * row["load_kn"] for row in section["floors"]]
+    refuse({**section, "hinges_m": (), "courses": 0}, "the weakest hinge")
+    h, b = section["height_m"], section["thickness_m"]
+    arms = [lever_of(row, b) for row in section["floors"]]
+    total = sum(loads)
+    arm = sum(p * s for p, s in zip(loads, arms, strict=True)) / total if total else 0.0
+    weight = section["density_kg_m3"] * GRAVITY_M_S2 * h * b * section["width_m"]
+    facade = Facade(h, b, weight, 0.0, total, arm)
+    found = minimize_scalar(
+        lambda z: two_blocks(facade, z).multiplier(), bounds=(0.02 * h, 0.98 * h), method="bounded"
+    )
+    return float(found.x)
