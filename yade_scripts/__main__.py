@@ -28,7 +28,7 @@ def commands():
 
 
 def main(arguments):
-    """Run the named study; return the exit status. A foreseen error is one line."""
+    """Run the named command; return the exit status. A foreseen error is one line."""
     from yade_scripts.engine import parent_process
 
     if parent_process.follow() and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
@@ -39,11 +39,11 @@ def main(arguments):
 
     known = commands()
     if not arguments or arguments[0] not in known:
-        print(f"usage: yade_scripts STUDY [options]; STUDY is one of {', '.join(known)}")
+        print(f"usage: yade_scripts COMMAND [options]; COMMAND is one of {', '.join(known)}")
         return 2
-    study = importlib.import_module(f"yade_scripts.commands.{arguments[0]}")
+    command = importlib.import_module(f"yade_scripts.commands.{arguments[0]}")
     try:
-        return study.main(arguments[1:])
+        return command.main(arguments[1:])
     except (ValueError, OSError, EngineError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

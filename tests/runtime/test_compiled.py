@@ -49,10 +49,10 @@ for model, more in (
 ):
     case = Case.configured(model, {**short, **more})
     collapse_curve(case, Motion(Record("wave", wave, 0.01, "file")), "neg", search="crossings")
-scene = build_scene({**Case.configured("W1").scene, "width_nodes": 3})
+scene = build_scene({**Case.configured("W1").sections, "width_nodes": 3})
 given = spatial.two_motions(Motions, scene, t, {"ground": wave, "vertical": wave})
 spatial.history(spatial.to_block(scene), given, Case.configured("W1")["numerics"], sample_s=0.1)
-case = Case.configured("W2").scene
+case = Case.configured("W2").sections
 moving = motion_of(t, {"ground": wave, **{f"floor{j}": wave for j in range(1, 5)}}, "W2")
 answers(case, moving, "pos", [0.1], nodes=5, tolerance=1e-4)
 rocking_block.overturning_pga(wave, 0.01, 6.48, 0.375, 1, 0.1)

@@ -67,7 +67,7 @@ def test_at_rest(model):
     case = Case.configured(model).varied(Variant("column", {"facade.base": "column"}))
     if model == "W2m":
         case = case.varied(Variant("mass", {"return_wall.building_mass_kg": 6e4}))
-    scene = build_scene(case.scene)
+    scene = build_scene(case.sections)
     at = scene.nodes.joint == scene.joints.index("base")
     block = scene.blocks[scene.index("façade")]
     borne = -block.displacement_m[2] * scene.nodes.kn_n_m[at].sum()
@@ -189,8 +189,8 @@ def test_against_the_reference_solver():
     case = Case.configured("W1").varied(Variant("column", {"facade.base": "column"}))
     case = case.varied(Variant("nodes", {f"numerics.{key}": 17 for key in NODES}))
     t, ground = pulses(1.2)
-    planar = history(to_plane(build_scene(case.scene)), Motions(t, ground), case["numerics"])
-    wall = wall_of(case.scene, 17)
+    planar = history(to_plane(build_scene(case.sections)), Motions(t, ground), case["numerics"])
+    wall = wall_of(case.sections, 17)
     judged = simulate_batch(wall, SupportTable(0.01, ground, None), [1.0], tolerance=1e-6)
     assert planar.peak_d_over_b > 0.05
     assert planar.peak_d_over_b == pytest.approx(float(judged.peak_d_over_b[0]), rel=0.01)

@@ -203,7 +203,7 @@ def search_of(falls, settings, monkeypatch, kept=None):
     )
     config, _ = tied(numerics=FEW)
     case = Case({**config, "model": "W1", "beta_s": BETA_S})
-    case = Case({**case.scene, "facade": {**case["facade"], "ties": []}})
+    case = Case({**case.sections, "facade": {**case["facade"], "ties": []}})
     return strengthening.search(case, None, "pos", settings, kept), tried
 
 

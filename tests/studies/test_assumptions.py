@@ -70,12 +70,12 @@ def test_a_curve_of_probabilities_alone():
 def test_every_variant_changes_the_scene_or_its_motion(model):
     """Names are unique and no key is misspelt: each variant is another scene, chain or record."""
     case = Case({**resolved(), "model": model, "beta_s": 0.00276})
-    base = to_json(build_scene(case.scene))
+    base = to_json(build_scene(case.sections))
     every = assumptions.variants(case, STAGE, surrogate={})
     known = {v.name: v for v in every}
     assert len(known) == len(every) == len(assumptions.variants(case, STAGE)) + 1
     for name, variant in known.items():
-        new = case.varied(variant).scene
+        new = case.varied(variant).sections
         other = [new["smdof"] != case["smdof"], new["damping"] != case["damping"], variant.motion]
         assert to_json(build_scene(new)) != base or any(other), name
     two_way = case.varied(known["return walls feel the façade, building's mass"])

@@ -25,7 +25,7 @@ from yade_scripts.model.models import build_scene
 def drawn(job, factor):
     """Case file with the parameters times their factors."""
     case = Case(job)
-    return case.varied(sampling.variant(case, factor)).scene
+    return case.varied(sampling.variant(case, factor)).sections
 
 
 SLOPES = np.array([0.30, -0.15, 0.05, 0.0])
@@ -169,12 +169,12 @@ def test_each_base_is_a_form_of_its_own():
     assert found["W1"] is own
     other = found["W1 column"]
     assert other["facade"] == {**own["facade"], "base": "column"}
-    assert other["beta_s"] == pytest.approx(beta_for(other.scene))
+    assert other["beta_s"] == pytest.approx(beta_for(other.sections))
     assert other["beta_s"] < own["beta_s"]
-    scene = build_scene(other.varied(sampling.variant(other, {"e_mpa": 2.0})).scene)
+    scene = build_scene(other.varied(sampling.variant(other, {"e_mpa": 2.0})).sections)
     kn = scene.nodes.kn_n_m[scene.nodes.joint == scene.joints.index("base")].sum()
     area = own["facade"]["thickness_m"] * own["facade"]["width_m"]
-    assert kn == pytest.approx(2.8 * 2.0 * joint_stiffness(own.scene)[0] * area)
+    assert kn == pytest.approx(2.8 * 2.0 * joint_stiffness(own.sections)[0] * area)
     with pytest.raises(ConfigError, match=r"uncertainty\.bases = column: expected study with"):
         resolve({"uncertainty": {"bases": ["column"]}, "facade": {"base_stiffness_pa_m": 1e9}})
 

@@ -12,11 +12,11 @@ ENERGY_RUNS = {
 }
 
 
-def accuracy_scenes(wildcards):
+def accuracy_cases(wildcards):
     """Scenes of its models, which the reference solver must know if it is the reference."""
     if RUNS.cfg(wildcards)["accuracy"]["reference"] == "adaptive":
         RUNS.needs_plain(wildcards.run, "the reference solver", held=True)
-    return of_run(rules.scene.output[0], model=RUNS.key("accuracy.models"))(wildcards)
+    return of_run(rules.facade_case.output[0], model=RUNS.key("accuracy.models"))(wildcards)
 
 
 def accuracy_scanned(run):
@@ -26,7 +26,7 @@ def accuracy_scanned(run):
 
 rule stability:
     input:
-        scene=of_run(rules.scene.output[0], model="W2"),
+        case=of_run(rules.facade_case.output[0], model="W2"),
         yade=rules.yade_check.output[0],
         modules=command_code("stability"),
     output:
@@ -37,14 +37,14 @@ rule stability:
     params:
         yade=YADE,
     shell:
-        "{params.yade} stability --scene {input.scene:q} --output {output.trials:q}"
+        "{params.yade} stability --scene {input.case:q} --output {output.trials:q}"
         " --limits {output.limits:q} 2> {log:q}"
 
 
 # The compiled planar solver finds intensities, tells what repeats, and gives the reference.
 rule accuracy_plan:
     input:
-        scenes=accuracy_scenes,
+        cases=accuracy_cases,
         motions=of_run(rules.floor_motions.output[0]),
         modules=code("accuracy/accuracy_plan"),
     output:
@@ -155,7 +155,7 @@ rule figure_speed_accuracy:
 rule ensemble_realisations:
     input:
         ensembles=of_run(rules.ida_ensemble.output.ensemble, **ACCURACY_CURVES),
-        scenes=accuracy_scenes,
+        cases=accuracy_cases,
         motions=of_run(rules.floor_motions.output[0], record=RUNS.named("accuracy.records")),
         modules=code("accuracy/table_ensemble_realisations"),
     output:
@@ -191,7 +191,7 @@ rule figure_chaos:
 # Energy balance of single runs.
 rule energy_balance:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         curve=rules.ida.output[0],
         yade=rules.yade_check.output[0],
@@ -205,7 +205,7 @@ rule energy_balance:
     params:
         yade=YADE,
     shell:
-        "{params.yade} energy --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} energy --scene {input.case:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
         " --curve {input.curve:q} --share {wildcards.share:q} --output {output:q}"
         " 2> {log:q}"

@@ -70,7 +70,7 @@ def curves(wildcards):
 rule assess_collapse:
     input:
         **MOTIONS,
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         modules=code("assess/assess_collapse"),
     output:
         results("assessment/collapse_{model}.csv"),
@@ -95,7 +95,7 @@ rule assess_code:
         site=site,
         spectrum=SPECTRUM,
         hazard=HAZARD,
-        scenes=of_run(rules.scene.output[0], model=dry),
+        cases=of_run(rules.facade_case.output[0], model=dry),
         modules=code("assess/assess_code"),
     output:
         checks=results("assessment/code_checks.csv"),
@@ -121,7 +121,7 @@ rule assess_code:
 use rule assess_collapse as assess_parts_collapse with:
     input:
         **MOTIONS,
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         shaken=rules.assess_code.output.shaken,
         modules=code("assess/assess_collapse"),
     output:
@@ -188,7 +188,7 @@ rule assess_selection:
 rule assess_histories:
     input:
         **MOTIONS,
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motions=rules.assess_selection.output.motions,
         modules=code("assess/assess_histories"),
     output:
@@ -208,7 +208,7 @@ rule assess_histories:
 use rule assess_histories as assess_parts_histories with:
     input:
         **MOTIONS,
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motions=rules.assess_selection.output.motions,
         shaken=rules.assess_code.output.shaken,
         modules=code("assess/assess_histories"),
@@ -227,7 +227,7 @@ CHECKED_PARTS = rules.assess_histories.output, rules.assess_parts_histories.outp
 rule assess_confirm:
     input:
         **MOTIONS,
-        scenes=of_run(rules.scene.output[0], model=dry),
+        cases=of_run(rules.facade_case.output[0], model=dry),
         histories=of_run(*(one.histories for one in CHECKED_PARTS), model=dry),
         verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),
         shaken=rules.assess_code.output.shaken,
@@ -257,7 +257,7 @@ rule assess_ties:
         site=site,
         spectrum=SPECTRUM,
         hazard=HAZARD,
-        scenes=of_run(rules.scene.output[0], model=dry),
+        cases=of_run(rules.facade_case.output[0], model=dry),
         motions=rules.assess_selection.output.motions,
         verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),
         modules=code("assess/assess_ties"),
@@ -284,7 +284,7 @@ rule assess_ties:
 rule assess_sensitivity:
     input:
         **MOTIONS,
-        scene=of_run(rules.scene.output[0], model=governing),
+        case=of_run(rules.facade_case.output[0], model=governing),
         collapse=of_run(rules.assess_collapse.output[0], model=governing),
         parts=of_run(rules.assess_parts_collapse.output[0], model=governing),
         shaken=rules.assess_code.output.shaken,

@@ -10,7 +10,7 @@ def picture_record(run):
 
 rule frames:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0], record=picture_record),
         yade=rules.yade_check.output[0],
         modules=command_code("frames"),
@@ -24,14 +24,14 @@ rule frames:
         direction=value_of("pictures.direction"),
         pga=value_of("pictures.pga_g"),
     shell:
-        "{params.yade} frames --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} frames --scene {input.case:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction:q} --pga {params.pga:q}"
         " --fall 2 --output {output:q} 2> {log:q}"
 
 
 rule collapse_frames:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0], record=picture_record),
         ida=of_run(
             rules.ida.output[0],
@@ -49,7 +49,7 @@ rule collapse_frames:
         direction=value_of("pictures.direction"),
         interval=value_of("pictures.frame_interval_s"),
     shell:
-        "{params.yade} frames --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} frames --scene {input.case:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {params.direction:q} --collapse {input.ida:q}"
         " --interval {params.interval:q} --fall 6 --output {output:q} 2> {log:q}"
 

@@ -31,7 +31,7 @@ rule reduction_motion:
 
 use rule planar_ida as reduction_planar with:
     input:
-        scene=of_run(rules.scene.output[0], model="W2"),
+        case=of_run(rules.facade_case.output[0], model="W2"),
         motion=rules.reduction_motion.output.motion,
         modules=code("ida/planar_ida"),
     output:
@@ -45,7 +45,7 @@ use rule planar_ida as reduction_planar with:
 
 use rule ida as reduction_ida with:
     input:
-        scene=of_run(rules.scene.output[0], model="W2"),
+        case=of_run(rules.facade_case.output[0], model="W2"),
         motion=rules.reduction_motion.output.motion,
         plan=rules.reduction_planar.output.plan,
         yade=rules.yade_check.output[0],

@@ -39,7 +39,7 @@ rule assess_checks:
 
 rule assess_governing:
     input:
-        scenes=of_run(rules.scene.output[0], model=dry),
+        cases=of_run(rules.facade_case.output[0], model=dry),
         modules=code("assess/assess_governing"),
     output:
         results("assessment/governing.csv"),
@@ -54,7 +54,7 @@ rule assess_governing:
 use rule assess_collapse as assess_governing_collapse with:
     input:
         **MOTIONS,
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         shaken=rules.assess_governing.output[0],
         modules=code("assess/assess_collapse"),
     output:
@@ -72,7 +72,7 @@ rule assess_levels:
     input:
         **MOTIONS,
         shaken=rules.assess_governing.output[0],
-        scenes=of_run(rules.scene.output[0], model=dry),
+        cases=of_run(rules.facade_case.output[0], model=dry),
         modules=code("assess/assess_levels"),
     output:
         results("assessment/dynamic_levels.csv"),

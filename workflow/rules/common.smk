@@ -101,7 +101,7 @@ def code(script, study=None):
 
 
 def command_code(name):
-    """Input function: a study inside YADE and all it imports, as one stamp."""
+    """Input function: a command of `yade_scripts` and all it imports, as one stamp."""
     path = BASE / "yade_scripts" / "commands" / f"{name}.py"
     return lambda w: stamped(path)
 
@@ -169,7 +169,7 @@ wildcard_constraints:
 
 # On a cluster these run where Snakemake runs: submitting them would take longer.
 localrules:
-    scene,
+    facade_case,
     record,
     records_table,
     floor_motions,
@@ -179,7 +179,7 @@ localrules:
     report_table,
     report_provenance,
     table_run_times,
-    pushover_scene,
+    pushover_case,
     pushover_curve,
     figure_record,
     figure_floor_motions,

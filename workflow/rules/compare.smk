@@ -8,7 +8,7 @@ RESOLVED = results("config.yaml")  # configuration of a finished run
 
 
 def compared():
-    """Runs side by side: those of a study of several, and the finished ones that are named."""
+    """Runs side by side: those of a grid or scenarios, and the finished ones that are named."""
     named = next(iter(RUNS.settings.values()))["compare"]
     several = list(RUNS.settings) if len(RUNS.settings) > 1 or not named else []
     return list(dict.fromkeys([*several, *named]))

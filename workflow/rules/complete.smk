@@ -146,7 +146,7 @@ rule complete_scan:
 
 use rule ida as complete_ida with:
     input:
-        scene=curve_scene,
+        case=curve_scene,
         motion=of_run(rules.floor_motions.output[0]),
         plan=rules.complete_scan.output.plan,
         yade=rules.yade_check.output[0],

@@ -8,22 +8,22 @@ def mass_of_walls(wildcards):
     return [of_run(rules.building_fit.output[0])(wildcards)] if needed else []
 
 
-rule scene:
+rule facade_case:
     input:
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,
         building=mass_of_walls,
-        modules=code("ida/scene"),
+        modules=code("ida/facade_case"),
     output:
         results("cases/{model}.json"),
     log:
-        logs("scene_{model}"),
+        logs("facade_case_{model}"),
     params:
-        scene=lambda w: RUNS.params_of(
+        sections=lambda w: RUNS.params_of(
             *SECTIONS, *(["w3"] if MODELS[w.model].walls == "bricks" else [])
         )(w),
     script:
-        "../scripts/ida/scene.py"
+        "../scripts/ida/facade_case.py"
 
 
 # One early job that says in one line whether this machine can run YADE scenes.

@@ -5,7 +5,7 @@ wildcard_constraints:
 
 rule history:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         yade=rules.yade_check.output[0],
         modules=command_code("history"),
@@ -16,7 +16,7 @@ rule history:
     params:
         yade=YADE,
     shell:
-        "{params.yade} history --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} history --scene {input.case:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
         " --pga {wildcards.pga:q} --output {output:q} 2> {log:q}"
 
@@ -41,7 +41,7 @@ rule figure_history:
 
 use rule frames as history_frames with:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         yade=rules.yade_check.output[0],
         modules=command_code("frames"),
@@ -69,7 +69,7 @@ use rule animation_collapse as animation_history with:
 # For ParaView: blocks as bodies, contacts with their forces, at every 0.02 s.
 rule history_acting:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         yade=rules.yade_check.output[0],
         modules=command_code("frames"),
@@ -80,7 +80,7 @@ rule history_acting:
     params:
         yade=YADE,
     shell:
-        "{params.yade} frames --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} frames --scene {input.case:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
         " --pga {wildcards.pga:q} --contacts --output {output:q} 2> {log:q}"
 

@@ -10,7 +10,7 @@ def plan(wildcards):
 
 rule planar_ida:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         modules=code("ida/planar_ida"),
     output:
@@ -28,7 +28,7 @@ rule planar_ida:
 
 rule ida:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         plan=plan,
         yade=rules.yade_check.output[0],
@@ -45,14 +45,14 @@ rule ida:
         record=lambda w: w.record,
         journal=results("cache/ida/{model}_{record}_{direction}.jsonl"),
     shell:
-        "{params.yade} ida --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} ida --scene {input.case:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {wildcards.direction} {params.plan}"
         " --journal {params.journal:q} --output {output:q} 2> {log:q}"
 
 
 rule ida_ensemble:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         plan=plan,
         curve=rules.ida.output[0],
@@ -69,7 +69,7 @@ rule ida_ensemble:
         plan=plan_option,
         journal=results("cache/ensemble/{model}_{record}_{direction}.jsonl"),
     shell:
-        "{params.yade} ensemble --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} ensemble --scene {input.case:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction} {params.plan}"
         " --curve {input.curve:q} --journal {params.journal:q}"
         " --output {output.ensemble:q} --sensitivity {output.sensitivity:q}"

@@ -22,32 +22,32 @@ wildcard_constraints:
     variant="|".join(re.escape(name) for name in VARIANTS),
 
 
-rule pushover_scene:
+rule pushover_case:
     input:
         law=LAW_FILE,
-        modules=code("pushover/pushover_scene"),
+        modules=code("pushover/pushover_case"),
     output:
         results("pushover/cases/{pushed}.json"),
     log:
-        logs("pushover_scene_{pushed}"),
+        logs("pushover_case_{pushed}"),
     params:
-        scene=RUNS.params_of(
+        sections=RUNS.params_of(
             "facade", "return_wall", "damping", "smdof", "numerics", "pushover", "w3"
         ),
     script:
-        "../scripts/pushover/pushover_scene.py"
+        "../scripts/pushover/pushover_case.py"
 
 
-use rule pushover_scene as pushover_variant_scene with:
+use rule pushover_case as pushover_variant_case with:
     output:
         results("w3/cases/{variant}.json"),
     log:
-        logs("w3_scene_{variant}"),
+        logs("w3_case_{variant}"),
 
 
 rule pushover:
     input:
-        scene=rules.pushover_scene.output[0],
+        case=rules.pushover_case.output[0],
         yade=rules.yade_check.output[0],
         modules=command_code("pushover"),
     output:
@@ -60,13 +60,13 @@ rule pushover:
     params:
         yade=YADE,
     shell:
-        "{params.yade} pushover --scene {input.scene:q} --output {output.curve:q}"
+        "{params.yade} pushover --scene {input.case:q} --output {output.curve:q}"
         " --forces {output.forces:q} 2> {log:q}"
 
 
 use rule pushover as pushover_variant with:
     input:
-        scene=rules.pushover_variant_scene.output[0],
+        case=rules.pushover_variant_case.output[0],
         yade=rules.yade_check.output[0],
         modules=command_code("pushover"),
     output:
@@ -80,7 +80,7 @@ use rule pushover as pushover_variant with:
 
 rule pushover_curve:
     input:
-        scene=rules.pushover_scene.output[0],
+        case=rules.pushover_case.output[0],
         raw=rules.pushover.output.curve,
         modules=code("pushover/pushover_curve"),
     output:
@@ -94,7 +94,7 @@ rule pushover_curve:
 rule table_pushover:
     input:
         curves=pushover_curves,
-        scenes=of_run(rules.pushover_variant_scene.output[0], variant=laid_variants),
+        cases=of_run(rules.pushover_variant_case.output[0], variant=laid_variants),
         raw=of_run(rules.pushover_variant.output.curve, variant=laid_variants),
         forces=of_run(rules.pushover_variant.output.forces, variant=laid_variants),
         modules=code("pushover/table_pushover"),
@@ -108,7 +108,7 @@ rule table_pushover:
 
 rule fig08_w3:
     input:
-        scenes=of_run(rules.pushover_variant_scene.output[0], variant=DRAWN_VARIANTS),
+        cases=of_run(rules.pushover_variant_case.output[0], variant=DRAWN_VARIANTS),
         raw=of_run(rules.pushover_variant.output.curve, variant=DRAWN_VARIANTS),
         forces=of_run(rules.pushover_variant.output.forces, variant=DRAWN_VARIANTS),
         modules=code("pushover/fig08_w3"),

@@ -11,7 +11,7 @@ def describable(wildcards):
 
 rule reference_scan:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         scan=rules.planar_ida.output.scan,
         modules=code("reference/reference_scan"),

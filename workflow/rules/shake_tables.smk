@@ -117,11 +117,11 @@ rule fig06_shawa:
 
 
 # What the choice of the law changes in an IDA.
-rule damping_choice_scene:
+rule damping_choice_case:
     input:
         law=rules.beta_law.output.law,
         fidelity=FIDELITY_FILE,
-        modules=code("ida/scene"),
+        modules=code("ida/facade_case"),
     output:
         results("calibration/choice/{model}_{law}.json"),
     log:
@@ -129,14 +129,14 @@ rule damping_choice_scene:
     wildcard_constraints:
         law="eq5|fitted",
     params:
-        scene=RUNS.params_of(*SECTIONS),
+        sections=RUNS.params_of(*SECTIONS),
     script:
-        "../scripts/ida/scene.py"
+        "../scripts/ida/facade_case.py"
 
 
 use rule planar_ida as damping_choice_planar with:
     input:
-        scene=rules.damping_choice_scene.output[0],
+        case=rules.damping_choice_case.output[0],
         motion=of_run(rules.floor_motions.output[0], record=CHOICE_RECORD),
         modules=code("ida/planar_ida"),
     output:
@@ -152,7 +152,7 @@ use rule planar_ida as damping_choice_planar with:
 
 use rule ida as damping_choice_ida with:
     input:
-        scene=rules.damping_choice_scene.output[0],
+        case=rules.damping_choice_case.output[0],
         motion=of_run(rules.floor_motions.output[0], record=CHOICE_RECORD),
         plan=rules.damping_choice_planar.output.plan,
         yade=ancient(rules.yade_check.output[0]),
@@ -172,7 +172,7 @@ use rule ida as damping_choice_ida with:
 
 rule damping_choice:
     input:
-        scenes=of_run(rules.damping_choice_scene.output[0], cases=choices),
+        cases=of_run(rules.damping_choice_case.output[0], cases=choices),
         ida=of_run(rules.damping_choice_ida.output[0], cases=choices),
         scans=of_run(rules.damping_choice_planar.output.scan, cases=choices),
         facts=of_run(rules.own_record.output.facts, record=CHOICE_RECORD),

@@ -18,7 +18,7 @@ def models_for(target):
 
 rule strengthen:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         modules=code("strengthening/strengthen"),
     output:
@@ -39,7 +39,7 @@ rule strengthen:
 
 rule strengthen_yade:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         plan=rules.strengthen.output.plan,
         yade=rules.yade_check.output[0],
@@ -54,7 +54,7 @@ rule strengthen_yade:
         yade=YADE,
         journal=results("cache/strengthening/{model}_{record}_{direction}.jsonl"),
     shell:
-        "{params.yade} runs --scene {input.scene:q} --motion {input.motion:q}"
+        "{params.yade} runs --scene {input.case:q} --motion {input.motion:q}"
         " --record {wildcards.record:q} --direction {wildcards.direction}"
         " --list {input.plan:q} --journal {params.journal:q} --output {output:q} 2> {log:q}"
 

@@ -243,7 +243,7 @@ def bisect(scene, label, *, tolerance=0.01):
     return 0.5 * (low + high), rows
 
 
-def study(case, say):
+def trials(case, say):
     """Map of the critical step over scenes, damping and stiffness.
 
     Returns
@@ -275,11 +275,11 @@ def study(case, say):
 
 
 def main(arguments=None):
-    """Parse the command line, run the study, write both tables; return the exit status."""
+    """Parse the command line, run the trials, write both tables; return the exit status."""
     texts = {"output": "every trial (CSV)", "limits": "observed limits (CSV)"}
     args = command.parser(__doc__, "scene", **texts).parse_args(arguments)
     case = read_json(args.scene)
-    rows, limits = study(case, command.progress("stability"))
+    rows, limits = trials(case, command.progress("stability"))
     write_atomic(args.limits, to_csv(limits, LIMIT_COLUMNS))
     write_atomic(args.output, to_csv(rows, COLUMNS))
     return 0

@@ -43,7 +43,7 @@ case = shaking.set_up(scene, numerics, time_s, columns, 9.80665 * job["pga_g"])
 begun = []
 case = replace(case, rules=replace(case.rules, limit_s=job["limit_s"]))
 began = lambda built: begun.append(time.process_time())
-history = case.run(setup=began, check=energy_check.EnergyCheck(case.scene, case.motions))
+history = case.run(setup=began, check=energy_check.EnergyCheck(case.sections, case.motions))
 rate = history.steps / (time.process_time() - begun[0])
 print("RESULT" + json.dumps([rate, history.peak_d_over_b, history.dt_s]))
 """

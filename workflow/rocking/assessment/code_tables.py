@@ -69,7 +69,7 @@ def sensitivity(settings, demand, place):
     rows, stated = [], Case({part: settings[part] for part in SECTIONS})
     for variant in variants(settings["facade"]):
         try:
-            _, found = checked(stated.varied(variant).scene, demand, place)
+            _, found = checked(stated.varied(variant).sections, demand, place)
         except ValueError:  # no such façade, or a confidence factor below 1
             continue
         rows += [

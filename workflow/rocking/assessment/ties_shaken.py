@@ -94,13 +94,13 @@ class Shaken:
 
     def _of(self, part, one):
         """Exceeded d0, mean and verdict of one part; histories end once it cannot hold."""
-        key = json.dumps(part.scene, sort_keys=True)  # model, façade and all
+        key = json.dumps(part.sections, sort_keys=True)  # model, façade and all
         if key not in self._known:
             limits, total, over, count = limits_of(one.mechanism), 0.0, 0, 0
             most = limits.slv_m * len(self.motions) * len(self.directions)
             for record, pga_g in self.motions:
                 for direction in self.directions:
-                    table = histories(part.scene, record, direction, [pga_g])
+                    table = histories(part.sections, record, direction, [pga_g])
                     kept = table[table["status"] != "failed"]
                     over += int(exceeds(kept, limits).sum())
                     total, count = total + float(kept["d_m"].sum()), count + len(kept)

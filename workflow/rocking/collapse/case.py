@@ -64,7 +64,7 @@ class Case:
 
     Attributes
     ----------
-    scene : dict
+    sections : dict
         model, beta_s, and the sections of a configuration that a run depends on.
 
     Examples
@@ -79,7 +79,7 @@ class Case:
     0.75
     """
 
-    scene: dict
+    sections: dict
 
     @classmethod
     def read(cls, path):
@@ -129,20 +129,20 @@ class Case:
         law, fidelity : path
             Coefficients of the law of β; measured convergence.
         """
-        scene, kind = copy.deepcopy(dict(sections)), registry.model(model)
-        scene["model"] = model
+        sections, kind = copy.deepcopy(dict(sections)), registry.model(model)
+        sections["model"] = model
         if kind.walls != "bricks":
-            scene.pop("w3", None)
+            sections.pop("w3", None)
         if mass_kg is not None:
-            scene["return_wall"]["building_mass_kg"] = mass_kg
-        if scene["facade"]["hinges_m"] == WEAKEST:
+            sections["return_wall"]["building_mass_kg"] = mass_kg
+        if sections["facade"]["hinges_m"] == WEAKEST:
             from rocking.mechanics.blocks import weakest_hinge  # slow to load, rarely needed
 
-            scene["facade"]["hinges_m"] = [weakest_hinge(scene["facade"])]
-        part = scene.pop("part", None) or {}
-        scene["beta_s"] = beta_for(scene, law)
-        scene["numerics"], _ = choose(scene, model, read_fidelity(fidelity))
-        return cls(scene).part(**part, law=law) if part else cls(scene)
+            sections["facade"]["hinges_m"] = [weakest_hinge(sections["facade"])]
+        part = sections.pop("part", None) or {}
+        sections["beta_s"] = beta_for(sections, law)
+        sections["numerics"], _ = choose(sections, model, read_fidelity(fidelity))
+        return cls(sections).part(**part, law=law) if part else cls(sections)
 
     def __repr__(self):
         """Return one line: model, façade, building, β."""
@@ -155,12 +155,17 @@ class Case:
 
     def __getitem__(self, key):
         """Return a section, or model or beta_s."""
-        return self.scene[key]
+        return self.sections[key]
+
+    @property
+    def scene(self):
+        """Return `sections` by its name of one version ago."""
+        return self.sections
 
     @property
     def model(self):
         """Name of the model."""
-        return self.scene["model"]
+        return self.sections["model"]
 
     @property
     def kind(self):
@@ -175,7 +180,7 @@ class Case:
         ValueError
             In one line, for a key that the case has not.
         """
-        return _place(self.scene, key)[0][key.rpartition(".")[2]]
+        return _place(self.sections, key)[0][key.rpartition(".")[2]]
 
     def varied(self, variant):
         """Return the case with a variant's changes; β and numerics stay unless it names them.
@@ -199,34 +204,34 @@ class Case:
             raise TypeError(
                 f"{type(variant).__name__} given: expected a Variant, or new values by dotted key"
             )
-        scene = copy.deepcopy(self.scene)
+        sections = copy.deepcopy(self.sections)
         for key, value in variant.changes.items():
-            part, name = _place(scene, key)
+            part, name = _place(sections, key)
             part[name] = _allowed(key, value)
-            if key == "model" and registry.model(value).walls == "bricks" and "w3" not in scene:
+            if key == "model" and registry.model(value).walls == "bricks" and "w3" not in sections:
                 raise ValueError(
                     f"model = {value}: expected a case that was configured with bricks"
                 )
         for key, factor in variant.factors.items():
-            part, name = _place(scene, key)
+            part, name = _place(sections, key)
             if isinstance(part[name], bool) or not isinstance(part[name], (int, float)):
                 raise ValueError(
                     f"{key} = {schema.show(part[name])}: expected a number to multiply"
                 )
             part[name] = _allowed(key, part[name] * factor)
         for key, rows in variant.added.items():
-            part, name = _place(scene, key)
+            part, name = _place(sections, key)
             if not isinstance(part[name], list) or not isinstance(rows, (list, tuple)):
                 raise ValueError(f"{key}: expected rows added to a list, as [{{…}}]")
             part[name] = [*part[name], *_allowed(key, [_completed(key, row) for row in rows])]
         changed = {
             key.split(".")[0] for key in (*variant.changes, *variant.factors, *variant.added)
         }
-        if "model" in scene:
-            configuration.check_limits(scene)
+        if "model" in sections:
+            configuration.check_limits(sections)
             if changed & OF_THE_FACADE:
-                check_facade({**scene, "models": [scene["model"]]})
-        return Case(scene)
+                check_facade({**sections, "models": [sections["model"]]})
+        return Case(sections)
 
     def part(self, foot_m, held_m=None, hinge_m=None, law=LAW_FILE):
         """Return the case of a part of the façade, as a mechanism takes it, on the building.
@@ -259,15 +264,15 @@ class Case:
         section = part_of(self["facade"], foot_m, held_m, hinge_m)
         if section == self["facade"]:
             return self
-        scene = copy.deepcopy({**self.scene, "facade": section})
-        check_facade({**scene, "models": [self.model]})
-        if scene["damping"]["law"] != "value" and section["sides"] == "one":
-            scene["beta_s"], _ = beta_and_range(scene, law)  # its range is said of the façade
-        return Case(scene)
+        sections = copy.deepcopy({**self.sections, "facade": section})
+        check_facade({**sections, "models": [self.model]})
+        if sections["damping"]["law"] != "value" and section["sides"] == "one":
+            sections["beta_s"], _ = beta_and_range(sections, law)  # its range is said of the façade
+        return Case(sections)
 
     def calibrated(self, law=LAW_FILE):
         """Return the case with β by its law anew, after a change of what the law depends on."""
-        return Case({**self.scene, "beta_s": beta_for(self.scene, law)})
+        return Case({**self.sections, "beta_s": beta_for(self.sections, law)})
 
     def checked(self):
         """Return the case, if the solvers have all that they need of it.
@@ -289,13 +294,13 @@ class Case:
 
     def to_json(self):
         """Text of the case file."""
-        return json.dumps(self.scene, indent=1, sort_keys=True) + "\n"
+        return json.dumps(self.sections, indent=1, sort_keys=True) + "\n"
 
 
-def _place(scene, key):
+def _place(sections, key):
     """Section of a dotted key, and its name in it."""
     *path, name = key.split(".")
-    part = scene
+    part = sections
     for section in path:
         part = part.get(section) if isinstance(part, dict) else None
     if not isinstance(part, dict) or name not in part:

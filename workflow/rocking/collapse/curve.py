@@ -144,7 +144,7 @@ def collapse_curve(
     began = time.monotonic()
     outcomes = run_by(solver, case, motion, direction, **options)
     power = {} if solver == "planar" else {"power": 0.0}  # a run of YADE takes seconds
-    given = {**scan_settings(case.scene), **power}
+    given = {**scan_settings(case.sections), **power}
     given |= _known(settings or {}, given, search)
     table, found = outcomes.seen(strategy(search, case, outcomes, given))
     return Curve(
@@ -166,7 +166,7 @@ def run_by(solver, case, motion, direction, **options):
             raise ValueError(f"model {case.model}: expected return walls, for the planar solver")
         before = motion.before(case, direction)
         time_s, columns = motion.columns(case)
-        return Screen(case.scene, time_s, columns, direction, before=before, **options)
+        return Screen(case.sections, time_s, columns, direction, before=before, **options)
     if solver == "yade":
         from rocking.collapse.yade import YadeRuns  # starts YADE's own Python
 

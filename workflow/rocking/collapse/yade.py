@@ -59,7 +59,7 @@ class YadeRuns:
 
     def __init__(self, case, motion, direction, limit_s=LIMIT_S):
         """Write the case and its motions to a folder of their own."""
-        self.limit_s, self.static_g = limit_s, models.static_multiplier(case.scene)
+        self.limit_s, self.static_g = limit_s, models.static_multiplier(case.sections)
         self._folder = tempfile.TemporaryDirectory(prefix="rocking-")
         self.folder = Path(self._folder.name)
         (self.folder / "case.json").write_text(case.to_json())

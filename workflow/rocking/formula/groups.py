@@ -154,6 +154,6 @@ def dimensions(case):
         "friction_deg": facade["friction_deg"],
         "period_s": chain["period_s"],
         "mass_ratio": mass / own if mass else None,
-        "contact_damping": case["beta_s"] * beta.groups(case.scene)["omega_c_rad_s"],
+        "contact_damping": case["beta_s"] * beta.groups(case.sections)["omega_c_rad_s"],
         "storeys": chain["n_dof"],
     }

@@ -37,5 +37,5 @@ def planar_models(resolved, target):
         force = settings["forces_kn"][0]
         trials = [strengthening.tie(settings, z, force) for z in heights]
     for trial in trials:
-        check_facade({**Case(resolved).varied(trial).scene, "models": models})
+        check_facade({**Case(resolved).varied(trial).sections, "models": models})
     return models

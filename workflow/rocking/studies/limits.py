@@ -140,7 +140,7 @@ def _at(pga_g, case, moving, own, half, direction):
         return {**found, "verdict": "does not repeat", "why": why}
     if case.model not in REFERENCE_MODELS:
         return {**found, "verdict": "one solver", "why": ""}
-    other = answers(case.scene, moving, direction, [pga_g], nodes=NODES, tolerance=TOLERANCE)
+    other = answers(case.sections, moving, direction, [pga_g], nodes=NODES, tolerance=TOLERANCE)
     error = float(value / other.d_over_b[0] - 1.0)
     if not np.isfinite(error):
         return {**found, "verdict": "failed", "why": "the reference solver gave no number"}

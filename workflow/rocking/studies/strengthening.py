@@ -164,7 +164,7 @@ def key_of(case, motion, direction, settings, code=""):
     time_s, columns = motion.columns(case)
     sampled = (time_s, *(columns[name] for name in sorted(columns)))
     shaken = [np.ascontiguousarray(values).tobytes() for values in sampled]
-    return run_key(case.scene, direction, settings, code, *shaken)
+    return run_key(case.sections, direction, settings, code, *shaken)
 
 
 def search(case, motion, direction, settings, kept=None, say=lambda text: None):

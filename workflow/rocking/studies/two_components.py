@@ -136,7 +136,7 @@ def collapse(cases, motion, directions, second, settings):
     about = {"second": second.name, "second_ratio": ratio}
 
     def find(case, _, direction):
-        found = Comparison(case.scene, time_s, columns, direction, settings).compare()
+        found = Comparison(case.sections, time_s, columns, direction, settings).compare()
         return about | dict(zip(FOUND, found, strict=True))
 
     return pd.DataFrame(collapses(cases, motion, directions, find), columns=COLUMNS)
@@ -157,7 +157,7 @@ def to_confirm(case, row, settings):
         "beside": {"d_over_b_compiled": ".6g"},
         "cases": [
             {
-                "scene": full(case.scene, settings),
+                "scene": full(case.sections, settings),
                 "pga_g": [float(pga_g) for pga_g, _ in known],
                 "about": [{"d_over_b_compiled": min(float(d), 1.0)} for _, d in known],
             }

@@ -63,7 +63,7 @@ def collapse(name, case, motion, direction, factors, settings):
     rows, first, limit = [], None, settings["max_pga_g"]
     for number, factor in enumerate(factors.to_dict("records")):
         cell = case.varied(sampling.variant(case, factor))
-        lowest = cell.kind.climb_from * models.static_multiplier(cell.scene)
+        lowest = cell.kind.climb_from * models.static_multiplier(cell.sections)
         start = max(lowest, BELOW * first) if first else lowest
         for again in range(1 + (0 < number <= settings["replicates"])):
             step = LONG_STEP * OTHER["step"] if again else LONG_STEP

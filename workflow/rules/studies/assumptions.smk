@@ -74,7 +74,7 @@ rule figure_assumptions_ratios:
 
 rule assumptions_map:
     input:
-        scene=of_run(rules.scene.output[0], model="W2"),
+        case=of_run(rules.facade_case.output[0], model="W2"),
         record=rules.own_record.output.record,
         modules=code("assumptions/assumptions_map"),
     output:
@@ -142,7 +142,7 @@ rule assumptions_stage:
 
 rule assumptions_varied:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         stage=rules.assumptions_stage.output[0],
         record=rules.own_record.output.record,
         law=LAW_FILE,

@@ -19,7 +19,7 @@ def atlas_cases(run):
 rule atlas_collapse:
     input:
         record=rules.own_record.output.record,
-        scenes=of_run(rules.scene.output[0], model=RUNS.compiled),
+        cases=of_run(rules.facade_case.output[0], model=RUNS.compiled),
         law=LAW_FILE,
         modules=code("studies/collapse", study="atlas"),
     output:
@@ -52,7 +52,7 @@ rule atlas_formula:
     input:
         table=rules.atlas_table.output.table,
         records=of_run(rules.record.output.record),
-        scene=of_run(rules.scene.output[0], model="W2m"),
+        case=of_run(rules.facade_case.output[0], model="W2m"),
         law=LAW_FILE,
         modules=code("atlas/atlas_formula"),
     output:

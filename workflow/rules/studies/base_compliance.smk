@@ -15,7 +15,7 @@ table_of("base_compliance", "base_static", static="base_static")
 
 rule base_collapse:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         modules=code("studies/collapse", study="base_compliance"),
     output:

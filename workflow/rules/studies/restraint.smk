@@ -3,7 +3,7 @@
 
 rule restrain:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         modules=code("studies/collapse", study="restraint"),
     output:
@@ -20,7 +20,7 @@ rule restrain:
 
 use rule strengthen_yade as restrain_yade with:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         plan=rules.restrain.output.plan,
         yade=rules.yade_check.output[0],

@@ -14,7 +14,7 @@ def searched(run):
 
 rule sequence_collapse:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         first=lambda w: of_run(rules.floor_motions.output[0])(Of(run=w.run, record=first_shock(w))),
         modules=code("studies/collapse", study="sequence"),
@@ -37,7 +37,7 @@ rule sequence_collapse:
 use rule strengthen_yade as sequence_yade with:
     input:
         plan=rules.sequence_collapse.output.plan,
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         first=rules.sequence_collapse.input.first,
         yade=rules.yade_check.output[0],

@@ -11,7 +11,7 @@ rule surrogate_collapse:
     input:
         record=rules.own_record.output.record,
         parameters=RUNS.surrogate_parameters,
-        scenes=of_run(rules.scene.output[0], model=["W1", "W2"]),
+        cases=of_run(rules.facade_case.output[0], model=["W1", "W2"]),
         modules=code("studies/collapse", study="surrogates"),
     output:
         table=results("surrogates/{record}.csv"),

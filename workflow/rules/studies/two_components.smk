@@ -33,7 +33,7 @@ def motion_along(wildcards):
 
 rule two_components_curves:
     input:
-        scenes=of_run(rules.scene.output[0], model=one_block),
+        cases=of_run(rules.facade_case.output[0], model=one_block),
         motion=of_run(rules.floor_motions.output[0]),
         second=motion_along,
         modules=code("studies/collapse", study="two_components"),
@@ -76,7 +76,7 @@ figure_of(
 # One curve at the intensities of the compiled solver, in YADE: ask for the file.
 rule two_components_runs:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         curves=rules.two_components_curves.output.table,
         modules=code("two_components/two_components_runs"),
     output:

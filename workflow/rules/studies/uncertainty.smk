@@ -41,7 +41,7 @@ def sample_settings(*more):
 rule uncertainty_collapse:
     input:
         record=rules.own_record.output.record,
-        scenes=of_run(rules.scene.output[0], model=RUNS.key("uncertainty.models")),
+        cases=of_run(rules.facade_case.output[0], model=RUNS.key("uncertainty.models")),
         law=LAW_FILE,
         modules=code("uncertainty/uncertainty_collapse"),
     output:
@@ -61,7 +61,7 @@ rule uncertainty_cells:
     input:
         tables=of_run(rules.uncertainty_collapse.output[0], record=drawn),
         records=of_run(rules.own_record.output.record, record=drawn),
-        scenes=of_run(rules.scene.output[0], model=RUNS.key("uncertainty.models")),
+        cases=of_run(rules.facade_case.output[0], model=RUNS.key("uncertainty.models")),
         law=LAW_FILE,
         modules=code("uncertainty/uncertainty_cells"),
     output:

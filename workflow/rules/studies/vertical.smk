@@ -15,7 +15,7 @@ rule vertical_collapse:
     input:
         files=both_motions,
         record=of_run(rules.record.output.record),
-        scenes=of_run(rules.scene.output[0], model=RUNS.compiled),
+        cases=of_run(rules.facade_case.output[0], model=RUNS.compiled),
         modules=code("studies/collapse", study="vertical"),
     output:
         table=results("vertical/{record}.csv"),

@@ -13,7 +13,7 @@ def main(job):
     settings, ensemble = job.params.accuracy, job.params.ensemble
     trusted = ensemble["sensitivity_threshold"] / ensemble["sensitivity_perturbation"]
     limits = {**settings, "trusted": trusted, "max_pga_g": job.params.max_pga_g}
-    paths = dict(zip(settings["models"], job.input.scenes, strict=True))
+    paths = dict(zip(settings["models"], job.input.cases, strict=True))
     scenes = {model: read_json(path) for model, path in paths.items()}
     motions = dict(zip(job.params.records, job.input.motions, strict=True))
     rows = []

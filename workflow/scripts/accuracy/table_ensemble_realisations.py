@@ -35,7 +35,7 @@ def compare(scenes, motions, table):
 
 def main(job):
     motions = dict(zip(job.params.records, job.input.motions, strict=True))
-    scenes = {scene["model"]: scene for scene in map(read_json, job.input.scenes)}
+    scenes = {scene["model"]: scene for scene in map(read_json, job.input.cases)}
     rows = []
     for key, table in by_curve(job.input.ensembles).items():
         reference = compare(scenes, motions, table)

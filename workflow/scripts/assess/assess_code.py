@@ -27,7 +27,7 @@ def main(job):
     write_table(code_tables.mechanisms(settings, demand, ranked), out.mechanisms)
     write_table(code_tables.spectra(records, settings, demand, least.place), out.spectra)
     within = settings["assessment"]["shaken_within"]
-    parts = shaken.chosen(ranked, [Case.read(path) for path in job.input.scenes], within)
+    parts = shaken.chosen(ranked, [Case.read(path) for path in job.input.cases], within)
     write_table(parts, out.shaken, digits=None)  # heights to the digit
 
 

@@ -20,7 +20,7 @@ COLUMNS += ["pga_max_g", "runs_planar"]
 
 
 def main(job):
-    case, settings = Case.read(job.input.scene), json.loads(job.params.settings)
+    case, settings = Case.read(job.input.case), json.loads(job.params.settings)
     known, columns = [(WHOLE_PART, case)], COLUMNS
     if shaken := getattr(job.input, "shaken", None):
         table, columns = pd.read_csv(shaken), ["part", *COLUMNS]

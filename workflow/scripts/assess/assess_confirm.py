@@ -44,8 +44,8 @@ def main(job):
     verdicts, table = read_tables(job.input.verdicts), read_tables(job.input.histories)
     asked = ("nearest", "worst")[:count] if len(verdicts) else ()
     if asked:
-        case, found, table = _governing(job.input.scenes, verdicts, table, job.input.shaken)
-        scene, kept = case.scene, folder / f"{case.model}.json"
+        case, found, table = _governing(job.input.cases, verdicts, table, job.input.shaken)
+        scene, kept = case.sections, folder / f"{case.model}.json"
         kept.write_text(case.to_json())
     for which in asked:
         own = table[(table["record"] == found[which]) & (table["realisation"] == 0)]

@@ -16,7 +16,7 @@ def main(job):
     settings = json.loads(job.params.settings)
     plane = [one for one in Family(settings).all() if one.plane]
     ranked = governing(plane, settings, CodeDemand(REFERENCE_G, *SITE))
-    table = shaken.chosen(ranked, [Case.read(path) for path in job.input.scenes], 1.0)
+    table = shaken.chosen(ranked, [Case.read(path) for path in job.input.cases], 1.0)
     write_table(table, job.output[0], digits=None)  # heights to the digit
 
 

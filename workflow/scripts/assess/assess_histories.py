@@ -16,13 +16,13 @@ from rocking.tables import write_table
 
 
 def main(job):
-    case, settings = Case.read(job.input.scene), json.loads(job.params.settings)
+    case, settings = Case.read(job.input.case), json.loads(job.params.settings)
     motions = pd.read_csv(job.input.motions)
     parts = [(WHOLE_PART, case)]
     if shaken := getattr(job.input, "shaken", None):
         parts = [(row.part, own) for row, own in cases(case, pd.read_csv(shaken), whole=False)]
     assessment = settings["assessment"]
-    known = of_label(Family({**case.scene, "assessment": assessment}))
+    known = of_label(Family({**case.sections, "assessment": assessment}))
     records = {name: load_as(settings, name, job.params.table) for name in motions["record"]}
     found, rows = [], []
     given = [(records[row.record], row.pga_g) for row in motions.itertuples()]

@@ -56,11 +56,11 @@ def main(job):
         part: [row | by_hand(mechanisms[part], settings, demand) for demand, row in levels]
         for part in shaken.loc[shaken["shaken"] == 1, "part"]
     }
-    for path in job.input.scenes:
+    for path in job.input.cases:
         for about, case in cases(Case.read(str(path)), shaken):
             parts, direction = [], settings["directions"][0]
             for name, pga_g in wanted.items():
-                given = case.scene, records[name], direction, pga_g.values(), LONG_STEP
+                given = case.sections, records[name], direction, pga_g.values(), LONG_STEP
                 parts.append(histories(*given).assign(ag_g=list(pga_g)))
             table = pd.concat(parts, ignore_index=True)
             limits = limits_of(mechanisms[about.part].mechanism)

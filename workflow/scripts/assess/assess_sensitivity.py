@@ -47,7 +47,7 @@ def half_collapse(case, motion, direction, max_pga_g, stated_g):
 
 
 def main(job):
-    case, settings = Case.read(job.input.scene), json.loads(job.params.settings)
+    case, settings = Case.read(job.input.case), json.loads(job.params.settings)
     most = settings["ida.max_pga_g"]
     known = pd.concat(
         [pd.read_csv(job.input.collapse).assign(part=WHOLE_PART), pd.read_csv(job.input.parts)]

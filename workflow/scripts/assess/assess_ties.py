@@ -26,7 +26,7 @@ def main(job):
     motions = [(records[r.record], r.pga_g) for r in pd.read_csv(job.input.motions).itertuples()]
     verdicts, shaken = read_tables(job.input.verdicts), None
     if motions:
-        cases = [Case.read(path) for path in job.input.scenes]
+        cases = [Case.read(path) for path in job.input.cases]
         shaken = ties_shaken.Shaken(cases, tied, motions, settings["directions"])
     stands = bool(len(verdicts)) and bool(verdicts["slv"].all())
 

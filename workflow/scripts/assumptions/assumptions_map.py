@@ -18,7 +18,7 @@ MEMBERS = 5  # amplitudes behind a probability
 
 
 def main(job):
-    case, settings = Case.read(job.input.scene), job.params.assumptions
+    case, settings = Case.read(job.input.case), job.params.assumptions
     motion, ratio, rows = Motion(read_csv(job.input.record)), settings["level_ratio"], []
     how = {"level_ratio": ratio, "amplitude_spread": 0.5 * (MEMBERS - 1) * ratio}
     find = partial(intensities, search="climb", slope=job.params.hazard_slope, **how)

@@ -16,7 +16,7 @@ from rocking.tables import write_json, write_table
 
 def main(job):
     settings, table = job.params.settings, pd.read_csv(job.input.table)
-    facades = described(Case.read(job.input.scene), design(settings), job.input.law)
+    facades = described(Case.read(job.input.case), design(settings), job.input.law)
     table = table[table["facade"].isin(facades.index)]
     records = [read_csv(path) for path in job.input.records]
     made_of = {

@@ -91,7 +91,7 @@ def draw_rules(axes, cases):
 
 
 def main(job):
-    configs, cases = [read_json(p) for p in job.input.scenes], {}
+    configs, cases = [read_json(p) for p in job.input.cases], {}
     files = zip(configs, job.input.raw, job.input.forces, strict=True)
     for name, (config, raw, forces) in zip([*DRAWN, "default"], files, strict=True):
         curve = complete_curve(pd.read_csv(raw), config, "W3")

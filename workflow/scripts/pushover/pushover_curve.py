@@ -7,7 +7,7 @@ from rocking.tables import read_json, write_table
 
 
 def main(job):
-    config = read_json(job.input.scene)
+    config = read_json(job.input.case)
     curve = complete_curve(pd.read_csv(job.input.raw), config, config["model"])
     write_table(curve, job.output[0], digits="%.9g")
 

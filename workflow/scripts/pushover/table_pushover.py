@@ -17,7 +17,7 @@ def main(job):
         rows.append(
             {"case": model, **summary(pd.read_csv(path), bonded=registry.model(model).bonded)}
         )
-    for scene, raw, forces in zip(job.input.scenes, job.input.raw, job.input.forces, strict=True):
+    for scene, raw, forces in zip(job.input.cases, job.input.raw, job.input.forces, strict=True):
         config = read_json(scene)
         row = summary(complete_curve(pd.read_csv(raw), config, "W3"))
         ratio = friction_moment_ratio(joint_forces(pd.read_csv(forces), config))

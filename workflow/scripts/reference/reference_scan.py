@@ -11,7 +11,7 @@ from yade_scripts.model import models
 
 
 def main(job):
-    scene, w = read_json(job.input.scene), job.wildcards
+    scene, w = read_json(job.input.case), job.wildcards
     spread = scene["ensemble"]["amplitude_spread"]
     settings = {**scene["ida"], **job.params.accuracy, "amplitude_spread": spread}
     known = pd.read_csv(job.input.scan)

@@ -17,7 +17,7 @@ CAPACITY = ("pga_safe_g", "pga_collapse_g", "pga_median_g")
 def main(job):
     rows, curves = [], {}
     record = style.provenance(read_json(job.input.facts))
-    inputs = zip(job.input.scenes, job.input.ida, job.input.scans, strict=True)
+    inputs = zip(job.input.cases, job.input.ida, job.input.scans, strict=True)
     for scene_path, path, scan_path in inputs:
         scene = read_json(scene_path)
         curve = read_curve(path)

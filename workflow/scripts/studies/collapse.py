@@ -30,7 +30,7 @@ def main(job):
     if scenes := job.input.get("scenes"):
         case, direction = [Case.read(path) for path in scenes], job.params.directions
     else:
-        case, direction = Case.read(job.input.scene), w.direction
+        case, direction = Case.read(job.input.case), w.direction
     table = study.collapse(case, motion, direction, **given)
     write_table(table, job.output.table)
     if plan := job.output.get("plan"):

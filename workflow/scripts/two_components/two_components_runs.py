@@ -10,7 +10,7 @@ from rocking.tables import write_json
 def main(job):
     table, w = pd.read_csv(job.input.curves), job.wildcards
     row = table[(table["model"] == w.model) & (table["direction"] == w.direction)].iloc[0]
-    confirmed = to_confirm(Case.read(job.input.scene), row, job.params.settings)
+    confirmed = to_confirm(Case.read(job.input.case), row, job.params.settings)
     write_json(job.output[0], confirmed, sort_keys=True)
 
 

@@ -20,7 +20,7 @@ def main(job):
     table = read_tables(job.input.tables)
     table = table[(table["replicate"] == 0) & (table["sample"] > 0)].dropna()
     cases = {}
-    for path in job.input.scenes:
+    for path in job.input.cases:
         cases |= design.forms(Case.read(path), settings["bases"], job.input.law)
     paths = {Path(path).stem: path for path in job.input.records}
     factors = sampling.factors(settings)
@@ -42,7 +42,7 @@ def main(job):
             "sample": int(row["sample"]),
             "pga_g": levels,
             "planar": found[["d_over_b", "status"]].to_dict("list"),
-            "scene": case.scene,
+            "scene": case.sections,
             "motion": {
                 "time_s": time_s.tolist(),
                 "columns": {name: values.tolist() for name, values in columns.items()},

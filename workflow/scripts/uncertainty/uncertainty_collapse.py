@@ -13,7 +13,7 @@ def main(job):
     p, settings = job.params, json.loads(job.params.settings)
     motion, factors = Motion(read_csv(job.input.record)), sampling.factors(settings)
     rows = []
-    for path in job.input.scenes:
+    for path in job.input.cases:
         cases = design.forms(Case.read(path), settings["bases"], job.input.law)
         for name, case in cases.items():
             rows += design.collapse(name, case, motion, p.direction, factors, settings)

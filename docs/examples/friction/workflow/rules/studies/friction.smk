@@ -3,7 +3,7 @@
 
 rule friction_collapse:
     input:
-        scene=rules.scene.output[0],
+        case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         modules=code("studies/collapse", study="friction"),
     output:

@@ -11,7 +11,7 @@ from rocking.tables import read_json
 
 
 def main(job):
-    sections, mass_kg = json.loads(job.params.scene), None
+    sections, mass_kg = json.loads(job.params.sections), None
     if law := getattr(job.wildcards, "law", None):  # for the comparison of the laws of β
         sections["damping"]["law"] = law
     if building := getattr(job.input, "building", None):

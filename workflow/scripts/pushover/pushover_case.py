@@ -10,7 +10,7 @@ from rocking.tables import write_json
 
 
 def main(job):
-    scene = json.loads(job.params.scene)
+    scene = json.loads(job.params.sections)
     name = getattr(job.wildcards, "variant", None)
     if name is not None:
         scene = variant(scene, name)
