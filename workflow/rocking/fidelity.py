@@ -70,7 +70,7 @@ def choose(config, model, measured):
     Parameters
     ----------
     config : dict
-        Resolved configuration, or a scene file; sections numerics and, for bricks, w3.
+        Resolved configuration, or a case file; sections numerics and, for bricks, w3.
     model : str
     measured : dict
         Content of config/fidelity.yaml (`fidelity_table`, and `COURSES`).

@@ -2,7 +2,7 @@
 
     python3 yade_scripts accuracy --plan plan.json --output runs.csv
 
-The plan is a JSON file with `scenes` (scene files by model), `motions` (floor-motion files by
+The plan is a JSON file with `scenes` (case files by model), `motions` (floor-motion files by
 record) and `runs`: case, model, record, direction, pga_g, method, nodes, step_fraction, factor.
 Methods:
 

@@ -11,7 +11,7 @@ from yade_scripts.model.motion import SIGNS
 
 CURVE = ("scene", "motion", "record", "direction")  # what one model, record and direction needs
 WORDS = {
-    "scene": "scene file (JSON)",
+    "scene": "case file (JSON)",
     "motion": "floor motions (CSV)",
     "record": "name",
     "direction": "of the record along the outward normal",

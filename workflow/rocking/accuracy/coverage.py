@@ -39,7 +39,7 @@ def scan(job, motion_path, direction, settings, start_g):
     Parameters
     ----------
     job : dict
-        A scene file.
+        A case file.
     motion_path : path
         Floor motions.
     direction : str

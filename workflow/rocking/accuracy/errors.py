@@ -73,7 +73,7 @@ def plan_runs(drawn, settings, scenes):
 
 
 def chosen_pair(scene):
-    """Nodes a return wall and step over the critical one of a scene file."""
+    """Nodes a return wall and step over the critical one of a case file."""
     numerics = scene["numerics"]
     return numerics[registry.model(scene["model"]).nodes_up], numerics["step_fraction"]
 

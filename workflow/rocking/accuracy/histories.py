@@ -53,7 +53,7 @@ class PeakSolver:
     Parameters
     ----------
     case : dict
-        A scene file.
+        A case file.
     time_s, columns
         Floor motions, see `yade_scripts.model.floor_motions.read`.
     direction : str

@@ -14,7 +14,6 @@ from rocking.assessment import checks
 from rocking.assessment.family import NEAR_M
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from rocking.mechanics.mechanism import TINY
-from yade_scripts.model.floors import place_of
 
 
 class Part(NamedTuple):
@@ -211,9 +210,3 @@ def results(candidate, found, confidence_factor):
         ("d_SLV", "dC d*/dC", control * per, "m"),
         ("a", "α(dC) g/(e* FC) (C8.7.1.3)", at * 9.80665 / (share * confidence_factor), "m/s²"),
     ]
-
-
-def loads_at(family):
-    """Loads of the façade by height, for drawings: (weight_n, z_m)."""
-    shape = family.masonry.shape
-    return [(1e3 * row["load_kn"], place_of(row, shape)[2]) for row in family.section["floors"]]

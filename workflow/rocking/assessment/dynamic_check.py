@@ -49,7 +49,7 @@ def histories(job, record, direction, pga_g, fraction=None):
     Parameters
     ----------
     job : dict
-        A scene file.
+        A case file.
     record : rocking.records.Record
     direction : str
     pga_g : sequence of float

@@ -144,7 +144,7 @@ class ReducedScan(Scan):
         first.
     modes : int
     numerics : dict
-        Section numerics of its scene file.
+        Section numerics of its case file.
     time_s, ground_m_s2 : ndarray, shape (nt,)
     direction : str
     """

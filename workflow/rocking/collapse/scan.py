@@ -170,7 +170,7 @@ class Screen(Scan):
     Parameters
     ----------
     case : dict
-        A scene file.
+        A case file.
     time_s, columns
         Floor motions, see `yade_scripts.model.floor_motions.read`.
     direction : str
@@ -262,7 +262,7 @@ def layouts(numerics, nodes=None):
 
 
 def carried_masses(case, scene):
-    """Masses, springs and dashpots of the chain that carries the return walls of a scene file.
+    """Masses, springs and dashpots of the chain that carries the return walls of a case file.
 
     Parameters
     ----------

@@ -11,7 +11,7 @@ from yade_scripts.model.shape import refuse
 
 
 def wall_of(case, nodes):
-    """Planar wall of a scene file with so many nodes along every edge.
+    """Planar wall of a case file with so many nodes along every edge.
 
     Raises
     ------

@@ -15,7 +15,7 @@ FITTED = {E_KEY: (1.0, 1e7), "floors.stiffness_kn_m": (1.0, 1e9)}  # what a peri
 
 
 def case(specimen, changes=(), height_m=None):
-    """A variant of a specimen as a scene file, its parameters found.
+    """A variant of a specimen as a case file, its parameters found.
 
     Parameters
     ----------

@@ -48,7 +48,7 @@ class Comparison:
     Parameters
     ----------
     case : dict
-        A scene file of W1 or W2.
+        A case file of W1 or W2.
     time_s, columns
         Floor motions with the second component, see `floor_motions.with_second`.
     direction : str
