@@ -1,7 +1,7 @@
 """Collapse as a study's module finds it, and what YADE is to confirm of it.
 
 `params.study` names the module of `rocking.studies`, `params.given` holds what its `collapse` takes
-beside case, motion and direction: of one curve, or with the input `scenes` of all cases in all
+beside case, motion and direction: of one curve, or with the input `cases` of all of them in all
 `params.directions`. The motion is that of `input.record`, or the floor motions `input.motion`. A
 motion before or beside it, `input.first` or `input.second`, is handed over too; a parameter of the
 same name says which record it is of.
@@ -27,8 +27,8 @@ def main(job):
     for name in OTHERS:
         if path := job.input.get(name):
             given[name] = Motion.read_floors(path, job.params.get(name))
-    if scenes := job.input.get("scenes"):
-        case, direction = [Case.read(path) for path in scenes], job.params.directions
+    if paths := job.input.get("cases"):
+        case, direction = [Case.read(path) for path in paths], job.params.directions
     else:
         case, direction = Case.read(job.input.case), w.direction
     table = study.collapse(case, motion, direction, **given)
