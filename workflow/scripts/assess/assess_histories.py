@@ -29,7 +29,7 @@ def main(job):
     for part, own in parts if given else ():
         limits = limits_of(known[part].mechanism)
         directions, count = settings["directions"], assessment["dynamic_realisations"]
-        table = checked(own.scene, given, directions, limits, count)
+        table = checked(own.sections, given, directions, limits, count)
         found.append(table.assign(part=part))
         said = verdict(table, limits, settings["seed"])
         rows.append({"part": part, "model": case.model, **said})
