@@ -1,4 +1,4 @@
-"""The one entry to what runs inside YADE: `python3 yade_scripts STUDY [options]`.
+"""The one entry to what runs inside YADE: `python3 yade_scripts COMMAND [options]`.
 
 It runs under the Python that YADE was built for, the system's own, and makes the package
 importable there; nothing else sets a path. Each command is a module of `commands` with a

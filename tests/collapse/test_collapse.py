@@ -197,6 +197,9 @@ def test_the_plan_goes_where_outcomes_change():
     assert said.shape == (2, 3, 3)
     assert np.all((said[0, :, 0] < 0.3) & (said[0, :, 1] > 0.7))  # a shift of 3 % would show
     assert np.all((said[1, :, 0] > 0.7) & (said[1, :, 2] < 0.3))
+    for level, kept in ((0.98 * lowest, 0), (0.85 * lowest, 1)):  # of the climb, one beside a run
+        climbed = plan(table, {**ida, "start_g": level / 1.35**2}, ensemble)["runs"]
+        assert np.isclose(climbed, level, atol=1e-4).sum() == kept
     slight = table.assign(d_over_b=SLIGHT * np.where(GRID < 0.2, 0.99, 1.01))
     assert plan(slight, ida, ensemble)["runs"][0] == pytest.approx(0.1 * 1.35**2, abs=1e-4)
     slow = table.assign(collapsed=(np.sin(1e4 * GRID) < (GRID - 0.5) * 5).astype(int))

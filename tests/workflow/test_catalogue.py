@@ -63,7 +63,7 @@ def test_the_trial_configuration_runs(folder):
 def test_the_whole_trial_plans_its_jobs(folder):
     done = snakemake(folder, "-n")
     assert done.returncode == 0, done.stderr
-    assert "ida_ensemble" in done.stdout + done.stderr
+    assert "planar_ida" in done.stdout + done.stderr
 
 
 @pytest.mark.slow

@@ -154,7 +154,7 @@ rule figure_speed_accuracy:
 
 rule ensemble_realisations:
     input:
-        ensembles=of_run(rules.ida_ensemble.output.ensemble, **ACCURACY_CURVES),
+        ensembles=of_run(rules.ida.output.ensemble, **ACCURACY_CURVES),
         cases=accuracy_cases,
         motions=of_run(rules.floor_motions.output[0], record=RUNS.named("accuracy.records")),
         modules=code("accuracy/table_ensemble_realisations"),
@@ -170,7 +170,7 @@ rule ensemble_realisations:
 
 rule figure_chaos:
     input:
-        ensembles=of_run(rules.ida_ensemble.output.ensemble, **ACCURACY_CURVES),
+        ensembles=of_run(rules.ida.output.ensemble, **ACCURACY_CURVES),
         scans=of_run(
             rules.planar_ida.output.scan,
             **{**ACCURACY_CURVES, "model": accuracy_scanned},

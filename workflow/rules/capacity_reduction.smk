@@ -51,12 +51,13 @@ use rule ida as reduction_ida with:
         yade=rules.yade_check.output[0],
         modules=command_code("ida"),
     output:
-        results("capacity_reduction/T{t1}_below{below}/{record}_{direction}.csv"),
+        curve=results("capacity_reduction/T{t1}_below{below}/{record}_{direction}.csv"),
     log:
         logs("reduction_T{t1}_below{below}_{record}_{direction}"),
     benchmark:
         benchmarks("reduction_T{t1}_below{below}_{record}_{direction}")
     params:
+        ensemble="",
         journal=results("cache/reduction/T{t1}_below{below}_{record}_{direction}.jsonl"),
 
 

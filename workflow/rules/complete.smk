@@ -152,12 +152,13 @@ use rule ida as complete_ida with:
         yade=rules.yade_check.output[0],
         modules=command_code("ida"),
     output:
-        results("ida/{complete}/{record}_{direction}.csv"),
+        curve=results("ida/{complete}/{record}_{direction}.csv"),
     log:
         logs("complete_ida_{complete}_{record}_{direction}"),
     benchmark:
         benchmarks("complete_ida_{complete}_{record}_{direction}")
     params:
+        ensemble="",
         journal=results("cache/complete/{complete}_{record}_{direction}.jsonl"),
 
 

@@ -1,5 +1,5 @@
-# Incremental dynamic analyses, one job a model, record and direction: a dense scan by the compiled planar
-# solver, YADE at the intensities that it names, and perturbed ensembles that tell how far both repeat.
+# Incremental dynamic analyses of each model, record and direction: a dense scan by the compiled planar solver, then
+# YADE, in one process, at the intensities that it names and in perturbed ensembles that tell how far both repeat.
 
 
 def plan(wildcards):
@@ -34,7 +34,9 @@ rule ida:
         yade=rules.yade_check.output[0],
         modules=command_code("ida"),
     output:
-        results("ida/{model}/{record}_{direction}.csv"),
+        curve=results("ida/{model}/{record}_{direction}.csv"),
+        ensemble=results("ida/{model}/{record}_{direction}_ensemble.csv"),
+        sensitivity=results("ida/{model}/{record}_{direction}_sensitivity.csv"),
     log:
         logs("ida_{model}_{record}_{direction}"),
     benchmark:
@@ -43,43 +45,18 @@ rule ida:
         yade=YADE,
         plan=plan_option,
         record=lambda w: w.record,
+        ensemble="--ensemble",
         journal=results("cache/ida/{model}_{record}_{direction}.jsonl"),
     shell:
         "{params.yade} ida --scene {input.case:q} --motion {input.motion:q}"
         " --record {params.record:q} --direction {wildcards.direction} {params.plan}"
-        " --journal {params.journal:q} --output {output:q} 2> {log:q}"
-
-
-rule ida_ensemble:
-    input:
-        case=rules.facade_case.output[0],
-        motion=of_run(rules.floor_motions.output[0]),
-        plan=plan,
-        curve=rules.ida.output[0],
-        modules=command_code("ensemble"),
-    output:
-        ensemble=results("ida/{model}/{record}_{direction}_ensemble.csv"),
-        sensitivity=results("ida/{model}/{record}_{direction}_sensitivity.csv"),
-    log:
-        logs("ensemble_{model}_{record}_{direction}"),
-    benchmark:
-        benchmarks("ensemble_{model}_{record}_{direction}")
-    params:
-        yade=YADE,
-        plan=plan_option,
-        journal=results("cache/ensemble/{model}_{record}_{direction}.jsonl"),
-    shell:
-        "{params.yade} ensemble --scene {input.case:q} --motion {input.motion:q}"
-        " --record {wildcards.record:q} --direction {wildcards.direction} {params.plan}"
-        " --curve {input.curve:q} --journal {params.journal:q}"
-        " --output {output.ensemble:q} --sensitivity {output.sensitivity:q}"
-        " 2> {log:q}"
+        " --journal {params.journal:q} --output {output.curve:q} {params.ensemble} 2> {log:q}"
 
 
 rule ida_collapse:
     input:
         ida=of_run(rules.ida.output[0], cases=RUNS.by_yade),
-        ensemble=of_run(rules.ida_ensemble.output.ensemble, cases=RUNS.ensembles),
+        ensemble=of_run(rules.ida.output.ensemble, cases=RUNS.ensembles),
         scans=of_run(rules.planar_ida.output.scan, cases=RUNS.scans),
         modules=code("ida/table_ida_collapse"),
     output:

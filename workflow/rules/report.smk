@@ -73,6 +73,7 @@ rule report_provenance:
 rule table_run_times:
     input:
         ida=of_run(rules.ida.output[0], cases=RUNS.by_yade),
+        ensembles=of_run(rules.ida.output.ensemble, cases=RUNS.by_yade),
         modules=code("report/table_run_times"),
     output:
         results("tables/run_times.csv"),

@@ -158,7 +158,7 @@ use rule ida as damping_choice_ida with:
         yade=ancient(rules.yade_check.output[0]),
         modules=command_code("ida"),
     output:
-        results("calibration/choice/{model}_{direction}_{law}.csv"),
+        curve=results("calibration/choice/{model}_{direction}_{law}.csv"),
     log:
         logs("damping_choice_{model}_{direction}_{law}"),
     benchmark:
@@ -167,6 +167,7 @@ use rule ida as damping_choice_ida with:
         law="eq5|fitted",
     params:
         record=lambda w: CHOICE_RECORD(w.run),
+        ensemble="",
         journal=results("cache/choice/{model}_{direction}_{law}.jsonl"),
 
 

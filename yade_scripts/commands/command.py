@@ -1,4 +1,4 @@
-"""The command line that studies share: the words of a case, what they name, its progress lines."""
+"""The command line that commands share: the words of a case, what they name, its progress lines."""
 
 import argparse
 import sys
@@ -21,16 +21,16 @@ WORDS = {
 
 
 def parser(doc, *words, **own):
-    """Parser of a study.
+    """Parser of a command.
 
     Parameters
     ----------
     doc : str
-        The study's documentation, whose first line describes it.
+        The command's documentation, whose first line describes it.
     words
         Required options of WORDS.
     own
-        Required options of this study alone, with what each of them is.
+        Required options of this command alone, with what each of them is.
     """
     made = argparse.ArgumentParser(description=doc.splitlines()[0])
     for word, text in ({word: WORDS[word] for word in words} | own).items():

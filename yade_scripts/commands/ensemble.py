@@ -1,10 +1,7 @@
-"""Entry point: the perturbed ensemble of one model, record and direction.
+"""Perturbed ensembles of one model, record and direction, after its single runs.
 
-Runs under YADE's own Python, after the study `ida`, whose curve it reads:
-
-    python3 yade_scripts ensemble --scene cases/W2.json --motion smdof/1ST280_4dof.csv
-        --record 1ST280 --direction neg --curve ida/W2/1ST280_neg.csv
-        --journal cache/ensemble.jsonl --output ensemble.csv --sensitivity sensitivity.csv
+Where a dense scan stands behind the curve they are run until they confirm it; else they search the
+collapse band themselves. `ida` writes their tables.
 """
 
 import math
@@ -12,14 +9,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from yade_scripts.commands import command, perturb
+from yade_scripts.commands import perturb
 from yade_scripts.commands.confirm import Confirmation, turns
-from yade_scripts.commands.journal import Journal
-from yade_scripts.commands.runner import Runner
 from yade_scripts.commands.search import collapse_bounds, drive, next_amplitude, one_by_one
-from yade_scripts.commands.tables import RUN_COLUMNS, read_curve, to_csv
+from yade_scripts.commands.tables import RUN_COLUMNS
 from yade_scripts.engine import simulate
-from yade_scripts.files import read_json, write_atomic
 
 COLUMNS = {
     "model": "",
@@ -43,7 +37,12 @@ SENSITIVITY_COLUMNS = {
 }
 
 
-def measure_sensitivity(runner, status, d_over_b, settings):
+def number(value):
+    """Return a value of a row; NaN where the run failed."""
+    return math.nan if value is None else value
+
+
+def measure_sensitivity(runner, curve, settings):
     """Change of d/b under a tiny change of amplitude, up to the first collapse.
 
     Returns
@@ -52,10 +51,12 @@ def measure_sensitivity(runner, status, d_over_b, settings):
         Contract of the sensitivity table.
     """
     rows: list[dict] = []
+    status = {row["pga_g"]: row["status"] for row in curve}
+    d_over_b = {row["pga_g"]: number(row["d_over_b"]) for row in curve}
     size = settings["sensitivity_perturbation"]
     for g in perturb.probe_intensities(status):
         row = runner.run(g, perturb.Realisation(0, 1.0 + size))
-        value = math.nan if row["d_over_b"] is None else row["d_over_b"]
+        value = number(row["d_over_b"])
         change = perturb.sensitivity(d_over_b[g], value)
         rows.append(
             {
@@ -103,11 +104,14 @@ def confirm(runner, plan, settings):
     return rows
 
 
-def analyse(runner, status, d_over_b, plan=None):
+def analyse(runner, curve, plan=None):
     """Run a plan's ensembles; without one search the collapse band, or measure sensitivity alone.
 
     Parameters
     ----------
+    runner : Runner
+    curve : list of dict
+        Rows of the single runs.
     plan : dict, optional
         levels [g], and for every realisation the probabilities of `confirm.Confirmation`.
 
@@ -122,7 +126,8 @@ def analyse(runner, status, d_over_b, plan=None):
         named = runner.case["model"] in settings["models"]
         return confirm(runner, plan, settings) if named and plan["levels"] else [], []
     if runner.case["model"] not in settings["models"]:
-        return [], measure_sensitivity(runner, status, d_over_b, settings)
+        return [], measure_sensitivity(runner, curve, settings)
+    status = {row["pga_g"]: row["status"] for row in curve}
     rows: list[dict] = []
     if settings["enabled"] == "on":
         first = collapse_bounds(status)[1] or math.inf
@@ -150,29 +155,3 @@ def search_band(runner, status, settings, ida):
     drive(one_by_one(following, status), run)
     runner.say(f"{len(rows)} realisations at amplitudes of their own")
     return rows
-
-
-def main(arguments=None):
-    """Parse the command line, run the ensemble, write the tables; return the exit status."""
-    parser = command.parser(
-        __doc__,
-        *command.CURVE,
-        "curve",
-        "journal",
-        output="ensemble table to write (CSV)",
-        sensitivity="sensitivity table to write (CSV)",
-    )
-    parser.add_argument("--plan", help="levels from the dense scan (JSON)")
-    args = parser.parse_args(arguments)
-    case, time_s, columns = command.opened(args)
-    say = command.progress(f"{case['model']} {args.record} {args.direction}")
-    status, d_over_b = read_curve(args.curve)
-    runner = Runner(case, time_s, columns, args.record, args.direction, Journal(args.journal), say)
-    plan = read_json(args.plan) if args.plan else None
-    rows, sensitivity_rows = analyse(runner, status, d_over_b, plan)
-    runner.told()
-    sensitivity_rows.sort(key=lambda r: r["pga_g"])
-    rows.sort(key=lambda r: (r["pga_g"], r["realisation"]))
-    write_atomic(args.sensitivity, to_csv(sensitivity_rows, SENSITIVITY_COLUMNS))
-    write_atomic(args.output, to_csv(rows, COLUMNS))
-    return 0

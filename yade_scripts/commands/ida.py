@@ -1,15 +1,16 @@
 """Entry point: the incremental dynamic analysis of one model, record and direction.
 
-Runs under YADE's own Python, all intensities in one process; the complete building's case holds
-its scene:
+Runs under YADE's own Python, all intensities in one process, the perturbed ensemble that follows
+them too; the complete building's case holds its scene:
 
     python3 yade_scripts ida --scene cases/W2.json --motion smdof/RRS228_4dof.csv
         --record RRS228 --direction neg --journal cache/W2_RRS228_neg.jsonl --output ida.csv
+        --ensemble
 """
 
 import math
 
-from yade_scripts.commands import command
+from yade_scripts.commands import command, ensemble
 from yade_scripts.commands.journal import Journal
 from yade_scripts.commands.runner import Runner
 from yade_scripts.commands.search import drive, next_level, next_listed, one_by_one
@@ -57,6 +58,11 @@ def main(arguments=None):
     """Parse the command line, run the analysis, write the table; return the exit status."""
     parser = command.parser(__doc__, *command.CURVE, "journal", output="table to write (CSV)")
     parser.add_argument("--plan", help="from the dense scan (JSON)")
+    parser.add_argument(
+        "--ensemble",
+        action="store_true",
+        help="run the ensemble too; writes …_ensemble.csv and …_sensitivity.csv beside the output",
+    )
     args = parser.parse_args(arguments)
     case, time_s, columns = command.opened(args)
     plan = read_json(args.plan) if args.plan else {}
@@ -70,6 +76,15 @@ def main(arguments=None):
     adapter.load_yade()
     say = command.progress(f"{case['model']} {args.record} {args.direction}")
     runner = Runner(case, time_s, columns, args.record, args.direction, Journal(args.journal), say)
-    rows = analyse(runner, plan)
-    write_atomic(args.output, to_csv(sorted(rows, key=lambda r: r["pga_g"]), COLUMNS))
+    rows = sorted(analyse(runner, plan), key=lambda r: r["pga_g"])
+    write_atomic(args.output, to_csv(rows, COLUMNS))
+    if args.ensemble:
+        runner.count = runner.reused = 0  # its realisations are told of apart
+        varied, changes = ensemble.analyse(runner, rows, plan or None)
+        runner.told()
+        varied.sort(key=lambda r: (r["pga_g"], r["realisation"]))
+        changes.sort(key=lambda r: r["pga_g"])
+        stem = args.output.removesuffix(".csv")
+        write_atomic(f"{stem}_ensemble.csv", to_csv(varied, ensemble.COLUMNS))
+        write_atomic(f"{stem}_sensitivity.csv", to_csv(changes, ensemble.SENSITIVITY_COLUMNS))
     return 0

@@ -12,6 +12,7 @@ from yade_scripts.commands.search import DIGITS, climb_sequence
 
 BELOW = 0.97  # of the lowest collapse: the side where nothing falls
 SLIGHT = 0.3  # peak d/b up to which the climb is run once: below, both solvers have the same
+APART = 1.05  # a level of the climb nearer than this to another run tells nothing of its own
 NARROW = 1.03  # p90 over p10 up to which realisations just outside of both say all
 
 
@@ -19,10 +20,10 @@ def plan(scan, settings, ensemble):
     """Intensities of single runs and of ensembles in YADE [g].
 
     Single runs: the climb from the last level that stays below `SLIGHT` up to the first crossing
-    of 50 %, both sides of the lowest collapse, the middle of each range of collapse and of the gap
-    above it, and the amplitude from which all collapse. Ensembles: where the probability first
-    crosses the lower percentile, one half and the upper one; where these lie together, just below
-    the first and above the last.
+    of 50 %, but for levels that another run is next to (`APART`); both sides of the lowest
+    collapse, the middle of each range of collapse and of the gap above it, and the amplitude from
+    which all collapse. Ensembles: where the probability first crosses the lower percentile, one
+    half and the upper one; where these lie together, just below the first and above the last.
 
     Parameters
     ----------
@@ -54,12 +55,13 @@ def plan(scan, settings, ensemble):
     middle = first_crossing(pga_g, share, 0.5)
     runs = [BELOW * lowest, lowest]
     if full:
-        runs += [g for g in climb if not g >= middle]
         gaps = itertools.pairwise(collapse_ranges(pga_g, share))
         for (a, b), (c, _) in itertools.islice(gaps, settings["max_collapse_ranges"]):
             runs += [0.5 * (a + b), 0.5 * (b + c)]
         standing = scan.loc[scan["status"] == "ok", "pga_g"].max()
         runs += [g for g in climb if g > standing][:1]
+        near = [(g / APART, g * APART) for g in runs]
+        runs += [g for g in climb if not g >= middle and not any(a < g < b for a, b in near)]
     levels = [first_crossing(pga_g, share, level) for level in (low, 0.5, high)]
     levels = [g for g in levels if np.isfinite(g)]
     if len(levels) == 3 and levels[2] <= NARROW * levels[0]:

@@ -22,8 +22,7 @@ LOOK_S = 2.0
 # Seconds a job of W1 usually takes on two slow cores; a model's `cost` says how many times that it
 # takes. Ratios matter, not their size: that is measured as the first jobs finish.
 USUAL_S = {
-    "ida": 7.0,
-    "ida_ensemble": 5.0,
+    "ida": 12.0,
     "reduction_ida": 16.0,
     "damping_choice_ida": 16.0,
     "pushover": 3.0,
@@ -45,7 +44,7 @@ USUAL_S = {
 }
 SHORT_S = 2.0  # a table or a figure
 FAR, LONG_S = 3.0, 60.0  # a job beyond so many times its usual, and beyond so long, is one apart
-USUAL_RUNS = {"ida": 12, "ida_ensemble": 8}
+USUAL_RUNS = {"ida": 20}
 PRIOR = 3  # the usual time counts as much as this many measured ones
 
 

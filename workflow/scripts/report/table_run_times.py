@@ -1,4 +1,7 @@
-"""Run times of every analysis: Snakemake's benchmark of the job beside YADE's own time in it."""
+"""Run times of every analysis: Snakemake's benchmark of the job beside YADE's own time in it.
+
+Runs are single ones and the realisations of the ensemble, which one process takes.
+"""
 
 from pathlib import Path
 
@@ -23,9 +26,10 @@ COLUMNS = [
 def main(job):
     folder = Path(job.params.benchmarks)
     rows = []
-    for path in job.input.ida:
+    for path, ensemble in zip(job.input.ida, job.input.ensembles, strict=True):
         curve = read_curve(path)
         model, record, direction = (curve[k][0] for k in ("model", "record", "direction"))
+        curve = pd.concat([curve, pd.read_csv(ensemble)])
         row = [
             model,
             record,
