@@ -288,6 +288,8 @@ def test_pieces_of_another_base_may_take_the_first_records_alone():
 
 
 def test_a_model_without_a_law_is_refused():
+    with pytest.raises(TypeError, match="expected a rocking.Case, got int"):
+        estimate(3)
     with pytest.raises(groups.OutsideError, match="model W1c"):
         estimate(Case.configured("W1c", {"facade.base": "column"}))
 

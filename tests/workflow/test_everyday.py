@@ -160,6 +160,13 @@ from rocking.runtime import results_folder as r
 print(r.fault('{folder}/results'))" """
 
 
+def test_no_core_is_one_line(tmp_path):
+    """Snakemake would wait for ever for a core."""
+    done = snakemake(tmp_path, "--cores", "0", "--config", "run=none")
+    assert done.returncode == 1
+    assert lines(done, "error") == ["error: --cores 0: expected 1 or more"]
+
+
 def test_no_right_to_write_is_one_line(tmp_path):
     """A file system mounted read-only binds root too."""
     assert results_folder.fault(tmp_path / "not" / "yet") == ""

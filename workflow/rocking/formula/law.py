@@ -186,6 +186,8 @@ def estimate(case, measure="pga_g", law=None):
     ------
     OutsideError
         In one line that names the key, for a façade that the formula does not describe.
+    TypeError
+        For anything but a case.
 
     Examples
     --------
@@ -194,6 +196,8 @@ def estimate(case, measure="pga_g", law=None):
     >>> bool(0.2 < found.median < 0.6)
     True
     """
+    if not hasattr(case, "model"):
+        raise TypeError(f"estimate: expected a rocking.Case, got {type(case).__name__}")
     known = read(law or FILE)
     base = base_of(case["facade"], known)
     row = groups.dimensions(case)

@@ -380,6 +380,8 @@ def main(words=None):
     given = parser.parse_args(words)
     try:
         for folder in given.folders:
+            if not Path(folder).is_dir():
+                raise ConfigError(f"{folder}: no folder of a prediction")
             if given.what == "run":
                 table = run(folder, given.motions, given.yade)
             else:
