@@ -25,7 +25,7 @@ def test_collapse_is_the_lowest_that_either_solver_saw(tmp_path):
         "calibrate_choice",
         tmp_path,
         input={
-            "scenes": ["scene.json"],
+            "cases": ["scene.json"],
             "ida": ["yade.csv"],
             "scans": ["scan.csv"],
             "facts": "facts.json",

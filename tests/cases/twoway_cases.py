@@ -85,7 +85,7 @@ def momenta(config, model, time_s, ground, stride):
     step, _ = simulate.choose_step(scene, config["numerics"])
     motions = {"ground": adapter.SupportMotion(np.array(time_s), np.array(ground))}
     rules = simulate.StopRules(time_s[-1], time_s[-1], overturn_ratio=1e9)
-    history = simulate.run(case.sections, motions, step, rules, setup=setup)
+    history = simulate.run(case.scene, motions, step, rules, setup=setup)
     blocks = [scene.blocks[i] for i in free]
     return {
         "names": [block.name for block in blocks],

@@ -69,6 +69,7 @@ OBJECTS_OR_NETWORK = {
 UNQUOTED = {
     "params.plan": "empty, or an option quoted where it is made",
     "params.yade": "a constant of the rules, quoted where it is made",
+    "params.ensemble": "a constant of the rules",
     "wildcards.direction": "pos|neg",
     "params.gravity": "a number of the rule itself",
     "params.steps": "an integer by its schema",
