@@ -136,10 +136,11 @@ def test_bad_tables_are_refused(table, lines, expected):
     assert expected in refusal(table(*lines))
 
 
-def test_an_unknown_record_is_answered_with_the_nearest(table):
+@pytest.mark.parametrize("asked", ["RRS282", "rrs228"])
+def test_an_unknown_record_is_answered_with_the_nearest(table, asked):
     path = table(f"record\t{TARGETS}", "RRS228\t0.2\t20\t5\t10")
     with pytest.raises(RecordError, match="did you mean 'RRS228'"):
-        load("RRS282", path)
+        load(asked, path)
 
 
 @pytest.mark.parametrize(

@@ -88,6 +88,19 @@ def test_outcomes_that_are_none(small, text, said):
     assert str(small / predictions.OUTCOMES) in str(caught.value)
 
 
+def test_a_prediction_that_is_not_there_is_one_line(small, capsys):
+    (small / predictions.DIGEST).unlink()
+    for folder, said in (
+        (small / "nope", "no folder of a prediction"),
+        (small, "expected this file of the prediction"),
+    ):
+        assert predictions.main(["score", str(folder)]) == 1
+        error = capsys.readouterr().err
+        assert error.startswith(f"predictions: {folder}")
+        assert said in error
+        assert error.count("\n") == 1
+
+
 def test_a_motion_amplified_and_shifted():
     """A sine of 2 Hz by 90° is its cosine, and both supports end where they began."""
     t = np.arange(0.0, 20.0, 0.005)

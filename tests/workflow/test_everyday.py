@@ -160,11 +160,20 @@ from rocking.runtime import results_folder as r
 print(r.fault('{folder}/results'))" """
 
 
-def test_no_core_is_one_line(tmp_path):
+@pytest.mark.parametrize("dry", [(), ("-n",)])
+def test_no_core_is_one_line(tmp_path, dry):
     """Snakemake would wait for ever for a core."""
-    done = snakemake(tmp_path, "--cores", "0", "--config", "run=none")
+    done = snakemake(tmp_path, "--cores", "0", *dry, "--config", "run=none")
     assert done.returncode == 1
     assert lines(done, "error") == ["error: --cores 0: expected 1 or more"]
+
+
+def test_no_folder_of_table_motions_is_one_line(tmp_path):
+    given = "validation={motions_folder: nowhere}"
+    done = snakemake(tmp_path, "-n", "--config", "run=none", given, "--", "validation")
+    assert done.returncode == 1
+    (said,) = lines(done, "error")
+    assert said.startswith("error: validation.motions_folder = nowhere: expected a folder")
 
 
 def test_no_right_to_write_is_one_line(tmp_path):

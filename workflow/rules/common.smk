@@ -59,6 +59,8 @@ def stop(error):
 
 if fault := results_folder.fault():
     stop(fault)
+if workflow.resource_settings.cores == 0:  # Snakemake would wait for ever
+    stop("--cores 0: expected 1 or more")
 try:
     configuration.check_files([path for path in workflow.configfiles if Path(path).exists()])
     RUNS = Runs(config, BASE)
@@ -211,8 +213,6 @@ def lock(dag):
 onstart:
     with left_out_if_unknown("own handling of interrupts"):
         interrupts.heed(workflow.scheduler)
-    if workflow.resource_settings.cores == 0:  # Snakemake would wait for ever
-        stop("--cores 0: expected 1 or more")
     with left_out_if_unknown("a look at the cluster"):
         executor = workflow.executor_plugin.name
         if fault := cluster.fault(executor):

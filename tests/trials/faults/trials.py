@@ -2,6 +2,8 @@
 
     .venv/bin/python tests/trials/faults/trials.py --trials 56 --seed 1 --output faults.csv
 
+In pieces, `--trials 20` and then `--trials 40 --first 21` are the same trials; the table goes on.
+
 Half of the trials start from an empty folder, half from one in which all but the incremental
 dynamic analyses is done. A trial holds if the same command then completes, every file of the
 results equals that of an undisturbed run (less the column wall_s, a measurement of the run
@@ -126,14 +128,22 @@ def write_atomic_csv(rows, columns, path):
     os.replace(part, path)
 
 
-def run_trials(count, seed, output, faults=None, folder=None, say=print):
-    """Run trials of all faults in turn; write the table; return the rows."""
+def earlier_rows(path, first):
+    """Rows of a table of trials before the first of this piece."""
+    if first == 1 or not path or not Path(path).is_file():
+        return []
+    with open(path, newline="") as file:
+        return [row for row in csv.DictReader(file) if int(row["trial"]) < first]
+
+
+def run_trials(count, seed, output, faults=None, folder=None, say=print, first=1):
+    """Run trials first to count of all faults in turn; write the table; return the rows."""
     faults = faults or inject.available()
-    rows = []
+    rows = earlier_rows(output, first)
     with tempfile.TemporaryDirectory(prefix="rocking-faults-", dir=folder) as top:
         bench = Bench(top)
         say(f"undisturbed: {bench.seconds['fresh']:.0f} s, {len(bench.reference)} files")
-        for number in range(1, count + 1):
+        for number in range(first, count + 1):
             row = bench.trial(faults[(number - 1) % len(faults)], number, seed)
             rows.append(row)
             if output:
@@ -146,6 +156,7 @@ def main():
     """Run the trials; exit status 1 if one did not hold."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--trials", type=int, default=56)
+    parser.add_argument("--first", type=int, default=1, help="number of the first trial")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--output", help="table to write (CSV)")
     parser.add_argument("--faults", nargs="*", choices=list(inject.FAULTS), help="only these")
@@ -160,6 +171,7 @@ def main():
         args.faults,
         args.folder,
         lambda text: print(text, file=sys.stderr, flush=True),
+        args.first,
     )
     return int(any(row["outcome"] != HELD for row in rows))
 

@@ -41,9 +41,12 @@ def _format(name):
 
 
 def nearest(word, words):
-    """Return "; did you mean 'x'?" for the nearest of `words`, or the whole list."""
-    close = difflib.get_close_matches(word, list(words), n=1, cutoff=0.5)
-    return f"; did you mean {close[0]!r}?" if close else f"; expected one of {', '.join(words)}"
+    """Return "; did you mean 'x'?" for the nearest word, in any case, or the whole list."""
+    folded = {one.casefold(): one for one in words}
+    close = difflib.get_close_matches(word.casefold(), list(folded), n=1, cutoff=0.5)
+    if close:
+        return f"; did you mean {folded[close[0]]!r}?"
+    return f"; expected one of {', '.join(words)}"
 
 
 def choose_component(channels, component, path):

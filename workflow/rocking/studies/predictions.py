@@ -381,12 +381,16 @@ def main(words=None):
     try:
         for folder in given.folders:
             if not Path(folder).is_dir():
-                raise ConfigError(f"{folder}: no folder of a prediction")
+                raise ValueError(f"{folder}: no folder of a prediction")
             if given.what == "run":
                 table = run(folder, given.motions, given.yade)
             else:
                 table = score(folder)
             sys.stdout.write(table.to_string(index=False) + "\n")
+    except FileNotFoundError as error:
+        missing = error.filename or error
+        sys.stderr.write(f"predictions: {missing}: expected this file of the prediction\n")
+        return 1
     except (ConfigError, OSError, ValueError) as error:
         sys.stderr.write(f"predictions: {error}\n")
         return 1

@@ -26,6 +26,9 @@ def held_against(run):
     """What `validation` makes for one run; a folder of no experiment ends the workflow."""
     from rocking.studies.validation import files, read  # slow to load
 
+    folder = RUNS.settings[run]["validation"]["motions_folder"]
+    if folder and not Path(folder).is_dir():
+        stop(f"validation.motions_folder = {folder}: expected a folder of measured table motions")
     made, tests = [], []
     for name, folder in experiment_folders(run).items():
         try:
