@@ -230,12 +230,10 @@ def interrupted_install(space, rng, seconds):
 
 
 def _packages(python):
-    listed = subprocess.run(
-        [python, "-m", "pip", "freeze", "--disable-pip-version-check"],
-        capture_output=True,
-        text=True,
-        check=True,
-    ).stdout
+    # all: else pip leaves out what it may need itself, though the lock file has it
+    how = ("--all", "--exclude", "pip", "--exclude-editable", "--disable-pip-version-check")
+    command = [python, "-m", "pip", "freeze", *how]
+    listed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     return {_plain(line) for line in listed.split()}
 
 
