@@ -102,38 +102,74 @@ def test_what_is_sold_is_not_thinner():
 
 
 class Shaken:
-    """Stands in for the dynamic check: holds from a factor on."""
+    """Stands in for the dynamic check: a mechanism holds from a pull of given rows on.
 
-    def __init__(self, from_factor, tied):
-        self.tied, self.least, self.tried, self.all = tied, from_factor, [], 0.0
+    `asks` gives for a mechanism the rows that pull on it, the highest first, the row that is of
+    use and the force that it asks for.
+    """
 
-    def holds(self, rows, factor, whole=False, short=False):
-        self.tried.append(factor)
-        return factor >= (self.least if short else max(self.least, self.all))
+    def __init__(self, tied, asks):
+        self.tied, self.asks, self.left, self.tried = tied, asks, set(), []
+
+    def failing(self, rows):
+        for name, (own, _, _) in self.asks.items():
+            failing = ties_shaken.Failing("W1", name, name, own)
+            if name not in self.left and not self.holds(rows, failing):
+                return failing
+        return None
+
+    def holds(self, rows, failing):
+        _, row, force_n = self.asks[failing.part]
+        self.tried.append((failing.part, rows[row].force_n))
+        return rows[row].force_n >= force_n
 
 
-@pytest.mark.parametrize("least", [0.2, 1.0, 1.03, 1.7, 6.0])
-def test_rows_grow_until_the_dynamic_check_holds_and_95_per_cent_was_tried(least):
+def two_rows(tied):
+    return [ties.TieRow(z, 0.01 * tied.weight_n) for z in (3.0, 6.0)]
+
+
+@pytest.mark.parametrize("times_more", [1.03, 1.7, 6.0])
+def test_a_row_grows_until_its_mechanism_holds_and_95_per_cent_was_tried(times_more):
     tied = ties.Tied(sections(PLAIN), DEMAND)
-    rows = [ties.TieRow(6.0, 0.01 * tied.weight_n)]
-    shaken = Shaken(least, tied)
-    factor = ties_shaken.stronger(shaken, rows, by_hand=least >= 1.0)
-    assert factor >= least
-    assert 0.95 * factor < least
-    if least > 1.0 or least < 0.5:
-        assert any(tried == pytest.approx(0.95 * factor) for tried in shaken.tried)
-    assert ties_shaken.stronger(Shaken(math.inf, tied), rows) is None
+    rows = two_rows(tied)
+    asked = times_more * rows[1].force_n
+    shaken = Shaken(tied, {"whole": ([1, 0], 1, asked)})
+    found, governs = ties_shaken.grown(shaken, rows)
+    assert asked <= found[1].force_n < asked / 0.95
+    assert found[0] == rows[0]
+    assert [(which, why.part) for which, why in governs] == [((1,), "whole")]
+    if 0.95 * found[1].force_n > rows[1].force_n:
+        assert any(f == pytest.approx(0.95 * found[1].force_n) for _, f in shaken.tried)
 
 
-def test_a_mechanism_that_did_not_fail_first_is_held_too():
-    """It asks for twice the rows, which no short trial knows."""
+def test_only_rows_that_pull_on_what_fails_grow_and_the_lower_where_the_higher_is_of_no_use():
     tied = ties.Tied(sections(PLAIN), DEMAND)
-    rows = [ties.TieRow(6.0, 0.01 * tied.weight_n)]
-    shaken = Shaken(1.3, tied)
-    shaken.all = 2.0
-    factor = ties_shaken.stronger(shaken, rows)
-    assert factor >= 2.0
-    assert shaken.tried.count(factor) >= 2
+    rows = two_rows(tied)
+    force = 4.0 * rows[0].force_n
+    asks = {"above the low row": ([1], 1, force), "whole": ([1, 0], 0, force)}
+    found, governs = ties_shaken.grown(Shaken(tied, asks), rows)
+    assert all(force <= row.force_n < force / 0.95 for row in found)
+    assert [which for which, _ in governs] == [(1,), (0,)]
+
+
+def test_what_no_row_makes_hold_is_left_out_and_grows_none():
+    tied = ties.Tied(sections(PLAIN), DEMAND)
+    rows = two_rows(tied)
+    shaken = Shaken(tied, {"gable": ([], 0, math.inf), "whole": ([1, 0], 1, math.inf)})
+    found, governs = ties_shaken.grown(shaken, rows)
+    assert (found, governs) == (rows, [])
+    assert shaken.left == {"gable", "whole"}
+    most = ties_shaken.MOST_SHARE * tied.weight_n
+    assert most / 2.0 < max(f for _, f in shaken.tried) <= most
+
+
+def test_rows_pull_on_what_turns_below_them():
+    """On a part whose foot is at 4 m, only the row above it; the whole façade hangs on both."""
+    tied = ties.Tied(sections(PLAIN), DEMAND)
+    rows = two_rows(tied)
+    family = tied.family(rows)
+    assert ties_shaken.held_by(family.part(0.0, "whole").mechanism, rows) == [1, 0]
+    assert ties_shaken.held_by(family.part(4.0, "part").mechanism, rows) == [1]
 
 
 @pytest.mark.slow
@@ -149,12 +185,15 @@ def test_the_dynamic_check_of_a_tied_facade_holds_at_the_end_and_not_one_step_be
     shaken = ties_shaken.Shaken([case], tied, motions, ["neg"])
     found = ties.found(tied, shaken, False)
     assert found.rows
-    assert found.factor >= 1.0
     assert shaken.final
-    assert all(row["holds"] or part in shaken.unheld for part, row in shaken.final.items())
-    if found.factor > 1.0:
-        again = ties_shaken.Shaken([case], tied, motions, ["neg"])
-        assert not again.holds(times(found.rows, 0.95), 0.95)
+    assert all(row["holds"] or part in found.beyond for part, row in shaken.final.items())
+    assert found.governs
+    again = ties_shaken.Shaken([case], tied, motions, ["neg"])
+    again.left = set(found.beyond)
+    assert again.failing(found.rows) is None
+    which, why = found.governs[-1]
+    less = [times([r], 0.95)[0] if k in which else r for k, r in enumerate(found.rows)]
+    assert again.failing(less).part == why.part
     rows = ties.table_of(found, resolved["strengthening"])
     for row, own in zip(rows, found.rows, strict=True):
         area = math.pi / 4.0 * row["diameter_mm"] ** 2

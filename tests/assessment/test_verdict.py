@@ -4,9 +4,11 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.assessment.verdict import (
+    asked_by,
     damage,
     decided_by,
     dynamic_check,
+    governing_row,
     headline,
     next_steps,
     passes,
@@ -143,3 +145,14 @@ def test_what_is_recommended_hangs_on_what_fails():
     assert "hangs on single histories" in unsure[0]
     (sound,) = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True), "")
     assert "nothing else is asked for" in sound
+
+
+def test_the_sentence_on_95_per_cent_names_the_row_that_grew_last():
+    found = [(3.2, None, None, 0), (6.4, "W2", "the gable above 6.40 m", 1)]
+    rows = pd.DataFrame(found, columns=["height_m", "model", "governed_by", "last"])
+    first, second = rows.itertuples()
+    assert asked_by(first) == "checks by hand"
+    assert asked_by(second) == "the gable above 6.40 m, W2"
+    said = governing_row(rows)
+    assert said == "The force at 6.40 m is for the gable above 6.40 m, W2; with 95 % of it"
+    assert governing_row(rows.assign(last=0)) == "With 95 % of the force"

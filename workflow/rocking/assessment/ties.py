@@ -9,9 +9,10 @@ not needed goes. What is left is least in each of its rows: with less in any one
 Mechanisms that fail under the strongest rows too (the gable above a row, bending between two of
 them) are *beyond* these levels. They are left out of the search and named.
 
-Then the façade with its rows is held to the code's dynamic check, mechanism by mechanism, and all
-rows are made stronger by the same factor, of steps of 1/0.95, until it holds. So 95 % of what is
-found has been tried and does not pass. What no added row holds is left out here too.
+Then the façade with its rows is held to the code's dynamic check, mechanism by mechanism. For one
+that does not hold a row that pulls on it is made stronger, in steps of 1/0.95, until it does
+(`ties_shaken.grown`). So 95 % of the row that grew last has been tried and does not pass. What no
+added row makes hold is left out here too.
 """
 
 import math
@@ -20,14 +21,13 @@ from typing import NamedTuple
 from rocking.assessment.code_checks import slv_pga
 from rocking.assessment.family import LEAST_PART_M, Family
 from rocking.assessment.shaken import label
-from rocking.assessment.ties_shaken import LEAST_SHARE, MOST_SHARE, stronger
+from rocking.assessment.ties_shaken import LEAST_SHARE, MOST_SHARE, grown
 from rocking.studies.strengthening import row_of_rods
 
 CLOSE = 0.005  # relative, of a row's least force
-FIRST_SHARE = 0.01  # of the weight, of the first row where by hand none is needed
 COMMERCIAL_MM = (8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 36, 40, 45, 50, 60, 70, 80)
 ROWS = ["height_m", "force_by_hand_kn", "force_kn", "count", "diameter_mm", "commercial_mm"]
-ROWS += ["yield_mpa", "length_m", "factor"]
+ROWS += ["yield_mpa", "length_m", "model", "governed_by", "last"]
 AFTER = ["part", "mechanism", "pga_fails_g", "ratio", "exceed_d0", "mean_d_m", "d_slv_m", "holds"]
 AFTER += ["beyond"]
 
@@ -193,16 +193,16 @@ class Found(NamedTuple):
         With their final force; empty where none is needed, or none helps.
     by_hand_n : list of float
         Least force of each by hand; 0 where the dynamic check alone asks for it.
-    factor : float
-        Of the dynamic check on the least rows; NaN without motions or where it never holds.
     beyond : list of str
         Labels of the mechanisms that these rows do not make pass.
+    governs : list of (tuple of int, ties_shaken.Failing)
+        Rows that grew under the motions and for what, in turn.
     """
 
     rows: list
     by_hand_n: list
-    factor: float
     beyond: list
+    governs: list
 
 
 def found(tied, shaken, stands, say=lambda text: None):
@@ -227,22 +227,23 @@ def found(tied, shaken, stands, say=lambda text: None):
     say(f"by hand: {', '.join(f'{1e-3 * r.force_n:.3g} kN at {r.height_m:g} m' for r in rows)}")
     by_hand = [row.force_n for row in rows]
     if shaken is None or not levels or (stands and not rows):
-        return Found(rows, by_hand, math.nan, beyond)
-    trials = [(rows, True)]
+        return Found(rows, by_hand, beyond, [])
+    shaken.left = set(beyond)  # no force helps these by hand
     if not rows:
-        first = FIRST_SHARE * tied.weight_n
-        trials = [([TieRow(levels[-1], first)], False), ([TieRow(z, first) for z in levels], False)]
-        by_hand = []
-    for own, known in trials:
-        factor = stronger(shaken, own, known, say)
-        if factor is not None:
-            rows = [row._replace(force_n=factor * row.force_n) for row in own]
-            shaken.holds(rows, factor, whole=True)
-            beyond = sorted({*beyond, *shaken.unheld})
-            return Found(rows, by_hand or [0.0] * len(rows), factor, beyond)
-    shaken.holds(rows, 1.0, whole=True)
-    last = {part for part, row in shaken.final.items() if not row["holds"]}
-    return Found(rows, by_hand, math.nan, sorted({*beyond, *shaken.unheld, *last}))
+        rows = _first(levels, tied, shaken, say)
+        by_hand = [0.0] * len(rows)
+    rows, governs = grown(shaken, rows, say)
+    shaken.failing(rows, whole=True)
+    return Found(rows, by_hand, sorted({*beyond, *shaken.left}), governs)
+
+
+def _first(levels, tied, shaken, say):
+    """Weakest rows to begin with where by hand none is needed: those that have to grow."""
+    rows = [TieRow(z, LEAST_SHARE * tied.weight_n) for z in levels]
+    left = set(shaken.left)
+    _, governs = grown(shaken, rows, say)
+    shaken.left = left
+    return [row for k, row in enumerate(rows) if any(k in which for which, _ in governs)]
 
 
 def table_of(result, own):
@@ -254,8 +255,8 @@ def table_of(result, own):
     own : dict
         Section strengthening.
     """
-    rows = []
-    for row, least_n in zip(result.rows, result.by_hand_n, strict=True):
+    rows, reasons = [], {k: why for which, why in result.governs for k in which}
+    for k, (row, least_n) in enumerate(zip(result.rows, result.by_hand_n, strict=True)):
         rod = row_of_rods(own, row.height_m, 1e-3 * row.force_n)
         size = rod["diameter_mm"]
         forces = 1e-3 * least_n, 1e-3 * row.force_n
@@ -265,7 +266,8 @@ def table_of(result, own):
             commercial(size),
             rod["yield_mpa"],
             rod["length_m"],
-            result.factor,
+            *((reasons[k].model, reasons[k].mechanism) if k in reasons else ("", "")),
+            int(bool(result.governs) and k in result.governs[-1][0]),
         )
         rows.append(dict(zip(ROWS, (row.height_m, *forces, *rods), strict=True)))
     return rows

@@ -1,21 +1,39 @@
 """The code's dynamic check of a façade with rows of ties added, and how strong the rows have to be.
 
-See `ties`. Every mechanism of the tied façade that is shaken is run under all chosen motions; rows
-grow by a common factor until all hold.
+See `ties`. Every mechanism of the tied façade that is shaken is run under all chosen motions. Where
+one does not hold, a row that holds it grows until it does, the others as they are.
 """
 
 import json
+from typing import NamedTuple
 
 from rocking.assessment.code_checks import slv_pga
 from rocking.assessment.dynamic_check import exceeds, histories, limits_of
-from rocking.assessment.shaken import cases, chosen, of_label
+from rocking.assessment.shaken import cases, chosen, heights, of_label
 from rocking.collapse.case import Variant
 
 LEAST_SHARE, MOST_SHARE = 1e-4, 2.0  # of the façade's weight, of one row
 STEP = 0.95  # of the force, between two strengths of the rows
 COARSE = 8  # steps at once, until the dynamic check holds
-TRIED = ["factor", "model", "part", "mechanism", "exceed_d0", "mean_d_m", "d_slv_m", "histories"]
-TRIED += ["holds"]
+SAME_M = 1e-6  # heights
+TRIED = ["forces_kn", "model", "part", "mechanism", "exceed_d0", "mean_d_m", "d_slv_m"]
+TRIED += ["histories", "holds"]
+
+
+class Failing(NamedTuple):
+    """A mechanism that does not hold: its model, label and name, and what holds it.
+
+    Attributes
+    ----------
+    model, part, mechanism : str
+    rows : list of int
+        Of the added rows those that hold it, the highest first.
+    """
+
+    model: str
+    part: str
+    mechanism: str
+    rows: list
 
 
 class Shaken:
@@ -36,28 +54,21 @@ class Shaken:
         self.motions, self.directions = motions, directions
         self.rows: list[dict] = []  # TRIED, in their order
         self.final: dict[str, dict] = {}  # worst rows of TRIED by part, of the last whole trial
-        self.unheld: set[str] = set()  # parts that fail and that no added row holds
+        self.left: set[str] = set()  # parts that fail and that no added row makes hold
         self._known: dict[str, dict] = {}
         self._first: list[tuple] = []  # model and part of those that failed, the last first
 
-    def holds(self, rows, factor, whole=False, short=False):
-        """Whether every mechanism holds under all motions but those that no row holds.
+    def failing(self, rows, whole=False):
+        """First mechanism that does not hold, or None; those that are left out are passed over.
 
         Parameters
         ----------
-        rows : list of Row
-        factor : float
-            That they stand for, in the table of what was tried.
+        rows : list of TieRow
         whole : bool
-            All mechanisms are run, also when one has failed.
-        short : bool
-            Those alone that failed before, where any did.
+            All mechanisms are run and kept in `final`, also those that are left out.
         """
-        entries = self.tied.entries(rows)
-        variant = Variant("tied", added={"facade.ties": entries})
-        tried = [case.varied(variant) for case in self.cases]
-        family, own = self.tied.family(rows), self.tied.sections["assessment"]
-        known = of_label(family)
+        known, tried = self._tied(rows)
+        own = self.tied.sections["assessment"]
         ranked = [
             (slv_pga(one, self.tied.sections, self.tied.demand), one, None)
             for one in known.values()
@@ -66,26 +77,45 @@ class Shaken:
         table = chosen(ranked, tried, own["shaken_within"])
         parts = [(row, part) for case in tried for row, part in cases(case, table)]
         parts.sort(key=lambda p: self._turn(p[1].model, p[0].part))
-        if short and self._first:
-            parts = [p for p in parts if (p[1].model, p[0].part) in self._first]
-        every = True
+        first = None
         self.final = {} if whole else self.final
         for row, part in parts:
-            found = self._of(part, known[row.part])
-            about = {"factor": factor, "model": part.model, "part": row.part}
-            about |= {"mechanism": row.mechanism, **found}
-            if about not in self.rows:
-                self.rows.append(about)
+            if row.part in self.left and not whole:
+                continue
+            about = self._run(rows, part, row.part, known[row.part])
             if whole:
                 self.final[row.part] = max(self.final.get(row.part, about), about, key=_worse)
-            if not found["holds"]:
-                if not part["facade"]["ties"]:
-                    self.unheld.add(row.part)
-                    continue
-                every, self._first = False, [(part.model, row.part), *self._first]
-                if not whole:
-                    break
-        return every
+            if about["holds"] or row.part in self.left:
+                continue
+            here = held_by(known[row.part].mechanism, rows)
+            first = first or Failing(part.model, row.part, row.mechanism, here)
+            self._first = [(part.model, row.part), *self._first]
+            if not whole:
+                break
+        return first
+
+    def holds(self, rows, failing):
+        """Whether one mechanism holds, that failed with weaker rows; so too where it is no more."""
+        known, tried = self._tied(rows)
+        if failing.part not in known:
+            return True
+        case = next(case for case in tried if case.model == failing.model)
+        one = known[failing.part]
+        part = case if one.whole else case.part(*heights(one))
+        return self._run(rows, part, failing.part, one)["holds"]
+
+    def _tied(self, rows):
+        """Mechanisms of the façade with these rows by label, and its case of each model."""
+        variant = Variant("tied", added={"facade.ties": self.tied.entries(rows)})
+        return of_label(self.tied.family(rows)), [case.varied(variant) for case in self.cases]
+
+    def _run(self, rows, part, label, one):
+        """Row of TRIED of one part."""
+        about = {"forces_kn": forces_said(rows), "model": part.model, "part": label}
+        about |= {"mechanism": one.name, **self._of(part, one)}
+        if about not in self.rows:
+            self.rows.append(about)
+        return about
 
     def _turn(self, model, part):
         """Place in the order of trial: what failed last first."""
@@ -122,53 +152,77 @@ def _worse(row):
     return not row["holds"], row["mean_d_m"] / row["d_slv_m"]
 
 
-def stronger(shaken, rows, by_hand=True, say=lambda text: None):
-    """Factor on all rows with which the dynamic check holds.
+def forces_said(rows):
+    """Forces of rows [kN], in the order of their heights."""
+    return " ".join(f"{1e-3 * row.force_n:.4g}" for row in rows)
 
-    It goes up in coarse steps until the check holds, then halves the steps between: the next weaker
-    one, by 0.95, does not hold. On the way only those mechanisms are run that failed before; what
-    is found is held to all of them.
+
+def held_by(mechanism, rows):
+    """Indices of the rows that pull on a mechanism, the highest first.
+
+    Read off its own pulls: a row at or below its foot, or where it is kept in place, is none.
+    """
+    pulled = [float(pull.path(0.0)[1].real) for pull in mechanism.pulls]
+    own = [k for k, r in enumerate(rows) if any(abs(r.height_m - z) < SAME_M for z in pulled)]
+    return sorted(own, key=lambda k: -rows[k].height_m)
+
+
+def grown(shaken, rows, say=lambda text: None):
+    """Rows with which every mechanism holds but those that are left out.
+
+    As long as one fails, the highest row that pulls on it, which has the greatest lever arm, grows
+    until it holds; where that row does not help at its strongest, the next lower one does, then all
+    of them. What none makes hold is left out (`Shaken.left`). A row that grew last has been tried
+    with 0.95 of its force, the others as they are, and its mechanism did not hold.
 
     Parameters
     ----------
     shaken : Shaken
-    rows : list of Row
-    by_hand : bool
-        Whether weaker rows fail by hand; else it goes down too.
+    rows : list of TieRow
     say : callable
-        Receives a line a trial.
+        Receives a line a mechanism.
 
     Returns
     -------
-    float or None
-        None: it does not hold at the strongest either.
+    rows : list of TieRow
+    governs : list of (tuple of int, Failing)
+        Rows that grew and for what, in turn.
     """
-    forces, weight_n = [row.force_n for row in rows], shaken.tied.weight_n
+    governs: list[tuple] = []
+    while (failing := shaken.failing(rows)) is not None:
+        own = [(k,) for k in failing.rows]
+        own += [tuple(failing.rows)] if len(own) > 1 else []
+        stronger = ((which, raised(shaken, rows, which, failing)) for which in own)
+        which, found = next(((k, f) for k, f in stronger if f is not None), ((), None))
+        if found is None:
+            say(f"{failing.model}, {failing.mechanism}: no row makes it hold")
+            shaken.left.add(failing.part)
+            continue
+        rows = found
+        governs.append((which, failing))
+        say(f"{failing.model}, {failing.mechanism}: holds with {forces_said(rows)} kN")
+    return rows, governs
 
-    def tried(steps, short=True):
-        factor = STEP**-steps
-        own = [row._replace(force_n=factor * row.force_n) for row in rows]
-        held = shaken.holds(own, factor, short=short)
-        say(f"rows times {factor:.3g}: {'hold' if held else 'do not hold'}")
-        return held
+
+def raised(shaken, rows, which, failing):
+    """Rows of which some grew by steps of 1/0.95 until a mechanism holds; None if it never does.
+
+    In coarse steps up, then the steps between are halved: one step less does not hold.
+    """
+    most = MOST_SHARE * shaken.tied.weight_n
+
+    def at(steps):
+        return [
+            row._replace(force_n=STEP**-steps * row.force_n) if k in which else row
+            for k, row in enumerate(rows)
+        ]
 
     low, high = 0, COARSE
-    if tried(0, short=False):
-        if by_hand:
-            return 1.0
-        low, high = -COARSE, 0
-        while tried(low):
-            low, high = low - COARSE, low
-            if STEP**-high * max(forces) < LEAST_SHARE * weight_n:
-                break
-    while True:
-        while low >= 0 and not tried(high):
-            low, high = high, high + COARSE
-            if STEP**-high * min(forces) > MOST_SHARE * weight_n:
-                return None
-        while high - low > 1:
-            middle = (low + high) // 2
-            low, high = (low, middle) if tried(middle) else (middle, high)
-        if tried(high, short=False):
-            return STEP**-high
-        low, high = high, (min(high + COARSE, 0) if high < 0 else high + COARSE)
+    while not shaken.holds(at(high), failing):
+        low, high = high, high + COARSE
+        if any(at(high)[k].force_n > most for k in which):
+            return None
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if shaken.holds(at(middle), failing) else (middle, high)
+    return at(high)

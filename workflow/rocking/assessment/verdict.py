@@ -334,3 +334,18 @@ def next_steps(checks, mechanisms, verdicts, *more, shaken=None):
     if not lines:
         lines.append("Keep the assumptions below verified on site; nothing else is asked for.")
     return lines
+
+
+def asked_by(row):
+    """What a row of ties.csv is so strong for."""
+    by_hand = not isinstance(row.governed_by, str) or not row.governed_by
+    return "checks by hand" if by_hand else f"{row.governed_by}, {row.model}"
+
+
+def governing_row(rows):
+    """Begin the sentence on 95 %: of the row that grew last under the motions, or of any."""
+    last = rows[rows["last"] == 1]
+    if last.empty:
+        return "With 95 % of the force"
+    levels = " and ".join(f"{z:.2f} m" for z in last["height_m"])
+    return f"The force at {levels} is for {asked_by(last.iloc[0])}; with 95 % of it"
