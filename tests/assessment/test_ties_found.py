@@ -102,10 +102,10 @@ def test_what_is_sold_is_not_thinner():
 
 
 class Shaken:
-    """Stands in for the dynamic check: a mechanism holds from a pull of given rows on.
+    """Stands in for the dynamic check: a mechanism holds where its weighted forces suffice.
 
-    `asks` gives for a mechanism the rows that pull on it, the highest first, the row that is of
-    use and the force that it asks for.
+    `asks` gives for a mechanism the rows that pull on it, the highest first, the weight of each
+    row's force, and the sum that it asks for.
     """
 
     def __init__(self, tied, asks):
@@ -119,9 +119,10 @@ class Shaken:
         return None
 
     def holds(self, rows, failing):
-        _, row, force_n = self.asks[failing.part]
-        self.tried.append((failing.part, rows[row].force_n))
-        return rows[row].force_n >= force_n
+        _, weights, asked_n = self.asks[failing.part]
+        self.tried.append((failing.part, rows))
+        pull_n = sum(w * row.force_n for w, row in zip(weights, rows, strict=True))
+        return pull_n >= asked_n
 
 
 def two_rows(tied):
@@ -130,37 +131,54 @@ def two_rows(tied):
 
 @pytest.mark.parametrize("times_more", [1.03, 1.7, 6.0])
 def test_a_row_grows_until_its_mechanism_holds_and_95_per_cent_was_tried(times_more):
+    """The upper one alone, whose arm is twice the other's: no other way takes less force."""
     tied = ties.Tied(sections(PLAIN), DEMAND)
     rows = two_rows(tied)
-    asked = times_more * rows[1].force_n
-    shaken = Shaken(tied, {"whole": ([1, 0], 1, asked)})
+    asked = (0.5 + times_more) * rows[1].force_n
+    shaken = Shaken(tied, {"whole": ([1, 0], (0.5, 1.0), asked)})
     found, governs = ties_shaken.grown(shaken, rows)
-    assert asked <= found[1].force_n < asked / 0.95
     assert found[0] == rows[0]
+    assert 1.0 <= found[1].force_n / (times_more * rows[1].force_n) < 1.0 / 0.95 + 1e-9
     assert [(which, why.part) for which, why in governs] == [((1,), "whole")]
-    if 0.95 * found[1].force_n > rows[1].force_n:
-        assert any(f == pytest.approx(0.95 * found[1].force_n) for _, f in shaken.tried)
+    less = [rows[0], found[1]._replace(force_n=0.95 * found[1].force_n)]
+    if less[1].force_n > 1.001 * rows[1].force_n:
+        tried = [own[1].force_n for _, own in shaken.tried if own[0] == rows[0]]
+        assert any(force_n == pytest.approx(less[1].force_n) for force_n in tried)
 
 
-def test_only_rows_that_pull_on_what_fails_grow_and_the_lower_where_the_higher_is_of_no_use():
+def test_only_rows_that_pull_on_what_fails_grow_and_those_that_take_the_least_force():
+    """A part held by the upper row alone, then the whole, of which the lower row holds more."""
     tied = ties.Tied(sections(PLAIN), DEMAND)
     rows = two_rows(tied)
     force = 4.0 * rows[0].force_n
-    asks = {"above the low row": ([1], 1, force), "whole": ([1, 0], 0, force)}
+    asks = {"part": ([1], (0.0, 1.0), force), "whole": ([1, 0], (1.0, 0.1), 2.0 * force)}
     found, governs = ties_shaken.grown(Shaken(tied, asks), rows)
-    assert all(force <= row.force_n < force / 0.95 for row in found)
     assert [which for which, _ in governs] == [(1,), (0,)]
+    assert force <= found[1].force_n < force / 0.95
+    asked = 2.0 * force - 0.1 * found[1].force_n
+    assert asked <= found[0].force_n < asked / 0.95
+
+
+def test_rows_grow_together_where_none_alone_is_of_use():
+    """Both have to be strong, as where a wall bends between them once either has broken."""
+    tied = ties.Tied(sections(PLAIN), DEMAND)
+    rows = two_rows(tied)
+    shaken = Shaken(tied, {"bending": ([1, 0], (1.0, 1.0), 0.0)})
+    shaken.holds = lambda own, failing: min(r.force_n for r in own) >= 3.0 * rows[0].force_n
+    found, ((which, _),) = ties_shaken.grown(shaken, rows)
+    assert which == (1, 0)
+    assert all(3.0 <= r.force_n / rows[0].force_n < 3.0 / 0.95 for r in found)
 
 
 def test_what_no_row_makes_hold_is_left_out_and_grows_none():
     tied = ties.Tied(sections(PLAIN), DEMAND)
     rows = two_rows(tied)
-    shaken = Shaken(tied, {"gable": ([], 0, math.inf), "whole": ([1, 0], 1, math.inf)})
+    shaken = Shaken(tied, {"gable": ([], (0.0, 0.0), 1.0), "whole": ([1, 0], (1, 1), math.inf)})
     found, governs = ties_shaken.grown(shaken, rows)
     assert (found, governs) == (rows, [])
     assert shaken.left == {"gable", "whole"}
     most = ties_shaken.MOST_SHARE * tied.weight_n
-    assert most / 2.0 < max(f for _, f in shaken.tried) <= most
+    assert 0.9 * most < max(r.force_n for _, own in shaken.tried for r in own) <= most
 
 
 def test_rows_pull_on_what_turns_below_them():

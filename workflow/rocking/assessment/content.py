@@ -301,7 +301,8 @@ def ties(data, folder):
         lines.append(
             f"To assess the façade with these rows, give {folder}/ties.yaml after its own file. "
             "By hand each row is the least: with less in any one of them a mechanism fails. Under "
-            "the motions the highest row that pulls on a failing mechanism grows until that holds."
+            "the motions rows that pull on a failing mechanism grow until it holds, one or all of "
+            "them, by the least force in sum."
         )
     if len(beyond):
         lines.append(

@@ -1,10 +1,11 @@
 """The code's dynamic check of a façade with rows of ties added, and how strong the rows have to be.
 
 See `ties`. Every mechanism of the tied façade that is shaken is run under all chosen motions. Where
-one does not hold, a row that holds it grows until it does, the others as they are.
+one does not hold, rows that pull on it grow until it does, the others as they are.
 """
 
 import json
+import math
 from typing import NamedTuple
 
 from rocking.assessment.code_checks import slv_pga
@@ -51,7 +52,7 @@ class Shaken:
     def __init__(self, cases, tied, motions, directions):
         """Keep what every trial takes."""
         self.cases, self.tied = cases, tied
-        self.motions, self.directions = motions, directions
+        self.order = [(one, way) for one in motions for way in directions]  # decisive ones first
         self.rows: list[dict] = []  # TRIED, in their order
         self.final: dict[str, dict] = {}  # worst rows of TRIED by part, of the last whole trial
         self.left: set[str] = set()  # parts that fail and that no added row makes hold
@@ -123,18 +124,23 @@ class Shaken:
         return self._first.index(one) if one in self._first else len(self._first)
 
     def _of(self, part, one):
-        """Exceeded d0, mean and verdict of one part; histories end once it cannot hold."""
+        """Exceeded d0, mean and verdict of one part; histories end once it cannot hold.
+
+        What decided last is run first: it mostly decides again.
+        """
         key = json.dumps(part.sections, sort_keys=True)  # model, façade and all
         if key not in self._known:
             limits, total, over, count = limits_of(one.mechanism), 0.0, 0, 0
-            most = limits.slv_m * len(self.motions) * len(self.directions)
-            for record, pga_g in self.motions:
-                for direction in self.directions:
-                    table = histories(part.sections, record, direction, [pga_g])
-                    kept = table[table["status"] != "failed"]
-                    over += int(exceeds(kept, limits).sum())
-                    total, count = total + float(kept["d_m"].sum()), count + len(kept)
+            most = limits.slv_m * len(self.order)
+            for turn in list(self.order):
+                (record, pga_g), direction = turn
+                table = histories(part.sections, record, direction, [pga_g])
+                kept = table[table["status"] != "failed"]
+                over += int(exceeds(kept, limits).sum())
+                total, count = total + float(kept["d_m"].sum()), count + len(kept)
                 if over or total > most:
+                    self.order.remove(turn)
+                    self.order.insert(0, turn)
                     break
             mean = total / max(count, 1)
             self._known[key] = {
@@ -170,10 +176,10 @@ def held_by(mechanism, rows):
 def grown(shaken, rows, say=lambda text: None):
     """Rows with which every mechanism holds but those that are left out.
 
-    As long as one fails, the highest row that pulls on it, which has the greatest lever arm, grows
-    until it holds; where that row does not help at its strongest, the next lower one does, then all
-    of them. What none makes hold is left out (`Shaken.left`). A row that grew last has been tried
-    with 0.95 of its force, the others as they are, and its mechanism did not hold.
+    As long as one fails, the rows that pull on it grow until it holds: all of them by one factor,
+    or one of them alone, whichever takes the least force in sum. What none makes hold is left out
+    (`Shaken.left`). What grew last has been tried with 0.95 of its force, the other rows as they
+    are, and its mechanism did not hold.
 
     Parameters
     ----------
@@ -190,10 +196,12 @@ def grown(shaken, rows, say=lambda text: None):
     """
     governs: list[tuple] = []
     while (failing := shaken.failing(rows)) is not None:
-        own = [(k,) for k in failing.rows]
-        own += [tuple(failing.rows)] if len(own) > 1 else []
-        stronger = ((which, raised(shaken, rows, which, failing)) for which in own)
-        which, found = next(((k, f) for k, f in stronger if f is not None), ((), None))
+        which, found = (), None
+        alone = [(k,) for k in failing.rows]
+        for own in [tuple(failing.rows), *alone] if len(alone) > 1 else alone:
+            most_n = math.inf if found is None else _sum_n(found)
+            stronger = raised(shaken, rows, own, failing, most_n)
+            which, found = (which, found) if stronger is None else (own, stronger)
         if found is None:
             say(f"{failing.model}, {failing.mechanism}: no row makes it hold")
             shaken.left.add(failing.part)
@@ -204,12 +212,13 @@ def grown(shaken, rows, say=lambda text: None):
     return rows, governs
 
 
-def raised(shaken, rows, which, failing):
+def raised(shaken, rows, which, failing, most_n=math.inf):
     """Rows of which some grew by steps of 1/0.95 until a mechanism holds; None if it never does.
 
-    In coarse steps up, then the steps between are halved: one step less does not hold.
+    In coarse steps up, then the steps between are halved: one step less does not hold. Rows whose
+    forces come to `most_n` in sum are not tried.
     """
-    most = MOST_SHARE * shaken.tied.weight_n
+    strongest_n = MOST_SHARE * shaken.tied.weight_n
 
     def at(steps):
         return [
@@ -217,12 +226,25 @@ def raised(shaken, rows, which, failing):
             for k, row in enumerate(rows)
         ]
 
+    def allowed(steps):
+        own = at(steps)
+        return _sum_n(own) < most_n and all(own[k].force_n <= strongest_n for k in which)
+
     low, high = 0, COARSE
-    while not shaken.holds(at(high), failing):
-        low, high = high, high + COARSE
-        if any(at(high)[k].force_n > most for k in which):
+    while True:
+        while high > low and not allowed(high):
+            high -= 1
+        if high == low:
             return None
+        if shaken.holds(at(high), failing):
+            break
+        low, high = high, high + COARSE
     while high - low > 1:
         middle = (low + high) // 2
         low, high = (low, middle) if shaken.holds(at(middle), failing) else (middle, high)
     return at(high)
+
+
+def _sum_n(rows):
+    """Sum of the forces of rows [N]."""
+    return sum(row.force_n for row in rows)
