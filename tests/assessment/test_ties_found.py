@@ -139,7 +139,7 @@ def test_a_row_grows_until_its_mechanism_holds_and_95_per_cent_was_tried(times_m
     found, governs = ties_shaken.grown(shaken, rows)
     assert found[0] == rows[0]
     assert 1.0 <= found[1].force_n / (times_more * rows[1].force_n) < 1.0 / 0.95 + 1e-9
-    assert [(which, why.part) for which, why in governs] == [((1,), "whole")]
+    assert [(g.which, g.why.part) for g in governs] == [((1,), "whole")]
     less = [rows[0], found[1]._replace(force_n=0.95 * found[1].force_n)]
     if less[1].force_n > 1.001 * rows[1].force_n:
         tried = [own[1].force_n for _, own in shaken.tried if own[0] == rows[0]]
@@ -153,7 +153,7 @@ def test_only_rows_that_pull_on_what_fails_grow_and_those_that_take_the_least_fo
     force = 4.0 * rows[0].force_n
     asks = {"part": ([1], (0.0, 1.0), force), "whole": ([1, 0], (1.0, 0.1), 2.0 * force)}
     found, governs = ties_shaken.grown(Shaken(tied, asks), rows)
-    assert [which for which, _ in governs] == [(1,), (0,)]
+    assert [g.which for g in governs] == [(1,), (0,)]
     assert force <= found[1].force_n < force / 0.95
     asked = 2.0 * force - 0.1 * found[1].force_n
     assert asked <= found[0].force_n < asked / 0.95
@@ -165,9 +165,24 @@ def test_rows_grow_together_where_none_alone_is_of_use():
     rows = two_rows(tied)
     shaken = Shaken(tied, {"bending": ([1, 0], (1.0, 1.0), 0.0)})
     shaken.holds = lambda own, failing: min(r.force_n for r in own) >= 3.0 * rows[0].force_n
-    found, ((which, _),) = ties_shaken.grown(shaken, rows)
-    assert which == (1, 0)
+    found, (growth,) = ties_shaken.grown(shaken, rows)
+    assert growth.which == (1, 0)
+    assert growth.before == rows
     assert all(3.0 <= r.force_n / rows[0].force_n < 3.0 / 0.95 for r in found)
+
+
+def test_rows_of_the_model_that_was_tried_first_are_those_before_another_asked_for_more():
+    low, high, more = (ties.TieRow(3.0, f) for f in (1e3, 2e3, 5e3))
+    top = ties.TieRow(6.0, 1.0)
+
+    def growth(model, before, which):
+        return ties_shaken.Growth(which, ties_shaken.Failing(model, "p", "p", [0]), before)
+
+    governs = [growth("W2m", [low, top], (0,)), growth("W2", [high, top], (0, 1))]
+    found = ties.Found([more, ties.TieRow(6.0, 9e3)], [1e3, 0.0], [], governs)
+    assert ties.first_of(found, "W2m") == [2e3, 0.0]
+    assert ties.first_of(found._replace(governs=governs[:1]), "W2m") == [5e3, 0.0]
+    assert ties.first_of(found._replace(governs=governs[1:]), "W2") == [5e3, 9e3]
 
 
 def test_what_no_row_makes_hold_is_left_out_and_grows_none():
@@ -209,9 +224,9 @@ def test_the_dynamic_check_of_a_tied_facade_holds_at_the_end_and_not_one_step_be
     again = ties_shaken.Shaken([case], tied, motions, ["neg"])
     again.left = set(found.beyond)
     assert again.failing(found.rows) is None
-    which, why = found.governs[-1]
-    less = [times([r], 0.95)[0] if k in which else r for k, r in enumerate(found.rows)]
-    assert again.failing(less).part == why.part
+    last = found.governs[-1]
+    less = [times([r], 0.95)[0] if k in last.which else r for k, r in enumerate(found.rows)]
+    assert again.failing(less).part == last.why.part
     rows = ties.table_of(found, resolved["strengthening"])
     for row, own in zip(rows, found.rows, strict=True):
         area = math.pi / 4.0 * row["diameter_mm"] ** 2

@@ -12,6 +12,7 @@ from rocking.assessment.verdict import (
     headline,
     next_steps,
     passes,
+    relied_rows,
     suite,
 )
 from rocking.mechanics.mechanism import WHOLE
@@ -156,3 +157,11 @@ def test_the_sentence_on_95_per_cent_names_the_row_that_grew_last():
     said = governing_row(rows)
     assert said == "The force at 6.40 m is for the gable above 6.40 m, W2; with 95 % of it"
     assert governing_row(rows.assign(last=0)) == "With 95 % of the force"
+
+
+def test_what_the_model_of_the_rate_asks_for_is_said_where_it_is_less():
+    rows = pd.DataFrame({"height_m": [3.2, 6.4], "force_kn": [8.0, 40.0], "relied": ["W2m"] * 2})
+    assert relied_rows(rows.assign(force_relied_kn=rows["force_kn"])) == ""
+    said = relied_rows(rows.assign(force_relied_kn=[8.0, 9.5]))
+    assert said == " W2m by itself asks for 8.0 kN at 3.20 m and 9.5 kN at 6.40 m."
+    assert relied_rows(rows.assign(force_relied_kn=0.0)) == " W2m by itself asks for none."

@@ -343,7 +343,8 @@ def ties_said(data):
             f"levels holds, {' and '.join(left)}" + rest
         )
     less = f" {verdict.governing_row(rows)} {'more fails' if left else 'they do not'}."
-    return f"With rows of ties of {said} {what} pass{rest}.{alone}{less}"
+    first = verdict.relied_rows(rows)
+    return f"With rows of ties of {said} {what} pass{rest}.{alone}{less}{first}"
 
 
 def sensitivity(data, folder):

@@ -27,7 +27,7 @@ from rocking.studies.strengthening import row_of_rods
 CLOSE = 0.005  # relative, of a row's least force
 COMMERCIAL_MM = (8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 36, 40, 45, 50, 60, 70, 80)
 ROWS = ["height_m", "force_by_hand_kn", "force_kn", "count", "diameter_mm", "commercial_mm"]
-ROWS += ["yield_mpa", "length_m", "model", "governed_by", "last"]
+ROWS += ["yield_mpa", "length_m", "model", "governed_by", "last", "relied", "force_relied_kn"]
 AFTER = ["part", "mechanism", "pga_fails_g", "ratio", "exceed_d0", "mean_d_m", "d_slv_m", "holds"]
 AFTER += ["beyond"]
 
@@ -195,8 +195,8 @@ class Found(NamedTuple):
         Least force of each by hand; 0 where the dynamic check alone asks for it.
     beyond : list of str
         Labels of the mechanisms that these rows do not make pass.
-    governs : list of (tuple of int, ties_shaken.Failing)
-        Rows that grew under the motions and for what, in turn.
+    governs : list of ties_shaken.Growth
+        Rows that grew under the motions, in turn.
     """
 
     rows: list
@@ -243,10 +243,24 @@ def _first(levels, tied, shaken, say):
     left = set(shaken.left)
     _, governs = grown(shaken, rows, say)
     shaken.left = left
-    return [row for k, row in enumerate(rows) if any(k in which for which, _ in governs)]
+    return [row for k, row in enumerate(rows) if any(k in g.which for g in governs)]
 
 
-def table_of(result, own):
+def first_of(result, model):
+    """Rows with which every mechanism holds under one model, that was tried first; 0 N for none.
+
+    Those that stood before another model made any of them grow.
+    """
+    before = (g.before for g in result.governs if g.why.model != model)
+    rows = next(before, result.rows)
+    grew = {k for g in result.governs if g.why.model == model for k in g.which}
+    return [
+        row.force_n if by_hand_n or k in grew else 0.0
+        for k, (row, by_hand_n) in enumerate(zip(rows, result.by_hand_n, strict=True))
+    ]
+
+
+def table_of(result, own, relied=""):
     """Rows as a table, with the rods they take (ROWS).
 
     Parameters
@@ -254,8 +268,11 @@ def table_of(result, own):
     result : Found
     own : dict
         Section strengthening.
+    relied : str
+        Model that was tried first; empty without the dynamic check.
     """
-    rows, reasons = [], {k: why for which, why in result.governs for k in which}
+    rows, reasons = [], {k: g.why for g in result.governs for k in g.which}
+    first = first_of(result, relied)
     for k, (row, least_n) in enumerate(zip(result.rows, result.by_hand_n, strict=True)):
         rod = row_of_rods(own, row.height_m, 1e-3 * row.force_n)
         size = rod["diameter_mm"]
@@ -267,7 +284,9 @@ def table_of(result, own):
             rod["yield_mpa"],
             rod["length_m"],
             *((reasons[k].model, reasons[k].mechanism) if k in reasons else ("", "")),
-            int(bool(result.governs) and k in result.governs[-1][0]),
+            int(bool(result.governs) and k in result.governs[-1].which),
+            relied,
+            1e-3 * first[k],
         )
         rows.append(dict(zip(ROWS, (row.height_m, *forces, *rods), strict=True)))
     return rows

@@ -37,13 +37,30 @@ class Failing(NamedTuple):
     rows: list
 
 
+class Growth(NamedTuple):
+    """Rows that grew until a mechanism held.
+
+    Attributes
+    ----------
+    which : tuple of int
+        Those that grew.
+    why : Failing
+    before : list of TieRow
+        All rows before they grew.
+    """
+
+    which: tuple
+    why: Failing
+    before: list
+
+
 class Shaken:
     """The code's dynamic check of a façade with rows added, mechanism by mechanism.
 
     Parameters
     ----------
     cases : list of rocking.collapse.case.Case
-        Without the rows, one of each model.
+        Without the rows, one of each model; what fails under the first is held first.
     tied : Tied
     motions : list of (Record, pga_g)
     directions : sequence of str
@@ -77,7 +94,8 @@ class Shaken:
         ranked.sort(key=lambda row: row[0])
         table = chosen(ranked, tried, own["shaken_within"])
         parts = [(row, part) for case in tried for row, part in cases(case, table)]
-        parts.sort(key=lambda p: self._turn(p[1].model, p[0].part))
+        models = [case.model for case in self.cases]
+        parts.sort(key=lambda p: (models.index(p[1].model), self._turn(p[1].model, p[0].part)))
         first = None
         self.final = {} if whole else self.final
         for row, part in parts:
@@ -191,10 +209,10 @@ def grown(shaken, rows, say=lambda text: None):
     Returns
     -------
     rows : list of TieRow
-    governs : list of (tuple of int, Failing)
-        Rows that grew and for what, in turn.
+    governs : list of Growth
+        In turn.
     """
-    governs: list[tuple] = []
+    governs: list[Growth] = []
     while (failing := shaken.failing(rows)) is not None:
         which, found = (), None
         alone = [(k,) for k in failing.rows]
@@ -206,8 +224,8 @@ def grown(shaken, rows, say=lambda text: None):
             say(f"{failing.model}, {failing.mechanism}: no row makes it hold")
             shaken.left.add(failing.part)
             continue
+        governs.append(Growth(which, failing, rows))
         rows = found
-        governs.append((which, failing))
         say(f"{failing.model}, {failing.mechanism}: holds with {forces_said(rows)} kN")
     return rows, governs
 

@@ -349,3 +349,13 @@ def governing_row(rows):
         return "With 95 % of the force"
     levels = " and ".join(f"{z:.2f} m" for z in last["height_m"])
     return f"The force at {levels} is for {asked_by(last.iloc[0])}; with 95 % of it"
+
+
+def relied_rows(rows):
+    """Sentence on what the model that the rate rests on asks for by itself, where it is less."""
+    less = rows["force_relied_kn"] < rows["force_kn"] - 0.05
+    if not less.any():
+        return ""
+    own = rows[rows["force_relied_kn"] > 0.0]
+    said = [f"{r.force_relied_kn:.1f} kN at {r.height_m:.2f} m" for r in own.itertuples()]
+    return f" {rows['relied'].iloc[0]} by itself asks for {' and '.join(said) or 'none'}."

@@ -9,6 +9,7 @@ import pandas as pd
 import yaml
 from rocking import Case
 from rocking.assessment import site, ties, ties_shaken
+from rocking.assessment.verdict import relied_on
 from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.tables import read_tables, write_table
@@ -24,9 +25,11 @@ def main(job):
     given = settings, list(records.values()), job.input.spectrum, job.input.hazard
     tied = ties.Tied(settings, site.demand_from(*given))
     motions = [(records[r.record], r.pga_g) for r in pd.read_csv(job.input.motions).itertuples()]
-    verdicts, shaken = read_tables(job.input.verdicts), None
+    verdicts, shaken, relied = read_tables(job.input.verdicts), None, ""
     if motions:
         cases = [Case.read(path) for path in job.input.cases]
+        relied = relied_on([case.model for case in cases])
+        cases.sort(key=lambda case: case.model != relied)
         shaken = ties_shaken.Shaken(cases, tied, motions, settings["directions"])
     stands = bool(len(verdicts)) and bool(verdicts["slv"].all())
 
@@ -35,7 +38,8 @@ def main(job):
             log.write(f"{text}\n")
 
     found = ties.found(tied, shaken, stands, say)
-    write_table(ties.table_of(found, settings["strengthening"]), job.output.rows, ties.ROWS)
+    rows = ties.table_of(found, settings["strengthening"], relied)
+    write_table(rows, job.output.rows, ties.ROWS)
     write_table(ties.after(tied, found, shaken), job.output.after, ties.AFTER)
     write_table(shaken.rows if shaken else [], job.output.tried, ties_shaken.TRIED)
     rows = [*settings["facade"]["ties"], *tied.entries(found.rows)]
