@@ -233,7 +233,6 @@ def found(tied, shaken, stands, say=lambda text: None):
         rows = _first(levels, tied, shaken, say)
         by_hand = [0.0] * len(rows)
     rows, governs = grown(shaken, rows, say)
-    shaken.failing(rows, whole=True)
     return Found(rows, by_hand, sorted({*beyond, *shaken.left}), governs)
 
 
@@ -295,7 +294,7 @@ def table_of(result, own, relied=""):
 def after(tied, result, shaken):
     """What each mechanism does with the rows: by hand, and in the dynamic check (AFTER)."""
     rows, beyond = [], set(result.beyond)
-    last = shaken.final if shaken is not None else {}
+    last = shaken.everything(result.rows) if shaken is not None and shaken.rows else {}
     for one in tied.family(result.rows).all():
         name = label(one)
         pga_g = slv_pga(one, tied.sections, tied.demand)

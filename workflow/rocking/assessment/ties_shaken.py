@@ -69,49 +69,44 @@ class Shaken:
     def __init__(self, cases, tied, motions, directions):
         """Keep what every trial takes."""
         self.cases, self.tied = cases, tied
+        self.models = [case.model for case in cases]
         self.order = [(one, way) for one in motions for way in directions]  # decisive ones first
         self.rows: list[dict] = []  # TRIED, in their order
-        self.final: dict[str, dict] = {}  # worst rows of TRIED by part, of the last whole trial
         self.left: set[str] = set()  # parts that fail and that no added row makes hold
         self._known: dict[str, dict] = {}
-        self._first: list[tuple] = []  # model and part of those that failed, the last first
 
-    def failing(self, rows, whole=False):
-        """First mechanism that does not hold, or None; those that are left out are passed over.
+    def failing(self, rows, model, start=None):
+        """First mechanism of one model that does not hold; those that are left out are passed over.
 
         Parameters
         ----------
         rows : list of TieRow
-        whole : bool
-            All mechanisms are run and kept in `final`, also those that are left out.
+        model : str
+        start : str, optional
+            Label of the mechanism to begin with; those before it come last.
+
+        Returns
+        -------
+        Failing or None
         """
-        known, tried = self._tied(rows)
-        own = self.tied.sections["assessment"]
-        ranked = [
-            (slv_pga(one, self.tied.sections, self.tied.demand), one, None)
-            for one in known.values()
-        ]
-        ranked.sort(key=lambda row: row[0])
-        table = chosen(ranked, tried, own["shaken_within"])
-        parts = [(row, part) for case in tried for row, part in cases(case, table)]
-        models = [case.model for case in self.cases]
-        parts.sort(key=lambda p: (models.index(p[1].model), self._turn(p[1].model, p[0].part)))
-        first = None
-        self.final = {} if whole else self.final
-        for row, part in parts:
-            if row.part in self.left and not whole:
-                continue
-            about = self._run(rows, part, row.part, known[row.part])
-            if whole:
-                self.final[row.part] = max(self.final.get(row.part, about), about, key=_worse)
-            if about["holds"] or row.part in self.left:
-                continue
-            here = held_by(known[row.part].mechanism, rows)
-            first = first or Failing(part.model, row.part, row.mechanism, here)
-            self._first = [(part.model, row.part), *self._first]
-            if not whole:
-                break
-        return first
+        known, parts = self._parts(rows, model)
+        labels = [row.part for row, _ in parts]
+        first = labels.index(start) if start in labels else 0
+        for row, part in [*parts[first:], *parts[:first]]:
+            one = known[row.part]
+            if row.part not in self.left and not self._run(rows, part, row.part, one)["holds"]:
+                return Failing(model, row.part, row.mechanism, held_by(one.mechanism, rows))
+        return None
+
+    def everything(self, rows):
+        """Run all mechanisms of all models, also those that are left out: the worst by part."""
+        final: dict[str, dict] = {}
+        for model in self.models:
+            known, parts = self._parts(rows, model)
+            for row, part in parts:
+                about = self._run(rows, part, row.part, known[row.part])
+                final[row.part] = max(final.get(row.part, about), about, key=_worse)
+        return final
 
     def holds(self, rows, failing):
         """Whether one mechanism holds, that failed with weaker rows; so too where it is no more."""
@@ -122,6 +117,16 @@ class Shaken:
         one = known[failing.part]
         part = case if one.whole else case.part(*heights(one))
         return self._run(rows, part, failing.part, one)["holds"]
+
+    def _parts(self, rows, model):
+        """Mechanisms by label, and what is shaken of them under one model: row and case."""
+        known, tried = self._tied(rows)
+        own, demand = self.tied.sections, self.tied.demand
+        ranked = [(slv_pga(one, own, demand), one, None) for one in known.values()]
+        ranked.sort(key=lambda row: row[0])
+        table = chosen(ranked, tried, own["assessment"]["shaken_within"])
+        (case,) = (one for one in tried if one.model == model)
+        return known, list(cases(case, table))
 
     def _tied(self, rows):
         """Mechanisms of the façade with these rows by label, and its case of each model."""
@@ -135,11 +140,6 @@ class Shaken:
         if about not in self.rows:
             self.rows.append(about)
         return about
-
-    def _turn(self, model, part):
-        """Place in the order of trial: what failed last first."""
-        one = model, part
-        return self._first.index(one) if one in self._first else len(self._first)
 
     def _of(self, part, one):
         """Exceeded d0, mean and verdict of one part; histories end once it cannot hold.
@@ -194,8 +194,9 @@ def held_by(mechanism, rows):
 def grown(shaken, rows, say=lambda text: None):
     """Rows with which every mechanism holds but those that are left out.
 
-    As long as one fails, the rows that pull on it grow until it holds: all of them by one factor,
-    or one of them alone, whichever takes the least force in sum. What none makes hold is left out
+    Model by model, until all hold with the same rows. As long as a mechanism fails, the rows that
+    pull on it grow until it holds: all of them by one factor, or one of them alone, whichever
+    takes the least force in sum. What none makes hold is left out
     (`Shaken.left`). What grew last has been tried with 0.95 of its force, the other rows as they
     are, and its mechanism did not hold.
 
@@ -213,21 +214,32 @@ def grown(shaken, rows, say=lambda text: None):
         In turn.
     """
     governs: list[Growth] = []
-    while (failing := shaken.failing(rows)) is not None:
-        which, found = (), None
-        alone = [(k,) for k in failing.rows]
-        for own in [tuple(failing.rows), *alone] if len(alone) > 1 else alone:
-            most_n = math.inf if found is None else _sum_n(found)
-            stronger = raised(shaken, rows, own, failing, most_n)
-            which, found = (which, found) if stronger is None else (own, stronger)
-        if found is None:
-            say(f"{failing.model}, {failing.mechanism}: no row makes it hold")
-            shaken.left.add(failing.part)
-            continue
-        governs.append(Growth(which, failing, rows))
-        rows = found
-        say(f"{failing.model}, {failing.mechanism}: holds with {forces_said(rows)} kN")
-    return rows, governs
+    while True:
+        count = len(governs)
+        for model in shaken.models:
+            start = None
+            while (failing := shaken.failing(rows, model, start)) is not None:
+                start = failing.part
+                which, found = cheapest(shaken, rows, failing)
+                if not which:
+                    say(f"{model}, {failing.mechanism}: no row makes it hold")
+                    shaken.left.add(failing.part)
+                    continue
+                governs.append(Growth(which, failing, rows))
+                rows = found
+                say(f"{model}, {failing.mechanism}: holds with {forces_said(rows)} kN")
+        if len(governs) == count:  # and so all models hold with the same rows
+            return rows, governs
+
+
+def cheapest(shaken, rows, failing):
+    """Rows that grow for a mechanism, all or one, by the least force in sum, and all rows then."""
+    alone = [(k,) for k in failing.rows]
+    which, found = (), rows
+    for own in [tuple(failing.rows), *alone] if len(alone) > 1 else alone:
+        stronger = raised(shaken, rows, own, failing, _sum_n(found) if which else math.inf)
+        which, found = (which, found) if stronger is None else (own, stronger)
+    return which, found
 
 
 def raised(shaken, rows, which, failing, most_n=math.inf):
