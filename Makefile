@@ -5,7 +5,7 @@
 # make docs    the documentation site, build/site/index.html; a warning is an error. Names old pictures
 # make gallery the pictures of docs/gallery.md again, by its commands
 # make study   docs/study.md again: the study row by row beside a run of all its stages. CONFIG: settings, as records_table=FILE
-# make predictions  predictions of tests again, into config/predictions; MOTIONS: folder of table motions
+# make predictions  predictions of tests again, into build/predictions, beside those committed; MOTIONS: folder of table motions
 # make mutations  one sign, factor or unit changed at a time: do the tests notice?
 # make freeze  the tables of a small run of every target, against those of REVISION (main)
 # make faults  56 runs killed, starved or doubled at random moments; writes tables/faults.csv
@@ -50,8 +50,12 @@ study: setup
 	.venv/bin/python tools/gallery.py --study results/study/figures
 
 predictions: setup
-	.venv/bin/python -m rocking.studies.predictions run config/predictions/sin01 --yade $(if $(MOTIONS),--motions $(MOTIONS))
-	.venv/bin/python -m rocking.studies.predictions run config/predictions/gables
+	rm -rf build/predictions
+	mkdir -p build
+	cp -r config/predictions build
+	.venv/bin/python -m rocking.studies.predictions run build/predictions/sin01 --yade $(if $(MOTIONS),--motions $(MOTIONS))
+	.venv/bin/python -m rocking.studies.predictions run build/predictions/gables
+	-diff -r --exclude=digest.txt config/predictions build/predictions
 
 REVISION ?= main
 freeze: setup

@@ -20,6 +20,7 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pandas as pd
@@ -147,7 +148,7 @@ def shake_table(specimen, runs, folder, in_yade):
     runs, drawn = runs[had], drawn[had]
     motions = [motion for motion in motions if motion is not None]
     whole, ground, spans = one_after_another([motion[:2] for motion in motions])
-    found = specimens.cases(_Wall(specimen))
+    found = specimens.cases(SimpleNamespace(specimen={**specimen, "kind": "shake_table"}))
     for place, (variant, case) in enumerate(found.items()):
         main = place < IN_YADE
         plane, numerics = to_plane(build_scene(case)), case["numerics"]
@@ -181,13 +182,6 @@ def shake_table(specimen, runs, folder, in_yade):
     if in_yade:
         rows += yade_rows(found, runs, motions)
     return pd.DataFrame(rows)
-
-
-class _Wall:
-    """What `specimens.cases` takes of an experiment."""
-
-    def __init__(self, specimen):
-        self.specimen = {**specimen, "kind": "shake_table"}
 
 
 def yade_rows(found, runs, motions):
