@@ -71,20 +71,24 @@ def test_every_node_of_the_bricks_at_every_step(model, monkeypatch):
 
 
 def test_every_node_of_the_reference_solver():
-    """Its rates at states drawn at random: the sum over the base is within that of the limits."""
+    """Its rates at states drawn at random: each of two nodes alone on the base, and both."""
     wall = reference.Wall(6.48, 0.375, beta_s=0.00276, nodes_base=1 + 1, base_friction_deg=30.0)
     model, draw = contact.law_of(wall), np.random.default_rng(3).normal
     limit = np.zeros(wall.eta_m.size)
     state, out = contact.initial(wall), np.zeros(contact.SLIP + wall.eta_m.size)
-    none, slides = np.zeros(1), 0
-    for _ in range(1000):
-        state[contact.VY], state[contact.VZ] = draw(scale=0.5), draw(scale=0.01)
-        state[contact.SLIP :] = draw(scale=1e-4)
-        contact.rates(model, state, 0.0, 0.0, none, none, out, limit)
-        pushed = abs(out[contact.VY]) * wall.mass_kg
-        assert pushed <= limit.sum() * (1.0 + 1e-12)
-        slides += pushed >= limit.sum() * (1.0 - 1e-12)
-    assert slides > 100
+    none = np.zeros(1)
+    for turn, pressed in ((0.0, [0, 1]), (0.01, [1]), (-0.01, [0])):
+        height, slides = wall.eta_m * np.sin(turn) - wall.zeta_m * np.cos(turn), 0
+        for _ in range(500):
+            state[contact.THETA], state[contact.Z] = turn, height.max() - abs(draw(scale=1e-4))
+            state[contact.VY], state[contact.VZ] = draw(scale=0.5), draw(scale=0.01)
+            state[contact.SLIP :] = draw(scale=1e-4)
+            contact.rates(model, state, 0.0, 0.0, none, none, out, limit)
+            assert set(np.flatnonzero(limit)) <= set(pressed)
+            pushed = abs(out[contact.VY]) * wall.mass_kg
+            assert pushed <= limit.sum() * (1.0 + 1e-12)
+            slides += pushed >= limit.sum() * (1.0 - 1e-12)
+        assert 50 < slides < 500
 
 
 @pytest.mark.yade
