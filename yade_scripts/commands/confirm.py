@@ -27,7 +27,7 @@ class Confirmation:
         """Nothing was run."""
         self.bound, self.evidence = -math.log(ERROR), [0.0, 0.0]
 
-    def add(self, probabilities, collapsed):
+    def add(self, probabilities, collapsed, *, alone=False):
         """Count one run that did not fail.
 
         Parameters
@@ -36,12 +36,16 @@ class Confirmation:
             To fall at its amplitude: of the scan, of the one that falls more often and of the one
             that falls less often; above 0 and below 1.
         collapsed : bool
+        alone : bool
+            A single run, far from the levels: where the scan says less than one half of what it
+            did, it speaks for neither rival and against the scan. A façade that falls where it
+            should stand, and stands where it should fall, would else take evidence from both.
         """
         said, *others = probabilities if collapsed else [1.0 - p for p in probabilities]
-        self.evidence = [
-            total + math.log(said / other)
-            for total, other in zip(self.evidence, others, strict=True)
-        ]
+        told = [math.log(said / other) for other in others]
+        if alone and said < 0.5:
+            told = [min(told)] * len(told)
+        self.evidence = [total + more for total, more in zip(self.evidence, told, strict=True)]
 
     @property
     def verdict(self):

@@ -85,19 +85,25 @@ def run_realisations(runner, pga_g, realisations):
     return rows, share
 
 
-def confirm(runner, plan, settings):
-    """Rows of realisations at a plan's levels, until they confirm the scan's probabilities.
+def confirm(runner, curve, plan, settings):
+    """Rows of realisations at a plan's levels, until YADE's runs confirm the scan's probabilities.
 
-    Unless the scan is confirmed (`confirm.Confirmation`) all of `realisations` are run at every
+    The single runs that tell something of them count first. Every level gets a realisation; unless
+    the scan is confirmed then (`confirm.Confirmation`) all of `realisations` are run at every
     level, in the order of `confirm.turns`.
     """
     levels, realisations = plan["levels"], perturb.draw_realisations(settings)
-    test, rows = Confirmation(), []
+    test, rows, missing = Confirmation(), [], set(range(len(levels)))
+    alone = {row["pga_g"]: row["collapsed"] for row in curve if row["status"] != simulate.FAILED}
+    for pga_g, probabilities in zip(plan["runs"], plan["told"], strict=True):
+        if probabilities and pga_g in alone:
+            test.add(probabilities, alone[pga_g], alone=True)
     for level, number in turns(levels, len(realisations)):
         rows.append(runner.run(levels[level], realisations[number]))
         if rows[-1]["status"] != simulate.FAILED:
             test.add(plan["probability"][level][number], rows[-1]["collapsed"])
-        if settings["stop"] == "confirmed" and test.verdict == 1:
+        missing.discard(level)
+        if settings["stop"] == "confirmed" and test.verdict == 1 and not missing:
             break
     told = {1: "confirm", 0: "refute", None: "neither confirm nor refute"}[test.verdict]
     runner.say(f"{len(rows)} realisations {told} the dense scan")
@@ -113,7 +119,8 @@ def analyse(runner, curve, plan=None):
     curve : list of dict
         Rows of the single runs.
     plan : dict, optional
-        levels [g], and for every realisation the probabilities of `confirm.Confirmation`.
+        runs, levels [g]; `told` and `probability`, for `confirm.Confirmation`: of every run that
+        counts, and by level of every realisation.
 
     Returns
     -------
@@ -124,7 +131,7 @@ def analyse(runner, curve, plan=None):
         return [], []
     if plan is not None:
         named = runner.case["model"] in settings["models"]
-        return confirm(runner, plan, settings) if named and plan["levels"] else [], []
+        return confirm(runner, curve, plan, settings) if named and plan["levels"] else [], []
     if runner.case["model"] not in settings["models"]:
         return [], measure_sensitivity(runner, curve, settings)
     status = {row["pga_g"]: row["status"] for row in curve}

@@ -5,6 +5,7 @@ import pandas as pd
 
 from rocking.collapse.probability import PROBABILITY_COLUMNS, from_scan, outcomes, probability
 from yade_scripts.commands.confirm import Confirmation
+from yade_scripts.commands.search import DIGITS
 
 ODDS, SHIFT = 9.0, 1.03  # factors on p/(1 − p) and on amplitude: a scan so far off is refuted
 
@@ -40,19 +41,44 @@ def alternatives(scan, pga_g, spread):
     return np.column_stack((p, more, less))
 
 
-def confirmed(scan, ensemble, spread):
-    """Whether YADE's realisations confirm the scan's probabilities, see `confirm.Confirmation`.
+def told(scan, pga_g, spread):
+    """`alternatives` of single runs that tell something of the scan's probabilities.
+
+    Those between its lowest collapse and the highest amplitude that stood. Below and above it
+    outcomes hardly differ by any rival; the lowest collapse was chosen for having fallen.
 
     Parameters
     ----------
-    scan, ensemble : DataFrame
-        Of one curve; None or empty where there is none.
+    scan, pga_g, spread
+        As of `alternatives`.
+
+    Returns
+    -------
+    list of list of 3 floats or None
+        One for each amplitude.
+    """
+    pga_g, status = np.asarray(pga_g, float), scan["status"]
+    lowest = scan.loc[status == "overturned", "pga_g"].min()
+    highest = scan.loc[status == "ok", "pga_g"].max()
+    between = (pga_g > lowest + 10.0**-DIGITS) & (pga_g < highest)
+    rows = alternatives(scan, pga_g, spread).round(4).tolist()
+    return [row if inside else None for row, inside in zip(rows, between, strict=True)]
+
+
+def confirmed(scan, curve, ensemble, spread):
+    """Whether YADE's runs confirm the scan's probabilities, see `confirm.Confirmation`.
+
+    Parameters
+    ----------
+    scan, curve, ensemble : DataFrame
+        Of one curve: the dense scan, YADE's single runs (see `told`) and its realisations; None or
+        empty where there is none.
     spread : float
 
     Returns
     -------
     float
-        1: yes, 0: they refute them, NaN: open, or one of the two is missing.
+        1: yes, 0: they refute them, NaN: open, or scan or realisations are missing.
     """
     if scan is None or not len(ensemble):
         return np.nan
@@ -60,6 +86,12 @@ def confirmed(scan, ensemble, spread):
     rows = alternatives(scan, own["pga_g"], spread)
     for probabilities, collapsed in zip(rows, own["collapsed"], strict=True):
         test.add(probabilities, collapsed)
+    alone = outcomes(curve) if len(curve) else curve.reindex(columns=["pga_g", "collapsed"])
+    for probabilities, collapsed in zip(
+        told(scan, alone["pga_g"], spread), alone["collapsed"], strict=True
+    ):
+        if probabilities:
+            test.add(probabilities, collapsed, alone=True)
     return np.nan if test.verdict is None else float(test.verdict)
 
 

@@ -4,7 +4,7 @@ import itertools
 
 import numpy as np
 
-from rocking.collapse.agreement import SHIFT, alternatives
+from rocking.collapse.agreement import SHIFT, alternatives, told
 from rocking.collapse.crossing import first_crossing
 from rocking.collapse.probability import collapse_ranges, from_scan
 from yade_scripts.commands import perturb
@@ -38,7 +38,7 @@ def plan(scan, settings, ensemble):
     -------
     dict
         runs, levels: ascending lists of float; probability: by level and realisation, those of
-        `agreement.alternatives` at its own amplitude.
+        `agreement.alternatives` at its own amplitude; told: by run, those of `agreement.told`.
     """
     spread = ensemble["amplitude_spread"]
     table = from_scan(scan, spread)
@@ -49,7 +49,8 @@ def plan(scan, settings, ensemble):
     slight = scan.loc[~(scan["d_over_b"] < SLIGHT), "pga_g"].min()
     climb = climb[max(0, sum(g < slight for g in climb) - 1) :]
     if fallen.empty:
-        return {"runs": climb if full else climb[-1:], "levels": [], "probability": []}
+        runs = climb if full else climb[-1:]
+        return {"runs": runs, "told": [None] * len(runs), "levels": [], "probability": []}
     lowest = float(fallen.min())
     low, high = (p / 100.0 for p in ensemble["percentiles"])
     middle = first_crossing(pga_g, share, 0.5)
@@ -75,4 +76,5 @@ def plan(scan, settings, ensemble):
     )
     factors = [r.amplitude_factor for r in perturb.draw_realisations(ensemble)]
     shares = [alternatives(scan, np.multiply(g, factors), spread).round(4).tolist() for g in levels]
-    return {"runs": runs, "levels": levels, "probability": shares}
+    alone = told(scan, runs, spread)
+    return {"runs": runs, "told": alone, "levels": levels, "probability": shares}

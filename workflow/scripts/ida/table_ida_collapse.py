@@ -22,7 +22,7 @@ def main(job):
             table = agreement.compared(scan, realisations, spread)
         table = table.assign(**named).reindex(columns=probability.PROBABILITY_COLUMNS)
         row["disagreements"] = agreement.disagreements(table)
-        row["confirmed"] = agreement.confirmed(scan, realisations, spread)
+        row["confirmed"] = agreement.confirmed(scan, curve, realisations, spread)
         rows.append(row)
         parts.append(table)
     write_table(rows, job.output.collapse, probability.COLUMNS, digits="%.4f")
