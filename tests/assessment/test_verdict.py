@@ -155,7 +155,8 @@ def test_the_sentence_on_95_per_cent_names_the_row_that_grew_last():
     assert asked_by(first) == "checks by hand"
     assert asked_by(second) == "the gable above 6.40 m, W2"
     said = governing_row(rows)
-    assert said == "The force at 6.40 m is for the gable above 6.40 m, W2; with 95 % of it"
+    start = "The force at 6.40 m is what the gable above 6.40 m asks for under W2"
+    assert said == f"{start}; with 95 % of it"
     assert governing_row(rows.assign(last=0)) == "With 95 % of the force"
 
 

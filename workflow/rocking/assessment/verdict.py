@@ -348,7 +348,9 @@ def governing_row(rows):
     if last.empty:
         return "With 95 % of the force"
     levels = " and ".join(f"{z:.2f} m" for z in last["height_m"])
-    return f"The force at {levels} is for {asked_by(last.iloc[0])}; with 95 % of it"
+    row = last.iloc[0]
+    what = f"what {row.governed_by} asks for under {row.model}"
+    return f"The force at {levels} is {what}; with 95 % of it"
 
 
 def relied_rows(rows):
