@@ -50,7 +50,7 @@ for model, more in (
     case = Case.configured(model, {**short, **more})
     collapse_curve(case, Motion(Record("wave", wave, 0.01, "file")), "neg", search="crossings")
 scene = build_scene({**Case.configured("W1").sections, "width_nodes": 3})
-given = spatial.two_motions(Motions, scene, t, {"ground": wave, "vertical": wave})
+given = spatial.two_motions(scene, t, {"ground": wave, "vertical": wave})
 spatial.history(spatial.to_block(scene), given, Case.configured("W1")["numerics"], sample_s=0.1)
 case = Case.configured("W2").sections
 moving = motion_of(t, {"ground": wave, **{f"floor{j}": wave for j in range(1, 5)}}, "W2")

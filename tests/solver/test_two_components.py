@@ -44,7 +44,7 @@ def shaken(amplitude, beside):
 def both(config, model, t, columns, step_fraction=spatial.STEP_FRACTION, **how):
     """Outcome of the compiled solver under both components."""
     scene = facade_scene(config, model, BETA_S, planar=False, two_components=True)
-    motions = spatial.two_motions(Motions, scene, t, columns)
+    motions = spatial.two_motions(scene, t, columns)
     block = spatial.to_block(scene, step_fraction)
     return spatial.history(block, motions, config["numerics"], **how)
 
@@ -114,7 +114,7 @@ def test_static_capacity_of_a_pier_pushed_obliquely(direction_deg):
     for share, falls in ((0.99, False), (1.01, True)):
         push = share * capacity * G * 0.5 * (1.0 - np.cos(np.pi * np.minimum(t / 3.0, 1.0)))
         columns = {"ground": -push * math.sin(phi), along("ground"): -push * math.cos(phi)}
-        motions = spatial.two_motions(Motions, scene, t, columns)
+        motions = spatial.two_motions(scene, t, columns)
         found = spatial.history(block, motions, config["numerics"], sample_s=0.1)
         tilt = abs(found.rows[-1, 3]) + abs(found.rows[-1, 4])  # of the centroid, along x and y
         assert (tilt > 0.1) == falls

@@ -47,7 +47,7 @@ def in_space():
     """The loop of one block in three dimensions."""
     given, numerics = case("W1", width_nodes=3)
     scene = build_scene(given)
-    motions = spatial.two_motions(solver.Motions, scene, TIME_S, {"ground": STILL})
+    motions = spatial.two_motions(scene, TIME_S, {"ground": STILL})
     spatial.history(spatial.to_block(scene), motions, numerics, 1.0)
 
 

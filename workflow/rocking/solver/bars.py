@@ -263,6 +263,14 @@ def of_scene(scene, own, column):
     )
 
 
+def row_of(size, direction, ends):
+    """How far each freedom opens a spring along a direction; `ends`: block, sign, its arm."""
+    (y, z), row = direction, np.zeros(size)
+    for body, sign, (ry, rz) in ends:
+        row[3 * body : 3 * body + 3] = sign * np.array([y, z, z * ry - y * rz])
+    return row
+
+
 def elements(bars, supports, blocks=1):
     """Stiffness and dashpot of each bar with its row of coefficients, ties taut, floors stuck.
 
@@ -278,11 +286,9 @@ def elements(bars, supports, blocks=1):
     size = first + supports + masses.size
 
     def row(body, arm, along, other):
-        (ry, rz), (y, z) = arm, along
-        found = np.zeros(size)
-        found[3 * body : 3 * body + 3] = y, z, z * ry - y * rz
+        found = row_of(size, along, ((body, 1.0, arm),))
         if other >= 0:
-            found[first + other] -= y
+            found[first + other] -= along[0]
         return found
 
     def moving(j):

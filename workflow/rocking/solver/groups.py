@@ -26,8 +26,6 @@ class Touch(NamedTuple):
         The last three are Σ kn·slip·(1, s, slip) of a summed group.
     depth0, depth1 : a row a group
         Penetration along the line at the last step, depth0 + depth1·s.
-    start, stop : a row a group
-        Nodes that touched at the last step, of one history whose energy counts.
     slip, intact : a row a node
         Slip since a node closed [m]; 1 where its bond holds, without rows where none is bonded.
     """
@@ -42,8 +40,6 @@ class Touch(NamedTuple):
     sum2: np.ndarray
     depth0: np.ndarray
     depth1: np.ndarray
-    start: np.ndarray
-    stop: np.ndarray
     slip: np.ndarray
     intact: np.ndarray
 
@@ -55,7 +51,7 @@ def untouched(p):
     """
     first, k, s = p.first[:-1], p.kn_n_m, p.place_m
     left = np.add.reduceat(p.bonded, first, dtype=float)
-    rows = np.zeros(12 * first.size)
+    rows = np.zeros(10 * first.size)
     rows[first.size : 2 * first.size] = left
     nodes = np.zeros(s.size), p.bonded[: s.size * p.bonded.any()]
     ends = itertools.pairwise(p.first)
@@ -67,43 +63,31 @@ def untouched(p):
 def touched(p, rows):
     """`Touch` in the rows of `untouched`."""
     g, n = p.level_m.size, p.place_m.size
-    nodes = rows[12 * g :]
+    nodes = rows[10 * g :]
     return Touch(
         *(rows[:g], rows[g : 2 * g], rows[2 * g : 3 * g], rows[3 * g : 4 * g]),
         *(rows[4 * g : 5 * g], rows[5 * g : 6 * g], rows[6 * g : 7 * g], rows[7 * g : 8 * g]),
-        *(rows[8 * g : 9 * g], rows[9 * g : 10 * g], rows[10 * g : 11 * g], rows[11 * g : 12 * g]),
+        *(rows[8 * g : 9 * g], rows[9 * g : 10 * g]),
         *(nodes[:n], nodes[n:]),
     )
 
 
 @inlined
-def let_go(p, touch, g, d0, d1):
-    """What the nodes that touched at the last step and do not now have lost [J]; of one history."""
-    low, high = p.first[g], p.first[g + 1]
-    start, stop, lost = int(lone(take(touch.start, g))), int(lone(take(touch.stop, g))), 0.0
-    while start < stop and d0 + d1 * take(p.place_m, start) <= 0.0:
-        lost += _slipped(p, touch, g, start)
-        start += 1
-    while stop > start and d0 + d1 * take(p.place_m, stop - 1) <= 0.0:
-        stop -= 1
-        lost += _slipped(p, touch, g, stop)
-    if start == stop:  # all were open: what touches now is at either end, or both
-        start = stop = high if d0 + d1 * take(p.place_m, low) <= 0.0 else low
-    while start > low and d0 + d1 * take(p.place_m, start - 1) > 0.0:
-        start -= 1
-    while stop < high and d0 + d1 * take(p.place_m, stop) > 0.0:
-        stop += 1
-    put(touch.start, g, float(start))
-    put(touch.stop, g, float(stop))
+def let_go(p, touch, g, before, now):
+    """What nodes that touched at the last step, and do not now, have lost [J]; of one history.
+
+    `before`, `now`: penetrations along the line, as a0 + a1·s.
+    """
+    low, high, lost = p.first[g], p.first[g + 1], 0.0
+    ends = p.place_m[low], p.place_m[high - 1]
+    if max(before[0] + before[1] * ends[0], before[0] + before[1] * ends[1]) <= 0.0:
+        return lost  # none touched
+    for i in range(low, high):
+        s = p.place_m[i]
+        opens = before[0] + before[1] * s > 0.0 and now[0] + now[1] * s <= 0.0
+        if opens and (len(touch.intact) == 0 or lone(take(touch.intact, i)) <= 0.0):
+            lost += 0.5 * p.kn_n_m[i] * p.shear_ratio[g] * lone(take(touch.slip, i)) ** 2
     return lost
-
-
-@inlined
-def _slipped(p, touch, g, i):
-    """Energy of the slip of a node without a bond."""
-    if len(touch.intact) > 0 and lone(take(touch.intact, i)) > 0.0:
-        return 0.0
-    return 0.5 * p.kn_n_m[i] * p.shear_ratio[g] * lone(take(touch.slip, i)) ** 2
 
 
 @inlined

@@ -174,8 +174,9 @@ def contact(p, whole, parts, turning, time, alive, counts, spent):
         if some(summed & ~full):
             spread(p, touch, g, summed & ~full)
             summed = summed & full
-        if counts:
-            lost += let_go(p, touch, g, lone(d0), lone(d1))
+        if counts and some(~full):
+            was = lone(before[0]), lone(before[1])
+            lost += let_go(p, touch, g, was, (lone(d0), lone(d1)))
         if not some(touches | bound):
             continue
         ty, tz = -nz, ny

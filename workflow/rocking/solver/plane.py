@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .bars import Bars, elements, of_scene
-from .stack import FREEDOMS, matrices_of, pose, row_of, stacked
+from .bars import Bars, elements, of_scene, row_of
+from .stack import FREEDOMS, matrices_of, pose, stacked
 
 LEVEL_M = 1e-9  # nodes of one group lie this close to one line, their planes to one plane
 

@@ -23,7 +23,7 @@ from yade_scripts.model.stiffness import critical_step
 
 from .inputs import FAILED
 from .plane import moving_supports
-from .runs import STATUS, limits
+from .runs import STATUS, Motions, limits
 from .spatial_kernel import COLUMNS, Spatial, at_rest, march_spatial
 
 STEP_FRACTION = 0.2  # of the critical step
@@ -69,13 +69,11 @@ def to_block(scene, step_fraction=STEP_FRACTION):
     )
 
 
-def two_motions(motions_of, scene, time_s, columns):
+def two_motions(scene, time_s, columns):
     """`Motions` across and along the façade, of the scene's supports.
 
     Parameters
     ----------
-    motions_of : callable
-        `runs.Motions`.
     scene : Scene
     time_s, columns
         Of every motion of the scene, see `floor_motions.motion_columns`; what is missing along
@@ -87,7 +85,7 @@ def two_motions(motions_of, scene, time_s, columns):
     across = [columns[name] for name in names]
     beside = [columns.get(along(name), still) for name in names]
     up = columns.get(VERTICAL)
-    return [motions_of(time_s, rows[0], rows[1:], up) for rows in (across, beside)]
+    return [Motions(time_s, rows[0], rows[1:], up) for rows in (across, beside)]
 
 
 class Outcome(NamedTuple):

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .bars import Bars, elements
+from .bars import Bars, elements, row_of
 from .lines import Lines, lines_of
 from .lines import elements as of_lines
 
@@ -204,14 +204,6 @@ def stacked(scene, own, column, bars):
         foot=column.get(blocks[scene.index(scene.reference)].motion, -1),
         bars=bars,
     )
-
-
-def row_of(size, direction, ends):
-    """How far each freedom opens a spring along a direction; `ends`: block, sign, its arm."""
-    (y, z), row = direction, np.zeros(size)
-    for body, sign, (ry, rz) in ends:
-        row[3 * body : 3 * body + 3] = sign * np.array([y, z, z * ry - y * rz])
-    return row
 
 
 def matrices_of(size, springs):

@@ -30,28 +30,30 @@ _TRUTHS = ir.VectorType(ir.IntType(1), WIDTH)
 _BITS = ir.IntType(WIDTH)
 
 
-class Lanes(types.Type):
-    """`WIDTH` floats; a float where they are wanted counts for all of them."""
+class _Many(types.Type):
+    """`WIDTH` of a kind; a single one where they are wanted counts for all of them."""
 
-    def can_convert_from(self, typingctx, other):
-        """Widen a float or an integer."""
-        return Conversion.promote if other is types.float64 else None
-
-    def unify(self, typingctx, other):
-        """Lanes, where another branch has a float."""
-        return self if other is types.float64 else None
-
-
-class Mask(types.Type):
-    """`WIDTH` truth values; a single one where they are wanted counts for all of them."""
+    single: types.Type
 
     def can_convert_from(self, typingctx, other):
         """Widen a single one."""
-        return Conversion.promote if other is types.boolean else None
+        return Conversion.promote if other is self.single else None
 
     def unify(self, typingctx, other):
-        """A mask, where another branch has a single one."""
-        return self if other is types.boolean else None
+        """As many, where another branch has a single one."""
+        return self if other is self.single else None
+
+
+class Lanes(_Many):
+    """`WIDTH` floats."""
+
+    single = types.float64
+
+
+class Mask(_Many):
+    """`WIDTH` truth values."""
+
+    single = types.boolean
 
 
 LANES, MASK = Lanes("lanes"), Mask("mask")

@@ -14,7 +14,7 @@ from rocking.collapse.varied import collapses
 from rocking.runtime.drawing import drawing
 from rocking.solver import spatial
 from rocking.solver.plane import to_plane
-from rocking.solver.runs import STEP_FRACTION, Motions, peaks, stable_step
+from rocking.solver.runs import STEP_FRACTION, peaks, stable_step
 from yade_scripts.commands.perturb import NODE_KEYS
 from yade_scripts.commands.search import drive
 from yade_scripts.model import floor_motions, models
@@ -64,7 +64,7 @@ class Comparison:
         scene = models.build_scene(full(case, settings))
         self.block = spatial.to_block(scene)
         columns = floor_motions.motion_columns(scene, columns)
-        self.motions = spatial.two_motions(Motions, scene, time_s, columns)
+        self.motions = spatial.two_motions(scene, time_s, columns)
         plans = [models.build_scene(with_nodes(case, more)) for more in (0, 1)]
         self.planes = [(plane, stable_step(plane)) for plane in map(to_plane, plans)]
         self.start_g, self.max_g = 0.5 * models.static_multiplier(case), case["ida"]["max_pga_g"]
