@@ -88,6 +88,8 @@ def test_every_script_lies_where_its_rule_looks_for_it():
             if script := re.search(r'script:\n        "([^"{]+)"', block):
                 scripts[name] = script[1]
                 inherited.append((path, name, name))
+        for script in re.findall(r'(?m)^figure_by\(\n    "(.+)"', text):
+            assert (SCRIPTS / f"{script}.py").is_file(), f"{path.name}: {script}"
         inherited += [(path, *pair) for pair in re.findall(r"(?m)^use rule (\w+) as (\w+)", text)]
     assert len(scripts) > 80
     for path, base, name in inherited:

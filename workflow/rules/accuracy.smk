@@ -139,17 +139,14 @@ rule speed_accuracy:
         "../scripts/accuracy/table_speed_accuracy.py"
 
 
-rule figure_speed_accuracy:
-    input:
-        table=rules.speed_accuracy.output.table,
-        facts=of_run(rules.record.output.facts),
-        modules=code("accuracy/figure_speed_accuracy"),
-    output:
-        **figure("speed_accuracy", "Accuracy and stability", "speed against accuracy"),
-    log:
-        logs("figure_speed_accuracy"),
-    script:
-        "../scripts/accuracy/figure_speed_accuracy.py"
+figure_by(
+    "accuracy/figure_speed_accuracy",
+    "speed_accuracy",
+    "Accuracy and stability",
+    "speed against accuracy",
+    table=rules.speed_accuracy.output.table,
+    facts=of_run(rules.record.output.facts),
+)
 
 
 rule ensemble_realisations:
@@ -168,24 +165,21 @@ rule ensemble_realisations:
         "../scripts/accuracy/table_ensemble_realisations.py"
 
 
-rule figure_chaos:
-    input:
-        ensembles=of_run(rules.ida.output.ensemble, **ACCURACY_CURVES),
-        scans=of_run(
-            rules.planar_ida.output.scan,
-            **{**ACCURACY_CURVES, "model": accuracy_scanned},
-        ),
-        facts=of_run(rules.own_record.output.facts, record=RUNS.named("accuracy.records")),
-        modules=code("accuracy/figure_chaos"),
-    output:
-        **figure("chaos", "Accuracy and stability", "perturbed ensembles"),
-    log:
-        logs("figure_chaos"),
-    params:
-        percentiles=value_of("ensemble.percentiles"),
-        spread=value_of("ensemble.amplitude_spread"),
-    script:
-        "../scripts/accuracy/figure_chaos.py"
+figure_by(
+    "accuracy/figure_chaos",
+    "chaos",
+    "Accuracy and stability",
+    "perturbed ensembles",
+    ensembles=of_run(rules.ida.output.ensemble, **ACCURACY_CURVES),
+    scans=of_run(
+        rules.planar_ida.output.scan,
+        **{**ACCURACY_CURVES, "model": accuracy_scanned},
+    ),
+    facts=of_run(rules.own_record.output.facts, record=RUNS.named("accuracy.records")),
+    params=dict(
+        percentiles=value_of("ensemble.percentiles"), spread=value_of("ensemble.amplitude_spread")
+    ),
+)
 
 
 # Energy balance of single runs.
@@ -225,19 +219,15 @@ rule table_energy_balance:
         "../scripts/energy/table_energy_balance.py"
 
 
-rule figure_energy_balance:
-    input:
-        histories=of_run(rules.energy_balance.output[0], **ENERGY_RUNS),
-        facts=of_run(rules.own_record.output.facts, record=RUNS.named("accuracy.records")),
-        modules=code("energy/figure_energy_balance"),
-    output:
-        **figure("energy_balance", "Accuracy and stability", "energy balance"),
-    log:
-        logs("figure_energy_balance"),
-    params:
-        share=value_of("accuracy.energy_share"),
-    script:
-        "../scripts/energy/figure_energy_balance.py"
+figure_by(
+    "energy/figure_energy_balance",
+    "energy_balance",
+    "Accuracy and stability",
+    "energy balance",
+    histories=of_run(rules.energy_balance.output[0], **ENERGY_RUNS),
+    facts=of_run(rules.own_record.output.facts, record=RUNS.named("accuracy.records")),
+    params=dict(share=value_of("accuracy.energy_share")),
+)
 
 
 rule accuracy:

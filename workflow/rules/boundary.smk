@@ -54,19 +54,15 @@ rule collapse_frames:
         " --interval {params.interval:q} --fall 6 --output {output:q} 2> {log:q}"
 
 
-rule fig07_models:
-    input:
-        frames=of_run(rules.frames.output[0], model=WITH_WALLS),
-        facts=of_run(rules.own_record.output.facts, record=picture_record),
-        modules=code("boundary/fig07_models"),
-    output:
-        **figure("fig07_models", "Boundary conditions", "7: the five models"),
-    log:
-        logs("fig07_models"),
-    params:
-        config=RUNS.params_of("facade", "return_wall", "w3", "pictures"),
-    script:
-        "../scripts/boundary/fig07_models.py"
+figure_by(
+    "boundary/fig07_models",
+    "fig07_models",
+    "Boundary conditions",
+    "7: the five models",
+    frames=of_run(rules.frames.output[0], model=WITH_WALLS),
+    facts=of_run(rules.own_record.output.facts, record=picture_record),
+    params=dict(config=RUNS.params_of("facade", "return_wall", "w3", "pictures")),
+)
 
 
 rule animation_collapse:

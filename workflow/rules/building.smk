@@ -187,36 +187,27 @@ rule table_wme:
         "../scripts/building/table_wme.py"
 
 
-rule fig01_building:
-    input:
-        plan=plan_file("building.plan"),
-        modules=code("building/fig01_building"),
-    output:
-        **figure("fig01_building", "Building", "1: brick models"),
-    log:
-        logs("fig01_building"),
-    params:
-        building=values_of("building", *BRICK_MODEL),
-    script:
-        "../scripts/building/fig01_building.py"
+figure_by(
+    "building/fig01_building",
+    "fig01_building",
+    "Building",
+    "1: brick models",
+    plan=plan_file("building.plan"),
+    params=dict(building=values_of("building", *BRICK_MODEL)),
+)
 
 
-rule fig02_modes:
-    input:
-        plan=plan_file("building.plan"),
-        fit=rules.building_fit.output[0],
-        cbdem=of_run(rules.building_modal.output[0], building="CBDEM"),
-        sbdem=of_run(rules.building_modal.output[0], building="SBDEM"),
-        modules=code("building/fig02_modes"),
-    output:
-        **figure("fig02_modes", "Building", "2: modes"),
-    log:
-        logs("fig02_modes"),
-    params:
-        building=values_of("building", *BRICK_MODEL),
-        paper=lambda w: is_case_study(w.run),
-    script:
-        "../scripts/building/fig02_modes.py"
+figure_by(
+    "building/fig02_modes",
+    "fig02_modes",
+    "Building",
+    "2: modes",
+    plan=plan_file("building.plan"),
+    fit=rules.building_fit.output[0],
+    cbdem=of_run(rules.building_modal.output[0], building="CBDEM"),
+    sbdem=of_run(rules.building_modal.output[0], building="SBDEM"),
+    params=dict(building=values_of("building", *BRICK_MODEL), paper=lambda w: is_case_study(w.run)),
+)
 
 
 rule fig03_wme:

@@ -47,16 +47,13 @@ rule table_building_search_best:
         "../scripts/building/building_search_verify.py"
 
 
-rule figure_building_search:
-    input:
-        search=rules.table_building_search.output[0],
-        modules=code("building/figure_building_search"),
-    output:
-        **figure("building_search", "Building", "search for the study's building"),
-    log:
-        logs("figure_building_search"),
-    script:
-        "../scripts/building/figure_building_search.py"
+figure_by(
+    "building/figure_building_search",
+    "building_search",
+    "Building",
+    "search for the study's building",
+    search=rules.table_building_search.output[0],
+)
 
 
 rule table_wme_readings:

@@ -127,21 +127,17 @@ rule table_claims_calibration:
         "../scripts/calibration/table_claims_calibration.py"
 
 
-rule fig04_calibration:
-    input:
-        cases=of_run(rules.calibration_cases.output[0], group="batch1"),
-        histories=of_run(rules.free_rocking.output[0], group="batch1"),
-        walls=rules.beta_fit.output.walls,
-        law=rules.beta_law.output.law,
-        modules=code("calibration/fig04_calibration"),
-    output:
-        **figure("fig04_calibration", "Calibration of the damping", "4: parametric study"),
-    log:
-        logs("fig04_calibration"),
-    params:
-        settings=RUNS.params_of("calibration"),
-    script:
-        "../scripts/calibration/fig04_calibration.py"
+figure_by(
+    "calibration/fig04_calibration",
+    "fig04_calibration",
+    "Calibration of the damping",
+    "4: parametric study",
+    cases=of_run(rules.calibration_cases.output[0], group="batch1"),
+    histories=of_run(rules.free_rocking.output[0], group="batch1"),
+    walls=rules.beta_fit.output.walls,
+    law=rules.beta_law.output.law,
+    params=dict(settings=RUNS.params_of("calibration")),
+)
 
 
 rule wall_beta:

@@ -248,27 +248,23 @@ rule complete_collapse:
         "../scripts/complete/table_complete_collapse.py"
 
 
-rule figure_complete:
-    input:
-        ida=of_run(
-            rules.complete_ida.output[0],
-            complete=COMPLETE_MODELS,
-            record=RUNS.confirmed,
-        ),
-        scans=all_of(
-            of_run(rules.complete_scan.output.scan, complete=COMPLETE_MODELS),
-            of_run(rules.planar_ida.output.scan, cases=two_way_curves),
-        ),
-        facts=of_run(rules.record.output.facts),
-        modules=code("complete/figure_complete"),
-    output:
-        **figure("complete_ida", "Complete building", "IDA of the complete building"),
-    log:
-        logs("figure_complete"),
-    params:
-        spread=value_of("ensemble.amplitude_spread"),
-    script:
-        "../scripts/complete/figure_complete.py"
+figure_by(
+    "complete/figure_complete",
+    "complete_ida",
+    "Complete building",
+    "IDA of the complete building",
+    ida=of_run(
+        rules.complete_ida.output[0],
+        complete=COMPLETE_MODELS,
+        record=RUNS.confirmed,
+    ),
+    scans=all_of(
+        of_run(rules.complete_scan.output.scan, complete=COMPLETE_MODELS),
+        of_run(rules.planar_ida.output.scan, cases=two_way_curves),
+    ),
+    facts=of_run(rules.record.output.facts),
+    params=dict(spread=value_of("ensemble.amplitude_spread")),
+)
 
 
 rule complete_frames:

@@ -1,4 +1,38 @@
-# Rules of a study that differ in names alone: its table, and a figure of it.
+# Rules that differ in names alone: a figure by a script of its own, a study's table, and a figure of it.
+
+
+def figure_by(script, title, category, result, about=None, params=None, **inputs):
+    """Rule of the script's name: a figure that a script of its own draws.
+
+    Parameters
+    ----------
+    script : str
+        Folder and name of the script, without `.py`.
+    title : str
+        Name of the picture, with the wildcards that the rule has.
+    category, result, about : str
+        What the report says of it, and the caption where it is not the title's.
+    params : dict, optional
+        What the script takes besides; a change of it draws anew.
+    **inputs
+        Tables and facts that it takes.
+    """
+    own = script.partition("/")[2]
+
+    rule:
+        name:
+            own
+        input:
+            **inputs,
+            modules=code(script),
+        output:
+            **figure(title, category, result, about=about),
+        log:
+            logs("_".join([own, *re.findall(r"{\w+}", title)])),
+        params:
+            **(params or {}),
+        script:
+            str(BASE / f"workflow/scripts/{script}.py")
 
 
 def table_of(study, rule_name, tables=None, **outputs):

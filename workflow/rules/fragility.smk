@@ -40,41 +40,36 @@ rule fragility_table:
         "../scripts/fragility/fragility_table.py"
 
 
-rule fragility_figure:
-    input:
-        fragility=rules.fragility_table.output.fragility,
-        curves=rules.fragility_table.output.curves,
-        brackets=rules.fragility_table.output.brackets,
-        facts=of_run(rules.record.output.facts),
-        modules=code("fragility/fragility_figure"),
-    output:
-        **figure("fragility", "Fragility", "fragility curves"),
-    log:
-        logs("fragility_figure"),
-    params:
+figure_by(
+    "fragility/fragility_figure",
+    "fragility",
+    "Fragility",
+    "fragility curves",
+    fragility=rules.fragility_table.output.fragility,
+    curves=rules.fragility_table.output.curves,
+    brackets=rules.fragility_table.output.brackets,
+    facts=of_run(rules.record.output.facts),
+    params=dict(
         confidence=value_of("fragility.confidence"),
         min_stations=value_of("fragility.min_stations"),
         facade=value_of("facade"),
         smdof=value_of("smdof"),
-    script:
-        "../scripts/fragility/fragility_figure.py"
+    ),
+)
 
 
-rule figure_intensity_measures:
-    input:
-        measures=rules.fragility_table.output.measures,
-        sufficiency=rules.fragility_table.output.sufficiency,
-        facts=of_run(rules.record.output.facts),
-        modules=code("fragility/figure_intensity_measures"),
-    output:
-        **figure("intensity_measures", "Fragility", "efficiency of intensity measures"),
-    log:
-        logs("figure_intensity_measures"),
-    params:
-        confidence=value_of("fragility.confidence"),
-        min_stations=value_of("fragility.min_stations"),
-    script:
-        "../scripts/fragility/figure_intensity_measures.py"
+figure_by(
+    "fragility/figure_intensity_measures",
+    "intensity_measures",
+    "Fragility",
+    "efficiency of intensity measures",
+    measures=rules.fragility_table.output.measures,
+    sufficiency=rules.fragility_table.output.sufficiency,
+    facts=of_run(rules.record.output.facts),
+    params=dict(
+        confidence=value_of("fragility.confidence"), min_stations=value_of("fragility.min_stations")
+    ),
+)
 
 
 rule fragility_nrml:

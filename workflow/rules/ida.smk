@@ -72,23 +72,21 @@ rule ida_collapse:
         "../scripts/ida/table_ida_collapse.py"
 
 
-rule fig09_ida:
-    input:
-        ida=of_run(rules.ida.output[0], cases=RUNS.by_yade),
-        scans=of_run(rules.planar_ida.output.scan, cases=RUNS.scans),
-        collapse=rules.ida_collapse.output.collapse,
-        probability=rules.ida_collapse.output.probability,
-        pushover=of_run(rules.pushover_curve.output[0], pushed=RUNS.pushed),
-        facts=of_run(rules.record.output.facts),
-        modules=code("ida/fig09_ida"),
-    output:
-        **figure("fig09_ida", "Incremental dynamic analyses", "9: IDA curves"),
-    log:
-        logs("fig09_ida"),
-    params:
+figure_by(
+    "ida/fig09_ida",
+    "fig09_ida",
+    "Incremental dynamic analyses",
+    "9: IDA curves",
+    ida=of_run(rules.ida.output[0], cases=RUNS.by_yade),
+    scans=of_run(rules.planar_ida.output.scan, cases=RUNS.scans),
+    collapse=rules.ida_collapse.output.collapse,
+    probability=rules.ida_collapse.output.probability,
+    pushover=of_run(rules.pushover_curve.output[0], pushed=RUNS.pushed),
+    facts=of_run(rules.record.output.facts),
+    params=dict(
         records=lambda w: RUNS.records[w.run],
         models=value_of("models"),
         directions=value_of("directions"),
         facade=RUNS.params_of("facade"),
-    script:
-        "../scripts/ida/fig09_ida.py"
+    ),
+)

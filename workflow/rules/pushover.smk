@@ -106,18 +106,15 @@ rule table_pushover:
         "../scripts/pushover/table_pushover.py"
 
 
-rule fig08_w3:
-    input:
-        cases=of_run(rules.pushover_variant_case.output[0], variant=DRAWN_VARIANTS),
-        raw=of_run(rules.pushover_variant.output.curve, variant=DRAWN_VARIANTS),
-        forces=of_run(rules.pushover_variant.output.forces, variant=DRAWN_VARIANTS),
-        modules=code("pushover/fig08_w3"),
-    output:
-        **figure("fig08_w3", "Boundary conditions", "8: W3 and its capacity curve"),
-    log:
-        logs("fig08_w3"),
-    script:
-        "../scripts/pushover/fig08_w3.py"
+figure_by(
+    "pushover/fig08_w3",
+    "fig08_w3",
+    "Boundary conditions",
+    "8: W3 and its capacity curve",
+    cases=of_run(rules.pushover_variant_case.output[0], variant=DRAWN_VARIANTS),
+    raw=of_run(rules.pushover_variant.output.curve, variant=DRAWN_VARIANTS),
+    forces=of_run(rules.pushover_variant.output.forces, variant=DRAWN_VARIANTS),
+)
 
 
 rule figure_w3_sensitivity:

@@ -51,25 +51,17 @@ rule reference_bands:
         "../scripts/reference/table_reference.py"
 
 
-rule figure_reference:
-    input:
-        scan=rules.reference_bands.output.scan,
-        bands=rules.reference_bands.output.bands,
-        probability=rules.ida_collapse.output.probability,
-        facts=of_run(rules.record.output.facts),
-        modules=code("reference/figure_reference"),
-    output:
-        **figure(
-            "reference_solver",
-            "Accuracy and stability",
-            "collapse probability by both planar solvers",
-        ),
-    log:
-        logs("figure_reference"),
-    params:
-        spread=value_of("ensemble.amplitude_spread"),
-    script:
-        "../scripts/reference/figure_reference.py"
+figure_by(
+    "reference/figure_reference",
+    "reference_solver",
+    "Accuracy and stability",
+    "collapse probability by both planar solvers",
+    scan=rules.reference_bands.output.scan,
+    bands=rules.reference_bands.output.bands,
+    probability=rules.ida_collapse.output.probability,
+    facts=of_run(rules.record.output.facts),
+    params=dict(spread=value_of("ensemble.amplitude_spread")),
+)
 
 
 rule reference_solver:

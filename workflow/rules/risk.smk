@@ -32,25 +32,23 @@ rule risk_rate:
         "../scripts/risk/risk_rate.py"
 
 
-rule figure_risk:
-    input:
-        table=rules.risk_rate.output.table,
-        deaggregation=rules.risk_rate.output.deaggregation,
-        curves=rules.fragility_table.output.curves,
-        facts=of_run(rules.record.output.facts),
-        hazard=hazard,
-        modules=code("risk/figure_risk"),
-    output:
-        **figure("risk", "Risk", "hazard, fragility and rate of collapse"),
-    log:
-        logs("figure_risk"),
-    params:
+figure_by(
+    "risk/figure_risk",
+    "risk",
+    "Risk",
+    "hazard, fragility and rate of collapse",
+    table=rules.risk_rate.output.table,
+    deaggregation=rules.risk_rate.output.deaggregation,
+    curves=rules.fragility_table.output.curves,
+    facts=of_run(rules.record.output.facts),
+    hazard=hazard,
+    params=dict(
         risk=value_of("risk"),
         confidence=value_of("fragility.confidence"),
         min_stations=value_of("fragility.min_stations"),
         period_s=value_of("smdof.period_s"),
-    script:
-        "../scripts/risk/figure_risk.py"
+    ),
+)
 
 
 rule risk:

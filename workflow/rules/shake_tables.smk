@@ -27,24 +27,16 @@ def shake_table_files(wildcards):
     return [row.path for row in rows.values() if row.path]
 
 
-rule fig05_sorrentino:
-    input:
-        cases=of_run(rules.calibration_cases.output[0], group="free_rocking_wall"),
-        histories=of_run(rules.free_rocking.output[0], group="free_rocking_wall"),
-        law=rules.beta_law.output.law,
-        modules=code("shake_tables/fig05_sorrentino"),
-    output:
-        **figure(
-            "fig05_sorrentino",
-            "Calibration of the damping",
-            "5: free rocking of the Sorrentino wall",
-        ),
-    log:
-        logs("fig05_sorrentino"),
-    params:
-        settings=RUNS.params_of("calibration"),
-    script:
-        "../scripts/shake_tables/fig05_sorrentino.py"
+figure_by(
+    "shake_tables/fig05_sorrentino",
+    "fig05_sorrentino",
+    "Calibration of the damping",
+    "5: free rocking of the Sorrentino wall",
+    cases=of_run(rules.calibration_cases.output[0], group="free_rocking_wall"),
+    histories=of_run(rules.free_rocking.output[0], group="free_rocking_wall"),
+    law=rules.beta_law.output.law,
+    params=dict(settings=RUNS.params_of("calibration")),
+)
 
 
 rule shake_table_tests:
@@ -99,21 +91,14 @@ rule shake_table_table:
         "../scripts/shake_tables/table_shake_table.py"
 
 
-rule fig06_shawa:
-    input:
-        tests=rules.shake_table_tests.output.tests,
-        histories=rules.shake_table.output[0],
-        modules=code("shake_tables/fig06_shawa"),
-    output:
-        **figure(
-            "fig06_shawa",
-            "Calibration of the damping",
-            "6: shake-table tests of the Shawa wall",
-        ),
-    log:
-        logs("fig06_shawa"),
-    script:
-        "../scripts/shake_tables/fig06_shawa.py"
+figure_by(
+    "shake_tables/fig06_shawa",
+    "fig06_shawa",
+    "Calibration of the damping",
+    "6: shake-table tests of the Shawa wall",
+    tests=rules.shake_table_tests.output.tests,
+    histories=rules.shake_table.output[0],
+)
 
 
 # What the choice of the law changes in an IDA.

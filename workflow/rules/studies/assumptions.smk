@@ -42,34 +42,26 @@ rule table_assumptions:
         "../../scripts/assumptions/table_assumptions.py"
 
 
-rule figure_assumptions:
-    input:
-        probability=rules.table_assumptions.output.probability,
-        facts=of_run(rules.record.output.facts),
-        modules=code("assumptions/figure_assumptions"),
-    output:
-        **figure("assumptions", "Assumptions", "collapse probability, models side by side"),
-    log:
-        logs("figure_assumptions"),
-    params:
-        facade=RUNS.params_of("facade"),
-    script:
-        "../../scripts/assumptions/figure_assumptions.py"
+figure_by(
+    "assumptions/figure_assumptions",
+    "assumptions",
+    "Assumptions",
+    "collapse probability, models side by side",
+    probability=rules.table_assumptions.output.probability,
+    facts=of_run(rules.record.output.facts),
+    params=dict(facade=RUNS.params_of("facade")),
+)
 
 
-rule figure_assumptions_ratios:
-    input:
-        table=rules.table_assumptions.output.table,
-        facts=of_run(rules.record.output.facts),
-        modules=code("assumptions/figure_assumptions_ratios"),
-    output:
-        **figure("assumptions_ratios", "Assumptions", "each model over the reference"),
-    log:
-        logs("figure_assumptions_ratios"),
-    params:
-        reference=value_of("assumptions.reference"),
-    script:
-        "../../scripts/assumptions/figure_assumptions_ratios.py"
+figure_by(
+    "assumptions/figure_assumptions_ratios",
+    "assumptions_ratios",
+    "Assumptions",
+    "each model over the reference",
+    table=rules.table_assumptions.output.table,
+    facts=of_run(rules.record.output.facts),
+    params=dict(reference=value_of("assumptions.reference")),
+)
 
 
 rule assumptions_map:
@@ -105,25 +97,19 @@ rule table_assumptions_map:
         "../../scripts/assumptions/table_assumptions_map.py"
 
 
-rule figure_assumptions_map:
-    input:
-        table=rules.table_assumptions_map.output[0],
-        facts=of_run(rules.record.output.facts),
-        modules=code("assumptions/figure_assumptions_map"),
-    output:
-        **figure(
-            "assumptions_map",
-            "Assumptions",
-            "error of one-way coupled walls, by building",
-        ),
-    log:
-        logs("figure_assumptions_map"),
-    params:
+figure_by(
+    "assumptions/figure_assumptions_map",
+    "assumptions_map",
+    "Assumptions",
+    "error of one-way coupled walls, by building",
+    table=rules.table_assumptions_map.output[0],
+    facts=of_run(rules.record.output.facts),
+    params=dict(
         smdof=value_of("smdof"),
         records=lambda w: len(RUNS.records[w.run]),
         directions=lambda w: len(RUNS.cfg(w)["directions"]),
-    script:
-        "../../scripts/assumptions/figure_assumptions_map.py"
+    ),
+)
 
 
 rule assumptions_stage:
@@ -174,24 +160,16 @@ rule table_assumptions_tornado:
         "../../scripts/assumptions/table_assumptions_tornado.py"
 
 
-rule figure_assumptions_tornado:
-    input:
-        table=rules.table_assumptions_tornado.output[0],
-        facts=of_run(rules.record.output.facts),
-        modules=code("assumptions/figure_assumptions_tornado"),
-    output:
-        **figure(
-            "assumptions_tornado_{model}",
-            "Assumptions",
-            "what each assumption of {model} is worth",
-            about="assumptions_tornado",
-        ),
-    log:
-        logs("figure_assumptions_tornado_{model}"),
-    params:
-        facade=RUNS.params_of("facade"),
-    script:
-        "../../scripts/assumptions/figure_assumptions_tornado.py"
+figure_by(
+    "assumptions/figure_assumptions_tornado",
+    "assumptions_tornado_{model}",
+    "Assumptions",
+    "what each assumption of {model} is worth",
+    about="assumptions_tornado",
+    table=rules.table_assumptions_tornado.output[0],
+    facts=of_run(rules.record.output.facts),
+    params=dict(facade=RUNS.params_of("facade")),
+)
 
 
 rule assumptions:

@@ -121,19 +121,16 @@ rule uncertainty_tables:
         "../../scripts/uncertainty/uncertainty_tables.py"
 
 
-rule figure_uncertainty:
-    input:
-        parts=rules.uncertainty_tables.output.parts,
-        sensitivity=rules.uncertainty_tables.output.sensitivity,
-        fragility=rules.uncertainty_tables.output.fragility,
-        facts=of_run(rules.own_record.output.facts, record=drawn),
-        modules=code("uncertainty/figure_uncertainty"),
-    output:
-        **figure("uncertainty", "Fragility", "motion, material and model form"),
-    log:
-        logs("figure_uncertainty"),
-    script:
-        "../../scripts/uncertainty/figure_uncertainty.py"
+figure_by(
+    "uncertainty/figure_uncertainty",
+    "uncertainty",
+    "Fragility",
+    "motion, material and model form",
+    parts=rules.uncertainty_tables.output.parts,
+    sensitivity=rules.uncertainty_tables.output.sensitivity,
+    fragility=rules.uncertainty_tables.output.fragility,
+    facts=of_run(rules.own_record.output.facts, record=drawn),
+)
 
 
 rule uncertainty:

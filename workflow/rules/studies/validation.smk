@@ -112,47 +112,32 @@ rule validation_shake_table:
         "../../scripts/validation/validation_shake_table.py"
 
 
-rule figure_shake_table:
-    input:
-        files=experiment_files,
-        table=rules.validation_shake_table.output.table,
-        modules=code("validation/figure_shake_table"),
-    output:
-        **figure(
-            "validation_shake_table_{experiment}",
-            "Held against experiments",
-            "{experiment}",
-            about="validation",
-        ),
-    log:
-        logs("figure_shake_table_{experiment}"),
-    params:
-        settings=RUNS.params_of("validation"),
-    script:
-        "../../scripts/validation/figure_shake_table.py"
+figure_by(
+    "validation/figure_shake_table",
+    "validation_shake_table_{experiment}",
+    "Held against experiments",
+    "{experiment}",
+    about="validation",
+    files=experiment_files,
+    table=rules.validation_shake_table.output.table,
+    params=dict(settings=RUNS.params_of("validation")),
+)
 
 
 # models of the same test beside each other
-rule figure_models:
-    input:
-        specimens=lambda w: [
-            f"{experiment_folders(w.run)[name]}/specimen.yaml" for name in models_of(w)
-        ],
-        tables=lambda w: [
-            f"{RESULTS}/{w.run}/validation/{name}/shake_table.csv" for name in models_of(w)
-        ],
-        modules=code("validation/figure_models"),
-    output:
-        **figure(
-            "validation_models_{test}",
-            "Held against experiments",
-            "models of {test}",
-            about="validation",
-        ),
-    log:
-        logs("figure_models_{test}"),
-    script:
-        "../../scripts/validation/figure_models.py"
+figure_by(
+    "validation/figure_models",
+    "validation_models_{test}",
+    "Held against experiments",
+    "models of {test}",
+    about="validation",
+    specimens=lambda w: [
+        f"{experiment_folders(w.run)[name]}/specimen.yaml" for name in models_of(w)
+    ],
+    tables=lambda w: [
+        f"{RESULTS}/{w.run}/validation/{name}/shake_table.csv" for name in models_of(w)
+    ],
+)
 
 
 rule validation_rocking_cases:
@@ -194,22 +179,15 @@ rule validation_rocking:
         "../../scripts/validation/validation_rocking.py"
 
 
-rule figure_free_rocking:
-    input:
-        files=experiment_files,
-        table=rules.validation_rocking.output[0],
-        modules=code("validation/figure_free_rocking"),
-    output:
-        **figure(
-            "validation_free_rocking_{experiment}",
-            "Held against experiments",
-            "{experiment}",
-            about="validation",
-        ),
-    log:
-        logs("figure_free_rocking_{experiment}"),
-    script:
-        "../../scripts/validation/figure_free_rocking.py"
+figure_by(
+    "validation/figure_free_rocking",
+    "validation_free_rocking_{experiment}",
+    "Held against experiments",
+    "{experiment}",
+    about="validation",
+    files=experiment_files,
+    table=rules.validation_rocking.output[0],
+)
 
 
 rule validation:
