@@ -97,6 +97,15 @@ def test_every_script_lies_where_its_rule_looks_for_it():
             assert (path.parent / scripts[base]).is_file(), f"{path.name}: {name}"
 
 
+def test_no_declared_rule_hides_the_function_that_its_job_calls():
+    """A job runs inside the function that declares its rule, and calls `script` there."""
+    text = (ROOT / "workflow/rules/declared.smk").read_text("utf-8")
+    heads = re.findall(r"(?m)^def \w+\((.+)\):$", text)
+    names = {re.match(r"\W*(\w+)", part)[1] for head in heads for part in head.split(", ")}
+    assert "source" in names
+    assert not names & {"script", "shell", "notebook", "wrapper"}
+
+
 def test_a_reader_does_not_touch_the_runs_in_yade():
     """What inside YADE runs knows nothing of records, and a figure nothing of the engine."""
     ida = {p.name for p in sources.sources(ROOT / "yade_scripts/commands/ida.py")}

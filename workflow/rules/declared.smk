@@ -1,13 +1,14 @@
 # Rules that differ in names alone: a figure by a script of its own, a study's table, and a figure of it.
 
 
-def figure_by(script, title, category, result, about=None, params=None, **inputs):
+def figure_by(source, title, category, result, about=None, params=None, **inputs):
     """Rule of the script's name: a figure that a script of its own draws.
 
     Parameters
     ----------
-    script : str
-        Folder and name of the script, without `.py`.
+    source : str
+        Folder and name of the script, without `.py`. A job calls Snakemake's `script` here: no
+        argument may have that name.
     title : str
         Name of the picture, with the wildcards that the rule has.
     category, result, about : str
@@ -17,14 +18,14 @@ def figure_by(script, title, category, result, about=None, params=None, **inputs
     **inputs
         Tables and facts that it takes.
     """
-    own = script.partition("/")[2]
+    own = source.partition("/")[2]
 
     rule:
         name:
             own
         input:
             **inputs,
-            modules=code(script),
+            modules=code(source),
         output:
             **figure(title, category, result, about=about),
         log:
@@ -32,7 +33,7 @@ def figure_by(script, title, category, result, about=None, params=None, **inputs
         params:
             **(params or {}),
         script:
-            str(BASE / f"workflow/scripts/{script}.py")
+            str(BASE / f"workflow/scripts/{source}.py")
 
 
 def table_of(study, rule_name, tables=None, **outputs):
