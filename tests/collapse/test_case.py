@@ -146,7 +146,9 @@ def test_samples_in_memory_are_a_motion_whatever_their_units():
         ((g, 0.02, "cm/s"), "units 'cm/s'; expected one of g, m/s2"),
         ((g, 2.0), "time step 2 s; expected"),
         (([0.0], 0.02), "expected at least 2 samples"),
-        (([g, g], 0.02), "expected at least 2 samples"),
+        (([g, g], 0.02), "shape (2, 4); expected one row"),
+        (("0.1 0.2", 0.02), "expected samples and a step (s)"),
+        ((g, "20 ms"), "expected samples and a step (s)"),
         (([0.0, np.nan], 0.02), "not all samples are finite"),
         ((np.array(g) * 980.0, 0.02, "g"), "are the units right?"),
     ):
@@ -154,6 +156,18 @@ def test_samples_in_memory_are_a_motion_whatever_their_units():
             Motion.sampled(*given)
     with pytest.raises(TypeError, match=r"Motion of list: .*Motion\.sampled"):
         Motion(g)
+
+
+def test_what_is_no_case_file_is_said_in_one_line(tmp_path):
+    other, broken = tmp_path / "other.json", tmp_path / "broken.json"
+    other.write_text('{"model": "W1"}')
+    broken.write_text("{")
+    for path in (other, broken, tmp_path / "nowhere.json"):
+        with pytest.raises(ValueError, match="expected a case file") as caught:
+            Case.read(path)
+        assert str(caught.value).startswith(f"{path}: ")
+    with pytest.raises(TypeError, match="list given: expected a file, or values by key"):
+        Case.configured("W1", [1])
 
 
 def test_what_a_curve_is_asked_for_is_checked_before_anything_runs(case, pulse):

@@ -160,12 +160,12 @@ from rocking.runtime import results_folder as r
 print(r.fault('{folder}/results'))" """
 
 
-@pytest.mark.parametrize("dry", [(), ("-n",)])
-def test_no_core_is_one_line(tmp_path, dry):
+@pytest.mark.parametrize("words", [("0",), ("0", "-n"), ("-1", "-n")])
+def test_no_core_is_one_line(tmp_path, words):
     """Snakemake would wait for ever for a core."""
-    done = snakemake(tmp_path, "--cores", "0", *dry, "--config", "run=none")
+    done = snakemake(tmp_path, "--cores", *words, "--config", "run=none")
     assert done.returncode == 1
-    assert lines(done, "error") == ["error: --cores 0: expected 1 or more"]
+    assert lines(done, "error") == [f"error: --cores {words[0]}: expected 1 or more"]
 
 
 def test_no_folder_of_table_motions_is_one_line(tmp_path):

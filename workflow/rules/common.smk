@@ -59,8 +59,8 @@ def stop(error):
 
 if fault := results_folder.fault():
     stop(fault)
-if workflow.resource_settings.cores == 0:  # Snakemake would wait for ever
-    stop("--cores 0: expected 1 or more")
+if (cores := workflow.resource_settings.cores) is not None and cores < 1:  # it would wait for ever
+    stop(f"--cores {cores}: expected 1 or more")
 try:
     configuration.check_files([path for path in workflow.configfiles if Path(path).exists()])
     RUNS = Runs(config, BASE)

@@ -10,6 +10,7 @@ import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from os import PathLike
 from typing import Any
 
 import yaml
@@ -83,8 +84,21 @@ class Case:
 
     @classmethod
     def read(cls, path):
-        """Read a case file, as the workflow writes them to `results/<run>/cases`."""
-        return cls(read_json(path))
+        """Read a case file, as the workflow writes them to `results/<run>/cases`.
+
+        Raises
+        ------
+        ValueError
+            In one line that names the file, for one that is none.
+        """
+        expected = "expected a case file, as results/<run>/cases/<model>.json"
+        try:
+            sections = read_json(path)
+        except (OSError, ValueError) as error:
+            raise ValueError(f"{path}: {expected}: {error}") from None
+        if not isinstance(sections, dict) or not {"model", "facade"} <= sections.keys():
+            raise ValueError(f"{path}: {expected}")
+        return cls(sections)
 
     @classmethod
     def configured(cls, model, config=None):
@@ -102,9 +116,13 @@ class Case:
         ------
         ValueError
             In one line that names the model, the key, or file and line.
+        TypeError
+            For a configuration that is neither.
         """
         registry.model(model)
         given = config or {}
+        if not isinstance(given, (str, PathLike, Mapping)):
+            raise TypeError(f"{type(given).__name__} given: expected a file, or values by key")
         if not isinstance(given, Mapping):
             check_files([given := found(given)])
             given = yaml.safe_load(given.read_text("utf-8")) or {}

@@ -137,8 +137,16 @@ class Motion:
             raise RecordError(
                 f"record {name}: units {units!r}; expected one of {', '.join(UNITS_M_S2)}"
             )
-        samples = np.array(acceleration, dtype=float) * UNITS_M_S2[unit]
-        record = Record(name, samples, float(dt_s), "file", unit)
+        try:
+            samples = np.array(acceleration, dtype=float) * UNITS_M_S2[unit]
+            step_s = float(dt_s)
+        except (TypeError, ValueError) as error:
+            raise RecordError(f"record {name}: expected samples and a step (s): {error}") from None
+        if samples.ndim != 1:
+            raise RecordError(
+                f"record {name}: samples of shape {samples.shape}; expected one row of them"
+            )
+        record = Record(name, samples, step_s, "file", unit)
         check_plausible(samples, unit, f"record {name}")
         return cls(record)
 
