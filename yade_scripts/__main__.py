@@ -29,14 +29,17 @@ def commands():
 
 def main(arguments):
     """Run the named command; return the exit status. A foreseen error is one line."""
-    from yade_scripts.engine import parent_process
-
+    try:
+        from yade_scripts.engine import parent_process
+        from yade_scripts.engine.adapter import EngineError
+    except ModuleNotFoundError as error:  # another Python stands first on the path
+        python = f"{sys.executable} has no {error.name}"
+        print(f"error: {python}: expected the system's Python, /usr/bin/python3", file=sys.stderr)
+        return 1
     if parent_process.follow() and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         # A job ends by Ctrl-C without a word: the run says what there is to say, and what has
         # finished is in the journal. Half loaded, YADE would fall with a stack of its own.
         signal.signal(signal.SIGINT, signal.SIG_DFL)
-    from yade_scripts.engine.adapter import EngineError
-
     known = commands()
     if not arguments or arguments[0] not in known:
         print(f"usage: yade_scripts COMMAND [options]; COMMAND is one of {', '.join(known)}")

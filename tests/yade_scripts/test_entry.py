@@ -19,3 +19,19 @@ def test_by_hand_too_the_linear_algebra_has_one_thread():
         check=True,
     )
     assert told.stdout.strip() == "1"
+
+
+def test_another_python_is_one_line():
+    """`python3` may be somebody's own, without what YADE comes with."""
+    words = "import sys; sys.modules['numpy'] = None; from yade_scripts.__main__ import main"
+    done = subprocess.run(
+        [YADE_PYTHON, "-c", f"{words}; sys.exit(main(['view']))"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert done.returncode == 1
+    (line,) = done.stderr.splitlines()
+    assert line.startswith("error: ")
+    assert line.endswith("has no numpy: expected the system's Python, /usr/bin/python3")
