@@ -7,13 +7,7 @@ from pathlib import Path
 
 
 def read_json(path):
-    """Content of a JSON file.
-
-    Raises
-    ------
-    OSError, ValueError
-        One line that names the file.
-    """
+    """Content of a JSON file; OSError or ValueError of one line that names the file."""
     try:
         return json.loads(Path(path).read_text("utf-8"))
     except ValueError as error:
@@ -28,8 +22,8 @@ def named(error, path):
 def write_atomic(path, data):
     """Write bytes or text under a temporary name and move it to `path` when complete.
 
-    One run at a time works in a folder, so temporary files found for the same `path`
-    are those of killed jobs; they go.
+    One run at a time works in a folder, so temporary files found for the same `path` are those of
+    killed jobs; they go.
     """
     path = Path(path)
     temporary = path.with_name(f".{path.name}.{os.getpid()}.part")

@@ -122,16 +122,7 @@ def _text(path, drawn):
 def imports(path, drawn=True):
     """Project files that one file imports by itself, with the `__init__` of their packages.
 
-    Parameters
-    ----------
-    path : Path
-        A Python file.
-    drawn : bool
-        Whether what a study draws counts, see `computing`.
-
-    Returns
-    -------
-    frozenset of Path
+    Without `drawn` what a study draws does not count, see `computing`.
     """
     names: set[str] = set()
     for node in _statements(ast.parse(_text(path, drawn))):
@@ -151,19 +142,9 @@ def imports(path, drawn=True):
 
 @cache
 def sources(path, drawn=True):
-    """Return a script and everything it imports, directly or not, sorted.
+    """Return a script and everything it imports, directly or not, sorted; `drawn` as of `imports`.
 
     What is no Python but lies beside an imported module (a figure's style sheet) belongs to it.
-
-    Parameters
-    ----------
-    path : Path or str
-    drawn : bool
-        Whether what studies draw, and draw with, counts.
-
-    Returns
-    -------
-    tuple of Path
     """
     todo, seen = [Path(path).resolve()], set()
     while todo:

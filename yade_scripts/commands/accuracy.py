@@ -54,10 +54,10 @@ METHODS = (
 
 
 def drive_from_python(motions):
-    """Set-up function that replaces YADE's drive by a Python function called at every step.
+    """Set-up that replaces YADE's drive by a Python function called at every step.
 
-    The support's velocity at half steps is the integral of the piecewise-linear
-    acceleration, so both ways prescribe the same motion.
+    The support's velocity at half steps is the integral of the piecewise-linear acceleration, so
+    both ways prescribe the same motion.
     """
 
     def setup(built):
@@ -88,14 +88,7 @@ def drive_from_python(motions):
 
 
 def run_case(case, time_s, columns, spec):
-    """One run of the plan.
-
-    Returns
-    -------
-    history : simulate.YadeHistory
-    ratio : float
-        Step over critical step.
-    """
+    """History of one run of the plan, and its step over the critical one."""
     numerics = dict(case["numerics"])
     if spec["step_fraction"]:
         numerics.update(step_fraction=spec["step_fraction"], step_s=None)

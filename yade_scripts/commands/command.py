@@ -21,16 +21,9 @@ WORDS = {
 
 
 def parser(doc, *words, **own):
-    """Parser of a command.
+    """Parser of a command, described by the first line of its documentation.
 
-    Parameters
-    ----------
-    doc : str
-        The command's documentation, whose first line describes it.
-    words
-        Required options of WORDS.
-    own
-        Required options of this command alone, with what each of them is.
+    `words` are required options of WORDS, `own` those of this command alone, with what each is.
     """
     made = argparse.ArgumentParser(description=doc.splitlines()[0])
     for word, text in ({word: WORDS[word] for word in words} | own).items():
@@ -58,16 +51,8 @@ def add_intensity(parser):
 def intensity(args, or_highest=False):
     """Intensity that the options of `add_intensity` say [g].
 
-    Parameters
-    ----------
-    args : Namespace
-    or_highest : bool
-        Of a table of which nothing overturned the highest that was run.
-
-    Raises
-    ------
-    ValueError
-        If both or neither is stated, or nothing overturned.
+    Of a table of which nothing overturned it is the highest that was run, if `or_highest`; else,
+    and if both options or neither is stated, ValueError.
     """
     if (args.pga is None) == (args.collapse is None):
         raise ValueError("expected either --pga or --collapse")

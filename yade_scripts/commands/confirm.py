@@ -30,16 +30,11 @@ class Confirmation:
     def add(self, probabilities, collapsed, *, alone=False):
         """Count one run that did not fail.
 
-        Parameters
-        ----------
-        probabilities : sequence of 3 floats
-            To fall at its amplitude: of the scan, of the one that falls more often and of the one
-            that falls less often; above 0 and below 1.
-        collapsed : bool
-        alone : bool
-            A single run, far from the levels: where the scan says less than one half of what it
-            did, it speaks for neither rival and against the scan. A façade that falls where it
-            should stand, and stands where it should fall, would else take evidence from both.
+        `probabilities` are those to fall at its amplitude: of the scan, of the façade that falls
+        more often and of the one that falls less often; above 0 and below 1. Of a single run
+        `alone`, far from the levels, where the scan says less than one half of what it did, it
+        speaks for neither rival and against the scan: a façade that falls where it should stand,
+        and stands where it should fall, would else take evidence from both.
         """
         said, *others = probabilities if collapsed else [1.0 - p for p in probabilities]
         told = [math.log(said / other) for other in others]
@@ -55,19 +50,10 @@ class Confirmation:
 
 
 def turns(levels, count):
-    """Order of `count` runs at every level: the middle one before each other, the highest first.
+    """Yield level and number of `count` runs a level: the middle one before each other one.
 
-    A run where the scan says one half tells most, and one at the highest level is over soonest.
-
-    Parameters
-    ----------
-    levels : sequence of float
-    count : int
-
-    Yields
-    ------
-    level, number : int, int
-        Place of the level, which counts from 0, and of its run.
+    The others begin with the highest. A run where the scan says one half tells most, and one at the
+    highest level is over soonest. Both count from 0.
     """
     middle = len(levels) // 2
     others = sorted((i for i in range(len(levels)) if i != middle), key=lambda i: -levels[i])

@@ -43,13 +43,7 @@ def number(value):
 
 
 def measure_sensitivity(runner, curve, settings):
-    """Change of d/b under a tiny change of amplitude, up to the first collapse.
-
-    Returns
-    -------
-    list of dict
-        Contract of the sensitivity table.
-    """
+    """Rows of the sensitivity table: d/b under a tiny change of amplitude, up to a collapse."""
     rows: list[dict] = []
     status = {row["pga_g"]: row["status"] for row in curve}
     d_over_b = {row["pga_g"]: number(row["d_over_b"]) for row in curve}
@@ -111,20 +105,10 @@ def confirm(runner, curve, plan, settings):
 
 
 def analyse(runner, curve, plan=None):
-    """Run a plan's ensembles; without one search the collapse band, or measure sensitivity alone.
+    """Rows of a plan's ensembles, and of sensitivity; without one the collapse band is searched.
 
-    Parameters
-    ----------
-    runner : Runner
-    curve : list of dict
-        Rows of the single runs.
-    plan : dict, optional
-        runs, levels [g]; `told` and `probability`, for `confirm.Confirmation`: of every run that
-        counts, and by level of every realisation.
-
-    Returns
-    -------
-    rows, sensitivity_rows : list of dict
+    A plan has runs and levels [g] and, for `confirm.Confirmation`, `told` and `probability`: of
+    every run that counts, and by level of every realisation. `curve` are rows of the single runs.
     """
     settings, ida = runner.case["ensemble"], runner.case["ida"]
     if settings["enabled"] == "off":

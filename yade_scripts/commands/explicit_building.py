@@ -29,21 +29,11 @@ COLUMNS = ("time_s", "top_m_s2", "corner_m_s2", "top_m", "corner_m")
 
 
 class ExplicitBuilding:
-    """A building scene in YADE, ready to step.
+    """A building scene in YADE, ready to step: supports fixed, every node welded.
 
-    Parameters
-    ----------
-    scene : Scene
-        Supports are fixed; every node is welded.
-    time_s, ground_m_s2 : ndarray, shape (nt,)
-        Ground acceleration along y, linear between samples.
-    step_s : float
-        Time step, below 2/ω_max of the scene.
-    rate_1_s : float
-        Mass-proportional damping rate a: drag a·m·v on every free block. Rotational
-        inertia is not damped.
-    gravity_m_s2 : float
-        Downward acceleration, applied from the first step; 0 leaves it out.
+    `ground_m_s2` along y is linear between samples; the step is below 2/ω_max. A drag a·m·v of the
+    rate a acts on every free block, rotational inertia is not damped. Gravity acts from the first
+    step on.
     """
 
     def __init__(self, scene, time_s, ground_m_s2, step_s, rate_1_s, gravity_m_s2=0.0):
@@ -57,25 +47,10 @@ class ExplicitBuilding:
         self.built = adapter.build(self.scene, {GROUND: self.motion}, step_s)
 
     def run(self, duration_s, points):
-        """Run from rest and return the histories of some blocks.
+        """Run from rest: times of steps, absolute acceleration and displacement of blocks along y.
 
-        Parameters
-        ----------
-        duration_s : float
-        points : sequence of int
-            Blocks observed.
-
-        Returns
-        -------
-        time_s : ndarray, shape (n,)
-            Every step.
-        acceleration_m_s2, displacement_m : ndarray, shape (n_points, n)
-            Absolute acceleration and displacement relative to the ground along y.
-
-        Raises
-        ------
-        EngineError
-            If the motion outgrows the building: the step was too long.
+        Displacement is relative to the ground, shape (n_points, n). EngineError if the motion
+        outgrows the building: the step was too long.
         """
         omega = self.built.omega
         steps = round(duration_s / self.step_s)

@@ -99,10 +99,10 @@ class Camera:
     def write(self, path, history, **facts):
         """Write the frames of a run.
 
-        The file has time_s; moved, shape (frames, blocks, 3): displacement along y and z of each
-        centroid [m] and rotation about x [rad]; blocks; d_over_b, status and the facts. With
-        contacts also velocity, of the same shape [m/s, rad/s], and contacts, a list a frame of
-        place [m], force [N] (x, y, z each) and number of the block that it acts on.
+        time_s; moved, shape (frames, blocks, 3): displacement along y and z of each centroid [m]
+        and rotation about x [rad]; blocks; d_over_b, status and the facts. With contacts also
+        velocity, of the same shape [m/s, rad/s], and contacts, a list a frame of place [m], force
+        [N] (x, y, z each) and number of the block that it acts on.
         """
         blocks = [
             {

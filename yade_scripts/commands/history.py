@@ -72,14 +72,7 @@ class Probe:
 
 
 def trace(shaken):
-    """Run a `shaking.Shaking`, sampled every SAMPLE_S.
-
-    Returns
-    -------
-    history : simulate.YadeHistory
-    values : dict of str to ndarray, shape (n,)
-        By column of the table, time_s first.
-    """
+    """Run a `shaking.Shaking`, sampled every SAMPLE_S: its history, and values by column."""
     shaken = replace(shaken, sample_s=SAMPLE_S)
     scene = shaken.scene
     check = energy_check.EnergyCheck(scene, shaken.motions)

@@ -24,13 +24,8 @@ COLUMNS = {"model": "", "record": "", "direction": "", "pga_g": ".4f", **RUN_COL
 def analyse(runner, plan=None):
     """Rows of a curve, by a plan's list of intensities or the case's own; see `next_listed`.
 
-    A case that holds a whole scene, such as the complete building, whose run takes a minute where
-    a planar one takes a millisecond, has a plan with start_g and ranges; see `next_level`.
-
-    Parameters
-    ----------
-    runner : Runner
-    plan : dict, optional
+    A case that holds a whole scene, such as the complete building, whose run takes a minute where a
+    planar one takes a millisecond, has a plan with start_g and ranges; see `next_level`.
     """
     plan, case = plan or {}, runner.case
     rows: list[dict] = []

@@ -54,10 +54,7 @@ class Journal:
     def put(self, key, row, reason=""):
         """Store a row and why its run ended, and force them to disk before returning.
 
-        Raises
-        ------
-        OSError
-            Naming the file, if the line could not be written whole.
+        OSError that names the file, if the line could not be written whole.
         """
         self.rows[key] = row
         line = json.dumps({"key": key, "reason": reason, "row": row}, sort_keys=True) + "\n"

@@ -33,20 +33,11 @@ ALONE = Realisation(0, 1.0)  # a run as it is
 
 
 def draw_realisations(settings):
-    """Realisations of an ensemble, from the stated seed.
+    """`Realisation`s of an ensemble, from the seed of section ensemble.
 
-    Amplitude factors are uniform in 1 ± amplitude_spread, step factors uniform in
-    0.9 to 1, added nodes 0, 1 or 2; what `perturb` does not name stays as it is.
-    An ensemble of more realisations begins with the realisations of a smaller one.
-
-    Parameters
-    ----------
-    settings : dict
-        Section ensemble: realisations, amplitude_spread, seed, perturb.
-
-    Returns
-    -------
-    list of Realisation
+    Amplitude factors are uniform in 1 ± amplitude_spread, step factors uniform in 0.9 to 1, added
+    nodes 0, 1 or 2; what `perturb` does not name stays as it is. An ensemble of more realisations
+    begins with the realisations of a smaller one.
     """
     u = np.random.default_rng(settings["seed"]).random((settings["realisations"], 3))
     spread, vary = settings["amplitude_spread"], settings["perturb"]
@@ -77,16 +68,11 @@ def sensitivity(value, perturbed):
 
 
 def probe_intensities(curve):
-    """Intensities of a curve whose sensitivity is measured [g]: near its first collapse.
+    """Intensities of a curve (status by PGA) whose sensitivity is measured [g].
 
-    From NEAR_COLLAPSE of the first collapse up to it; without a collapse, all. Within
-    that range sensitivity does not grow steadily: an intensity that repeats may lie
-    above one that does not, so none is left out.
-
-    Parameters
-    ----------
-    curve : dict of float to str
-        Status by PGA.
+    From NEAR_COLLAPSE of the first collapse up to it; without a collapse, all. Within that range
+    sensitivity does not grow steadily: an intensity that repeats may lie above one that does not,
+    so none is left out.
     """
     first = collapse_bounds(curve)[1]
     low, high = (0.0, math.inf) if first is None else (NEAR_COLLAPSE * first, first)

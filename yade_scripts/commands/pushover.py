@@ -44,8 +44,8 @@ def guided(scene):
 def push_motion(speed_m_s, travel_m):
     """Motion of the centroid whose speed grows exponentially to `speed_m_s`, then stays.
 
-    Bonds crack within a tenth of a millimetre, so the first part must be slow: the
-    speed starts at FIRST_SPEED times the final one, after a smooth half of it.
+    Bonds crack within a tenth of a millimetre, so the first part must be slow: the speed starts at
+    FIRST_SPEED times the final one, after a smooth half of it.
     """
     growth = -np.log(FIRST_SPEED) * np.linspace(0.0, 1.0, 200)
     speed = np.concatenate(([0.0], FIRST_SPEED * speed_m_s * np.exp(growth)))
@@ -65,13 +65,7 @@ def push_motion(speed_m_s, travel_m):
 
 
 def contact_table(scene, built):
-    """Force of every dry contact node, positive in compression.
-
-    Returns
-    -------
-    normal, shear : ndarray, shape (n_nodes,)
-        [N]; 0 where the contact is open.
-    """
+    """Normal and shear force of every dry node [N], positive in compression; 0 where it is open."""
     normal, shear = np.zeros(len(scene.nodes)), np.zeros(len(scene.nodes))
     for i, sphere in enumerate(built.node_body):
         for contact in built.omega.bodies[sphere].intrs():
@@ -113,28 +107,11 @@ class _Recorder:
 
 
 def push(scene, numerics, *, speed_m_s=0.02, reach=1.0, samples=400, force_samples=0):
-    """Push a scene over and return its capacity curve.
+    """Push a scene over: its curve (d/b, λ), contact forces on the way and nodes that broke.
 
-    Parameters
-    ----------
-    scene : Scene
-    numerics : dict
-        Section numerics of the configuration.
-    speed_m_s : float
-        Speed of the top; the centroid is guided at half of it.
-    reach : float
-        d/b at which the push ends.
-    samples : int
-        Points of the curve.
-    force_samples : int
-        How many tables of contact forces to keep along the way.
-
-    Returns
-    -------
-    curve : ndarray, shape (n, 2)
-        d/b and λ = guide force over the weight of the façade.
-    forces : list of (d_over_b, rotation_rad, normal_n, shear_n)
-    broken : list of (time_s, node)
+    λ is the guide's force over the façade's weight. The top moves at `speed_m_s`, the centroid is
+    guided at half of it, up to d/b = `reach`. Forces are (d_over_b, rotation_rad, normal_n,
+    shear_n) of `force_samples` instants; broken nodes (time_s, node).
     """
     scene = guided(scene)
     step, _ = simulate.choose_step(scene, numerics)

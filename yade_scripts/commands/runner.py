@@ -13,25 +13,9 @@ from yade_scripts.sources import digest
 class Runner:
     """Runs of one model, record and direction.
 
-    Parameters
-    ----------
-    case : dict
-        A case file, see `models.build_scene`.
-    time_s, columns
-        See `floor_motions.read`.
-    record, direction : str
-    journal : Journal
-    say : callable
-        Receives a line of progress.
-    before : tuple or None
-        A shock before the motion; see `floor_motions.after`.
-
-    Attributes
-    ----------
-    count, reused : int
-        Runs so far, and how many of them the journal had.
-    history : simulate.YadeHistory or None
-        Of the last run; None where the journal had it.
+    `say` receives lines of progress; `before` is a shock before the motion, see
+    `floor_motions.after`. Of the runs so far, `count`, the journal had `reused`; `history` is that
+    of the last, None where the journal had it.
     """
 
     def __init__(self, case, time_s, columns, record, direction, journal, say, before=None):

@@ -16,15 +16,10 @@ STRIDE = 2  # levels from one run of a first climb to the next
 
 
 class Ask(NamedTuple):
-    """Intensities that a strategy wants to see [g].
+    """Ascending intensities that a strategy wants to see [g].
 
-    Attributes
-    ----------
-    pga_g : sequence of float
-        Ascending.
-    realisations : bool
-        Each is a realisation of an ensemble, with nodes and step of its own, where a solver varies
-        them.
+    As `realisations` each is one of an ensemble, with nodes and step of its own, where a solver
+    varies them.
     """
 
     pga_g: Any
@@ -34,11 +29,7 @@ class Ask(NamedTuple):
 def drive(strategy, run):
     """Run what a strategy asks for until it has seen enough; return what it found.
 
-    Parameters
-    ----------
-    strategy : generator
-    run : callable
-        From an `Ask` to the status of each of its intensities.
+    `run` takes an `Ask` and returns the status of each of its intensities.
     """
     answer = None
     while True:
@@ -52,12 +43,8 @@ def drive(strategy, run):
 def one_by_one(following, known=()):
     """Strategy that asks for one intensity after the other.
 
-    Parameters
-    ----------
-    following : callable
-        From the status by PGA of what was run to the next PGA [g], or None.
-    known : mapping of float to str
-        Run before.
+    `following` takes the status by PGA of what was run, first `known`, and returns the next PGA
+    [g], or None.
     """
     done = dict(known)
     while (pga_g := following(done)) is not None:
@@ -71,19 +58,8 @@ def one_by_one(following, known=()):
 def next_listed(done, settings, plan=None):
     """Return the next PGA of a list to run [g], or None when the curve is complete.
 
-    Parameters
-    ----------
-    done : dict of float to str
-        Status of each PGA already run.
-    settings : dict
-        Section ida of the configuration: mode, grid_g.
-    plan : sequence of float, optional
-        Intensities that a dense scan asks for [g]; not needed with mode "grid", whose list counts.
-
-    Raises
-    ------
-    ValueError
-        One line, without either.
+    `done` has the status of each PGA already run, `plan` what a dense scan asks for [g]; with
+    ida.mode "grid" the list of section ida counts. ValueError of one line, without either.
     """
     if settings["mode"] == "grid":
         plan = settings["grid_g"]
@@ -110,17 +86,10 @@ def next_level(done, settings, start_g, ranges=()):
     before it. From the start, a cheap model's lowest collapse, the curve climbs in strides of two
     levels until something falls. Below the lowest that fell, levels must stand so many times in a
     row; above, they must fall so many times in a row, and the cheap model's ranges in between are
-    looked at: near collapse a façade may fall, stand and fall again.
+    looked at: near collapse a façade may fall, stand and fall again. A failed run neither stands
+    nor falls.
 
-    Parameters
-    ----------
-    done : dict of float to str
-        Status of each PGA already run; a failed run neither stands nor falls.
-    settings : dict
-        level_ratio, below, beyond, max_runs, max_pga_g.
-    start_g : float
-    ranges : sequence of float
-        Intensities to run beside the levels, where they lie between the lowest fall and the end.
+    Settings: level_ratio, below, beyond, max_runs, max_pga_g.
     """
     ratio, limit = 1.0 + settings["level_ratio"], settings["max_pga_g"]
     if len(done) >= settings["max_runs"]:
@@ -164,13 +133,6 @@ def next_amplitude(outcomes, settings, ida):
     `search_beyond` over the highest amplitude that stood; then neighbours of different outcome are
     halved, the lowest first, down to FINE of the window ± amplitude_spread, and what is left of
     that window about each change is filled as densely. Gaps in which a run failed are left.
-
-    Parameters
-    ----------
-    outcomes : dict of float to str
-        Status by PGA, of everything that was run.
-    settings, ida : dict
-        Sections ensemble (amplitude_spread) and ida (search_ratio, search_beyond, max_pga_g).
     """
     valid = sorted(g for g, status in outcomes.items() if status != "failed")
     fell = [g for g in valid if outcomes[g] == "overturned"]
@@ -206,17 +168,7 @@ def fallen_or_highest(done):
 
 
 def collapse_bounds(done):
-    """Highest safe PGA below the first collapse, and the lowest that collapsed [g].
-
-    Parameters
-    ----------
-    done : dict of float to str
-
-    Returns
-    -------
-    safe, collapse : float or None
-        collapse is None when nothing overturned; safe is None when nothing survived.
-    """
+    """Highest safe PGA below the first collapse, and the lowest that collapsed [g], or None."""
     collapsed = [g for g, status in done.items() if status == "overturned"]
     first = min(collapsed) if collapsed else None
     safe = [g for g, s in done.items() if s == "ok" and (first is None or g < first)]

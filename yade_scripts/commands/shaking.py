@@ -16,14 +16,7 @@ RETRY_SAMPLING = 0.1  # of the sampling interval, for a run tried once more
 class Shaking:
     """A scene, its motions, and how it is to be run; vary it with `dataclasses.replace`.
 
-    Attributes
-    ----------
-    scene : Scene
-    motions : dict of str to adapter.SupportMotion
-    rules : simulate.StopRules
-    step_s, critical_step_s, sample_s, node_radius_m : float
-    retry : bool
-        Try a numerical failure once more at half the step.
+    With `retry` a numerical failure is tried once more at half the step.
     """
 
     scene: object
@@ -74,26 +67,10 @@ class Shaking:
 
 
 def set_up(scene, numerics, time_s, columns, factor):
-    """Set up one shaking as the configuration says.
+    """Set up one shaking as section numerics says, see `models.numerics`.
 
-    Parameters
-    ----------
-    scene : Scene
-    numerics : dict
-        Section numerics of the configuration, see `models.numerics`.
-    time_s, columns
-        See `floor_motions.read`.
-    factor : float
-        On the motion's amplitude; its sign is the direction, which the vertical motion has not.
-
-    Returns
-    -------
-    Shaking
-
-    Raises
-    ------
-    ValueError
-        If the motion lacks a floor, or the stated step is beyond the critical one.
+    The factor is on the motion's amplitude; its sign is the direction, which the vertical motion
+    has not. ValueError if the motion lacks a floor, or the stated step is beyond the critical one.
     """
     scene, columns = floor_motions.shaken(scene, columns)
     moved = floor_motions.scaled({name: columns[name] for name in scene.motions}, factor)
@@ -128,25 +105,12 @@ def _end_of_shaking(time_s, motions, still_m_s2):
 
 
 def stop_rules(scene, numerics, time_s, motions):
-    """Stop rules of an earthquake run.
+    """Stop rules of an earthquake run whose motion file has these times [s].
 
-    A motion is over when no support accelerates more than quiet_ratio·min(g b/h, peak):
-    g b/h lifts the façade, and below uplift the motion's own peak rules its response.
-    What follows cannot raise the peak d/b of a façade at rest.
-
-    Parameters
-    ----------
-    scene : Scene
-    numerics : dict
-        Section numerics of the configuration.
-    time_s : ndarray
-        Times of the motion file [s].
-    motions : dict of str to adapter.SupportMotion
-        The horizontal ones: the vertical motion moves no façade that stands upright.
-
-    Returns
-    -------
-    simulate.StopRules
+    A motion is over when no support accelerates more than quiet_ratio·min(g b/h, peak): g b/h lifts
+    the façade, and below uplift the motion's own peak rules its response. What follows cannot raise
+    the peak d/b of a façade at rest. `motions` are the horizontal ones: the vertical motion moves
+    no façade that stands upright.
     """
     speed = max(m.peak_speed() for m in motions.values())
     peak = max(float(np.max(np.abs(m.acceleration_m_s2))) for m in motions.values())

@@ -55,20 +55,7 @@ def stack_scene(
     beta_s,
     jkn_pa_m=1e9,
 ):
-    """Stack of equal blocks on a support, planar: a scene with many interfaces in series.
-
-    Parameters
-    ----------
-    count : int
-        Number of blocks.
-    beta_s : float
-    jkn_pa_m : float
-        Normal stiffness of the joints.
-
-    Returns
-    -------
-    Scene
-    """
+    """Stack of equal blocks on a support, planar: a scene with many interfaces in series."""
     lx, ly, lz = STACK_M
     mass = 1800.0 * lx * ly * lz
     blocks = [
@@ -135,13 +122,8 @@ def scene_of(case, name, stiffness_factor, beta_s):
 def pressed(scene, acceleration_m_s2):
     """Copy of a scene in static equilibrium under a uniform acceleration, without shear forces.
 
-    Solves K u = M a with the normal springs alone, as shear springs start
-    unstretched in a run; directions without stiffness stay put.
-
-    Parameters
-    ----------
-    scene : Scene
-    acceleration_m_s2 : ndarray, shape (3,)
+    Solves K u = M a with the normal springs alone, as shear springs start unstretched in a run;
+    directions without stiffness stay put.
     """
     smooth = replace(scene.nodes, ks_n_m=1e-12 * scene.nodes.kn_n_m)
     matrices = assemble(replace(scene, nodes=smooth))
@@ -163,16 +145,10 @@ def pressed(scene, acceleration_m_s2):
 
 
 def growth(scene, dt_s):
-    """Growth of a small disturbance of the pressed scene at one time step.
+    """Growth of a small disturbance of the pressed scene at one time step; ∞ if numbers overflow.
 
-    A horizontal acceleration presses the façade against its return walls, so that
-    every contact is closed as the prediction assumes.
-
-    Returns
-    -------
-    float
-        Largest speed during the run over the disturbance; infinite when the numbers
-        overflow.
+    A horizontal acceleration presses the façade against its return walls, so that every contact is
+    closed as the prediction assumes.
     """
     w = adapter.load_yade()
     has_walls = any(name.startswith("return wall") for name in scene.joints)
@@ -209,13 +185,10 @@ def growth(scene, dt_s):
 
 
 def bisect(scene, label, *, tolerance=0.01):
-    """Observed over predicted critical step, by bisection, with every trial as a row.
+    """Observed over predicted critical step, by bisection, and every trial as a row.
 
-    Returns
-    -------
-    ratio : float
-        Middle of the final bracket; NaN if the limit is not within a tenth of the predicted one.
-    rows : list of dict
+    The ratio is the middle of the final bracket; NaN if the limit is not within a tenth of the
+    predicted one.
     """
     critical = critical_step(scene)
     rows = []
@@ -244,13 +217,7 @@ def bisect(scene, label, *, tolerance=0.01):
 
 
 def trials(case, say):
-    """Map of the critical step over scenes, damping and stiffness.
-
-    Returns
-    -------
-    rows, limits : list of dict
-        Contracts of tables/stability.csv and tables/stability_limits.csv.
-    """
+    """Map of the critical step over scenes, damping and stiffness: rows of both tables."""
     rows, limits = [], []
     for name in SCENES:
         for factor in STIFFNESS_FACTORS:

@@ -25,8 +25,8 @@ RUN_COLUMNS = {
 def run_row(model, record, direction, pga_g, history):
     """Row of one run; d/b and collapse are None where it failed.
 
-    d/b is that of an overturned façade at most, and rounded as in the table: a run reads the
-    same from the table and from a journal.
+    d/b is that of an overturned façade at most, and rounded as in the table: a run reads the same
+    from the table and from a journal.
     """
     failed = history.status == simulate.FAILED
     return {
@@ -44,14 +44,7 @@ def run_row(model, record, direction, pga_g, history):
 
 
 def to_csv(rows, columns):
-    """Rows as CSV text.
-
-    Parameters
-    ----------
-    rows : iterable of dict
-    columns : dict of str to str
-        Format of each column, in order; None is left blank.
-    """
+    """Rows as CSV text, with the format of each column, in order; None is left blank."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
@@ -62,18 +55,9 @@ def to_csv(rows, columns):
 
 
 def read_curve(path):
-    """Status and d/b by PGA of an IDA table.
+    """Status and d/b by PGA of an IDA table; NaN where the run failed.
 
-    Returns
-    -------
-    status : dict of float to str
-    d_over_b : dict of float to float
-        NaN where the run failed.
-
-    Raises
-    ------
-    ValueError
-        One line that names the file when a column is missing.
+    ValueError of one line that names the file when a column is missing.
     """
     with open(path, newline="") as handle:
         rows = list(csv.DictReader(handle))
@@ -90,29 +74,18 @@ def history_facts(case, args, pga_g, history):
 
 
 def history_csv(facts, names, rows, formats):
-    """One history as CSV text; what does not change stands in the first columns.
+    """One history as CSV text; what does not change, the facts, stands in the first columns.
 
-    Parameters
-    ----------
-    facts : dict
-    names : sequence of str
-        Columns of the rows.
-    rows : iterable of sequence of float
-    formats : dict of str to str
-        Of the facts and of some columns; the others get six digits.
+    Columns without a format get six digits.
     """
     lines = (dict(zip(names, row, strict=True)) | facts for row in rows)
     return to_csv(lines, {name: formats.get(name, ".6g") for name in (*facts, *names)})
 
 
 def archive(runs, **series):
-    """Bytes of a NumPy archive of histories: `runs` (JSON), `length` of each, and its series.
+    """Bytes of a NumPy archive of histories: `runs` (JSON), `length` of each, and series by name.
 
-    Parameters
-    ----------
-    runs : list of dict
-    series : sequences of ndarray
-        By name, an array a run; kept end to end.
+    A series has an array a run; they are kept end to end.
     """
     text = io.BytesIO()
     lengths = np.array([len(values) for values in next(iter(series.values()))])

@@ -32,12 +32,7 @@ class Ready(Exception):
 def dress(scene, built):
     """Draw the blocks: free ones solid, supports as frames that follow them.
 
-    Returns
-    -------
-    frames : dict of str to int
-        YADE id of each support's frame, by the block's name.
-    hidden : list of int
-        Ids of what is not to be drawn.
+    Returned are YADE's id of each frame by the block's name, and ids of what is not to be drawn.
     """
     from yade import utils
 

@@ -47,10 +47,7 @@ REST_BOUNCES = 0.3  # for so long, in units of 1/p
 def read_walls(path):
     """Read a list of walls; of each beta_s is a list.
 
-    Raises
-    ------
-    ValueError
-        One line naming the file and the wall if a key is missing or a number is not usable.
+    ValueError of one line that names file and wall if a key is missing or a number is not usable.
     """
     walls = read_json(path)
     if not isinstance(walls, list) or not walls:

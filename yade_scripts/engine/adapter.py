@@ -34,30 +34,14 @@ SUPPORT_MASS_RATIO = 1e9  # support mass over the heaviest block: drive error be
 
 @dataclass
 class Built:
-    """Handles of a scene built in YADE.
+    """Handles of a scene built in YADE, which are its ids.
 
-    Attributes
-    ----------
-    body : list of int
-        YADE id of each block: the clump, or the first face of a support.
-    node_body : list of int
-        YADE id of each node's sphere (the dry one, for bonded nodes).
-    unturned : dict of int to quaternion
-        By free block, the inverse of its clump's orientation in the reference position.
-    bonds : bonds.Bonds or None
-        Follows the bonded nodes, if there are any.
-    guide : guide.Guide or None
-        Moves the blocks that are driven along y but free otherwise, if there are any.
-    releases : releases.Releases or None
-        Lets go of nodes that have slid past their rim, if faces have rims.
-    linked : dict of int to list of int
-        YADE ids of the parts of links, by block.
-    links : list of Link
-        As built.
-    ties : list of (int, int)
-        YADE ids of the ends of each tie.
-    floors : list of (int, int or None)
-        YADE ids of each floor's spheres on the façade and on its carrier.
+    `body` has that of each block, the clump or the first face of a support; `node_body` of each
+    node's sphere, the dry one of bonded nodes; `unturned`, by free block, the inverse of its
+    clump's orientation in the reference position. `bonds`, `guide` and `releases` follow bonded
+    nodes, driven blocks and nodes past their rim, where there are any. `linked` has the parts of
+    links by block, `ties` the two ends of each tie, `floors` each floor's spheres on the façade and
+    on its carrier, or None.
     """
 
     omega: object
@@ -74,28 +58,11 @@ class Built:
 
 
 def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
-    """Reset YADE and build a scene in it.
+    """Reset YADE and build a scene in it, with a motion for each name in `scene.motions`.
 
-    Parameters
-    ----------
-    scene : Scene
-    motions : dict of str to SupportMotion
-        One for each name in `scene.motions`.
-    dt_s : float
-        Time step; the caller has compared it with the critical one.
-    node_radius_m : float
-        Radius of the node spheres; the face stays at the stated position whatever it is.
-    full_rotation : bool
-        Integrate rotations of aspherical bodies exactly (three-dimensional runs).
-
-    Returns
-    -------
-    Built
-
-    Raises
-    ------
-    EngineError
-        If a motion is missing or the scene needs more faces than YADE has masks.
+    The caller has compared the step with the critical one. The face of a node stays at its position
+    whatever the radius of the spheres. `full_rotation` integrates rotations of aspherical bodies
+    exactly. EngineError if a motion is missing or the scene needs more faces than YADE has masks.
     """
     w = load_yade()
     from yade import utils
@@ -207,10 +174,7 @@ def _moving(w, omega, scene, motions, body, driven):
 
 
 def _weight(w, scene, body):
-    """Engines for the weight of single blocks, and the gravity of all.
-
-    Gravity acts on every body; where some are weightless the others' weight is a force.
-    """
+    """Engines for the weight of single blocks, needed where some are weightless; gravity of all."""
     free = [i for i, block in enumerate(scene.blocks) if block.free]
     if not any(scene.blocks[i].weightless for i in free):
         return [], (0, 0, -scene.gravity_m_s2)
@@ -223,8 +187,8 @@ def _weight(w, scene, body):
 def _place_members(w, omega):
     """Bring the members of all clumps to their clump's pose, which only a step does.
 
-    Without it the first contacts would be found in the reference position. A step of
-    no length moves nothing else.
+    Without it the first contacts would be found in the reference position. A step of no length
+    moves nothing else.
     """
     omega.engines = [w.ForceResetter(), w.NewtonIntegrator(damping=0.0)]
     omega.dt = 0.0

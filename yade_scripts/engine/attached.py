@@ -6,12 +6,8 @@ from yade_scripts.model.scene import DOFS
 class Attached:
     """Massless bodies of one kind that move with blocks, and the law between them.
 
-    Attributes
-    ----------
-    members : dict of int to list of int
-        YADE ids by block.
-    geometry, physics, law : list
-        Functors for the interaction loop; empty where a scene needs none.
+    `members` has YADE's ids by block; geometry, physics and law are functors for the interaction
+    loop, none where a scene needs none.
     """
 
     def __init__(self, w, utils, omega, scene):

@@ -79,17 +79,11 @@ class Contacts:
 class EnergyBalance:
     """Adds up the energies of a run; pass `attach` to `simulate.run` as `setup`.
 
-    Attributes
-    ----------
-    rows : list of tuple
-        COLUMNS at the samples: time [s] and energies since the start [J].
+    `rows` are COLUMNS at the samples: time [s] and energies since the start [J].
     """
 
     def __init__(self, scene, sample_s=0.01, motions=None):
-        """Prepare for a run of `scene`, with a row every `sample_s`.
-
-        `motions` as for `simulate.run`, needed where there are inertia forces only.
-        """
+        """Prepare for a run with a row every `sample_s`; inertia forces need the run's motions."""
         own = {1: scene.shaking, 2: scene.vertical}
         self.inertial = {axis: motions[name] for axis, name in own.items() if name and motions}
         self.scene, self.sample_s, self.rows = scene, sample_s, []

@@ -75,10 +75,7 @@ def separate(omega, spheres):
 
 
 class _Pair:
-    """The intact bonds between two blocks, as functions of the pose of a in the frame of b.
-
-    That pose moves no node by more than `moved` from where its strength was last computed.
-    """
+    """The intact bonds between two blocks, as functions of the pose of a in the frame of b."""
 
     def __init__(self, scene, omega, state_of_block, a, b, nodes):
         """Take over `nodes` (indices into the scene's), all of them on block a and facing b."""
@@ -158,30 +155,19 @@ class _Pair:
 class Bonds:
     """Follows the bonded nodes of a built scene and breaks them; called between steps.
 
-    Strengths are computed when the blocks of a pair may have moved by half of what the nearest
-    bond had left, and looked after again no later than half the time in which it could reach
-    its strength at their present speed or under a generous acceleration.
+    Strengths are computed when the blocks of a pair may have moved by half of what the nearest bond
+    had left, and looked after again no later than half the time in which it could reach its
+    strength at their present speed or under a generous acceleration.
 
-    Attributes
-    ----------
-    spheres : dict of int to tuple of int
-        Node index to YADE ids (press, hook, plain); of a broken bond (plain,).
-    broken : list of (time_s, node)
-        In the order of breaking.
+    `spheres` has by node YADE's ids (press, hook, plain), of a broken bond (plain,); `broken`
+    (time_s, node) in the order of breaking.
     """
 
     def __init__(self, scene, omega, state_of_block, spheres, partners):
-        """Take over the bonded nodes.
+        """Take over the bonded nodes, by `spheres`; the other ids are YADE's too.
 
-        Parameters
-        ----------
-        scene : Scene
-        omega : Omega
-        state_of_block : list of int
-            YADE id whose state carries each block's pose.
-        spheres : dict of int to tuple of int
-        partners : dict of int to tuple of int
-            Node index to YADE id and mask of the face that its plain sphere will touch.
+        `state_of_block` says whose state carries each block's pose, `partners` by node id and mask
+        of the face that its plain sphere will touch.
         """
         self.omega, self.spheres, self.partners = omega, spheres, partners
         self.broken = []

@@ -36,18 +36,9 @@ TOLERANCE = 0.1  # of the energy that overturns the façade
 class EnergyCheck:
     """Adds up the energy of a scene's free blocks; stops the run when it is too much.
 
-    Pass it to `simulate.run` as `check`, then read `reason` after the run.
-
-    Attributes
-    ----------
-    reason : str
-        Why the run was stopped; empty if it was not.
-    excess : float
-        Largest energy from nowhere so far, over the energy that overturns the façade.
-    energy, work : float
-        At the last sample: E(t) − E(0), and the work done on the free blocks since [J].
-    stored : float
-        U(0) [J].
+    Pass it to `simulate.run` as `check`, then read `reason`, why the run was stopped, or empty.
+    `excess` is the largest energy from nowhere over that which overturns the façade; `energy` and
+    `work` are E(t) − E(0) and the work done on the free blocks since, `stored` U(0) [J].
     """
 
     def __init__(self, scene, motions):

@@ -34,16 +34,9 @@ class Faces:
     Pieces of a façade have faces of their own on one wall: on the bit of one face their nodes at a
     hinge would meet each other, where ties and floors make spheres meet. Else anyone meets it.
 
-    Attributes
-    ----------
-    nodes_of : dict of key to list of int
-    bit : dict of key to int
-    body : dict of key to int
-        YADE id, once the box has been appended.
-    box_bit : int
-        Further bit of all boxes.
-    plain, press, hook : list
-        Face key of each node; press and hook are None for dry nodes, all for welded ones.
+    `nodes_of`, `bit` and `body` (YADE's id, once the box has been appended) are by key; `box_bit`
+    is a further bit of all boxes. `plain`, `press` and `hook` are the key of each node's faces; the
+    last two None for dry nodes, all for welded ones.
     """
 
     def __init__(self, scene):
@@ -87,15 +80,7 @@ class Faces:
         return [key for key in self.nodes_of if key[0] == index]
 
     def shape(self, key, reach_m):
-        """Centre, half edges and axes of a face's box, its surface along the third axis.
-
-        Returns
-        -------
-        centre : ndarray, shape (3,)
-        half : ndarray, shape (3,)
-        axes : ndarray, shape (3, 3)
-            Columns: two directions in the plane, then the normal.
-        """
+        """Centre, half edges and axes of a face's box: columns, two in its plane, then normal."""
         _, normal, level, rim, _ = key
         normal = np.array(normal)
         points = self.scene.nodes.position_m[self.nodes_of[key]]
@@ -136,9 +121,9 @@ class Faces:
         return self.body[key]
 
     def _colour(self):
-        """Give faces bits so that faces whose boxes and nodes could meet never share one.
+        """Bits, given greedily, that no two faces share whose boxes and nodes could meet.
 
-        Greedy colouring in the order of the scene. Raises FaceError beyond 30 bits.
+        FaceError beyond 30.
         """
         keys = list(self.nodes_of)
         position = self.scene.nodes.position_m

@@ -19,12 +19,8 @@ NO_STIFFNESS = 1e-6  # N/m along the vertical
 class Floors(Attached):
     """The spheres of each floor, and what holds it; those that hold nothing stay single.
 
-    The geometry serves the wires of ties too: YADE has one for two spheres.
-
-    Attributes
-    ----------
-    pairs : list of (int, int or None)
-        YADE ids of the spheres on the façade and on the carrier.
+    The geometry serves the wires of ties too: YADE has one for two spheres. `pairs` are YADE's ids
+    of the spheres on the façade and on the carrier, or None.
     """
 
     def place(self):

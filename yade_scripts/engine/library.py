@@ -30,10 +30,7 @@ class EngineError(RuntimeError):
 
 @contextlib.contextmanager
 def _without_prompt():
-    """Spare YADE the import of IPython, two fifths of its own.
-
-    YADE asks it for its version alone, for the prompt that nobody opens here.
-    """
+    """Spare YADE the import of IPython, two fifths of its own, asked for its version alone."""
     if PROMPT in sys.modules:
         yield
         return
@@ -48,12 +45,8 @@ def _without_prompt():
 def load_yade():
     """Import YADE's library without its prompt and return its wrapper module.
 
-    Looks below YADE_PREFIX (default /usr) for the double-precision build.
-
-    Raises
-    ------
-    EngineError
-        One line when YADE is not installed or lacks a needed class.
+    Looks below YADE_PREFIX (default /usr) for the double-precision build. EngineError of one line
+    when YADE is not installed or lacks a needed class.
     """
     if first := "yade.wrapper" not in sys.modules:
         prefix = os.environ.get("YADE_PREFIX", "/usr")

@@ -33,14 +33,9 @@ _visits: list = []
 class Visit:
     """A function that `run` calls between two steps.
 
-    Attributes
-    ----------
-    function : callable
-        Takes nothing. What it raises ends the run and is raised by `run`.
-    period : float
-        Steps to the next call, read after each call: the function may change it; inf ends it.
-    due : float
-        Steps taken (`Omega.iter`) at the next call.
+    What it raises ends the run and is raised by `run`. `period` is the steps to the next call, read
+    after each call, so that the function may change it; inf ends it. `due` counts the steps taken
+    (`Omega.iter`) at the next call.
     """
 
     function: Callable
@@ -56,15 +51,11 @@ def reset(omega):
 
 
 def between(function, period, *, first=0):
-    """Call a function between steps: after the first `first` ones, then every `period` steps.
+    """Call a function between steps: after the first `first` ones, then as its `Visit` says.
 
     Positions and `Omega.time` agree at a call; velocities are those half a step before, forces
-    those a whole step before. Of visits due at once the latest made comes first: samples see
-    the step as it was, before guides and bonds prepare the next one.
-
-    Returns
-    -------
-    Visit
+    those a whole step before. Of visits due at once the latest made comes first: samples see the
+    step as it was, before guides and bonds prepare the next one.
     """
     _visits.insert(0, Visit(function, max(1, period), first))
     return _visits[0]
@@ -87,20 +78,9 @@ def _visit(taken):
 
 
 def runner(function, period, *, at_start=True):
-    """Engine by which YADE calls a Python function.
+    """Engine by which YADE calls a Python function every `period` steps, and at the first.
 
-    Parameters
-    ----------
-    function : callable
-        Takes nothing. What it raises ends the run and is raised by `run`.
-    period : int
-        Steps between calls.
-    at_start : bool
-        Call it at the first step too.
-
-    Returns
-    -------
-    PyRunner
+    What the function raises ends the run and is raised by `run`.
     """
     from yade.wrapper import PyRunner
 
@@ -141,10 +121,7 @@ def stop():
 def run(omega, steps):
     """Take so many steps, or fewer where something ends the run.
 
-    Raises
-    ------
-    BaseException
-        What a runner raised, or what the handler of a signal raises.
+    What a runner raised is raised, or what the handler of a signal raises.
     """
     _ending.clear()
     _errors.clear()

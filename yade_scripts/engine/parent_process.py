@@ -15,16 +15,11 @@ ORPHANED = 143  # exit status of a job whose run is gone
 
 
 def follow():
-    """Watch the process named in RUN_PID and end with it.
+    """Watch the process named in RUN_PID and end with it; return whether a watch was started.
 
-    The watch is a thread asleep on a process descriptor: it costs a run nothing.
-    Does nothing where RUN_PID is not set, as when an entry point is run by hand,
-    or where the system has no process descriptors (Linux before 5.3).
-
-    Returns
-    -------
-    bool
-        Whether a watch was started.
+    The watch is a thread asleep on a process descriptor: it costs a run nothing. There is none
+    where RUN_PID is not set, as when an entry point is run by hand, or where the system has no
+    process descriptors (Linux before 5.3).
     """
     pid = os.environ.get(RUN_PID)
     if not pid or not hasattr(os, "pidfd_open"):

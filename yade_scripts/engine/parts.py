@@ -20,24 +20,10 @@ STAND_IN_INERTIA = (1.0, 2.0, 3.0)
 
 
 class SceneParts:
-    """Appends the bodies of a scene's blocks to YADE.
+    """Appends the bodies of a scene's blocks to YADE; its spheres have the radius `radius_m`.
 
-    Parameters
-    ----------
-    w, utils
-        YADE's modules.
-    omega : Omega
-    scene : Scene
-    faces : Faces
-    radius_m : float
-        Of the node spheres; the face stays at the stated position whatever it is.
-
-    Attributes
-    ----------
-    node_body : list of int
-        YADE id of each node's sphere (the dry one, for bonded nodes).
-    bonded : dict of int to tuple of int
-        YADE ids of a bonded node's two halves and its dry sphere.
+    `node_body` is as of `adapter.Built`; `bonded` has the ids of a bonded node's two halves and its
+    dry sphere.
     """
 
     def __init__(self, w, utils, omega, scene, faces, radius_m):

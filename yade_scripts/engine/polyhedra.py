@@ -14,27 +14,10 @@ from yade_scripts.engine import adapter, drives, loop
 
 
 def run(scene, motion, dt_s, limit_s, *, sample_s=0.005, damping=0.2):
-    """Peak |d|/b of a W1 façade with the volumetric law.
+    """Peak |d|/b of a W1 façade with the volumetric law, status, simulated and wall time, steps.
 
-    The volumetric stiffness is the base's kn over b²w/2 a radian, that is jkn for a
-    small rotation about the toe: force = jkn · volume of overlap.
-
-    Parameters
-    ----------
-    scene : Scene
-        Of model W1.
-    motion : adapter.SupportMotion
-    dt_s, limit_s : float
-    damping : float
-        Non-viscous damping of the integrator.
-
-    Returns
-    -------
-    peak : float
-        |d|/b.
-    status : str
-    simulated_s, wall_s : float
-    steps : int
+    The volumetric stiffness is the base's kn over b²w/2 a radian, that is jkn for a small rotation
+    about the toe: force = jkn · volume of overlap. `damping` is the integrator's non-viscous one.
     """
     w = adapter.load_yade()
     from yade import polyhedra_utils

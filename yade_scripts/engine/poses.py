@@ -32,15 +32,7 @@ def rotation(quaternion):
 
 
 def planar_turn(state, unturned):
-    """Rotation of a free block about x since the reference position [rad], for planar motion.
-
-    Parameters
-    ----------
-    state : State
-        YADE's state of the block.
-    unturned : quaternion
-        Of the block, from `Built.unturned`.
-    """
+    """Rotation of a free block about x [rad], for planar motion; `unturned` see `adapter.Built`."""
     q = state.ori * unturned
     sign = 1.0 if q[3] >= 0.0 else -1.0  # q and −q are the same rotation
     return 2.0 * math.atan2(sign * q[0], sign * q[3])

@@ -18,11 +18,9 @@ RELEASE_CHECK_S = 4e-3
 
 
 class Releases:
-    """Releases contact nodes that have slid past the rim of their face; called between steps.
+    """Releases nodes that have slid past the rim of their face; called between steps.
 
-    Attributes
-    ----------
-    released : list of (time_s, node)
+    `released` has (time_s, node) in that order.
     """
 
     def __init__(self, scene, omega, state_of_block, node_body, bonds):

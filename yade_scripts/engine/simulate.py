@@ -22,19 +22,11 @@ class StepError(ValueError):
 class StopRules:
     """When a run ends.
 
-    Attributes
-    ----------
-    motion_s : float
-        End of the input motion that matters; rest counts only after it.
-    limit_s : float
-        End of the run whatever happens.
-    overturn_ratio : float
-        d/b from which the façade counts as overturned.
-    rest_velocity_m_s, rest_time_s : float
-        At rest: top velocity relative to the base below this for so long, and d/b below
-        REST_RATIO: a façade that lingers near its unstable balance is not at rest.
-    max_speed_m_s : float
-        Beyond this relative speed the run has failed numerically.
+    Rest counts after `motion_s` alone, the end of the input that matters: then the top's velocity
+    relative to the base is below `rest_velocity_m_s` for `rest_time_s`, and d/b below REST_RATIO,
+    for a façade that lingers near its unstable balance is not at rest. From d/b = `overturn_ratio`
+    on it counts as overturned; beyond the relative speed `max_speed_m_s` the run has failed
+    numerically.
     """
 
     motion_s: float
@@ -47,22 +39,11 @@ class StopRules:
 
 @dataclass
 class YadeHistory:
-    """Sampled result of one run.
+    """Sampled result of one run, and why it ended.
 
-    Attributes
-    ----------
-    time_s, d_m, velocity_m_s, rotation_rad : ndarray, shape (n,)
-        Top displacement relative to the base (positive outward), its rate, and
-        the outward rotation of the monitored block.
-    peak_d_over_b : float
-        Largest |d|/b, refined between samples by the cubic through values and rates.
-    status : str
-        "ok", "overturned" or "failed".
-    reason : str
-        Why the run ended.
-    dt_s : float
-    steps : int
-    wall_s : float
+    d is positive outward, relative to the base, the rotation outward that of the monitored block;
+    the peak |d|/b is refined between samples by the cubic through values and rates. The status is
+    "ok", "overturned" or "failed".
     """
 
     time_s: np.ndarray
@@ -78,24 +59,10 @@ class YadeHistory:
 
 
 def choose_step(scene, numerics):
-    """Time step of a run: the stated one, or a fraction of the critical step.
+    """Time step of a run, the stated one or a fraction of the critical step, and that [s].
 
-    Parameters
-    ----------
-    scene : Scene
-        Its note "critical_step_s", where it has one, spares the dense search for it.
-    numerics : dict
-        Keys step_s (None: use the fraction) and step_fraction.
-
-    Returns
-    -------
-    step, critical : float
-        [s]
-
-    Raises
-    ------
-    StepError
-        If the step would be beyond the critical one.
+    The scene's note "critical_step_s", where it has one, spares the dense search for it. StepError
+    if the step would be beyond the critical one.
     """
     critical = scene.notes.get("critical_step_s") or critical_step(scene)
     step = numerics.get("step_s") or numerics["step_fraction"] * critical
@@ -193,30 +160,12 @@ def run(
     check=None,
     compensate_lag=True,
 ):
-    """Run a scene in YADE until it overturns, rests, fails or reaches the limit.
+    """Run a scene in YADE until it overturns, rests, fails or reaches the limit: its `YadeHistory`.
 
-    Parameters
-    ----------
-    scene : Scene
-    motions : dict of str to adapter.SupportMotion
-    dt_s : float
-    rules : StopRules
-    sample_s : float
-        Interval between samples; a sample is the only Python of a run.
-    node_radius_m, full_rotation
-        See `adapter.build`.
-    setup : callable, optional
-        Called with the `Built` scene before the first step (recorders, other engines).
-    check : energy_check.EnergyCheck, optional
-        Sampled in the same call from YADE as the monitor: such a call costs as much as the
-        Python in it.
-    compensate_lag : bool
-        Correct return walls and links for the late dashpot velocity, see
-        `stiffness.compensated`.
-
-    Returns
-    -------
-    History
+    Samples are the only Python of a run; `check` is sampled in the same call from YADE, which costs
+    as much as the Python in it. `setup` is called with the `Built` scene before the first step
+    (recorders, other engines). With `compensate_lag` return walls and links are corrected for the
+    late dashpot velocity, see `stiffness.compensated`.
     """
     if compensate_lag:
         scene = compensated(scene, dt_s)

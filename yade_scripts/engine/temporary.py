@@ -42,12 +42,7 @@ def _makers(but):
 def clear(own, place=PLACE):
     """Take away this process's folder, and empty ones of which no living process can be the maker.
 
-    Parameters
-    ----------
-    own : path
-        Folder of this process; left if something is in it.
-    place : Path
-        Where such folders lie.
+    Its own, `own`, is left if something is in it; `place` is where such folders lie.
     """
     with contextlib.suppress(OSError):
         os.rmdir(own)

@@ -28,13 +28,7 @@ def _reach(tie):
 
 
 class Ties(Attached):
-    """Two spheres for each tie, and the wire between them.
-
-    Attributes
-    ----------
-    pairs : list of (int, int)
-        YADE ids of the ends on a and on b.
-    """
+    """Two spheres for each tie, and the wire between them; `pairs` are their ids on a and on b."""
 
     def place(self):
         """Append the spheres."""

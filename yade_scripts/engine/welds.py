@@ -32,13 +32,7 @@ class WeldError(ValueError):
 
 
 class Welds(Attached):
-    """The spheres of welded nodes and of drag, and what steps them.
-
-    Attributes
-    ----------
-    drag : list
-        Engine of the drag; empty without any.
-    """
+    """The spheres of welded nodes and of drag, and what steps them: `drag`, an engine or none."""
 
     def place(self):
         """Append the spheres."""

@@ -10,24 +10,9 @@ import numpy as np
 class Link:
     """A spring and a dashpot in parallel between two blocks, linear both ways.
 
-    The force on `a` along `direction` is −k·u − c·u̇ with u the displacement of a past b.
-
-    Parameters
-    ----------
-    name : str
-    a, b : int
-        Indices of the blocks; a support as `b` stands for the ground.
-    stiffness_n_m, dashpot_ns_m : float
-        k and c, neither negative.
-    position_m : tuple of 3 floats
-        Where it acts on both blocks, in the reference position.
-    direction : tuple of 3 floats
-        Unit vector.
-
-    Raises
-    ------
-    ValueError
-        If k or c is negative or not finite, or the link joins a block to itself.
+    The force on `a` along the unit vector `direction` is −k·u − c·u̇ with u the displacement of a
+    past b, both taken at `position_m` in the reference position; a support as `b` stands for the
+    ground. ValueError if k or c is negative or not finite, or the link joins a block to itself.
     """
 
     name: str
@@ -52,28 +37,11 @@ class Link:
 class Tie:
     """A rod between a point of block `a` and one of block `b`, which can only pull.
 
-    With e its lengthening past its slack, and p the part of it that is plastic, it pulls with
-    k·(e − p) between 0 and its capacity along the line between the points as they are; past the
-    capacity p grows, and at e = elongation it snaps for good.
-
-    Parameters
-    ----------
-    name : str
-    a, b : int
-        Indices of the blocks.
-    end_a_m, end_b_m : tuple of 3 floats
-        Where it acts on each, in the reference position.
-    stiffness_n_m, capacity_n : float
-    slack_m : float
-        How far its ends part before it is taut.
-    elongation_m : float
-        At which it snaps; not less than capacity/k.
-
-    Raises
-    ------
-    ValueError
-        One line, if a value is not finite and positive (slack: not negative), the ends coincide,
-        the tie joins a block to itself or would snap before it reaches its capacity.
+    With e its lengthening past its slack, by which its ends part before it is taut, and p the part
+    of it that is plastic, it pulls with k·(e − p) between 0 and its capacity along the line between
+    the points as they are; past the capacity p grows, and at e = `elongation_m`, not less than
+    capacity/k, it snaps for good. Its ends `end_a_m` and `end_b_m` are those of the reference
+    position. ValueError of one line for other values.
     """
 
     name: str
@@ -126,23 +94,9 @@ class Floor:
     """A floor or roof on a point of block `a`: its weight, and friction against its carrier `b`.
 
     The load is a vertical force on the point, wherever it goes. With u the horizontal displacement
-    of the point past the carrier, and p the part of it that has slipped, the carrier holds it with
-    −k·(u − p), at most the capacity, past which p grows; the force may point either way.
-
-    Parameters
-    ----------
-    name : str
-    a, b : int
-        Indices of the blocks; the carrier does not turn.
-    position_m : tuple of 3 floats
-        The point, in the reference position.
-    load_n, stiffness_n_m, capacity_n : float
-        Load, k and capacity; k positive, the others not negative.
-
-    Raises
-    ------
-    ValueError
-        One line, if a value is not as said or the floor joins a block to itself.
+    of the point past the carrier, which does not turn, and p the part of it that has slipped, the
+    carrier holds it with −k·(u − p), at most the capacity, past which p grows; the force may point
+    either way. k is positive, load and capacity are not negative: else a ValueError of one line.
     """
 
     name: str

@@ -57,18 +57,9 @@ def total(facade):
 
 
 def shares(facade, weights):
-    """Stiffness of the base's nodes over jkn·b·w.
+    """Stiffness of the base's nodes over jkn·b·w, from their weights.
 
-    Parameters
-    ----------
-    facade : dict
-        Section facade.
-    weights : ndarray, shape (n,)
-        Of nodes across the thickness, both edges included; their sum is 1.
-
-    Returns
-    -------
-    ndarray, shape (n,)
+    The weights sum to 1; the first node and the last stand on the edges.
     """
     if facade.get("base", STUDY) == STUDY:
         return np.asarray(weights, float)

@@ -18,22 +18,11 @@ ROUNDING = 1e-9  # of the largest entry
 
 
 def chain_matrices(smdof, mass_kg):
-    """M, K and C of the equal chain of section smdof, relative to the ground.
+    """M, K and C of the chain of section smdof, relative to the ground [kg, N/m, N·s/m], (n, n).
 
-    k/m = ω₁²/(4 sin²(π/(4n + 2))). Damping: ratio ζ in every mode ("modal"), or
-    C = αM + βK with ζ in the first two ("rayleigh"; a single mode takes half from each).
-
-    Parameters
-    ----------
-    smdof : dict
-        n_dof, period_s, damping_ratio, damping_model.
-    mass_kg : float
-        Of all masses together.
-
-    Returns
-    -------
-    mass, stiffness, damping : ndarray, shape (n, n)
-        [kg, N/m, N·s/m], masses from the bottom up.
+    k/m = ω₁²/(4 sin²(π/(4n + 2))), equal masses from the bottom up, `mass_kg` all of them. Damping:
+    ratio ζ in every mode ("modal"), or C = αM + βK with ζ in the first two ("rayleigh"; a single
+    mode takes half from each).
     """
     n, zeta = smdof["n_dof"], smdof["damping_ratio"]
     one = mass_kg / n
@@ -53,26 +42,9 @@ def chain_matrices(smdof, mass_kg):
 
 
 def chain_links(stiffness, damping, masses, ground, heights_m):
-    """Links along y that have the given matrices.
+    """Links along y that have K and C, between masses and the ground (indices of blocks).
 
-    Parameters
-    ----------
-    stiffness, damping : ndarray, shape (n, n)
-    masses : sequence of n ints
-        Block indices of the masses.
-    ground : int
-        Block index of the support they stand on.
-    heights_m : sequence of n floats
-        Where the masses are.
-
-    Returns
-    -------
-    list of Link
-
-    Raises
-    ------
-    ValueError
-        If the matrices would need a negative spring or dashpot.
+    ValueError if the matrices would need a negative spring or dashpot.
     """
     links = []
     n = len(masses)

@@ -50,14 +50,7 @@ NO_SHEAR = 1e-6  # jks/jkn of a joint that slides freely
 
 
 def joint_stiffness(config):
-    """Joint stiffnesses of base and back joint [Pa/m], paper section 3.
-
-    See `base.base_jkn`, over which `base.shares` says where it sits, and `return_walls.back_jkn`.
-
-    Returns
-    -------
-    base, back : float
-    """
+    """Stiffness of base and back joint [Pa/m], paper section 3; see `base.shares`, `back_jkn`."""
     return base_jkn(config["facade"]), back_jkn(config)
 
 
@@ -91,37 +84,19 @@ def facade_scene(
 ):
     """Build the scene of a façade with one of the single-block boundary conditions.
 
-    Parameters
-    ----------
-    config : dict
-        Resolved configuration; sections facade, return_wall, smdof, numerics.
-    model : str
-        Name of a model whose only free block is the façade, see `registry`.
-    beta_s : float
-        Stiffness-proportional damping β [s].
-    planar : bool
-        One column of nodes and planar freedoms, or three dimensions.
-    release_ratio : float
-        θ₀/α of a free-rocking release: the façade starts rotated outward about
-        its front toe, at rest, with the base nodes around the toe carrying its weight.
-    width_nodes : int
-        Columns of nodes along each pier of the base of a full scene, its ends included.
-    two_components : bool
-        Supports of a full scene are driven along x too, by the motions `motion.along`.
+    `config` has sections facade, return_wall, smdof, numerics. A scene is planar, or full with
+    `width_nodes` columns along each pier of the base, its ends included; with `two_components` its
+    supports are driven along x too, by the motions `motion.along`. A `release_ratio` θ₀/α is that
+    of free rocking: the façade starts rotated outward about its front toe, at rest, with the base
+    nodes around the toe carrying its weight.
 
-    Returns
-    -------
-    Scene
-        Its b, `thickness_m`, is that of the whole façade, also of one in pieces: what its top moves
-        by as the weight line of all of it passes the toe, b for a plain one. d is measured from
-        the base; of pieces it is the largest displacement of any one's top.
+    `thickness_m` of the scene is that of the whole façade, also of one in pieces: what its top
+    moves by as the weight line of all of it passes the toe, b for a plain one. d is measured from
+    the base; of pieces it is the largest displacement of any one's top.
 
-    Raises
-    ------
-    ValueError
-        For an unknown model, a release that is not within 0 ≤ θ₀/α < 1, ties and floors that
-        meet no return wall, two components with masses that are not driven, or a base that hangs
-        on a building without a mass.
+    ValueError of one line for an unknown model, a release that is not within 0 ≤ θ₀/α < 1, ties and
+    floors that meet no return wall, two components with masses that are not driven, or a base that
+    hangs on a building without a mass.
     """
     kind = registry.model(model)
     if not kind.single_block:
@@ -200,10 +175,7 @@ def _even(joints, tops):
 
 
 def _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_stand, base):
-    """Append the façade, whole or in pieces, and the joints that it stands on.
-
-    `columns` of its base as for `add_base`; None in a planar scene. `base` is the index of that.
-    """
+    """Append the façade, whole or in pieces, and the joints that it stands on; see `add_base`."""
     facade, planar = config["facade"], columns is None
     b, width = facade["thickness_m"], facade["width_m"]
     points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
@@ -244,22 +216,11 @@ def add_base(
     protrusion_m=0.0,
     columns=None,
 ):
-    """Add the joint between a façade's base and the ground.
+    """Add the joint between a façade's base and the ground, blocks by their indices.
 
-    Parameters
-    ----------
-    config, beta_s
-        See `facade_scene`.
-    nodes : NodeList
-    facade, ground : int
-        Indices of the blocks.
-    planar : bool
-    origin : tuple of 2 floats
-        x of the façade's middle and y of its back face [m].
-    protrusion_m : float or ndarray
-        Of each node across the thickness below the base.
-    columns : tuple of 2 ndarrays or None
-        Places in x and weights; None: the middle of a planar scene, else two Gauss points.
+    `origin` is x of the façade's middle and y of its back face, `protrusion_m` how far each node
+    across the thickness stands below the base; `columns` are places in x and weights, None: the
+    middle of a planar scene, else two Gauss points.
     """
     section = config["facade"]
     b, standing = section["thickness_m"], section["width_m"] - shape_of(section).base_lost_m
@@ -287,22 +248,11 @@ def add_base(
 def add_bed(
     config, beta_s, nodes, name, upper, lower, height_m, jkn, *, planar, load="", meets=None
 ):
-    """Add the joint between two pieces of a façade, or between it and a load that lies on it.
+    """Add the joint at a height between two pieces of a façade, or between it and a load on it.
 
-    Parameters
-    ----------
-    config, beta_s, nodes, planar
-        See `add_base`.
-    name : str
-    upper, lower : int
-        Indices of the blocks.
-    height_m, jkn : float
-        Height above the base, and stiffness [Pa/m].
-    load : str
-        A load that lies "flat" on the whole thickness, or on a "point" in the middle of it: it
-        transmits no shear. Else it has the base's friction, and its bond.
-    meets : tuple of 3 floats or None
-        Faces (y0, y1) and lost width, see `Shape.joint_at`; None: the whole thickness and width.
+    A `load` lies "flat" on the whole thickness, or on a "point" in the middle of it, and transmits
+    no shear. Else the joint has the base's friction and bond. `meets` are faces (y0, y1) and lost
+    width, see `Shape.joint_at`; None: the whole thickness and width.
     """
     section = config["facade"]
     y0, y1, lost = meets or (0.0, section["thickness_m"], 0.0)

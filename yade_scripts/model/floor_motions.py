@@ -21,18 +21,10 @@ UNIT = "_m_s2"
 
 
 def read(path):
-    """Read a floor-motion file.
+    """Read a floor-motion file: times, and accelerations [m/s²] by name, from the ground up.
 
-    Returns
-    -------
-    time_s : ndarray, shape (nt,)
-    accelerations : dict of str to ndarray
-        "ground", "floor1", … [m/s²], from the ground up; "vertical" last, if it is there.
-
-    Raises
-    ------
-    ValueError
-        One line that names the file if a column is missing or a value is not finite.
+    The names are "ground", "floor1", …, and last "vertical", if it is there. ValueError of one line
+    that names the file if a column is missing or a value is not finite.
     """
     with open(path, newline="") as handle:
         header = handle.readline().strip().split(",")
@@ -53,15 +45,7 @@ def write_columns(path, time_s, columns, *, digits=9):
 
 
 def write(path, time_s, ground_m_s2, floors_m_s2=(), vertical_m_s2=None):
-    """Write a floor-motion file.
-
-    Parameters
-    ----------
-    time_s, ground_m_s2 : ndarray, shape (nt,)
-    floors_m_s2 : array_like, shape (n, nt)
-        From the lowest floor up.
-    vertical_m_s2 : ndarray, shape (nt,), or None
-    """
+    """Write a floor-motion file, floors from the lowest up, shape (n, nt)."""
     columns = {GROUND: ground_m_s2}
     columns |= {f"floor{j}": floor for j, floor in enumerate(floors_m_s2, 1)}
     if vertical_m_s2 is not None:
@@ -72,19 +56,7 @@ def write(path, time_s, ground_m_s2, floors_m_s2=(), vertical_m_s2=None):
 def with_second(time_s, columns, second_time_s, second):
     """Floor motions of two components on one time axis: those along the façade as `along(name)`.
 
-    Parameters
-    ----------
-    time_s, columns
-        Of the component out of plane, see `floor_motions.read`.
-    second_time_s, second
-        Of the component along the façade.
-
-    Returns
-    -------
-    time_s : ndarray
-        Of the first, to the end of the longer.
-    columns : dict of str to ndarray
-        Linear between samples, zero after either's end.
+    Sampled as the first, to the end of the longer; linear between samples, zero after either's end.
     """
     step = time_s[1] - time_s[0]
     last = max(time_s[-1], second_time_s[-1])
@@ -106,26 +78,11 @@ def scaled(columns, factor):
 
 
 def after(before, time_s, columns):
-    """Floor motions of two shocks one after the other, on one time axis.
+    """Floor motions of two shocks one after the other, on one time axis, both as they shake.
 
-    Parameters
-    ----------
-    before : (time_s, columns, pause_s)
-        The first shock, as it shakes, and the rest from its last sample to the second's first.
-    time_s, columns
-        The second, as it shakes.
-
-    Returns
-    -------
-    time_s : ndarray
-        The samples of both, and one where each rests: motions are linear between samples.
-    columns : dict of str to ndarray
-        Those of either; what one has not is zero there.
-
-    Raises
-    ------
-    ValueError
-        If the pause is shorter than a step of the first.
+    `before` is (time_s, columns, pause_s), the pause from the first's last sample to the second's
+    first. Times are the samples of both, and one where each rests, for motions are linear between
+    samples; what one shock has not is zero there. ValueError if the pause is shorter than a step.
     """
     first_s, first, pause_s = before
     step, still = first_s[1] - first_s[0], time_s[1] - time_s[0]
@@ -142,18 +99,9 @@ def after(before, time_s, columns):
 
 
 def shaken(scene, columns):
-    """A scene and the motions it needs: shaken vertically too where the motions say how.
+    """A scene, and the `motion_columns` it needs: shaken vertically too where the motions say how.
 
-    Returns
-    -------
-    scene : Scene
-    columns : dict of str to ndarray
-        See `motion_columns`.
-
-    Raises
-    ------
-    ValueError
-        If a motion is missing.
+    ValueError if a motion is missing.
     """
     scene = replace(scene, vertical=VERTICAL if VERTICAL in columns else None)
     columns = motion_columns(scene, columns)
@@ -162,23 +110,9 @@ def shaken(scene, columns):
 
 
 def motion_columns(scene, columns):
-    """Add the motions between floors that a scene needs.
+    """Add the motions between floors that a scene's note "motions" mixes, by name and weights.
 
-    Parameters
-    ----------
-    scene : Scene
-        Its note "motions" holds, by name, the weights of the columns.
-    columns : dict of str to ndarray
-        "ground", "floor1", … [m/s²]; what is there already stays.
-
-    Returns
-    -------
-    dict of str to ndarray
-
-    Raises
-    ------
-    ValueError
-        If a floor is missing.
+    What is there already stays. ValueError if a floor is missing.
     """
     found = dict(columns)
     for name, weights in scene.notes.get("motions", {}).items():

@@ -28,10 +28,7 @@ LIGHT = 0.02  # mass of a level load without inertia, over P/g: its bounce needs
 
 
 def loaded(rows, shape):
-    """Weight of a façade with the loads of its floors [N], and its lever (b_g, z_g) [m].
-
-    `rows` as `facade_floors` takes, `shape` of the façade; see `Shape.lever_m`.
-    """
+    """Weight of a façade with its floors' loads [N], and its lever, see `Shape.lever_m`."""
     weights, levers = [shape.mass_kg * GRAVITY_M_S2], [shape.lever_m]
     for row in rows:
         weights.append(1e3 * row["load_kn"])
@@ -83,23 +80,9 @@ def lever_of(row, thickness_m):
 def level_loads(section, shape, blocks, walls, add_joint):
     """Append the blocks of loads that are flat or have inertia, at rest on the façade's top.
 
-    What presses on one without inertia is a floor of it.
-
-    Parameters
-    ----------
-    section : dict
-        Section facade.
-    shape : Shape
-    blocks : list of Block
-    walls : sequence of int
-        Return walls' blocks; empty: the base carries the floors.
-    add_joint : callable
-        Adds the joint between two blocks: index of the upper and the lower one, name, jkn [Pa/m],
-        whether it has the middle's node alone.
-
-    Returns
-    -------
-    list of Floor
+    Returned are floors that press on those without inertia. `add_joint` takes the index of the
+    upper and the lower block, a name, jkn [Pa/m], and whether the joint has the middle's node
+    alone; `walls` as of `facade_floors`.
     """
     pressing = []
     top = 1 + len(shape.hinges_m)
@@ -135,10 +118,7 @@ def level_loads(section, shape, blocks, walls, add_joint):
 def wall_behind(what, height_m, walls, blocks):
     """Index of the return wall at a height of the façade, the lower of two; without any its base.
 
-    Raises
-    ------
-    ValueError
-        One line that begins with `what`, if there is none.
+    ValueError of one line that begins with `what`, if there is none.
     """
     if not walls:
         return next(i for i, block in enumerate(blocks) if block.name == BASE)
@@ -151,30 +131,12 @@ def wall_behind(what, height_m, walls, blocks):
 
 
 def facade_floors(rows, walls, blocks, shape, damping_ratio):
-    """Floors of a façade; the blocks of those with a mass are appended to `blocks`.
+    """Floors of a façade and links of those with a mass, whose blocks are appended to `blocks`.
 
-    Parameters
-    ----------
-    rows : list of dict
-        Section facade.floors: height_m, load_kn, arm_m, friction, anchor_kn, anchor_reach_m,
-        stiffness_kn_m, mass_t, period_s, bearing.
-    walls : sequence of int
-        Indices of the return walls' blocks; empty: the base carries the floors.
-    blocks : list of Block
-        Block 1 and those after it are the façade's, as `shape` numbers its pieces.
-    shape : Shape
-    damping_ratio : float
-        ζ of a floor on its spring.
-
-    Returns
-    -------
-    floors : list of Floor
-    links : list of Link
-
-    Raises
-    ------
-    ValueError
-        One line, if a floor meets no return wall.
+    `rows` are section facade.floors; `walls` are indices of the return walls' blocks, none: the
+    base carries the floors. Block 1 and those after it are the façade's, as `shape` numbers its
+    pieces; the damping ratio is that of a floor on its spring. ValueError of one line, if a floor
+    meets no return wall.
     """
     floors, links = [], []
     for number, row in enumerate(rows, 1):

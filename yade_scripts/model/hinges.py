@@ -23,20 +23,7 @@ def hinge_stiffness(section, shape):
 
 
 def pieces(section, shape, whole):
-    """Blocks of the pieces, from the lowest up, at rest on each other.
-
-    Parameters
-    ----------
-    section : dict
-        Section facade.
-    shape : Shape
-    whole : Block
-        The façade as one block, settled on its base.
-
-    Returns
-    -------
-    list of Block
-    """
+    """Blocks of the pieces from the lowest up, at rest on each other as the whole on its base."""
     sunk, found = -whole.displacement_m[2], []
     joints = [shape.joint_at(z) for z in shape.hinges_m]
     areas = np.array([(y1 - y0) * (shape.width_m - lost) for y0, y1, lost in joints])

@@ -19,19 +19,10 @@ TIE, ANCHOR, FRICTION = "tie", "anchor", "friction"
 
 
 class Hold(NamedTuple):
-    """One thing that holds a façade back at a height.
+    """One thing that holds a façade back at a height above its base.
 
-    Attributes
-    ----------
-    kind : str
-        TIE, ANCHOR or FRICTION.
-    height_m : float
-        Above the façade's base.
-    stiffness_n_m, capacity_n : float
-    slack_m : float
-        Way of its point, outward from the upright, before it pulls.
-    reach_m : float
-        Way from the upright at which it is lost, slack included; inf: never.
+    Its point moves by `slack_m` outward from the upright before it pulls, and loses it at `reach_m`
+    from the upright, slack included; inf: never.
     """
 
     kind: str
@@ -43,17 +34,9 @@ class Hold(NamedTuple):
 
 
 def rod(row):
-    """Stiffness, capacity and elongation of a row of ties.
+    """Stiffness [N/m], capacity [N] and elongation [m] of a row of ties, an entry of facade.ties.
 
-    Parameters
-    ----------
-    row : dict
-        An entry of section ties: count, diameter_mm, length_m, e_mpa, yield_mpa, elongation,
-        anchor_kn (of one rod; None: it holds whatever the steel does).
-
-    Returns
-    -------
-    stiffness_n_m, capacity_n, elongation_m : float
+    anchor_kn is that of one rod; None: it holds whatever the steel does.
     """
     area = math.pi / 4.0 * (1e-3 * row["diameter_mm"]) ** 2
     stiffness = row["count"] * row["e_mpa"] * 1e6 * area / row["length_m"]
@@ -72,12 +55,9 @@ def of_tie(row):
 
 
 def of_floor(row):
-    """What holds at a floor, an entry of facade.floors, from none to two.
+    """What holds at a floor, an entry of facade.floors: friction, anchors, if they hold at all.
 
-    Returns
-    -------
-    list of Hold
-        Friction first; without what holds nothing. No anchor is lost before it pulls F_a.
+    No anchor is lost before it pulls F_a.
     """
     capacities = 1e3 * row["friction"] * row["load_kn"], 1e3 * row["anchor_kn"]
     stiffness, mass = 1e3 * row["stiffness_kn_m"], 1e3 * row["mass_t"]
@@ -96,17 +76,6 @@ def of_floor(row):
 
 
 def holds(facade):
-    """All that holds a façade back.
-
-    Parameters
-    ----------
-    facade : dict
-        Section facade: ties and floors.
-
-    Returns
-    -------
-    list of Hold
-        Row by row, ties first.
-    """
+    """All that holds a façade back: its ties, then its floors, row by row."""
     ties = [of_tie(row) for row in facade.get("ties", ())]
     return ties + [hold for row in facade.get("floors", ()) for hold in of_floor(row)]

@@ -56,44 +56,20 @@ NO_DRAG = 0.0  # no dashpots along dry joints
 
 
 def interlocking_scene(config, beta_s, *, two_way=False):
-    """Build the scene of W3, or of W3m if `two_way`.
+    """Build the scene of W3, or of W3m if `two_way`; β is that of the façade's base and back face.
 
-    Parameters
-    ----------
-    config : dict
-        Resolved configuration; sections facade, return_wall, w3, smdof, numerics.
-    beta_s : float
-        Stiffness-proportional damping of the façade's base and back face [s].
-
-    Returns
-    -------
-    Scene
-        Its notes hold "rims" (see `faces`), "motions" (weights of floor motions by
-        name), "debris" (headers, which fall once out), "partial" (see `faces`), "bed_joints"
-        (names, from the bottom) and "walls" (modelled return walls).
-
-    Raises
-    ------
-    ValueError
-        See `check`.
+    Its notes hold "rims", "partial" (see `engine.faces`), "motions" (weights of floor motions by
+    name), "debris" (headers, which fall once out), "bed_joints" (names, from the bottom) and
+    "walls" (modelled return walls). ValueError: see `check`.
     """
     return _Assembly(config, beta_s, two_way).scene()
 
 
 def check(config, two_way=False):
-    """Refuse bricks that cannot be laid.
+    """Refuse bricks that cannot be laid: a ValueError of one line.
 
-    Parameters
-    ----------
-    config : dict
-        Sections facade and w3.
-    two_way : bool
-
-    Raises
-    ------
-    ValueError
-        In one line, if the courses do not fill the height, the overlap does not leave a half brick,
-        a cut misses its brick, or a rule is unknown or not for these walls.
+    So if the courses do not fill the height, the overlap does not leave a half brick, a cut misses
+    its brick, or a rule is unknown or not for these walls.
     """
     height, w3 = config["facade"]["height_m"], config["w3"]
     course, overlap = w3["course_height_m"], w3["overlap_m"]
@@ -226,13 +202,7 @@ class _Assembly:
             self._back(wall, course + 1, front, x)
 
     def bond(self, place):
-        """What holds a joint with the strengths and the friction of section w3.
-
-        Parameters
-        ----------
-        place : {"header", "lower"}
-            Of headers on the façade, or of what breaks among the lowest courses.
-        """
+        """What holds a joint by section w3, with strengths of "header" or "lower" courses."""
         tension, cohesion = (self.w3[f"{place}_{what}_mpa"] for what in ("tension", "cohesion"))
         return held(tension * 1e6, cohesion * 1e6, math.radians(self.w3["friction_deg"]))
 

@@ -2,19 +2,7 @@
 
 
 def without(stretches, holes, least_m):
-    """What is left of stretches without holes, in order.
-
-    Parameters
-    ----------
-    stretches, holes : iterable of (low, high)
-        [m]
-    least_m : float
-        What is not longer is left out.
-
-    Returns
-    -------
-    list of (low, high)
-    """
+    """What is left of stretches (low, high) without holes, in order, if longer than `least_m`."""
     left = list(stretches)
     for low, high in holes:
         parts = [part for a, b in left for part in ((a, min(b, low)), (max(a, high), b))]

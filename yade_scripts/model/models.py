@@ -9,23 +9,10 @@ from yade_scripts.model.shape import is_plain, shape_of
 
 
 def build_scene(case):
-    """Build the scene of a case.
+    """Build the scene of a case: of a case file, or of one that holds its `scene`, as CB's.
 
-    Parameters
-    ----------
-    case : dict
-        A case file: model, beta_s and the configuration's sections; with `width_nodes` the
-        full scene under two components, with `observed_m` that height for d. Or one that holds
-        its `scene`, as the complete building's.
-
-    Returns
-    -------
-    Scene
-
-    Raises
-    ------
-    ValueError
-        For an unknown model, or a height that the façade has not.
+    With `width_nodes` it is the full scene under two components, with `observed_m` d is that
+    height's. ValueError for an unknown model, or a height that the façade has not.
     """
     scene = _assembled(case)
     height = case.get("observed_m")

@@ -16,16 +16,7 @@ def along(name):
 
 
 def amplitude(ground_m_s2, direction, pga_g):
-    """Factor that brings a motion to a peak ground acceleration; its sign is the direction.
-
-    Parameters
-    ----------
-    ground_m_s2 : ndarray
-    direction : str
-        "pos" or "neg".
-    pga_g : float
-        In standard gravity.
-    """
+    """Factor that brings a motion to a peak ground acceleration [g]; its sign is the direction."""
     return SIGNS[direction] * pga_g * STANDARD_GRAVITY_M_S2 / float(np.max(np.abs(ground_m_s2)))
 
 
@@ -46,11 +37,8 @@ def numbers(time_s):
 class SupportMotion:
     """A support's prescribed acceleration along y, linear between samples.
 
-    Attributes
-    ----------
-    time_s, acceleration_m_s2 : ndarray, shape (n,)
-        A motion that does not end at zero gets one more sample that does: YADE holds the
-        last value, and floors that still ring would part from each other without end.
+    A motion that does not end at zero gets one more sample that does: YADE holds the last value,
+    and floors that still ring would part from each other without end.
     """
 
     time_s: np.ndarray

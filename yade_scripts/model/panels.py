@@ -47,19 +47,10 @@ def base_block(config, ground):
 
 
 def hang_base(config, blocks, nodes, base, masses):
-    """Tie the base to the masses below and above it, by height, and take its mass from them.
+    """Tie the base, block `base`, to the masses below and above it, and take its mass from them.
 
-    A panel whose mass stands at its two ends lies between them, light and rigid; where the base
-    is as high as a mass it is tied to that.
-
-    Parameters
-    ----------
-    config, blocks, nodes
-        As of `Hanging`.
-    base : int
-        Index of its block.
-    masses : sequence of int
-        Of the chain's masses, from the lowest up.
+    A panel whose mass stands at its two ends lies between them, light and rigid; where the base is
+    as high as a mass it is tied to that. The chain's masses are blocks too, from the lowest up.
     """
     facade, n = config["facade"], config["smdof"]["n_dof"]
     whole, raised = building_height(facade), facade["base_height_m"]
@@ -99,18 +90,9 @@ def hang_base(config, blocks, nodes, base, masses):
 
 
 class Hanging:
-    """Masses of the chain, with the panels and slabs that a rule needs.
+    """Masses of the chain, with the panels and slabs that a rule needs, for so many modelled walls.
 
-    Parameters
-    ----------
-    config : dict
-        Sections facade, return_wall, smdof.
-    blocks, nodes
-        Of the scene that is being assembled; block 0 is the ground.
-    walls : int
-        Modelled return walls.
-    length_m : float
-        Of the walls that move with panels and slabs.
+    Block 0 is the ground; the walls that move with panels and slabs are `length_m` long.
     """
 
     def __init__(self, config, blocks, nodes, walls, length_m):
@@ -163,21 +145,9 @@ class Hanging:
         self._join(name, index, carrier, (x_m, -self.length, z))
 
     def finish(self, hung):
-        """Give the masses what the pieces of wall leave of the building's mass.
+        """Give the masses what the pieces of wall leave of the building's mass; return links.
 
-        Parameters
-        ----------
-        hung : sequence of int
-            Block indices of the pieces of wall.
-
-        Returns
-        -------
-        list of Link
-
-        Raises
-        ------
-        ValueError
-            If nothing is left.
+        ValueError if nothing is left.
         """
         carried = sum(self.blocks[i].mass_kg for i in {*self.light, *hung})
         if carried >= self.total:

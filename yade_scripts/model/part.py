@@ -20,25 +20,11 @@ KEYS = ("foot_m", "held_m", "hinge_m")
 
 
 def part_of(section, foot_m, held_m=None, hinge_m=None):
-    """Section facade of the part of a façade above a foot.
+    """Section facade of the part of a façade above a foot, in heights above the façade's base.
 
-    Parameters
-    ----------
-    section : dict
-        Section facade, every key of it.
-    foot_m : float
-        Height of the joint about which the part turns, above the façade's base.
-    held_m, hinge_m : float or None
-        Of vertical bending: the level that stays, and the joint that opens below it.
-
-    Returns
-    -------
-    dict
-
-    Raises
-    ------
-    ValueError
-        One line for heights that the façade has not, hinges that are stated already, or a tilt.
+    Of vertical bending `held_m` is the level that stays, `hinge_m` the joint that opens below it.
+    ValueError of one line for heights that the façade has not, hinges that are stated already, or a
+    tilt.
     """
     if (foot_m, held_m, hinge_m) == WHOLE:  # with hinges, courses or a tilt of its own
         return dict(section)

@@ -54,23 +54,11 @@ def lean(weight, lever, kn_n_m, points, b, walls_stand):
 
 
 def at_rest(facade, shape, kn_n_m, points, release_ratio, walls_stand):
-    """Pose in which a façade starts: tilted, then released or leaning on its base, and settled.
+    """Displacement and rotation in which a façade starts: tilted, released or leaning, and settled.
 
-    Parameters
-    ----------
-    facade : dict
-        Section facade.
-    shape : Shape
-    kn_n_m, points : ndarray, shape (n,)
-        Base nodes, places over the thickness from the back.
-    release_ratio : float
-        θ₀/α; 0: it leans as its eccentric weight asks for.
-    walls_stand : bool
-        Return walls hold what leans on them.
-
-    Returns
-    -------
-    displacement_m, rotation_rad : tuple of 3 floats
+    kn and places over the thickness from the back are those of the base's nodes. With a
+    `release_ratio` θ₀/α of 0 it leans as its eccentric weight asks for, unless return walls hold
+    it.
     """
     b = facade["thickness_m"]
     weight, lever = loaded(facade.get("floors", ()), shape)

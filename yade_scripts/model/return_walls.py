@@ -72,19 +72,9 @@ def _spans(count, facade, chain):
 def _contact(parts, tall_m, total_m, nodes_up, planar):
     """Nodes of a block's contact with the façade, on each part of the back face before it.
 
-    Parameters
-    ----------
-    parts : list
-        See `Shape.back_parts`.
-    tall_m, total_m : float
-        Height of the block, and thickness of all walls together.
-    nodes_up : (int, int)
-        Up a block whose contact is in one part, and up one that is cut into several.
-    planar : bool
-
-    Returns
-    -------
-    list of (middle_m, positions_m, areas_m2)
+    `parts` are those of `Shape.back_parts`, `total_m` is the thickness of all walls; `nodes_up` are
+    those up a block whose contact is in one part, and up one that is cut into several. Each row is
+    (middle_m, positions_m, areas_m2).
     """
     found, (whole, cut) = [], nodes_up
     for foot, length, y, lost, strips in parts:
@@ -100,29 +90,12 @@ def _contact(parts, tall_m, total_m, nodes_up, planar):
 def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape, stands=True):
     """Append return walls and their joints with the façade, and the chain that carries them.
 
-    Parameters
-    ----------
-    config, beta_s, planar
-        See `facade.facade_scene`.
-    kind : Model
-        See `registry`.
-    blocks : list of Block
-        Block 0 is the base; those after it are the façade's, as `shape` numbers its pieces.
-    nodes : NodeList
-    motions : dict
-        Weights of mixed motions by name, to which theirs are added.
-    shape : Shape
-    stands : bool
-        Whether walls stand behind the façade; else the chain alone is appended.
+    Block 0 is the base, those after it are the façade's, as `shape` numbers its pieces. To
+    `motions` the weights of mixed motions are added by name; without `stands` the chain alone is
+    appended.
 
-    Returns
-    -------
-    walls : list of int
-        Indices of their blocks.
-    links : list of Link
-        Between the masses of the chain, where they are part of the scene.
-    masses : list of int
-        Indices of those masses, from the lowest up; else empty.
+    Returned are indices of the walls' blocks, links between the masses, and indices of the masses
+    from the lowest up; the last two empty where the chain is no part of the scene.
     """
     facade, wall, numerics = config["facade"], config["return_wall"], config["numerics"]
     h, raised = facade["height_m"], facade.get("base_height_m", 0.0)

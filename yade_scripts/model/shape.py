@@ -36,22 +36,12 @@ BOX, TRIANGLE = "box", "triangle"  # outlines
 class Shape:
     """What a scene takes from the shape of its façade.
 
-    Attributes
-    ----------
-    mass_kg : float
-    centre_m : tuple of 3 floats
-        Centroid; x from the façade's middle, y from the back face at its foot, z from its base.
-    tensor_kg_m2 : ndarray, shape (3, 3)
-        Inertia about the centroid.
-    thickness_m, height_m, width_m, top_m : float
-        At the base; of what the return walls hold; along x; of the whole façade.
-    storeys : tuple of (z0, z1, y0, y1)
-        From the base up, a new one at every hinge too [m].
-    openings : tuple of (x0, x1, z0, z1)
-    parts : tuple of (mass_kg, centre, tensor, size)
-        The signed parts that were added up, none across a hinge.
-    hinges_m : tuple of float
-        Heights at which it is cut into rigid pieces.
+    The centroid's x counts from the façade's middle, y from the back face at its foot, z from its
+    base. `tensor_kg_m2` is about it; thickness is that at the base, height that of what the return
+    walls hold, `top_m` the whole façade's. `storeys` are (z0, z1, y0, y1) from the base up, a new
+    one at every hinge too; `openings` (x0, x1, z0, z1); `parts` the signed (mass_kg, centre,
+    tensor, size) that were added up, none across a hinge; `hinges_m` the heights at which it is cut
+    into rigid pieces.
     """
 
     mass_kg: float
@@ -86,10 +76,7 @@ class Shape:
     def joint_at(self, hinge_m):
         """Where the pieces below and above a hinge meet: (y0, y1) of the faces, and lost width [m].
 
-        Raises
-        ------
-        ValueError
-            One line, if they do not meet.
+        ValueError of one line, if they do not meet.
         """
         below = next(s for s in self.storeys if s[1] == hinge_m)
         above = next(s for s in self.storeys if s[0] == hinge_m)
@@ -138,19 +125,11 @@ class Shape:
         return next(s[2:] for s in self.storeys if s[0] <= height_m <= s[1])
 
     def back_parts(self, low_m, tall_m, walls):
-        """Contact of the back face with return walls between two heights.
+        """Contact of the back face with return walls (x0, x1) from a height up to so much above it.
 
-        Parameters
-        ----------
-        low_m, tall_m : float
-            Foot and height of a block of the walls, from the façade's base.
-        walls : list of (x0, x1)
-
-        Returns
-        -------
-        list of (low_m, tall_m, y_m, lost_m, strips)
-            Cut wherever the back face steps or an opening begins or ends in front of a wall:
-            the face's y, the width that openings take from the walls, and what is left of them.
+        Cut wherever the back face steps or an opening begins or ends in front of a wall: (low_m,
+        tall_m, y_m, lost_m, strips), the face's y, the width that openings take from the walls, and
+        what is left of them.
         """
         near = [
             (x0, x1, z0, z1)
@@ -207,11 +186,8 @@ def refuse(facade, what, held=False):
 def shape_of(facade):
     """`Shape` of a section facade of the configuration.
 
-    Raises
-    ------
-    ValueError
-        One line with key, value and what was expected, if parts lie outside each other's
-        bounds, openings overlap, or the weight falls outside the base.
+    ValueError of one line with key, value and what was expected, if parts lie outside each other's
+    bounds, openings overlap, or the weight falls outside the base.
     """
     h, b, width = facade["height_m"], facade["thickness_m"], facade["width_m"]
     density = facade["density_kg_m3"]

@@ -28,10 +28,7 @@ ONTO_BRICK = ((0.0, 1.0, 0.0), 0.0)  # rim of a brick's face: it ends where the 
 def lowest_edge(height_m, overlap_m, inclination_rad):
     """Place y [m] of the plane's lower edge, −v + H tan s: behind the façade's face, below 0.
 
-    Raises
-    ------
-    ValueError
-        If the plane meets the façade's face above the bottom of the brick.
+    ValueError if the plane meets the façade's face above the bottom of the brick.
     """
     y = -overlap_m + height_m * math.tan(inclination_rad)
     if y >= 0.0:
@@ -44,20 +41,7 @@ def lowest_edge(height_m, overlap_m, inclination_rad):
 
 
 def polygon_moments(points):
-    """Area, centroid and second moments of a polygon about its centroid, by Green's theorem.
-
-    Parameters
-    ----------
-    points : array_like, shape (n, 2)
-        Corners (y, z) in order, either way round.
-
-    Returns
-    -------
-    area : float
-    centre : ndarray, shape (2,)
-    second : ndarray, shape (2,)
-        ∫y² dA and ∫z² dA about the centroid.
-    """
+    """Area, centroid, ∫y² dA and ∫z² dA about it of a polygon (y, z), by Green's theorem."""
     points = np.asarray(points, float)
     following = np.roll(points, -1, axis=0)
     cross = points[:, 0] * following[:, 1] - following[:, 0] * points[:, 1]
@@ -69,25 +53,10 @@ def polygon_moments(points):
 
 
 def add_parts(assembly, name, x, bottom, motion, half_brick):
-    """Append rear (with the half brick on it) and front of a split brick, and their plane.
+    """Append rear and front of a split brick, and their plane; return the indices of the two.
 
-    Parameters
-    ----------
-    assembly : object
-        The W3 assembly under construction.
-    name : str
-        Of the brick; the rear keeps it, the front is called "… front".
-    x, bottom : float
-        Middle of the wall and bottom of the course [m].
-    motion : str
-        Motion that drives both along y.
-    half_brick : bool
-        Whether a half brick stands on the rear.
-
-    Returns
-    -------
-    rear, front : int
-        Indices of the blocks.
+    The rear keeps the name of the brick, and has the half brick on it if there is one; the motion
+    drives both along y.
     """
     top, v, length = bottom + assembly.course, assembly.v, assembly.length
     low = lowest_edge(assembly.course, v, assembly.split_inclination)

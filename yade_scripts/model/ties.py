@@ -23,26 +23,10 @@ FAR_M = 1e3  # length of an anchor's tie: as its point lifts by 0.1 m it lengthe
 
 
 def facade_ties(rows, walls, blocks, shape):
-    """Ties between the façade and its return walls.
+    """Ties between the façade and its return walls, by indices of their blocks.
 
-    Parameters
-    ----------
-    rows : list of dict
-        Section ties: height_m, slack_mm and what `holds.rod` takes.
-    walls : sequence of int
-        Indices of the return walls' blocks.
-    blocks : list of Block
-        Block 1 and those after it are the façade's, as `shape` numbers its pieces.
-    shape : Shape
-
-    Returns
-    -------
-    list of Tie
-
-    Raises
-    ------
-    ValueError
-        One line, if a tie lies above the façade or meets no return wall.
+    `rows` are section facade.ties; block 1 and those after it are the façade's, as `shape` numbers
+    its pieces. ValueError of one line, if a tie lies above the façade or meets no return wall.
     """
     ties = []
     for number, row in enumerate(rows, 1):
@@ -56,16 +40,7 @@ def facade_ties(rows, walls, blocks, shape):
 def anchor_ties(rows, walls, blocks, shape):
     """Ties that stand for the anchors of floors without a mass; arguments as `facade_ties`.
 
-    Parameters
-    ----------
-    rows : list of dict
-        Section floors, what `holds.of_floor` takes.
-    walls : sequence of int
-        Empty: the base carries the floors, and each has a second tie to the other side.
-
-    Returns
-    -------
-    list of Tie
+    Without walls the base carries the floors, and each has a second tie to the other side.
     """
     ties = []
     for number, row in enumerate(rows, 1):

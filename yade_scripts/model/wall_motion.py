@@ -29,24 +29,15 @@ def storey_of(height_ratio, n):
 
 
 def building_height(facade):
-    """Height H of the building whose masses move the walls behind a façade [m].
-
-    Parameters
-    ----------
-    facade : dict
-        Section facade: building_height_m where it is stated, else base_height_m + height_m.
-    """
+    """Height of the building whose masses move the walls behind a façade [m]."""
     whole = facade.get("base_height_m", 0.0) + facade["height_m"]
     return facade.get("building_height_m") or whole
 
 
 def weight_of(rule, height_ratio, n):
-    """Weight of the mass above, in storey `storey_of`; the mass below has the rest.
+    """Weight of the mass above, in `storey_of`; the mass below has the rest.
 
-    Raises
-    ------
-    ValueError
-        For an unknown rule.
+    ValueError for an unknown rule.
     """
     if rule not in RULES:
         raise ValueError(f"return_wall.motion = '{rule}': expected {', '.join(RULES)}")
@@ -55,17 +46,9 @@ def weight_of(rule, height_ratio, n):
 
 
 def motion_of(rule, height_m, building_height_m, n, motions):
-    """Name of the motion of a piece of wall; its weights go into `motions` if it is a mixture.
+    """Name of the motion of a piece of wall whose centre is so high above the ground.
 
-    Parameters
-    ----------
-    rule : str
-    height_m, building_height_m : float
-        Of the piece's centre above the ground, and of the building.
-    n : int
-        Masses.
-    motions : dict
-        Weights by name, see `floor_motions.motion_columns`.
+    Of n masses: the weights of a mixture go into `motions`, see `floor_motions.motion_columns`.
     """
     ratio = height_m / building_height_m
     storey, weight = storey_of(ratio, n), weight_of(rule, ratio, n)

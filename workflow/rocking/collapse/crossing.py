@@ -46,19 +46,9 @@ def wilson(share, count, z=Z):
 def between(pga_g, collapsed, width, spread, level):
     """Amplitudes between which the share that collapses first reaches a level [g].
 
-    Parameters
-    ----------
-    pga_g, collapsed, width : array_like, shape (n,)
-        Realisations by ascending amplitude; collapsed 0 or 1; for how much of ln amplitude each
-        stands.
-    spread : float
-        Half width relative to the amplitude over which the share counts.
-    level : float
-
-    Returns
-    -------
-    low, high : float
-        NaN where the share may not, or need not, reach it.
+    Realisations by ascending amplitude, shape (n,): collapsed 0 or 1, `width` for how much of ln
+    amplitude each stands. The share counts over ± spread of the amplitude. NaN where it may not, or
+    need not, reach the level.
     """
     pga_g, width = np.asarray(pga_g, float), np.asarray(width, float)
     fell = np.asarray(collapsed, float) > 0.0

@@ -24,20 +24,7 @@ def _valid(rows):
 
 
 def bands(ensemble_rows, percentiles=(10.0, 90.0)):
-    """Median and percentiles of d/b and the share of collapses, by PGA.
-
-    Parameters
-    ----------
-    ensemble_rows : DataFrame or list of dict
-    percentiles : pair of float
-        [%]
-
-    Returns
-    -------
-    DataFrame
-        pga_g, realisations, probability, d_over_b_low, d_over_b_median, d_over_b_high; ascending
-        PGA.
-    """
+    """Median and percentiles [%] of d/b and the share of collapses, by ascending PGA."""
     columns = [
         "pga_g",
         "realisations",
@@ -59,10 +46,7 @@ def bands(ensemble_rows, percentiles=(10.0, 90.0)):
 def realisations_needed(values, tolerance, seed):
     """Smallest odd number of realisations whose median stays within ± tolerance in 90 % of draws.
 
-    Returns
-    -------
-    int or None
-        None if more than `MOST` are needed.
+    None if more than `MOST` are needed.
     """
     rng = np.random.default_rng(seed)
     values = np.asarray(values, float)

@@ -21,10 +21,7 @@ SLOPE = 2.0  # k; of hazard curves in PGA about 1.5 to 3 from 100 to 2,500 years
 def cells(pga_g):
     """Ends of the amplitudes for which each of ascending ones stands, by their ratio, to ∞ [g].
 
-    Returns
-    -------
-    low, high : ndarray, shape (n,)
-        The first begins at its own amplitude, the last does not end.
+    The first begins at its own amplitude.
     """
     pga_g = np.asarray(pga_g, float)
     edge = np.sqrt(pga_g[1:] * pga_g[:-1])
@@ -32,19 +29,10 @@ def cells(pga_g):
 
 
 def equivalent(pga_g, share, slope=SLOPE):
-    """PGA of the threshold that falls as often in a year [g].
+    """PGA of the threshold that falls as often in a year [g]; NaN where nothing falls.
 
-    Parameters
-    ----------
-    pga_g, share : array_like, shape (n,)
-        Collapse probability by ascending amplitude.
-    slope : float
-        k of the hazard, > 0.
-
-    Returns
-    -------
-    float
-        NaN where nothing falls.
+    The share is the collapse probability by ascending amplitude, shape (n,), the slope k > 0 of the
+    hazard.
     """
     share = np.asarray(share, float)
     if not share.size or not share.max() > 0.0:
@@ -54,21 +42,12 @@ def equivalent(pga_g, share, slope=SLOPE):
 
 
 def thresholds(pga_g, share, levels, slope=SLOPE):
-    """Between which PGA the thresholds lie that fall as often as P exceeds each level.
+    """Between which PGA the thresholds lie that fall as often as P exceeds each level, (m,) [g].
 
-    Parameters
-    ----------
-    pga_g, share, slope
-        As of `equivalent`.
-    levels : array_like, shape (m,)
-        Of P, from 0 to 1.
-
-    Returns
-    -------
-    low, high : ndarray, shape (m,)
-        [g]; alike where P exceeds the level at the largest amplitude that was run. Where it does
-        not, what it does beyond is not known: `high` says that it never exceeds it again, ∞ where
-        it never did, `low` that it always does.
+    Arguments as of `equivalent`, levels of P from 0 to 1. Low and high are alike where P exceeds
+    the level at the largest amplitude that was run. Where it does not, what it does beyond is not
+    known: `high` says that it never exceeds it again, ∞ where it never did, `low` that it always
+    does.
     """
     pga_g, share = np.asarray(pga_g, float), np.asarray(share, float)
     begin, end = cells(pga_g)

@@ -20,10 +20,7 @@ COLUMNS = {
 def read_curve(path):
     """Read one IDA table (contract: ida/{model}/{record}_{direction}.csv), by ascending PGA.
 
-    Raises
-    ------
-    ValueError
-        If a column of the contract is missing.
+    ValueError if a column of the contract is missing.
     """
     table = pd.read_csv(path)
     missing = COLUMNS - set(table.columns)
@@ -44,13 +41,7 @@ def by_curve(paths, read=pd.read_csv):
 
 
 def branches(curve):
-    """Split a curve into runs that stood and runs that overturned.
-
-    Returns
-    -------
-    stood, fell : DataFrame
-        Rows with status "ok" and "overturned"; failed runs are in neither.
-    """
+    """Rows of a curve with status "ok", and "overturned"; failed runs are in neither."""
     return curve[curve["status"] == "ok"], curve[curve["status"] == "overturned"]
 
 

@@ -19,26 +19,15 @@ NARROW = 1.03  # p90 over p10 up to which realisations just outside of both say 
 def plan(scan, settings, ensemble):
     """Intensities of single runs and of ensembles in YADE [g].
 
-    Single runs: the climb from the last level that stays below `SLIGHT` up to the first crossing
-    of 50 %, but for levels that another run is next to (`APART`); both sides of the lowest
-    collapse, the middle of each range of collapse and of the gap above it, and the amplitude from
-    which all collapse. Ensembles: where the probability first crosses the lower percentile, one
-    half and the upper one; where these lie together, just below the first and above the last.
+    Single runs: the climb from the last level that stays below `SLIGHT` up to the first crossing of
+    50 %, but for levels that another run is next to (`APART`); both sides of the lowest collapse,
+    the middle of each range of collapse and of the gap above it, and the amplitude from which all
+    collapse. Ensembles: where the probability first crosses the lower percentile, one half and the
+    upper one; where these lie together, just below the first and above the last.
 
-    Parameters
-    ----------
-    scan : DataFrame
-        Of a dense scan, `Curve.table`.
-    settings : dict
-        Section ida with a number for start_g: growth, max_pga_g, max_collapse_ranges, confirm.
-    ensemble : dict
-        Section ensemble: enabled, percentiles, and what `perturb.draw_realisations` takes.
-
-    Returns
-    -------
-    dict
-        runs, levels: ascending lists of float; probability: by level and realisation, those of
-        `agreement.alternatives` at its own amplitude; told: by run, those of `agreement.told`.
+    `scan` is the table of a dense one; section ida comes with a number for start_g. Returned are
+    runs and levels, ascending; probability, by level and realisation those of
+    `agreement.alternatives` at its own amplitude; told, by run those of `agreement.told`.
     """
     spread = ensemble["amplitude_spread"]
     table = from_scan(scan, spread)

@@ -19,20 +19,10 @@ RATIO = ("ratio", "ratio_low", "ratio_high")
 def crossings(case, motion, direction, settings=None, step=LONG_STEP, ends=False):
     """First crossings of a curve of a model of one block, and the histories behind them.
 
-    Parameters
-    ----------
-    case, motion, direction, settings
-        As of `collapse_curve`.
-    step : float or None
-        Of the stable step; None takes the dense scan's.
-    ends : bool
-        Whether to say between which amplitudes half collapse may be, by its own few realisations.
-
-    Returns
-    -------
-    dict
-        `PGA` [g], NaN where fewer fall up to max_pga_g, and runs_planar; if asked for `ENDS`, the
-        upper one NaN where what was run leaves it open.
+    `PGA` [g], NaN where fewer fall up to max_pga_g, and runs_planar; with `ends` `ENDS` too,
+    between which half collapse may be by its own few realisations, the upper one NaN where they
+    leave it open. `step` is over the stable one; None takes the dense scan's. Else as
+    `collapse_curve`.
     """
     how = {"search": "crossings", "fraction": step}
     found = collapse_curve(case, motion, direction, settings=settings, **how)
@@ -44,18 +34,10 @@ def crossings(case, motion, direction, settings=None, step=LONG_STEP, ends=False
 
 
 def over_first(table):
-    """Ratio of half collapse to that of the first row, and what the scatter of both leaves of it.
+    """A table of variants of one curve with RATIO: half collapse over that of the first row.
 
-    Parameters
-    ----------
-    table : DataFrame
-        pga_median_g and `ENDS`, a row a variant of one curve.
-
-    Returns
-    -------
-    DataFrame
-        With RATIO; blank where one of the two never falls, or where its realisations leave the end
-        open.
+    And what the scatter of both (`ENDS`) leaves of it; blank where one of the two never falls, or
+    where its realisations leave the end open.
     """
     (low, high), half = (table[name] for name in ENDS), table["pga_median_g"]
     ends = (half / half.iloc[0], low / high.iloc[0], high / low.iloc[0])

@@ -5,18 +5,9 @@ import pandas as pd
 
 
 class Ratios:
-    """Ratios between two intensities of each curve, blank where one of the two never collapsed.
+    """Ratios between two intensities of each curve, NaN where one of the two never collapsed.
 
-    Parameters
-    ----------
-    values : array_like
-        NaN where one of the two is not known.
-
-    Attributes
-    ----------
-    known : ndarray
-    n, n_known, n_censored : int
-        Curves, those of which the ratio is known, and the others.
+    `known` are the known ones, `n_known` of `n`, and `n_censored` the others.
     """
 
     def __init__(self, values):
@@ -57,21 +48,9 @@ class Ratios:
 
 
 def spread(table, by, columns):
-    """How the ratios of a table spread, a row a group, in the order in which groups appear.
+    """How the column ratio of a table spreads, a row a group `by`, in the order they appear.
 
-    Parameters
-    ----------
-    table : DataFrame
-        With a column ratio.
-    by : list of str
-        Columns that make a group.
-    columns : dict of str to number, str or callable
-        What a row says, by column, see `Ratios.said`.
-
-    Returns
-    -------
-    DataFrame
-        `by`, then `columns`.
+    `columns` says by column what a row has, see `Ratios.said`.
     """
     rows = []
     for key, part in table.groupby(by, sort=False):

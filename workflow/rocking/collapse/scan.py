@@ -40,24 +40,10 @@ LATE_STEP = 0.5  # of that, where the dashpots of thin courses act at the end of
 class Scan:
     """Outcomes of one curve at any amplitudes, by the planar solver.
 
-    Attributes
-    ----------
-    numerics : dict
-    direction : str
-    ground : ndarray, shape (nt,)
-        Acceleration of the ground for a factor of one [m/s²].
-    planes : list of Planar
-        The scene in every layout of nodes that realisations use.
-    steps_s : list of float
-        Their time steps.
-    shorter : tuple of float
-        Of those steps, one realisation after the other.
-    carried : Bodies or None
-    motions : Motions
-    static_g : float
-        Static multiplier, from half of which a curve climbs.
-    block : int
-        Amplitudes that a climb asks for at once.
+    `ground` is the acceleration for a factor of one [m/s²]; `planes` the scene in every layout of
+    nodes that realisations use, `steps_s` their steps, of which realisations take the shares
+    `shorter` one after the other. From half of `static_g`, the static multiplier, a curve climbs,
+    and asks for `block` amplitudes at once.
     """
 
     numerics: dict
@@ -85,10 +71,7 @@ class Scan:
     def run(self, pga_g, scatter):
         """Outcomes at ascending amplitudes; `scatter` turns node layout and step with them.
 
-        Returns
-        -------
-        DataFrame
-            pga_g, extra_nodes, step_factor, d_over_b, status, collapsed.
+        pga_g, extra_nodes, step_factor, d_over_b, status, collapsed.
         """
         pga_g = np.asarray(pga_g, float)
         turn = np.arange(pga_g.size) * bool(scatter)
@@ -107,20 +90,7 @@ class Scan:
         return table
 
     def seen(self, strategy):
-        """Outcomes of all that a search asks for, by ascending amplitude, and what it found.
-
-        Parameters
-        ----------
-        strategy : generator
-            See `search`.
-
-        Returns
-        -------
-        DataFrame
-            See `run`.
-        found
-            What the search returns.
-        """
+        """Outcomes of all that a search asks for, by ascending amplitude, and what it found."""
         parts: list[pd.DataFrame] = []
 
         def run(ask):
@@ -165,20 +135,11 @@ def _layouts_of(text, fraction):
 
 
 class Screen(Scan):
-    """Outcomes of one model, record and direction.
+    """Outcomes of one model, record and direction of a case file.
 
-    Parameters
-    ----------
-    case : dict
-        A case file.
-    time_s, columns
-        Floor motions, see `yade_scripts.model.floor_motions.read`.
-    direction : str
-    fraction : float, optional
-        Step over the stable one, where the solver's own choice is too dear; then every layout of
-        nodes has a step of its own.
-    before : (time_s, columns, pause_s), optional
-        A shock before this motion, as it shakes, and the pause after it.
+    Floor motions are those of `floor_motions.read`; `before` is a shock before them (time_s,
+    columns, pause_s), as it shakes. A `fraction` is the step over the stable one, where the
+    solver's own choice is too dear; then every layout of nodes has a step of its own.
     """
 
     def __init__(self, case, time_s, columns, direction, fraction=None, before=None):
@@ -224,12 +185,9 @@ class Screen(Scan):
 
 
 def scan_settings(case):
-    """What a search takes of a case file; W3, of more than twenty blocks, has its own steps.
+    """What a search takes of a case file: section ida, realisations and amplitude_spread.
 
-    Returns
-    -------
-    dict
-        Section ida, and realisations and amplitude_spread of section ensemble.
+    W3, of more than twenty blocks, has its own steps.
     """
     ensemble = {key: case["ensemble"][key] for key in ("realisations", "amplitude_spread")}
     own = {} if registry.model(case["model"]).single_block else case["w3"]["scan"]
@@ -264,12 +222,7 @@ def layouts(numerics, nodes=None):
 def carried_masses(case, scene):
     """Masses, springs and dashpots of the chain that carries the return walls of a case file.
 
-    Parameters
-    ----------
-    case : dict
-        Sections smdof, return_wall.
-    scene : Scene
-        The one-way counterpart, whose motions say where each wall hangs.
+    The motions of `scene`, its one-way counterpart, say where each wall hangs.
     """
     chain, mass = case["smdof"], case["return_wall"]["building_mass_kg"]
     shear = shear_chain(chain["n_dof"], chain["period_s"], mass)

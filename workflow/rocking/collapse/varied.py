@@ -16,22 +16,9 @@ def intensities(case, motion, direction, search="scan", slope=SLOPE, **settings)
 def collapses(cases, motion, directions, find=crossings, variants=(AS_IT_IS,)):
     """What is found of the collapse of every case, with every variant, in every direction.
 
-    Parameters
-    ----------
-    cases : iterable of Case
-    motion : Motion
-    directions : iterable of str
-    find : callable
-        Takes a case, a motion and a direction, returns a dict of columns: `crossings`,
-        `intensities`, or a study's own.
-    variants : iterable of Variant
-        Of the case and of the motion.
-
-    Returns
-    -------
-    list of dict
-        model (of the case before it is varied), record, direction, what the variant is `about`,
-        what `find` says.
+    `find` takes a case, a motion and a direction and returns columns: `crossings`, `intensities`,
+    or a study's own. A row has model (of the case before it is varied), record, direction, what the
+    variant is `about`, and what `find` says.
     """
     rows = []
     for case in cases:

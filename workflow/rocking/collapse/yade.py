@@ -23,12 +23,9 @@ COLUMNS = ["pga_g", "d_over_b", "status", "collapsed", "dt_s", "steps", "wall_s"
 
 
 def run_yade(*words, folder, limit_s=LIMIT_S):
-    """Run a study of `yade_scripts` in a folder.
+    """Run a command of `yade_scripts` in a folder.
 
-    Raises
-    ------
-    ValueError
-        With its last line, if it fails or takes longer than `limit_s`.
+    ValueError with its last line, if it fails or takes longer than `limit_s`.
     """
     python = os.environ.get("YADE_PYTHON") or shutil.which("python3", path=os.defpath)
     command = [str(python or sys.executable), str(SCRIPTS), *words]
@@ -46,13 +43,7 @@ def run_yade(*words, folder, limit_s=LIMIT_S):
 class YadeRuns:
     """Outcomes of a case at any amplitudes, by YADE; finished runs are kept while it lives.
 
-    Parameters
-    ----------
-    case : Case
-    motion : Motion
-    direction : str
-    limit_s : float
-        For each call, of up to `block` amplitudes.
+    `limit_s` is for each call, of up to `block` amplitudes.
     """
 
     block = BLOCK
@@ -92,12 +83,9 @@ class YadeRuns:
 
 
 def yade_history(case, motion, direction, pga_g):
-    """One history by YADE, with contact forces and energies; see the study `history`.
+    """One history by YADE, with contact forces and energies; see the command `history`.
 
-    Raises
-    ------
-    ValueError
-        In one line, for a motion with a first shock.
+    ValueError of one line, for a motion with a first shock.
     """
     if motion.before(case, direction) is not None:
         raise ValueError("history by YADE: expected a motion without a first shock")

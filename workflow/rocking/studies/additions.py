@@ -8,23 +8,10 @@ from yade_scripts.model.registry import MODELS
 
 
 def planar_models(resolved, target):
-    """Models of a run that a target searches with, once it is known that the façade allows it.
+    """Models of a run that "strengthening" or "restraint" searches with, if the façade allows it.
 
-    Parameters
-    ----------
-    resolved : dict
-        Resolved configuration.
-    target : {"strengthening", "restraint"}
-
-    Returns
-    -------
-    list of str
-
-    Raises
-    ------
-    ConfigError
-        Where no model has a planar counterpart, or the façade cannot have a tie or floor that is
-        tried.
+    ConfigError where no model has a planar counterpart, or the façade cannot have a tie or floor
+    that is tried.
     """
     models = [model for model in resolved["models"] if MODELS[model].compiled]
     if not models:

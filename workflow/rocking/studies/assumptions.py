@@ -24,21 +24,11 @@ SPREAD |= {"share_unsafe": lambda found: found.share(low=1.0)}
 
 
 def variants(case, stage, surrogate=None):
-    """Every assumption of a driven case at another level.
+    """Every assumption of a driven case, W2 or W3, at another level; β is to be chosen anew.
 
-    Parameters
-    ----------
-    case : Case
-        W2 or W3; β is the caller's to choose anew.
-    stage : dict
-        Answers of the building stage: period_s, complete_period_s [s], mass_kg.
-    surrogate : dict or None
-        Keywords of `Motion.named` for the record's surrogate; None: it has none.
-
-    Returns
-    -------
-    list of Variant
-        `about` says the assumption and its level.
+    `stage` are answers of the building stage: period_s, complete_period_s [s], mass_kg. `surrogate`
+    are keywords of `Motion.named`, None: the record has none. `about` says the assumption and its
+    level.
     """
     wall, bricks = case["return_wall"], not case.kind.single_block
     length = wall["length_m"] or 0.5 * case["facade"]["height_m"]
@@ -102,23 +92,7 @@ AS_CONFIGURED = Variant("base", about=_about(BASE, ""))
 
 
 def collapse(case, motion, directions, stage, law, surrogate=None, slope=SLOPE):
-    """Collapse of a driven case as configured, and with every assumption at another level.
-
-    Parameters
-    ----------
-    case, motion, directions
-    stage, surrogate
-        See `variants`.
-    law : path
-        Coefficients of the law of β.
-    slope : float
-        Of the hazard, see `equivalent`.
-
-    Returns
-    -------
-    list of dict
-        model, record, direction, assumption, level, intensities, runs_planar.
-    """
+    """Collapse of a driven case as configured, and with every `variants`: rows of intensities."""
 
     def find(changed, shaken, direction):
         return intensities(changed.calibrated(law), shaken, direction, slope=slope, power=0.0)
@@ -130,11 +104,8 @@ def collapse(case, motion, directions, stage, law, surrogate=None, slope=SLOPE):
 def buildings(case, settings):
     """W2 one-way and two-way before many buildings: periods, dampings, mass ratios.
 
-    Returns
-    -------
-    list of Variant
-        All periods at the configured damping, further dampings at its T1; `about` has mass_ratio
-        (0: driven), period_s, damping_ratio.
+    All periods at the configured damping, further dampings at its T1; `about` has mass_ratio (0:
+    driven), period_s, damping_ratio.
     """
     facade, chain = case["facade"], case["smdof"]
     own_mass = facade["density_kg_m3"] * facade["height_m"] * facade["thickness_m"]
@@ -170,23 +141,9 @@ def mean_intensity(pga_g, share):
 
 
 def measured(runs, spread, planar, slope=SLOPE):
-    """Collapse intensities and probability of one curve that was run.
+    """Collapse intensities of one curve that was run, with pga_mean_g, and its `from_scan`.
 
-    Parameters
-    ----------
-    runs : DataFrame
-        pga_g, status, collapsed; by the planar solver's scan or by YADE alone.
-    spread : float
-        See `probability.probability`.
-    slope : float
-        Of the hazard, see `equivalent`.
-
-    Returns
-    -------
-    dict
-        Of `probability.summary`, and pga_mean_g.
-    DataFrame
-        pga_g, probability, realisations.
+    `runs` are those of the planar solver's scan, or of YADE alone.
     """
     found = probability.summary(runs if planar else None, runs, (), spread, slope)
     dense = probability.from_scan(runs, spread)
@@ -194,20 +151,10 @@ def measured(runs, spread, planar, slope=SLOPE):
 
 
 def from_probabilities(table, slope=SLOPE):
-    """Collapse intensities of one curve of which only probabilities are known.
+    """Collapse intensities of one curve of which only probabilities are known, and its runs.
 
-    Parameters
-    ----------
-    table : DataFrame
-        Columns of tables/collapse_probability.csv; YADE's share where the planar one is blank, its
-        columns may be missing.
-    slope : float
-        Of the hazard, see `equivalent`.
-
-    Returns
-    -------
-    dict
-        pga_collapse_g … pga_all_g, pga_equivalent_g, pga_mean_g, runs.
+    Columns of tables/collapse_probability.csv; YADE's share where the planar one is blank, its
+    columns may be missing.
     """
     table = table.reindex(columns=probability.PROBABILITY_COLUMNS).sort_values("pga_g")
     share = table["probability"].fillna(table["probability_yade"])
@@ -227,20 +174,10 @@ def from_probabilities(table, slope=SLOPE):
 
 
 def compared(capacity, reference):
-    """Add what each model stands over what the reference stands, by measure.
+    """Add what each model stands over what the reference stands, by the measures of `SIDE` known.
 
-    Parameters
-    ----------
-    capacity : DataFrame
-        model, record, direction and the intensities of `SIDE`, as far as known.
-    reference : str
-        A model of it; where it is missing the ratios are blank.
-
-    Returns
-    -------
-    DataFrame
-        With reference, ratio_collapse … ratio_mean, side ("safe", "unsafe"; of the median, within
-        its own scatter "even").
+    ratio_collapse … ratio_mean are blank where the reference is missing; side is "safe" or "unsafe"
+    of the median, within its own scatter "even".
     """
     table = capacity.reset_index(drop=True).copy()
     names = [name for name in SIDE if f"pga_{name}_g" in capacity]
@@ -259,10 +196,7 @@ def compared(capacity, reference):
 def pairs(capacity, reference):
     """Every one-way coupled model over its two-way counterpart, then each over the reference.
 
-    Returns
-    -------
-    DataFrame
-        See `compared`; a pair that is both stands once.
+    See `compared`; a pair that is both stands once.
     """
     there, found = list(capacity["model"].unique()), []
     for kind in (MODELS[name] for name in there if name in MODELS):
@@ -278,13 +212,8 @@ def losses(capacity):
     """How much of the capacity the building takes, and how much of that its assumption.
 
     The loss is 1 − W2/W1 as the study has it, driven, and 1 − W2m/W1 with walls that feel the
-    façade; the second is what the building's motion takes, the rest is the assumption.
-
-    Returns
-    -------
-    DataFrame
-        record, direction, measure, pga_w1_g, pga_w2_g, pga_w2m_g, loss_one_way, loss_two_way,
-        assumption; curves of which all three are known.
+    façade; the second is what the building's motion takes, the rest is the assumption. Of curves
+    and measures of which all three are known.
     """
     rows = []
     for measure in ("collapse", "equivalent", "median", "mean", "all"):
@@ -306,13 +235,7 @@ def losses(capacity):
 
 
 def spread_of(table, columns, by):
-    """How ratios spread by group and measure, those of which any is known.
-
-    Returns
-    -------
-    DataFrame
-        by, measure, then SPREAD: 10, 50 and 90 %, share_unsafe (ratio above 1).
-    """
+    """How ratios spread by group and measure, those of which any is known; see SPREAD."""
     wide = table.set_index(by)[columns].rename(columns=lambda name: name.removeprefix("ratio_"))
     long = wide.stack(future_stack=True).rename_axis([*by, "measure"]).reset_index(name="ratio")
     found = spread(long, [*by, "measure"], SPREAD)

@@ -37,19 +37,10 @@ COLUMNS = ["facade", "base", "model", "record", "direction", *PGA, "runs_planar"
 
 
 def design(settings):
-    """Façades of the design.
+    """Façades of the design of section atlas: facade (from 1 on), and `DIMENSIONS`.
 
-    Parameters
-    ----------
-    settings : dict
-        Section atlas: facades (their number), seed, ranges (two ends by name of `DIMENSIONS`).
-
-    Returns
-    -------
-    DataFrame
-        facade (from 1 on), `DIMENSIONS`: height [m], h/b, E [MPa], ρ [kg/m³], friction of both
-        joints [°], T1 [s], mass of the building over the façade's, width [m], masses of the chain,
-        β over that of the case's law.
+    h [m], h/b, E [MPa], ρ [kg/m³], friction of both joints [°], T1 [s], mass of the building over
+    the façade's, width [m], masses of the chain, β over that of the case's law.
     """
     from scipy.stats import qmc  # slow to load, and a plan needs none
 
@@ -78,20 +69,8 @@ def mass_kg(row):
 def facade(case, row, changes=None, law=LAW_FILE):
     """Case of a façade of the design: its return walls are as thick as itself.
 
-    Parameters
-    ----------
-    case : Case
-    row : mapping
-        Of `design`.
-    changes : dict, optional
-        More new values by dotted key, as of another base.
-    law : path
-        Coefficients of the law of β.
-
-    Returns
-    -------
-    Case
-        With β by the case's law for these dimensions, times `beta_factor`.
+    β is that of the case's law for these dimensions, times `beta_factor`; `changes` are more new
+    values by dotted key, as of another base.
     """
     b = row["height_m"] / row["slenderness"]
     varied = case.varied(
@@ -118,21 +97,7 @@ def facade(case, row, changes=None, law=LAW_FILE):
 
 
 def described(case, table, law=LAW_FILE):
-    """`formula.groups.DIMENSIONS` of the façades of a design.
-
-    Parameters
-    ----------
-    case : Case
-        Of a model that knows all of them.
-    table : DataFrame
-        Of `design`.
-    law : path
-
-    Returns
-    -------
-    DataFrame
-        By facade.
-    """
+    """`formula.groups.DIMENSIONS` of the façades of a design, by facade; the case has them all."""
     rows = [dimensions(facade(case, row, law=law)) for row in table.to_dict("records")]
     return pd.DataFrame(rows, index=pd.Index(table["facade"], name="facade"))
 
@@ -140,17 +105,7 @@ def described(case, table, law=LAW_FILE):
 def parts(settings, records):
     """Base, number and record of every piece of the design: the run's own base, then the others'.
 
-    Parameters
-    ----------
-    settings : dict
-        Section atlas.
-    records : list of str
-        Of the run; a row of `others` may take the first ones alone.
-
-    Returns
-    -------
-    list of dict
-        base, piece, record.
+    A row of `others` may take the first records of the run alone.
     """
     bases = [(OWN, settings["facades"], None)]
     bases += [(row["name"], row["facades"], row["records"]) for row in settings["others"]]
@@ -163,26 +118,10 @@ def parts(settings, records):
 
 
 def collapse(cases, motion, directions, settings, base=OWN, piece=1, law=LAW_FILE):
-    """Where a piece of the design collapses under a motion.
+    """Where a piece of the design, from 1 on, collapses under a motion: COLUMNS.
 
-    Parameters
-    ----------
-    cases : list of Case
-        One a model; of each, façade and building are varied.
-    motion : Motion
-    directions : sequence of str
-    settings : dict
-        Section atlas; how many façades there are decides nothing.
-    base : str
-        Name of a row of `others`, or `OWN`.
-    piece : int
-        From 1 on.
-    law : path
-
-    Returns
-    -------
-    DataFrame
-        COLUMNS.
+    Façade and building of each case are varied; `base` is a row of `others`, or `OWN`. How many
+    façades section atlas has decides nothing.
     """
     changes = {} if base == OWN else _of_base(settings, base)
     drawn = design({**settings, "facades": PIECE * piece}).iloc[-PIECE:]

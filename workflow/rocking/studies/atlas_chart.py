@@ -17,20 +17,7 @@ COMMON = {  # of the lines; what hardly matters stands in the middle of its limi
 
 
 def lines(law, model, points=40):
-    """Heights [m], and the formula's median and dispersion along them by slenderness and period.
-
-    Parameters
-    ----------
-    law : dict
-        Of `formula.law.read`.
-    model : str
-    points : int
-
-    Returns
-    -------
-    heights : ndarray, shape (points,)
-    found : dict of (float, float) to (ndarray, float)
-    """
+    """Heights [m], and the formula's median and dispersion along them by slenderness and period."""
     low, high = law["limits"]["height_m"]
     heights = np.linspace(low, high, points)
     found = {}

@@ -74,18 +74,7 @@ def variants():
 
 
 def static(facades=None):
-    """Static curves λ(d) of façades: rigid, the column, twenty courses, the block on either base.
-
-    Parameters
-    ----------
-    facades : dict of str to (h_m, b_m, density_kg_m3, e_mpa), or None
-        None: `FACADES`.
-
-    Returns
-    -------
-    DataFrame
-        STATIC.
-    """
+    """Static curves λ(d) of `FACADES` or others: rigid, the column, twenty courses, either base."""
     parts = []
     for name, (h, b, density, e_mpa) in (facades or FACADES).items():
         gamma, ratio = column.compliance(h, b, density, 1e6 * e_mpa), b / h
@@ -106,13 +95,9 @@ def static(facades=None):
 
 
 def walls(case):
-    """Façades under which models are compared: the case's own, a stiff one and a slender one.
+    """Yield name and case of façades that are compared: the case's own, a stiff and a slender one.
 
     The others have return walls as thick as they are, and β by eq. 5.
-
-    Yields
-    ------
-    tuple of str and Case
     """
     yield OWN, case
     for name in SHAKEN:
@@ -136,13 +121,10 @@ def costed(case, motion, direction, step=None):
 
 
 def collapse(case, motion, direction):
-    """Collapse of walls, of the block on either base and of stacks, under one motion.
+    """Collapse of walls, of the block on either base and of stacks, under one motion: COLUMNS.
 
-    Returns
-    -------
-    DataFrame
-        COLUMNS; ratio of pga_median_g to that of the wall (`WALL`), with what the scatter of both
-        leaves of it; processor time. `HALF` is the chosen stack at half its step.
+    ratio is of pga_median_g to that of the wall (`WALL`), with what the scatter of both leaves of
+    it. `HALF` is the chosen stack at half its step.
     """
     found = [of_wall(name, own, motion, direction) for name, own in walls(case)]
     return pd.concat(found, ignore_index=True)

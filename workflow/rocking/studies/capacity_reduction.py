@@ -21,7 +21,7 @@ COLUMNS += ["pga_w1_g", "pga_w2_g", "ratio", "ratio_equivalent", "censored"]
 def capacity(curve, scan, spread, slope=SLOPE):
     """PGA at which half collapse, or the highest intensity that stood; whether it is that.
 
-    Last the equivalent PGA, NaN where nothing fell; its hazard falls with the given slope.
+    Last the equivalent PGA, NaN where nothing fell.
     """
     row = probability.summary(scan, curve, (), spread, slope)
     censored = np.isnan(row["pga_median_g"])
@@ -32,16 +32,8 @@ def capacity(curve, scan, spread, slope=SLOPE):
 def capacities(curves, scans, confirmed, spread, slope=SLOPE):
     """Yield name of the curve's file, its key and its capacity, of every curve.
 
-    Parameters
-    ----------
-    curves, scans : sequence of path
-        Where YADE's runs of a curve are, if it is confirmed, and its dense scan.
-    confirmed : collection of path
-        Curves that YADE ran.
-    spread : float
-        Of amplitudes, see `probability.probability`.
-    slope : float
-        Of the hazard, see `equivalent.equivalent`.
+    `curves` are paths of YADE's runs of a curve, of those that are `confirmed`, `scans` of its
+    dense scan.
     """
     known = set(map(str, confirmed))
     for path, at in zip(curves, scans, strict=True):
@@ -51,23 +43,12 @@ def capacities(curves, scans, confirmed, spread, slope=SLOPE):
 
 
 def ratios(alone, behind, facts, sources):
-    """Capacity behind buildings over that without one.
+    """Capacity behind buildings (W2) over that without one (W1), both of `capacities`: COLUMNS.
 
-    Parameters
-    ----------
-    alone, behind : iterable
-        Of W1 and W2, see `capacities`.
-    facts : sequence of path
-        What is known of every motion, beside the curves of its building under the record's name:
-        t1_s, base_height_ratio, peaks of the ground (pga_g) and the façade's base (base_peak_g).
-    sources : dict of str to str
-        Source of every record.
-
-    Returns
-    -------
-    DataFrame
-        COLUMNS; intensities in PGA, ratio of half collapse, ratio_equivalent of the equivalent PGA.
-        Curves whose every run failed are left out; censored where one of the two never collapsed.
+    `facts` are paths of what is known of every motion, beside the curves of its building under the
+    record's name: t1_s, base_height_ratio, peaks of the ground (pga_g) and the façade's base
+    (base_peak_g). Intensities are in PGA, ratio is of half collapse. Curves whose every run failed
+    are left out; censored where one of the two never collapsed.
     """
     first = {key[1:]: found for _, key, found in alone}
     motions = {str(path): read_json(path) for path in facts}

@@ -22,20 +22,10 @@ REDUCTION, TOLERANCE = 0.60, 0.10  # the study's 60 %, and how near to it is cal
 
 
 def capacities(collapse, number=one_number):
-    """Collapse PGA [g] by case ("RRS228-") and model, and the width of its bracket.
+    """Collapse PGA [g] by case ("RRS228-") and model, the width of its bracket, and its bound.
 
-    Parameters
-    ----------
-    collapse : DataFrame
-        Contract of tables/ida_collapse.csv.
-    number : callable
-        PGA of a curve by which it is compared.
-
-    Returns
-    -------
-    capacity, width, bound : DataFrame
-        Index case, columns models. Capacity is nan where nothing collapsed; bound is the
-        largest intensity that was survived there, nan elsewhere.
+    `number` says by what a curve is compared. Capacity is NaN where nothing collapsed; the bound is
+    the largest intensity that was survived there, NaN elsewhere.
     """
     table = collapse.copy()
     sign = table["direction"].map({"pos": "+", "neg": "-"})
@@ -89,21 +79,10 @@ def _compare(found, first, second, want, strict=False):
 
 
 def evaluate(collapse, static_peak, agreement=None):
-    """Evaluate every claim of section 4 on one set of records.
+    """Statements of every claim of section 4 on one set of records' curves, if its models were run.
 
-    Parameters
-    ----------
-    collapse : DataFrame
-        Rows of tables/ida_collapse.csv of these records.
-    static_peak : dict of str to float
-        Peak λ of the pushover by model.
-    agreement : dict of str to (float, str), optional
-        λ0 of the pushover over the kinematic one by model, and the rule it was pushed with.
-
-    Returns
-    -------
-    list of dict
-        See `rocking.statements`; claims whose models were not run are left out.
+    `static_peak` is the peak λ of the pushover by model, `agreement` λ0 of it over the kinematic
+    one, and the rule it was pushed with.
     """
     found = capacities(collapse)
     capacity = found[0]
@@ -275,22 +254,7 @@ def _against_static(capacity, peak, records, near):
 
 
 def table(collapse, static_peak, sources, agreement=None):
-    """Contract of tables/claims.csv.
-
-    Parameters
-    ----------
-    collapse : DataFrame
-        tables/ida_collapse.csv.
-    static_peak, agreement : dict
-        See `evaluate`.
-    sources : dict of str to str
-        "surrogate" or "file" by record.
-
-    Returns
-    -------
-    DataFrame
-        Columns of `rocking.statements`; records: names, and where from.
-    """
+    """Contract of tables/claims.csv: `evaluate` by source of the records, with their names."""
     rows = []
     for source in sorted(set(sources.values())):
         names = [name for name, where in sources.items() if where == source]

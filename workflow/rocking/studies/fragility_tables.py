@@ -26,27 +26,12 @@ SLOPES = ["model", "im", "against", "slope", "ci_low", "ci_high", "sufficient", 
 
 
 def brackets(curves, dense, factors, measures, stations_of, slope):
-    """Collapse of every curve as weighted intervals in every measure, by both readings.
+    """Collapse of every curve as weighted intervals in every measure, by both readings: BRACKETS.
 
-    Parameters
-    ----------
-    curves, dense : DataFrame
-        `tables/ida_collapse.csv` and `tables/collapse_probability.csv` of a run.
-    factors : dict of dict
-        Measure over PGA [unit of the measure/g], by record and name of the measure.
-    measures : sequence of str
-        Names of `records.intensity_measures.MEASURES`.
-    stations_of : mapping
-        Station by record.
-    slope : float
-        Of the hazard by which a curve that stands again above a collapse is read, see
-        `probability.brackets`.
-
-    Returns
-    -------
-    DataFrame
-        Columns BRACKETS; low = 0 and high = ∞ where open, weights of a curve and reading sum to
-        one.
+    `curves` and `dense` are tables/ida_collapse.csv and collapse_probability.csv; `factors` the
+    measure over PGA [unit of the measure/g] by record and name; the slope is that of the hazard by
+    which a curve that stands again above a collapse is read, see `probability.brackets`. low = 0
+    and high = ∞ where open, weights of a curve and reading sum to one.
     """
     rows = []
     for key, table, row in by_curve(curves, dense):
@@ -68,20 +53,9 @@ def by_curve(curves, dense):
 
 
 def shares(curves, dense, per_pga):
-    """Collapse probability of every curve against a measure.
+    """Collapse probability of every curve against a measure: intensity and share by its key.
 
-    Parameters
-    ----------
-    curves, dense
-        As of `brackets`.
-    per_pga : mapping
-        Measure over PGA by record.
-
-    Returns
-    -------
-    dict
-        By key of the curve: intensity and share, see `probability.dense_share`; without curves of
-        which every run failed.
+    See `probability.dense_share`; without curves of which every run failed.
     """
     found = {
         key: (per_pga[row["record"]], *probability.dense_share(table, row))
@@ -91,18 +65,9 @@ def shares(curves, dense, per_pga):
 
 
 def share_at(of_curves, intensity):
-    """Share of curves that fall at intensities, each by its own probability there.
+    """Share of curves (`shares`) that fall at intensities (n,), each by its own probability there.
 
-    Parameters
-    ----------
-    of_curves : iterable of (intensity, share)
-        See `shares`.
-    intensity : array_like, shape (n,)
-
-    Returns
-    -------
-    ndarray, shape (n,)
-        NaN above what some curve was run to without falling for good there.
+    NaN above what some curve was run to without falling for good there.
     """
     at, rows = np.asarray(intensity, float), []
     for x, share in of_curves:
@@ -114,22 +79,12 @@ def share_at(of_curves, intensity):
 
 
 def fits(table, settings):
-    """Fitted fragilities, how efficient the measures are, and the fitted curves.
+    """Rows of fitted fragilities, of how efficient the measures are, and of the fitted curves.
 
-    Parameters
-    ----------
-    table : DataFrame
-        See `brackets`.
-    settings : dict
-        Section fragility: measures, confidence, resamples, min_stations; seed.
-
-    Returns
-    -------
-    fits, efficiency, curves : list of dict
-        Rows with the columns FITS, EFFICIENCY and CURVES, by the share that falls at an intensity;
-        median_first and dispersion_first are those of first crossings. NaN where the brackets
-        determine no fit. less_than_pga is the share of resamples with less dispersion than by PGA;
-        it and all intervals are NaN from too few stations (`rocking.stations`).
+    They are FITS, EFFICIENCY and CURVES, by the share that falls at an intensity; median_first and
+    dispersion_first are those of first crossings. NaN where the brackets determine no fit.
+    less_than_pga is the share of resamples with less dispersion than by PGA; it and all intervals
+    are NaN from too few stations (`rocking.stations`).
     """
     confidence, rows, efficiency, curves = settings["confidence"], [], [], []
     for model, of_model in table.groupby("model", sort=False):
@@ -190,23 +145,11 @@ def remark(found, part, settings):
 
 
 def slopes(curves, factors, properties, settings, stations_of):
-    """Whether the collapse intensity in each measure still depends on what the motion is.
+    """Whether the collapse intensity in each measure still depends on what the motion is: SLOPES.
 
-    That of a curve is its equivalent one, by the same reading as the fits.
-
-    Parameters
-    ----------
-    curves, factors, stations_of
-        As of `brackets`.
-    properties : dict of dict
-        See `sufficiency.properties`, by record.
-    settings : dict
-        As of `fits`.
-
-    Returns
-    -------
-    DataFrame
-        Columns SLOPES; sufficient is 1 where the interval of the slope holds zero.
+    That of a curve is its equivalent one, by the same reading as the fits; `properties` are those
+    of `sufficiency.properties` by record. sufficient is 1 where the interval of the slope holds
+    zero.
     """
     rows = []
     draws = (settings["confidence"], settings["resamples"], settings["seed"])

@@ -89,16 +89,7 @@ def shaped(record, dt_s=None, duration_s=None):
 
 
 def verdict_of(model, changes, record, direction):
-    """What becomes of one cell: verdict, why, and the numbers behind it (COLUMNS from verdict on).
-
-    Parameters
-    ----------
-    model : str
-    changes : dict
-        Sections of the configuration.
-    record : rocking.records.Record
-    direction : str
-    """
+    """What becomes of one cell: verdict, why, and the numbers behind it, the rest of COLUMNS."""
     try:
         case = Case.configured(model, changes)
         given = "planar", case, Motion(record), direction

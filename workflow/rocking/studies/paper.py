@@ -16,17 +16,8 @@ CLAIMS = ("claims_building", "claims_calibration", "claims")
 def value(table, spec):
     """One number of a table, as text; without the table, its record or its model: not run.
 
-    Parameters
-    ----------
-    table : DataFrame or None
-    spec : dict
-        where (column: value), column, digits; of several rows the one with the largest value of
-        `largest`, or their `sum`, or their `count`.
-
-    Raises
-    ------
-    ValueError
-        If no row, or more than one, is left.
+    `spec` has where (column: value), column, digits; of several rows the one with the largest value
+    of `largest`, or their `sum`, or their `count`. ValueError if no row, or more than one, is left.
     """
     if table is None:
         return NOT_RUN
@@ -45,19 +36,9 @@ def value(table, spec):
 
 
 def row(entry, tables):
-    """One row of the page.
+    """One row of the page: of an entry of docs/study.yaml, and tables of the run by name.
 
-    Parameters
-    ----------
-    entry : dict
-        Of docs/study.yaml.
-    tables : dict of str to DataFrame
-        By name; those that the run did not make are missing.
-
-    Raises
-    ------
-    ValueError
-        If the entry is unknown to the tables of claims, or has no verdict.
+    ValueError if the entry is unknown to the tables of claims, or has no verdict.
     """
     here, met = [], entry.get("met")
     if "here" in entry:
@@ -170,20 +151,7 @@ def figures(data):
 
 
 def page(data, tables, about):
-    """The page as Markdown.
-
-    Parameters
-    ----------
-    data : dict
-        docs/study.yaml.
-    tables : dict of str to DataFrame
-    about : str
-        Which run, and how to make the page again.
-
-    Returns
-    -------
-    str
-    """
+    """The page as Markdown; `about` says which run, and how to make the page again."""
     rows = [entry for section in data["sections"] for entry in section["rows"]]
     verdicts = [row(entry, tables).split(" | ")[-2] for entry in rows]
     count = ", ".join(f"{verdicts.count(word)} {word}" for word in dict.fromkeys(verdicts))

@@ -52,13 +52,7 @@ FELL, STOOD = "fell", "stood"
 
 
 def read(folder):
-    """Specimen and runs of a prediction.
-
-    Raises
-    ------
-    ConfigError
-        One line with the file, its key and what was expected.
-    """
+    """Specimen and runs of a prediction; ConfigError of one line names file and key."""
     path = Path(folder) / "specimen.yaml"
     specimen = yaml.safe_load(path.read_text("utf-8"))
     missing = [key for key in ("title", "source", "kind", "variants") if key not in specimen]
@@ -84,15 +78,10 @@ def velocity_file(path, time_0_s=0.0):
 
 
 def table_motion(specimen, row, folder):
-    """Motion of a run: its file, its motion's strongest one scaled, or without a folder a stand-in.
+    """Times, acceleration and source of a run's motion; None where the folder has none.
 
-    None where the folder has neither.
-
-    Returns
-    -------
-    time_s, acceleration_m_s2 : ndarray
-    source : str
-        "file", "scaled" or the stand-in's name.
+    It is that of its file ("file"), its motion's strongest one ("scaled"), or without a folder a
+    stand-in, by its name.
     """
     about = specimen["motions"]
     strongest = about["strongest"][row["motion"]]
@@ -114,13 +103,9 @@ def table_motion(specimen, row, folder):
 
 
 def shifted(time_s, acceleration, amplification, phase_deg):
-    """A motion with a pause on either side, and it amplified with all its phases shifted.
+    """Times of a motion with a pause on either side, it, and it amplified with all phases shifted.
 
     Both without what is slower than SLOWEST_HZ, so that they do not drift apart.
-
-    Returns
-    -------
-    time_s, foot, top : ndarray
     """
     step = time_s[1] - time_s[0]
     pause = np.zeros(round(PAUSE_S / step))
@@ -261,18 +246,8 @@ def foot_and_top(specimen, runs, folder, in_yade):
 def run(folder, motions=None, in_yade=False):
     """Write the tables of a prediction, and digests of what was stated and of them.
 
-    Parameters
-    ----------
-    folder : path
-    motions : path or None
-        Folder of the motions that may not be passed on.
-    in_yade : bool
-        Run the first variants in YADE too.
-
-    Returns
-    -------
-    DataFrame
-        variant, run, …, members, fell, probability: of members how many fell.
+    `motions` is the folder of those that may not be passed on; `in_yade`, the first variants run in
+    YADE too. A row says of how many members how many fell.
     """
     folder = Path(folder)
     specimen, runs = read(folder)
@@ -305,11 +280,8 @@ def unchanged(folder):
 def outcomes_of(path, runs):
     """Rows of outcomes.csv that state an outcome.
 
-    Raises
-    ------
-    ConfigError
-        One line if it is no such table, or names a run twice, one that was not predicted (`runs`)
-        or something else than a fall or a stand.
+    ConfigError of one line if it is no such table, or names a run twice, one that was not predicted
+    (`runs`) or something else than a fall or a stand.
     """
     try:
         outcomes = pd.read_csv(path, comment="#")
@@ -333,17 +305,10 @@ def outcomes_of(path, runs):
 def score(folder):
     """Set a prediction against outcomes.csv, by variant, how and solver.
 
-    Returns
-    -------
-    DataFrame
-        runs, fell, foreseen (sum of probabilities), brier: mean of (probability − outcome)², 0.25
-        for a coin; likelihood: geometric mean of the probability of what happened, with one more
-        stand and fall than was computed, so that a member less or more does not make it 0.
-
-    Raises
-    ------
-    ConfigError
-        If the stated parameters or the table were changed, or an outcome is none.
+    foreseen is the sum of probabilities; brier the mean of (probability − outcome)², 0.25 for a
+    coin; likelihood the geometric mean of the probability of what happened, with one more stand and
+    fall than was computed, so that a member less or more does not make it 0. ConfigError if the
+    stated parameters or the table were changed, or an outcome is none.
     """
     folder = Path(folder)
     for name, same in unchanged(folder).items():

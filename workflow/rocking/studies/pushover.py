@@ -64,12 +64,9 @@ def variant(config, name):
 
 
 def laid(config):
-    """Names of the variants whose bricks can be laid in a façade; those of `config` itself must be.
+    """Names of the variants whose bricks can be laid in a façade; those of `config` must be.
 
-    Raises
-    ------
-    ValueError
-        See `interlocking.check`.
+    ValueError: see `interlocking.check`.
     """
     interlocking.check(config)
     names = []
@@ -89,16 +86,11 @@ def theta_of(d_over_b, facade):
 
 
 def closed_form(d_over_b, config, model):
-    """Kinematic curves of a model on a rigid base, and the same on the compliant base.
+    """Kinematic curves of a model, upper and lower, and their shift on the compliant base.
 
     The compliant base shifts every curve by what it takes from the block alone,
-    `capacity_compliant_base` − tan(α − θ): the reaction stands inside the toe by a
-    third of the width in contact, whatever else holds the façade.
-
-    Returns
-    -------
-    upper, lower, shift : ndarray
-        Lower is nan for models without interlocking.
+    `capacity_compliant_base` − tan(α − θ): the reaction stands inside the toe by a third of the
+    width in contact, whatever else holds the façade. Lower is NaN without interlocking.
     """
     facade, wall = config["facade"], config["return_wall"]
     refuse(facade, "the kinematic curve")
@@ -150,16 +142,10 @@ def complete_curve(raw, config, model):
 def summary(curve, reach=0.5, bonded=False):
     """Peak, back-extrapolated λ0 and place between the bounds, up to d/b = `reach`.
 
-    λ0 is the largest smoothed λ corrected for the base's compliance: with a rigid base
-    the kinematic curve starts at its largest value. A bonded contact (W1c) has a peak
-    of its own and no λ0.
-
-    Returns
-    -------
-    dict
-        lambda_peak, d_over_b_peak, lambda0_dem, lambda0_kinematic, ratio, and
-        d_over_b_inside: from where on the corrected curve lies between the bounds
-        (with 1 % of λ0 for the saw tooth), nan for models without bounds.
+    λ0 is the largest smoothed λ corrected for the base's compliance: with a rigid base the
+    kinematic curve starts at its largest value. A bonded contact (W1c) has a peak of its own and no
+    λ0. From d_over_b_inside on the corrected curve lies between the bounds (with 1 % of λ0 for the
+    saw tooth); NaN for models without bounds.
     """
     part = curve[(curve["d_over_b"] <= reach) & (curve["d_over_b"] >= 0.0)]
     d = part["d_over_b"].to_numpy()
@@ -188,11 +174,8 @@ def summary(curve, reach=0.5, bonded=False):
 def joint_forces(forces, config):
     """Normal force of every bed joint along the push, beside the weight above the overlap.
 
-    Returns
-    -------
-    DataFrame
-        d_over_b, course (below the joint), z_m, normal_n (of one wall), weight_n
-        (γ·t_s·v·h_b·i with i courses above: what the kinematic curve assumes), ratio.
+    course is that below the joint, normal_n of one wall, weight_n γ·t_s·v·h_b·i with i courses
+    above: what the kinematic curve assumes.
     """
     beds = forces[forces["joint"].str.contains(r" bed \d+ ")].copy()
     beds["wall"] = beds["joint"].str.replace(r" bed .*", "", regex=True)

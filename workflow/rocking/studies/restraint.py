@@ -30,41 +30,18 @@ def variants(height_m, settings):
 
 
 def collapse(case, motion, direction, settings):
-    """Collapse intensities by load and friction, those without a load first.
+    """Collapse intensities by load and friction of section restraint, those without a load first.
 
-    Parameters
-    ----------
-    case : Case
-        Of a model with a planar counterpart.
-    motion, direction
-        See `collapse_curve`.
-    settings : dict
-        Section restraint: loads_kn, frictions.
-
-    Returns
-    -------
-    DataFrame
-        COLUMNS; capacity_kn is μ P.
+    COLUMNS; capacity_kn is μ P.
     """
     roofs = variants(case["facade"]["height_m"], settings)
     return pd.DataFrame(collapses([case], motion, [direction], SCANNED, roofs), columns=COLUMNS)
 
 
 def to_confirm(case, motion, table, settings):
-    """What YADE's study `runs` is to confirm: the largest load with least and most friction.
+    """For YADE's command `runs`: the largest load with least and most friction.
 
-    Parameters
-    ----------
-    case, motion, settings
-        As of `collapse`.
-    table : DataFrame
-        Of `collapse`.
-
-    Returns
-    -------
-    dict
-        ahead, columns of YADE's table; cases below and above collapse, realisations of an ensemble
-        each; none beyond what was scanned.
+    Below and above collapse, realisations of an ensemble each; none beyond what was scanned.
     """
     most = table[table["load_kn"] == table["load_kn"].max()]
     height = case["facade"]["height_m"]
@@ -109,15 +86,7 @@ def _draw_panel(axis, found, yade):
 
 @drawing
 def draw(tables, yade, record):
-    """Draw collapse PGA against the friction of a loaded roof, a panel a model, with YADE's runs.
-
-    Parameters
-    ----------
-    tables, yade : list of DataFrame
-        Of `collapse`, and of YADE's runs, by model.
-    record : dict
-        Provenance of the record.
-    """
+    """Draw collapse PGA against the friction of a loaded roof, a panel a model, and YADE's runs."""
     from rocking.figures import style
     from rocking.figures.panels import panels
 

@@ -35,14 +35,7 @@ BESIDE = {"d_over_b_planar": ".6f", "status_planar": ""}
 
 
 def variants(settings, first):
-    """The façade as it is, then after the first shock at every stated PGA.
-
-    Parameters
-    ----------
-    settings : dict
-        Section sequence: first_pga_g, pause_s.
-    first : Motion
-    """
+    """The façade as it is, then after the first shock at every PGA of section sequence."""
     levels = [0.0, *settings["first_pga_g"]]
     pause = {"first": first, "pause_s": settings["pause_s"]}
     return [
@@ -87,22 +80,11 @@ def after_first(case, motion, direction):
 
 
 def collapse(case, second, direction, first, settings):
-    """Collapse of the second shock after the first, by the first one's PGA.
+    """Collapse of the second shock after the first, by the first one's PGA: COLUMNS.
 
-    Parameters
-    ----------
-    case, second, direction
-        As of `collapse_curve`.
-    first : Motion
-    settings : dict
-        Section sequence.
-
-    Returns
-    -------
-    DataFrame
-        COLUMNS; ratio of pga_median_g to that of the façade as it is, blank where the first shock
-        alone overturns it or nothing falls up to ida.max_pga_g; ratio_low and ratio_high with each
-        of the two where its own realisations leave it, blank where they leave it open.
+    ratio is of pga_median_g to that of the façade as it is, blank where the first shock alone
+    overturns it or nothing falls up to ida.max_pga_g; ratio_low and ratio_high with each of the two
+    where its own realisations leave it, blank where they leave it open.
     """
     rows = collapses([case], second, [direction], after_first, variants(settings, first))
     table = pd.DataFrame(rows).reindex(columns=COLUMNS)
@@ -110,14 +92,9 @@ def collapse(case, second, direction, first, settings):
 
 
 def to_confirm(case, second, table, first, settings):
-    """What YADE's study `runs` is to confirm: undamaged, and after the strongest shock it survived.
+    """For YADE's command `runs`: undamaged, and after the strongest shock that it survived.
 
     Each below and above the second's collapse, with the planar solver's answer.
-
-    Returns
-    -------
-    dict
-        ahead and beside, columns of YADE's table; cases, of two runs each.
     """
     stood = table[(table["fell_first"] == 0) & table["pga_median_g"].notna()]
     chosen = stood.iloc[sorted({0, len(stood) - 1})] if len(stood) else stood
@@ -141,13 +118,10 @@ def to_confirm(case, second, table, first, settings):
 
 
 def summary(table):
-    """Spread of the ratios by model and the first shock's PGA.
+    """Spread of the ratios by model and the first shock's PGA: BY, then SPREAD.
 
-    Returns
-    -------
-    DataFrame
-        BY, then SPREAD: median, least and largest ratio; below_095, the share that loses over
-        5 %. Where the first shock alone overturns the façade it counts in n_fell_first.
+    below_095 is the share that loses over 5 %. Where the first shock alone overturns the façade it
+    counts in n_fell_first.
     """
     damaged = table[table["first_pga_g"] > 0.0]
     found = spread(damaged, BY, SPREAD)

@@ -15,21 +15,11 @@ FITTED = {E_KEY: (1.0, 1e7), "floors.stiffness_kn_m": (1.0, 1e9)}  # what a peri
 
 
 def case(specimen, changes=(), height_m=None):
-    """A variant of a specimen as a case file, its parameters found.
+    """A variant of a specimen as a case file, its parameters found; see `models.build_scene`.
 
-    Parameters
-    ----------
-    specimen : dict
-    changes : mapping
-        By dotted key of a section ("facade.friction_deg"), of every floor ("floors.load_kn"), or
-        "damping".
-    height_m : float or None
-        Of a block, where they differ from run to run.
-
-    Returns
-    -------
-    dict
-        Sections, model, beta_s and observed_m, see `models.build_scene`.
+    Changes are by dotted key of a section ("facade.friction_deg"), of every floor
+    ("floors.load_kn"), or "damping"; `height_m` is that of a block, where they differ from run to
+    run.
     """
     from rocking.mechanics.blocks import weakest_hinge
 
@@ -76,20 +66,9 @@ def first_frequency(job):
 
 
 def fit_period(job, period_s, path=E_KEY):
-    """Set what one key says so that the assembled case has a first period.
+    """Set what one key of FITTED says so that the assembled case has a first period; in place.
 
-    Parameters
-    ----------
-    job : dict
-        Changed in place.
-    period_s : float
-    path : str
-        A key of FITTED.
-
-    Raises
-    ------
-    ConfigError
-        If no value of it has that period, as where another part alone is too soft.
+    ConfigError if no value of it has that period, as where another part alone is too soft.
     """
     from scipy.optimize import brentq
 
@@ -119,11 +98,7 @@ def bounce_frequency(job):
 def beta_for(job, damping):
     """β [s]: stated, 2ζ/ω of the first mode or of the bounce on the base, or by a law of β.
 
-    Parameters
-    ----------
-    job : dict
-    damping : dict
-        A key of `validation.DAMPING`; `first_mode` and `bounce` are ζ.
+    `damping` has a key of `validation.DAMPING`; `first_mode` and `bounce` are ζ.
     """
     from rocking.mechanics.beta import beta_for as beta_by_law
 

@@ -45,14 +45,7 @@ def trial_forces(settings, levels):
 
 
 def row_of_rods(settings, height_m, force_kn):
-    """Entry of facade.ties that yields at a force: φ = 2 √(F/(n π f_y)).
-
-    Parameters
-    ----------
-    settings : dict
-        Section strengthening: count, length_m, yield_mpa, elongation, slack_mm.
-    height_m, force_kn : float
-    """
+    """Entry of facade.ties that yields at a force, by section strengthening: φ = 2 √(F/(nπf_y))."""
     area_mm2 = 1e3 * force_kn / (settings["count"] * settings["yield_mpa"])
     return {
         "height_m": float(height_m),
@@ -94,17 +87,7 @@ def forecast(settings, height_m, seconds):
 
 
 def forecast_of_heights(histories, left, seconds):
-    """What the heights take that are left, in words, if they take what those before did.
-
-    Parameters
-    ----------
-    histories : list of int
-        Of each height that is through.
-    left : int
-        Heights.
-    seconds : float
-        Processor time a history.
-    """
+    """What the heights take that are left, in words, if each takes what those before did."""
     minutes = left * np.mean(histories) * seconds / 60.0
     heights = "height that is" if left == 1 else f"{left} heights that are"
     return f"about {minutes:.2g} min of processor time for the {heights} left"
@@ -130,14 +113,9 @@ def realisations(case, motion, direction, settings):
 
 
 class Kept:
-    """What was found of each tie, in a journal, so that a broken search goes on.
+    """What was found of each tie, in a journal, so that a broken search goes on; None: in memory.
 
-    Parameters
-    ----------
-    path : path or None
-        None keeps it in memory alone.
-    key : str
-        Of what the results depend on; others in the file are left alone.
+    `key` is that of what the results depend on; others in the file are left alone.
     """
 
     def __init__(self, path, key):
@@ -172,25 +150,8 @@ def search(case, motion, direction, settings, kept=None, say=lambda text: None):
 
     Without a tie, then at each height every second force from the strongest down to the first that
     certainly does not hold (the lower end of its interval is above what is accepted), then those
-    between about where the ties cease to hold.
-
-    Parameters
-    ----------
-    case : Case
-        Of a model with a planar counterpart.
-    motion, direction
-        See `collapse_curve`.
-    settings : dict
-        Section strengthening.
-    kept : Kept, optional
-    say : callable
-        Receives a line a tie.
-
-    Returns
-    -------
-    DataFrame
-        height_m, force_kn, fell, realisations, probability, low, high (Wilson, 95 %); by height and
-        force.
+    between about where the ties cease to hold. low and high are Wilson's, 95 %. `say` receives a
+    line a tie.
     """
     kept = kept or Kept(None, "")
     heights = trial_heights(settings, case["facade"]["height_m"])
@@ -251,18 +212,8 @@ def search(case, motion, direction, settings, kept=None, say=lambda text: None):
 def least(table, probability):
     """Least force at each height from which on all stronger ones hold, and its interval.
 
-    Parameters
-    ----------
-    table : DataFrame
-        Of `search`.
-    probability : float
-        Accepted.
-
-    Returns
-    -------
-    DataFrame
-        height_m, force_kn by the share itself, force_low_kn and force_high_kn by the lower and
-        the upper end of its interval; NaN where even the largest does not hold.
+    Of a table of `search`: force_kn by the share itself, force_low_kn and force_high_kn by the
+    lower and the upper end of its interval; NaN where even the largest does not hold.
     """
     rows = []
     for height, part in table.groupby("height_m", sort=True):
@@ -282,17 +233,8 @@ def together(table):
     """Share of all motions of a run under which the façade stands with a row of ties, by its force.
 
     A motion counts from its least force on; one under which even the strongest tie does not hold
-    never does. Force 0 is the façade as it is.
-
-    Parameters
-    ----------
-    table : DataFrame
-        Rows of `least` of every curve, with model.
-
-    Returns
-    -------
-    DataFrame
-        model, height_m, force_kn, curves, share_stands.
+    never does. Force 0 is the façade as it is. The table has rows of `least` of every curve, with
+    model.
     """
     rows = []
     for (model, height), part in table.groupby(["model", "height_m"], sort=True):
@@ -319,7 +261,7 @@ def weakest(table, choice):
 
 
 def to_confirm(case, table, choice, settings):
-    """Cases for YADE's study `runs`: the ties of `weakest`, realisations of an ensemble each."""
+    """For YADE's command `runs`: the ties of `weakest`, realisations of an ensemble each."""
     return [
         {
             "about": {"height_m": round(z, 6), "force_kn": round(force, 6)},
@@ -335,19 +277,8 @@ def curve(case, motion, direction, settings, height_m, kept=None, say=lambda tex
     """Collapse intensities against the force of a row at one height.
 
     The strongest tie goes first: its scan takes longest, so the others' cost is known from above.
-
-    Parameters
-    ----------
-    kept : Kept, optional
-        Of these scans alone: its key differs from that of a search.
-    say : callable
-        Receives how many scans are due, and a line a scan.
-
-    Returns
-    -------
-    DataFrame
-        height_m, force_kn, pga_safe_g, pga_collapse_g, pga_p10_g, pga_median_g, pga_p90_g,
-        pga_all_g, pga_max_g.
+    `kept` is of these scans alone: its key differs from that of a search. `say` receives how many
+    scans are due, and a line a scan.
     """
     kept = kept or Kept(None, "")
     names = [f"pga_{name}_g" for name in ("safe", "collapse", "p10", "median", "p90", "all", "max")]

@@ -47,21 +47,10 @@ def properties(record):
 
 
 def slope(x, y, stations, confidence, resamples, seed):
-    """Slope of y on x by least squares; interval from stations drawn with replacement.
+    """`Slope` of y on x, logarithms (n,), by least squares; its interval from drawn stations.
 
-    Parameters
-    ----------
-    x, y : array_like, shape (n,)
-        Logarithms; rows without a finite value are left out.
-    stations : sequence, length n
-        Of each row; rows of one are drawn together (`rocking.stations`).
-    confidence : float
-    resamples, seed : int
-
-    Returns
-    -------
-    Slope
-        NaN with fewer than three stations or where x does not vary.
+    Rows without a finite value are left out, rows of one station drawn together
+    (`rocking.stations`). NaN with fewer than three stations or where x does not vary.
     """
     x, y, stations = np.asarray(x, float), np.asarray(y, float), np.asarray(stations)
     known = np.isfinite(x) & np.isfinite(y)

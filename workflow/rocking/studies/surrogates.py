@@ -47,12 +47,7 @@ SIDES = ("side_agrees", "n_sides", "side_recorded", "side_surrogate")
 def surrogate(record, pulses, seed):
     """Surrogate of a record with its peaks and so many of its pulses, or the most below that.
 
-    Returns
-    -------
-    Record or None
-        None where the peaks alone have no surrogate.
-    int
-        Pulses that were kept.
+    And how many were kept; None where the peaks alone have no surrogate.
     """
     peaks = measures(record)
     target = [peaks[name] for name in ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")]
@@ -80,26 +75,10 @@ def motions(record, settings, table, seed):
 
 
 def collapse(cases, motion, directions, station, settings, table, seed):
-    """Collapse of a recorded motion and of surrogates made for it, by the same scan.
+    """Collapse of a recorded motion and of surrogates made for it, by the same scan: COLUMNS.
 
-    Parameters
-    ----------
-    cases : sequence of Case
-    motion : Motion
-        Of a record without a file there are surrogates alone, by its parameters.
-    directions : iterable of str
-    station : str
-    settings : dict
-        Section surrogates.
-    table : path
-        The records table.
-    seed : int
-        Of the noise of the first draw.
-
-    Returns
-    -------
-    DataFrame
-        COLUMNS.
+    Of a record without a file there are surrogates alone, by its row of the records table. The seed
+    is that of the first draw's noise.
     """
     find, rows = partial(outcome, level_ratio=settings["level_ratio"]), []
     for what, made in motions(motion.record, settings, table, seed):
@@ -109,20 +88,9 @@ def collapse(cases, motion, directions, station, settings, table, seed):
 
 
 def outcome(case, motion, direction, level_ratio):
-    """Lowest collapse, half-probability collapse and largest amplitude of a climb [g].
+    """Lowest collapse, half-probability collapse and largest amplitude of a climb [g], or NaN.
 
     The probability at an amplitude is the share that falls within two levels of it.
-
-    Parameters
-    ----------
-    case, motion, direction
-        As of `collapse_curve`.
-    level_ratio : float
-
-    Returns
-    -------
-    dict
-        NaN where nothing fell.
     """
     how = {"level_ratio": level_ratio, "amplitude_spread": (1.0 + level_ratio) ** 2 - 1.0}
     found = intensities(case, motion, direction, search="climb", **how)
@@ -140,18 +108,9 @@ def half_of(stations):
 
 
 def pairs(table):
-    """Every surrogate beside its record.
+    """Every surrogate of a table of `COLUMNS` beside its record: with half, recorded_g and ratio.
 
-    Parameters
-    ----------
-    table : DataFrame
-        Columns as `COLUMNS`; kind "recorded" or "surrogate".
-
-    Returns
-    -------
-    DataFrame
-        Rows of surrogates with half, recorded_g and ratio = surrogate / recorded of pga_half_g;
-        NaN where one of the two never collapsed.
+    ratio is of pga_half_g; NaN where one of the two never collapsed.
     """
     key = ["record", "model", "direction"]
     table = table.assign(half=half_of(table["station"]))
@@ -163,15 +122,7 @@ def pairs(table):
 def sides(group):
     """ln(pos/neg) of the collapse PGA of records and of their surrogates, where both are known.
 
-    Parameters
-    ----------
-    group : DataFrame
-        Of `pairs`, one model and kind of surrogate.
-
-    Returns
-    -------
-    DataFrame or None
-        recorded, surrogate; None of one direction alone.
+    Of `pairs` of one model and kind of surrogate; None of one direction alone.
     """
     wide = group.pivot_table(
         index=["record", "draw"], columns="direction", values=["recorded_g", "pga_half_g"]
@@ -196,20 +147,12 @@ def weak_side(group):
 
 
 def summary(table):
-    """Distribution of the ratio, and whether the weak side stays the weak side.
+    """Distribution of the ratio, and whether the weak side stays the weak side: BY, SPREAD, SIDES.
 
-    Parameters
-    ----------
-    table : DataFrame
-        Columns as `COLUMNS`.
-
-    Returns
-    -------
-    DataFrame
-        BY (half also "all"), SPREAD, SIDES: scatter is the standard deviation of ln ratio;
-        side_agrees the share of records, among those whose directions differ by more than a tenth,
-        whose surrogate falls at the lower PGA in the same direction (one half by chance);
-        side_recorded and side_surrogate the medians of |ln(pos/neg)| over all.
+    half is also "all"; scatter is the standard deviation of ln ratio; side_agrees the share of
+    records, among those whose directions differ by more than a tenth, whose surrogate falls at the
+    lower PGA in the same direction (one half by chance); side_recorded and side_surrogate the
+    medians of |ln(pos/neg)| over all.
     """
     found = pairs(table)
     halves = [found[found["half"] == half] for half in HALVES]
@@ -219,20 +162,11 @@ def summary(table):
 
 
 def scatter(table):
-    """How far draws of a surrogate differ, curve by curve, and where its record lies among them.
+    """How far draws of a surrogate differ, curve by curve, and where its record lies: SCATTER.
 
-    Parameters
-    ----------
-    table : DataFrame
-        Columns as `COLUMNS`.
-
-    Returns
-    -------
-    DataFrame
-        Columns as `SCATTER`, of pga_half_g [g]: scatter is the standard deviation of its logarithm
-        over the draws that collapsed, share_below the share of draws that collapse at a lower PGA
-        than the record; blank without a record. `pulses` is blank where the parameters are a
-        table's.
+    Of pga_half_g [g]: scatter is the standard deviation of its logarithm over the draws that
+    collapsed, share_below the share of draws that collapse at a lower PGA than the record; blank
+    without a record. `pulses` is blank where the parameters are a table's.
     """
     found = pairs(table)
     rows = []

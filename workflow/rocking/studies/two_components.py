@@ -114,22 +114,9 @@ class Comparison:
 
 
 def collapse(cases, motion, directions, second, settings):
-    """Collapse under one component and under both.
+    """Collapse under one component and under both, of cases of W1 or W2: COLUMNS.
 
-    Parameters
-    ----------
-    cases : iterable of Case
-        W1 or W2.
-    motion, second : Motion
-        Floor motions of the component out of plane, and of that along the façade.
-    directions : iterable of str
-    settings : dict
-        Section two_components.
-
-    Returns
-    -------
-    DataFrame
-        COLUMNS; second_ratio of the peak along the façade to that out of plane.
+    Motions are floor motions; second_ratio is of the peak along the façade to that out of plane.
     """
     ratio = np.abs(second.floors[1]["ground"]).max() / np.abs(motion.floors[1]["ground"]).max()
     time_s, columns = floor_motions.with_second(*motion.floors, *second.floors)
@@ -143,13 +130,9 @@ def collapse(cases, motion, directions, second, settings):
 
 
 def to_confirm(case, row, settings):
-    """What YADE's study `runs` is to confirm of one row of the table.
+    """For YADE's command `runs`: intensities of one row of the table with the compiled d/b.
 
-    Returns
-    -------
-    dict
-        Intensities of the compiled solver with its d/b; d_over_b_compiled is 1 where its façade
-        fell.
+    d_over_b_compiled is 1 where its façade fell.
     """
     names = (("half_g", "d_two"), ("last_g", "last_d_two"), ("two_g", None))
     known = [(row[g], row[d] if d else 1.0) for g, d in names if np.isfinite(row[g])]
@@ -168,16 +151,8 @@ def to_confirm(case, row, settings):
 def summary(table):
     """Ratios of collapse and of d/b by model, under both components and in the repetition.
 
-    Parameters
-    ----------
-    table : DataFrame
-        COLUMNS.
-
-    Returns
-    -------
-    DataFrame
-        model, compared, then SUMMARY (below_095: share of curves): of two_g/one_g, of
-        again_g/one_g and, at half the planar collapse, of d_one/d_two.
+    model, compared, then SUMMARY (below_095: share of curves): of two_g/one_g, of again_g/one_g
+    and, at half the planar collapse, of d_one/d_two.
     """
     compared = {
         "both components": table["two_g"] / table["one_g"],

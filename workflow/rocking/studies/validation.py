@@ -36,15 +36,9 @@ TURNING = ", the top may turn"  # what ends the name of a variant with the other
 
 @dataclass(frozen=True)
 class Experiment:
-    """What the three files say.
+    """What the three files of a folder say; `runs` and `measured` have a column `run`.
 
-    Attributes
-    ----------
-    name : str
-        Of the folder.
-    specimen : dict
-    runs, measured : DataFrame
-        Both with a column `run`; `measured` has `measured_<unit>` and maybe `another_<unit>`.
+    `measured` has `measured_<unit>` and maybe `another_<unit>`.
     """
 
     name: str
@@ -61,10 +55,7 @@ class Experiment:
 def files(folder, below=()):
     """Files of an experiment: its own, then those of the experiment that it is `like`.
 
-    Raises
-    ------
-    ConfigError
-        If it is like itself in the end; `below` holds those that are like it.
+    ConfigError if it is like itself in the end; `below` holds those that are like it.
     """
     folder = Path(folder)
     path = folder / "specimen.yaml"
@@ -83,13 +74,7 @@ def over(under, own):
 
 
 def read(folder):
-    """Read an experiment.
-
-    Raises
-    ------
-    ConfigError
-        One line with the file, its key and what was expected.
-    """
+    """Read an experiment; ConfigError of one line with the file, its key and what was expected."""
     folder = Path(folder)
     given = files(folder)
     path = folder / "specimen.yaml"
@@ -124,10 +109,7 @@ def read(folder):
 def check_damping(path, specimen):
     """Refuse what is no damping, and a law of β where a variant has no return walls to strike.
 
-    Raises
-    ------
-    ConfigError
-        One line with the file, the variant, its key and what was expected.
+    ConfigError of one line with the file, the variant, its key and what was expected.
     """
     free, facade = registry.model(specimen["model"]).walls == "none", specimen["sections"]["facade"]
     for name, changes in specimen["variants"].items():
@@ -145,13 +127,7 @@ def check_damping(path, specimen):
 
 
 def quartiles(experiment):
-    """Quartiles of what was measured by run, or the range that was stated, and how many trials.
-
-    Returns
-    -------
-    DataFrame
-        By run: p25, median, p75, trials.
-    """
+    """By run p25, median and p75 of what was measured, or the range stated, and how many trials."""
     unit, table = experiment.unit, experiment.measured.set_index("run")
     trials = table[f"measured_{unit}"].groupby(level=0)
     found = trials.quantile([0.25, 0.5, 0.75]).unstack()
@@ -162,23 +138,10 @@ def quartiles(experiment):
 
 
 def motion(experiment, run, folder, table):
-    """Table motion of a run.
+    """Times, acceleration and source of a run's table motion: "file", or the stand-in's name.
 
-    Parameters
-    ----------
-    experiment : Experiment
-    run : Series
-        Row of `runs`.
-    folder : str or None
-        Where the motions lie that are not part of the project.
-    table : str
-        Records table of the stand-ins.
-
-    Returns
-    -------
-    time_s, acceleration_m_s2 : ndarray
-    source : str
-        "file" or the stand-in's name.
+    `run` is a row of `runs`, `folder` where the motions lie that are not part of the project,
+    `table` the records of the stand-ins.
     """
     from rocking.records import load
 
@@ -203,17 +166,7 @@ def motions_of(table):
 
 
 def one_after_another(motions):
-    """Motions end to end on one time axis, QUIET_S apart, and where each begins and ends.
-
-    Parameters
-    ----------
-    motions : list of (time_s, acceleration_m_s2)
-
-    Returns
-    -------
-    time_s, acceleration_m_s2 : ndarray
-    spans : list of (float, float)
-    """
+    """Motions (time_s, acceleration_m_s2) end to end, QUIET_S apart, and (begin, end) of each."""
     step = min(float(np.diff(t).min()) for t, _ in motions)
     parts, spans, begin = [], [], 0.0
     for t, a in motions:
@@ -226,14 +179,9 @@ def one_after_another(motions):
 
 
 def peaks_of_spans(time_s, d, spans, status):
-    """Largest |d| of each span from where it begins; nan from the one in which the wall fell on.
+    """Largest |d| of each span from where it begins; NaN from the one in which the wall fell on.
 
-    Parameters
-    ----------
-    time_s, d : ndarray
-        Of a history; one that came to rest ("ok") may end before its last span does.
-    spans : list of (float, float)
-    status : str
+    A history that came to rest ("ok") may end before its last span does.
     """
     found = []
     for begin, end in spans:
@@ -256,18 +204,10 @@ def ratio(table, over, under):
 
 
 def steady(table):
-    """Runs of each variant and how on which a mean may rest.
+    """Runs of each variant and how on which a mean may rest, by row of a table as of `summary`.
 
-    Parameters
-    ----------
-    table : DataFrame
-        See `summary`; may have `fell`, how many members of a band fell.
-
-    Returns
-    -------
-    stands, apart : Series of bool, by row of the table
-        Nothing falls in it, by either solver and at any amplitude of its band; the solvers' peaks
-        differ by a factor of APART or more.
+    They stand where nothing falls, by either solver and at any amplitude of its band (`fell`); they
+    are apart where the solvers' peaks differ by a factor of APART or more.
     """
     members = table["fell"].fillna(0) if "fell" in table else 0
     peak = table[[name for name in table if name.startswith("peak_")][0]]
@@ -280,20 +220,9 @@ def steady(table):
 def summary(experiment, table):
     """Ratio of computed over measured by variant, solver and how, and the other code's.
 
-    Means and scatters are of the runs in which nothing falls and the solvers do not part.
-
-    Parameters
-    ----------
-    experiment : Experiment
-        Of a shake table.
-    table : DataFrame
-        Columns run, variant, how, solver, peak_<unit>, measured_<unit>, status.
-
-    Returns
-    -------
-    DataFrame
-        variant, how, solver, runs, fell (in either solver, or at an amplitude of the band), apart
-        (solvers differ by APART), mean, scatter, goal_met.
+    Means and scatters are of the runs in which nothing falls, in either solver or at an amplitude
+    of the band, and the solvers do not part by APART. The table, of a shake table, has run,
+    variant, how, solver, peak_<unit>, measured_<unit>, status.
     """
     goal, unit = experiment.specimen["goal"], experiment.unit
     late = table[table["run"] >= goal["from_run"]]

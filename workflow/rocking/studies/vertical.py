@@ -30,24 +30,9 @@ def variants():
 
 
 def collapse(cases, motion, directions, station, table, treatment):
-    """Collapse without, with a hundredth of, and with the vertical motion of a record.
+    """Collapse without, with a hundredth of, and with the vertical motion of a record: COLUMNS.
 
-    Parameters
-    ----------
-    cases : iterable of Case
-    motion : Motion
-        Of the record; its vertical motion is read anew.
-    directions : sequence of str
-    station : str
-    table : path
-        The records table.
-    treatment : dict
-        Of the record: baseline, seed.
-
-    Returns
-    -------
-    DataFrame
-        COLUMNS.
+    That of the records table is read anew, treated (baseline, seed) as the record was.
     """
     both = Motion.named(motion.name, table, **{**treatment, "vertical_motion": "on"})
     record = both.record
@@ -59,15 +44,7 @@ def collapse(cases, motion, directions, station, table, treatment):
 def ratios(table):
     """Collapse PGA over that without vertical motion, one row a curve, measure and share of it.
 
-    Parameters
-    ----------
-    table : DataFrame
-        Columns as COLUMNS; `vertical` a name of SHARES.
-
-    Returns
-    -------
-    DataFrame
-        KEY, measure, vertical, ratio; NaN where one of the two never collapsed.
+    NaN where one of the two never collapsed.
     """
     parts = []
     for name in MEASURES:
@@ -79,15 +56,10 @@ def ratios(table):
 
 
 def summary(table):
-    """Distribution of the ratios of `ratios`, by model, measure and share of the motion.
+    """Distribution of the ratios of `ratios`, by model, measure and share of the motion: SUMMARY.
 
     `scatter` is the standard deviation of ln ratio. That of a hundredth of the vertical motion,
     which is no load worth naming, is what the scatter of histories near collapse alone makes.
-
-    Returns
-    -------
-    DataFrame
-        model, measure, vertical, then SUMMARY.
     """
     return spread(ratios(table), ["model", "measure", "vertical"], SUMMARY)
 

@@ -51,31 +51,13 @@ def build(
     density_kg_m3=1800.0,
     timber_density_kg_m3=600.0,
 ):
-    """Build the brick model of a plan.
+    """Build the brick model of a plan; PlanError by name if a wall lacks support or a brick floats.
 
-    Every interface becomes three points that carry a welded linear spring each, with the
-    second moments of the rectangle: force and moments of a linearly varying relative
-    displacement are exact. The ground is a support driven by the motion "ground".
-
-    Parameters
-    ----------
-    plan : Plan
-    brick : Brick, optional
-        Real brick, for which `joints` is stated.
-    coarsening : float
-        Enlarges the brick; joint stiffness times joint spacing and mass are kept.
-    joints : Joints, optional
-    density_kg_m3, timber_density_kg_m3 : float
-        Of the masonry, joints included, and of beams and panels.
-
-    Returns
-    -------
-    Building
-
-    Raises
-    ------
-    PlanError
-        If a wall lacks support or a brick floats, by its name.
+    Every interface becomes three points that carry a welded linear spring each, with the second
+    moments of the rectangle: force and moments of a linearly varying relative displacement are
+    exact. The ground is a support driven by the motion "ground". `joints` are stated for the real
+    `brick`, which `coarsening` enlarges; joint stiffness times joint spacing and mass are kept. The
+    masonry's density includes its joints, that of the timber is of beams and panels.
     """
     brick = brick or Brick()
     joints = joints or Joints()
@@ -181,13 +163,8 @@ def _nodes(faces, ground):
 def check_support(plan, bricks, faces, count):
     """Refuse walls without support and floating bricks, by name.
 
-    A wall is supported if a brick of its lowest course rests on the ground or on
-    another wall's brick. A brick floats if no chain of interfaces ties it to the
-    ground.
-
-    Raises
-    ------
-    PlanError
+    A wall is supported if a brick of its lowest course rests on the ground or on another wall's
+    brick. A brick floats if no chain of interfaces ties it to the ground.
     """
     bed = (faces.axis == 2) & (faces.a < len(bricks))
     held_by = faces.b[bed]

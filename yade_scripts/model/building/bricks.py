@@ -67,13 +67,7 @@ class Bricks:
 
 
 def divide(breaks, spacing):
-    """Divide each interval between sorted `breaks` into equal parts of about `spacing`.
-
-    Returns
-    -------
-    ndarray
-        Ascending points, the breaks included; at least one part an interval.
-    """
+    """Ascending points that divide intervals between breaks into equal parts of about a spacing."""
     breaks = unique(breaks)
     points = [breaks[:1]]
     for low, high in zip(breaks[:-1], breaks[1:], strict=True):
@@ -147,18 +141,9 @@ def _course_cuts(wall, grid, course, bottom, top, crossings, cavities):
 
 
 def lay(plan, brick):
-    """Lay the bricks of a plan in running bond.
+    """Lay the bricks of a plan in running bond, sorted by wall, course, place along it and wythe.
 
-    Parameters
-    ----------
-    plan : Plan
-    brick : Brick
-        Nominal size; the bricks of a strip differ from it so that the strip closes.
-
-    Returns
-    -------
-    Bricks
-        Sorted by wall, course, place along the course, wythe.
+    `brick` is the nominal one; the bricks of a strip differ from it so that the strip closes.
     """
     lines = course_lines(plan, brick.height_m)
     low, high, labels = [], [], []

@@ -29,13 +29,7 @@ BACK_JOINTS = ("bricks", "facade")
 
 
 def front_wall(plan):
-    """Return the façade wall along x that lies farthest outward.
-
-    Raises
-    ------
-    PlanError
-        If the plan has none.
-    """
+    """Return the façade wall along x that lies farthest outward; PlanError if the plan has none."""
     facades = [wall for wall in plan.walls if wall.facade and wall.axis == 0]
     if not facades:
         raise PlanError(f"plan '{plan.name}': expected a wall along x with facade: true")
@@ -45,12 +39,8 @@ def front_wall(plan):
 def behind(plan):
     """Return the plan without its front façade, and y of the crack [m].
 
-    Walls along y that reached into the façade end at its inner face.
-
-    Raises
-    ------
-    PlanError
-        If the plan has no front façade, or no wall along y meets it.
+    Walls along y that reached into the façade end at its inner face. PlanError if there is no
+    façade, or no wall meets it.
     """
     front = front_wall(plan)
     crack = front.offset_m - 0.5 * front.thickness_m
@@ -80,39 +70,15 @@ def _refuse_across(wall):
 def complete_scene(
     config, building, crack_m, beta_s, *, bonded, back_joint, brick, joints=None, rate_1_s=0.0
 ):
-    """Scene of the complete building.
+    """Scene of the complete building; its notes tell the mass behind the crack [kg].
 
-    Parameters
-    ----------
-    config : dict
-        Resolved configuration; sections facade, return_wall, numerics, complete.
-    building : Building
-        What `behind` left, built.
-    crack_m : float
-        y of the crack.
-    beta_s : float
-        Stiffness-proportional damping of the façade's base and back face [s].
-    bonded : bool
-        The back joint starts with the strengths of section return_wall.
-    back_joint : {"bricks", "facade"}
-        jkn of the back joint: the half brick behind it, 2E/s, so that what yields is the bricks
-        alone; or E/L of the other models on top of the bricks. The dashpots are β·E/L in both,
-        for that is the stiffness whose β is calibrated.
-    brick : Brick
-        Real brick, for which `joints` is stated.
-    joints : Joints, optional
-    rate_1_s : float
-        Mass-proportional damping of everything behind the crack.
-
-    Returns
-    -------
-    Scene
-        Its notes tell the mass behind the crack [kg].
-
-    Raises
-    ------
-    ValueError
-        If no brick ends at the crack behind the façade, or `back_joint` is unknown.
+    The `building` is what `behind` left, built, and has a mass-proportional damping of `rate_1_s`;
+    `joints` are stated for the real `brick`. β is that of the façade's base and back face;
+    `bonded`, the back joint starts with the strengths of section return_wall. `back_joint` says its
+    jkn: "bricks", the half brick behind it, 2E/s, so that what yields is the bricks alone; or
+    "facade", E/L of the other models on top of the bricks. The dashpots are β·E/L in both, for that
+    is the stiffness whose β is calibrated. ValueError if no brick ends at the crack behind the
+    façade.
     """
     if back_joint not in BACK_JOINTS:
         raise ValueError(
@@ -162,18 +128,8 @@ def complete_scene(
 def _touch(nodes, config, bricks, brick, facade, face, beta_s, bonded, moduli):
     """Add the joint of one brick that ends at the crack, if it ends behind the façade.
 
-    Parameters
-    ----------
-    nodes : NodeList
-    config, beta_s, bonded
-        As of `complete_scene`.
-    bricks : Bricks
-    brick, facade : int
-        Indices of the blocks.
-    face : (float, float, float)
-        x of the façade's edges, y of the crack [m].
-    moduli : (float, float) or None
-        Of the half brick behind the joint, normal and shear [Pa]; None: jkn of the other models.
+    `face` is x of the façade's edges and y of the crack [m]; `moduli` those of the half brick
+    behind the joint, normal and shear [Pa], None: jkn of the other models.
     """
     section = config["facade"]
     (x0, y0, z0), (x1, _, z1) = bricks.low_m[brick], bricks.high_m[brick]
@@ -209,9 +165,8 @@ def _touch(nodes, config, bricks, brick, facade, face, beta_s, bonded, moduli):
 def with_rigid_floors(building):
     """Return a building's scene with the beams and the panel of each floor as one rigid block.
 
-    Between bricks nothing changes: bricks come first in the scene, the ground last. Beams are
-    light and their joints with the panel stiff, so alone they would halve the critical step; the
-    first periods change by 0.1 %.
+    Bricks come first in the scene, the ground last. Beams are light and their joints with the panel
+    stiff, so alone they would halve the critical step; the first periods change by 0.1 %.
     """
     scene = building.scene
     blocks, index = list(scene.blocks), np.arange(len(scene.blocks))

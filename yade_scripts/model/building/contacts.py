@@ -109,11 +109,7 @@ def brick_pairs(bricks):
 def timber_pairs(low, high, n_bricks, floors):
     """Return (a, b, axis, kind) of the interfaces of beams: seat, end, top, and panel.
 
-    Parameters
-    ----------
-    low, high : ndarray, shape (n_bricks + n_timber, 3)
-        All boxes, bricks first.
-    floors : list of (first box, number of beams, beam axis)
+    `low` and `high` are of all boxes, bricks first; `floors` as of `interfaces`.
     """
     bricks = np.arange(n_bricks)
     out = [np.empty((0, 4), int)]
@@ -135,20 +131,9 @@ def timber_pairs(low, high, n_bricks, floors):
 
 
 def half_compliance(sizes, length_axis, moduli):
-    """Compliance per area between a brick's centre and each face pair, s/(2E) [m/Pa].
+    """Compliance per area between a brick's centre and its faces, s/(2E) [m/Pa], shape (n, 3, 2).
 
-    Parameters
-    ----------
-    sizes : ndarray, shape (n, 3)
-    length_axis : ndarray, shape (n,)
-        0 or 1.
-    moduli : ndarray, shape (3, 2)
-        From `Joints.moduli`.
-
-    Returns
-    -------
-    ndarray, shape (n, 3, 2)
-        Along x, y, z; normal and shear.
+    Along x, y, z, normal and shear; `length_axis` is 0 or 1, `moduli` from `Joints.moduli`.
     """
     role = np.empty((len(sizes), 3), int)  # row of `moduli`: 0 head, 1 collar, 2 bed
     role[:, 0] = length_axis
@@ -160,20 +145,9 @@ def half_compliance(sizes, length_axis, moduli):
 def interfaces(bricks, timber_low, timber_high, floors, joints, brick):
     """Find every interface of a building and give it its stiffness.
 
-    Parameters
-    ----------
-    bricks : Bricks
-    timber_low, timber_high : ndarray, shape (n_timber, 3)
-        Beams and panels, floor by floor.
-    floors : list of (first box, number of beams, beam axis)
-        Box numbers count the bricks first.
-    joints : Joints
-    brick : Brick
-        Size for which `joints` is stated (not the coarsened one).
-
-    Returns
-    -------
-    Interfaces
+    The timber's boxes are beams and panels, floor by floor; `floors` lists (first box, number of
+    beams, beam axis), boxes counted after the bricks. `joints` are stated for `brick`, which is not
+    the coarsened one.
     """
     n = len(bricks)
     low = np.concatenate([bricks.low_m, timber_low])
@@ -227,21 +201,7 @@ def interfaces(bricks, timber_low, timber_high, floors, joints, brick):
 
 
 def weakened(faces, bricks, is_facade, factor):
-    """Scale the joints between façades and other walls.
-
-    Parameters
-    ----------
-    faces : Interfaces
-    bricks : Bricks
-    is_facade : sequence of bool
-        For every wall of the plan.
-    factor : float
-        Stiffness over that of bonded masonry.
-
-    Returns
-    -------
-    Interfaces
-    """
+    """Scale the joints between façades (`is_facade`, by wall) and other walls by a factor."""
     n = len(bricks)
     between = np.flatnonzero((faces.a < n) & (faces.b >= 0) & (faces.b < n))
     kind = np.asarray(is_facade, bool)[bricks.wall]

@@ -7,10 +7,7 @@ import numpy as np
 
 @dataclass
 class FloorBoxes:
-    """Beams and panel of one floor as boxes, with their masses.
-
-    `low_m`, `high_m` have one row a beam and, last, the panel's; `mass_kg` likewise.
-    """
+    """Beams and panel of one floor as boxes: a row a beam and, last, the panel's."""
 
     name: str
     low_m: np.ndarray
@@ -25,15 +22,10 @@ class FloorBoxes:
 def floor_boxes(plan, floor, timber_density_kg_m3):
     """Place the beams and the panel of a floor.
 
-    Beams span between the two walls and reach `bearing_m` into the recess of
-    each; they stand evenly, at most about `beam_spacing_m` apart, half a spacing
-    inside the ends of `extent_m`, so that they touch no wall but the two. The
-    panel covers the clear span, touches the beams alone and carries `load_kg_m2`
-    times its area.
-
-    Returns
-    -------
-    FloorBoxes
+    Beams span between the two walls and reach `bearing_m` into the recess of each; they stand
+    evenly, at most about `beam_spacing_m` apart, half a spacing inside the ends of `extent_m`, so
+    that they touch no wall but the two. The panel covers the clear span, touches the beams alone
+    and carries `load_kg_m2` times its area.
     """
     one, two = sorted((plan.wall(n) for n in floor.walls), key=lambda w: w.offset_m)
     along = one.axis

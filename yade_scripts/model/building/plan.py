@@ -229,21 +229,10 @@ def _record(cls, data, where, convert=None):
 
 
 def plan_from_dict(data, source="plan"):
-    """Build and check a `Plan` from nested mappings and lists.
+    """Build and check a `Plan` from nested mappings; keys are the fields of the dataclasses here.
 
-    Parameters
-    ----------
-    data : dict
-        Keys name, walls (each with openings), floors, monitor_floor; see the
-        dataclasses of this module for the keys of each part.
-    source : str
-        Name of the file, put in front of every message.
-
-    Raises
-    ------
-    PlanError
-        Naming the part: an unknown key, an opening outside its wall, walls that
-        are neither along x nor y, a floor on walls that cannot carry it.
+    PlanError begins with `source`, the file, and names the part: an unknown key, an opening outside
+    its wall, walls that are neither along x nor y, a floor on walls that cannot carry it.
     """
     if not isinstance(data, dict) or not data.get("walls"):
         raise PlanError(f"{source}: a plan needs a list 'walls' with at least one wall")
