@@ -94,8 +94,8 @@ def draw_probability(axis, place, table, row, top):
             axis.plot(place, run["pga_g"], kind.marker, **symbol)
 
 
-def symbols(scanned=True):
-    """What filled, open and small symbols say, as {words: handle} for a legend."""
+def symbols(scanned=True, shares=False):
+    """What filled, open, small and black-edged symbols say, as {words: handle} for a legend."""
     grey: dict = {"color": "0.3", "ls": ""}
     words = {
         "YADE: stood": Line2D([], [], marker="o", **grey),
@@ -103,4 +103,7 @@ def symbols(scanned=True):
     }
     if scanned:
         words["planar solver"] = Line2D([], [], marker=".", ms=3.0, mew=0, **grey)
+    if shares:
+        edge = {"mec": "k", "mew": 0.6, **grey}
+        words["YADE: share that falls"] = Line2D([], [], marker="o", mfc="0.8", **edge)
     return words

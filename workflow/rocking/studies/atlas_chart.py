@@ -6,6 +6,7 @@ from rocking.formula.law import said
 from rocking.runtime.drawing import drawing
 
 SLENDERNESS, PERIODS_S = (10.0, 14.0, 18.0), (0.15, 0.27, 0.45)
+BAND = f"two thirds of motions, h/b {SLENDERNESS[1]:g}, T1 {PERIODS_S[1]:g} s"
 COMMON = {  # of the lines; what hardly matters stands in the middle of its limits
     "e_mpa": 1700.0,
     "density_kg_m3": 1800.0,
@@ -35,7 +36,7 @@ def draw(formula):
     import matplotlib.pyplot as plt
 
     models = list(formula["models"])
-    figure, axes = plt.subplots(1, len(models), figsize=(7.2, 3.3), sharey=True, squeeze=False)
+    figure, axes = plt.subplots(1, len(models), figsize=(7.2, 3.5), sharey=True, squeeze=False)
     colours = dict(zip(SLENDERNESS, ("#1f6f8b", "#c1440e", "#5b8c3a"), strict=True))
     dashes = dict(zip(PERIODS_S, (":", "-", "--"), strict=True))
     for axis, model in zip(axes[0], models, strict=True):
@@ -56,5 +57,7 @@ def draw(formula):
     axes[0, 0].set_ylabel("median PGA of half collapse [g]")
     handles = [plt.Line2D([], [], color=c, label=f"h/b {s:g}") for s, c in colours.items()]
     handles += [plt.Line2D([], [], color="k", ls=d, label=f"T1 {t:g} s") for t, d in dashes.items()]
-    figure.legend(handles=handles, loc="outside lower center", ncols=6, fontsize=7)
+    handles.append(plt.Rectangle((0, 0), 1, 1, color=colours[SLENDERNESS[1]], alpha=0.13, lw=0))
+    handles[-1].set_label(BAND)
+    figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7)
     return figure

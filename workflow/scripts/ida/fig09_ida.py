@@ -17,7 +17,8 @@ from rocking.figures.panels import common_legend, plain_log, ticks
 from rocking.runtime.script import run
 
 LOG_RATIO = 8.0  # between the strongest and the weakest model of a record
-LABEL = "PGA [g]; static λ [-]"
+LABEL = "PGA [g]"
+STATIC = "; static λ [-]"  # on the same axis: the acceleration, over g, that holds the façade there
 BESIDE = (1.06, 0.0, 0.2, 1.0)  # place of the probability, over the panel's width and height
 
 
@@ -36,6 +37,7 @@ def main(job):
     pushovers = list(job.input.pushover) or (
         [] if facade["hinges_m"] or facade["courses"] else [None]
     )
+    label = LABEL + (STATIC if pushovers else "")
     shown = {r: [highest(row) for key, row in rows.items() if key[1] == r] for r in p.records}
     shown = {r: [g for g in values if np.isfinite(g)] or [1.0] for r, values in shown.items()}
     # bonded façades may stand so much that the others vanish
@@ -58,7 +60,7 @@ def main(job):
                 draw_probability(beside, place, tables.get(key, blank), rows[key], 1.1 * top)
             sign = style.SIGNS[direction]
             axis.set_title(f"{titles[record]}, direction {sign}", loc="left")
-            axis.set(xlim=(0, 1.0), ylim=(0, top), ylabel=LABEL if j == 0 else None)
+            axis.set(xlim=(0, 1.0), ylim=(0, top), ylabel=label if j == 0 else None)
             if logarithmic:
                 axis.set_yscale("log")
                 axis.set_ylim(0.85 * least, 1.1 * top)
@@ -72,7 +74,8 @@ def main(job):
                 beside.set_xlabel("share that falls:\nwhite 0, full 1")
                 ticks(beside.xaxis, range(len(models)), models)
                 beside.tick_params("x", labelsize=6.5, rotation=90 if len(models) > 2 else 0)
-    more = symbols(bool(scans))
+    shares = any(len(own) and own["probability_yade"].notna().any() for own in tables.values())
+    more = symbols(bool(scans), bool(scans) and shares)
     common_legend(figure, more=more, loc="outside upper center", ncols=3 if shape[1] == 1 else 6)
     style.save(figure, job.output, job.input.facts)
 

@@ -5,6 +5,7 @@ import json
 import matplotlib.pyplot as plt
 import numpy as np
 from rocking.figures import style
+from rocking.figures.panels import plain_log
 from rocking.records import G_M_S2
 from rocking.runtime.script import run
 from rocking.tables import read_json
@@ -28,7 +29,7 @@ def main(job):
         axes[0].plot(time, motion + level * gap, color=colour, lw=0.7)
     axes[0].set(xlabel="time [s]", yticks=[level * gap for level in range(len(motions))])
     axes[0].set_yticklabels(
-        [f"{name}\n{np.abs(m).max():.3g} g" for name, m in zip(labels, motions, strict=True)]
+        [f"{name}\n{np.abs(m).max():#.3g} g" for name, m in zip(labels, motions, strict=True)]
     )
     axes[0].set_title("absolute acceleration, peak beside each", loc="left")
     length = style.round_length(0.5 * gap)
@@ -49,6 +50,7 @@ def main(job):
         textcoords="offset points",
     )
     axes[1].set(xlabel="period [s]", ylabel="pseudo-acceleration, 5 % damping [g]")
+    plain_log(axes[1].yaxis, (1.0, 2.0, 5.0))
     axes[1].set_title("spectra, in the same colours", loc="left")
     figure.suptitle(
         f"{style.provenance(facts)} through {len(motions) - 1} lumped masses, "
