@@ -105,5 +105,5 @@ def symbols(scanned=True, shares=False):
         words["planar solver"] = Line2D([], [], marker=".", ms=3.0, mew=0, **grey)
     if shares:
         edge = {"mec": "k", "mew": 0.6, **grey}
-        words["YADE: share that falls"] = Line2D([], [], marker="o", mfc="0.8", **edge)
+        words["on strips: YADE's share"] = Line2D([], [], marker="o", mfc="0.6", **edge)
     return words
