@@ -55,7 +55,7 @@ def draw(formula):
     axes[0, 0].set_yticks(ticks, [f"{t:g}" for t in ticks])
     axes[0, 0].yaxis.minorticks_off()
     axes[0, 0].set_ylabel("median PGA of half collapse [g]")
-    handles = [plt.Line2D([], [], color=c, label=f"h/b {s:g}") for s, c in colours.items()]
+    handles: list = [plt.Line2D([], [], color=c, label=f"h/b {s:g}") for s, c in colours.items()]
     handles += [plt.Line2D([], [], color="k", ls=d, label=f"T1 {t:g} s") for t, d in dashes.items()]
     handles.append(plt.Rectangle((0, 0), 1, 1, color=colours[SLENDERNESS[1]], alpha=0.13, lw=0))
     handles[-1].set_label(BAND)
