@@ -86,11 +86,11 @@ def test_the_draw_knows_no_order_and_leaves_out_what_does_not_repeat():
         for i in range(40)
     ]
     table = pd.DataFrame(rows)
-    few, many = histories.drawn(table, 5), histories.drawn(table, 15)
-    again = histories.drawn(table.sample(frac=1.0, random_state=1), 5)
+    few, many = histories.sampled(table, 5), histories.sampled(table, 15)
+    again = histories.sampled(table.sample(frac=1.0, random_state=1), 5)
     assert few["case"].tolist() == again["case"].tolist() == many["case"].tolist()[:5]
     assert few["repeats"].all()
-    assert len(histories.drawn(table, 100)) == 30
+    assert len(histories.sampled(table, 100)) == 30
 
 
 def runs():

@@ -340,7 +340,7 @@ def test_class_of_distributions_keeps_to_them():
     ]
     rest = ("e_mpa", "density_kg_m3", "friction_deg", "period_s", "mass_ratio", "contact_damping")
     rows += [{"parameter": name, "distribution": "value", "median": ROW[name]} for name in rest]
-    table = classes.drawn({"samples": 256, "seed": 1, "parameters": rows})
+    table = classes.sampled({"samples": 256, "seed": 1, "parameters": rows})
     thick = table["height_m"] / table["slenderness"]
     assert table["height_m"].between(5.0, 9.0).all()
     assert thick.between(0.45, 0.55).all()
@@ -348,7 +348,7 @@ def test_class_of_distributions_keeps_to_them():
     assert set(table["storeys"]) == {2.0, 3.0}
     without = [row for row in rows if row["parameter"] != "friction_deg"]
     with pytest.raises(ValueError, match="friction_deg is missing"):
-        classes.drawn({"samples": 8, "seed": 1, "parameters": without})
+        classes.sampled({"samples": 8, "seed": 1, "parameters": without})
 
 
 @pytest.mark.parametrize(
@@ -364,7 +364,7 @@ def test_class_of_distributions_keeps_to_them():
 def test_row_of_a_class_that_is_incomplete_ends_in_one_line(row, said_of):
     settings = {"samples": 8, "seed": 1, "parameters": [{"parameter": "height_m", **row}]}
     with pytest.raises(ValueError, match="facade_class.parameters: height_m: ") as said:
-        classes.drawn(settings)
+        classes.sampled(settings)
     assert said_of in str(said.value)
     assert "\n" not in str(said.value)
 

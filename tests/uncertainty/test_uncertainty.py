@@ -15,7 +15,7 @@ from rocking.mechanics.beta import beta_for
 from rocking.risk import fragility
 from rocking.runs import Runs
 from rocking.uncertainty import design, parts, sampling
-from rocking.uncertainty.design import drawn_motions
+from rocking.uncertainty.design import sampled_motions
 from yade_process import resolved, run_study
 
 from yade_scripts.model.facade import joint_stiffness
@@ -194,7 +194,7 @@ def test_the_study_draws_short_records_and_refuses_what_cannot_be():
     suite = {"records_table": "config/suites/recorded_suite.tsv"}
 
     def drawn(**section):
-        return drawn_motions(Runs({**suite, "uncertainty": section}, root), "main")
+        return sampled_motions(Runs({**suite, "uncertainty": section}, root), "main")
 
     short = drawn(max_duration_s=24.0, motions=4)
     assert len(short) == 4

@@ -14,7 +14,7 @@ import numpy as np
 FEWEST = 7  # an interval drawn from fewer says nothing
 
 
-def drawn(stations, resamples, seed):
+def resampled(stations, resamples, seed):
     """How often each row stands in every draw.
 
     Parameters

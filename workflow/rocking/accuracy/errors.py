@@ -43,7 +43,7 @@ def plan_runs(drawn, settings, scenes):
     Parameters
     ----------
     drawn : DataFrame
-        From `histories.drawn`.
+        From `histories.sampled`.
     settings : dict
         Section accuracy: nodes, step_fractions, chart_histories.
     scenes : dict

@@ -164,7 +164,7 @@ def histories(solver, labels, settings):
     return rows
 
 
-def drawn(table, count):
+def sampled(table, count):
     """Cases that YADE runs: so many repeating ones of each model and half.
 
     Their order is that of a hash of their names: it follows neither motion nor intensity.

@@ -11,7 +11,7 @@ import numpy as np
 import pandas as pd
 
 from rocking.risk.fragility import fit
-from rocking.stations import FEWEST, drawn, interval
+from rocking.stations import FEWEST, interval, resampled
 from rocking.tables import read_tables
 from yade_scripts.model import registry
 
@@ -95,7 +95,7 @@ def share_interval(flags, stations, resamples, seed, confidence=0.95):
     if number >= FEWEST and share in (0.0, 1.0):
         reach = 1.0 - (0.5 * (1.0 - confidence)) ** (1.0 / number)
         return (0.0, 0.0, reach) if share == 0.0 else (1.0, 1.0 - reach, 1.0)
-    draws = drawn(stations, resamples, seed)
+    draws = resampled(stations, resamples, seed)
     low, high = interval(draws @ flags / draws.sum(axis=1), number, confidence)
     return share, float(low), float(high)
 

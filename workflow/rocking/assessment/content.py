@@ -132,7 +132,7 @@ def dynamic_check(data, folder):
     table = Table(
         "The code's dynamic check (C8.7.1.2.1.9): held if no history exceeds d0 and the mean of "
         "the largest displacements of the top does not exceed d_SLV (d_SLC). Last column: share of "
-        "draws with one perturbed history a motion that give the same verdict on SLV. In bold "
+        "sets of one perturbed history a motion that give the same verdict on SLV. In bold "
         "the model that governs; of the others the mechanism that decides.",
         ("model, mechanism", "beyond d0", "mean", "d_SLV, d_SLC", "SLV", "SLC", "same verdict"),
         rows,

@@ -229,7 +229,7 @@ def kept(data, digest):
     dynamic = data.tables["dynamic"]
     histories = int(dynamic["histories"].sum())
     agree = data.tables["verdicts"]
-    worst = f" Least agreement of draws: {per_cent(agree['agree'].min())}." if len(agree) else ""
+    worst = f" Least agreement: {per_cent(agree['agree'].min())}." if len(agree) else ""
     return [
         f"Configuration with every key, table of motions, the site's files, every table behind a "
         f"number above, and program with version are in {place}/, with this report. No later "

@@ -107,7 +107,7 @@ def check_row(row):
         raise ValueError(f"{said} from {low:g} to {high:g}; expected low < high")
 
 
-def drawn(settings):
+def sampled(settings):
     """Façades of a class: Sobol' points over its distributions, the parameters independent.
 
     Parameters

@@ -10,7 +10,7 @@ import itertools
 import numpy as np
 import pandas as pd
 
-from rocking import stations as drawing
+from rocking import stations as by_station
 from rocking.formula import groups
 from rocking.formula.law import MEASURES
 
@@ -157,8 +157,8 @@ def intervals(terms, values, stations, seed):
     ndarray, shape (2, k)
         Ends that hold `CONFIDENCE`.
     """
-    facades = drawing.drawn(np.arange(len(values)), RESAMPLES, seed)
-    motions = drawing.drawn(stations, RESAMPLES, seed + 1)
+    facades = by_station.resampled(np.arange(len(values)), RESAMPLES, seed)
+    motions = by_station.resampled(stations, RESAMPLES, seed + 1)
     found = [solve(terms, values, pair) for pair in zip(facades, motions, strict=True)]
     tail = 50.0 * (1.0 - CONFIDENCE)
     return np.percentile(found, (tail, 100.0 - tail), axis=0)

@@ -53,7 +53,7 @@ def risk_of(model, curves, stations_of, brackets, hazard, risk, settings):
         known = {"model": model, "im": hazard.measure, "years": risk["years"]}
         known |= dict(zip(("n_records", "n_stations"), many, strict=True))
         return known | {"remark": remark(np.nan, 0.0, 0.0, few)}, []
-    counts = stations.drawn(places, settings["resamples"], settings["seed"])
+    counts = stations.resampled(places, settings["resamples"], settings["seed"])
     drawn_by_bin = counts @ of_curves / counts.sum(axis=1, keepdims=True)
     drawn = drawn_by_bin.sum(axis=1)
     ends = stations.interval(drawn, many[1], confidence)

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import log_ndtr, ndtr, ndtri
 
-from rocking.stations import drawn, interval
+from rocking.stations import interval, resampled
 
 MIN_DISPERSION = 0.01  # brackets that all overlap would let it go to zero
 MAX_DISPERSION = 5.0
@@ -150,7 +150,7 @@ def bootstrap(low, high, stations, resamples, seed, weights=1.0):
         Median ∞ for a resample without any collapse, 0 for one in which nothing stood.
     """
     low, high = checked_brackets(low, high)
-    counts = drawn(stations, resamples, seed) * np.asarray(weights, float)
+    counts = resampled(stations, resamples, seed) * np.asarray(weights, float)
     median, dispersion = _fit_weighted(low, high, counts)
     return Bootstrap(median, dispersion, len(set(stations)))
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rocking.records import G_M_S2, measures
-from rocking.stations import drawn, interval
+from rocking.stations import interval, resampled
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ def slope(x, y, stations, confidence, resamples, seed):
     number = len(set(stations))
     if number < 3 or np.ptp(x) == 0.0:
         return Slope(np.nan, np.nan, np.nan, int(known.sum()))
-    weights = np.vstack([np.ones(x.size), drawn(stations, resamples, seed)])
+    weights = np.vstack([np.ones(x.size), resampled(stations, resamples, seed)])
     total = weights.sum(axis=1)
     mean_x, mean_y = weights @ x / total, weights @ y / total
     spread = weights @ x**2 / total - mean_x**2

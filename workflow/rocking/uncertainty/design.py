@@ -77,7 +77,7 @@ def collapse(name, case, motion, direction, factors, settings):
     return rows
 
 
-def drawn_motions(runs, run):
+def sampled_motions(runs, run):
     """Direction of every motion of a run's design, by record.
 
     Parameters

@@ -8,15 +8,15 @@ wildcard_constraints:
 @cache
 def design(run):
     """Direction of every motion of the design, by record."""
-    from rocking.uncertainty.design import drawn_motions  # slow to load
+    from rocking.uncertainty.design import sampled_motions  # slow to load
 
     try:
-        return drawn_motions(RUNS, run)
+        return sampled_motions(RUNS, run)
     except ValueError as error:
         stop(error)
 
 
-def drawn(run):
+def sampled(run):
     """Records of the design."""
     return list(design(run))
 
@@ -59,8 +59,8 @@ rule uncertainty_collapse:
 
 rule uncertainty_cells:
     input:
-        tables=of_run(rules.uncertainty_collapse.output[0], record=drawn),
-        records=of_run(rules.own_record.output.record, record=drawn),
+        tables=of_run(rules.uncertainty_collapse.output[0], record=sampled),
+        records=of_run(rules.own_record.output.record, record=sampled),
         cases=of_run(rules.facade_case.output[0], model=RUNS.key("uncertainty.models")),
         law=LAW_FILE,
         modules=code("uncertainty/uncertainty_cells"),
@@ -106,7 +106,7 @@ rule uncertainty_confirm:
 
 rule uncertainty_tables:
     input:
-        tables=of_run(rules.uncertainty_collapse.output[0], record=drawn),
+        tables=of_run(rules.uncertainty_collapse.output[0], record=sampled),
         modules=code("uncertainty/uncertainty_tables"),
     output:
         samples=results("uncertainty/samples.csv"),
@@ -129,7 +129,7 @@ figure_by(
     parts=rules.uncertainty_tables.output.parts,
     sensitivity=rules.uncertainty_tables.output.sensitivity,
     fragility=rules.uncertainty_tables.output.fragility,
-    facts=of_run(rules.own_record.output.facts, record=drawn),
+    facts=of_run(rules.own_record.output.facts, record=sampled),
 )
 
 

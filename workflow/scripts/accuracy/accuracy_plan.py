@@ -2,7 +2,7 @@
 
 import pandas as pd
 from rocking.accuracy.errors import charted, plan_runs
-from rocking.accuracy.histories import COLUMNS, PeakSolver, drawn, half, histories
+from rocking.accuracy.histories import COLUMNS, PeakSolver, half, histories, sampled
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_json, write_table
 
@@ -26,7 +26,7 @@ def main(job):
                 rows += histories(solver, {**labels, "direction": direction}, limits)
     table = pd.DataFrame(rows)[list(COLUMNS)]
     write_table(table, job.output.histories)
-    cases = drawn(table, settings["histories"])
+    cases = sampled(table, settings["histories"])
     if not len(cases):
         raise ValueError("accuracy: no history of these records repeats; take more records")
     plan = {

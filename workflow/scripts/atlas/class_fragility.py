@@ -12,7 +12,7 @@ from rocking.tables import write_table
 
 def main(job):
     settings, known = job.params.settings, read(job.input.law)
-    facades, base = classes.drawn(settings), base_of(job.params.facade, known)
+    facades, base = classes.sampled(settings), base_of(job.params.facade, known)
     rows = [
         classes.fragility(facades, model, measure, base, known)
         for model in job.params.models
