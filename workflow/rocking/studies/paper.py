@@ -150,12 +150,22 @@ def figures(data):
     return [entry["figure"] for entry in rows if "figure" in entry]
 
 
+MET = {
+    "yes": "are met here",
+    "partly": "partly",
+    "no": "not",
+    "given": "are inputs",
+    "open": "open",
+}
+
+
 def page(data, tables, about):
     """The page as Markdown; `about` says which run, and how to make the page again."""
     rows = [entry for section in data["sections"] for entry in section["rows"]]
     verdicts = [row(entry, tables).split(" | ")[-2] for entry in rows]
-    count = ", ".join(f"{verdicts.count(word)} {word}" for word in dict.fromkeys(verdicts))
-    lines = ["# The study, row by row", "", about, "", f"{len(rows)} rows: {count}.", ""]
+    count = ", ".join(f"{verdicts.count(word)} {said}" for word, said in MET.items())
+    answer = f"Of the study's {len(rows)} figures, tables, equations and results {count}."
+    lines = ["# The study, row by row", "", answer, about, ""]
     for section in data["sections"]:
         lines += [f"## {section['title']}", "", HEAD.rstrip("\n")]
         lines += [row(entry, tables) for entry in section["rows"]]
