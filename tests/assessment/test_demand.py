@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from rocking.assessment.code_spectrum import CodeDemand, soil_factors
 from rocking.assessment.demand import (
+    FloorDemand,
     RecordDemand,
     TableDemand,
     displacement,
@@ -68,6 +69,19 @@ def test_the_largest_displacement_lies_where_a_record_has_its_peak():
     assert at == pytest.approx(1.0, rel=0.06)
     assert found > 1.9 * displacement(sine, 2.0, 0.08)
     assert largest_displacement(sine, 1.5, 2.0, 0.08)[0] < 0.7 * found
+
+
+def test_where_the_displacement_is_flat_its_period_is_that_at_which_it_begins():
+    """T_D of NTC 2018, or the last period of a table, on the ground and low on a building."""
+    code = CodeDemand(0.26, 2.4, 0.32, "B")
+    periods = np.array([0.2, 0.4, 0.8, 1.6, 2.5])
+    table = TableDemand(np.array([0.0, *periods]), np.array([0.3, *(0.14 / periods)]))
+    for ground, begins in ((code, 4.0 * 0.26 + 1.6), (table, 2.5)):
+        for demand in (ground, FloorDemand(ground, (0.3,), (0.2,))):
+            found, at = largest_displacement(demand, 0.0, 3.7, 0.08)
+            assert at == pytest.approx(begins)
+            assert found == pytest.approx(displacement(ground, 3.3, 0.08))
+            assert largest_displacement(demand, 0.0, 2.2, 0.08)[1] == 2.2
 
 
 def test_damage_lengthens_the_buildings_period_in_the_floor_spectrum():

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from rocking.assessment import byhand
 from rocking.assessment.checks import confidence
 from rocking.assessment.code_spectrum import CodeDemand
-from rocking.assessment.demand import eta
+from rocking.assessment.demand import eta, floor_demand
 from rocking.assessment.family import Candidate, Family
 from rocking.assessment.national import PARAMETERS, row_at
 from rocking.assessment.paper import Table
@@ -19,6 +19,7 @@ NUMBERS = {  # of the formulas behind the steps of a check
     "a_g,SLD": "C8.7.1.8",
     "a_g,SLV": "not below a_g,SLD",
 }
+FAILS_AT = "of failure"
 STEPS = ("T_SLV", "T_max", "S_De", "a_g,SLD", "a_g,SLV")
 
 
@@ -186,7 +187,7 @@ def _paired(pairs, last, words=""):
         tuple(word for c in columns for word in (c[k] if k < len(c) else ("", "")))
         for k in range(third)
     ]
-    said = f"{words}At a PGA of {last[2]} it {last[1]}."
+    said = f"{words}{last[0]} {last[1].replace(FAILS_AT, f'{FAILS_AT} {last[2]}')}."
     return Table(said, ("",) * 6, rows, (0.17, 0.16, 0.17, 0.17, 0.17, 0.16))
 
 
@@ -207,9 +208,8 @@ def _demand_of(data, name):
             fails.append(float(found.loc["a_g,SLV", "value"]))
     demand = data.tables["code_checks"]["pga_demand_g"].iloc[0]
     least = min(fails)
-    word = "passes" if least >= demand else "fails"
-    words = "fails, beyond" if least >= demand else "fails, short of"
-    rows.append(("PGA", f"{words} the demand's {demand:.4g} g: it {word}", f"{least:.4g} g"))
+    words = "it passes, beyond" if least >= demand else "it fails, short of"
+    rows.append(("PGA", f"{FAILS_AT}: {words} the demand's {demand:.4g} g", f"{least:.4g} g"))
     return rows
 
 
@@ -235,13 +235,16 @@ def spectrum(data):
     else:
         rows = [("demand", data.demand_said)]
     period = chain["period_s"] * own["building_period_factor"]
+    place = data.weakest.place
+    (share,) = floor_demand(None, place, chain).share
     many = chain["n_dof"] > 1
     storeys = f"{chain['n_dof']} equal storeys" if many else "one storey"
     rows.append(
         (
             "floor",
             f"first mode of {storeys}, T1 = {period:.4g} s; taken at "
-            f"{data.weakest.place:.3g} of the eaves' height, the middle of what holds the part",
+            f"{place:.4g} of the eaves' height, the middle of what holds the part, where the mode "
+            f"times its participation, |γ1 ψ1|, is {abs(share):.4g}",
         )
     )
     return Table(

@@ -18,6 +18,7 @@ from smdof.spectra import response_spectrum
 REFERENCE = 0.05  # damping ratio of a spectrum given as a table
 LOWER, UPPER = 0.8, 1.1  # a and b of C7.2.6
 PERIOD_STEP = 1.08  # between the periods over which the largest displacement is sought
+SAME = 1e-9  # relative, of displacements
 SHORTEST = (
     12.0  # of the longest: below, no spectrum of ground or floor has its largest displacement
 )
@@ -41,6 +42,7 @@ class RecordDemand:
     acceleration_m_s2: np.ndarray
     dt_s: float
     _known: dict = field(default_factory=dict, repr=False, compare=False)
+    flat_from_s = math.inf
 
     @property
     def pga_g(self):
@@ -86,6 +88,11 @@ class TableDemand:
         """Value at period 0 [g]."""
         return float(self.acceleration_g[0])
 
+    @property
+    def flat_from_s(self):
+        """Period from which on the displacement is the same [s]."""
+        return float(self.period_s[-1])
+
     def acceleration(self, period_s, damping_ratio=REFERENCE):
         """Pseudo-acceleration [g]; away from 5 % by η, except at period 0."""
         if period_s <= 0.0:
@@ -120,16 +127,20 @@ def largest_displacement(demand, low_s, high_s, damping_ratio):
     Returns
     -------
     displacement_m, period_s : float
+        The first of those periods, where the displacement is the same from one on.
     """
     low = max(low_s, high_s / SHORTEST)
     first, last = (math.log(t) / math.log(PERIOD_STEP) for t in (low, high_s))
     periods = [*PERIOD_STEP ** np.arange(math.ceil(first), math.ceil(last)), high_s]
     ground = demand.ground if isinstance(demand, FloorDemand) else demand
+    if low < ground.flat_from_s < high_s:
+        periods = sorted([*periods, ground.flat_from_s])
     if isinstance(ground, RecordDemand) and (ground is demand or demand.bounded):
         ground.compute(periods, damping_ratio)
     found = [displacement(demand, float(t), damping_ratio) for t in periods]
-    k = int(np.argmax(found))
-    return found[k], float(periods[k])
+    most = max(found)
+    k = next(k for k, value in enumerate(found) if value >= (1.0 - SAME) * most)
+    return most, float(periods[k])
 
 
 @dataclass(frozen=True)

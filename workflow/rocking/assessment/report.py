@@ -1,10 +1,18 @@
 """What the assessment report says on its first pages, and all that its template shows."""
 
-from rocking.assessment import appendix, content, drawings, evidence, pictures, verdict
+from rocking.assessment import (
+    appendix,
+    content,
+    drawings,
+    evidence,
+    pictures,
+    ties_said,
+    verdict,
+)
 from rocking.assessment.checks import LEAST_KNOWN
 from rocking.assessment.paper import Picture
 from rocking.assessment.shaken import WHOLE_PART
-from rocking.assessment.verdict import g3, per_cent
+from rocking.assessment.verdict import g3, per_cent, powered
 from rocking.formula import words
 from yade_scripts.model.registry import MODELS
 
@@ -35,7 +43,13 @@ def context(data, digest):
         "program": data.program,
         "who": who(data),
         "verdict": verdict.headline(
-            t["code_checks"], t["mechanisms"], t["verdicts"], t["shaken"], when(own), data.factor
+            t["code_checks"],
+            t["mechanisms"],
+            t["verdicts"],
+            t["shaken"],
+            when(own),
+            data.factor,
+            data.fit,
         ),
         "drawing": drawing(data),
         "answers": answers(data, relied),
@@ -53,7 +67,7 @@ def context(data, digest):
         ),
         "spectrum": appendix.spectrum(data),
         "dynamic": content.dynamic_check(data, folder),
-        "ties": content.ties(data, folder),
+        "ties": ties_said.section(data, folder),
         "fragility": fragility(data),
         "suite": content.suite(t["dynamic"], relied, folder),
         "rate": content.rate(data, relied, folder),
@@ -104,7 +118,7 @@ def drawing(data):
 def answers(data, relied):
     """(question, answer) of ties, rate and what is not covered."""
     rows = [
-        ("Which ties?", content.ties_said(data)),
+        ("Which ties?", ties_said.answer(data)),
         ("How often?", rate_said(data, relied)),
     ]
     rows.append(
@@ -126,18 +140,15 @@ def rate_said(data, relied):
     every = data.tables["rate"]
     rates = every[every["model"] == relied]
     if rates.empty:
-        return (
-            "No rate: state assessment.hazard (the rows of NTC 2018) or risk.hazard, and motions "
-            "of seven stations or more."
-        )
+        return verdict.no_rate(data.tables["dynamic"], data.config)
     said = [
-        f"{r.annual_rate:.2g} collapses a year by {r.hazard} (95 % {r.rate_low:.2g} to "
-        f"{r.rate_high:.2g}), {100 * r.probability:.2g} % in {r.years:g} years"
+        f"{powered(r.annual_rate)} collapses a year by {r.hazard} (95 % {powered(r.rate_low)} to "
+        f"{powered(r.rate_high)}), {100 * r.probability:.2g} % in {r.years:g} years"
         for r in rates.itertuples()
     ]
     first = every[every["hazard"] == every["hazard"].iloc[0]]
     others = [
-        f"{r.annual_rate:.2g} with {r.model}" for r in first.itertuples() if r.model != relied
+        f"{powered(r.annual_rate)} with {r.model}" for r in first.itertuples() if r.model != relied
     ]
     beside = f" ({verdict.words_of(others)})" if others else ""
     return (
@@ -153,12 +164,10 @@ def rests_on(data, relied):
     courses = f["courses"]
     stack = f"a stack of {courses} elastic courses" if courses else "a rigid part"
     names = list(t["dynamic"]["model"])
-    meanings = "; ".join(f"{name}: {MODELS[name].moved}" for name in names)
-    rests, pushed = "", MODELS[names[0]]
+    meanings = "; ".join(f"{name}: {moved(name, names)}" for name in names)
+    rests = ""
     if len(names) > 1:
         rests = f" Verdict and ties are those of the worst of them; the rate rests on {relied}."
-    elif pushed.chain and pushed.two_way:
-        meanings = f"{names[0]}: they move with the building, whose mass the façade can push"
     whole = t["parts_dynamic"][t["parts_dynamic"]["part"] == WHOLE_PART]
     return [
         f"The demand is {data.demand_said}, a PGA of {g3(demand)} g.",
@@ -177,6 +186,14 @@ def rests_on(data, relied):
     ]
 
 
+def moved(name, names):
+    """How a model's return walls move, without reference to a model that is not among `names`."""
+    model = MODELS[name]
+    if model.chain and model.two_way and model.one_way_model not in names:
+        return "they move with the building, whose mass the façade can push"
+    return model.moved
+
+
 def next_steps(data):
     """Lines of what is recommended next."""
     t, own = data.tables, data.config["assessment"]
@@ -188,8 +205,14 @@ def next_steps(data):
             "Give assessment.hinge_inset_m, from the masonry's compressive strength, to be allowed "
             f"the stated confidence factor {own['confidence_factor']:g} instead of {LEAST_KNOWN}."
         )
+    misfit = ""
+    if data.fit is not None and not data.fit[2]:
+        misfit = (
+            "Give more records (records_table): the mean spectrum of the chosen motions does not "
+            "fit the demand within the code's bounds, so their check is not yet that of the code."
+        )
     given = t["code_checks"], t["mechanisms"], t["verdicts"]
-    return verdict.next_steps(*given, worse, known, shaken=t["shaken"])
+    return verdict.next_steps(*given, worse, known, misfit, shaken=t["shaken"])
 
 
 def fragility(data):

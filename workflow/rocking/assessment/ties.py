@@ -11,8 +11,9 @@ them) are *beyond* these levels. They are left out of the search and named.
 
 Then the façade with its rows is held to the code's dynamic check, mechanism by mechanism. For one
 that does not hold a row that pulls on it is made stronger, in steps of 1/0.95, until it does
-(`ties_shaken.grown`). So 95 % of the row that grew last has been tried and does not pass. What no
-added row makes hold is left out here too.
+(`ties_shaken.grown`). Last, every row gives back what the others' growth has made needless
+(`ties_shaken.lowered`), so that 95 % of each row, the others as they are, has been tried and does
+not pass. What no added row makes hold is left out here too.
 """
 
 import math
@@ -21,13 +22,13 @@ from typing import NamedTuple
 from rocking.assessment.code_checks import slv_pga
 from rocking.assessment.family import LEAST_PART_M, Family
 from rocking.assessment.shaken import label
-from rocking.assessment.ties_shaken import LEAST_SHARE, MOST_SHARE, grown
+from rocking.assessment.ties_shaken import LEAST_SHARE, MOST_SHARE, grown, lowered
 from rocking.studies.strengthening import row_of_rods
 
 CLOSE = 0.005  # relative, of a row's least force
 COMMERCIAL_MM = (8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 36, 40, 45, 50, 60, 70, 80)
 ROWS = ["height_m", "force_by_hand_kn", "force_kn", "count", "diameter_mm", "commercial_mm"]
-ROWS += ["yield_mpa", "length_m", "model", "governed_by", "last", "relied", "force_relied_kn"]
+ROWS += ["yield_mpa", "length_m", "model", "governed_by", "relied", "force_relied_kn"]
 AFTER = ["part", "mechanism", "pga_fails_g", "ratio", "exceed_d0", "mean_d_m", "d_slv_m", "holds"]
 AFTER += ["beyond"]
 
@@ -190,19 +191,22 @@ class Found(NamedTuple):
     Attributes
     ----------
     rows : list of TieRow
-        With their final force; empty where none is needed, or none helps.
+        One at each level, with its final force; 0 N: none is needed there, or none helps.
     by_hand_n : list of float
-        Least force of each by hand; 0 where the dynamic check alone asks for it.
+        Least force of each by hand.
     beyond : list of str
         Labels of the mechanisms that these rows do not make pass.
-    governs : list of ties_shaken.Growth
-        Rows that grew under the motions, in turn.
+    why : list of ties_shaken.Failing or None
+        What fails under the motions with 0.95 of a row's force; None where nothing was shaken.
+    relied_n : list of float
+        Force of each with which every mechanism holds under the model that was tried first.
     """
 
     rows: list
     by_hand_n: list
     beyond: list
-    governs: list
+    why: list
+    relied_n: list
 
 
 def found(tied, shaken, stands, say=lambda text: None):
@@ -223,44 +227,27 @@ def found(tied, shaken, stands, say=lambda text: None):
     Found
     """
     levels = levels_of(tied.sections)
-    rows, beyond = tied.least(levels) if levels else ([], sorted(tied.failing([])))
-    say(f"by hand: {', '.join(f'{1e-3 * r.force_n:.3g} kN at {r.height_m:g} m' for r in rows)}")
-    by_hand = [row.force_n for row in rows]
-    if shaken is None or not levels or (stands and not rows):
-        return Found(rows, by_hand, beyond, [])
-    shaken.left = set(beyond)  # no force helps these by hand
-    if not rows:
-        rows = _first(levels, tied, shaken, say)
-        by_hand = [0.0] * len(rows)
-    rows, governs = grown(shaken, rows, say)
-    return Found(rows, by_hand, sorted({*beyond, *shaken.left}), governs)
-
-
-def _first(levels, tied, shaken, say):
-    """Weakest rows to begin with where by hand none is needed: those that have to grow."""
-    rows = [TieRow(z, LEAST_SHARE * tied.weight_n) for z in levels]
-    left = set(shaken.left)
-    _, governs = grown(shaken, rows, say)
-    shaken.left = left
-    return [row for k, row in enumerate(rows) if any(k in g.which for g in governs)]
-
-
-def first_of(result, model):
-    """Rows with which every mechanism holds under one model, that was tried first; 0 N for none.
-
-    Those that stood before another model made any of them grow.
-    """
-    before = (g.before for g in result.governs if g.why.model != model)
-    rows = next(before, result.rows)
-    grew = {k for g in result.governs if g.why.model == model for k in g.which}
-    return [
-        row.force_n if by_hand_n or k in grew else 0.0
-        for k, (row, by_hand_n) in enumerate(zip(rows, result.by_hand_n, strict=True))
-    ]
+    least, beyond = tied.least(levels) if levels else ([], sorted(tied.failing([])))
+    say(f"by hand: {', '.join(f'{1e-3 * r.force_n:.3g} kN at {r.height_m:g} m' for r in least)}")
+    known = {row.height_m: row.force_n for row in least}
+    by_hand = [known.get(z, 0.0) for z in levels]
+    rows = [TieRow(*row) for row in zip(levels, by_hand, strict=True)]
+    if shaken is None or not levels or (stands and not least):
+        return Found(rows, by_hand, beyond, [None] * len(rows), by_hand)
+    shaken.beyond, shaken.left = set(beyond), set(beyond)  # no force helps these by hand
+    first = shaken.models[:1]
+    rows, _ = grown(shaken, rows, first, say)
+    rows, _ = lowered(shaken, rows, first, say)
+    relied = [row.force_n for row in rows]
+    rows, _ = grown(shaken, rows, shaken.models, say)
+    rows, why = lowered(shaken, rows, shaken.models, say)
+    return Found(rows, by_hand, sorted({*tied.failing(rows), *shaken.left}), why, relied)
 
 
 def table_of(result, own, relied=""):
     """Rows as a table, with the rods they take (ROWS).
+
+    Also a row of no force that the model tried first asks for.
 
     Parameters
     ----------
@@ -270,23 +257,24 @@ def table_of(result, own, relied=""):
     relied : str
         Model that was tried first; empty without the dynamic check.
     """
-    rows, reasons = [], {k: g.why for g in result.governs for k in g.which}
-    first = first_of(result, relied)
-    for k, (row, least_n) in enumerate(zip(result.rows, result.by_hand_n, strict=True)):
+    rows = []
+    every = zip(result.rows, result.by_hand_n, result.why, result.relied_n, strict=True)
+    for row, least_n, why, relied_n in every:
+        if not row.force_n and not relied_n:
+            continue
         rod = row_of_rods(own, row.height_m, 1e-3 * row.force_n)
         size = rod["diameter_mm"]
-        forces = 1e-3 * least_n, 1e-3 * row.force_n
         rods = (
             rod["count"],
             size,
             commercial(size),
             rod["yield_mpa"],
             rod["length_m"],
-            *((reasons[k].model, reasons[k].mechanism) if k in reasons else ("", "")),
-            int(bool(result.governs) and k in result.governs[-1].which),
+            *((why.model, why.mechanism) if why else ("", "")),
             relied,
-            1e-3 * first[k],
+            1e-3 * relied_n,
         )
+        forces = 1e-3 * least_n, 1e-3 * row.force_n
         rows.append(dict(zip(ROWS, (row.height_m, *forces, *rods), strict=True)))
     return rows
 

@@ -1,7 +1,8 @@
 """The code's dynamic check of a façade with rows of ties added, and how strong the rows have to be.
 
 See `ties`. Every mechanism of the tied façade that is shaken is run under all chosen motions. Where
-one does not hold, rows that pull on it grow until it does, the others as they are.
+one does not hold, rows that pull on it grow until it does, the others as they are (`grown`). Then
+each row gives back what the others' growth has made needless (`lowered`).
 """
 
 import json
@@ -37,6 +38,9 @@ class Failing(NamedTuple):
     rows: list
 
 
+BY_HAND = Failing("", "", "", [])  # what fails are the checks by hand
+
+
 class Growth(NamedTuple):
     """Rows that grew until a mechanism held.
 
@@ -45,13 +49,10 @@ class Growth(NamedTuple):
     which : tuple of int
         Those that grew.
     why : Failing
-    before : list of TieRow
-        All rows before they grew.
     """
 
     which: tuple
     why: Failing
-    before: list
 
 
 class Shaken:
@@ -73,6 +74,7 @@ class Shaken:
         self.order = [(one, way) for one in motions for way in directions]  # decisive ones first
         self.rows: list[dict] = []  # TRIED, in their order
         self.left: set[str] = set()  # parts that fail and that no added row makes hold
+        self.beyond: set[str] = set()  # of these, parts that fail by hand too
         self._known: dict[str, dict] = {}
 
     def failing(self, rows, model, start=None):
@@ -187,23 +189,28 @@ def held_by(mechanism, rows):
     Read off its own pulls: a row at or below its foot, or where it is kept in place, is none.
     """
     pulled = [float(pull.path(0.0)[1].real) for pull in mechanism.pulls]
-    own = [k for k, r in enumerate(rows) if any(abs(r.height_m - z) < SAME_M for z in pulled)]
+    own = [
+        k
+        for k, row in enumerate(rows)
+        if row.force_n and any(abs(row.height_m - z) < SAME_M for z in pulled)
+    ]
     return sorted(own, key=lambda k: -rows[k].height_m)
 
 
-def grown(shaken, rows, say=lambda text: None):
+def grown(shaken, rows, models, say=lambda text: None):
     """Rows with which every mechanism holds but those that are left out.
 
     Model by model, until all hold with the same rows. As long as a mechanism fails, the rows that
     pull on it grow until it holds: all of them by one factor, or one of them alone, whichever
-    takes the least force in sum. What none makes hold is left out
-    (`Shaken.left`). What grew last has been tried with 0.95 of its force, the other rows as they
-    are, and its mechanism did not hold.
+    takes the least force in sum; where none does, a level that has no row yet gets one. What none
+    makes hold is left out (`Shaken.left`).
 
     Parameters
     ----------
     shaken : Shaken
     rows : list of TieRow
+        One at each level, ascending; 0 N: none there yet.
+    models : sequence of str
     say : callable
         Receives a line a mechanism.
 
@@ -216,7 +223,7 @@ def grown(shaken, rows, say=lambda text: None):
     governs: list[Growth] = []
     while True:
         count = len(governs)
-        for model in shaken.models:
+        for model in models:
             start = None
             while (failing := shaken.failing(rows, model, start)) is not None:
                 start = failing.part
@@ -225,7 +232,7 @@ def grown(shaken, rows, say=lambda text: None):
                     say(f"{model}, {failing.mechanism}: no row makes it hold")
                     shaken.left.add(failing.part)
                     continue
-                governs.append(Growth(which, failing, rows))
+                governs.append(Growth(which, failing))
                 rows = found
                 say(f"{model}, {failing.mechanism}: holds with {forces_said(rows)} kN")
         if len(governs) == count:  # and so all models hold with the same rows
@@ -233,13 +240,44 @@ def grown(shaken, rows, say=lambda text: None):
 
 
 def cheapest(shaken, rows, failing):
-    """Rows that grow for a mechanism, all or one, by the least force in sum, and all rows then."""
-    alone = [(k,) for k in failing.rows]
-    which, found = (), rows
-    for own in [tuple(failing.rows), *alone] if len(alone) > 1 else alone:
-        stronger = raised(shaken, rows, own, failing, _sum_n(found) if which else math.inf)
-        which, found = (which, found) if stronger is None else (own, stronger)
+    """Rows that grow for a mechanism, all or one, by the least force in sum, and all rows then.
+
+    Those that are there; if they do not make it hold, those of levels without a row.
+    """
+    which, found = _of_these(shaken, rows, failing, failing.rows)
+    if not which and (absent := free_levels(shaken, rows, failing)):
+        which, found = _of_these(shaken, rows, failing, absent)
+        if which and not shaken.tied.passes(found, shaken.beyond):
+            return (), rows  # the wall bends about the new row
     return which, found
+
+
+def _of_these(shaken, rows, failing, own):
+    """All of some rows or one of them, by the least force in sum, and all rows then."""
+    alone = [(k,) for k in own]
+    which, found = (), rows
+    for some in [tuple(own), *alone] if len(alone) > 1 else alone:
+        stronger = raised(shaken, rows, some, failing, _sum_n(found) if which else math.inf)
+        which, found = (which, found) if stronger is None else (some, stronger)
+    return which, found
+
+
+def free_levels(shaken, rows, failing):
+    """Indices of levels without a row at which one would pull on a mechanism."""
+    found = []
+    for k, row in enumerate(rows):
+        if row.force_n:
+            continue
+        weak = [*rows[:k], row._replace(force_n=least_n(shaken)), *rows[k + 1 :]]
+        known = of_label(shaken.tied.family(weak))
+        if failing.part in known and k in held_by(known[failing.part].mechanism, weak):
+            found.append(k)
+    return found
+
+
+def least_n(shaken):
+    """Force of the weakest row that is tried [N]."""
+    return LEAST_SHARE * shaken.tied.weight_n
 
 
 def raised(shaken, rows, which, failing, most_n=math.inf):
@@ -252,7 +290,9 @@ def raised(shaken, rows, which, failing, most_n=math.inf):
 
     def at(steps):
         return [
-            row._replace(force_n=STEP**-steps * row.force_n) if k in which else row
+            row._replace(force_n=STEP**-steps * (row.force_n or least_n(shaken)))
+            if k in which
+            else row
             for k, row in enumerate(rows)
         ]
 
@@ -273,6 +313,84 @@ def raised(shaken, rows, which, failing, most_n=math.inf):
         middle = (low + high) // 2
         low, high = (low, middle) if shaken.holds(at(middle), failing) else (middle, high)
     return at(high)
+
+
+def lowered(shaken, rows, models, say=lambda text: None):
+    """Rows of which none could be a step weaker, the others as they are, and what then fails.
+
+    The strongest first. A row that all checks do without goes; one that gives back some of its
+    force puts the others to the question again. So 0.95 of each row has been tried beside the
+    others as they are at the end, and does not pass.
+
+    Parameters
+    ----------
+    shaken : Shaken
+    rows : list of TieRow
+        With which every mechanism holds that is not left out.
+    models : sequence of str
+    say : callable
+        Receives a line for a row that gives force back.
+
+    Returns
+    -------
+    rows : list of TieRow
+    why : list of Failing or None
+        By row what fails with a step less; `BY_HAND` for the checks by hand, None for no row.
+    """
+    why: list[Failing | None] = [None] * len(rows)
+    while open_rows := [k for k, row in enumerate(rows) if row.force_n and why[k] is None]:
+        k = max(open_rows, key=lambda k: rows[k].force_n)
+        force_n, reason = _least_of(shaken, rows, k, models)
+        if force_n < rows[k].force_n:
+            rows = _with(rows, k, force_n)
+            why = [None] * len(rows)
+            say(f"row at {rows[k].height_m:g} m given back: {forces_said(rows)} kN")
+        why[k] = reason
+    return rows, why
+
+
+def _least_of(shaken, rows, k, models):
+    """Least force of a row, steps of 0.95 down, and what fails one step below; (0, None): none."""
+    reason = None
+
+    def fails(force_n):
+        nonlocal reason
+        found = first_failing(shaken, _with(rows, k, force_n), models, reason)
+        reason = found or reason
+        return found is not None
+
+    force_n = rows[k].force_n
+    if not fails(0.0):
+        return 0.0, None
+    if fails(STEP * force_n):
+        return force_n, reason
+    low, high = 1, 1 + COARSE
+    while STEP**high * force_n > least_n(shaken) and not fails(STEP**high * force_n):
+        low, high = high, high + COARSE
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if fails(STEP**middle * force_n) else (middle, high)
+    return STEP**low * force_n, reason
+
+
+def _with(rows, k, force_n):
+    """Rows of which one has another force."""
+    return [*rows[:k], rows[k]._replace(force_n=force_n), *rows[k + 1 :]]
+
+
+def first_failing(shaken, rows, models, like=None):
+    """What fails with these rows, by hand or shaken; None if all holds.
+
+    `like`: what failed with other rows, which is tried first.
+    """
+    if not shaken.tied.passes(rows, shaken.beyond):
+        return BY_HAND
+    for model in sorted(models, key=lambda model: like is None or model != like.model):
+        start = like.part if like and like.model == model else None
+        failing = shaken.failing(rows, model, start)
+        if failing is not None:
+            return failing
+    return None
 
 
 def _sum_n(rows):

@@ -10,6 +10,8 @@ GOVERNS = "W2m"  # the model that the rate rests on, where it is among a run's
 ROUNDED = 1e-4  # relative; tables have six figures
 OTHERS = {"en": "EN 1998-3", "parts": "NZS 1170.5"}  # by the first part of a check's key
 SURE = 0.005  # of a probability that rounds to 0 or 100 %
+AGREE = 0.95  # least share of draws of one history a motion that give a verdict to rely on
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def g3(value):
@@ -22,6 +24,19 @@ def g3(value):
 def per_cent(value):
     """Whole per cent."""
     return f"{100 * value:.0f} %".replace("-", "−")
+
+
+def the(name):
+    """A mechanism's name within a sentence: all but vertical bending take the article."""
+    return name if name.startswith("vertical") else f"the {name}"
+
+
+def powered(value):
+    """Two figures of a rate: 0.0014, 8.8·10⁻⁵."""
+    if not 0.0 < value < 1e-3:
+        return f"{value:.2g}"
+    digits, exponent = f"{value:.1e}".split("e")
+    return f"{digits}·10{str(int(exponent)).translate(RAISED)}"
 
 
 def collapses(row, sign=""):
@@ -66,7 +81,7 @@ def passes(checks, mechanisms, verdicts):
     return by_hand, bool(verdicts["slv"].all())
 
 
-def headline(checks, mechanisms, verdicts, shaken, when, factor):
+def headline(checks, mechanisms, verdicts, shaken, when, factor, fit=None):
     """What the report says first: passes or not, by which check, mechanism and model.
 
     Parameters
@@ -77,6 +92,8 @@ def headline(checks, mechanisms, verdicts, shaken, when, factor):
         Return period of the demand in words, or that it is the stated one.
     factor : float
         FC that was used.
+    fit : tuple or None
+        See `selection.fit_of`.
 
     Returns
     -------
@@ -94,10 +111,10 @@ def headline(checks, mechanisms, verdicts, shaken, when, factor):
         f"life safety (SLV) is {'lost ' + which if which else ''}"
         f"{'kept up to' if by_hand else 'lost at'} {share} of that shaking, with FC = {factor:g}."
     )
-    return [first, kinematic(checks, mechanisms), _governed(verdicts, shaken, held)]
+    return [first, kinematic(checks, mechanisms), _governed(verdicts, shaken, held, fit)]
 
 
-def _governed(verdicts, shaken, held):
+def _governed(verdicts, shaken, held, fit):
     """The dynamic check of the model and mechanism that decide, and what the others say."""
     if held is None:
         return "The code's dynamic check was not made: too few motions of different stations."
@@ -107,14 +124,25 @@ def _governed(verdicts, shaken, held):
     row = worst.loc[model]
     words = (
         f"The code's dynamic check (C8.7.1.2.1.9) is {'' if held else 'not '}fulfilled. The model "
-        f"that governs is {model}: the {names[row['part']]} moves {1e3 * row['mean_d_m']:.0f} mm "
-        f"in the mean of {row['motions']:.0f} histories, of d_SLV = {1e3 * row['d_slv_m']:.0f} mm"
+        f"that governs is {model}: {moving(names[row['part']])} {1e3 * row['mean_d_m']:.0f} mm in "
+        f"the mean of {row['motions']:.0f} histories, where d_SLV is {1e3 * row['d_slv_m']:.0f} mm"
     )
     if row["exceed_d0"]:
-        words += f", and beyond d0 in {row['exceed_d0']:.0f} of them"
+        words += f", and goes beyond d0 in {row['exceed_d0']:.0f} of them"
+    if row["agree"] < AGREE:
+        words += f"; {per_cent(row['agree'])} of draws of single histories say the same"
     others = [name for name in worst.index if name != model]
     said = [f"with {n} it is {'' if worst.loc[n, 'slv'] else 'not '}fulfilled" for n in others]
-    return words + "." + (f" Beside it {words_of(said)}." if said else "")
+    words += "." + (f" Beside it {words_of(said)}." if said else "")
+    if fit is not None and not fit[2]:
+        words += " The motions' mean spectrum does not fit the demand within the code's bounds."
+    return words
+
+
+def moving(name):
+    """What the displacement of a mechanism is of, to begin a clause with."""
+    bends = name.startswith("vertical")
+    return f"the open joint of {name}, moves" if bends else f"the top of the {name} moves"
 
 
 def kinematic(checks, mechanisms):
@@ -126,8 +154,9 @@ def kinematic(checks, mechanisms):
     verdict = "passes" if share >= 1.0 else "fails"
     return (
         f"The façade {verdict} the non-linear kinematic check of the Circolare 7/2019 for life "
-        f"safety (SLV): the weakest of {len(stated)} mechanisms, {least['mechanism']}, holds up to "
-        f"a PGA of {g3(least['pga_fails_g'])} g, {per_cent(share)} of the demand's {g3(demand)} g."
+        f"safety (SLV): the weakest of {len(stated)} mechanisms, {the(least['mechanism'])}, holds "
+        f"up to a PGA of {g3(least['pga_fails_g'])} g, {per_cent(share)} of the demand's "
+        f"{g3(demand)} g."
     )
 
 
@@ -161,7 +190,7 @@ def by_hand_alone(shaken):
         return ""
     said = shaken.loc[left & ~later, "mechanism"].tolist()
     if later.any():
-        said.append(f"{later.sum()} that by hand fail far later")
+        said.append(f"{later.sum()} that by hand fail{'s' if later.sum() == 1 else ''} far later")
     return f" Not shaken, judged by hand alone: {words_of(said)}."
 
 
@@ -196,7 +225,7 @@ def dynamic_check(verdicts, fit, shaken=None):
     )
     limits = []
     for _, own in verdicts.drop_duplicates("part" if count > 1 else "d_slv_m").iterrows():
-        where = f" of the {names[own['part']]}" if count > 1 else " there"
+        where = f" of {the(names[own['part']])}" if count > 1 else " there"
         limit = f"d_SLV{where} is {1e3 * own['d_slv_m']:.3g} mm"
         limits.append(limit + ", where a tie or an anchor gives way" * bool(gives_way(own)))
     if not lost:
@@ -205,7 +234,7 @@ def dynamic_check(verdicts, fit, shaken=None):
         verdict = f"is not fulfilled{' for any model' * (len(verdicts) > 1)}"
     else:
         verdict = f"is fulfilled for {words_of(held)} and not for {words_of(lost)}"
-    unsure = [r.model for r in verdicts.itertuples() if r.agree < 0.95]
+    unsure = [r.model for r in verdicts.itertuples() if r.agree < AGREE]
     of = "the whole façade" if count == 1 else f"{count} mechanisms"
     top = "the top" if count == 1 else "the top of the worst of them"
     words = f"The code's dynamic check of {of} (C8.7.1.2.1.9) {verdict}, {about}: "
@@ -217,8 +246,22 @@ def dynamic_check(verdicts, fit, shaken=None):
 
 def stands_on(facade):
     """What the façade of the dynamic models stands on, in words."""
-    courses = facade["courses"]
-    return f"{courses} elastic courses" if courses else f"facade.base: {facade['base']}"
+    if facade["courses"]:
+        return f"the façade in {facade['courses']} elastic courses"
+    springs = "even springs of E/h" if facade["base"] == "study" else "springs stiffer at the edges"
+    if facade["base_stiffness_pa_m"] is not None:
+        springs = "springs of the stated stiffness"
+    return f"the façade as one rigid block on {springs} (facade.base: {facade['base']})"
+
+
+def no_rate(dynamic, config):
+    """Why there is no annual rate: what has to be stated or given."""
+    wants = []
+    if not config["assessment"]["hazard"] and config["risk"]["hazard"] is None:
+        wants.append("state assessment.hazard (the rows of NTC 2018) or risk.hazard")
+    if dynamic["stations"].max() < FEWEST:
+        wants.append(f"give motions of {FEWEST} stations or more")
+    return f"No rate: {' and '.join(wants)}."
 
 
 def suite(dynamic, several=False):
@@ -280,7 +323,7 @@ def next_steps(checks, mechanisms, verdicts, *more, shaken=None):
     if len(weak):
         lines.append(
             "Tie or hold the façade against: "
-            + "; ".join(f"{r.mechanism} ({g3(r.pga_fails_g)} g)" for r in weak.itertuples())
+            + "; ".join(f"{the(r.mechanism)} ({g3(r.pga_fails_g)} g)" for r in weak.itertuples())
             + ". Which rows of ties do so stands on page 1."
         )
         lines.append(
@@ -319,7 +362,7 @@ def next_steps(checks, mechanisms, verdicts, *more, shaken=None):
             "Give motions of as many stations as the code's dynamic check wants "
             "(assessment.motions); it was not made."
         )
-    elif (verdicts["agree"] < 0.95).any():
+    elif (verdicts["agree"] < AGREE).any():
         lines.append(
             "Run the dynamic check with more motions: its verdict hangs on single histories."
         )
@@ -327,37 +370,10 @@ def next_steps(checks, mechanisms, verdicts, *more, shaken=None):
     done = {WHOLE} if shaken is None else {*shaken.loc[shaken["shaken"] == 1, "mechanism"]}
     if least["mechanism"] not in done:
         lines.append(
-            f"The weakest mechanism, {least['mechanism']}, was not shaken: it is judged by the "
-            "kinematic checks alone."
+            f"The weakest mechanism, {the(least['mechanism'])}, was not shaken: it is judged by "
+            "the kinematic checks alone."
         )
     lines += [line for line in more if line]
     if not lines:
         lines.append("Keep the assumptions below verified on site; nothing else is asked for.")
     return lines
-
-
-def asked_by(row):
-    """What a row of ties.csv is so strong for."""
-    by_hand = not isinstance(row.governed_by, str) or not row.governed_by
-    return "checks by hand" if by_hand else f"{row.governed_by}, {row.model}"
-
-
-def governing_row(rows):
-    """Begin the sentence on 95 %: of the row that grew last under the motions, or of any."""
-    last = rows[rows["last"] == 1]
-    if last.empty:
-        return "With 95 % of the force"
-    levels = " and ".join(f"{z:.2f} m" for z in last["height_m"])
-    row = last.iloc[0]
-    what = f"what {row.governed_by} asks for under {row.model}"
-    return f"The force at {levels} is {what}; with 95 % of it"
-
-
-def relied_rows(rows):
-    """Sentence on what the model that the rate rests on asks for by itself, where it is less."""
-    less = rows["force_relied_kn"] < rows["force_kn"] - 0.05
-    if not less.any():
-        return ""
-    own = rows[rows["force_relied_kn"] > 0.0]
-    said = [f"{r.force_relied_kn:.1f} kN at {r.height_m:.2f} m" for r in own.itertuples()]
-    return f" {rows['relied'].iloc[0]} by itself asks for {' and '.join(said) or 'none'}."
