@@ -1,9 +1,11 @@
 """The assessment as a page and as its PDF: one source, self-contained, with text to be searched."""
 
 import contextlib
+import os
 import re
 import shutil
 import subprocess
+import types
 import zlib
 
 import numpy as np
@@ -69,11 +71,18 @@ def opened(data):
     return b"".join(found)
 
 
-def test_the_same_page_makes_the_same_pdf_with_title_bookmarks_and_searchable_text(tmp_path):
+def test_the_same_page_makes_the_same_pdf_with_title_bookmarks_and_searchable_text(
+    tmp_path, monkeypatch
+):
+    """Whatever the clock says, also in the fonts."""
+    monkeypatch.delenv("SOURCE_DATE_EPOCH", raising=False)
     text = paper.page(CONTEXT)
     paths = [tmp_path / "a.pdf", tmp_path / "b.pdf"]
-    for path in paths:
+    for seconds, path in enumerate(paths):
+        clock = types.SimpleNamespace(time=lambda now=1e9 + 100 * seconds: now)
+        monkeypatch.setattr("fontTools.misc.timeTools.time", clock)
         paper.write_pdf(path, text)
+    assert "SOURCE_DATE_EPOCH" not in os.environ
     first, second = (path.read_bytes() for path in paths)
     assert first == second
     inside = opened(first)

@@ -24,7 +24,8 @@ def data(forces, left=(), by_hand=0.1, tried=True, relied=None, levels=None):
         "mechanisms": pd.DataFrame(mechanisms),
         "verdicts": pd.DataFrame({"model": ["W1", "W2m"], "slv": [True, by_hand > 0.2]}),
     }
-    return SimpleNamespace(tables=tables, config={"assessment": {"tie_levels_m": levels}})
+    config = {"assessment": {"tie_levels_m": levels}, "facade": {"ties": []}}
+    return SimpleNamespace(tables=tables, config=config)
 
 
 @pytest.mark.parametrize(
@@ -82,3 +83,10 @@ def test_a_row_is_asked_for_by_hand_or_by_a_mechanism_under_a_model():
     first, second = rows.itertuples()
     assert ties_said.asked_by(first) == "checks by hand"
     assert ties_said.asked_by(second) == f"{GABLE}, W2"
+
+
+def test_rows_that_are_there_are_not_said_to_be_needless():
+    given = data([8.0], by_hand=0.3)
+    given.config["facade"]["ties"] = [{"height_m": 3.0}]
+    said = "None besides those that are there are needed for this demand."
+    assert ties_said.answer(given) == said

@@ -159,7 +159,7 @@ def test_the_verdict_says_what_moves_and_when_it_rests_on_motions_that_do_not_fi
     bending = part.assign(mechanism=bent)
     unsure = found.assign(agree=0.8)
     said = headline(*given, unsure, bending, "In 475 years", 1.35, (-0.1, 1.0, False))
-    assert f"the open joint of {bent}, moves 50 mm" in said[2]
+    assert f"the joint of {bent}, moves 50 mm" in said[2]
     assert "; 80 % of draws of single histories say the same." in said[2]
     assert said[2].endswith("does not fit the demand within the code's bounds.")
 

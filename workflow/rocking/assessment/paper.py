@@ -6,6 +6,7 @@ PDF, with bookmarks, title and author, as PDF/A-3u, whose text can be searched a
 
 import base64
 import io
+import os
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,6 +19,7 @@ from markupsafe import Markup, escape
 
 TEMPLATES = Path(__file__).parent / "templates"
 VARIANT = "pdf/a-3u"
+DATE = "SOURCE_DATE_EPOCH"  # of fonts, as fontTools reads it
 MM = 1.0 / 25.4  # inches
 WIDTH_MM = 120.0  # of a picture: readable at a phone's width too
 NUMBER = re.compile(r"[<>]?[−-]?[0-9.]+(e-?[0-9]+)?( ?[%A-Za-zα/²³]{1,5})?|–")
@@ -132,8 +134,13 @@ def write_pdf(path, text):
 
     alone = weasyprint.URLFetcher(allowed_protocols=["data"], fail_on_errors=True)
     document = weasyprint.HTML(string=text, url_fetcher=alone)
+    dated = os.environ.get(DATE)
+    os.environ[DATE] = dated or "0"  # else every font has the second in which it was cut out
     try:
         document.write_pdf(str(path), pdf_variant=VARIANT, pdf_identifier=b"report")
     except weasyprint.urls.FatalURLFetchingError as error:
         said = str(error)[:80]
         raise ValueError(f"report: {said}: expected a page that holds all it shows") from None
+    finally:
+        if dated is None:
+            del os.environ[DATE]

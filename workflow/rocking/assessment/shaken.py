@@ -12,6 +12,8 @@ COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "pga_fails_g", "s
 WHOLE_PART = "whole"
 CORNER = "turns about a corner, not over the whole width"
 LATER = "fails by hand"
+ROCKS = "for a wall that rocks"  # end of what refuses a wall lower than twice its thickness
+STOCKY = "lower than twice its thickness, so that it slides before it rocks"
 
 
 def heights(one):
@@ -67,6 +69,8 @@ def chosen(ranked, tried, within):
                     case.part(*heights(one))
             except ValueError as error:
                 why = str(error).removeprefix("config: ")
+                if why.endswith(ROCKS):
+                    why = STOCKY
         rows.append((label(one), one.name, *heights(one), pga_g, int(not why), why))
     return pd.DataFrame(rows, columns=COLUMNS)
 

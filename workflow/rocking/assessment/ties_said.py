@@ -18,7 +18,8 @@ def answer(data):
     if data.config["assessment"]["tie_levels_m"] == []:
         return "Not looked for: assessment.tie_levels_m is empty."
     if by_hand and held is not False:
-        return "None are needed for this demand."
+        beside = " besides those that are there" if data.config["facade"]["ties"] else ""
+        return f"None{beside} are needed for this demand."
     kept = rows[rows["force_kn"] > 0.0]
     if kept.empty:
         return "No row at floors or eaves makes the façade pass; what fails is named under Ties."

@@ -142,7 +142,7 @@ def _governed(verdicts, shaken, held, fit):
 def moving(name):
     """What the displacement of a mechanism is of, to begin a clause with."""
     bends = name.startswith("vertical")
-    return f"the open joint of {name}, moves" if bends else f"the top of the {name} moves"
+    return f"the joint of {name}, moves" if bends else f"the top of the {name} moves"
 
 
 def kinematic(checks, mechanisms):
