@@ -69,12 +69,13 @@ def rebound_histories(config, beta_s, ratio, limit_s, fractions):
 
 
 def shaken(config, model, beta_s, time_s, columns, factor, planar=True, two_components=False):
-    """Peak d/b, status and reason of one earthquake run."""
+    """Peak d/b, status and reason of one earthquake run, twist and slide in three dimensions."""
     scene = facade.facade_scene(config, model, beta_s, planar=planar, two_components=two_components)
     columns = {name: np.array(values) for name, values in columns.items()}
     numerics = config["numerics"]
     h = shaking.set_up(scene, numerics, np.array(time_s), columns, factor).retried()
-    return {"peak": h.peak_d_over_b, "status": h.status, "reason": h.reason, "d": h.d_m.tolist()}
+    said = {"peak": h.peak_d_over_b, "status": h.status, "reason": h.reason, "d": h.d_m.tolist()}
+    return said | h.beside
 
 
 def drive_speed(config, model, beta_s, time_s, columns):

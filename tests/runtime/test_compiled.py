@@ -21,8 +21,6 @@ from rocking import Case, Motion, collapse_curve, compile_ahead
 from rocking.mechanics import column, rocking_block
 from rocking.records import Record
 from rocking.reference.facade import answers, motion_of
-from rocking.solver import Motions, history, to_plane, spatial
-from yade_scripts.model.models import build_scene
 
 
 
@@ -49,9 +47,6 @@ for model, more in (
 ):
     case = Case.configured(model, {**short, **more})
     collapse_curve(case, Motion(Record("wave", wave, 0.01, "file")), "neg", search="crossings")
-scene = build_scene({**Case.configured("W1").sections, "width_nodes": 3})
-given = spatial.two_motions(scene, t, {"ground": wave, "vertical": wave})
-spatial.history(spatial.to_block(scene), given, Case.configured("W1")["numerics"], sample_s=0.1)
 case = Case.configured("W2").sections
 moving = motion_of(t, {"ground": wave, **{f"floor{j}": wave for j in range(1, 5)}}, "W2")
 answers(case, moving, "pos", [0.1], nodes=5, tolerance=1e-4)
@@ -93,7 +88,6 @@ def test_the_set_up_compiles_what_runs_call():
         "march_blocks",
         "march_stack",
         "march_stacks",
-        "march_spatial",
     }
 
 

@@ -117,7 +117,7 @@ def test_a_reader_does_not_touch_the_runs_in_yade():
 
 
 def test_what_draws_belongs_to_a_study_only_where_it_is_drawn():
-    for name in ("rocking/studies/sequence", "scripts/two_components/two_components_runs"):
+    for name in ("rocking/studies/sequence", "rocking/studies/additions"):
         path = ROOT / f"workflow/{name}.py"
         whole, computed = (set(sources.sources(path, drawn)) for drawn in (True, False))
         assert path in computed

@@ -22,17 +22,16 @@ from rocking.mechanics import column, rocking_block
 from rocking.reference import Motion, simulate, simulate_batch
 from rocking.reference.facade import wall_of
 from rocking.runtime import warm
-from rocking.solver import spatial
 from yade_scripts.model.models import build_scene
 
 TIME_S, STILL = np.arange(3.0), np.zeros(3)
 
 
-def case(model, **more):
+def case(model):
     """A case of a model as configured by default, and its numerics."""
     config = resolve({})
     numerics = layouts(config["numerics"])[0]
-    return {**config, "numerics": numerics, "model": model, "beta_s": 0.0, **more}, numerics
+    return {**config, "numerics": numerics, "model": model, "beta_s": 0.0}, numerics
 
 
 def planar(model, histories=1):
@@ -41,14 +40,6 @@ def planar(model, histories=1):
     scene = build_scene(given)
     motions = solver.Motions(TIME_S, STILL, [STILL for _ in solver.moving_supports(scene)])
     solver.peaks(solver.to_plane(scene), motions, numerics, np.ones(histories), step_s=1e-3)
-
-
-def in_space():
-    """The loop of one block in three dimensions."""
-    given, numerics = case("W1", width_nodes=3)
-    scene = build_scene(given)
-    motions = spatial.two_motions(scene, TIME_S, {"ground": STILL})
-    spatial.history(spatial.to_block(scene), motions, numerics, 1.0)
 
 
 def others():
@@ -74,7 +65,6 @@ JOBS = (
     (planar, "W3"),
     (planar, "W3", 8),
     (planar, "W2", 8),
-    (in_space,),
     (imports,),
 )  # the longest first
 

@@ -26,7 +26,7 @@ from yade_scripts.commands import command, perturb
 from yade_scripts.commands.ensemble import run_realisations
 from yade_scripts.commands.journal import Journal
 from yade_scripts.commands.runner import Runner
-from yade_scripts.commands.tables import RUN_COLUMNS, to_csv
+from yade_scripts.commands.tables import RUN_COLUMNS, TWO_COMPONENTS, to_csv
 from yade_scripts.engine import adapter
 from yade_scripts.files import read_json, write_atomic
 from yade_scripts.model import floor_motions
@@ -106,7 +106,9 @@ def main(arguments=None):
     for case in cases:
         rows += run_case(case, journal, command.progress(f"{case['record']} {case['direction']}"))
     realisations = REALISATION if any(case.get("realisations") for case in cases) else {}
+    both = TWO_COMPONENTS if all(case.get("second") for case in cases) else {}
     own = listed.get("ahead", {})
     columns = {**own, **KEY, **own, **listed.get("beside", {}), **realisations, **RUN_COLUMNS}
+    columns |= both
     write_atomic(args.output, to_csv(rows, columns))
     return 0

@@ -11,6 +11,7 @@ from yade_scripts.engine import simulate
 
 # what does not change along one history
 HEAD = {"model": "", "record": "", "direction": "", "pga_g": ".4f", "status": "", "dt_s": ".6e"}
+TWO_COMPONENTS = {"twist_rad": ".6g", "slid_m": ".6g"}  # what a run under both has beside
 # of the columns that every table of earthquake runs ends with
 RUN_COLUMNS = {
     "d_over_b": ".6f",
@@ -40,6 +41,7 @@ def run_row(model, record, direction, pga_g, history):
         "dt_s": history.dt_s,
         "steps": history.steps,
         "wall_s": history.wall_s,
+        **history.beside,
     }
 
 

@@ -2,7 +2,7 @@
 
 import math
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -43,7 +43,8 @@ class YadeHistory:
 
     d is positive outward, relative to the base, the rotation outward that of the monitored block;
     the peak |d|/b is refined between samples by the cubic through values and rates. The status is
-    "ok", "overturned" or "failed".
+    "ok", "overturned" or "failed". `beside` are further columns of a table's row: under two
+    components the largest twist about z and slide of the centroid along x, at the samples.
     """
 
     time_s: np.ndarray
@@ -56,6 +57,7 @@ class YadeHistory:
     dt_s: float
     steps: int
     wall_s: float
+    beside: dict = field(default_factory=dict)
 
 
 def choose_step(scene, numerics):
@@ -106,8 +108,9 @@ class _Monitor:
             arm = tuple(float(p - c) for p, c in zip(point, centre, strict=True))
             state = bodies[built.body[index]].state
             self.points.append((state, built.unturned[index], float(centre[1]), arm))
-        self.spatial = scene.two_components
+        self.beside = {"twist_rad": 0.0, "slid_m": 0.0} if scene.two_components else {}
         self.start = self.support.pos[1]
+        self.apart_x = self.points[-1][0].pos[0] - self.support.pos[0]
         self.b = scene.thickness_m
         self.rows, self.moving_until = [], 0.0
         self.status, self.reason = OK, ""
@@ -126,10 +129,14 @@ class _Monitor:
                 continue
             d, turn, farthest = at, angle, abs(at)
             v = state.vel[1] - state.angVel[0] * (s * y + c * z) - speed
-            if self.spatial:
-                arm = np.array(rotation(state.ori * unturned), float).reshape(3, 3) @ point
+            if self.beside:
+                turned = np.array(rotation(state.ori * unturned), float).reshape(3, 3)
+                arm = turned @ point
                 d += arm[1] - (c * y - s * z)
                 v = state.vel[1] + state.angVel[2] * arm[0] - state.angVel[0] * arm[2] - speed
+                slid = state.pos[0] - support.pos[0] - self.apart_x
+                now = {"twist_rad": math.atan2(turned[1, 0], turned[0, 0]), "slid_m": slid}
+                self.beside = {name: max(self.beside[name], abs(now[name])) for name in now}
         self.rows.append((t, d, v, -turn))
         rules = self.rules
         if not (math.isfinite(d) and math.isfinite(v)) or abs(v) > rules.max_speed_m_s:
@@ -211,4 +218,5 @@ def run(
         dt_s,
         int(omega.iter),
         wall,
+        monitor.beside,
     )

@@ -43,24 +43,29 @@ def run_yade(*words, folder, limit_s=LIMIT_S):
 class YadeRuns:
     """Outcomes of a case at any amplitudes, by YADE; finished runs are kept while it lives.
 
-    `limit_s` is for each call, of up to `block` amplitudes.
+    `limit_s` is for each call, of up to `block` amplitudes. `second` is the motion along the façade
+    of a case in three dimensions, whose outcomes have its largest twist and slide too.
     """
 
     block = BLOCK
 
-    def __init__(self, case, motion, direction, limit_s=LIMIT_S):
+    def __init__(self, case, motion, direction, limit_s=LIMIT_S, second=None):
         """Write the case and its motions to a folder of their own."""
         self.limit_s, self.static_g = limit_s, models.static_multiplier(case.sections)
         self._folder = tempfile.TemporaryDirectory(prefix="rocking-")
         self.folder = Path(self._folder.name)
         (self.folder / "case.json").write_text(case.to_json())
         write_columns(self.folder / "motion.csv", *motion.columns(case), digits=WHOLE)
+        self.columns = COLUMNS if second is None else [*COLUMNS, "twist_rad", "slid_m"]
         self.case: dict = {
             "scene": "case.json",
             "motion": "motion.csv",
             "record": motion.name or "motion",
             "direction": direction,
         }
+        if second is not None:
+            write_columns(self.folder / "second.csv", *second.columns(case), digits=WHOLE)
+            self.case["second"] = "second.csv"
         if motion.first is not None and motion.first_pga_g > 0.0:
             write_columns(self.folder / "first.csv", *motion.first.columns(case), digits=WHOLE)
             self.case["before"] = {
@@ -77,7 +82,7 @@ class YadeRuns:
         words = ("--list", "runs.json", "--journal", "journal.jsonl", "--output", "runs.csv")
         run_yade("runs", *words, folder=self.folder, limit_s=self.limit_s)
         table = pd.read_csv(self.folder / "runs.csv")
-        return table.assign(collapsed=(table["status"] == "overturned").astype(int))[COLUMNS]
+        return table.assign(collapsed=(table["status"] == "overturned").astype(int))[self.columns]
 
     seen = Scan.seen
 

@@ -1,6 +1,7 @@
 """Collapse under both horizontal components beside that of the planar scene under one.
 
-Both scenes have the same nodes out of plane, so what is between them is the second component.
+Both scenes have the same nodes out of plane, so what is between them is the second component. Under
+one component the planar solver runs, under both YADE.
 """
 
 import math
@@ -9,10 +10,12 @@ import numpy as np
 import pandas as pd
 
 from rocking.collapse import search
+from rocking.collapse.case import Case
 from rocking.collapse.ratios import spread
+from rocking.collapse.scan import driving
 from rocking.collapse.varied import collapses
+from rocking.collapse.yade import YadeRuns
 from rocking.runtime.drawing import drawing
-from rocking.solver import spatial
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import STEP_FRACTION, peaks, stable_step
 from yade_scripts.commands.perturb import NODE_KEYS
@@ -26,14 +29,11 @@ FOUND += ["last_g", "last_d_two", "last_twist_rad", "last_slid_m"]
 COLUMNS = ["model", "record", "second", "direction", "second_ratio", *FOUND]
 NODES = 9  # across the thickness and up each block of the walls, in both scenes
 AGAIN_STEP = 0.9  # of the planar solver's step, with one more node: what a repetition moves
+YADE_STEP = 0.2  # of the critical step: d/b as at a quarter of it, to 2e-5
+AT_ONCE = 3  # levels that one start of YADE runs, of the climb under both
 HALF = 0.5  # of the planar collapse: where histories repeat
 SUMMARY = {"curves": "n_known", "median": 50, "p10": 10, "p90": 90, "lowest": 0}
 SUMMARY |= {"below_095": lambda found: found.share(high=np.nextafter(0.95, 0.0))}
-
-
-def full(case, settings):
-    """Scene file of the full scene, with `width_nodes`."""
-    return {**with_nodes(case), "width_nodes": settings["nodes_width"]}
 
 
 def with_nodes(case, more=0):
@@ -42,74 +42,74 @@ def with_nodes(case, more=0):
     return {**case, "numerics": numerics}
 
 
+def full(case, settings):
+    """Scene file of the scene in three dimensions, with the columns of section two_components."""
+    found = with_nodes(case)
+    found["numerics"] |= {"step_s": None, "step_fraction": YADE_STEP}
+    return {**found, "width_nodes": settings["nodes_width"]}
+
+
 class Comparison:
     """One model, record and direction under one component and under both.
 
-    Parameters
-    ----------
-    case : dict
-        A case file of W1 or W2.
-    time_s, columns
-        Floor motions with the second component, see `floor_motions.with_second`.
-    direction : str
-        "neg" turns the building by half a turn: both components change sign.
-    settings : dict
-        Section two_components.
+    `case` is that of W1 or W2, the motions are floor motions across the façade and along it, and
+    settings those of section two_components. "neg" turns the building by half a turn: both
+    components change sign.
     """
 
-    def __init__(self, case, time_s, columns, direction, settings):
+    def __init__(self, case, motion, second, direction, settings):
         """Prepare both scenes."""
-        self.ground, self.direction = columns["ground"], direction
-        self.settings, self.numerics = settings, case["numerics"]
-        scene = models.build_scene(full(case, settings))
-        self.block = spatial.to_block(scene)
-        columns = floor_motions.motion_columns(scene, columns)
-        self.motions = spatial.two_motions(scene, time_s, columns)
-        plans = [models.build_scene(with_nodes(case, more)) for more in (0, 1)]
-        self.planes = [(plane, stable_step(plane)) for plane in map(to_plane, plans)]
-        self.start_g, self.max_g = 0.5 * models.static_multiplier(case), case["ida"]["max_pga_g"]
+        given, self.direction, self.settings = case.sections, direction, settings
+        time_s, columns = floor_motions.with_second(*motion.floors, *second.floors)
+        self.ground, self.numerics, self.planes = columns["ground"], given["numerics"], []
+        for more in (0, 1):
+            scene = models.build_scene(with_nodes(given, more))
+            plane = to_plane(scene)
+            self.planes.append((plane, driving(scene, time_s, columns), stable_step(plane)))
+        in_space = Case(full(given, settings))
+        self.yade = YadeRuns(in_space, motion, direction, second=second)
+        self.start_g, self.max_g = 0.5 * self.yade.static_g, given["ida"]["max_pga_g"]
 
     def one(self, pga_g, again=False):
         """Peak d/b of the planar scene, 1 if it overturns; `again`: a node more, a shorter step."""
-        plane, stable = self.planes[int(again)]
+        plane, motions, stable = self.planes[int(again)]
         step = STEP_FRACTION * stable * (AGAIN_STEP if again else 1.0)
         factor = amplitude(self.ground, self.direction, pga_g)
-        found = peaks(plane, self.motions[0], self.numerics, [factor], step_s=step)
+        found = peaks(plane, motions, self.numerics, [factor], step_s=step)
         return float(np.minimum(found.d_over_b[0], 1.0))
-
-    def two(self, pga_g):
-        """`spatial.Outcome` under both components, scaled alike."""
-        factor = amplitude(self.ground, self.direction, pga_g)
-        return spatial.history(self.block, self.motions, self.numerics, factor)
 
     def level(self, k):
         """PGA of level k [g]."""
         return self.start_g * (1.0 + self.settings["level_ratio"]) ** k
 
-    def lowest(self, falls, first=0):
-        """Lowest level that falls, from `first` up, or down if that falls; None if none does."""
+    def lowest(self, outcomes, first=0, block=1):
+        """Lowest level that falls, from `first` up, or down if that falls; None if none does.
 
-        def run(ask):
-            return ["overturned" if falls(g) else "ok" for g in ask.pga_g]
-
-        return drive(search.neighbour(self.level, self.max_g, first), run)
+        `outcomes` says the status of amplitudes, of which it is asked for `block` at once.
+        """
+        strategy = search.neighbour(self.level, self.max_g, first, block)
+        return drive(strategy, lambda ask: outcomes(ask.pga_g))
 
     def compare(self):
         """Values of `FOUND`; NaN where nothing falls up to ida.max_pga_g."""
-        one = self.lowest(lambda g: self.one(g) >= 1.0)
+
+        def alone(again):
+            return lambda pga_g: ["ok" if self.one(g, again) < 1.0 else "overturned" for g in pga_g]
+
+        one = self.lowest(alone(again=False))
         each = math.log(1.0 + self.settings["level_ratio"])
         top = math.ceil(math.log(self.max_g / self.start_g) / each)
         back = math.ceil(math.log(self.settings["start_ratio"]) / each)
         first = max(0, (top if one is None else one) + back)
-        again = self.lowest(lambda g: self.one(g, again=True) >= 1.0, first)
-        two = self.lowest(lambda g: self.two(g).status == "overturned", first)
+        again = self.lowest(alone(again=True), first)
+        two = self.lowest(lambda pga_g: self.yade.run(pga_g)["status"].tolist(), first, AT_ONCE)
         half = HALF * self.level(top if one is None else one)
-        found, last = self.two(half), self.level(top if two is None else max(two - 1, 0))
-        stood = self.two(last)
+        last = self.level(top if two is None else max(two - 1, 0))
+        of_yade = self.yade.run([half, last])[["d_over_b", "twist_rad", "slid_m"]].to_numpy()
         return (
             *(math.nan if k is None else self.level(k) for k in (one, again, two)),
-            *(half, self.one(half), found.d_over_b, found.twist_rad, found.slid_m),
-            *(last, stood.d_over_b, stood.twist_rad, stood.slid_m),
+            *(half, self.one(half), *of_yade[0]),
+            *(last, *of_yade[1]),
         )
 
 
@@ -119,33 +119,13 @@ def collapse(cases, motion, directions, second, settings):
     Motions are floor motions; second_ratio is of the peak along the façade to that out of plane.
     """
     ratio = np.abs(second.floors[1]["ground"]).max() / np.abs(motion.floors[1]["ground"]).max()
-    time_s, columns = floor_motions.with_second(*motion.floors, *second.floors)
     about = {"second": second.name, "second_ratio": ratio}
 
     def find(case, _, direction):
-        found = Comparison(case.sections, time_s, columns, direction, settings).compare()
+        found = Comparison(case, motion, second, direction, settings).compare()
         return about | dict(zip(FOUND, found, strict=True))
 
     return pd.DataFrame(collapses(cases, motion, directions, find), columns=COLUMNS)
-
-
-def to_confirm(case, row, settings):
-    """For YADE's command `runs`: intensities of one row of the table with the compiled d/b.
-
-    d_over_b_compiled is 1 where its façade fell.
-    """
-    names = (("half_g", "d_two"), ("last_g", "last_d_two"), ("two_g", None))
-    known = [(row[g], row[d] if d else 1.0) for g, d in names if np.isfinite(row[g])]
-    return {
-        "beside": {"d_over_b_compiled": ".6g"},
-        "cases": [
-            {
-                "scene": full(case.sections, settings),
-                "pga_g": [float(pga_g) for pga_g, _ in known],
-                "about": [{"d_over_b_compiled": min(float(d), 1.0)} for _, d in known],
-            }
-        ],
-    }
 
 
 def summary(table):

@@ -36,7 +36,9 @@ rule two_components_curves:
         cases=of_run(rules.facade_case.output[0], model=one_block),
         motion=of_run(rules.floor_motions.output[0]),
         second=motion_along,
+        yade=rules.yade_check.output[0],
         modules=code("studies/collapse", study="two_components"),
+        command=command_code("runs"),
     output:
         table=results("two_components/{record}.csv"),
     log:
@@ -73,47 +75,10 @@ figure_of(
 )
 
 
-# One curve at the intensities of the compiled solver, in YADE: ask for the file.
-rule two_components_runs:
-    input:
-        case=rules.facade_case.output[0],
-        curves=rules.two_components_curves.output.table,
-        modules=code("two_components/two_components_runs"),
-    output:
-        results("two_components/{model}_{record}_{direction}.json"),
-    log:
-        logs("two_components_runs_{model}_{record}_{direction}"),
-    params:
-        settings=value_of("two_components"),
-    script:
-        "../../scripts/two_components/two_components_runs.py"
-
-
-rule two_components_yade:
-    input:
-        runs=rules.two_components_runs.output[0],
-        motion=of_run(rules.floor_motions.output[0]),
-        second=motion_along,
-        yade=rules.yade_check.output[0],
-        modules=command_code("runs"),
-    output:
-        results("two_components/{model}_{record}_{direction}_yade.csv"),
-    log:
-        logs("two_components_{model}_{record}_{direction}_yade"),
-    params:
-        yade=YADE,
-        journal=results("cache/two_components/{model}_{record}_{direction}.jsonl"),
-    shell:
-        "{params.yade} runs --list {input.runs:q} --motion {input.motion:q}"
-        " --second {input.second:q} --record {wildcards.record:q}"
-        " --direction {wildcards.direction} --journal {params.journal:q}"
-        " --output {output:q} 2> {log:q}"
-
-
 rule two_components:
     """
     What the second horizontal component changes.
-    Costs: 21 min for 88 curves of W1 and of W2.
+    Costs: some 50 min of processor time for 88 curves of W1 and of W2.
     """
     input:
         every_run(rules.two_components_table.output, rules.figure_two_components.output.png),
