@@ -7,6 +7,7 @@ import pandas as pd
 from rocking.collapse.probability import half_collapse, one_number
 
 MET = ("yes", "no", "partly", "given", "open")
+COUNTED = ("are met here", "not", "partly", "are inputs", "open")  # in the page's first sentence
 HEAD = "| | in the study | its value | here | met | why they differ |\n|---|---|---|---|---|---|\n"
 NOT_RUN = "not part of this run"
 SOURCES = {"file": "recorded", "surrogate": "surrogates"}
@@ -150,20 +151,13 @@ def figures(data):
     return [entry["figure"] for entry in rows if "figure" in entry]
 
 
-MET = {
-    "yes": "are met here",
-    "partly": "partly",
-    "no": "not",
-    "given": "are inputs",
-    "open": "open",
-}
-
-
 def page(data, tables, about):
     """The page as Markdown; `about` says which run, and how to make the page again."""
     rows = [entry for section in data["sections"] for entry in section["rows"]]
     verdicts = [row(entry, tables).split(" | ")[-2] for entry in rows]
-    count = ", ".join(f"{verdicts.count(word)} {said}" for word, said in MET.items())
+    count = ", ".join(
+        f"{verdicts.count(word)} {said}" for word, said in zip(MET, COUNTED, strict=True)
+    )
     answer = f"Of the study's {len(rows)} figures, tables, equations and results {count}."
     lines = ["# The study, row by row", "", answer, about, ""]
     for section in data["sections"]:

@@ -9,10 +9,10 @@ from rocking.studies.paper import page
 
 ABOUT = """\
 The study is *Using DEM to investigate boundary conditions for rocking URM façades subjected to
-earthquake motion*; the copy that was read names no authors, year or journal. Each row has one of its
-figures, tables, equations or results, its value, ours, and why they differ. Most rows that are not
-met rest on what the study does not state: the building's plan, the widths of tested walls, the order
-of a motion's pulses.
+earthquake motion*; the copy that was read names no authors, year or journal. Each row has one of
+its figures, tables, equations or results, its value, ours, and why they differ. Most rows that are
+not met rest on what the study does not state: the building's plan, the widths of tested walls, the
+order of a motion's pulses.
 
 `given`: an input that was taken over. `open`: the text holds nothing to compare with. "Our
 threshold" marks a limit that the study does not state. Claims stand in `tables/claims*.csv`, for
