@@ -50,11 +50,7 @@ RELAX_STEPS, STEPS = 500, 3000
 UNSTABLE_GROWTH = 100.0  # undamped stable cases stay below 10, unstable ones pass 1000
 
 
-def stack_scene(
-    count,
-    beta_s,
-    jkn_pa_m=1e9,
-):
+def stack_scene(count, beta_s, jkn_pa_m=1e9):
     """Stack of equal blocks on a support, planar: a scene with many interfaces in series."""
     lx, ly, lz = STACK_M
     mass = 1800.0 * lx * ly * lz

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from yade_scripts.engine import drives, loop
 from yade_scripts.engine.attached import Attached
 from yade_scripts.engine.bonds import Bonds
-from yade_scripts.engine.faces import NODE_BITS, FaceError, Faces
+from yade_scripts.engine.faces import NODE_BITS, Faces
 from yade_scripts.engine.floors import Floors
 from yade_scripts.engine.guide import GUIDE_INTERVAL_S, Guide
 from yade_scripts.engine.library import EngineError, load_yade
@@ -23,7 +23,7 @@ from yade_scripts.engine.welds import Welds
 from yade_scripts.model.motion import SupportMotion
 from yade_scripts.model.scene import DOFS
 
-__all__ = ["Built", "EngineError", "FaceError", "Motion", "SupportMotion", "build", "load_yade"]
+__all__ = ["Built", "EngineError", "Motion", "SupportMotion", "build", "load_yade"]
 Motion = SupportMotion  # its name of one version ago
 
 # A node and a face so near are looked at in every step. A larger distance costs more of that than
@@ -62,7 +62,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
 
     The caller has compared the step with the critical one. The face of a node stays at its position
     whatever the radius of the spheres. `full_rotation` integrates rotations of aspherical bodies
-    exactly. EngineError if a motion is missing or the scene needs more faces than YADE has masks.
+    exactly. EngineError if a motion is missing.
     """
     w = load_yade()
     from yade import utils

@@ -24,10 +24,6 @@ LOCAL_DEPTH_M = 0.30  # of a local box behind its face
 MOTION_M = 0.25  # boxes this far apart never meet before the run has ended
 
 
-class FaceError(ValueError):
-    """A scene needs more distinguishable faces than YADE's masks hold."""
-
-
 class Faces:
     """Faces (block, normal, level, rim, who meets it) of a scene, the nodes on them, their bits.
 
@@ -123,7 +119,7 @@ class Faces:
     def _colour(self):
         """Bits, given greedily, that no two faces share whose boxes and nodes could meet.
 
-        FaceError beyond 30.
+        ValueError beyond 30.
         """
         keys = list(self.nodes_of)
         position = self.scene.nodes.position_m
@@ -139,7 +135,7 @@ class Faces:
             taken = {bit[k] for k in bit if meets(key, k) or meets(k, key)}
             free = [1 << n for n in range(BITS) if 1 << n not in taken]
             if not free:
-                raise FaceError(f"{len(keys)} contact faces cannot share YADE's {BITS} mask bits")
+                raise ValueError(f"{len(keys)} contact faces cannot share YADE's {BITS} mask bits")
             bit[key] = free[0]
         return bit
 

@@ -18,10 +18,6 @@ FASTEST_M_S = 20.0  # of one end past the other
 BIT = 1 << 30  # beyond those of the faces
 
 
-class LinkError(ValueError):
-    """A link cannot be built on these blocks."""
-
-
 def built_stiffness(link):
     """Stiffness of a link as it is built [N/m]."""
     return max(link.stiffness_n_m, link.dashpot_ns_m * FASTEST_M_S / REACH_M)
@@ -69,4 +65,4 @@ def _check(scene, link):
     for block in (scene.blocks[link.a], scene.blocks[link.b]):
         guided = block.free and block.motion is not None
         if guided or set(block.free) & set(DOFS[3:]):
-            raise LinkError(f"link '{link.name}': block '{block.name}' is guided or can turn")
+            raise ValueError(f"link '{link.name}': block '{block.name}' is guided or can turn")

@@ -27,10 +27,6 @@ NEEDED = (
 )
 
 
-class WeldError(ValueError):
-    """A welded node cannot be built on these blocks."""
-
-
 class Welds(Attached):
     """The spheres of welded nodes and of drag, and what steps them: `drag`, an engine or none."""
 
@@ -44,9 +40,9 @@ class Welds(Attached):
             return
         missing = [name for name in NEEDED if not hasattr(w, name)]
         if missing:
-            raise WeldError(f"this YADE lacks the class(es) {', '.join(missing)}")
+            raise ValueError(f"this YADE lacks the class(es) {', '.join(missing)}")
         if scene.links or scene.ties or scene.floors:
-            raise WeldError(
+            raise ValueError(
                 "welded nodes share a mask bit with links, a shape with ties and floors"
             )
         self.material = self.cohesive(frictionAngle=0.5)
@@ -64,7 +60,7 @@ class Welds(Attached):
         index = int(getattr(nodes, side)[i])
         if self.scene.blocks[index].motion is not None:
             name = self.scene.blocks[index].name
-            raise WeldError(f"block '{name}' is driven: no node on it can be welded")
+            raise ValueError(f"block '{name}' is driven: no node on it can be welded")
         return self._sphere(index, nodes.position_m[i] + sign * NODE_RADIUS_M * nodes.normal[i])
 
     def _dragged(self, index):

@@ -6,6 +6,17 @@ from dataclasses import dataclass
 import numpy as np
 
 
+def _check(bar, positive=(), least_0=()):
+    """Refuse values of a bar that are not finite or too small, and one on a single block."""
+    what = f"{type(bar).__name__.lower()} '{bar.name}'"
+    for label in (*positive, *least_0):
+        value, least = getattr(bar, label), "positive" if label in positive else "at least 0"
+        if not (np.isfinite(value) and (value > 0.0 or (value == 0.0 and label in least_0))):
+            raise ValueError(f"{what}: {label} must be {least}, got {value}")
+    if bar.a == bar.b:
+        raise ValueError(f"{what} joins a block to itself")
+
+
 @dataclass(frozen=True)
 class Link:
     """A spring and a dashpot in parallel between two blocks, linear both ways.
@@ -25,12 +36,7 @@ class Link:
 
     def __post_init__(self):
         """Check the values."""
-        for label in ("stiffness_n_m", "dashpot_ns_m"):
-            value = getattr(self, label)
-            if not (np.isfinite(value) and value >= 0.0):
-                raise ValueError(f"link '{self.name}': {label} must not be negative, got {value}")
-        if self.a == self.b:
-            raise ValueError(f"link '{self.name}' joins a block to itself")
+        _check(self, least_0=("stiffness_n_m", "dashpot_ns_m"))
 
 
 @dataclass(frozen=True)
@@ -56,14 +62,9 @@ class Tie:
 
     def __post_init__(self):
         """Check the values."""
-        for label in ("stiffness_n_m", "capacity_n", "elongation_m"):
-            value = getattr(self, label)
-            if not (np.isfinite(value) and value > 0.0):
-                raise ValueError(f"tie '{self.name}': {label} must be positive, got {value}")
-        if not (np.isfinite(self.slack_m) and self.slack_m >= 0.0):
-            raise ValueError(f"tie '{self.name}': slack_m must not be negative, got {self.slack_m}")
-        if self.a == self.b or self.length_m <= 0.0:
-            raise ValueError(f"tie '{self.name}' needs two ends on two blocks")
+        _check(self, ("stiffness_n_m", "capacity_n", "elongation_m"), ("slack_m",))
+        if self.length_m <= 0.0:
+            raise ValueError(f"tie '{self.name}' needs two ends")
         if self.elongation_m < self.capacity_n / self.stiffness_n_m * (1.0 - 1e-9):
             raise ValueError(f"tie '{self.name}' would snap before it pulls {self.capacity_n:g} N")
 
@@ -109,10 +110,4 @@ class Floor:
 
     def __post_init__(self):
         """Check the values."""
-        for label in ("load_n", "stiffness_n_m", "capacity_n"):
-            value, least = getattr(self, label), "positive" if label[0] == "s" else "at least 0"
-            good = value > 0.0 if label[0] == "s" else value >= 0.0
-            if not (np.isfinite(value) and good):
-                raise ValueError(f"floor '{self.name}': {label} must be {least}, got {value}")
-        if self.a == self.b:
-            raise ValueError(f"floor '{self.name}' joins a block to itself")
+        _check(self, ("stiffness_n_m",), ("load_n", "capacity_n"))

@@ -116,7 +116,8 @@ def facade_scene(
     walls_stand = kind.walls != "none" and facade.get("sides") != "two"
     columns = None if planar else _columns(shape.base_strips, width_nodes)
     base = 2 + len(shape.hinges_m) if hangs else 0
-    _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_stand, base)
+    beds = Beds(config, beta_s, nodes, planar=planar)
+    _stand(beds, blocks, shape, columns, release_ratio, walls_stand, base)
     tops = [
         (blocks[k].name, (0.0, 0.5 * sum(shape.faces_at(z)), z))
         for k, z in enumerate(shape.hinges_m, 1)
@@ -137,11 +138,7 @@ def facade_scene(
             for name, mix in list(motions.items())
         }
 
-    def lay(upper, lower, name, jkn, middle):
-        given = config, beta_s, nodes, name, upper, lower, shape.height_m, jkn
-        add_bed(*given, planar=planar, load="point" if middle else "flat")
-
-    pressing = level_loads(facade, shape, blocks, walls, lay)
+    pressing = level_loads(facade, shape, blocks, walls, beds)
     behind = walls, blocks, shape
     ties = facade_ties(facade.get("ties", ()), *behind)
     ties += anchor_ties(facade.get("floors", ()), *behind)
@@ -174,25 +171,23 @@ def _even(joints, tops):
     return [name for k, name in enumerate(joints) if k <= len(tops) or name.startswith(WALL)]
 
 
-def _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_stand, base):
-    """Append the façade, whole or in pieces, and the joints that it stands on; see `add_base`."""
-    facade, planar = config["facade"], columns is None
+def _stand(beds, blocks, shape, columns, release_ratio, walls_stand, base):
+    """Append the façade, whole or in pieces, and the joints that it stands on, on block `base`."""
+    facade = beds.section
     b, width = facade["thickness_m"], facade["width_m"]
-    points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
     # Debris under the base (tilt) belongs to the block as protruding nodes: it
     # rests rotated by φ about its front toe and cannot come back to the vertical.
-    protrusion = (1.0 - points) * b * math.tan(math.radians(facade["tilt_deg"]))
-    on = {"planar": planar, "protrusion_m": protrusion, "columns": columns}
-    add_base(config, beta_s, nodes, 1, base, **on)
-    kn = shares(facade, weights) * b * (width - shape.base_lost_m) * base_jkn(facade)
-    displacement, rotation = at_rest(facade, shape, kn, points, release_ratio, walls_stand)
+    protrusion = (1.0 - beds.points) * b * math.tan(math.radians(facade["tilt_deg"]))
+    beds.base(1, base, protrusion_m=protrusion, columns=columns)
+    kn = shares(facade, beds.weights) * b * (width - shape.base_lost_m) * base_jkn(facade)
+    displacement, rotation = at_rest(facade, shape, kn, beds.points, release_ratio, walls_stand)
     upright = Block(
         FACADE,
         shape.centre_m,
         shape.size_m,
         shape.mass_kg,
         tuple(np.diag(shape.tensor_kg_m2).tolist()),
-        free="yzX" if planar else DOFS,
+        free="yzX" if columns is None else DOFS,
         displacement_m=displacement,
         rotation_rad=rotation,
         lever_m=shape.lever_m,
@@ -200,92 +195,61 @@ def _stand(config, beta_s, blocks, nodes, shape, columns, release_ratio, walls_s
     blocks += pieces(facade, shape, upright) if shape.hinges_m else [upright]
     stiffness = hinge_stiffness(facade, shape)
     for k, z in enumerate(shape.hinges_m, 1):
-        given = config, beta_s, nodes, f"hinge {k}", k + 1, k, z, float(stiffness[k - 1])
-        add_bed(*given, planar=planar, meets=shape.joint_at(z))
+        beds.bed(f"hinge {k}", k + 1, k, z, float(stiffness[k - 1]), meets=shape.joint_at(z))
 
 
-def add_base(
-    config,
-    beta_s,
-    nodes,
-    facade,
-    ground,
-    *,
-    planar,
-    origin=(0.0, 0.0),
-    protrusion_m=0.0,
-    columns=None,
-):
-    """Add the joint between a façade's base and the ground, blocks by their indices.
+class Beds:
+    """Level joints of a façade: its base, between its pieces, and under loads that lie on it."""
 
-    `origin` is x of the façade's middle and y of its back face, `protrusion_m` how far each node
-    across the thickness stands below the base; `columns` are places in x and weights, None: the
-    middle of a planar scene, else two Gauss points.
-    """
-    section = config["facade"]
-    b, standing = section["thickness_m"], section["width_m"] - shape_of(section).base_lost_m
-    points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
-    low = np.broadcast_to(protrusion_m, points.shape)
-    line = np.stack([origin[0] + 0 * points, origin[1] + points * b, 0 * points - low], axis=1)
-    columns = columns or _two_columns(section, planar)
-    places, areas, gaps = over_columns(line, weights * b * standing, columns, gap_m=-low)
-    jkn = base_jkn(section) * np.tile(shares(section, weights) / weights, len(columns[0]))
-    nodes.add_joint(
-        BASE,
-        facade,
-        ground,
-        places,
-        (0, 0, 1),
-        areas,
-        jkn,
-        section["shear_stiffness_ratio"] * jkn,
-        beta_s=beta_s,
-        **bond(section),
-        gap_m=gaps,
-    )
+    def __init__(self, config, beta_s, nodes, *, planar):
+        """Of a façade of this configuration; its joints are added to `nodes`."""
+        self.section, self.beta_s, self.nodes = config["facade"], beta_s, nodes
+        self.points, self.weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
+        gauss = np.array([-0.5, 0.5]) * (self.section["width_m"] / math.sqrt(3.0))
+        self.columns = MIDDLE if planar else (gauss, np.array([0.5, 0.5]))  # x and weights
 
+    def base(self, facade, ground, *, origin=(0.0, 0.0), protrusion_m=0.0, columns=None):
+        """Add the joint between the façade's base and the ground, blocks by their indices.
 
-def add_bed(
-    config, beta_s, nodes, name, upper, lower, height_m, jkn, *, planar, load="", meets=None
-):
-    """Add the joint at a height between two pieces of a façade, or between it and a load on it.
+        `origin` is x of the façade's middle and y of its back face, `protrusion_m` how far each
+        node across the thickness stands below the base; `columns` are other places in x and
+        weights than those of the joints above it.
+        """
+        section, points, weights = self.section, self.points, self.weights
+        b, standing = section["thickness_m"], section["width_m"] - shape_of(section).base_lost_m
+        low = np.broadcast_to(protrusion_m, points.shape)
+        line = np.stack([origin[0] + 0 * points, origin[1] + points * b, 0 * points - low], axis=1)
+        columns = columns or self.columns
+        places, areas, gaps = over_columns(line, weights * b * standing, columns, gap_m=-low)
+        jkn = base_jkn(section) * np.tile(shares(section, weights) / weights, len(columns[0]))
+        jks = section["shear_stiffness_ratio"] * jkn
+        held_by = {"beta_s": self.beta_s, **bond(section), "gap_m": gaps}
+        self.nodes.add_joint(BASE, facade, ground, places, (0, 0, 1), areas, jkn, jks, **held_by)
 
-    A `load` lies "flat" on the whole thickness, or on a "point" in the middle of it, and transmits
-    no shear. Else the joint has the base's friction and bond. `meets` are faces (y0, y1) and lost
-    width, see `Shape.joint_at`; None: the whole thickness and width.
-    """
-    section = config["facade"]
-    y0, y1, lost = meets or (0.0, section["thickness_m"], 0.0)
-    b, width = y1 - y0, section["width_m"] - lost
-    points, weights = gauss_lobatto(config["numerics"]["nodes_thickness"])
-    if load == "point":
-        points, weights = np.array([0.5]), np.array([1.0])
-    line = np.stack([0 * points, y0 + points * b, height_m + 0 * points], axis=1)
-    places, areas, _ = over_columns(line, weights * b * width, _two_columns(section, planar))
-    nodes.add_joint(
-        name,
-        upper,
-        lower,
-        places,
-        (0, 0, 1),
-        areas,
-        jkn,
-        (NO_SHEAR if load else section["shear_stiffness_ratio"]) * jkn,
-        beta_s=beta_s,
-        **(held(0.0, 0.0, 0.0) if load else bond(section)),
-    )
+    def bed(self, name, upper, lower, height_m, jkn, *, load="", meets=None):
+        """Add the joint at a height between two pieces, or between the façade and a load on it.
+
+        A `load` lies "flat" on the whole thickness, or on a "point" in the middle of it, and
+        transmits no shear. Else the joint has the base's friction and bond. `meets` are faces
+        (y0, y1) and lost width, see `Shape.joint_at`; None: the whole thickness and width.
+        """
+        section = self.section
+        y0, y1, lost = meets or (0.0, section["thickness_m"], 0.0)
+        b, width = y1 - y0, section["width_m"] - lost
+        points, weights = self.points, self.weights
+        if load == "point":
+            points, weights = np.array([0.5]), np.array([1.0])
+        line = np.stack([0 * points, y0 + points * b, height_m + 0 * points], axis=1)
+        places, areas, _ = over_columns(line, weights * b * width, self.columns)
+        jks = (NO_SHEAR if load else section["shear_stiffness_ratio"]) * jkn
+        held_by = {"beta_s": self.beta_s, **(held(0.0, 0.0, 0.0) if load else bond(section))}
+        self.nodes.add_joint(name, upper, lower, places, (0, 0, 1), areas, jkn, jks, **held_by)
 
 
 def bond(section):
     """What holds base and hinges of a façade, as `NodeList.add_joint` takes it."""
     tension, cohesion = (section.get(f"bond_{what}_mpa", 0.0) for what in ("tension", "cohesion"))
     return held(tension * 1e6, cohesion * 1e6, math.radians(section["friction_deg"]))
-
-
-def _two_columns(facade, planar):
-    """Places in x and weights of two Gauss points of the width; the middle of a planar scene."""
-    half = facade["width_m"] / math.sqrt(3.0)
-    return MIDDLE if planar else (np.array([-0.5, 0.5]) * half, np.array([0.5, 0.5]))
 
 
 def _columns(strips, count):

@@ -77,12 +77,11 @@ def lever_of(row, thickness_m):
     return 0.5 * thickness_m if row["arm_m"] is None else row["arm_m"]
 
 
-def level_loads(section, shape, blocks, walls, add_joint):
+def level_loads(section, shape, blocks, walls, beds):
     """Append the blocks of loads that are flat or have inertia, at rest on the façade's top.
 
-    Returned are floors that press on those without inertia. `add_joint` takes the index of the
-    upper and the lower block, a name, jkn [Pa/m], and whether the joint has the middle's node
-    alone; `walls` as of `facade_floors`.
+    Returned are floors that press on those without inertia. `beds` are the façade's `facade.Beds`,
+    `walls` as of `facade_floors`.
     """
     pressing = []
     top = 1 + len(shape.hinges_m)
@@ -108,7 +107,8 @@ def level_loads(section, shape, blocks, walls, add_joint):
             )
         )
         own = len(blocks) - 1
-        add_joint(own, top, f"bearing {number}", jkn, not is_flat(row))
+        lies = "flat" if is_flat(row) else "point"
+        beds.bed(f"bearing {number}", own, top, shape.height_m, jkn, load=lies)
         if share < 1.0:
             place, rest = blocks[own].centre_m, (1.0 - share) * load
             pressing.append(Floor(f"weight {number}", own, carrier, place, rest, 1.0, 0.0))

@@ -42,7 +42,7 @@ import math
 import numpy as np
 
 from yade_scripts.model import split_bricks
-from yade_scripts.model.facade import BASE, FACADE, add_base, ground_block, plain_block
+from yade_scripts.model.facade import BASE, FACADE, Beds, ground_block, plain_block
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.panels import Hanging
 from yade_scripts.model.quadrature import GAUSS
@@ -167,7 +167,7 @@ class _Assembly:
         ground = ground_block(section, None if self.two_way else GROUND)
         self.blocks += [ground, plain_block(section, "yzX")]
         own = {**self.config, "facade": section}
-        add_base(own, self.beta, self.nodes, 1, 0, planar=True)
+        Beds(own, self.beta, self.nodes, planar=True).base(1, 0)
 
     def _wall(self, wall, x):
         """One return wall: bricks, headers, and their joints from the bottom up."""

@@ -25,14 +25,8 @@ def _valid(rows):
 
 def bands(ensemble_rows, percentiles=(10.0, 90.0)):
     """Median and percentiles [%] of d/b and the share of collapses, by ascending PGA."""
-    columns = [
-        "pga_g",
-        "realisations",
-        "probability",
-        "d_over_b_low",
-        "d_over_b_median",
-        "d_over_b_high",
-    ]
+    columns = ["pga_g", "realisations", "probability"]
+    columns += [f"d_over_b_{name}" for name in ("low", "median", "high")]
     table = _valid(ensemble_rows)
     if table.empty:
         return pd.DataFrame(columns=columns)

@@ -20,7 +20,6 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pandas as pd
@@ -133,7 +132,7 @@ def shake_table(specimen, runs, folder, in_yade):
     runs, drawn = runs[had], drawn[had]
     motions = [motion for motion in motions if motion is not None]
     whole, ground, spans = one_after_another([motion[:2] for motion in motions])
-    found = specimens.cases(SimpleNamespace(specimen={**specimen, "kind": "shake_table"}))
+    found = {name: specimens.case(specimen, own) for name, own in specimen["variants"].items()}
     for place, (variant, case) in enumerate(found.items()):
         main = place < IN_YADE
         plane, numerics = to_plane(build_scene(case)), case["numerics"]

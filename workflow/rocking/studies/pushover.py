@@ -11,15 +11,6 @@ from rocking.mechanics.smoothing import smoothed
 from yade_scripts.model import base, interlocking, registry
 from yade_scripts.model.shape import refuse
 
-CURVE_COLUMNS = [
-    "d_over_b",
-    "lambda_dem",
-    "lambda_kinematic",
-    "lambda_kinematic_lower",
-    "lambda_elastic",
-    "lambda_elastic_lower",
-    "lambda_dem_corrected",
-]
 RULES = ("rigid", "bonded", "sliding", "hinged")
 DRAWN = (*RULES, "study")
 # one change of the default W3 each; "header_*" without inclined joints, so only the rule differs
@@ -136,7 +127,7 @@ def complete_curve(raw, config, model):
             "lambda_elastic_lower": lower + shift,
             "lambda_dem_corrected": raw["lambda_dem"] - shift,
         }
-    )[CURVE_COLUMNS]
+    )
 
 
 def summary(curve, reach=0.5, bonded=False):

@@ -19,7 +19,7 @@ import numpy as np
 
 from yade_scripts.model.building.contacts import Joints
 from yade_scripts.model.building.plan import TOLERANCE_M, PlanError, PlanWall, shortened
-from yade_scripts.model.facade import FACADE, add_base, plain_block
+from yade_scripts.model.facade import FACADE, Beds, plain_block
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.return_walls import back_jkn, back_strength
 from yade_scripts.model.scene import DOFS, NodeList, Nodes, Scene
@@ -102,7 +102,7 @@ def complete_scene(
     back = crack_m + section["gap_m"]
     blocks.append(plain_block(section, DOFS, middle, back))
     nodes = NodeList()
-    add_base(config, beta_s, nodes, facade, ground, planar=False, origin=(middle, back))
+    Beds(config, beta_s, nodes, planar=False).base(facade, ground, origin=(middle, back))
     moduli = None
     if back_joint == "bricks":
         moduli = (joints or Joints()).moduli(brick)[0]  # of the head joints, normal and shear

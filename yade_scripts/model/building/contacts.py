@@ -160,22 +160,13 @@ def interfaces(bricks, timber_low, timber_high, floors, joints, brick):
     axis = masonry[:, 2]
     same_wall = bricks.wall[masonry[:, 0]] == bricks.wall[masonry[:, 1]]
     along = bricks.length_axis[masonry[:, 0]] == axis
-    names = np.where(
-        axis == 2, "bed", np.where(same_wall, np.where(along, "head", "collar"), "junction")
-    )
-    kind = np.array([KINDS.index(k) for k in ("bed", "head", "collar", "junction")])
-    order = {"bed": kind[0], "head": kind[1], "collar": kind[2], "junction": kind[3]}
-    masonry = np.column_stack([masonry, [order[k] for k in names]])
+    bed, head, collar, junction = map(KINDS.index, ("bed", "head", "collar", "junction"))
+    upright = np.where(same_wall, np.where(along, head, collar), junction)
+    masonry = np.column_stack([masonry, np.where(axis == 2, bed, upright)])
     timber = timber_pairs(low, high, n, floors)
     standing = np.flatnonzero(np.abs(bricks.low_m[:, 2]) < TOLERANCE_M)
-    ground = np.column_stack(
-        [
-            standing,
-            np.full(len(standing), -1),
-            np.full(len(standing), 2),
-            np.zeros(len(standing), int),
-        ]
-    )
+    below = np.broadcast_to([-1, 2, KINDS.index("ground")], (len(standing), 3))
+    ground = np.column_stack([standing, below])
     rows = np.concatenate([ground, masonry, timber]).astype(int)
     a, b, axis, kind = rows.T
     on_ground = b < 0
