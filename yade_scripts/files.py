@@ -3,15 +3,57 @@
 import glob
 import json
 import os
+import re
 from pathlib import Path
 
+OF_A_CASE = ("model", "facade", "numerics")  # what no case file is without
+SIZES = ("height_m", "thickness_m", "width_m", "density_kg_m3", "e_mpa")
+NUMBER = re.compile(r".*_(m|s|g|kg|kg_m3|mpa|pa_m|deg|hz|kn|mm|ratio)")  # keys that name a unit
 
-def read_json(path):
-    """Content of a JSON file; OSError or ValueError of one line that names the file."""
+
+def read_json(path, *keys):
+    """Content of a JSON file; with `keys`, of an object that has them.
+
+    OSError or ValueError of one line that names the file, and the key that is missing.
+    """
     try:
-        return json.loads(Path(path).read_text("utf-8"))
+        found = json.loads(Path(path).read_text("utf-8"))
     except ValueError as error:
         raise ValueError(f"{path}: not JSON ({error})") from None
+    if keys and not isinstance(found, dict):
+        raise ValueError(f"{path}: expected an object with {', '.join(keys)}")
+    if missing := [key for key in keys if key not in found]:
+        raise ValueError(f"{path}: no {', '.join(missing)}; expected {', '.join(keys)}")
+    return found
+
+
+def read_case(path):
+    """Content of a case file, as `results/<run>/cases` has them; a scene that is ready has no more.
+
+    ValueError of one line that names the file and the key, for a section that is missing, a size
+    that is no number and text under a key that names a unit.
+    """
+    case = read_json(path, "model")
+    if "scene" in case:
+        return case
+    read_json(path, *OF_A_CASE)
+    _check_numbers(path, case, "")
+    for key in SIZES:
+        value = case["facade"].get(key, 1.0)
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or not value > 0.0:
+            raise ValueError(f"{path}: facade.{key} = {value!r}: expected a number > 0")
+    return case
+
+
+def _check_numbers(path, value, where):
+    """Refuse text where a unit says that there is a number."""
+    if isinstance(value, dict):
+        for key, part in value.items():
+            _check_numbers(path, part, f"{where}.{key}".lstrip("."))
+    elif isinstance(value, str) and NUMBER.fullmatch(where.rpartition(".")[2]):
+        raise ValueError(f"{path}: {where} = {value!r}: expected a number")
+    elif where in ("facade", "numerics"):
+        raise ValueError(f"{path}: {where} = {value!r}: expected a section of keys and values")
 
 
 def named(error, path):

@@ -174,7 +174,7 @@ def test_what_a_curve_is_asked_for_is_checked_before_anything_runs(case, pulse):
     for given, words in (
         ({"direction": "outward"}, "direction = 'outward': expected pos or neg"),
         ({"search": "climb", "settings": {"levelratio": 0.1}}, "did you mean 'level_ratio'?"),
-        ({"search": "climb", "settings": {"level_ratio": -0.1}}, "expected a number > 0"),
+        ({"search": "climb", "settings": {"level_ratio": -0.1}}, "a number from 0.001 to 0.1"),
         ({"search": "climb", "settings": {"max_pga_g": "1 g"}}, "expected a number > 0"),
         ({"search": "list"}, "expected settings={'pga_g'"),
         ({"search": "list", "settings": {"pga_g": [0.1, -0.1]}}, "-0.1: expected a number > 0"),

@@ -314,6 +314,30 @@ def test_a_key_that_stands_twice_is_refused_with_its_line(tmp_path):
     assert "YAML" in refusal([], lambda _: files.check_text("[" * 5000, "deep.yaml"))
 
 
+@pytest.mark.parametrize(
+    ("written", "read"), [("010", "8"), ("1:30", "90"), ("0x10", "16"), ("0b11", "3")]
+)
+def test_a_number_that_yaml_reads_as_another_is_refused_with_its_line(written, read):
+    def check(text):
+        files.check_text(text, "own.yaml")
+
+    said = refusal(f"run: a\nfacade:\n  height_m: {written}\n", check)
+    assert said.startswith(f"config: own.yaml line 3: {written} is {read} to YAML")
+    check(f"run: a\nrecords: ['{written}']\n")  # text in quotation marks is what it is
+    check("facade: {height_m: 1_0.5, tilt_deg: -0.5, width_m: +4, e_mpa: 1.8e+3}\n")
+
+
+@pytest.mark.parametrize("text", ["", "# nothing\n", "- run: a\n", "hello\n"])
+def test_a_file_without_keys_is_named_before_snakemake_reads_it(tmp_path, capsys, text):
+    path = tmp_path / "own.yaml"
+    path.write_text(text)
+    assert check_yaml([str(path)]) == 1
+    assert capsys.readouterr().err == (
+        f"error: config: {path}: expected keys at the top level, as run: mine\n"
+    )
+    assert check_yaml([]) == check_yaml(["--help"]) == 2
+
+
 def test_a_fault_in_the_yaml_is_named_before_snakemake_reads_it(tmp_path, capsys):
     """Snakemake reads files before the workflow has a word, and names neither file nor line."""
     path = tmp_path / "own.yaml"

@@ -222,3 +222,30 @@ def test_a_motion_under_two_names_is_said(tmp_path):
         "warning",
         "the same motion as record weak: it counts twice",
     )
+
+
+def test_another_peak_than_the_table_s_and_samples_cut_off_are_said(tmp_path):
+    t = 0.01 * np.arange(2000)
+    a = 0.3 * np.sin(2.0 * np.pi * 1.3 * t) * np.hanning(2000)
+    np.savetxt(tmp_path / "whole.txt", a, fmt="%.6f")
+    np.savetxt(tmp_path / "cut.txt", np.clip(a, -0.2, 0.25), fmt="%.6f")
+    rows = [
+        ("GOOD", "whole", 0.3),
+        ("NONE", "whole", ""),
+        ("MS2", "whole", 2.9),
+        ("CUT", "cut", ""),
+    ]
+    (tmp_path / "mine.tsv").write_text(
+        "record\tfile\tdt_s\tunits\tpga_g\n"
+        + "".join(f"{name}\t{file}.txt\t0.01\tg\t{pga}\n" for name, file, pga in rows)
+    )
+    said = {f.record: f.message for f in check_records(read_table(tmp_path / "mine.tsv").values())}
+    assert said["GOOD"] == ""
+    assert "the table says a peak of 2.9 g, the file has 0.3" in said["MS2"]
+    assert "samples in a row: was it cut off" in said["CUT"]
+
+
+def test_no_recorded_motion_is_said_to_be_cut_off_or_other_than_its_table():
+    for row in list(read_table(SUITE).values())[:8]:
+        record = pick(*open_file(row.path, row.format), **row.stated())
+        assert module._as_read(record, row.targets["pga_g"]) == []

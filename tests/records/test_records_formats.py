@@ -107,6 +107,16 @@ def test_times_rounded_in_print_are_even(tmp_path):
     assert read_record(path, units="m/s2").dt_s == pytest.approx(1 / 256, rel=1e-3)
 
 
+@pytest.mark.parametrize("stated", [{}, {"dt_s": 0.01}])
+def test_time_that_falls_is_no_acceleration(tmp_path, stated):
+    """Two columns, the first from the end to the start: not taken for one row of samples."""
+    path = tmp_path / "back.txt"
+    rows = enumerate(samples.motion(n=200))
+    path.write_text("\n".join(f"{2.0 - 0.01 * i:.2f} {0.1 * v:.6f}" for i, v in rows))
+    with pytest.raises(RecordError, match=r"line 2: time goes from 2 to 1\.99 s"):
+        read_record(path, units="m/s2", **stated)
+
+
 def test_component_by_label_azimuth_and_place(tmp_path):
     sample = samples.geonet()
     path = put(tmp_path, sample)

@@ -3,7 +3,7 @@
 import logging
 
 import pytest
-from rocking.runtime import cluster, terminal
+from rocking.runtime import cluster, command_line, terminal
 
 
 @pytest.fixture
@@ -13,7 +13,7 @@ def told():
     handler = logging.Handler()
     handler.emit = lambda record: seen.append(record.getMessage())
     logger.handlers, logger.propagate = [handler], False
-    terminal.name_targets(lambda: ["fragility", "risk"], logger)
+    terminal.name_targets(lambda: ["fragility", "risk"], logger, runs=["mine"])
 
     def of(*messages):
         for message in messages:
@@ -34,6 +34,32 @@ def test_a_report_without_results_says_what_to_do_in_one_line(told):
 def test_a_target_that_is_not_known_gets_the_nearest(told):
     said = "No rule to produce fragilty (if you use input functions make sure ...)."
     assert told(said) == ["No rule to produce fragilty: did you mean fragility?"]
+
+
+@pytest.mark.parametrize(
+    ("path", "words"),
+    [
+        ("results/other/tables/records.csv", "its run is other, this command's mine: add --config"),
+        ("results/mine/ida/*/A_neg.csv", "one file, without wildcards"),
+        ("results/mine/tables", "expected a file, or a target by its name"),
+        ("results/mine/ida/W9/A_neg.csv", "of this run, model, record and direction"),
+    ],
+)
+def test_a_path_that_nothing_makes_is_told_what_is_wrong_with_it(told, path, words):
+    (line,) = told(f"No rule to produce {path} (if you use input functions make sure ...).")
+    assert line.startswith(f"No rule to produce {path}: ")
+    assert words in line
+
+
+def test_an_option_of_which_snakemake_takes_the_last_alone_is_told():
+    """The first --config would be left out without a word."""
+    given = ["snakemake", "--cores", "1", "--config", "run=a", "--configfile", "own.yaml", "-n"]
+    assert command_line.fault([*given, "--config", "facade={height_m: 7}"]).startswith(
+        "--config stands 2 times"
+    )
+    assert "--configfile stands 2 times" in command_line.fault([*given, "--configfiles=b.yaml"])
+    assert command_line.fault(given) == ""
+    assert command_line.fault([*given, "--", "--config"]) == ""
 
 
 def without(*programs):

@@ -25,7 +25,7 @@ from rocking.records.intensity_measures import MEASURES
 from rocking.studies.pushover import DRAWN, VARIANTS, laid
 from rocking.records import RecordError, read_table
 from rocking.records.check import check_runs, reach_g
-from rocking.runtime import cluster, file_times, first_page, interrupts, progress
+from rocking.runtime import cluster, command_line, file_times, first_page, interrupts, progress
 from rocking.runtime import results_folder, run_lock, scheduling, stamps, terminal, warm
 from rocking.runtime.fallback import left_out_if_unknown
 from rocking.runs import CurveKey, Runs
@@ -37,11 +37,13 @@ from yade_scripts.model.registry import COMPLETE, MODELS, REFERENCE_MODELS, PUSH
 BASE = Path(workflow.source_path("common.smk")).resolve().parents[2]
 if not (BASE / "yade_scripts").is_dir():
     BASE = Path(rocking.__file__).resolve().parents[2]
+NAMES_OF_RUNS: list[str] = []
 if workflow.modifier.is_main_snakefile():  # as a module it leaves the terminal to others
     with left_out_if_unknown("a quiet terminal"):
         terminal.thin_out(workflow.output_settings)
     terminal.name_targets(
-        lambda: sorted(r.name for r in workflow.rules if not r.output and r.name != "main")
+        lambda: sorted(r.name for r in workflow.rules if not r.output and r.name != "main"),
+        runs=NAMES_OF_RUNS,
     )
 # YADE's library loads only in the Python it was built for, the system's own
 YADE_PYTHON = os.environ.get("YADE_PYTHON") or shutil.which("python3", path=os.defpath)
@@ -59,11 +61,14 @@ def stop(error):
 
 if fault := results_folder.fault():
     stop(fault)
+if workflow.is_main_process and (fault := command_line.fault()):
+    stop(fault)
 if (cores := workflow.resource_settings.cores) is not None and cores < 1:  # it would wait for ever
     stop(f"--cores {cores}: expected 1 or more")
 try:
     configuration.check_files([path for path in workflow.configfiles if Path(path).exists()])
     RUNS = Runs(config, BASE)
+    NAMES_OF_RUNS += RUNS.settings
     # Read before anything is planned. A faulty record ends what needs it, not the target `check`.
     FINDINGS = check_runs(RUNS, cache=".snakemake/records_check.json")
 except (configuration.ConfigError, RecordError) as error:

@@ -21,7 +21,7 @@ import numpy as np
 from yade_scripts.commands import command, shaking
 from yade_scripts.commands.tables import to_csv
 from yade_scripts.engine import adapter, loop, polyhedra, simulate
-from yade_scripts.files import read_json, write_atomic
+from yade_scripts.files import read_case, read_json, write_atomic
 from yade_scripts.model import facade, floor_motions, registry
 from yade_scripts.model.models import with_nodes
 from yade_scripts.model.motion import amplitude
@@ -147,8 +147,8 @@ def main(arguments=None):
     """Parse the command line, carry out the plan, write the table; return the exit status."""
     texts = {"plan": "what to run (JSON)", "output": "table to write (CSV)"}
     args = command.parser(__doc__, **texts).parse_args(arguments)
-    plan = read_json(args.plan)
-    cases = {m: read_json(p) for m, p in plan["scenes"].items()}
+    plan = read_json(args.plan, "scenes", "motions", "runs")
+    cases = {m: read_case(p) for m, p in plan["scenes"].items()}
     motions = {r: floor_motions.read(p) for r, p in plan["motions"].items()}
     adapter.load_yade()
     rows = []

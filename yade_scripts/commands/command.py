@@ -5,7 +5,7 @@ import sys
 
 from yade_scripts.commands.search import collapse_bounds, fallen_or_highest
 from yade_scripts.commands.tables import read_curve
-from yade_scripts.files import read_json
+from yade_scripts.files import read_case
 from yade_scripts.model import floor_motions
 from yade_scripts.model.motion import SIGNS
 
@@ -34,7 +34,7 @@ def parser(doc, *words, **own):
 
 def opened(args):
     """Scene file, and time and accelerations of the motion, that `--scene` and `--motion` name."""
-    return read_json(args.scene), *floor_motions.read(args.motion)
+    return read_case(args.scene), *floor_motions.read(args.motion)
 
 
 def progress(name):

@@ -94,7 +94,7 @@ def main(arguments=None):
     parser.add_argument("--gravity", type=float, default=0.0, help="downward, sudden [m/s²]")
     parser.add_argument("--cost", help="JSON with steps, wall time and memory")
     options = parser.parse_args(arguments)
-    scene = from_dict(read_json(options.scene))
+    scene = from_dict(read_json(options.scene, "nodes", "blocks"))
     with open(options.motion, encoding="utf-8", newline="") as handle:
         rows = [row for row in csv.reader(line for line in handle if not line.startswith("#"))]
     motion = np.array([[float(v) for v in row[:2]] for row in rows[1:]])

@@ -60,12 +60,12 @@ def main(arguments=None):
     )
     args = parser.parse_args(arguments)
     case, time_s, columns = command.opened(args)
-    plan = read_json(args.plan) if args.plan else {}
+    plan = read_json(args.plan, "start_g") if args.plan else {}
     if not math.isfinite(case.get("beta_s", 0.0)):
         raise ValueError(f"{args.scene}: beta_s must be finite")
     start = plan.get("start_g", 1.0)
-    if not (math.isfinite(start) and start > 0.0):
-        raise ValueError(f"{args.plan}: start_g must be positive, got {start}")
+    if not isinstance(start, (int, float)) or not 0.0 < start < math.inf:
+        raise ValueError(f"{args.plan}: start_g must be positive, got {start!r}")
     if "scene" in case:
         columns = {"ground": columns["ground"]}  # a building takes no other motion
     adapter.load_yade()

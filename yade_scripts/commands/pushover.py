@@ -20,7 +20,7 @@ from yade_scripts.commands import command
 from yade_scripts.commands.tables import history_csv, to_csv
 from yade_scripts.engine import adapter, loop, simulate
 from yade_scripts.engine.poses import planar_turn
-from yade_scripts.files import read_json, write_atomic
+from yade_scripts.files import read_case, write_atomic
 from yade_scripts.model import models
 
 PUSH = "push"
@@ -146,7 +146,7 @@ def main(arguments=None):
     parser = command.parser(__doc__, "scene", output="curve to write (CSV)")
     parser.add_argument("--forces", help="contact forces along the push to write (CSV)")
     args = parser.parse_args(arguments)
-    case = read_json(args.scene)
+    case = read_case(args.scene)
     scene, settings = models.build_scene(case), case["pushover"]
     adapter.load_yade()
     curve, forces, broken = push(

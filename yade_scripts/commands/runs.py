@@ -28,7 +28,7 @@ from yade_scripts.commands.journal import Journal
 from yade_scripts.commands.runner import Runner
 from yade_scripts.commands.tables import RUN_COLUMNS, TWO_COMPONENTS, to_csv
 from yade_scripts.engine import adapter
-from yade_scripts.files import read_json, write_atomic
+from yade_scripts.files import read_case, read_json, write_atomic
 from yade_scripts.model import floor_motions
 from yade_scripts.model.motion import SIGNS, amplitude
 
@@ -59,7 +59,7 @@ def motion_of(case):
 
 def run_case(case, journal, say):
     """Rows of one case."""
-    scene = read_json(case["scene"]) if isinstance(case["scene"], str) else case["scene"]
+    scene = read_case(case["scene"]) if isinstance(case["scene"], str) else case["scene"]
     own = {**scene, **case.get("changes", {})}
     time_s, columns, before = motion_of(case)
     record, direction = case["record"], case["direction"]
@@ -95,7 +95,7 @@ def main(arguments=None):
         parser.add_argument(f"--{word}", choices=choices, help="of all cases that state none")
     parser.add_argument("--case", help="name of the one case to run")
     args = parser.parse_args(arguments)
-    listed = read_json(args.list)
+    listed = read_json(args.list, "cases")
     given = {word: value for word in GIVEN if (value := getattr(args, word))}
     cases = [given | case for case in chosen(listed, args.case, args.list)]
     for case in cases:

@@ -17,7 +17,7 @@ import numpy as np
 from yade_scripts.commands import command
 from yade_scripts.commands.tables import to_csv
 from yade_scripts.engine import adapter, loop
-from yade_scripts.files import read_json, write_atomic
+from yade_scripts.files import read_case, write_atomic
 from yade_scripts.model import facade, floor_motions
 from yade_scripts.model.quadrature import gauss_lobatto
 from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
@@ -241,7 +241,7 @@ def main(arguments=None):
     """Parse the command line, run the trials, write both tables; return the exit status."""
     texts = {"output": "every trial (CSV)", "limits": "observed limits (CSV)"}
     args = command.parser(__doc__, "scene", **texts).parse_args(arguments)
-    case = read_json(args.scene)
+    case = read_case(args.scene)
     rows, limits = trials(case, command.progress("stability"))
     write_atomic(args.limits, to_csv(limits, LIMIT_COLUMNS))
     write_atomic(args.output, to_csv(rows, COLUMNS))

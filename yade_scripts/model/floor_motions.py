@@ -9,6 +9,7 @@ ground alone the motions of a shake table.
 """
 
 import math
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -24,15 +25,21 @@ def read(path):
     """Read a floor-motion file: times, and accelerations [m/s²] by name, from the ground up.
 
     The names are "ground", "floor1", …, and last "vertical", if it is there. ValueError of one line
-    that names the file if a column is missing or a value is not finite.
+    that names the file if a column is missing, a value is not finite or time does not rise.
     """
     with open(path, newline="") as handle:
         header = handle.readline().strip().split(",")
     if header[:2] != ["time_s", GROUND + UNIT]:
         raise ValueError(f"{path}: expected columns time_s, {GROUND}{UNIT}, …, got {header[:3]}")
-    data = np.loadtxt(path, delimiter=",", skiprows=1, ndmin=2)
+    try:
+        with warnings.catch_warnings(action="ignore", category=UserWarning):  # of no rows
+            data = np.loadtxt(path, delimiter=",", skiprows=1, ndmin=2)
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
     if len(data) < 2 or data.shape[1] != len(header) or not np.all(np.isfinite(data)):
         raise ValueError(f"{path}: expected at least two complete rows of finite numbers")
+    if len(down := np.flatnonzero(np.diff(data[:, 0]) <= 0.0)):
+        raise ValueError(f"{path}, row {down[0] + 2}: expected time_s to rise")
     columns = {name.replace(UNIT, ""): data[:, i] for i, name in enumerate(header) if i}
     return data[:, 0], columns
 

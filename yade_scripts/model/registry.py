@@ -155,6 +155,6 @@ def model(name):
     ValueError
         One line that names the known models.
     """
-    if name not in MODELS:
+    if not isinstance(name, str) or name not in MODELS:
         raise ValueError(f"unknown façade model '{name}': expected one of {', '.join(MODELS)}")
     return MODELS[name]

@@ -10,6 +10,7 @@ import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from numbers import Real
 from os import PathLike
 from typing import Any
 
@@ -58,6 +59,15 @@ class Variant:
     motion: Mapping[str, Any] = field(default_factory=dict)
     about: Mapping[str, Any] = field(default_factory=dict)
 
+    def __post_init__(self):
+        """Check that what it changes is stated by key."""
+        for what in ("changes", "factors", "added", "motion", "about"):
+            given = getattr(self, what)
+            if not isinstance(given, Mapping):
+                raise TypeError(
+                    f"variant {self.name!r}: {what} = {given!r}: expected a mapping by key"
+                )
+
 
 @dataclass(frozen=True)
 class Case:
@@ -82,6 +92,14 @@ class Case:
 
     sections: dict
 
+    def __post_init__(self):
+        """Check that there are sections."""
+        if not isinstance(self.sections, Mapping):
+            raise TypeError(
+                f"Case of {type(self.sections).__name__}: expected Case.configured(model, …) or "
+                "Case.read(path)"
+            )
+
     @classmethod
     def read(cls, path):
         """Read a case file, as the workflow writes them to `results/<run>/cases`.
@@ -94,7 +112,7 @@ class Case:
         expected = "expected a case file, as results/<run>/cases/<model>.json"
         try:
             sections = read_json(path)
-        except (OSError, ValueError) as error:
+        except (OSError, ValueError, TypeError) as error:
             raise ValueError(f"{path}: {expected}: {error}") from None
         if not isinstance(sections, dict) or not {"model", "facade"} <= sections.keys():
             raise ValueError(f"{path}: {expected}")
@@ -173,7 +191,11 @@ class Case:
 
     def __getitem__(self, key):
         """Return a section, or model or beta_s."""
-        return self.sections[key]
+        try:
+            return self.sections[key]
+        except KeyError:
+            known = ", ".join(self.sections) or "no section"
+            raise KeyError(f"the case has no {key!r}; it has {known}") from None
 
     @property
     def scene(self):
@@ -232,10 +254,12 @@ class Case:
                 )
         for key, factor in variant.factors.items():
             part, name = _place(sections, key)
-            if isinstance(part[name], bool) or not isinstance(part[name], (int, float)):
+            if not _is_number(part[name]):
                 raise ValueError(
                     f"{key} = {schema.show(part[name])}: expected a number to multiply"
                 )
+            if not _is_number(factor):
+                raise ValueError(f"{key}: factor {factor!r}: expected a number")
             part[name] = _allowed(key, part[name] * factor)
         for key, rows in variant.added.items():
             part, name = _place(sections, key)
@@ -279,7 +303,9 @@ class Case:
         >>> above["facade"]["height_m"], above["facade"]["base_height_m"], above["facade"]["ties"]
         (3.48, 3.0, [])
         """
-        section = part_of(self["facade"], foot_m, held_m, hinge_m)
+        heights = {"foot_m": foot_m, "held_m": held_m, "hinge_m": hinge_m}
+        heights = {name: _allowed(f"part.{name}", value) for name, value in heights.items()}
+        section = part_of(self["facade"], **heights)
         if section == self["facade"]:
             return self
         sections = copy.deepcopy({**self.sections, "facade": section})
@@ -317,7 +343,7 @@ class Case:
 
 def _place(sections, key):
     """Section of a dotted key, and its name in it."""
-    *path, name = key.split(".")
+    *path, name = str(key).split(".")
     part = sections
     for section in path:
         part = part.get(section) if isinstance(part, dict) else None
@@ -331,12 +357,18 @@ def _allowed(key, value):
     """Value of a dotted key, if the configuration allows it there; β has no key of its own."""
     if key == "model":
         return registry.model(value).name
+    if key == "beta_s" and not (_is_number(value) and 0.0 <= value < math.inf):
+        raise ValueError(f"beta_s = {value!r}: expected a number ≥ 0 (s)")
     if isinstance(value, Mapping):
         raise ValueError(f"{key}: expected single values by dotted key, as 'facade.height_m'")
     value = schema.plain(value, key)
     if key != "beta_s":
         refusals.refuse_invalid(configuration.nested({key: value}), schema.whole())
     return value
+
+
+def _is_number(value):
+    return isinstance(value, Real) and not isinstance(value, bool)
 
 
 def _completed(key, row):

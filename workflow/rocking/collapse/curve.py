@@ -5,6 +5,7 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -16,12 +17,20 @@ from rocking.collapse.equivalent import SLOPE
 from rocking.collapse.history import History
 from rocking.collapse.motion import Motion
 from rocking.collapse.scan import Screen, scan_settings
+from rocking.configuration import config as configuration
+from rocking.configuration import refusals, schema
 from rocking.records.reader import nearest
 from rocking.solver import runs
 from yade_scripts.model.motion import SIGNS
 
 OF_A_SEARCH = ("from_g", "pga_g", "scatter")  # settings that no section of a case has
-POSITIVE = ("level_ratio", "max_pga_g", "amplitude_spread", "start_g", "from_g")
+OF_THE_ENSEMBLE = ("realisations", "amplitude_spread")
+WHERE = {  # their keys in the configuration, whose limits hold
+    **{key: f"ida.{key}" for key in schema.whole()["properties"]["ida"]["properties"]},
+    **{key: f"ensemble.{key}" for key in OF_THE_ENSEMBLE},
+    "from_g": "ida.start_g",
+}
+MOST_G = schema.whole()["properties"]["ida"]["properties"]["grid_g"]["items"]["maximum"]
 
 
 @dataclass(frozen=True)
@@ -95,6 +104,7 @@ class Curve:
             year) [g], NaN where nothing fell; reversals, and the histories behind them.
             docs/collapse.md says what each means.
         """
+        _positive("slope", slope)
         none = pd.DataFrame()
         found = probability.summary(self.table, none, none, self.spread, slope)
         return {k: v.item() if isinstance(v, np.generic) else v for k, v in found.items()}
@@ -161,6 +171,8 @@ def collapse_curve(
 def run_by(solver, case, motion, direction, **options):
     """Outcomes at any amplitudes by a solver: an object with `seen` and `static_g`."""
     _shaken(case, motion, direction)
+    if (fraction := options.get("fraction")) is not None:
+        _positive("fraction", fraction, 1.0)
     if solver == "planar":
         if not case.kind.scanned:
             raise ValueError(f"model {case.model}: expected return walls, for the planar solver")
@@ -179,7 +191,7 @@ def _shaken(case, motion, direction):
     for value, kind in ((case, Case), (motion, Motion)):
         if not isinstance(value, kind):
             raise TypeError(f"{type(value).__name__} given: expected a {kind.__name__}")
-    if direction not in SIGNS:
+    if not isinstance(direction, str) or direction not in SIGNS:
         raise ValueError(f"direction = {direction!r}: expected {' or '.join(SIGNS)}")
     case.checked()
 
@@ -192,26 +204,39 @@ def _known(settings, of_case, search):
     for key, value in settings.items():
         if key not in known:
             raise ValueError(f"settings: unknown {key!r}{nearest(str(key), known)}")
-        if key in POSITIVE and value is not None:
-            _positive(f"settings[{key!r}]", value)
+        if (place := WHERE.get(key)) is not None:
+            _allowed(key, place, value)
     if search == "list":
         levels = np.ravel(settings.get("pga_g", []))
         if not levels.size:
             raise ValueError("search = 'list': expected settings={'pga_g': [0.1, 0.2]} (g)")
         for level in levels.tolist():
-            _positive("settings['pga_g']", level)
+            _intensity("settings['pga_g']", level)
         return {**settings, "pga_g": levels}
     return dict(settings)
 
 
-def _positive(name, value):
-    """Refuse what is no finite number above 0."""
+def _allowed(key, place, value):
+    """Refuse a setting that the configuration would refuse at its place."""
     try:
-        good = 0.0 < value < math.inf
-    except TypeError:
-        good = False
-    if not good:
-        raise ValueError(f"{name} = {value!r}: expected a number > 0")
+        value = schema.plain(value, key)
+        refusals.refuse_invalid(configuration.nested({place: value}), schema.whole())
+    except schema.ConfigError as error:
+        said = str(error).removeprefix("config: ").removeprefix(place)
+        raise ValueError(f"settings[{key!r}]{said.removeprefix(key)}") from None
+
+
+def _positive(name, value, most=math.inf):
+    """Refuse what is no finite number above 0."""
+    good = isinstance(value, Real) and not isinstance(value, bool) and 0.0 < float(value) < math.inf
+    if not good or value > most:
+        limit = "" if most == math.inf else f" and ≤ {most:g}"
+        raise ValueError(f"{name} = {value!r}: expected a number > 0{limit}")
+
+
+def _intensity(name, value):
+    """Refuse what is no peak acceleration [g]."""
+    _positive(name, value, MOST_G)
 
 
 def strategy(name, case, outcomes, settings):
@@ -263,8 +288,8 @@ def history(case, motion, direction="pos", pga_g=0.1, *, solver="planar", sample
     >>> found.status, bool(found.table["d_over_b"].abs().max() <= found.d_over_b)
     ('ok', True)
     """
-    for name, value in (("pga_g", pga_g), ("sample_s", sample_s)):
-        _positive(name, value)
+    _intensity("pga_g", pga_g)
+    _positive("sample_s", sample_s)
     if solver == "yade":
         from rocking.collapse.yade import yade_history
 

@@ -1,6 +1,10 @@
 """What shakes a case: a record, or floor motions that were made of one, and a shock before it."""
 
+import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from numbers import Real
+from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -13,6 +17,7 @@ from yade_scripts.model import floor_motions
 from yade_scripts.model.motion import amplitude
 
 TABLE = shipped("config/records.tsv")
+LEAST = {"vertical": -math.inf, "first_pga_g": 0.0, "pause_s": 0.0}  # numbers of a variant
 PAUSE_S = 10.0  # between two shocks, beyond the free vibration of the first (smdof.tail_s)
 
 
@@ -93,6 +98,9 @@ class Motion:
         RecordError
             In one line that names the table, and row or file.
         """
+        for what, value in (("name", name), ("table", table)):
+            if not isinstance(value, (str, PathLike)):
+                raise TypeError(f"Motion.named: {what} = {value!r}: expected text")
         return cls(load(name, str(found(table)), **how))
 
     @classmethod
@@ -138,7 +146,9 @@ class Motion:
                 f"record {name}: units {units!r}; expected one of {', '.join(UNITS_M_S2)}"
             )
         try:
-            samples = np.array(acceleration, dtype=float) * UNITS_M_S2[unit]
+            if np.iscomplexobj(acceleration):
+                raise TypeError("complex numbers are no acceleration")
+            samples = np.ma.asarray(acceleration, dtype=float).filled(np.nan) * UNITS_M_S2[unit]
             step_s = float(dt_s)
         except (TypeError, ValueError) as error:
             raise RecordError(f"record {name}: expected samples and a step (s): {error}") from None
@@ -171,8 +181,15 @@ class Motion:
         ------
         ValueError
             In one line, for anything else.
+        TypeError
+            For what is no variant.
         """
-        out, given = self, dict(variant.motion)
+        changes = getattr(variant, "motion", None)
+        if not isinstance(changes, Mapping):
+            raise TypeError(
+                f"{type(variant).__name__} given: expected a Variant, as Variant(motion={{…}})"
+            )
+        out, given = self, _known(changes, variant.name)
         if (how := given.pop("surrogate", None)) is not None:
             out = replace(out, record=Motion.named(out.name, **how).record)
         if (share := given.pop("vertical", None)) is not None:
@@ -188,8 +205,6 @@ class Motion:
             out = replace(out, first=how if isinstance(how, Motion) else Motion.named(**how))
         for key in {"first_pga_g", "pause_s"} & given.keys():
             out = replace(out, **{key: given.pop(key)})
-        if given:
-            raise ValueError(f"variant '{variant.name}': unknown change of the motion {[*given]}")
         return out
 
     def columns(self, case):
@@ -210,3 +225,19 @@ class Motion:
         time_s, columns = self.first.columns(case)
         factor = amplitude(columns["ground"], direction, self.first_pga_g)
         return time_s, floor_motions.scaled(columns, factor), self.pause_s
+
+
+def _known(changes, name):
+    """Changes of a motion, if a variant may hold them all."""
+    for key, value in changes.items():
+        if key in LEAST:
+            good = isinstance(value, Real) and LEAST[key] <= float(value) < math.inf
+            wanted = "a number" + " ≥ 0" * (LEAST[key] == 0.0)
+        elif key in ("first", "surrogate"):
+            good = value is None or isinstance(value, (Motion, Mapping)[key == "surrogate" :])
+            wanted = "keywords of Motion.named, as {'name': 'RRS228'}"
+        else:
+            raise ValueError(f"variant '{name}': unknown change of the motion {key!r}")
+        if not good:
+            raise ValueError(f"variant '{name}': motion {key} = {value!r}: expected {wanted}")
+    return dict(changes)

@@ -12,8 +12,11 @@ from rocking.configuration.schema import ConfigError
 
 def main(paths):
     """Print the first fault in one line; return the exit status."""
+    if not paths or any(path.startswith("-") for path in paths):
+        print("usage: python -m rocking.configuration FILE…", file=sys.stderr)
+        return 2
     try:
-        check_files(paths)
+        check_files(paths, empty=False)
     except ConfigError as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

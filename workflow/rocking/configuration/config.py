@@ -377,10 +377,17 @@ def _nest(given: dict, where: str) -> dict:
         head, *rest = key.split(".")
         for part in reversed(rest):
             value = {part: value}
-        if head in out and not (isinstance(out[head], dict) and isinstance(value, dict)):
+        if head in out and _both(out[head], value):
             raise ConfigError(f"{where}.{key}: given twice")
         out[head] = _merge(out[head], value) if head in out else value
     return out
+
+
+def _both(one: Any, two: Any) -> bool:
+    """Whether some value stands in both of two sections, or what is no section in either."""
+    if not (isinstance(one, dict) and isinstance(two, dict)):
+        return True
+    return any(_both(one[key], two[key]) for key in one.keys() & two.keys())
 
 
 def _merge(base: dict, overrides: dict) -> dict:

@@ -85,16 +85,43 @@ class _UniqueKeys(yaml.SafeLoader):
         return super().construct_mapping(node, deep)
 
 
-def check_text(text: str, name: str) -> None:
+def _refuse_other_bases(text, name):
+    """Refuse a number that YAML reads as another: 010 is 8, 1:30 is 90, 0x10 is 16."""
+    for event in yaml.parse(text, yaml.SafeLoader):
+        if not isinstance(event, yaml.ScalarEvent) or not event.implicit[0]:
+            continue
+        value = yaml.safe_load(event.value) if event.value[:1] in "+-0123456789" else None
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            continue
+        try:
+            as_written = float(event.value) == value
+        except ValueError:
+            as_written = False
+        if not as_written:
+            line = event.start_mark.line + 1 if event.start_mark else "?"
+            raise ConfigError(
+                f"{name} line {line}: {event.value} is {value:g} to YAML; expected a decimal "
+                "number, or text in quotation marks"
+            )
+
+
+def check_text(text: str, name: str, empty: bool = True) -> None:
     """Refuse the text of a configuration in which a key stands twice; `name` names it.
+
+    Parameters
+    ----------
+    text, name : str
+    empty : bool
+        Whether it may hold nothing, which Snakemake does not take.
 
     Raises
     ------
     ConfigError
-        With the name and line; also for text that is not YAML.
+        With the name and line; also for text that is not YAML, has no keys at the top level or has
+        a number that YAML reads as another.
     """
     try:
-        yaml.load(text, _UniqueKeys)
+        found = yaml.load(text, _UniqueKeys)
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
         line = f" line {mark.line + 1}" if mark else ""
@@ -103,10 +130,13 @@ def check_text(text: str, name: str) -> None:
         # PyYAML lets the errors of its conversions through, such as those of the date 2024-13-45.
         reason = str(error).partition("\n")[0] or type(error).__name__
         raise ConfigError(f"{name}: not readable as YAML ({reason})") from None
+    if not isinstance(found, Mapping) and (found is not None or not empty):
+        raise ConfigError(f"{name}: expected keys at the top level, as run: mine")
+    _refuse_other_bases(text, name)
 
 
-def check_files(paths: Iterable[str | os.PathLike]) -> None:
-    """Refuse configuration files in which a key stands twice, which YAML itself lets pass.
+def check_files(paths: Iterable[str | os.PathLike], empty: bool = True) -> None:
+    """Refuse configuration files that `check_text` refuses.
 
     Raises
     ------
@@ -120,4 +150,4 @@ def check_files(paths: Iterable[str | os.PathLike]) -> None:
             raise ConfigError(f"{path}: {error.strerror or error}") from None
         except UnicodeDecodeError as error:
             raise ConfigError(f"{path}: not UTF-8 text at byte {error.start}") from None
-        check_text(text, str(path))
+        check_text(text, str(path), empty)

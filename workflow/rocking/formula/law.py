@@ -155,7 +155,11 @@ class Estimate:
         """P(collapse) at intensities, over ground motions."""
         import numpy as np
 
-        return ndtr(np.log(np.asarray(intensity, float) / self.median) / self.dispersion)
+        given = np.asarray(intensity, float)
+        if not np.all(given >= 0.0):
+            raise ValueError(f"intensity = {intensity!r}: expected numbers ≥ 0")
+        with np.errstate(divide="ignore"):  # nothing falls at zero
+            return ndtr(np.log(given / self.median) / self.dispersion)
 
     def __repr__(self):
         """Return one line: median, its band by motion, the formula's error."""

@@ -7,6 +7,7 @@ asked for.
 import difflib
 import os
 import re
+from numbers import Real
 
 import numpy as np
 
@@ -112,6 +113,10 @@ def read_record(path, *, name=None, format=None, component=None, dt_s=None, unit
     RecordError
         Anything wrong with the file or a contradiction with what is stated.
     """
+    for what, value, kind in (("dt_s", dt_s, Real), ("units", units, str)):
+        if value is not None and not isinstance(value, kind):
+            expected = "text" if kind is str else "a number (s)"
+            raise RecordError(f"{path}: {what} = {value!r}: expected {expected}")
     text, form, channels = open_file(path, format)
     return pick(text, form, channels, name, component, dt_s, units)
 

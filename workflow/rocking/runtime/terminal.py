@@ -41,7 +41,20 @@ _UNMADE = re.compile(r"File (.+?) marked for report but does not exist\.")
 _NO_RULE = re.compile(r"No rule to produce (.+?) \(if you use.*?\)\.")
 
 
-def name_targets(targets, logger=None):
+def _about_file(path, runs):
+    """What may be wrong with a result's path that no rule makes."""
+    top, _, rest = path.partition("/")
+    run = rest.partition("/")[0]
+    if top == "results" and runs and run not in runs and not run.startswith("."):
+        return f"its run is {run}, this command's {', '.join(runs)}: add --config run={run}"
+    if any(mark in path for mark in "*?{}"):
+        return "expected the path of one file, without wildcards"
+    if "." not in path.rpartition("/")[2]:
+        return "expected a file, or a target by its name"
+    return "is it a file of this run, model, record and direction (`run`, `records`)?"
+
+
+def name_targets(targets, logger=None, runs=()):
     """Let Snakemake's message about a target that it does not know name the nearest one.
 
     That of a report on results that are not there says what to do, without a line for every file.
@@ -52,6 +65,8 @@ def name_targets(targets, logger=None):
         Returns the names of the targets.
     logger : logging.Logger
         Snakemake's, unless given.
+    runs : collection of str
+        Names of this command's runs; may be filled later.
     """
 
     def explain(record):
@@ -66,7 +81,7 @@ def name_targets(targets, logger=None):
             near = difflib.get_close_matches(found[1], names, 1)
             said = f"did you mean {near[0]}?" if near else f"targets: {', '.join(names)}"
             if "/" in found[1]:
-                said = "is it a file of this run, model, record and direction (`run`, `records`)?"
+                said = _about_file(found[1], runs)
             record.msg = f"No rule to produce {found[1]}: {said}"
         return True
 

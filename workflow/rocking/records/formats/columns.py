@@ -97,7 +97,7 @@ def _layout(text):
 
 
 def _is_time(text, layout):
-    """Tell whether the first column rises through the file, as no acceleration does.
+    """Tell whether the first column rises or falls through the file, as no acceleration does.
 
     Spread over the whole file; nine of ten steps, so that a damaged time is refused by
     its line instead of taken for an acceleration. Also when there are too few to tell.
@@ -109,7 +109,7 @@ def _is_time(text, layout):
         if cells and re.fullmatch(NUMBER, cells[0]):
             values.append(float(cells[0]))
     steps = np.diff(values)
-    return len(steps) < 5 or np.mean(steps > 0) >= 0.9
+    return len(steps) < 5 or max(np.mean(steps > 0), np.mean(steps < 0)) >= 0.9
 
 
 def _labels(line, layout, columns):
