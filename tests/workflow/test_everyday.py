@@ -155,6 +155,37 @@ def test_a_file_where_results_belong_is_one_line(tmp_path):
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.parametrize("name", ["results/none", "results/.shared", ".snakemake"])
+def test_a_file_where_a_folder_belongs_is_one_line(tmp_path, name):
+    (tmp_path / name).parent.mkdir(exist_ok=True)
+    (tmp_path / name).write_text("")
+    done = snakemake(tmp_path, "-n", "--config", "run=none", "models=W1", "--", "check")
+    assert (done.returncode, len(lines(done, "error:"))) == (1, 1)
+    assert f"{name} is no folder" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("lay", "told"),
+    [
+        (lambda path: path.write_text("run: [\n"), "line 2"),
+        (lambda path: path.write_text("# run: mine\n"), "expected keys at the top level"),
+        (lambda path: path.mkdir(), "Is a directory"),
+        (lambda path: path.symlink_to(path.name), "Too many levels of symbolic links"),
+        (lambda path: path.symlink_to("gone.yaml"), "No such file"),
+    ],
+)
+def test_the_folder_s_own_configuration_is_named_where_it_is_none(tmp_path, lay, told):
+    (tmp_path / "config").mkdir()
+    lay(tmp_path / "config" / "config.yaml")
+    done = snakemake(tmp_path, "-n", "--", "check")
+    assert done.returncode == 1
+    (said,) = lines(done, "error:")
+    assert said.startswith("error: config: config/config.yaml")
+    assert told in said
+    assert "Traceback" not in done.stderr
+
+
 READ_ONLY = """mount -t tmpfs -o ro none {folder} && {python} -c "
 from rocking.runtime import results_folder as r
 print(r.fault('{folder}/results'))" """

@@ -74,6 +74,9 @@ try:
 except (configuration.ConfigError, RecordError) as error:
     stop(error)
 
+for folder in (".snakemake", "results/.shared", *(f"results/{run}" for run in RUNS.settings)):
+    if fault := results_folder.fault(folder):
+        stop(fault)
 RUNS.refuse(FINDINGS)
 if workflow.is_main_process and "check" not in sys.argv:  # that target says so itself
     terminal.warn([str(f) for f in FINDINGS if f.status == "warning"])

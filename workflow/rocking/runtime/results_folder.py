@@ -22,7 +22,7 @@ def fault(folder="results"):
     path = Path(folder).absolute()
     there = next(p for p in (path, *path.parents) if os.path.lexists(p))
     if not there.is_dir():
-        return f"{there} is no folder: results go to {folder}/; move it away"
+        return f"{there} is no folder: a run writes into {folder}/; move it away"
     if not os.access(there, os.W_OK | os.X_OK):
         return f"no right to write in {there}: give this run a folder of yours with --directory"
     if (free := shutil.disk_usage(there).free) < LEAST_B:
