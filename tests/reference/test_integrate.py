@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from planar_cases import facade
 from rocking.reference import SupportTable, integrate
+from rocking.reference.motion import integrate_linear
 
 
 def test_the_scheme_is_of_fifth_order_with_a_fourth_beside_it():
@@ -26,7 +27,7 @@ def test_the_scheme_is_of_fifth_order_with_a_fourth_beside_it():
 
 @pytest.mark.parametrize("factor", [1.0, -2.0])
 def test_supports_between_samples_are_those_of_the_motion(factor):
-    """By the motion's own polynomials; mirrored, what is vertical stays; after it all rest."""
+    """On straight lines between samples; mirrored, what is vertical stays; after it all rest."""
     draw = np.random.default_rng(4)
     motion = SupportTable(0.01, draw.normal(size=6), draw.normal(size=(2, 6)), draw.normal(size=6))
     drive = integrate.Drive(
@@ -40,12 +41,14 @@ def test_supports_between_samples_are_those_of_the_motion(factor):
     u, v = np.zeros(3), np.zeros(3)
     for k, tau in ((0, 0.0), (2, 0.004), (4, 0.01)):
         base, lift = integrate._support(drive, factor, k, tau, u, v)
-        expected, place, speed = motion.interval(k, 2)(tau)
-        assert base == pytest.approx(factor * expected)
-        z = np.interp(0.01 * k + tau, 0.01 * np.arange(6), motion.vertical_m_s2)
-        assert lift == pytest.approx(abs(factor) * z)
-        assert u[:2] == pytest.approx(factor * place)
-        assert v[:2] == pytest.approx(factor * speed)
+        at_s, samples_s = 0.01 * k + tau, 0.01 * np.arange(6)
+        assert base == pytest.approx(factor * np.interp(at_s, samples_s, motion.base_m_s2))
+        assert lift == pytest.approx(abs(factor) * np.interp(at_s, samples_s, motion.vertical_m_s2))
+        fine_s = 0.001 * np.arange(round(1e3 * at_s) + 1)  # from the start to there
+        for row, place, speed in zip(motion.relative_m_s2, u, v, strict=False):
+            velocity, displacement = integrate_linear(np.interp(fine_s, samples_s, row), 0.001)
+            assert place == pytest.approx(factor * displacement[-1])
+            assert speed == pytest.approx(factor * velocity[-1])
     assert integrate._support(drive, factor, 5, 0.02, u, v) == (0.0, 0.0)
     assert u[:2] == pytest.approx(factor * motion.relative_m[:, -1])
     assert not v.any()

@@ -10,25 +10,13 @@ COURSES = "courses"  # in config/fidelity.yaml: `CHOSEN` of a façade of courses
 
 
 def fidelity_table(table, share, fewest_nodes):
-    """Error of every pair of nodes and step: what a share of the histories keeps.
+    """Error of every pair of nodes and step by model, cheapest first: what a share keeps.
 
-    A coarse pair may hit the answer by chance, so the error of a pair is the largest of its own
-    and of all finer ones (as many nodes or more, the same step or less). Cost is counted in node
-    evaluations, so that the order does not depend on the machine.
-
-    Parameters
-    ----------
-    table : DataFrame
-        Repeating histories of the half that chooses, of `study.errors`; failed runs are wrong.
-    share : float
-        Of the histories that the error holds for; 1: the worst.
-    fewest_nodes : int
-        Pairs with fewer are left out.
-
-    Returns
-    -------
-    dict
-        Model to a list of {nodes, step_fraction, error}, cheapest first.
+    A coarse pair may hit the answer by chance, so the error of a pair is the largest of its own and
+    of all finer ones (as many nodes or more, the same step or less). Cost is counted in node
+    evaluations, so that the order does not depend on the machine. The table has repeating histories
+    of the half that chooses (`accuracy.errors.errors`); failed runs are wrong. A share of 1 of the
+    histories is the worst of them; pairs with fewer nodes than `fewest_nodes` are left out.
     """
     usable = (table["method"] == "nodes and step") & (table["nodes"] >= fewest_nodes)
     chosen = table[usable].fillna({"error": 1.0})

@@ -5,29 +5,11 @@ STUDY, OURS = "the study's", "ours"
 
 
 def statement(claim, paper, measured, holds, threshold, records=""):
-    """Return one row of a table of claims.
+    """Return one row of a table of claims, of COLUMNS.
 
-    Parameters
-    ----------
-    claim, paper : str
-        What is claimed, and the study's number for it.
-    measured : str
-        What the run gives.
-    holds : bool
-    threshold : {STUDY, OURS}
-        Whose number decides: one that the study states, or one chosen here.
-    records : str
-        Motions behind it, and where from.
-
-    Returns
-    -------
-    dict
-        Of COLUMNS; "holds" as "yes" or "no".
-
-    Raises
-    ------
-    ValueError
-        If the threshold is nobody's.
+    What is claimed and the study's number for it, what the run gives, whether that holds ("yes" or
+    "no"), and whose number decides: STUDY, one that the study states, or OURS, one chosen here.
+    `records` are the motions behind it, and where from.
     """
     if threshold not in (STUDY, OURS):
         raise ValueError(f"threshold '{threshold}': expected '{STUDY}' or '{OURS}'")

@@ -15,18 +15,7 @@ FEWEST = 7  # an interval drawn from fewer says nothing
 
 
 def resampled(stations, resamples, seed):
-    """How often each row stands in every draw.
-
-    Parameters
-    ----------
-    stations : sequence, length n
-        Station of each row.
-    resamples, seed : int
-
-    Returns
-    -------
-    ndarray of int, shape (resamples, n)
-    """
+    """How often each row, by its station, stands in every draw, shape (resamples, n)."""
     names, index = np.unique(np.asarray(stations), return_inverse=True)
     share = np.full(len(names), 1.0 / len(names))
     return np.random.default_rng(seed).multinomial(len(names), share, resamples)[:, index]
@@ -36,17 +25,7 @@ def turns(stations, directions):
     """Record and direction of every curve, where those of one station tell much the same.
 
     Of a station with several components each takes one direction in turn; a component that is alone
-    takes all.
-
-    Parameters
-    ----------
-    stations : mapping
-        Station of every record.
-    directions : sequence of str
-
-    Returns
-    -------
-    list of (record, direction)
+    takes all. `stations` has the station of every record.
     """
     own: dict[str, list[str]] = {}
     for record, station in stations.items():
@@ -60,21 +39,10 @@ def turns(stations, directions):
 
 
 def interval(values, stations, confidence):
-    """Percentile interval of what the draws give.
+    """Percentile interval of what the draws give, shape (resamples, ...), from so many stations.
 
-    Parameters
-    ----------
-    values : array_like, shape (resamples, ...)
-        May be infinite.
-    stations : int
-        How many were drawn from.
-    confidence : float
-        From 0 to 1.
-
-    Returns
-    -------
-    low, high : ndarray, shape (...)
-        NaN from fewer than `FEWEST` stations.
+    Values may be infinite, the confidence goes from 0 to 1. Low and high ends of shape (...), NaN
+    from fewer than `FEWEST` stations.
     """
     values, tail = np.asarray(values, float), 50.0 * (1.0 - confidence)
     if stations < FEWEST:
@@ -83,13 +51,7 @@ def interval(values, stations, confidence):
 
 
 def unnamed(rows):
-    """What to say of records whose table names no station; empty where no interval hangs on it.
-
-    Parameters
-    ----------
-    rows : sequence of records.table.Row
-        Those that are used.
-    """
+    """What to say of rows whose table names no station; empty where no interval hangs on it."""
     alone = sum(not row.about.get("station") for row in rows)
     if alone < 2 or len({row.station for row in rows}) < FEWEST:
         return ""
@@ -106,14 +68,7 @@ def counted(records, stations):
 
 
 def remark(records, stations, least):
-    """What to say of so few stations; empty where they are enough.
-
-    Parameters
-    ----------
-    records, stations : int
-    least : int
-        Stations below which a result is an indication.
-    """
+    """What to say of so few stations; empty from `least`, below which a result is an indication."""
     said = counted(records, stations)
     if stations < FEWEST:
         return f"no interval from {said}: it takes at least {FEWEST} stations"

@@ -34,26 +34,11 @@ BAND_COLUMNS = (
 
 
 def scan(job, motion_path, direction, settings, start_g):
-    """Outcomes of one curve by the reference solver.
+    """Outcomes of one curve by the reference solver, by ascending amplitude from `start_g` up.
 
-    Parameters
-    ----------
-    job : dict
-        A case file.
-    motion_path : path
-        Floor motions.
-    direction : str
-    settings : dict
-        level_ratio, beyond, max_pga_g, reference_scan_step, reference_nodes, reference_tolerance,
-        amplitude_spread.
-    start_g : float
-        Lowest amplitude.
-
-    Returns
-    -------
-    DataFrame
-        pga_g, level (1 for the coarse levels, 0 for the finer ones), d_over_b, status, collapsed;
-        by ascending amplitude.
+    `settings` has level_ratio, beyond, max_pga_g, amplitude_spread, reference_scan_step,
+    reference_nodes and reference_tolerance. Columns are pga_g, level (1 for the coarse levels, 0
+    for the finer ones), d_over_b, status and collapsed.
     """
 
     nodes, tolerance = settings["reference_nodes"], settings["reference_tolerance"]
@@ -72,23 +57,13 @@ def scan(job, motion_path, direction, settings, start_g):
 
 
 def coverage(pga_g, share, low_g, high_g):
-    """Part of a collapse probability that lies between two amplitudes.
+    """Part of a collapse probability that lies between two amplitudes, running and pooled.
 
     F(high) − F(low), with F the share made non-decreasing, linear between amplitudes; what is never
-    reached (NaN) lies above all amplitudes.
-
-    Parameters
-    ----------
-    pga_g, share : array_like, shape (n,)
-        Dense probability by ascending amplitude.
-    low_g, high_g : float
-
-    Returns
-    -------
-    running, pooled : float
-        With F the largest share up to an amplitude, whose crossings of 10 and 90 % are what
-        "first reached" means; and with F the non-decreasing sequence nearest to the shares in
-        least squares, which spreads ranges of collapse over what stands above them.
+    reached (NaN) lies above all amplitudes. The share is the dense probability by ascending
+    amplitude. Running: F is the largest share up to an amplitude, whose crossings of 10 and 90 %
+    are what "first reached" means. Pooled: the non-decreasing sequence nearest to the shares in
+    least squares, which spreads ranges of collapse over what stands above them.
     """
     pga_g, share = np.asarray(pga_g, float), np.asarray(share, float)
     at = [math.inf if math.isnan(g) else g for g in (low_g, high_g)]
@@ -100,21 +75,10 @@ def coverage(pga_g, share, low_g, high_g):
 
 
 def compare(table, row, spread):
-    """What one reported curve covers of the reference solver's scan.
+    """What a reported curve covers of its dense `scan`: BAND_COLUMNS; blank where neither fell.
 
-    Parameters
-    ----------
-    table : DataFrame
-        Of `scan`.
-    row : mapping
-        The curve's row of tables/ida_collapse.csv.
-    spread : float
-        Half width within which a share is counted, over the amplitude.
-
-    Returns
-    -------
-    dict
-        BAND_COLUMNS; blank where neither fell.
+    `row` is the curve's of tables/ida_collapse.csv; `spread` the half width within which a share is
+    counted, over the amplitude.
     """
     valid = table[table["status"] != "failed"]
     pga_g, fell = valid["pga_g"].to_numpy(), valid["collapsed"].to_numpy()

@@ -38,21 +38,11 @@ def charted(drawn, count):
 
 
 def plan_runs(drawn, settings, scenes):
-    """Runs of YADE, record by record.
+    """Runs of YADE of the `histories.sampled` cases, record by record.
 
-    Parameters
-    ----------
-    drawn : DataFrame
-        From `histories.sampled`.
-    settings : dict
-        Section accuracy: nodes, step_fractions, chart_histories.
-    scenes : dict
-        Scene files by model; what is chosen there is run where the grid lacks it.
-
-    Returns
-    -------
-    list of dict
-        case, model, record, direction, pga_g, method, nodes, step_fraction, factor.
+    `scenes` are the case files by model; what one chooses is run where the grid of `settings`
+    (section accuracy: nodes, step_fractions, chart_histories) lacks it. A run has case, model,
+    record, direction, pga_g, method, nodes, step_fraction and factor.
     """
     keys = ["case", "model", "record", "direction", "pga_g"]
     everything = charted(drawn, settings["chart_histories"])
@@ -79,22 +69,13 @@ def chosen_pair(scene):
 
 
 def errors(runs, histories, defaults):
-    """Table of speed against accuracy.
+    """Table of speed against accuracy: TABLE_COLUMNS and model.
 
-    Parameters
-    ----------
-    runs : DataFrame
-        Of `yade_scripts/commands/accuracy.py`, or of another engine or solver in its columns.
-    histories : DataFrame
-        case, half, d_over_b (the reference), d_over_b_compiled (the converged compiled solver's, by
-        which the reference solver is measured), repeats, amplification.
-    defaults : dict
-        Model to (nodes, step fraction) of the main job.
-
-    Returns
-    -------
-    DataFrame
-        TABLE_COLUMNS and model; error is |d/b − reference|/reference, NaN for failed runs.
+    Runs are of `yade_scripts/commands/accuracy.py`, or of another engine or solver in its columns.
+    Histories have case, half, d_over_b (the reference), d_over_b_compiled (the converged compiled
+    solver's, by which the reference solver is measured), repeats, amplification. Defaults are
+    (nodes, step fraction) of the main job by model. The error is |d/b − reference|/reference, NaN
+    for failed runs.
     """
     known = histories.set_index("case")
     rows = runs.reset_index(drop=True)
@@ -133,20 +114,9 @@ def errors(runs, histories, defaults):
 def summary(table, keys=("model", "half")):
     """Spread of the errors of every method, nodes and step over its repeating histories.
 
-    A failed run counts as not within 1 %.
-
-    Parameters
-    ----------
-    table : DataFrame
-        From `errors`.
-    keys : sequence of str
-        Columns to part it by, before method, nodes, dt_over_dt_crit.
-
-    Returns
-    -------
-    DataFrame
-        keys, method, nodes, dt_over_dt_crit, default, histories, within_1_percent (share),
-        error_median, error_90, error_worst, worst (its case), cost (wall over simulated time).
+    A failed run counts as not within 1 %. The table of `errors` is parted by `keys` before method,
+    nodes, dt_over_dt_crit. Columns are those, default, histories, within_1_percent (share),
+    error_median, error_90, error_worst, worst (its case), cost (wall over simulated time).
     """
     by = [*keys, "method", "nodes", "dt_over_dt_crit"]
     part = table[table["repeats"] == 1].assign(cost=1.0 / table["realtime_factor"])

@@ -48,15 +48,9 @@ def half(number):
 
 
 class PeakSolver:
-    """Peak d/b of one model, record and direction at any nodes and step, by the compiled solver.
+    """Peak d/b of one case, motion and direction at any nodes and step, by the compiled solver.
 
-    Parameters
-    ----------
-    case : dict
-        A case file.
-    time_s, columns
-        Floor motions, see `yade_scripts.model.floor_motions.read`.
-    direction : str
+    Times and columns of floor motions are as `yade_scripts.model.floor_motions.read` gives them.
     """
 
     def __init__(self, case, time_s, columns, direction):
@@ -99,24 +93,13 @@ class PeakSolver:
 
 
 def reference_of(solver, pga_g, settings):
-    """Reference of one history and how it answers small changes.
+    """Reference of one history and how it answers small changes, as columns of COLUMNS.
 
     It repeats where a change of amplitude moves d/b by at most `trusted` times that change, and a
-    change of nodes, and one of step, by at most `repeat_tolerance` of its value. A history that
-    overturns repeats trivially and is left out, as is what does not: its `repeats` is 0.
-
-    Parameters
-    ----------
-    solver : PeakSolver
-    pga_g : float
-    settings : dict
-        reference_nodes, reference_step, trusted, repeat_tolerance.
-
-    Returns
-    -------
-    dict
-        d_over_b, the changes (relative for nodes and step; NaN where not needed any more),
-        amplification, repeats.
+    change of nodes, and one of step, by at most `repeat_tolerance` of its value; `settings` has
+    these beside reference_nodes and reference_step. A history that overturns repeats trivially and
+    is left out, as is what does not: its `repeats` is 0. Changes of nodes and step are relative,
+    NaN where they are not needed any more.
     """
     nodes, step = settings["reference_nodes"], settings["reference_step"]
     trusted = settings["trusted"]
@@ -146,13 +129,8 @@ def reference_of(solver, pga_g, settings):
 def histories(solver, labels, settings):
     """Rows (COLUMNS) of one curve: shares of its lowest collapse.
 
-    Parameters
-    ----------
-    solver : PeakSolver
-    labels : dict
-        half, model, record, direction.
-    settings : dict
-        As `reference_of`, with shares and max_pga_g.
+    `labels` are half, model, record and direction; `settings` has shares and max_pga_g besides
+    those of `reference_of`.
     """
     lowest = solver.lowest_collapse(settings["max_pga_g"])
     rows = []

@@ -130,19 +130,9 @@ def _holds(rows):
 
 
 def by_hand(data, candidate, whole=True):
-    """One mechanism's tables: parts, holds, capacity, demand and verdict.
+    """One mechanism's name and tables: parts, holds, capacity, demand and verdict.
 
-    Parameters
-    ----------
-    data : Data
-    candidate : rocking.assessment.family.Candidate
-    whole : bool
-        Says how each number comes about; else they stand two in a row.
-
-    Returns
-    -------
-    dict
-        name, tables.
+    Where `whole` they say how each number comes about; else they stand two in a row.
     """
     tables: list = []
     if candidate.plane:

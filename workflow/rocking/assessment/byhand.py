@@ -13,7 +13,7 @@ from typing import NamedTuple
 from rocking.assessment import checks
 from rocking.assessment.family import NEAR_M
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
-from rocking.mechanics.mechanism import TINY
+from rocking.mechanics.mechanism import rate
 
 
 class Part(NamedTuple):
@@ -50,17 +50,6 @@ class Sums(NamedTuple):
     moving_n: float
 
 
-def _pieces(candidate):
-    """Pieces of a plane mechanism: (low_m, high_m, move)."""
-    return candidate.mechanism.pieces
-
-
-def _rates(path):
-    """(δ_x, δ_z) of a path at rest."""
-    y, z = path(complex(0.0, TINY))
-    return y.imag / TINY, z.imag / TINY
-
-
 def bands(masonry, low_m, high_m):
     """Bands of masonry between two heights: (low, high, [(weight_n, y_m, z_m)])."""
     cuts = [low_m, *(z for z in masonry.edges_m if low_m + NEAR_M < z < high_m - NEAR_M), high_m]
@@ -71,7 +60,7 @@ def bands(masonry, low_m, high_m):
 def _band(masonry, low_m, high_m, masses, move, held):
     """`Part` of one band; what is held moves up alone."""
     weight = sum(w for w, *_ in masses)
-    rates = [(w, *_rates(move((y, z)))) for w, y, z in masses]
+    rates = [(w, *rate(move((y, z)), 0.0)) for w, y, z in masses]
     out = 0.0 if held else sum(w * x for w, x, _ in rates) / weight
     up = sum(w * v for w, _, v in rates) / weight
     square = 0.0 if held else sum(w * x**2 for w, x, _ in rates) / weight
@@ -86,20 +75,9 @@ def _band(masonry, low_m, high_m, masses, move, held):
 
 
 def parts(family, candidate):
-    """Every part of a plane mechanism, from below.
-
-    Parameters
-    ----------
-    family : rocking.assessment.family.Family
-    candidate : rocking.assessment.family.Candidate
-        Not a corner.
-
-    Returns
-    -------
-    list of Part
-    """
+    """Every `Part` of a plane mechanism, from below."""
     found, masonry = [], family.masonry
-    pieces = _pieces(candidate)
+    pieces = candidate.mechanism.pieces
     for low, high, move in pieces:
         rows = bands(masonry, low, high)
         found += [_band(masonry, a, b, own, move, False) for a, b, own in rows]
@@ -113,19 +91,20 @@ def parts(family, candidate):
 def _loads(family, candidate):
     """Loads of floors and roof, and what pushes without bearing."""
     found, foot, held = [], candidate.foot_m, candidate.held_m
-    pieces = _pieces(candidate)
+    pieces = candidate.mechanism.pieces
     for weight, y, z in family.loads:
         if z < foot + (NEAR_M if foot else 0.0) or not weight:
             continue
         fixed = held is not None and z >= held - NEAR_M
         move = next((m for _, high, m in pieces if z <= high + NEAR_M), pieces[-1][2])
-        out, up = _rates(move((y, z)))
+        out, up = rate(move((y, z)), 0.0)
         out = 0.0 if fixed else out
         found.append(Part(f"load at {z:.2f} m", weight, y, z, out, up, out**2))
+    last = pieces[-1][2]
     if held is None:
         for weight, z in family.pushes:
             if weight and z > foot + NEAR_M:
-                out, _ = _rates(pieces[-1][2]((pieces[-1][2]((0.0, z))(0.0)[0].real, z)))
+                out, _ = rate(last((last((0.0, z))(0.0)[0].real, z)), 0.0)
                 found.append(Part(f"pushes at {z:.2f} m", weight, math.nan, z, out, 0.0, out**2))
     return found
 
@@ -136,7 +115,7 @@ def pulled(candidate):
     for pull in candidate.mechanism.pulls:
         height = pull.path(0.0)[1].real
         name = "courses" if pull.fades else "tie or anchor"
-        out = _rates(pull.path)[0]
+        out = rate(pull.path, 0.0)[0]
         found.append(Pulled(name, pull.force_n, height, pull.slack_m, pull.reach_m, out))
     return sorted(found, key=lambda row: row.height_m)
 
@@ -154,35 +133,20 @@ def sums(rows, holds):
 
 
 def turned(candidate, share):
-    """Rotation at a share of d0 (a link's failure before it) and Σ P δ_x, Σ P δ_z, Σ F δ_x there.
+    """Rotation and control displacement at a share of d0, and Σ P δ_x, Σ P δ_z, Σ F δ_x there.
 
-    Returns
-    -------
-    theta_rad, control_m, out_n, up_n, pull_n : float
+    A link's failure before that share goes first.
     """
     mechanism = candidate.mechanism
     control = mechanism.limit(share)[0]
     theta = mechanism.rotation(control)
-
-    def rates(path):
-        y, z = path(complex(theta, TINY))
-        return y.imag / TINY, z.imag / TINY
-
-    out = sum(p * rates(path)[0] for p, path in mechanism.weights)
-    up = sum(p * rates(path)[1] for p, path in mechanism.weights)
+    out = sum(p * rate(path, theta)[0] for p, path in mechanism.weights)
+    up = sum(p * rate(path, theta)[1] for p, path in mechanism.weights)
     return theta, control, out, up, mechanism.multiplier(theta) * out - up
 
 
 def results(candidate, found, confidence_factor):
-    """Rows (symbol, how, value, unit) of a mechanism's capacity, from its sums.
-
-    Parameters
-    ----------
-    candidate : rocking.assessment.family.Candidate
-    found : Sums
-    confidence_factor : float
-        FC.
-    """
+    """Rows (symbol, how, value, unit) of a mechanism's capacity, from its sums and FC."""
     g = GRAVITY_M_S2
     alpha = (found.up_n + found.pull_n) / found.out_n
     mass = found.out_n**2 / (g * found.square_n)

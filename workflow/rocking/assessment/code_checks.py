@@ -45,13 +45,7 @@ def damaged(sections):
 
 
 def places_of(candidate, sections, demand):
-    """Demands that a mechanism is held to, and where each is, by "ground" and "height".
-
-    Parameters
-    ----------
-    candidate, sections, demand
-        See `code_checks`.
-    """
+    """Demands that a mechanism is held to, and where each is, by "ground" and "height"."""
     chain = sections["smdof"]
     floor = floor_demand(demand, candidate.place, chain, damaged=damaged(sections))
     places = {"height": (floor, f"at {candidate.place:.3g} of the height")}
@@ -73,22 +67,11 @@ def slv_pga(candidate, sections, demand):
 
 
 def code_checks(candidate, sections, demand, confidence_factor=None):
-    """Every check of one mechanism under one demand, but the oscillator's.
+    """Every check of one mechanism under one demand of the ground, but the oscillator's.
 
-    Parameters
-    ----------
-    candidate : rocking.assessment.family.Candidate
-    sections : mapping
-        Sections facade, smdof and assessment of a configuration.
-    demand : RecordDemand, TableDemand or CodeDemand
-        Of the ground.
-    confidence_factor : float or None
-        None: as stated, but that of knowledge level 1 where the hinge does not crush.
-
-    Returns
-    -------
-    dict of str to Check
-        By the keys of `CHECKS`; those on the ground only where the mechanism stands on it.
+    By the keys of `CHECKS`; those on the ground only where the mechanism stands on it. `sections`
+    are facade, smdof and assessment of a configuration. FC is as stated, but that of knowledge
+    level 1 where the hinge does not crush.
     """
     facade, settings = sections["facade"], sections["assessment"]
     mechanism, place, t0 = candidate.mechanism, candidate.place, candidate.t0_s
@@ -135,12 +118,7 @@ def least(found, limit="slv"):
 
 
 def governing(candidates, sections, demand):
-    """Mechanisms by the PGA at which their SLV check fails, the least first.
-
-    Returns
-    -------
-    list of (pga_g, Candidate, dict of Check)
-    """
+    """Mechanisms by the PGA at which SLV fails by hand: (pga_g, it, checks), the least first."""
     rows = []
     for one in candidates:
         found = code_checks(one, sections, demand)
@@ -158,12 +136,9 @@ def failing_pga(whole, sections, record, directions, max_pga_g):
 
     FC is 1, for the dynamic answer knows its façade, but where a key says otherwise. Beside the
     code's letter stand what secondary transcriptions make of it (`first_reading`, on all modes
-    without bounds) and, of the floor check, all modes. The rocking oscillator is integrated, so
-    its answer depends on the direction; NaN where it stands up to `max_pga_g`.
-
-    Returns
-    -------
-    list of (direction, key, pga_g)
+    without bounds) and, of the floor check, all modes. The rocking oscillator is integrated, so its
+    answer depends on the direction; NaN where it stands up to `max_pga_g`. Rows are (direction,
+    key, pga_g).
     """
     facade, chain = sections["facade"], sections["smdof"]
     demand = RecordDemand(record.acceleration_m_s2, record.dt_s)

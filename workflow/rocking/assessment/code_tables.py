@@ -35,12 +35,9 @@ SECTIONS = ("facade", "return_wall", "smdof", "assessment")
 
 
 def checked(settings, demand, place):
-    """A mechanism of the façade, and its checks; None where the façade has others.
+    """A mechanism of the façade and its checks; None where the façade has others.
 
-    Parameters
-    ----------
-    place : (int, int)
-        Which of how many: names have heights in them, which change with what is varied.
+    `place` is which of how many: names have heights in them, which change with what is varied.
     """
     which, count = place
     known = Family(settings).all()
@@ -152,19 +149,9 @@ def spectra(records, settings, demand, share):
 def checks_of(ranked):
     """Checks of the mechanism that fails first and of the whole façade, with every step.
 
-    Of every other mechanism the steps of its non-linear SLV checks.
-
-    Parameters
-    ----------
-    ranked : list
-        See `code_checks.governing`.
-
-    Returns
-    -------
-    checks, steps : list of tuple
-        Rows with the columns CHECKS and STEPS.
-    curves : DataFrame
-        mechanism, d_m, multiplier: capacity curves.
+    Of every other mechanism of `ranked` (`code_checks.governing`) the steps of its non-linear SLV
+    checks. Returns rows with the columns CHECKS and STEPS, and the capacity curves (mechanism, d_m,
+    multiplier).
     """
     whole = next(row for row in ranked if row[1].whole)
     checks, steps, curves = [], [], []

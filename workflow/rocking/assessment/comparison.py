@@ -34,12 +34,8 @@ FACTS = ("height_m", "slenderness", "period_s")
 def gather(runs):
     """One row a run, model, record, direction, check and level, for `compare`.
 
-    Façades of which a part governs are left to `parts_against_whole`: these checks are the whole's.
-
-    Parameters
-    ----------
-    runs : dict of dict
-        By run: FACTS, and the files checks (one), collapse and parts (one a model).
+    By run come FACTS and the files checks (one), collapse and parts (one a model). Façades of which
+    a part governs are left to `parts_against_whole`: these checks are the whole's.
     """
     parts = []
     for name, facts in runs.items():
@@ -55,14 +51,7 @@ def gather(runs):
 
 
 def intervals(check_g, dynamic_g, max_g):
-    """Ratio check/dynamic as low and high, 0 and ∞ where open.
-
-    Parameters
-    ----------
-    check_g, dynamic_g : ndarray
-        NaN where nothing failed or fell up to `max_g`.
-    max_g : ndarray or float
-    """
+    """Ratio check/dynamic as low and high, 0 and ∞ where open; NaN is above `max_g`."""
     known_check, known_dynamic = np.isfinite(check_g), np.isfinite(dynamic_g)
     low = np.where(known_check, check_g, max_g) / np.where(known_dynamic, dynamic_g, np.inf)
     high = np.where(known_check, check_g, np.inf) / np.where(known_dynamic, dynamic_g, max_g)
@@ -76,15 +65,11 @@ def unsafe(low, high):
 
 
 def share_interval(flags, stations, resamples, seed, confidence=0.95):
-    """Share of ones and its interval, stations drawn with replacement.
+    """Share of ones and the ends of its interval, stations drawn with replacement.
 
-    A station's components, and the façades that they shake, are drawn together. Where all flags
-    are alike every draw is, too; then the open end is the exact binomial one for as many trials
-    as there are stations, 1 − (tail)^(1/n). Fewer than `FEWEST` stations give no interval.
-
-    Returns
-    -------
-    share, low, high : float
+    A station's components, and the façades that they shake, are drawn together. Where all flags are
+    alike every draw is, too; then the open end is the exact binomial one for as many trials as
+    there are stations, 1 − (tail)^(1/n). Fewer than `FEWEST` stations give no interval.
     """
     flags, stations = np.asarray(flags, float), np.asarray(stations)
     keep = np.isfinite(flags)
@@ -101,13 +86,7 @@ def share_interval(flags, stations, resamples, seed, confidence=0.95):
 
 
 def summary(table, resamples, seed):
-    """Ratios of one part of the table: median, scatter and share on the unsafe side.
-
-    Parameters
-    ----------
-    table : DataFrame
-        pga_fails_g, pga_dynamic_g, pga_max_g, station, run.
-    """
+    """Ratios of one part of the table of `compare`: median, scatter, share on the unsafe side."""
     low, high = intervals(
         *(table[k].to_numpy(float) for k in ("pga_fails_g", "pga_dynamic_g", "pga_max_g"))
     )
@@ -144,13 +123,7 @@ def groups(table):
 
 
 def compare(table, resamples, seed):
-    """Every model, level, check and group; see COLUMNS.
-
-    Parameters
-    ----------
-    table : DataFrame
-        One row a run, model, record, direction, check and level (`p10`, `median`).
-    """
+    """Every model, level (`p10`, `median`), check and group of a table of `gather`; see COLUMNS."""
     rows = []
     for (model, level, check), part in table.groupby(["model", "level", "check"], sort=False):
         for group, value, rest in groups(part):
@@ -167,10 +140,7 @@ def compare(table, resamples, seed):
 def disagreements(levels):
     """How often the kinematic and the dynamic check of a façade differ, by model and check.
 
-    Parameters
-    ----------
-    levels : DataFrame
-        A row a façade, model and a_g: run, model, CHECKS_BY_HAND and dynamic, 1 where they pass.
+    A row a façade, model and a_g: run, model, CHECKS_BY_HAND and dynamic, 1 where they pass.
     """
     rows = []
     for model, part in levels.groupby("model", sort=False):
@@ -194,21 +164,14 @@ def disagreements(levels):
 def parts_against_whole(levels, collapse):
     """What the whole façade alone would have said of façades that fall in part, by model and run.
 
-    Parameters
-    ----------
-    levels : DataFrame
-        As of `disagreements`, with part; "whole" is the whole façade.
-    collapse : DataFrame
-        run, part (or none: the whole), model, record, direction, pga_median_g.
+    `levels` are as of `disagreements`, with part ("whole" is the whole façade); `collapse` has run,
+    part (or none: the whole), model, record, direction, pga_median_g.
 
-    Returns
-    -------
-    DataFrame
-        A row a façade and model, and one of all façades ("all"): how many a_g were checked; at how
-        many the whole passes and the part does not, by hand (FC 1.35) and dynamically; at how many
-        the part's two checks differ, and which way; curves, median of half collapse of the part
-        over that of the whole, share of curves in which the part falls first. Curves in which
-        either never fell are left out of the median.
+    A row a façade and model, and one of all façades ("all"): how many a_g were checked; at how many
+    the whole passes and the part does not, by hand (FC 1.35) and dynamically; at how many the
+    part's two checks differ, and which way; curves, median of half collapse of the part over that
+    of the whole, share of curves in which the part falls first. Curves in which either never fell
+    are left out of the median.
     """
     collapse = collapse.fillna({"part": "whole"})
     found = levels[levels["part"] != "whole"]

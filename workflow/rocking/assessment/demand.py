@@ -31,13 +31,7 @@ def eta(damping_ratio):
 
 @dataclass(frozen=True)
 class RecordDemand:
-    """Elastic spectrum of one accelerogram as it is, exact for its straight lines.
-
-    Parameters
-    ----------
-    acceleration_m_s2 : ndarray
-    dt_s : float
-    """
+    """Elastic spectrum of one accelerogram as it is, exact for its straight lines."""
 
     acceleration_m_s2: np.ndarray
     dt_s: float
@@ -74,10 +68,7 @@ class RecordDemand:
 class TableDemand:
     """Spectrum of 5 % damping given by points, straight between them, ∝ 1/T² beyond the last.
 
-    Parameters
-    ----------
-    period_s, acceleration_g : ndarray
-        Periods ascend from 0, where the value is the PGA.
+    Periods ascend from 0, where the value is the PGA.
     """
 
     period_s: np.ndarray
@@ -119,15 +110,11 @@ def displacement(demand, period_s, damping_ratio):
 
 
 def largest_displacement(demand, low_s, high_s, damping_ratio):
-    """Largest spectral displacement between two periods, and the period it is at.
+    """Largest spectral displacement between two periods [m], and the period it is at [s].
 
     Circolare 7/2019, C8.7.1.2.1.8: so wherever accelerograms or a site response analysis give the
-    spectrum. For a spectrum whose displacement grows with the period it is that at `high_s`.
-
-    Returns
-    -------
-    displacement_m, period_s : float
-        The first of those periods, where the displacement is the same from one on.
+    spectrum. For a spectrum whose displacement grows with the period it is that at `high_s`; where it
+    is the same from a period on, the first of these.
     """
     low = max(low_s, high_s / SHORTEST)
     first, last = (math.log(t) / math.log(PERIOD_STEP) for t in (low, high_s))
@@ -209,22 +196,12 @@ class FloorDemand:
 
 
 def floor_demand(ground, height_ratio, chain, modes="first", bounded=True, damaged=None):
-    """Floor spectrum at a share of the building's height.
+    """Floor spectrum at a share z/H of the building's height; shapes are straight between floors.
 
-    Parameters
-    ----------
-    ground : RecordDemand, TableDemand or CodeDemand
-    height_ratio : float
-        z over the height of the building; shapes are straight between floors.
-    chain : dict
-        Section smdof: n_dof, period_s, damping_ratio.
-    modes : {"first", "all", "linear"}
-        The first mode alone, which the code says is enough for ultimate states, every mode of the
-        equal chain, or the first as a straight line with γ1 = 3n/(2n + 1) (C7.2.10).
-    bounded : bool
-        See `FloorDemand`.
-    damaged : (period_factor, damping_ratio) or None
-        Of the building at ultimate states (C8.7.1.2.1.4); None leaves it as it is.
+    `chain` is section smdof. Modes: "first" alone, which the code says is enough for ultimate
+    states, "all" of the equal chain, or "linear", the first as a straight line with γ1 = 3n/(2n +
+    1) (C7.2.10). `bounded` is of `FloorDemand`. `damaged` are period factor and damping ratio of
+    the building at ultimate states (C8.7.1.2.1.4); None leaves it as it is.
     """
     n = chain["n_dof"]
     if not 0.0 <= height_ratio <= 1.0:

@@ -12,14 +12,9 @@ SECTION_MM = -42.0, 26.0  # paper of the section, from the inner face
 
 
 def spread(values, gap, low, high):
-    """Places of labels near their values, no nearer than `gap`, ascending.
+    """Places of labels near their ascending values, no nearer than `gap`, within low and high.
 
-    Parameters
-    ----------
-    values : sequence of float
-        Ascending.
-    gap, low, high : float
-        Least distance, and where labels may be; more of them than fit share the room evenly.
+    More of them than fit share the room evenly.
     """
     count = len(values)
     gap = min(gap, (high - low) / max(count - 1, 1))
@@ -213,13 +208,8 @@ def height_mm(family, wide_mm, high_mm):
 def facade(family, candidate, wide_mm=176.0, high_mm=84.0):
     """Elevation with openings, floors (dashed) and ties (crosses), and the section beside it.
 
-    Parameters
-    ----------
-    family : rocking.assessment.family.Family
-    candidate : rocking.assessment.family.Candidate
-        Drawn turned by half of the rotation at which its multiplier vanishes.
-    wide_mm, high_mm : float
-        Of the paper; one scale serves both drawings.
+    The mechanism is drawn turned by half of the rotation at which its multiplier vanishes; the
+    paper's size is in mm, and one scale serves both drawings.
     """
 
     def draw(figure):

@@ -18,15 +18,7 @@ RATES += ["outside_share"]
 def weakest(table):
     """Of several mechanisms' collapse PGAs the least under each motion, with all their histories.
 
-    Parameters
-    ----------
-    table : DataFrame
-        Rows as of `answer`, with part and direction; NaN where nothing fell.
-
-    Returns
-    -------
-    DataFrame
-        A row a motion and direction.
+    Rows are as of `answer`, with part and direction, NaN where nothing fell.
     """
     own = table.groupby(["model", "record", "direction"], sort=False)
     least = own[["record_pga_g", "pga_p10_g", "pga_median_g", "pga_max_g"]].min()
@@ -34,29 +26,15 @@ def weakest(table):
 
 
 def answer(table, stations, demand_g, hazards, resamples, seed):
-    """What the collapse PGAs of one model say at the demand.
+    """What the collapse PGAs of one model say at the demand's PGA: row, curve and rates.
 
-    Parameters
-    ----------
-    table : DataFrame
-        A row a curve: model, record, pga_median_g (NaN where nothing fell), pga_max_g, runs_planar.
-    stations : mapping
-        Station of every record; those of one are drawn together.
-    demand_g : float
-        PGA of the demand.
-    hazards : dict of str to rocking.risk.hazard.Hazard
-        Of the PGA; the first is that of the columns `annual_rate` and so on.
-    resamples, seed : int
+    The table has a row a curve: model, record, pga_median_g (NaN where nothing fell), pga_max_g,
+    runs_planar. Records of one station are drawn together. Hazards are of the PGA; the first is
+    that of the row's columns `annual_rate` and so on.
 
-    Returns
-    -------
-    dict
-        Medians and probability with their intervals, and of the first hazard the annual rate; NaN
-        from fewer than `FEWEST` stations.
-    DataFrame or None
-        CURVES; a curve drawn from so few motions would say nothing.
-    list of dict
-        RATES, a row a hazard.
+    The row has medians and probability with their intervals, and the annual rate; NaN from fewer
+    than `FEWEST` stations, of which there is no curve (CURVES) either. Rates (RATES) are a row a
+    hazard.
     """
     collapse = table["pga_median_g"]
     low, high = brackets_about(collapse, table["pga_max_g"], EXACT)

@@ -44,22 +44,9 @@ def width_of(facade):
 
 
 def histories(job, record, direction, pga_g, fraction=None):
-    """Largest displacements of one model under one motion at some intensities, each once.
+    """Largest displacements of one case under one motion at some intensities, each once (COLUMNS).
 
-    Parameters
-    ----------
-    job : dict
-        A case file.
-    record : rocking.records.Record
-    direction : str
-    pga_g : sequence of float
-    fraction : float or None
-        Of the stable step; None takes the dense scan's.
-
-    Returns
-    -------
-    DataFrame
-        See COLUMNS; realisation 0.
+    `fraction` is the step over the stable one; None takes the dense scan's.
     """
     screen = run_by("planar", Case(job), Motion(record), direction, fraction=fraction)
     parts = [screen.run([level], scatter=False).assign(pga_g=level) for level in pga_g]
@@ -82,24 +69,10 @@ def _rows(found, job, record, direction):
 
 
 def checked(job, motions, directions, limits, realisations):
-    """Histories that `verdict` takes: every motion as it is, and perturbed where that may tell.
+    """Histories (COLUMNS) for `verdict`: every motion as it is, and perturbed where it tells.
 
-    Motions that exceed d0 are perturbed first. Once one exceeds it in all its realisations every
-    draw fails, whatever the others do, and no more are run.
-
-    Parameters
-    ----------
-    job : dict
-        A scene file.
-    motions : list of (Record, pga_g)
-    directions : sequence of str
-    limits : Limits
-    realisations : int
-
-    Returns
-    -------
-    DataFrame
-        See COLUMNS.
+    Motions, (Record, pga_g), that exceed d0 are perturbed first. Once one exceeds it in all its
+    realisations every draw fails, whatever the others do, and no more are run.
     """
     runs = [(record, direction, g) for record, g in motions for direction in directions]
     found = [histories(job, record, direction, [g]) for record, direction, g in runs]
@@ -119,19 +92,9 @@ def exceeds(table, limits):
 def verdict(table, limits, seed):
     """The code's verdict on one model, and how far it hangs on the numerics.
 
-    Parameters
-    ----------
-    table : DataFrame
-        Histories of one model at one intensity; failed ones are left out and counted.
-    limits : Limits
-    seed : int
-        Of the draws of one realisation a motion.
-
-    Returns
-    -------
-    dict
-        motions, exceed_d0, mean_d_m, d0_m, d_slv_m, d_slc_m, slv, slc (fulfilled or not), agree
-        (share of draws with the same verdict on SLV), failed, worst, nearest (motions).
+    Of histories of one model at one intensity; failed ones are left out and counted. motions,
+    exceed_d0, mean_d_m, d0_m, d_slv_m, d_slc_m, slv, slc (fulfilled or not), agree (share of draws
+    of one realisation a motion with the same verdict on SLV), failed, worst, nearest (motions).
     """
     failed = table["status"] == "failed"
     kept = table[~failed].copy()

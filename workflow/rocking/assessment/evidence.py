@@ -17,12 +17,7 @@ DIGITS = 16  # of a digest, in a folder's name
 
 
 def sums_of(files):
-    """Text of SHA256SUMS, as `sha256sum` writes it.
-
-    Parameters
-    ----------
-    files : dict of str to bytes
-    """
+    """Text of SHA256SUMS for contents by name, as `sha256sum` writes it."""
     digests = {name: hashlib.sha256(data).hexdigest() for name, data in files.items()}
     return "".join(f"{digest}  {name}\n" for name, digest in sorted(digests.items()))
 
@@ -33,14 +28,7 @@ def digest_of(files):
 
 
 def gathered(paths, texts):
-    """Contents by name, of files and of texts.
-
-    Parameters
-    ----------
-    paths : iterable of path
-        Of one name each; several of the same name are numbered.
-    texts : dict of str to str
-    """
+    """Contents by name, of files (several of one name are numbered) and of texts by name."""
     found = {name: text.encode() for name, text in texts.items()}
     for path in map(Path, paths):
         name, number = path.name, 1
@@ -52,22 +40,11 @@ def gathered(paths, texts):
 
 
 def keep(parent, files, report):
-    """Keep evidence and the report of it in a folder of their own, complete or not at all.
+    """Keep evidence and the report of it in a folder of their own, which is returned.
 
-    A folder that is there already has the same evidence, and is left as it is.
-
-    Parameters
-    ----------
-    parent : path
-    files : dict of str to bytes
-        See `gathered`.
-    report : iterable of path
-        Files of the report, which cite the evidence by its digest.
-
-    Returns
-    -------
-    Path
-        The folder.
+    It lies below `parent`, and is complete or not there at all. A folder that is there already has
+    the same evidence, and is left as it is. `files` are as of `gathered`; `report` are its files,
+    which cite the evidence by digest.
     """
     place = Path(parent) / digest_of(files)[:DIGITS]
     if place.exists():

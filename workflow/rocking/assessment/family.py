@@ -92,18 +92,9 @@ class Candidate(NamedTuple):
 
 
 def pulls_of(section, added_n=0.0):
-    """What holds section facade as pulls, rigid up to their capacity (`holds`), and one more row.
+    """What holds section facade as `Held`, rigid up to its capacity (`holds`).
 
-    Parameters
-    ----------
-    section : dict
-        Section facade.
-    added_n : float
-        Capacity of one more row, at the top of what the return walls hold.
-
-    Returns
-    -------
-    list of Held
+    With `added_n` one more row of that capacity, at the top of what the return walls hold.
     """
     found = [
         Held(one.capacity_n, one.height_m, one.reach_m, False, one.slack_m)
@@ -348,13 +339,7 @@ class Family:
         return [row for row in found if row[0] > 0.0]
 
     def all(self):
-        """Every mechanism, the whole façade first.
-
-        Returns
-        -------
-        list of Candidate
-            Those that stand at rest; what falls by its own weight raises a ValueError.
-        """
+        """Every mechanism, the whole façade first; a ValueError where one falls at rest."""
         found = self.plane() + self.corners()
         for one in found:
             if one.mechanism.multiplier() <= 0.0:

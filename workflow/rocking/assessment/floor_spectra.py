@@ -19,20 +19,10 @@ COLUMNS = ["record", "floor", "t_over_t1", "variant", "formula_g", "exact_g"]
 
 
 def formula_and_exact(record, chain, damping_ratio=0.05, period_ratios=PERIOD_RATIOS):
-    """Formula and exact pseudo-acceleration on every floor of the chain, at the record's own PGA.
+    """Formula and exact pseudo-acceleration on every floor of a chain, at the record's own PGA.
 
-    Parameters
-    ----------
-    record : rocking.records.Record
-    chain : dict
-        Section smdof.
-    damping_ratio : float
-        Of the oscillator on the floor.
-
-    Returns
-    -------
-    DataFrame
-        See COLUMNS; both in g.
+    `chain` is section smdof, the damping that of the oscillator on the floor. Columns are COLUMNS,
+    both accelerations in g.
     """
     n, t1 = chain["n_dof"], chain["period_s"]
     motion = chain_motions(record, chain)

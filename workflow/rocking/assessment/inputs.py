@@ -18,20 +18,11 @@ STATED = {  # keys that an assessment does not take from the case study
 
 
 def check_stated(given, models=()):
-    """Refuse a façade whose numbers would be the case study's.
+    """Refuse a façade whose numbers would be the case study's, in one line with every missing key.
 
-    Parameters
-    ----------
-    given : mapping
-        The configuration as the user gave it, to tell what is stated from what is a default.
-    models : sequence of str
-        Those that are run. Where walls carry the building, its mass or section `building` is asked
-        for too.
-
-    Raises
-    ------
-    ValueError
-        In one line that names every key that is missing.
+    `given` is the configuration as the user gave it, which tells what is stated from what is a
+    default. Where walls carry the building under one of `models`, its mass or section `building` is
+    asked for too.
     """
     missing, wanted = [], dict(STATED)
     if "building" not in given and any(MODELS[name].two_way for name in models):
@@ -50,17 +41,8 @@ def check_stated(given, models=()):
 def spectrum_file(resolved, find):
     """File of the site's spectrum, checked; None where the hazard curve stands for it.
 
-    Parameters
-    ----------
-    resolved : dict
-        Resolved configuration.
-    find : callable
-        Returns where a file of the configuration is.
-
-    Raises
-    ------
-    ValueError
-        In one line that names the key.
+    `find` returns where a file of the configuration is. Raises a ValueError of one line with the
+    key.
     """
     if (path := resolved["assessment"]["spectrum"]) is not None:
         path = find(path)

@@ -6,29 +6,19 @@ exactly.
 """
 
 import itertools
-import math
 
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
+from rocking.mechanics.mechanism import gauss
 from yade_scripts.model.shape import shape_of
 
 STRIPS = 40  # of a wedge, whose edge crosses openings anywhere
 
 
 class Masonry:
-    """Weights of a façade by height.
+    """Weights of a façade (section facade) by height.
 
-    Parameters
-    ----------
-    section : dict
-        Section facade.
-
-    Attributes
-    ----------
-    shape : yade_scripts.model.shape.Shape
-    height_m, top_m : float
-        Of what the return walls hold; of the whole façade.
-    edges_m : list of float
-        Heights at which thickness or width changes.
+    height_m is what the return walls hold, top_m the top of the whole façade, edges_m where
+    thickness or width changes.
     """
 
     def __init__(self, section):
@@ -66,7 +56,7 @@ class Masonry:
         found = []
         for a, b in itertools.pairwise(cuts):
             back, front = self.faces(0.5 * (a + b))
-            for z in _gauss(a, b):
+            for z in gauss(a, b):
                 weight = 0.5 * (b - a) * self.width(z) * (front - back) * self.unit_weight
                 found.append((weight, 0.5 * (back + front), z))
         return [row for row in found if row[0] > 0.0]
@@ -80,7 +70,7 @@ class Masonry:
         cuts = {foot_m + k * step for k in range(STRIPS)} | {self.height_m}
         cuts |= {z for z in self.edges_m if foot_m < z < self.height_m}
         pairs = itertools.pairwise(sorted(cuts))
-        return [(z, 0.5 * (high - low)) for low, high in pairs for z in _gauss(low, high)]
+        return [(z, 0.5 * (high - low)) for low, high in pairs for z in gauss(low, high)]
 
     def wedge(self, foot_m, tangent, side):
         """Part of the façade that a corner takes with it: (weight_n, x_m, y_m, z_m).
@@ -103,8 +93,3 @@ class Masonry:
             if weight > 0.0:
                 found.append((weight, first / wide, 0.5 * (back + front), z))
         return found
-
-
-def _gauss(low, high):
-    middle, arm = 0.5 * (low + high), 0.5 * (high - low) / math.sqrt(3.0)
-    return middle - arm, middle + arm

@@ -18,18 +18,7 @@ PERIOD = "return_period_years"
 
 
 def check_rows(rows):
-    """Refuse rows that are no hazard.
-
-    Parameters
-    ----------
-    rows : list of dict
-        return_period_years, ag_g, f0, tc_star_s.
-
-    Raises
-    ------
-    ValueError
-        In one line that names the row and what was expected of it.
-    """
+    """Refuse rows (PERIOD, PARAMETERS) that are no hazard, by a ValueError of one line."""
     if len(rows) < 2:
         raise ValueError(
             f"assessment.hazard: {len(rows)} row; expected two or more, by return period"
@@ -44,23 +33,9 @@ def check_rows(rows):
 
 
 def row_at(rows, return_period_years):
-    """a_g, F0 and T_C* of a return period, by the code's interpolation.
+    """`PARAMETERS` at a return period, by the code's interpolation of ascending rows.
 
-    Parameters
-    ----------
-    rows : list of dict
-        Ascending, see `check_rows`.
-    return_period_years : float
-
-    Returns
-    -------
-    dict
-        ag_g, f0, tc_star_s.
-
-    Raises
-    ------
-    ValueError
-        If the rows do not reach the return period.
+    A ValueError where they do not reach it.
     """
     periods = [row[PERIOD] for row in rows]
     if not periods[0] <= return_period_years <= periods[-1]:
@@ -85,10 +60,6 @@ def curve_of(rows, soil, topography):
 
     S_S falls as the ground is shaken harder, on subsoil D beyond F0 a_g = 0.8 faster than a_g
     rises. Rows whose PGA is not above all before them are left out there.
-
-    Returns
-    -------
-    rocking.risk.hazard.Hazard
     """
     points: list[tuple[float, float]] = []
     for row in rows:

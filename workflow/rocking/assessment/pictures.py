@@ -113,14 +113,9 @@ def fragility(curves, dynamic, mechanisms):
 
 
 def tornado(table, base, label):
-    """Bars of what a key does down and up, the factors at their ends.
+    """Bars of what a key does down and up, about the value as stated, the factors at their ends.
 
-    Parameters
-    ----------
-    table : DataFrame
-        key, factor, value.
-    base : float
-        Value as stated.
+    The table has key, factor and value.
     """
 
     def draw(figure):

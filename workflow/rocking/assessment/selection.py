@@ -25,15 +25,7 @@ SHORTEST_HIGH_S, LONGEST_HIGH_S = 2.0, 4.0  # of what stands for match_high_s
 
 @dataclass(frozen=True)
 class Selection:
-    """A set of scaled motions and how its mean fits.
-
-    Attributes
-    ----------
-    names : list of str
-    factors : ndarray
-        On each motion's acceleration.
-    period_s, target_g, mean_g : ndarray
-    """
+    """A set of scaled motions, the factor on each one's acceleration, and how their mean fits."""
 
     names: list
     factors: np.ndarray
@@ -60,14 +52,9 @@ def periods(low_s, high_s, points=POINTS):
 
 
 def longest_period(settings, demand):
-    """Period up to which the motions are to fit [s]: T_SLC of the whole façade, within bounds.
+    """Period up to which the motions are to fit [s]: match_high_s, or T_SLC of the whole façade.
 
-    Parameters
-    ----------
-    settings : dict
-        Sections facade, return_wall, smdof, assessment; match_high_s of the latter goes first.
-    demand
-        See `code_checks`.
+    T_SLC within bounds; `settings` are sections facade, return_wall, smdof, assessment.
     """
     own = settings["assessment"]
     if own["match_high_s"] is not None:
@@ -89,16 +76,7 @@ def spectra_of(records, period_s):
 def for_demand(demand, stations, spectra_g, period_s, own):
     """`choose` for a demand, by section assessment (motions, motion_factors).
 
-    Parameters
-    ----------
-    demand
-        See `code_checks`.
-    stations : mapping
-        Station of every record by its name, in the order of `spectra_g`.
-    spectra_g, period_s
-        See `choose`.
-    own : dict
-        Section assessment.
+    `stations` has the station of every record by its name, in the order of `spectra_g`.
     """
     target_g = np.array([demand.acceleration(t) for t in period_s])
     names, places = list(stations), list(stations.values())
@@ -109,17 +87,8 @@ def for_demand(demand, stations, spectra_g, period_s, own):
 def fit_of(spectra):
     """Least and largest deviation of the chosen mean from its target; whether both are in bounds.
 
-    Parameters
-    ----------
-    spectra : DataFrame
-        Columns period_s, mean_g, target_g.
-
-    Returns
-    -------
-    (low, high, fits) or None
-        None without motions.
-    (first_s, last_s) : tuple of float
-        Periods between which they fit.
+    None without motions; beside it the periods between which they fit [s]. Spectra have period_s,
+    mean_g, target_g.
     """
     if spectra.empty:
         return None, (0.0, 0.0)
@@ -138,27 +107,10 @@ def _misfit(ratio):
 
 
 def choose(names, stations, spectra_g, period_s, target_g, count, bounds):
-    """Choose motions.
+    """Choose `count` motions: a `Selection`; a ValueError where there are fewer stations than that.
 
-    Parameters
-    ----------
-    names, stations : sequence of str
-        Of the candidates.
-    spectra_g : ndarray, shape (candidates, periods)
-        5 % spectra of the motions as recorded.
-    period_s, target_g : ndarray, shape (periods,)
-    count : int
-    bounds : tuple of float
-        Least and largest factor.
-
-    Returns
-    -------
-    Selection
-
-    Raises
-    ------
-    ValueError
-        If there are fewer stations than motions wanted.
+    Spectra are those of 5 % of the motions as recorded, shape (candidates, periods); `bounds` are
+    least and largest factor.
     """
     names, stations = list(names), np.asarray(stations)
     if len(set(stations)) < count:

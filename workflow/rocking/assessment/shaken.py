@@ -42,21 +42,10 @@ def label(one):
 
 
 def chosen(ranked, tried, within):
-    """Which mechanisms are shaken, and why the others are not.
+    """Which mechanisms are shaken, and why the others are not: COLUMNS, in the order of `ranked`.
 
-    Parameters
-    ----------
-    ranked : list of (pga_g, Candidate, checks)
-        The least first, see `code_checks.governing`.
-    tried : sequence of Case
-        Of each model; a mechanism is shaken where it is a case of all of them.
-    within : float
-        Largest PGA by hand over the least.
-
-    Returns
-    -------
-    DataFrame
-        COLUMNS, in the order of `ranked`; `shaken` 1 or 0.
+    One of `code_checks.governing` is shaken where it fails by hand within `within` times the least
+    PGA and is a case of each of `tried`, one of each model.
     """
     least, rows = ranked[0][0], []
     for pga_g, one, _ in ranked:
@@ -76,16 +65,9 @@ def chosen(ranked, tried, within):
 
 
 def cases(case, table, whole=True):
-    """Case of each mechanism that is shaken: (row, Case).
+    """Case of each mechanism that is shaken by the table of `chosen`: (row, Case).
 
-    Parameters
-    ----------
-    case : Case
-        The façade's.
-    table : DataFrame
-        Of `chosen`.
-    whole : bool
-        The whole façade is among them.
+    `case` is the façade's; `whole` says whether the whole façade is among them.
     """
     for row in table[table["shaken"] == 1].itertuples():
         if row.part != WHOLE_PART:

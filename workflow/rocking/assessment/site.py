@@ -43,22 +43,8 @@ def demand_said(own, sites):
 def read_spectrum(path):
     """Read an elastic spectrum of 5 % damping, columns period_s and sa_g, separated by commas.
 
-    Parameters
-    ----------
-    path : str
-        Lines that begin with # are remarks; periods ascend from 0, where sa_g is the PGA, to at
-        least 1 s.
-
-    Returns
-    -------
-    TableDemand
-
-    Raises
-    ------
-    SpectrumError
-        One line with the file, the line and what was expected.
-    rocking.records.RecordError
-        Where the file is missing or no text.
+    Lines that begin with # are remarks. Periods ascend from 0, where the value is the PGA, to 1 s
+    or beyond. A SpectrumError names file and line and what was expected.
     """
     lines = [
         (n, s)
@@ -94,15 +80,7 @@ def read_spectrum(path):
 def pga_at(hazard, return_period_years):
     """PGA with a rate of exceedance of one in the return period [g], on the hazard's power laws.
 
-    Parameters
-    ----------
-    hazard : rocking.risk.hazard.Hazard
-        Of `pga_g`.
-
-    Raises
-    ------
-    SpectrumError
-        If the curve is of another measure, or does not reach that rate.
+    A SpectrumError where the curve is of another measure, or does not reach that rate.
     """
     rate = 1.0 / return_period_years
     if hazard.measure != "pga_g":
@@ -134,17 +112,9 @@ def at_pga(shape, pga_g):
 def demand_of(own, records, spectrum=None, hazard=None):
     """The ground's demand: of a table, of NTC 2018, or the median shape at the hazard's PGA.
 
-    The first that is stated of spectrum, `hazard` (rows of NTC 2018), `ag_g` and a hazard curve.
-
-    Parameters
-    ----------
-    own : dict
-        Section assessment.
-    records : sequence of rocking.records.Record
-        Whose shapes stand for the site's where neither table nor a_g is given.
-    spectrum : str or None
-        File of a table.
-    hazard : rocking.risk.hazard.Hazard or None
+    The first that is stated of the file of a spectrum, and in section assessment (`own`) of
+    `hazard` (rows of NTC 2018) and `ag_g`; else that of a hazard curve, where the shapes of
+    `records` stand for the site's.
     """
     if spectrum:
         return read_spectrum(spectrum)
@@ -159,18 +129,8 @@ def demand_of(own, records, spectrum=None, hazard=None):
 def hazards_of(own, curve=None, name=""):
     """Hazard curves of the PGA that a site has, by what they are called; the code's own first.
 
-    Parameters
-    ----------
-    own : dict
-        Section assessment.
-    curve : rocking.risk.hazard.Hazard or None
-        Of risk.hazard; of another measure it gives no rate here.
-    name : str
-        Of its file.
-
-    Returns
-    -------
-    dict of str to Hazard
+    `curve` is that of risk.hazard, `name` that of its file; of another measure it gives no rate
+    here.
     """
     found = {}
     if own["hazard"]:
@@ -183,10 +143,7 @@ def hazards_of(own, curve=None, name=""):
 def demand_from(settings, records, spectrum, hazard):
     """`demand_of` the files of a spectrum and of a hazard curve, empty where there is none.
 
-    Parameters
-    ----------
-    settings : dict
-        Sections smdof and assessment, and risk.site.
+    `settings` are sections smdof and assessment, and risk.site.
     """
     known = None
     if hazard:

@@ -18,15 +18,7 @@ NEW_ZEALAND = "NZS 1170.5:2004"
 
 
 class Formula(NamedTuple):
-    """One formula or rule.
-
-    Attributes
-    ----------
-    number, text : str
-    document : str
-    status : str
-        How it was read: one of the constants above.
-    """
+    """One formula or rule: number, text, document, and how it was read (a constant above)."""
 
     number: str
     text: str

@@ -76,14 +76,9 @@ def _beside_eq5(config):
 
 
 def values(config, given):
-    """Rows (key, value, standing) of every key that the assessment rests on.
+    """Rows (key, value, standing) of every key of a configuration that the assessment rests on.
 
-    Parameters
-    ----------
-    config : dict
-        Resolved configuration of the run.
-    given : collection of str
-        Dotted keys that the user's configuration states.
+    `given` are the dotted keys that the user states.
     """
     parts = {key: config[key] for key in (*ALONE, *SECTIONS)}
     parts["ida"] = {"max_pga_g": config["ida"]["max_pga_g"]}

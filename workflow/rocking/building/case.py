@@ -57,20 +57,7 @@ def real_joints(settings):
 def build_model(settings, plan, model, load_kg_m2=None, coarsening=None):
     """Build CBDEM or SBDEM with the section `building` of the configuration.
 
-    Parameters
-    ----------
-    settings : dict
-        The section, every key present.
-    plan : Plan
-    model : {"CBDEM", "SBDEM"}
-    load_kg_m2 : float or None
-        Load on every floor; None keeps the plan's own.
-    coarsening : float or None
-        None takes the configured one.
-
-    Returns
-    -------
-    Building
+    None keeps the plan's own load, and takes the configured coarsening.
     """
     plan = model_plan(plan, model)
     if load_kg_m2 is not None:
@@ -118,12 +105,8 @@ def twist_mode(modes):
 def load_of_period(period_s, target_s, largest_kg_m2, within_kg_m2):
     """Floor load under which a building has a period [kg/m²]; 0 or the largest if none between.
 
-    Parameters
-    ----------
-    period_s : callable
-        Period [s] of a load, which lengthens with it.
-    target_s, largest_kg_m2, within_kg_m2 : float
-        The period, the largest load, and how near the load is found.
+    `period_s` gives the period [s] of a load, which lengthens with it; the load is found to
+    `within_kg_m2`.
     """
     if period_s(0.0) >= target_s:
         return 0.0
@@ -133,23 +116,12 @@ def load_of_period(period_s, target_s, largest_kg_m2, within_kg_m2):
 
 
 def fit_floor_load(settings, plan, coarsening=None):
-    """Fit the floor load to the period of the complete building's translation along y.
+    """Floor load fitted to the period of the complete building along y [kg/m²], and the period.
 
-    One load [kg/m²] on every floor is the only free parameter. K does not depend
-    on it, so one factorisation serves the whole search. Where even the unloaded
-    floors give too long a period the load is zero and the period says so.
-
-    Returns
-    -------
-    load_kg_m2 : float or None
-        None where `fit_period_s` is null: the plan's own loads hold.
-    period_s : float
-        Period reached.
-
-    Raises
-    ------
-    PlanError
-        If the plan has no floor to load, or no reasonable load reaches the period.
+    One load on every floor is the only free parameter. K does not depend on it, so one
+    factorisation serves the whole search. Where even the unloaded floors give too long a period the
+    load is zero and the period says so; None where `fit_period_s` is null: the plan's own loads
+    hold. A PlanError if the plan has no floor to load, or no reasonable load reaches the period.
     """
     target = settings["fit_period_s"]
     if target is None:

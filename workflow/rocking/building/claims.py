@@ -12,13 +12,8 @@ UNDISTURBED = 0.05  # ours: WME of displacements with and without rattling
 def principal(modes, model, direction):
     """Period [s] and effective mass ratio of the mode of a model that carries most in a direction.
 
-    Parameters
-    ----------
-    modes : DataFrame
-        Contract of tables/building_modes.csv.
-    model : {"CBDEM", "SBDEM"}
-    direction : str
-        "y" (translation out of plane of the façade), "rz" (rotation about the vertical), …
+    Modes are those of tables/building_modes.csv; directions "y" (translation out of plane of the
+    façade), "rz" (rotation about the vertical), …
     """
     part = modes[(modes["model"] == model) & (modes["direction"] == direction)]
     row = part.loc[part["effective_mass_ratio"].idxmax()]
@@ -26,19 +21,9 @@ def principal(modes, model, direction):
 
 
 def evaluate(modes, wme, explicit):
-    """Evaluate every claim of section 2.
+    """Rows (`rocking.statements`) of every claim of section 2.
 
-    Parameters
-    ----------
-    modes, wme : DataFrame
-        Contracts of tables/building_modes.csv and tables/wme.csv.
-    explicit : dict of str to DataFrame
-        tables/building_explicit_{record}.csv by record.
-
-    Returns
-    -------
-    list of dict
-        See `rocking.statements`.
+    Tables are building_modes.csv, wme.csv, and building_explicit_{record}.csv by record.
     """
     rows = _of_modes(modes)
     if len(wme):

@@ -43,24 +43,12 @@ def top_motion(
     absolute_spectrum=False,
     power="welch",
 ):
-    """Spectra of a top acceleration on the ranges over which they are compared.
+    """Spectra of a uniformly sampled top acceleration on the ranges over which they are compared.
 
-    Parameters
-    ----------
-    time_s, acceleration_m_s2 : ndarray, shape (nt,)
-        Uniformly sampled.
-    longest_period_s : float
-        Response spectra (5 % damping, pseudo-acceleration) from 0.02 s to here.
-    highest_hz : float
-        Power spectra from 0 to here, or to half the sampling frequency.
-    absolute_spectrum : bool
-        Peak absolute acceleration in place of the pseudo-acceleration.
-    power : {"welch", "periodogram", "amplitude"}
-        Averaged or whole-record density, or the square root of the latter.
-
-    Returns
-    -------
-    TopMotion
+    Response spectra (5 % damping, pseudo-acceleration, or peak absolute acceleration) go from 0.02
+    s to `longest_period_s`, power spectra from 0 to `highest_hz` or half the sampling frequency.
+    `power` is "welch" or "periodogram", averaged or whole-record density, or "amplitude", the
+    latter's square root.
     """
     dt = (time_s[-1] - time_s[0]) / (len(time_s) - 1)
     periods = np.linspace(0.02, longest_period_s, 199)
@@ -84,32 +72,17 @@ def top_motion(
     )
 
 
-def chain_top(ground_m_s2, dt_s, n_dof, period_s, damping_ratio, duration_s=None):
-    """Return time and absolute top acceleration of an equal chain, cut at `duration_s`."""
+def chain_top(ground_m_s2, dt_s, n_dof, period_s, damping_ratio):
+    """Return time and absolute top acceleration of an equal chain."""
     motion = smdof.floor_motions(ground_m_s2, dt_s, n_dof, period_s, damping_ratio)
-    keep = slice(None)
-    if duration_s is not None:
-        keep = motion.time_s <= duration_s + 1e-9
-    return motion.time_s[keep], motion.floors_m_s2[-1][keep]
+    return motion.time_s, motion.floors_m_s2[-1]
 
 
 def against_chains(history, record, period_s, settings):
     """Top motion of a building under a record, and of equal chains of its period with their errors.
 
-    Parameters
-    ----------
-    history : path
-        CSV with time and top acceleration in its first and third column.
-    record : Record
-    period_s : float
-    settings : dict
-        Section building: damping_ratio, wme_longest_period_s, wme_highest_frequency_hz.
-
-    Returns
-    -------
-    reference : TopMotion
-    chains : dict of int to (TopMotion, dict)
-        By N_DOF; the errors by quantity.
+    `history` is a CSV with time and top acceleration in its first and third column, `settings`
+    section building. Chains are (TopMotion, errors by quantity) by N_DOF.
     """
     time_s, _, top_m_s2, *_ = np.loadtxt(history, delimiter=",", skiprows=1).T
     ranges = settings["wme_longest_period_s"], settings["wme_highest_frequency_hz"]
@@ -125,15 +98,7 @@ def against_chains(history, record, period_s, settings):
 def choose_n(rows, gain):
     """Return the smallest n for which no larger n lowers the mean WME by more than `gain`.
 
-    Parameters
-    ----------
-    rows : iterable of (n_dof, wme)
-        The mean is taken over records and quantities.
-    gain : float
-
-    Returns
-    -------
-    int
+    Rows are (n_dof, wme); the mean is taken over records and quantities.
     """
     by_n: dict[int, list[float]] = {}
     for n, value in rows:

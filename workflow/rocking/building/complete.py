@@ -26,24 +26,11 @@ OWN = ("step_fraction", "quiet_ratio", "rest_velocity_m_s", "sample_interval_s")
 def complete_building(config, plan, load_kg_m2, model, beta_s, coarsening=None, back_joint=None):
     """Build the scene of CB or CBc, with its critical step.
 
-    Parameters
-    ----------
-    config : dict
-        Resolved configuration: sections building, complete, facade, return_wall, numerics.
-    plan : Plan
-        With its front façade.
-    load_kg_m2 : float or None
-        On every floor; None keeps the plan's own.
-    model : {"CB", "CBc"}
-    beta_s : float
-    coarsening, back_joint
-        None takes the configured ones.
-
-    Returns
-    -------
-    Scene
-        Notes: critical_step_s; rate_1_s, the mass-proportional damping that gives building.
-        damping_ratio in the first mode along y of what stands behind the crack; mass_behind_kg.
+    `config` has sections building, complete, facade, return_wall and numerics; a plan has its front
+    façade. None takes the load of the plan, the configured coarsening and back joint. Notes of the
+    scene are critical_step_s, rate_1_s (the mass-proportional damping that gives
+    building.damping_ratio in the first mode along y of what stands behind the crack) and
+    mass_behind_kg.
     """
     settings, own = config["building"], config["complete"]
     left, crack = complete.behind(plan)
@@ -68,20 +55,10 @@ def complete_building(config, plan, load_kg_m2, model, beta_s, coarsening=None, 
 
 
 def scene_of(config, job, model, coarsening=None, back_joint=None, extra_nodes=0):
-    """Scene of CB or CBc from the files of a rule, and β.
+    """Scene of CB or CBc from a job's inputs plan, fit and law, and β.
 
-    Parameters
-    ----------
-    config : dict
-        As `complete_building`; its numerics with numbers for the nodes.
-    job : Job
-        Inputs plan, fit and law.
-    extra_nodes : int
-        Added to the nodes along every edge and up every course, as realisations of a scan do.
-
-    Returns
-    -------
-    Scene, float
+    `config` is as of `complete_building`, its numerics with numbers for the nodes; `extra_nodes`
+    are added to those along every edge and up every course, as realisations of a scan do.
     """
     load = read_json(job.input.fit)["floor_load_kg_m2"]
     beta = beta_for(config, job.input.law)
@@ -94,13 +71,7 @@ def scene_of(config, job, model, coarsening=None, back_joint=None, extra_nodes=0
 
 
 def critical_step(scene):
-    """Critical step of a large scene by Lanczos iteration, see `stiffness.critical_step` [s].
-
-    Raises
-    ------
-    ValueError
-        See `stiffness.assemble`.
-    """
+    """Critical step of a large scene by Lanczos iteration, see `stiffness.critical_step` [s]."""
     triplets = stiffness.assemble(scene)
     parts = (sparse_of(triplets, values).tocsr() for values in (triplets.k, triplets.c))
     k, c = (per_mass(part, triplets.mass) for part in parts)
@@ -117,23 +88,9 @@ def critical_step(scene):
 def linear_history(scene, points, time_s, ground_m_s2, count=60):
     """Answer of a scene whose joints all stay closed, by its modes with their coupled damping.
 
-    q̈ + φᵀCφ q̇ + ω²q = −Γ_y a_g, integrated exactly for a piecewise-linear a_g.
-
-    Parameters
-    ----------
-    scene : Scene
-    points : sequence of int
-        Blocks that are free along y.
-    time_s, ground_m_s2 : ndarray, shape (nt,)
-        Uniformly sampled.
-    count : int
-        Lowest modes that take part.
-
-    Returns
-    -------
-    time_s : ndarray, shape (nt,)
-    displacement_m : ndarray, shape (n_points, nt)
-        Along y, relative to the ground.
+    q̈ + φᵀCφ q̇ + ω²q = −Γ_y a_g of the lowest `count` modes, integrated exactly for a uniformly
+    sampled, piecewise-linear a_g. Times, and displacements along y relative to the ground of blocks
+    that are free there, shape (n_points, nt).
     """
     modes = Solver(scene).modes(count)
     triplets = stiffness.assemble(scene)
@@ -150,35 +107,17 @@ def linear_history(scene, points, time_s, ground_m_s2, count=60):
 
 
 def run_numerics(config):
-    """Section numerics of the runs of the complete building: the section complete states its own.
-
-    Raises
-    ------
-    KeyError
-        If one of them is missing.
-    """
+    """Section numerics of the runs of the complete building, with what section complete states."""
     return {**config["numerics"], "step_s": None, **{key: config["complete"][key] for key in OWN}}
 
 
 def plan_of(scan, spread, step, most):
-    """Where YADE begins a curve of the complete building and where it looks, by its scan.
+    """Where YADE begins a curve of the complete building (start_g) and where it looks (ranges) [g].
 
-    It begins inside the scan's first range of collapse and not at its edge, which the reduction
-    places to a per cent or two only; of `most` further ranges it runs the middle, and that of the
-    gap below each.
-
-    Parameters
-    ----------
-    scan : DataFrame
-        pga_g, status, collapsed.
-    spread, step : float
-        Half width of the window of a probability; how far above the edge YADE begins at most.
-    most : int
-
-    Returns
-    -------
-    dict
-        start_g; ranges [g].
+    It begins inside the scan's first range of collapse, at most `step` above its edge and not at
+    it, since the reduction places that to a per cent or two only; of `most` further ranges it runs
+    the middle, and that of the gap below each. The scan has pga_g, status and collapsed; `spread`
+    is the half width of the window of a probability.
     """
     table = from_scan(scan, spread)
     found = collapse_ranges(table["pga_g"].to_numpy(), table["probability"].to_numpy())

@@ -14,13 +14,8 @@ JOINT = np.array([0.25, 0.20, 0.18])
 def exposed_faces(building):
     """Faces of boxes that no joint covers.
 
-    Returns
-    -------
-    block : ndarray of int, shape (m,)
-    normal : ndarray, shape (m, 3)
-        Outward.
-    corners : ndarray, shape (m, 4, 3)
-        In order around the face [m].
+    Block of each, shape (m,), outward normal, shape (m, 3), and corners in order around the face
+    [m], shape (m, 4, 3).
     """
     blocks = building.scene.blocks[:-1]
     centre = np.array([b.centre_m for b in blocks])
@@ -66,21 +61,10 @@ def draw(
 ):
     """Draw a brick model.
 
-    Parameters
-    ----------
-    ax : matplotlib Axes
-    building : Building
-    motion : ndarray, shape (n_blocks, 6), optional
-        Translation and rotation vector of each block, multiplied by `scale`.
-    scale : float
-    colour_map : callable, optional
-        Colour of a displacement over the largest one; default masonry and timber.
-    view : tuple of 3 floats
-        From the building towards the eye.
-    edge_width : float
-        Line width of the joints [pt].
-    without : sequence of str
-        Names of blocks left out of the drawing.
+    `motion`, shape (n_blocks, 6), has translation and rotation vector of each block, multiplied by
+    `scale`; `colour_map` colours by displacement over the largest one, masonry and timber without
+    it. The view is from the building towards the eye; joints are `edge_width` points wide; blocks
+    named in `without` are left out.
     """
     block, normal, corners = exposed_faces(building)
     right, up, eye = camera(view)
@@ -121,14 +105,7 @@ def draw(
 
 
 def _tiles(corners, largest):
-    """Split quadrilaterals with an edge longer than `largest`, shape (n,).
-
-    Returns
-    -------
-    source : ndarray of int, shape (k,)
-        The quadrilateral of each tile.
-    tiles : ndarray, shape (k, 4, 3)
-    """
+    """Split quadrilaterals with an edge above `largest`: source of each tile, and the tiles."""
     edge = np.linalg.norm(corners - np.roll(corners, -1, axis=1), axis=2).max(axis=1)
     small = np.flatnonzero(edge <= largest)
     source, tiles = [small], [corners[small]]

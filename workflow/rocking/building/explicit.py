@@ -14,10 +14,7 @@ QUANTITIES = {"acceleration": 1, "displacement": 3}  # first column of an explic
 def ringing_period(time_s, value):
     """Mean period of a free vibration [s], between its zero crossings, each linear in time.
 
-    Parameters
-    ----------
-    time_s, value : ndarray, shape (nt,)
-        What comes before AFTER_S, and after the last loud half cycle, does not count.
+    What comes before AFTER_S, and after the last loud half cycle, does not count.
     """
     kept = time_s >= AFTER_S
     t, v = time_s[kept], value[kept]
@@ -41,18 +38,9 @@ def second_along_y(modes):
 def differences(explicit, modal, points):
     """Weighted mean error of every explicit run by every modal one.
 
-    Parameters
-    ----------
-    explicit : dict of str to ndarray, shape (nt, 1 + 2·n_points)
-        Time, accelerations and displacements of the points, as `studies.explicit_building` writes.
-    modal : dict of str to `history.History`
-    points : sequence of str
-        Their names.
-
-    Returns
-    -------
-    list of tuple
-        explicit, modal, point, quantity, wme.
+    Explicit runs have time, then accelerations and displacements of the points, as
+    `studies.explicit_building` writes them; modal ones are `history.PointHistory`. Rows are
+    explicit, modal, point, quantity, wme.
     """
     rows = []
     for name, one in explicit.items():
@@ -74,10 +62,7 @@ def read_histories(plain, loaded):
 def modal_histories(modes, points, record, rate_1_s, until_s):
     """Modal superposition of the same motion up to a time, by what acts besides (`LOADS`).
 
-    Returns
-    -------
-    dict of str to `history.History`
-        Of the points, blocks of the scene.
+    Histories (`history.PointHistory`) are of the points, blocks of the scene.
     """
     ground = record.acceleration_m_s2[record.time_s <= until_s + record.dt_s]
     given = modes, points, ground, record.dt_s, rate_1_s

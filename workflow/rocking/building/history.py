@@ -18,17 +18,15 @@ from .modes import DIRECTIONS
 # what acts from the first instant of an explicit run besides the ground motion [m/s²]: a run that
 # starts from the drawing rings under its own weight, one without it does not
 LOADS = {"without dead load": 0.0, "sudden gravity": GRAVITY_M_S2}
+POINTS_PER_PERIOD = 20  # output samples in the shortest period that takes part
+SMALLEST_RATIO = 1e-7  # modes with a smaller effective mass ratio are left out
 
 
 @dataclass(frozen=True)
 class PointHistory:
-    """Absolute acceleration and relative displacement of some points.
+    """Absolute acceleration, and displacement relative to the ground, of some points.
 
-    Attributes
-    ----------
-    time_s, ground_m_s2 : ndarray, shape (nt,)
-    acceleration_m_s2, displacement_m : ndarray, shape (n_points, nt)
-        Along the direction of the motion; displacement relative to the ground.
+    Along the direction of the motion, of shape (n_points, nt).
     """
 
     time_s: np.ndarray
@@ -50,40 +48,14 @@ def modal_history(
     rate_1_s,
     *,
     direction="y",
-    points_per_period=20,
-    smallest_ratio=1e-7,
     gravity_m_s2=0.0,
 ):
-    """Response of the centroids of some blocks to a ground motion.
+    """`PointHistory` of the centroids of some blocks under a ground motion, linear between samples.
 
-    Parameters
-    ----------
-    modes : Modes
-    blocks : sequence of int
-        Block indices.
-    ground_m_s2 : array_like, shape (nt,)
-        Ground acceleration along `direction`, linear between samples.
-    dt_s : float
-    rate_1_s : float
-        Mass-proportional damping rate a; mode j has ζ_j = a/(2ω_j).
-    direction : {"x", "y", "z"}
-    points_per_period : int
-        Output samples in the shortest period that takes part.
-    smallest_ratio : float
-        Modes with a smaller effective mass ratio are left out.
-    gravity_m_s2 : float
-        Downward acceleration that acts from the first instant on, as in an explicit
-        run that starts without its dead load: the building rings vertically.
-
-    Returns
-    -------
-    History
-
-    Raises
-    ------
-    ValueError
-        If the motion is unusable, a block is not free in that direction, or a mode
-        would be overdamped.
+    Damping is proportional to mass: mode j has ζ_j = a/(2ω_j) at the rate a. `gravity_m_s2` acts
+    downward from the first instant on, as in an explicit run that starts without its dead load: the
+    building rings vertically. A ValueError if the motion is unusable, a block is not free in that
+    direction ("x", "y" or "z"), or a mode would be overdamped.
     """
     ground = checked_motion(ground_m_s2, dt_s)
     axis = DIRECTIONS.index(direction)
@@ -93,14 +65,14 @@ def modal_history(
         if not len(found):
             raise ValueError(f"block {block} is not free along {direction}")
         rows.append(found[0])
-    driven = modes.effective_ratio[:, axis] >= smallest_ratio
+    driven = modes.effective_ratio[:, axis] >= SMALLEST_RATIO
     if gravity_m_s2:
-        driven |= modes.effective_ratio[:, 2] >= smallest_ratio
+        driven |= modes.effective_ratio[:, 2] >= SMALLEST_RATIO
     use = np.flatnonzero(driven)
     if rate_1_s / 2.0 >= modes.omega[use].min():
         raise ValueError(f"a damping rate of {rate_1_s:g} 1/s overdamps the first mode")
     shortest = 2.0 * np.pi / modes.omega[use].max()
-    refine = max(1, int(np.ceil(dt_s * points_per_period / shortest - 1e-9)))
+    refine = max(1, int(np.ceil(dt_s * POINTS_PER_PERIOD / shortest - 1e-9)))
     ground = refine_linear(ground, refine)
     step = dt_s / refine
     displacement = np.zeros((len(rows), ground.size))

@@ -14,14 +14,9 @@ HEAVY_KG_M2 = 1500.0
 
 
 class LoadedModes:
-    """Lowest modes of a building as a function of its floor load.
+    """Lowest modes of a building without floor load as a function of its floor load.
 
-    Parameters
-    ----------
-    building : Building
-        Without floor load.
-    count : int
-        Modes of each of the two solutions that span the basis, and of those returned.
+    `count` modes of each of the two solutions span the basis; as many are returned.
     """
 
     def __init__(self, building, count=12):

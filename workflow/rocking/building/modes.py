@@ -25,20 +25,11 @@ def sparse_of(triplets, values):
 
 
 def matrices(scene, chunk=CHUNK_NODES):
-    """Assemble the sparse K and the diagonal of M of a scene.
+    """Assemble the sparse K and the diagonal of M of a scene; block and DOF (0–5) of each equation.
 
-    `stiffness.assemble` keeps a 12 × 12 block for every node in memory; it is
-    called here on `chunk` nodes at a time, all blocks present, so that the
-    equation numbers agree and the sums stay small.
-
-    Returns
-    -------
-    k : scipy.sparse.csc_array, shape (n, n)
-        Stiffness [N/m, N, N·m].
-    mass : ndarray, shape (n,)
-        Diagonal of M [kg, kg·m²].
-    dof : ndarray of int, shape (n, 2)
-        Block and DOF number (0–5) of each equation.
+    `stiffness.assemble` keeps a 12 × 12 block for every node in memory; it is called here on
+    `chunk` nodes at a time, all blocks present, so that the equation numbers agree and the sums
+    stay small. Units are N/m, N, N·m and kg, kg·m².
     """
     total = None
     for start in range(0, len(scene.nodes), chunk):
@@ -50,15 +41,9 @@ def matrices(scene, chunk=CHUNK_NODES):
 
 
 def rigid_motions(scene, dof, mass):
-    """Unit rigid motions of the free equations: three translations, three rotations.
+    """Unit rigid motions of the free equations, shape (n, 6), columns in the order of DIRECTIONS.
 
-    Rotations turn about the centre of the translational mass, so they carry no
-    translation of it.
-
-    Returns
-    -------
-    r : ndarray, shape (n, 6)
-        Columns in the order of DIRECTIONS.
+    Rotations turn about the centre of the translational mass, so they carry no translation of it.
     """
     centres = np.array([b.centre_m for b in scene.blocks], float)[dof[:, 0]]
     along_x = dof[:, 1] == 0

@@ -14,12 +14,7 @@ MANY_NEIGHBOURS = 20  # beams and panels tie distant blocks together: they come 
 
 
 def block_order(scene):
-    """Return the blocks in the order of their elimination, shape (n_blocks,).
-
-    Parameters
-    ----------
-    scene : Scene
-    """
+    """Return the blocks in the order of their elimination, shape (n_blocks,)."""
     nodes, count = scene.nodes, len(scene.blocks)
     free = np.array([bool(block.free) for block in scene.blocks])
     inner = free[nodes.a] & free[nodes.b]
@@ -65,16 +60,7 @@ def _dissect(blocks, graph, centres):
 def equation_order(scene, dof):
     """Return the equations in elimination order, those of one block together.
 
-    Parameters
-    ----------
-    scene : Scene
-    dof : ndarray of int, shape (n, 2)
-        Block and DOF number of each equation.
-
-    Returns
-    -------
-    ndarray of int, shape (n,)
-        A permutation.
+    `dof`, shape (n, 2), has block and DOF number of each.
     """
     place = np.empty(len(scene.blocks), int)
     place[block_order(scene)] = np.arange(len(scene.blocks))

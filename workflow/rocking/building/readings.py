@@ -109,17 +109,8 @@ def strong_part(time_s, acceleration_m_s2):
 def errors(history, point, record, own_period_s, damping_ratio, reading):
     """Return {n: {quantity: WME}} of equal chains against a building's top.
 
-    Parameters
-    ----------
-    history : History
-    point : int
-        Row of the history that is the top.
-    record : Record
-        Ground motion.
-    own_period_s : float
-        SBDEM's first period under the reading.
-    damping_ratio : float
-    reading : Reading
+    `point` is the row of the history that is the top, `own_period_s` SBDEM's first under the
+    reading.
     """
 
     def cut(time, motion, ground, window):

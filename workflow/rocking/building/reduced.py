@@ -66,24 +66,10 @@ class Reduction:
 
 
 def reduction(scene, count):
-    """Reduce what stands behind the crack of a complete building.
+    """`Reduction` of what stands behind the crack of a scene of `complete.complete_scene`.
 
-    Parameters
-    ----------
-    scene : Scene
-        Of `complete.complete_scene`.
-    count : int
-        Lowest modes; to them come three residual deformations an end, under a unit force along y
-        and z and under a unit moment about x.
-
-    Returns
-    -------
-    Reduction
-
-    Raises
-    ------
-    ValueError
-        If some block is not held.
+    To its `count` lowest modes come three residual deformations an end, under a unit force along y
+    and z and under a unit moment about x. A ValueError where some block is not held.
     """
     facade, nodes = scene.index(scene.monitor), scene.nodes
     back, blocks = nodes.b == facade, list(scene.blocks)
@@ -135,18 +121,10 @@ def in_plane(scene, ends):
 
 
 class ReducedScan(Scan):
-    """Outcomes of a complete building at any amplitudes, by its reduction.
+    """Outcomes of a complete building at any amplitudes, by its reduction to so many modes.
 
-    Parameters
-    ----------
-    scenes : sequence of Scene
-        The building in every layout of nodes that realisations use; all have the bricks of the
-        first.
-    modes : int
-    numerics : dict
-        Section numerics of its case file.
-    time_s, ground_m_s2 : ndarray, shape (nt,)
-    direction : str
+    There is a scene for every layout of nodes that realisations use; all have the bricks of the
+    first. `numerics` is that section of its case file.
     """
 
     def __init__(self, scenes, modes, numerics, time_s, ground_m_s2, direction):

@@ -89,15 +89,9 @@ def _resized(openings, width_m):
 
 
 def variant(ranges, place):
-    """Return the variant at a place of the unit cube.
+    """Return the variant at a place of the unit cube, its fields in order.
 
-    Parameters
-    ----------
-    ranges : dict
-        (low, high) of every field of `PlanVariant`; those in LOGARITHMIC are divided evenly in
-        their logarithm.
-    place : array_like, shape (n_fields,)
-        0 … 1 in the order of the fields.
+    `ranges` has (low, high) of each; those in LOGARITHMIC are divided evenly in their logarithm.
     """
     values = {}
     for name, part in zip(PlanVariant.__dataclass_fields__, np.clip(place, 0.0, 1.0), strict=True):
@@ -116,13 +110,7 @@ def sample(count, seed):
 
 
 def modes_of_study(modes, reading):
-    """Return the indices of the study's translation and rotation, or None where there is none.
-
-    Parameters
-    ----------
-    modes : Modes
-    reading : {"mass", "order"}
-    """
+    """Return the indices of the study's translation and rotation, or None where there is none."""
     if reading == "mass":
         return translation_mode(modes), twist_mode(modes)
     found = np.flatnonzero(modes.effective_ratio[:, 1] >= SIGNIFICANT)
@@ -146,13 +134,10 @@ def loaded(settings, plan, coarsening):
 def fitted(models, reading):
     """Fit the floor load to CBDEM's translation and return the four periods.
 
-    Returns
-    -------
-    dict or None
-        load_kg_m2, and for every model and kind of WANTED {model}_{kind}_s, with the mode's
-        effective ratios _mass_y and _inertia_z; largest_error_s and rms_error_s over the four
-        periods, the latter what is refined: a simplex stops at the kinks of the former.
-        None where the reading finds no two modes.
+    That is load_kg_m2, and for every model and kind of WANTED {model}_{kind}_s, with the mode's
+    effective ratios _mass_y and _inertia_z; largest_error_s and rms_error_s over the four periods,
+    the latter what is refined: a simplex stops at the kinks of the former. None where the reading
+    finds no two modes.
     """
 
     def period(load):
@@ -191,17 +176,7 @@ def evaluate(settings, plan, coarsening):
 def refine(score, start, evaluations):
     """Improve a place of the unit cube by the simplex of Nelder and Mead (1965).
 
-    Parameters
-    ----------
-    score : callable
-        Place to number.
-    start : ndarray, shape (n,)
-    evaluations : int
-        At most so many calls.
-
-    Returns
-    -------
-    ndarray, shape (n,)
+    `score` turns a place to a number, and is called at most `evaluations` times.
     """
     step = np.where(start > 0.5, -0.15, 0.15)
     simplex = np.vstack([start, start + np.diag(step)])
@@ -223,17 +198,8 @@ def _folded(x):
 def reached(table, near_s):
     """Which rows of a search have both of CBDEM's periods, and which of these are not bettered.
 
-    Parameters
-    ----------
-    table : DataFrame
-        Rows of `fitted`.
-    near_s : float
-        What a period may be off.
-
-    Returns
-    -------
-    met, best : ndarray of bool, shape (n,)
-        Not bettered: in all four periods together, see `not_dominated`.
+    Rows are of `fitted`; a period may be off by `near_s`. Not bettered: in all four periods
+    together, see `not_dominated`.
     """
     off = {key: table[f"{key[0].lower()}_{key[1]}_s"] - PAPER_PERIODS_S[key] for key in WANTED}
     off = np.abs(np.array([off[key] for key in WANTED]).T)
@@ -244,17 +210,7 @@ def reached(table, near_s):
 
 
 def not_dominated(errors):
-    """Return which rows of `errors` no other row equals or betters in every column.
-
-    Parameters
-    ----------
-    errors : array_like, shape (n, m)
-        Absolute errors.
-
-    Returns
-    -------
-    ndarray of bool, shape (n,)
-    """
+    """Return which rows of `errors` no other row equals or betters in every column."""
     errors = np.asarray(errors, float)
     better = np.all(errors[None, :, :] <= errors[:, None, :], axis=2)
     better &= np.any(errors[None, :, :] < errors[:, None, :], axis=2)

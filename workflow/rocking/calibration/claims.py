@@ -22,20 +22,9 @@ REGRESSION = 0.25  # ours: best fits within this of eq. 5
 
 
 def by_beta(free, wall):
-    """Rebounds θ_n/α and restitutions e_exp/|e_1SR| of one wall by β.
+    """Rebounds θ_n/α and restitutions e_exp/|e_1SR| of one wall of free_rocking.csv by β [s].
 
-    Parameters
-    ----------
-    free : DataFrame
-        Contract of tables/free_rocking.csv.
-    wall : str
-
-    Returns
-    -------
-    betas : ndarray, shape (n,)
-        Ascending [s].
-    theta, ratio : ndarray, shape (n, 3)
-        nan where there was no rebound.
+    Both of shape (n, 3), nan where there was no rebound; β ascends.
     """
     part = free[free["wall"] == wall]
     if not len(part):
@@ -65,21 +54,10 @@ def _closest(betas, ratio, impacts):
 
 
 def evaluate(free, fits, walls, wall="sorrentino", release=0.5):
-    """Evaluate every claim of section 3.
+    """Rows (`rocking.statements`) of every claim of section 3.
 
-    Parameters
-    ----------
-    free, fits, walls : DataFrame
-        Contracts of tables/free_rocking.csv, tables/beta_fit.csv and tables/beta_walls.csv.
-    wall : str
-        Name of the tested wall in `free`.
-    release : float
-        θ0/α at which it was released.
-
-    Returns
-    -------
-    list of dict
-        See `rocking.statements`.
+    Tables are free_rocking.csv, beta_fit.csv and beta_walls.csv; `wall` is the tested one's name in
+    the first, `release` θ0/α at which it was released.
     """
     betas, theta, ratio = by_beta(free, wall)
     listed = _at(betas, (*LOW, *HIGH))

@@ -31,12 +31,9 @@ def walls_of(cases, histories, role=None):
 
 
 def misfits(walls):
-    """Misfit of every run of some walls.
+    """Misfit of every run of some walls: slenderness (h/b), beta_s, misfit.
 
-    Returns
-    -------
-    DataFrame
-        slenderness (h/b), beta_s, misfit (NaN with fewer than three impacts).
+    NaN with fewer than three impacts.
     """
     parts = []
     for wall in walls:
@@ -94,16 +91,8 @@ def row_of(wall):
 def rows_of_own(fit, measured, config, law_file):
     """Yield the rows of a wall of one's own, see WALL_COLUMNS: its fit, then the two laws.
 
-    Parameters
-    ----------
-    fit : dict
-        See `study.best_fit`.
-    measured : sequence of float
-        Measured e, of none, some or all impacts.
-    config : dict
-        Of the wall.
-    law_file : path
-        A law that cannot be used is left out.
+    `fit` is of `study.best_fit`; e was measured of none, some or all impacts. A law that cannot be
+    used is left out.
     """
     remark = "targets: fractions of |e_1SR|"
     if measured:
@@ -128,12 +117,9 @@ def rows_of_own(fit, measured, config, law_file):
 
 
 def rebounds_meant(wall):
-    """Rebounds that the targets of e_exp mean for a wall, at the time of the best run's.
+    """Time [s], least and largest θ_n/α after each impact that the targets mean for a wall.
 
-    Returns
-    -------
-    time_s, low, high : ndarray, shape (3,)
-        θ_n/α after the n-th impact (`closed_forms.amplitude_after_impacts`).
+    The time is the best run's (`closed_forms.amplitude_after_impacts`).
     """
     error = misfit(wall["e"] / wall["e_1sr"], 1.0)
     best = wall["found"][int(np.nanargmin(error))]
@@ -147,18 +133,8 @@ def rebounds_meant(wall):
 def along_slenderness(settings, law, count=60):
     """What a law and eq. 5 say of the study's walls, from its least to its largest slenderness.
 
-    Parameters
-    ----------
-    settings : dict
-        Section calibration.
-    law : `beta.PowerLaw`
-    count : int
-
-    Returns
-    -------
-    DataFrame
-        b_m, e_mpa of each batch, slenderness, beta_s with low_s and high_s (90 % band), eq5_s,
-        omega_c_rad_s; at the reference return-wall ratio.
+    Of section calibration at the reference return-wall ratio: b_m, e_mpa of each batch,
+    slenderness, beta_s with low_s and high_s (90 % band), eq5_s, omega_c_rad_s.
     """
     x = np.linspace(min(settings["slenderness"]), max(settings["slenderness"]), count)
     parts = []
@@ -188,10 +164,7 @@ def at_listed(wall, betas_s):
 def by_ratio(walls):
     """Best fits of walls that differ in their return walls alone, by their thickness.
 
-    Returns
-    -------
-    ndarray, shape (n, 5)
-        Return-wall ratio, ascending; β that fits all impacts, and each alone [s].
+    Return-wall ratio, ascending; β that fits all impacts, and each alone [s].
     """
     rows = []
     for wall in walls:

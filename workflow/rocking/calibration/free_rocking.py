@@ -78,21 +78,12 @@ def beta_grid(config, whole_range=False):
 
 def wall_case(name, config, release_ratio, betas, *, end=END, **about):
     """One wall for the study `walls`, released, with what the tables say about it."""
-    facade = config["facade"]
-    p = closed_forms.block(facade["height_m"], facade["thickness_m"]).p_rad_s
+    h, b, density = (config["facade"][key] for key in ("height_m", "thickness_m", "density_kg_m3"))
+    p = closed_forms.block(h, b).p_rad_s
     base = joint_stiffness(config)[0]
     # on a soft base a small rebound is half a swing of the block on its springs, about its foot
     # at half the frequency of the rotation about its centre, however low the rebound
-    swing = (
-        2.0
-        * math.pi
-        / closed_forms.base_rocking_frequency(
-            facade["height_m"],
-            facade["thickness_m"],
-            facade["density_kg_m3"],
-            base * facade["height_m"],
-        )
-    )
+    swing = 2.0 * math.pi / closed_forms.base_rocking_frequency(h, b, density, base * h)
     limit = closed_forms.quarter_period(release_ratio, p) + end / p + IMPACTS * swing
     return {
         "id": name,
@@ -155,11 +146,10 @@ def batch_cases(settings, number):
 
 
 def sensitivity_cases(settings):
-    """Two walls with one thing changed at a time.
+    """Two walls with one thing changed at a time, and the study's façade, for the law's range.
 
-    The third is the study's façade, for the law's range. Role "stiffness" varies what the law
-    describes; role "other" what it leaves out: release, friction, shear stiffness, width at the
-    same ratio, and the discretisation.
+    Role "stiffness" varies what the law describes; role "other" what it leaves out: release,
+    friction, shear stiffness, width at the same ratio, and the discretisation.
     """
     cases = []
     for number, (b, e_mpa, slenderness) in enumerate(SENSITIVITY, 1):
@@ -267,31 +257,18 @@ def wall_cases(settings, wall, ratios=(), betas=None):
 
 
 def best_fit(betas_s, e_ratio, targets=TARGETS):
-    """Best-fitting β of one wall from e_exp at several β.
+    """Best-fitting β of one wall from e_exp/|e_1SR|, shape (n, 3), at several ascending β [s].
 
-    e_n/e_target is linear in ln β between neighbouring runs; where an impact is missing
-    in one of them there is no value between them either.
+    e_n/e_target is linear in ln β between neighbouring runs; where an impact is missing (nan) in
+    one of them there is no value between them either. Of numbers and lists::
 
-    Parameters
-    ----------
-    betas_s : array_like, shape (n,)
-        Ascending [s].
-    e_ratio : array_like, shape (n, 3)
-        e_exp/|e_1SR|; nan where the impact is missing.
-    targets : sequence of (low, high)
-
-    Returns
-    -------
-    dict
-        Of numbers and lists::
-
-            beta_s, misfit       the middle of the β that fit best within AS_GOOD, in ln β; nan if
-                                 no β has every impact
-            at_edge              whether it is the smallest or largest β that could be judged
-            single_s             list: β at which impact n alone is at the middle of its range, nan
-                                 where it never is
-            low_s, high_s        smallest and largest of beta_s and the single ones
-            ratio                list: e_n/e_target at beta_s
+        beta_s, misfit       the middle of the β that fit best within AS_GOOD, in ln β; nan if
+                             no β has every impact
+        at_edge              whether it is the smallest or largest β that could be judged
+        single_s             list: β at which impact n alone is at the middle of its range, nan
+                             where it never is
+        low_s, high_s        smallest and largest of beta_s and the single ones
+        ratio                list: e_n/e_target at beta_s
     """
     x, e = np.log(np.asarray(betas_s, float)), np.asarray(e_ratio, float)
     count = len(targets)
@@ -348,17 +325,8 @@ def targets_of(measured, e_target):
 def evaluate(cases, histories):
     """Rebounds and e_exp of every run, wall by wall.
 
-    Parameters
-    ----------
-    cases : list of dict
-        As given to the study `walls`.
-    histories : list of dict
-        See `restitution.read_archive`; the same order.
-
-    Returns
-    -------
-    list of dict
-        case, e_1sr, beta_s (n,), found (list of Rebounds), e (n, 3), histories (n) of each wall.
+    Cases are as given to the study `walls`, histories as of `restitution.read_archive` in the same
+    order. Of each wall case, e_1sr, beta_s (n,), found (`Rebounds`), e (n, 3) and histories.
     """
     by_wall: dict[str, list] = {case["id"]: [] for case in cases}
     for history in histories:

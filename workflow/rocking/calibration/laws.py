@@ -24,20 +24,11 @@ COLUMNS += ["loo_error", "chosen"]
 
 
 def compare(table):
-    """Fit every form to the walls of a calibration study, and eq. 5's own for comparison.
+    """Fit every form to the walls of beta_walls.csv, and eq. 5's own for comparison.
 
-    Parameters
-    ----------
-    table : DataFrame
-        Contract of tables/beta_walls.csv; walls without a fit or with a remark are left out.
-
-    Returns
-    -------
-    beta.PowerLaw
-        Of the forms whose leave-one-out error is within WORTH of the least, the one with the
-        fewest groups.
-    list of dict
-        COLUMNS, numbers as text.
+    Walls without a fit or with a remark are left out. The law that is taken has the fewest groups
+    of the forms whose leave-one-out error is within WORTH of the least; rows are COLUMNS, numbers
+    as text.
     """
     table = table[table.role.isin(FITTED) & table.beta_fit_s.notna() & table.remark.isna()]
     reference = table[table.role == "reference"]

@@ -23,14 +23,8 @@ TARGETS = ((0.64, 0.72), (0.74, 0.86), (1.0, 1.0))
 class Rebounds:
     """Impacts of a history and the rotation reached after each.
 
-    Attributes
-    ----------
-    release : float
-        |θ0|/α, the first maximum.
-    impact_time_s : ndarray, shape (n,)
-        When θ = 0 was passed, by linear interpolation.
-    peak_time_s, peak : ndarray, shape (n,)
-        Maximum |θn|/α after each impact and its time.
+    The release is |θ0|/α, the first maximum; impacts are when θ = 0 was passed, by linear
+    interpolation; peaks are the maximum |θn|/α after each, with its time.
     """
 
     release: float
@@ -59,29 +53,11 @@ def _vertex(time, value, i):
 def rebounds(time_s, theta_over_alpha, *, sides="one", smallest=SMALLEST):
     """Find the impacts of a free-rocking history and the rebound after each.
 
-    An excursion is a run of samples of θ > 0 (two-sided: of one sign). An impact
-    lies between two excursions that both reach `smallest`; lower ones belong to
-    the impact, being the contact's own rattling. The last excursion counts only
-    if its maximum has been passed: a history that ends while still rising has no
-    rebound there.
-
-    Parameters
-    ----------
-    time_s, theta_over_alpha : array_like, shape (n,)
-        From the release on, at least 3 samples.
-    sides : {"one", "two"}
-    smallest : float
-        Smallest |θ|/α of a rebound.
-
-    Returns
-    -------
-    Rebounds
-
-    Raises
-    ------
-    ValueError
-        If the history is too short, not finite, not ascending in time, or does not start from
-        a released position.
+    An excursion is a run of samples of θ > 0 (two-sided: of one sign). An impact lies between two
+    excursions that both reach `smallest`, of |θ|/α; lower ones belong to the impact, being the
+    contact's own rattling. The last excursion counts only if its maximum has been passed: a history
+    that ends while still rising has no rebound there. A ValueError for one that is too short (3
+    samples), not finite, not ascending in time, or does not start from a released position.
     """
     t, theta = np.asarray(time_s, float), np.asarray(theta_over_alpha, float)
     if sides not in ("one", "two"):
@@ -124,15 +100,6 @@ def e_exp(found, count=IMPACTS):
     """Experimental restitution after impacts 1 … count (eq. 4); nan where there was no impact.
 
     e_n = {[1 − (1 − |θn|/α)²]/[1 − (1 − |θ0|/α)²]}^{1/2n}
-
-    Parameters
-    ----------
-    found : Rebounds
-    count : int
-
-    Returns
-    -------
-    ndarray, shape (count,)
     """
     out = np.full(count, np.nan)
     n = np.arange(1, min(count, len(found)) + 1)
@@ -141,22 +108,10 @@ def e_exp(found, count=IMPACTS):
 
 
 def misfit(e_measured, e_target, targets=TARGETS):
-    """Root mean square distance of e_exp/e_target from the criterion's ranges.
+    """Root mean square distance of e_exp/e_target, shape (..., n), from the criterion's n ranges.
 
-    Zero when every impact lies in its range; nan when an impact is missing, for
-    then there is nothing to compare.
-
-    Parameters
-    ----------
-    e_measured : array_like, shape (..., n)
-    e_target : float
-        |e_1SR| of the wall.
-    targets : sequence of (low, high), length n
-        As fractions of `e_target`.
-
-    Returns
-    -------
-    ndarray, shape (...)
+    Zero when every impact lies in its range; nan when an impact is missing, for then there is
+    nothing to compare. e_target is |e_1SR|, of which the ranges are fractions.
     """
     low, high = np.transpose(np.asarray(targets, float))
     ratio = np.asarray(e_measured, float) / e_target
@@ -171,13 +126,9 @@ def e_one_sided(h_m, b_m):
 
 
 def read_archive(path):
-    """Read an archive of histories that the study `walls` wrote in YADE.
+    """Histories that the study `walls` wrote in YADE, with what the archive says of each.
 
-    Returns
-    -------
-    list of dict
-        What the archive says of each run (id, status, reason, dt_s, steps, …), with its
-        columns: time_s, d_m and theta_over_alpha.
+    That is id, status, reason, dt_s, steps, …, and the columns time_s, d_m and theta_over_alpha.
     """
     with np.load(Path(path), allow_pickle=False) as data:
         runs = json.loads(str(data["runs"]))

@@ -13,21 +13,9 @@ COLUMNS = (*ABOUT, "beta_s", "rest_mm", "peak_mm", "lowest_mm", "end_mm", "overt
 
 
 def tests_of(wall, record, motion, tilt, scales, laws):
-    """Yield the tests of a wall under one motion, as YADE takes them.
+    """Yield the tests of a wall (resolved configuration) under one motion, as YADE takes them.
 
-    Parameters
-    ----------
-    wall : dict
-        Resolved configuration.
-    record : Record
-    motion : path
-        File of it.
-    tilt : float
-        Inclination of the wall [°].
-    scales : sequence of float
-        Factors on the motion.
-    laws : dict of str to float
-        β by its law [s].
+    `tilt` is its inclination [°]; scales are factors on the motion; laws have β [s] by name.
     """
     config = copy.deepcopy(wall)
     config["facade"]["tilt_deg"] = tilt

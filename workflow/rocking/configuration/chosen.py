@@ -8,19 +8,9 @@ from yade_scripts.model.models import static_multiplier
 
 
 def chosen(resolved, fidelity_file, law_file):
-    """Say what a run takes where its configuration leaves the choice open.
+    """Lines that say what a run takes where its configuration leaves the choice open.
 
-    Parameters
-    ----------
-    resolved : dict
-        Resolved configuration of the run.
-    fidelity_file, law_file : path
-        Measured convergence, and the fitted law of β.
-
-    Returns
-    -------
-    list of str
-        A line a choice.
+    They rest on the files of measured convergence and of the fitted law of β.
     """
     base, back = joint_stiffness(resolved)
     facade, wall = resolved["facade"], resolved["return_wall"]

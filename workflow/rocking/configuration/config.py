@@ -44,22 +44,9 @@ RATED: dict[
 def resolve(config: Mapping) -> dict[str, Any]:
     """Complete a configuration with the defaults of every section, and validate it.
 
-    Parameters
-    ----------
-    config : mapping
-        What the user gave: top-level keys and sections, without `scenario`, `scenarios`, `grid`.
-
-    Returns
-    -------
-    dict
-        Every key of every schema; numbers as float, whole numbers as int, in the order of the
-        schemas. Equal configurations give equal results, however they were written.
-
-    Raises
-    ------
-    ConfigError
-        In one line: an unknown key with the nearest known one, or a key's path, its value and
-        what was expected.
+    What the user gave has no `scenario`, `scenarios` or `grid`. The result has every key of every
+    schema, numbers as float, whole numbers as int, in the order of the schemas: equal
+    configurations give equal results, however they were written.
     """
     if not isinstance(config, Mapping):
         raise ConfigError("expected keys and values at the top level")
@@ -95,11 +82,6 @@ def check(resolved: Mapping) -> None:
 
     Limits that one key sets for another come from the schemas, see `check_limits`; geometry that
     cannot stand and combinations that mean nothing are written out here.
-
-    Raises
-    ------
-    ConfigError
-        In one line with the key, its value and what was expected.
     """
     check_limits(resolved)
     check_facade(resolved)
@@ -137,17 +119,12 @@ def check_limits(resolved: Mapping) -> None:
 
     `below` and `at_most` of a list's entries hold for each of them. `resolved` may lack sections,
     as a case does.
-
-    Raises
-    ------
-    ConfigError
-        In one line with the key, its value and what was expected.
     """
     alone = resolved["facade"]["sides"] == "two"
     for path, schema in config_schema.leaves(config_schema.whole()):
         if path.split(".")[0] not in resolved or (alone and path.startswith("return_wall.")):
             continue  # there are no walls
-        value = _at(resolved, path)
+        value = value_at(resolved, path)
         _check_below(resolved, path, value, schema)
         if isinstance(value, list):
             for number, entry in enumerate(value, 1):
@@ -158,7 +135,7 @@ def check_limits(resolved: Mapping) -> None:
 
 def _check_below(resolved: Mapping, path: str, value: Any, schema: Mapping) -> None:
     for word in ("below", "at_most"):
-        limit = _at(resolved, schema[word]) if word in schema else None
+        limit = value_at(resolved, schema[word]) if word in schema else None
         if value is None or limit is None:
             continue
         if value > limit or (word == "below" and value == limit):
@@ -166,7 +143,8 @@ def _check_below(resolved: Mapping, path: str, value: Any, schema: Mapping) -> N
             raise ConfigError(f"{path} = {show(value)}: expected a value {text}")
 
 
-def _at(resolved: Mapping, path: str) -> Any:
+def value_at(resolved: Mapping, path: str) -> Any:
+    """Value of a dotted key."""
     value: Any = resolved
     for key in path.split("."):
         value = value[key]
@@ -196,21 +174,11 @@ class Settings(str):
 def relevant(resolved: Mapping, *paths: str) -> Settings:
     """Return the named sections or keys as canonical JSON, for the `params` of a rule.
 
-    A rule that names what it depends on reruns when that changes, and only then.
-
-    Parameters
-    ----------
-    resolved : mapping
-        A resolved configuration.
-    *paths : str
-        Sections ("facade"), top-level keys ("seed") or dotted paths ("numerics.step_s").
-
-    Raises
-    ------
-    KeyError
-        If the configuration has no such section or key.
+    A rule that names what it depends on reruns when that changes, and only then. Paths are sections
+    ("facade"), top-level keys ("seed") or dotted ("numerics.step_s"); a KeyError for one that is
+    not there.
     """
-    parts = {path: _at(resolved, path) for path in paths}
+    parts = {path: value_at(resolved, path) for path in paths}
     return Settings(json.dumps(parts, sort_keys=True, separators=(",", ":"), ensure_ascii=False))
 
 
@@ -220,22 +188,15 @@ def expand_scenarios(config: Mapping) -> dict[str, dict[str, Any]]:
     `scenarios` maps names to overrides (nested or with dotted keys); `scenario` chooses one, a list
     or `all` of them; `grid` maps dotted keys to lists of values and gives every combination. Runs
     are called <run>, <run>-<scenario>, <run>-<key>_<value>-… or <run>-<scenario>-<key>_<value>-….
-
-    Raises
-    ------
-    ConfigError
-        In one line that names the scenario, of those that are chosen.
+    An error names the scenario.
     """
     return {name: resolved for name, (resolved, _) in expanded(config).items()}
 
 
 def expanded(config: Mapping) -> dict[str, tuple[dict[str, Any], dict[str, Any]]]:
-    """As `expand_scenarios`, with what each run states beside what is resolved of it.
+    """(resolved, stated) of every run as `expand_scenarios`, by run name.
 
-    Returns
-    -------
-    dict of str to (resolved, stated)
-        `stated` is the user's configuration with the run's scenario and cell of the grid.
+    `stated` is the user's configuration with the run's scenario and cell of the grid.
     """
     if not isinstance(config, Mapping):
         raise ConfigError("expected keys and values at the top level")
@@ -326,11 +287,7 @@ def _grid(given: Any) -> dict[str, dict]:
         if path in known["properties"] and path not in schemas:
             raise ConfigError(f"grid.{path}: expected a key of that section, as in {path}.…")
         if path not in schemas:
-            raise (
-                ConfigError("grid.run: a grid names its runs itself")
-                if path == "run"
-                else (refusals.unknown_key(path, known))
-            )
+            raise refusals.unknown_key(path, known)
         if not isinstance(values, list) or not values:
             raise ConfigError(f"grid.{path} = {show(values)}: expected a list of values")
         leaf = path.rpartition(".")[2]

@@ -16,18 +16,10 @@ def flat(settings, prefix=""):
 
 
 def differences(configurations):
-    """What differs between configurations.
+    """What differs between the resolved configurations of runs, by run.
 
-    Parameters
-    ----------
-    configurations : dict of str to dict
-        Resolved configuration of each run.
-
-    Returns
-    -------
-    dict of str to dict
-        By run, the dotted keys that are not the same in all, with their value there (None where an
-        older run lacks the key).
+    The dotted keys that are not the same in all, with their value there (None where an older run
+    lacks the key).
     """
     own = {run: flat(settings) for run, settings in configurations.items()}
     keys = list(dict.fromkeys(itertools.chain.from_iterable(own.values())))

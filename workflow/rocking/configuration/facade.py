@@ -17,15 +17,8 @@ MIN_SLENDERNESS = 2.0  # h/b; a stockier block slides or crushes before it rocks
 def check_facade(resolved: Mapping) -> None:
     """Check section facade with the models and return walls it stands before.
 
-    Parameters
-    ----------
-    resolved : mapping
-        A configuration, or the sections of a case with its model as `models`.
-
-    Raises
-    ------
-    ConfigError
-        In one line with the key, its value and what was expected.
+    Of a configuration, or of the sections of a case with its model as `models`. Everything wrong is
+    a `ConfigError` of one line with the key, its value and what was expected.
     """
     facade = resolved["facade"]
     _check_geometry(facade, resolved["return_wall"])
@@ -105,13 +98,7 @@ def _check_geometry(facade: Mapping, wall: Mapping) -> None:
 
 
 def check_bars(resolved: Mapping) -> None:
-    """Refuse ties and floors that nothing carries, that snap early or that hold nothing.
-
-    Raises
-    ------
-    ConfigError
-        In one line with the row, its value and what was expected.
-    """
+    """Refuse ties and floors that nothing carries, that snap early or that hold nothing."""
     facade = resolved["facade"]
     several = [name for name in resolved["models"] if not registry.model(name).single_block]
     rows = [(key, *row) for key in ("ties", "floors") for row in enumerate(facade[key], 1)]

@@ -33,17 +33,7 @@ SHOWN_CHANGES = 4  # keys named in one line
 def changed(resolved: Mapping, path: str | os.PathLike) -> str:
     """What a run's settings change of those that its results were made with, in one line.
 
-    Parameters
-    ----------
-    resolved : mapping
-        Resolved configuration of the run.
-    path : path
-        Its config.yaml, written by `write_resolved`; missing or unreadable: nothing is said.
-
-    Returns
-    -------
-    str
-        Empty where nothing differs.
+    `path` is its config.yaml, written by `write_resolved`; missing or unreadable, nothing is said.
     """
     try:
         before = flat(yaml.safe_load(Path(path).read_text("utf-8")))
@@ -106,19 +96,10 @@ def _refuse_other_bases(text, name):
 
 
 def check_text(text: str, name: str, empty: bool = True) -> None:
-    """Refuse the text of a configuration in which a key stands twice; `name` names it.
+    """Refuse the text of a configuration that is not YAML, or says what hardly is meant.
 
-    Parameters
-    ----------
-    text, name : str
-    empty : bool
-        Whether it may hold nothing, which Snakemake does not take.
-
-    Raises
-    ------
-    ConfigError
-        With the name and line; also for text that is not YAML, has no keys at the top level or has
-        a number that YAML reads as another.
+    A key that stands twice, no keys at the top level, or a number that YAML reads as another; where
+    not `empty`, also nothing at all, which Snakemake does not take. The error has `name` and line.
     """
     try:
         found = yaml.load(text, _UniqueKeys)
@@ -136,13 +117,7 @@ def check_text(text: str, name: str, empty: bool = True) -> None:
 
 
 def check_files(paths: Iterable[str | os.PathLike], empty: bool = True) -> None:
-    """Refuse configuration files that `check_text` refuses.
-
-    Raises
-    ------
-    ConfigError
-        With the file and line; also for a file that cannot be read as YAML.
-    """
+    """Refuse configuration files that cannot be read, or that `check_text` refuses."""
     for path in paths:
         try:
             text = Path(path).read_text("utf-8")

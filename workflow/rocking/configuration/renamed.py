@@ -46,18 +46,8 @@ def _value(given: Any, known: dict[str, str]) -> Any:
 def current(given: Any, said: list | None = None, path: str = "") -> Any:
     """Return a configuration, or a part of it, under present names.
 
-    Parameters
-    ----------
-    given : mapping of sections, keys or dotted keys, or a value
-    said : list, optional
-        Takes a line for every former name.
-    path : str
-        Dotted path of `given`, with a dot at its end.
-
-    Raises
-    ------
-    ConfigError
-        In one line for a key that is given under both names.
+    `said` takes a line for every former name; `path` is the dotted path of `given` with a dot at
+    its end. A key that is given under both names is refused.
     """
     if not isinstance(given, Mapping):
         new = _value(given, _values().get(path[:-1], {}))

@@ -57,13 +57,7 @@ class ConfigError(ValueError):
 
 @lru_cache(maxsize=4)
 def sections(folder: Path = FOLDER) -> dict[str, dict]:
-    """Schema of every section by name, the top level first, then in alphabetical order.
-
-    Raises
-    ------
-    FileNotFoundError
-        If the folder lacks the schema of the top level.
-    """
+    """Schema of every section by name, the top level first, then in alphabetical order."""
     names = sorted(p.name.removesuffix(".schema.yaml") for p in folder.glob("*.schema.yaml"))
     if TOP not in names:
         raise FileNotFoundError(f"{folder}: no {TOP}.schema.yaml")
@@ -114,10 +108,8 @@ def leaves(schema: dict, prefix: str = "") -> Iterator[tuple[str, dict]]:
 def plain(value: Any, path: str = "", depth: int = 0, budget: list | None = None) -> Any:
     """Copy `value` as dicts with text keys, lists, text, finite numbers, booleans and None.
 
-    Raises
-    ------
-    ConfigError
-        Naming the path of anything else, of cyclic or very deep nesting, or of too many values.
+    Anything else is refused by its path, and so are cyclic or very deep nesting and too many
+    values.
     """
     budget = [MAX_VALUES] if budget is None else budget
     budget[0] -= 1

@@ -73,13 +73,7 @@ def check_static_stability(resolved: Mapping) -> None:
 
 
 def stands(config: Mapping) -> bool:
-    """Whether the façade of a configuration has a position of rest that it returns to.
-
-    Parameters
-    ----------
-    config : mapping
-        Sections facade and return_wall.
-    """
+    """Whether the façade of a configuration has a position of rest that it returns to."""
     if config["facade"]["hinges_m"] or config["facade"]["courses"]:
         return _pieces_stand(config)
     return restoring(config) > 0.0

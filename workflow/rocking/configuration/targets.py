@@ -51,11 +51,8 @@ def targets(root: Path = ROOT) -> dict[str, Target]:
 def render(page: str, root: Path = ROOT) -> str:
     """Text of docs/targets.md with its tables written anew.
 
-    Raises
-    ------
-    ValueError
-        If a target has no docstring of the form above or names a page that is not there, if a
-        marker names no target, or if none stands for `the others`.
+    A ValueError where a target has no docstring of the form above or names a page that is not
+    there, where a marker names no target, or where none stands for `the others`.
     """
     there = targets(root)
     kept = [names for _, names, _ in TABLE.findall(page)]

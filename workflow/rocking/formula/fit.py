@@ -33,21 +33,9 @@ SEED = 1  # of the halves
 def wide(table, design, model, base, factor=None, column="pga_median_g"):
     """Ln(IM/tan α) of every façade (rows) under every motion (columns: record, direction).
 
-    Parameters
-    ----------
-    table : DataFrame
-        Of the atlas, `studies.atlas.COLUMNS`.
-    design : DataFrame
-        `groups.DIMENSIONS`, by façade.
-    model, base : str
-    factor : DataFrame or None
-        The measure over PGA, by façade (rows) and record.
-    column : str
-
-    Returns
-    -------
-    DataFrame
-        NaN where a façade stood up to the largest intensity.
+    Of a table of the atlas (`studies.atlas.COLUMNS`) and its façades (`groups.DIMENSIONS`);
+    `factor` is the measure over PGA, by façade (rows) and record. NaN where a façade stood up to
+    the largest intensity.
     """
     part = table[(table["model"] == model) & (table["base"] == base)]
     found = part.pivot(index="facade", columns=["record", "direction"], values=column)
@@ -64,19 +52,10 @@ def matrix(design, names):
 
 
 def solve(terms, values, weights=None):
-    """Least squares of the means over motions.
+    """Least squares of the means over motions, shape (k,).
 
-    Parameters
-    ----------
-    terms : ndarray, shape (n, k)
-    values : ndarray, shape (n, m)
-        NaN where a curve is not known.
-    weights : (ndarray of shape (n,), ndarray of shape (m,)), optional
-        How often each façade and each motion counts.
-
-    Returns
-    -------
-    ndarray, shape (k,)
+    Terms are of shape (façades, k), values (façades, motions) and NaN where a curve is not known;
+    `weights` say how often each façade and each motion counts.
     """
     rows, columns = weights or (np.ones(values.shape[0]), np.ones(values.shape[1]))
     known = np.isfinite(values)
@@ -91,7 +70,7 @@ def pooled(values):
 
 
 def left_out(terms, values, stations):
-    """Errors at façades and stations of which neither had a part.
+    """Errors at façades and stations of which neither had a part, by façade and half.
 
     Every façade is foretold by the others under the other stations, for `HALVES` halves of the
     stations, drawn at random: one division alone may come out lower or higher by a third. (To leave
@@ -100,19 +79,9 @@ def left_out(terms, values, stations):
     that of the level, which a handful of left-out motions has by chance and all façades share, and
     that of the façade.
 
-    Parameters
-    ----------
-    terms, values
-        As of `solve`.
-    stations : sequence of str
-        Of every motion.
-
-    Returns
-    -------
-    DataFrame
-        A row a façade and half: fold, at (row of the façade), error (ln of what was run over what
-        was foretold, of the mean), level (mean over façades in the fold), of_facade (error −
-        level), p16 (likewise of the 16 % fractile, by the dispersion of the others).
+    Columns are fold, at (row of the façade), error (ln of what was run over what was foretold, of
+    the mean), level (mean over façades in the fold), of_facade (error − level), p16 (likewise of
+    the 16 % fractile, by the dispersion of the others). `stations` has that of every motion.
     """
     names, rng = sorted(set(stations)), np.random.default_rng(SEED)
     size = (HALVES, len(names))
@@ -135,10 +104,7 @@ def left_out(terms, values, stations):
 def facades_out(terms, values):
     """Errors at every façade, foretold by the others under the same motions.
 
-    Returns
-    -------
-    mean, fractile : ndarray, shape (façades,)
-        Of the mean, and of the 16 % fractile by the dispersion of the others.
+    Of the mean, and of the 16 % fractile by the dispersion of the others.
     """
     errors, every = [], np.arange(len(values))
     for k in every:
@@ -150,13 +116,7 @@ def facades_out(terms, values):
 
 
 def intervals(terms, values, stations, seed):
-    """Intervals of the coefficients: façades and stations are drawn again, together.
-
-    Returns
-    -------
-    ndarray, shape (2, k)
-        Ends that hold `CONFIDENCE`.
-    """
+    """Ends that hold `CONFIDENCE`, shape (2, k): façades and stations drawn again, together."""
     facades = by_station.resampled(np.arange(len(values)), RESAMPLES, seed)
     motions = by_station.resampled(stations, RESAMPLES, seed + 1)
     found = [solve(terms, values, pair) for pair in zip(facades, motions, strict=True)]
@@ -170,23 +130,9 @@ def rms(values):
 
 
 def fitted(table, design, model, base, measure, factor, stations_of, seed):
-    """What the file says of one model in one measure.
+    """What the file says of one model in one measure; arguments as of `wide`.
 
-    Parameters
-    ----------
-    table, design, model, base
-        See `wide`.
-    measure : str
-    factor : DataFrame or None
-        See `wide`.
-    stations_of : mapping
-        Station by record.
-    seed : int
-
-    Returns
-    -------
-    dict
-        terms, coefficients, low, high (their intervals), dispersion, error, and the checks.
+    That is terms, coefficients, low, high (their intervals), dispersion, error, and the checks.
     """
     names = TERMS[model]
     if measure in AT_T1:
@@ -245,21 +191,8 @@ def _round(values):
 def law(table, design, factors, stations_of, made_of, own="own"):
     """Content of the formula's file.
 
-    Parameters
-    ----------
-    table, design
-        See `wide`.
-    factors : dict of str to DataFrame
-        By measure, see `wide`; that of PGA is left out.
-    stations_of : mapping
-    made_of : dict
-        What the atlas is: base, seed, …
-    own : str
-        Name of the atlas's own base in the table.
-
-    Returns
-    -------
-    dict
+    `factors` are by measure, see `wide`, that of PGA left out; `made_of` is what the atlas is
+    (base, seed, …), `own` the name of its base in the table.
     """
     seed, stacks = made_of["seed"], [r["name"] for r in made_of.get("others", ()) if r["courses"]]
     others = {

@@ -14,6 +14,7 @@ import math
 from rocking.configuration import schema
 from rocking.configuration.schema import show
 from rocking.mechanics import beta
+from rocking.mechanics.closed_forms import block
 from yade_scripts.model.gravity import GRAVITY_M_S2
 
 PERIOD_S = 0.27  # at which the logarithm of T1 is zero
@@ -68,9 +69,7 @@ def tan_alpha(row):
 
 def p_rad_s(row):
     """p = √(3g/4R) of the rigid block, R half its diagonal [rad/s]."""
-    h = row["height_m"]
-    half = 0.5 * math.hypot(h, h / row["slenderness"])
-    return math.sqrt(0.75 * GRAVITY_M_S2 / half)
+    return block(row["height_m"], row["height_m"] / row["slenderness"]).p_rad_s
 
 
 def gamma(row):
@@ -80,17 +79,7 @@ def gamma(row):
 
 
 def terms(row):
-    """Every group that a law may take, by name.
-
-    Parameters
-    ----------
-    row : mapping
-        `DIMENSIONS`.
-
-    Returns
-    -------
-    dict of str to float
-    """
+    """Every group that a law may take, by name, of a façade's `DIMENSIONS`."""
     p, t1 = p_rad_s(row), math.log(row["period_s"] / PERIOD_S)
     return {
         "1": 1.0,
@@ -105,17 +94,9 @@ def terms(row):
 
 
 def dimensions(case):
-    """`DIMENSIONS` of a case.
+    """`DIMENSIONS` of a case: a plain box on return walls with a chain of default damping.
 
-    Parameters
-    ----------
-    case : Case
-
-    Raises
-    ------
-    OutsideError
-        In one line that names the first key that the groups do not hold, for anything but a plain
-        box on return walls with a chain of default damping.
+    An OutsideError of one line names the first key that the groups do not hold.
     """
     defaults = schema.sections()
     for name, held in HELD.items():

@@ -17,20 +17,8 @@ def factors(records, design, damping_ratio=0.05):
     The average is the geometric mean over `AVERAGE_S` (Eads, Miranda and Lignos, 2015), the same
     for every façade. What overturns a façade before walls that follow the building has two parts:
     what the ground has at the façade's own long periods, and what the building makes of T1. Hence
-    Sa_avg^(1 − a) Sa(T1)^a with a = `AT_T1`.
-
-    Parameters
-    ----------
-    records : list of rocking.records.Record
-    design : DataFrame
-        period_s, by façade.
-    damping_ratio : float
-        Of Sa.
-
-    Returns
-    -------
-    dict of str to DataFrame
-        By measure: façades (rows), records (columns).
+    Sa_avg^(1 − a) Sa(T1)^a with a = `AT_T1`. By measure a table of façades (rows, period_s of the
+    design) and records (columns).
     """
     names, periods = [record.name for record in records], design["period_s"].to_numpy()
     every = np.unique(np.append(periods, np.geomspace(*AVERAGE_S, POINTS)))

@@ -8,18 +8,7 @@ COEFFICIENTS = ["model", "base", "measure", "term", "coefficient", "ci_low", "ci
 
 
 def coefficients(law):
-    """A row a coefficient, with its interval.
-
-    Parameters
-    ----------
-    law : dict
-        Of `law.read`.
-
-    Returns
-    -------
-    DataFrame
-        COEFFICIENTS; base "over" for the ratio to the atlas's own.
-    """
+    """A row a coefficient, with its interval (COEFFICIENTS); a ratio has two bases."""
     rows = []
     own = law["made_of"]["base"]
     for model, parts in law["models"].items():

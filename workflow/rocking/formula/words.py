@@ -30,19 +30,9 @@ def _estimated(resolved, model):
 
 
 def of_run(name, resolved):
-    """One line before a run of an own façade; nothing where the formula does not describe it.
+    """One line before a run of an own façade.
 
-    Parameters
-    ----------
-    name : str
-        Of the run.
-    resolved : dict
-        Its configuration.
-
-    Returns
-    -------
-    str
-        Empty for the default façade and for one that the formula does not describe.
+    Empty for the default façade and for one that the formula does not describe.
     """
     known = schema.sections()
     if all(resolved[section] == schema.complete({}, known[section]) for section in OWN):
@@ -62,16 +52,7 @@ def of_run(name, resolved):
 def remarks(resolved, table):
     """`remark` of a run's computed medians of the whole façade, where there is any to make.
 
-    Parameters
-    ----------
-    resolved : dict
-        Configuration of the run.
-    table : DataFrame
-        model, median_pga_g, stations.
-
-    Returns
-    -------
-    list of str
+    The table has model, median_pga_g and stations.
     """
     said = []
     for row in table.to_dict("records"):
@@ -83,19 +64,7 @@ def remarks(resolved, table):
 def remark(found, computed_g, stations):
     """What to say of a computed median that lies outside of the formula's range; else nothing.
 
-    Its standard error is the formula's own, and that of a median over so few motions.
-
-    Parameters
-    ----------
-    found : Estimate
-    computed_g : float
-        Median of half collapse that histories gave [unit of the measure].
-    stations : int
-        How many stations stand behind it.
-
-    Returns
-    -------
-    str
+    Its standard error is the formula's own, and that of a median over motions of so few stations.
     """
     if not (math.isfinite(computed_g) and computed_g > 0.0 and stations > 0):
         return ""

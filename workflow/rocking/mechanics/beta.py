@@ -112,20 +112,7 @@ class PowerLaw:
         return None
 
     def predict(self, values, level=0.9):
-        """β [s] and its prediction band for a new wall.
-
-        Parameters
-        ----------
-        values : dict
-            See `groups`.
-        level : float
-            Probability between the ends of the band (Student's t, in ln β).
-
-        Returns
-        -------
-        beta, low, high : float
-            [s]
-        """
+        """β and the ends of its prediction band for a wall's `groups` [s], Student's t in ln β."""
         row = np.array([1.0, *(math.log(values[name]) for name in self.names)])
         mean = float(row @ np.array(self.coefficients))
         spread = math.sqrt(self.residual_std**2 + float(row @ np.array(self.covariance) @ row))
@@ -140,41 +127,18 @@ class PowerLaw:
 
 def to_json(laws):
     """Text of the laws' file, with 9 significant digits; `laws` by the base they were fitted on."""
-    return json.dumps({base: _rounded(asdict(law)) for base, law in laws.items()}, indent=1) + "\n"
-
-
-def _rounded(value):
-    """Copy nested dicts and lists with every float rounded to 9 significant digits."""
-    if isinstance(value, dict):
-        return {key: _rounded(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_rounded(item) for item in value]
-    return float(f"{value:.9g}") if isinstance(value, float) else value
+    text = json.dumps({base: asdict(law) for base, law in laws.items()})
+    rounded = json.loads(text, parse_float=lambda digits: float(f"{float(digits):.9g}"))
+    return json.dumps(rounded, indent=1) + "\n"
 
 
 def fit_law(walls, betas_s, names):
-    """Least-squares power law through fitted β.
+    """Least-squares power law through fitted β [s] of walls (`groups` of each).
 
-    Ordinary least squares of ln(β·ω_c) on ln x. The leave-one-out residual of wall i is
-    r_i/(1 − H_ii) with H the hat matrix, exactly what refitting without it would give.
-
-    Parameters
-    ----------
-    walls : list of dict
-        `groups` of each wall.
-    betas_s : array_like, shape (n,)
-        Best-fitting β of each [s].
-    names : sequence of str
-        Groups to use.
-
-    Returns
-    -------
-    PowerLaw
-
-    Raises
-    ------
-    CalibrationError
-        For too few walls, a β that is not positive, or groups that do not vary independently.
+    Ordinary least squares of ln(β·ω_c) on ln x of the groups `names`. The leave-one-out residual of
+    wall i is r_i/(1 − H_ii) with H the hat matrix, exactly what refitting without it would give. A
+    CalibrationError for too few walls, a β that is not positive, or groups that do not vary
+    independently.
     """
     betas = np.asarray(betas_s, float)
     if len(walls) != len(betas) or len(betas) < len(names) + 3:
@@ -216,20 +180,10 @@ def half_widths(law, level=0.95):
 def dimensional_error(b_m, e_mpa, slenderness, betas_s):
     """Refit eq. 5's own form, β = (c1·b + c2·E + c3)·exp(h/b·(c4·E + c5)), for comparison.
 
-    Nonlinear least squares of ln β from the printed coefficients; the leave-one-out error
-    comes from refitting without each wall.
-
-    Returns
-    -------
-    coefficients : ndarray, shape (5,)
-        For b in m and E in MPa.
-    residual_std, loo_error : float
-        Of ln β.
-
-    Raises
-    ------
-    CalibrationError
-        For fewer walls than the form needs.
+    Nonlinear least squares of ln β from the printed coefficients, b in m and E in MPa; the
+    leave-one-out error comes from refitting without each wall. Returns the coefficients, shape
+    (5,), the residual standard deviation and the leave-one-out error of ln β; a CalibrationError
+    for fewer walls than the form needs.
     """
     x = np.stack([np.asarray(v, float) for v in (b_m, e_mpa, slenderness)], axis=1)
     y = np.log(np.asarray(betas_s, float))

@@ -27,13 +27,8 @@ from yade_scripts.model.shape import refuse
 class Held(NamedTuple):
     """What holds a block horizontally at a height, rigid up to its capacity.
 
-    Attributes
-    ----------
-    force_n, height_m : float
-    reach_m, slack_m : float
-        Outward displacement of its point up to which, and from which on, it pulls.
-    fades : bool
-        It falls linearly to zero at its reach.
+    It pulls from an outward displacement of its point, the slack, up to another, the reach; one
+    that fades falls linearly to zero there.
     """
 
     force_n: float
@@ -81,17 +76,10 @@ def _checked(facade):
 
 
 def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=()):
-    """One rigid block that turns outward about a hinge.
+    """One rigid block that turns outward about a hinge (y, z); its control point is `top`.
 
-    Parameters
-    ----------
-    masses, loads : sequence of (weight_n, y_m, z_m)
-        Of the block, and what it carries.
-    hinge, top : tuple of float
-        (y, z); the top is the control point.
-    pulls : sequence of Held
-    pushes : sequence of (weight_n, height_m)
-        Masses that push horizontally and do not bear on it.
+    Masses and loads, what it carries, are (weight_n, y_m, z_m); pulls are `Held`; pushes (weight_n,
+    height_m) are masses that push horizontally and do not bear on it.
     """
 
     def move(point):
@@ -122,21 +110,10 @@ def bending(name, lower, upper, base, joint, top, loads=(), held=(), pulls=()):
     """Two blocks between held levels: vertical bending.
 
     The lower block turns outward about `base`, the upper one back about `joint`, the inner edge of
-    the opening between them; `top`, where it is held, moves vertically only. What bears there lifts
-    and does not move sideways.
-
-    Parameters
-    ----------
-    lower, upper : sequence of (weight_n, y_m, z_m)
-        Masses of the blocks.
-    base, joint, top : tuple of float
-        (y, z).
-    loads : sequence of (weight_n, y_m, z_m)
-        That move with the block they stand on.
-    held : sequence of (weight_n, y_m, z_m)
-        That bear on the upper block and are held.
-    pulls : sequence of Held
-        Between base and top.
+    the opening between them; `top`, where it is held, moves vertically only, all (y, z). What bears
+    there lifts and does not move sideways. Masses of both blocks, loads that move with the block
+    they stand on, and what is held and bears on the upper one are (weight_n, y_m, z_m); pulls are
+    `Held`.
     """
     first = turning(joint, base)
     dy, dz = top[0] - joint[0], top[1] - joint[1]
@@ -184,12 +161,7 @@ def overturning(facade, pulls=(), name="overturning about the base"):
 
     Free: α0 = (b − 2t)/h. With a roof load N at the inner distance s, and Q that pushes at the top:
     α0 = [W(b/2 − t) + N(b − s − t)]/(W h/2 + (N + Q) h). Ties T at z_t add T z_t to the numerator.
-
-    Parameters
-    ----------
-    facade : Facade
-    pulls : sequence of Held
-        Ties, and courses of interlocked return walls (`courses`).
+    Pulls are `Held`: ties, and courses of interlocked return walls (`courses`).
     """
     f = _checked(facade)
     h, middle = f.height_m, 0.5 * f.thickness_m
@@ -207,15 +179,11 @@ def overturning(facade, pulls=(), name="overturning about the base"):
 
 
 def courses(height_m, course_m, return_thickness_m, overlap_m, friction, unit_weight_n_m3, walls=2):
-    """Friction of interlocked courses as pulls, from the top: F_i = μ γ t_s v h_b i a wall.
+    """Friction of interlocked courses as `Held`, from the top: F_i = μ γ t_s v h_b i a wall.
 
     Joint i lies at h − i·h_b above the hinge and is gone when it has slipped by the overlap v
     (upper bound of Casapulla et al., 2019). Their sum is μ γ t_s v h_b n(n − 1)/2 a wall, for n
     courses, at (n + 1)h_b/3 above the hinge: for many courses 1.25 times `interlocking`.
-
-    Returns
-    -------
-    list of Held
     """
     _positive(course_m=course_m, overlap_m=overlap_m, return_thickness_m=return_thickness_m)
     count = round(height_m / course_m)
@@ -226,16 +194,11 @@ def courses(height_m, course_m, return_thickness_m, overlap_m, friction, unit_we
 def interlocking(
     height_m, course_m, return_thickness_m, overlap_m, friction, unit_weight_n_m3, walls=2
 ):
-    """Friction of interlocked return walls by the Circolare's C8.7.1.2, as one pull.
+    """Friction of interlocked return walls by the Circolare's C8.7.1.2, as one `Held`.
 
     F = 0.4 n(n + 1) Φ μ l² t_s W a wall, Φ = h_b/l, n = h/h_b, at a third of the height h above the
     hinge. The code does not say how it fades as the blocks slide off each other; here it falls
     linearly to zero as its point moves by the overlap l.
-
-    Returns
-    -------
-    Held
-        Height above the hinge.
     """
     _positive(course_m=course_m, overlap_m=overlap_m, return_thickness_m=return_thickness_m)
     n, phi = height_m / course_m, course_m / overlap_m
@@ -246,19 +209,13 @@ def interlocking(
 def two_blocks(facade, hinge_height_m):
     """Vertical bending: the top is held, the façade opens at a hinge at an intermediate height.
 
-    Small rotations, b₁ = b, roof load N at s from the inner face, W₁ = W h₁/h, W₂ = W h₂/h,
-    r = h₁/h₂ (rotation of the upper block per lower one):
+    Small rotations, b₁ = b, roof load N at s from the inner face, W₁ = W h₁/h, W₂ = W h₂/h, r =
+    h₁/h₂ (rotation of the upper block per lower one):
 
         α0 = [W₁ b/2 + (W₂ + N) b + r (W₂ b/2 + N s)]/[(W₁ + W₂) h₁/2]
 
-    See `bending`. The held roof load has no horizontal displacement and does no work against the
-    shaking.
-
-    Parameters
-    ----------
-    facade : Facade
-        Its hinge inset applies at the base and at the joint.
-    hinge_height_m : float
+    See `bending`; the hinge inset applies at the base and at the joint. The held roof load has no
+    horizontal displacement and does no work against the shaking.
     """
     f = _checked(facade)
     h1, h = hinge_height_m, f.height_m
@@ -277,12 +234,9 @@ def two_blocks(facade, hinge_height_m):
 
 
 def weakest_hinge(section):
-    """Height of the hinge with the least α0 of `two_blocks`, the top held [m].
+    """Height of the hinge with the least α0 of `two_blocks` [m].
 
-    Parameters
-    ----------
-    section : dict
-        Section facade, whose floors stand at its top.
+    The floors of section facade stand at its top.
     """
     loads = [1e3 * row["load_kn"] for row in section["floors"]]
     refuse({**section, "hinges_m": (), "courses": 0}, "the weakest hinge")

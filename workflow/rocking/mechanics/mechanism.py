@@ -36,19 +36,10 @@ class Weight(NamedTuple):
 
 
 class Pull(NamedTuple):
-    """Inward horizontal force on a point of the façade.
+    """Inward horizontal force on a point of the façade, on the path θ → (y, z) [m].
 
-    Attributes
-    ----------
-    force_n : float
-    path : callable
-        θ → (y, z) of its point [m].
-    reach_m : float
-        Outward displacement of the point up to which, itself included, it pulls.
-    fades : bool
-        It falls linearly to zero there; otherwise it holds until there.
-    slack_m : float
-        Outward displacement from which on it pulls.
+    It pulls from an outward displacement of the point, the slack, up to the reach, itself included;
+    one that fades falls linearly to zero there, others hold until there.
     """
 
     force_n: float
@@ -86,7 +77,7 @@ class Mechanism:
         """α(θ) of the module's equation [-]; of an array of rotations an array."""
         lifted = pushed = 0.0
         for p, path in self.weights:
-            out, up = _rate(path, theta_rad)
+            out, up = rate(path, theta_rad)
             pushed, lifted = pushed + p * out, lifted + p * up
         return (lifted + sum(self._pull(pull, theta_rad) for pull in self.pulls)) / pushed
 
@@ -95,7 +86,7 @@ class Mechanism:
         gone = pull.path(theta)[0].real - pull.path(0.0)[0].real
         acts = (pull.slack_m <= gone) & (gone <= pull.reach_m * (1.0 + AT_END))
         left = np.maximum(1.0 - gone / pull.reach_m, 0.0) if pull.fades else 1.0
-        return acts * left * pull.force_n * _rate(pull.path, theta)[0]
+        return acts * left * pull.force_n * rate(pull.path, theta)[0]
 
     def displacement(self, theta_rad):
         """d_C of the control point [m]."""
@@ -203,11 +194,11 @@ class Mechanism:
             M*, e*, d*/d_C.
         """
         p = np.array([weight for weight, _ in self.weights])
-        delta = np.array([_rate(path, 0.0)[0] for _, path in self.weights])
+        delta = np.array([rate(path, 0.0)[0] for _, path in self.weights])
         one, two = p @ delta, p @ delta**2
         mass = one**2 / (GRAVITY_M_S2 * two)
         counted = p.sum() if letter else p[np.abs(delta) > 1e-12 * np.abs(delta).max()].sum()
-        return mass, GRAVITY_M_S2 * mass / counted, two / (_rate(self.control, 0.0)[0] * one)
+        return mass, GRAVITY_M_S2 * mass / counted, two / (rate(self.control, 0.0)[0] * one)
 
     def curve(self, points=101):
         """Capacity curve up to d0: displacement of the control point [m] and multiplier [-]."""
@@ -216,7 +207,7 @@ class Mechanism:
         return d, np.array([self.multiplier(t) for t in theta])
 
 
-def _rate(path, theta):
+def rate(path, theta):
     """Derivative of a path by θ, one or an array of them."""
     y, z = path(theta + 1j * TINY)
     return y.imag / TINY, z.imag / TINY
@@ -246,5 +237,10 @@ def spread_weight(weight_n, low_m, high_m):
     They have its centroid and, exactly, its second moment along the height, which the
     participating mass takes: e* = 3/4 for a wall that turns about its base.
     """
-    middle, arm = 0.5 * (low_m + high_m), 0.5 * (high_m - low_m) / math.sqrt(3.0)
-    return [(0.5 * weight_n, middle - arm), (0.5 * weight_n, middle + arm)]
+    return [(0.5 * weight_n, z) for z in gauss(low_m, high_m)]
+
+
+def gauss(low, high):
+    """The two Gauss points of an interval."""
+    middle, arm = 0.5 * (low + high), 0.5 * (high - low) / math.sqrt(3.0)
+    return middle - arm, middle + arm

@@ -8,14 +8,16 @@ A repeated start with unchanged files and rows only hashes the files. The packag
 import this module, so that changing it makes no record again.
 """
 
+import contextlib
 import hashlib
 import json
-import os
 from dataclasses import asdict, dataclass, replace
 from functools import cache as once
 from pathlib import Path
 
 import numpy as np
+
+from yade_scripts.files import write_json
 
 from . import read_specs, surrogates_for
 from .baseline import treat
@@ -68,15 +70,10 @@ class Finding:
 
 
 def reach_g(resolved):
-    """Intensity that a run is expected to take its records to [g].
+    """Intensity that a run of a resolved configuration is expected to take its records to [g].
 
     The highest of a stated grid; else where a façade may fall, `FALLS` times its thickness over its
     height, at most `ida.max_pga_g`.
-
-    Parameters
-    ----------
-    resolved : mapping
-        A run's configuration.
     """
     ida, facade = resolved["ida"], resolved["facade"]
     if ida["mode"] == "grid":
@@ -136,17 +133,11 @@ def check_records(
 
 
 def check_runs(runs, **options):
-    """Check the records of all runs of a `rocking.runs.Runs`, each combination once.
+    """Findings on the records of all runs of a `rocking.runs.Runs`, each combination once.
 
-    Of runs that take the same records to several intensities the highest counts.
-
-    `options` are `draw` and `cache` of `check_records`. Raises RecordError for surrogate
-    parameters that cannot be read.
-
-    Returns
-    -------
-    list of Finding
-        Without repetitions, in the order of runs and records.
+    Of runs that take the same records to several intensities the highest counts. `options` are
+    `draw` and `cache` of `check_records`. Raises RecordError for surrogate parameters that cannot
+    be read.
     """
     farthest: dict[str, float] = {}
     first: dict[str, tuple] = {}
@@ -329,11 +320,5 @@ def _remembered(cache):
 
 
 def _remember(cache, known):
-    temporary = Path(f"{os.fspath(cache)}.{os.getpid()}.tmp")
-    try:
-        temporary.parent.mkdir(parents=True, exist_ok=True)
-        recent = dict(list(known.items())[-MAX_REMEMBERED:])
-        temporary.write_text(json.dumps(recent, indent=0), encoding="utf-8")
-        temporary.replace(cache)
-    except OSError:
-        pass
+    with contextlib.suppress(OSError):
+        write_json(cache, dict(list(known.items())[-MAX_REMEMBERED:]), indent=0)

@@ -20,20 +20,9 @@ def chain_motions(record, chain):
 
 
 def floor_columns(record, chain):
-    """Times and accelerations of ground and floors under a record, as scenes take them.
+    """Times, and accelerations of ground and floors by column, as `floor_motions.read` gives them.
 
-    Parameters
-    ----------
-    record : rocking.records.Record
-        Where it has a vertical motion, that is the ground's and every floor's.
-    chain : dict
-        Section smdof.
-
-    Returns
-    -------
-    time_s : ndarray, shape (nt,)
-    columns : dict of str to ndarray
-        As `yade_scripts.model.floor_motions.read` gives them.
+    `chain` is section smdof. A vertical motion of the record is the ground's and every floor's.
     """
     motion = chain_motions(record, chain)
     columns = {GROUND: motion.ground_m_s2}

@@ -24,20 +24,10 @@ NOISE_BOUNDS_HZ = (1.0, 8.0)  # of the ground filter, as for surrogates from pea
 
 
 def find_pulses(record, count, rate_per_s=ROCKING_PER_S):
-    """Find the pulses of a record.
+    """Find so many pulses of a record, the one with the most ∫u² first.
 
-    Parameters
-    ----------
-    record : Record
-        With its baseline treated: a drift would be taken for a pulse.
-    count : int
-    rate_per_s : float
-        p, the rocking frequency √(3g/4R); 0 for the velocity itself.
-
-    Returns
-    -------
-    tuple of Pulse
-        The one with the most ∫u² first.
+    Its baseline is treated: a drift would be taken for a pulse. The rate is p, the rocking
+    frequency √(3g/4R) [1/s]; 0 for the velocity itself.
     """
     dt = record.dt_s
     t = record.time_s
@@ -69,20 +59,9 @@ def find_pulses(record, count, rate_per_s=ROCKING_PER_S):
 def pulse_spec(record, count, dt_s=0.01):
     """Parameters of a surrogate with the record's own pulses, and noise for the rest of it.
 
-    The noise takes the rms of what the pulses leave, its frequency from that rest's PGA/PGV, and
-    its envelope from the rest's Arias intensity: rise to 5 %, plateau to 75 %, decay to 95 %.
-
-    Parameters
-    ----------
-    record : Record
-    count : int
-        Number of pulses, one or more.
-    dt_s : float
-        Step of the surrogate.
-
-    Returns
-    -------
-    Spec
+    The noise takes the rms of what the `count` pulses leave, its frequency from that rest's
+    PGA/PGV, and its envelope from the rest's Arias intensity: rise to 5 %, plateau to 75 %, decay
+    to 95 %. `dt_s` is the step of the surrogate.
     """
     pulses = find_pulses(record, count)
     t = record.time_s

@@ -2,14 +2,15 @@
 
 `{name}.csv` has the columns time_s and acceleration_m_s2, vertical_m_s2 where the record is used
 with its vertical motion, and nothing else, so that any tool reads it; `{name}.json` beside it has
-name, dt_s, source, units_read, baseline and details. Both are written to a temporary name and
-renamed.
+name, dt_s, source, units_read, baseline and details.
 """
 
 import json
 import os
 
 import numpy as np
+
+from yade_scripts.files import write_atomic, write_json
 
 from .errors import RecordError
 from .formats.columns import read_columns
@@ -24,17 +25,6 @@ def side_path(path):
     return os.path.splitext(os.fspath(path))[0] + ".json"
 
 
-def _write(path, content):
-    temporary = f"{path}.{os.getpid()}.tmp"
-    try:
-        with open(temporary, "w", encoding="utf-8", newline="\n") as stream:
-            stream.write(content)
-        os.replace(temporary, path)
-    finally:
-        if os.path.exists(temporary):
-            os.remove(temporary)
-
-
 def write_csv(record, path):
     """Write a record as `path` (CSV) and its provenance beside it (JSON)."""
     columns = {"time_s": record.time_s, "acceleration_m_s2": record.acceleration_m_s2}
@@ -44,17 +34,14 @@ def write_csv(record, path):
     body = "".join(",".join(f"{value:.9g}" for value in row) + "\n" for row in rows)
     provenance = {key: getattr(record, key) for key in _KEYS} | {"details": record.details}
     # Provenance first: a CSV that exists always has its side file.
-    _write(side_path(path), json.dumps(provenance, indent=1, sort_keys=True) + "\n")
-    _write(os.fspath(path), ",".join(columns) + "\n" + body)
+    write_json(side_path(path), provenance, sort_keys=True)
+    write_atomic(path, ",".join(columns) + "\n" + body)
 
 
 def read_csv(path):
     """Read a record written by `write_csv`.
 
-    Raises
-    ------
-    RecordError
-        Either file missing or damaged, or the two do not belong together.
+    A RecordError where either file is missing or damaged, or the two do not belong together.
     """
     channel, *other = read_columns(read_text(path))
     side = side_path(path)

@@ -21,16 +21,9 @@ SOLVABLE_NOISE = ("rms_m_s2", "frequency_hz", "low_cut_hz")
 
 
 def read_specs(path):
-    """Read the surrogate parameters of all records in a file.
+    """Read the surrogate parameters (`Spec`) of all records in a file.
 
-    Returns
-    -------
-    dict of str to Spec
-
-    Raises
-    ------
-    RecordError
-        Naming the file and the key (or, for YAML itself, the line).
+    A RecordError names the file and the key (or, for YAML itself, the line).
     """
     text = read_text(path)
     if len(text.lines) > MAX_LINES:

@@ -229,18 +229,7 @@ def _row(text, number, cells):
 
 
 def second_component(rows, name):
-    """Name of the other record of a table with the same event and station.
-
-    Parameters
-    ----------
-    rows : dict of str to Row
-    name : str
-
-    Returns
-    -------
-    str or None
-        None where there is none, or more than one.
-    """
+    """Name of the other record with the same event and station; None for none or several."""
     place = _place(rows[name])
     mates = [
         other

@@ -11,20 +11,11 @@ from .integrate import COLUMNS, Control
 
 @dataclass(frozen=True)
 class BatchResult:
-    """Peaks of every case, each array of shape (cases,) unless noted.
+    """Peaks of every case, each array of shape (cases,).
 
-    Attributes
-    ----------
-    scale, theta0_over_alpha : ndarray
-        Factor on the accelerations and release angle.
-    peak_d_over_b, peak_theta_over_alpha : ndarray
-        Largest |d/b| and largest outward rotation up to the end or the stop.
-    overturned : ndarray of bool
-        |d/b| reached 1, outward or, without return walls, inward.
-    status : list of str
-        "finished", "overturned" or "failed" (state not finite).
-    end_time_s : ndarray
-    steps : ndarray of int
+    Factor on the accelerations and release angle; largest |d/b| and largest outward rotation up to
+    the end or the stop; whether |d/b| reached 1, outward or, without return walls, inward;
+    "finished", "overturned" or "failed" (state not finite).
     """
 
     scale: np.ndarray
@@ -51,33 +42,10 @@ def simulate_batch(
 ):
     """Simulate one wall under one motion at many amplitudes, or from many release angles.
 
-    Parameters
-    ----------
-    wall : Wall
-    motion : SupportTable or None
-        None leaves the supports at rest.
-    scales : float or array_like, shape (cases,)
-        Factors on all accelerations of `motion`.
-    duration_s : float or None
-        As in `simulate`.
-    theta0_over_alpha : float or array_like, shape (cases,)
-    tolerance, max_step_s, min_step_s : float
-        As in `simulate`.
-    dt_s : float or None
-        A fixed step instead, with the classical Runge–Kutta scheme: the largest
-        step; each interval of the motion is divided equally. First-order accurate
-        across the jumps of the contact forces, otherwise fourth.
-    stop_d_over_b : float
-        A case ends when |d/b| exceeds it.
-
-    Returns
-    -------
-    BatchResult
-
-    Raises
-    ------
-    ValueError
-        As `simulate`; also if `dt_s` is not positive.
+    Amplitudes, factors on all accelerations, and angles over α are one number or one a case. The
+    other parameters and errors are those of `simulate`. `dt_s` takes in place of error control a
+    fixed step of the classical Runge–Kutta scheme, the largest one: each interval of the motion is
+    divided equally. First-order accurate across the jumps of the contact forces, otherwise fourth.
     """
     motion, duration = checked(wall, motion, duration_s)
     if dt_s is not None and not (math.isfinite(dt_s) and dt_s > 0.0):

@@ -23,16 +23,8 @@ Y, Z, THETA, VY, VZ, OMEGA, WORK_CONTACT, WORK_INPUT, SLIP = range(9)
 class Law(NamedTuple):
     """Block and nodes as plain arrays, base nodes first.
 
-    Attributes
-    ----------
-    n_base : int
-    eta_m, zeta_m, kn_n_m, ks_n_m, friction : ndarray, shape (nodes,)
-        Body coordinates, stiffnesses, tan φ.
-    segment : ndarray of int, shape (nodes − n_base,)
-        Return-wall segment of each node that is not the base's.
-    bounded : bool
-        See `Wall`.
-    beta_s, gap_m, mass_kg, inertia_kg_m2, gravity_m_s2, h_m, b_m : float
+    Of the nodes body coordinates, stiffnesses and tan φ, shape (nodes,); of those that are not the
+    base's the return-wall segment, shape (nodes − n_base,). `bounded` is as in `Wall`.
     """
 
     n_base: int
@@ -94,15 +86,8 @@ def penetration(law, i, y, z, cos, sin, wall_u):
 def rates(law, state, base_m_s2, lift_m_s2, wall_u, wall_v, out, limit):
     """Time derivative of the state and the friction limits μN, into `out` and `limit`.
 
-    Parameters
-    ----------
-    law : Law
-    state, out : ndarray, shape (8 + nodes,)
-    base_m_s2, lift_m_s2 : float
-        Accelerations of the supports along y and z.
-    wall_u, wall_v : ndarray, shape (segments,)
-        Return-wall displacements and velocities relative to the base.
-    limit : ndarray, shape (nodes,)
+    Supports accelerate along y and z; return walls, of shape (segments,), have displacements and
+    velocities relative to the base. State and `out` are of shape (8 + nodes,), limits (nodes,).
     """
     y, z, theta = state[Y], state[Z], state[THETA]
     vy, vz, omega = state[VY], state[VZ], state[OMEGA]

@@ -13,10 +13,7 @@ from yade_scripts.model.shape import refuse
 def wall_of(case, nodes):
     """Planar wall of a case file with so many nodes along every edge.
 
-    Raises
-    ------
-    ValueError
-        One line, for return walls that it does not have: those of free, W1 and W2 alone.
+    A ValueError of one line for return walls that it does not have: those of free, W1 and W2 alone.
     """
     facade, wall, kind = case["facade"], case["return_wall"], registry.model(case["model"])
     if kind.walls not in ("none", "one", "floors") or kind.bonded or kind.two_way:
@@ -60,13 +57,8 @@ def motion_of(time_s, columns, model):
     return SupportTable(float(time_s[1] - time_s[0]), ground, floors, vertical)
 
 
-def peak_d_over_b(case, motion_path, direction, pga_g, *, nodes=33, tolerance=1e-5):
-    """Largest |d|/b of one history, 1 if it overturns, NaN if it failed."""
-    return peak_and_end(case, motion_path, direction, pga_g, nodes=nodes, tolerance=tolerance)[0]
-
-
 def peak_and_end(case, motion_path, direction, pga_g, *, nodes, tolerance):
-    """Largest |d|/b of one history as `peak_d_over_b`, and the time simulated [s]."""
+    """Largest |d|/b of one history, 1 if it overturns, NaN if it failed; time simulated [s]."""
     found = outcomes(case, motion_path, direction, [pga_g], nodes=nodes, tolerance=tolerance)
     return float(found.d_over_b[0]), float(found.end_s[0])
 
@@ -74,14 +66,8 @@ def peak_and_end(case, motion_path, direction, pga_g, *, nodes, tolerance):
 class Outcomes(NamedTuple):
     """Of histories at some amplitudes, each of shape (n,).
 
-    Attributes
-    ----------
-    d_over_b : ndarray
-        Largest |d|/b, 1 where the façade overturns, NaN where the history failed.
-    status : list of str
-        "ok", "overturned" or "failed".
-    end_s : ndarray
-        Time simulated.
+    Largest |d|/b, 1 where the façade overturns, NaN where the history failed; "ok", "overturned" or
+    "failed"; time simulated.
     """
 
     d_over_b: np.ndarray
@@ -108,12 +94,7 @@ def answers(case, motion, direction, pga_g, *, nodes, tolerance):
 
 
 def ensemble_peaks(case, motion_path, direction, pga_g, factors, *, nodes=17, dt_s=4e-4):
-    """Largest d/b of every realisation of an ensemble of amplitude factors, 1 where it overturns.
-
-    Returns
-    -------
-    ndarray, shape (len(factors),)
-    """
+    """Largest d/b by factor of an ensemble of amplitudes, 1 where the façade overturns."""
     motion = read_motion(motion_path, case["model"])
     scales = amplitude(motion.base_m_s2, direction, pga_g) * np.asarray(factors, float)
     result = simulate_batch(wall_of(case, nodes), motion, scales, dt_s=dt_s, stop_d_over_b=1.0)

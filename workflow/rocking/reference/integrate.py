@@ -36,14 +36,9 @@ COLUMNS = 11  # of a row: time, the state before the slips, d [m], elastic energ
 
 
 class Control(NamedTuple):
-    """When and how finely to step.
+    """When and how finely to step, see `adaptive.simulate`; `stop_m` is a bound on |d|.
 
-    Attributes
-    ----------
-    duration_s, tolerance, max_step_s, min_step_s, stop_m : float
-        See `adaptive.simulate`; `stop_m` is a bound on |d|.
-    fixed_s : float
-        A fixed step instead of error control where it is positive.
+    A fixed step takes the place of error control where it is positive.
     """
 
     duration_s: float
@@ -108,27 +103,10 @@ def _row(law, state, time, u, rows, written):
 def march(law, drive, factor, state, unit, control, segments, rows):
     """Advance one case with error control, friction returned at every step.
 
-    Parameters
-    ----------
-    law : Law
-    drive : Drive
-    factor : float
-        On all accelerations; its sign on the horizontal ones alone.
-    state : ndarray, shape (8 + nodes,)
-        Of the start.
-    unit : ndarray, shape (6,)
-        Units in which the errors of y, z, θ and their rates are measured.
-    control : Control
-    segments : int
-    rows : ndarray, shape (n, COLUMNS)
-        Empty: no rows are written.
-
-    Returns
-    -------
-    rows, written : ndarray, int
-    peak_m, peak_theta_rad, last_m, time_s : float
-        Largest |d| and outward rotation; last d.
-    steps, rejected : int
+    The factor is on all accelerations, its sign on the horizontal ones alone. `unit`, shape (6,),
+    are those in which the errors of y, z, θ and their rates are measured. Rows, shape (n, COLUMNS),
+    are written unless there are none. Returns rows, how many were written, largest |d| [m] and
+    outward rotation [rad], last d [m], time [s], steps, rejected.
     """
     u, v = np.zeros(segments + 1), np.zeros(segments + 1)
     stages, limit = np.empty((7, state.size)), np.empty(law.eta_m.size)

@@ -6,18 +6,9 @@ import numpy as np
 
 
 def integrate_linear(acceleration, dt_s):
-    """Velocity and displacement of a piecewise-linear acceleration, from rest, at its samples.
+    """Velocity and displacement of a piecewise-linear acceleration, shape (..., nt), from rest.
 
     v grows by (a₀ + a₁)h/2 and u by v₀h + (2a₀ + a₁)h²/6 in a step, exactly.
-
-    Parameters
-    ----------
-    acceleration : ndarray, shape (..., nt)
-    dt_s : float
-
-    Returns
-    -------
-    velocity, displacement : ndarray, shape (..., nt)
     """
     a0, a1 = acceleration[..., :-1], acceleration[..., 1:]
     start = np.zeros(acceleration.shape[:-1] + (1,))
@@ -89,39 +80,6 @@ class SupportTable:
         object.__setattr__(self, "relative_m", displacement)
 
     @property
-    def intervals(self):
-        """Number of intervals between samples."""
-        return self.base_m_s2.size - 1
-
-    @property
     def duration_s(self):
         """Time of the last sample."""
-        return self.intervals * self.dt_s
-
-    def interval(self, k, segments):
-        """Polynomials of interval k as a function of τ from its start.
-
-        Returns
-        -------
-        callable
-            τ → (base acceleration, wall displacements, wall velocities), the last
-            two relative to the base, shape (segments,), or None where they are zero.
-            Beyond the last interval: the state that the last sample leaves.
-        """
-        moving = self.walls_m_s2 is not None and segments > 0
-        if k >= self.intervals:
-            last = self.relative_m[:, -1] if moving else None
-            return lambda tau: (0.0, last, np.zeros(segments) if moving else None)
-        a0, a1 = self.base_m_s2[k], self.base_m_s2[k + 1]
-        slope = (a1 - a0) / self.dt_s
-        if not moving:
-            return lambda tau: (a0 + slope * tau, None, None)
-        w0 = self.relative_m_s2[:, k]
-        jerk = (self.relative_m_s2[:, k + 1] - w0) / self.dt_s
-        v0, u0 = self.relative_m_s[:, k], self.relative_m[:, k]
-
-        def at(tau):
-            u = u0 + tau * (v0 + tau * (w0 / 2.0 + tau * jerk / 6.0))
-            return a0 + slope * tau, u, v0 + tau * (w0 + tau * jerk / 2.0)
-
-        return at
+        return (self.base_m_s2.size - 1) * self.dt_s

@@ -183,13 +183,8 @@ class Wall:
     def released_pose(self, theta_rad):
         """Centroid (y, z) of the block held at θ about its front toe.
 
-        The toe stands at y = b (the heel at y = 0 for θ < 0); the block sinks until
-        the elastic base forces carry its weight. θ = 0 is the block at rest.
-
-        Raises
-        ------
-        ValueError
-            If |θ| is not below a right angle.
+        The toe stands at y = b (the heel at y = 0 for θ < 0); the block sinks until the elastic
+        base forces carry its weight. θ = 0 is the block at rest. |θ| is below a right angle.
         """
         if not abs(theta_rad) < 0.5 * math.pi:
             raise ValueError(f"theta: expected less than a right angle, got {theta_rad} rad")

@@ -20,25 +20,10 @@ def risk_of(model, curves, stations_of, brackets, hazard, risk, settings):
     that a façade which stands again above a collapse counts as it is. Beside it stands that of the
     lognormal fragility. Intervals come from stations drawn with replacement.
 
-    Parameters
-    ----------
-    model : str
-    curves : dict
-        By model, record and direction, intensity and share in the hazard's measure
-        (`studies.fragility_tables.shares`).
-    stations_of : mapping
-        Station by record.
-    brackets : DataFrame
-        Of the same in the hazard's measure, by the share that falls
-        (`studies.fragility_tables.brackets`).
-    hazard : rocking.risk.hazard.Hazard
-    risk, settings : dict
-        Sections risk (years, bins) and fragility (confidence, resamples, min_stations; seed).
-
-    Returns
-    -------
-    dict, list of tuple
-        A row with COLUMNS, NaN where nothing falls; rows with PARTS.
+    `curves` (`studies.fragility_tables.shares`) have intensity and share in the hazard's measure by
+    model, record and direction, `brackets` (of the same module) the share that falls; `risk` and
+    `settings` are sections risk (years, bins) and fragility (confidence, resamples, min_stations;
+    seed). Returns a row of COLUMNS, NaN where nothing falls, and rows of PARTS.
     """
     places, confidence = [stations_of[key[1]] for key in curves], settings["confidence"]
     many = (len({key[1] for key in curves}), len(set(places)))

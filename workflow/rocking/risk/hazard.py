@@ -92,17 +92,7 @@ def read_hazard(path, period_s, site=None):
 def stated_hazard(resolved, find):
     """File of the hazard curve that a configuration names, read and found to serve it.
 
-    Parameters
-    ----------
-    resolved : dict
-        Resolved configuration.
-    find : callable
-        Returns where a file of the configuration is.
-
-    Raises
-    ------
-    HazardError
-        In one line that names the key.
+    `find` returns where a file of the configuration is. A HazardError names the key.
     """
     path = resolved["risk"]["hazard"]
     if path is None:
@@ -232,13 +222,7 @@ def _export(path, lines, period_s, site):
 
 
 def measure_of(imt, period_s, path):
-    """Name of the measure that OpenQuake calls `imt`.
-
-    Raises
-    ------
-    HazardError
-        If no measure of this project is meant, or Sa is at another period than the run's.
-    """
+    """Name of the measure that OpenQuake calls `imt`; refuse others, and another period."""
     if imt in ("PGA", "PGV"):
         return {"PGA": "pga_g", "PGV": "pgv_cm_s"}[imt]
     spectral = re.fullmatch(r"SA\(([0-9.]+)\)", imt)

@@ -25,21 +25,10 @@ def moments(median, dispersion):
 
 
 def document(name, description, imt, fits, discrete=False):
-    """Text of a fragility model.
+    """Text of a fragility model; `fits` are `Fragility` by taxonomy.
 
-    Parameters
-    ----------
-    name, description : str
-    imt : str
-        OpenQuake's name of the intensity measure, "PGA" in g, "PGV" in cm/s, "SA(0.27)" in g.
-    fits : dict of str to rocking.risk.fragility.Fragility
-        By taxonomy.
-    discrete : bool
-        Probabilities at `POINTS` intensities in place of mean and standard deviation.
-
-    Returns
-    -------
-    str
+    `imt` is OpenQuake's name of the intensity measure, "PGA" in g, "PGV" in cm/s, "SA(0.27)" in g.
+    Discrete: probabilities at `POINTS` intensities in place of mean and standard deviation.
     """
     root = ET.Element("nrml", xmlns=NAMESPACE)
     model = ET.SubElement(

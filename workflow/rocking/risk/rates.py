@@ -33,24 +33,11 @@ def _pieces(hazard, edges):
 
 
 def by_interval(hazard, median, dispersion, inner=()):
-    """Rate of collapse by intervals of intensity, at which the shaking lies that fells the façade.
+    """Edges of intervals of intensity, (n + 1,), and rates of collapse there, (m, n) [1/year].
 
-    Over an interval (a, b) it is ∫ F |dλ| = λ(a)F(a) − λ(b)F(b) + ∫ λ dF.
-
-    Parameters
-    ----------
-    hazard : rocking.risk.hazard.Hazard
-    median, dispersion : array_like, shape (m,) or scalar
-        θ and β of one fragility or of many.
-    inner : array_like
-        Further edges of intervals.
-
-    Returns
-    -------
-    edges : ndarray, shape (n + 1,)
-        The hazard's intensities and `inner`, ascending, between 0 and ∞.
-    rate : ndarray, shape (m, n)
-        [1/year]; ∞ or 0 for a median of 0 or ∞.
+    Over an interval (a, b) it is ∫ F |dλ| = λ(a)F(a) − λ(b)F(b) + ∫ λ dF, for m fragilities of θ
+    and β; ∞ or 0 for a median of 0 or ∞. Edges are the hazard's intensities and `inner`, ascending,
+    between 0 and ∞.
     """
     theta = np.atleast_1d(np.asarray(median, float))[:, None]
     beta = np.atleast_1d(np.asarray(dispersion, float))[:, None]
@@ -70,21 +57,10 @@ def by_interval(hazard, median, dispersion, inner=()):
 
 
 def of_curve(hazard, intensity, share, edges):
-    """Rate of collapse of a curve by intervals of intensity, ∫ P |dλ|.
+    """Rate of collapse of a curve by intervals of intensity, ∫ P |dλ| [1/year].
 
-    Parameters
-    ----------
-    hazard : rocking.risk.hazard.Hazard
-    intensity, share : ndarray, shape (m,)
-        Collapse probability by ascending intensity, in the hazard's measure; below the first
-        nothing falls, above the last it stays what it is there.
-    edges : ndarray, shape (n + 1,)
-        Of the intervals, ascending, from 0 to ∞.
-
-    Returns
-    -------
-    ndarray, shape (n,)
-        [1/year]
+    `share` is the collapse probability by ascending intensity in the hazard's measure; below the
+    first nothing falls, above the last it stays what it is there. Edges ascend from 0 to ∞.
     """
     low, _ = cells(intensity)
     points = np.unique(np.concatenate([low, edges]))
@@ -96,13 +72,7 @@ def of_curve(hazard, intensity, share, edges):
 
 
 def collapse_rate(hazard, median, dispersion):
-    """Annual rate of collapse, and the share of it from beyond the hazard table.
-
-    Returns
-    -------
-    rate, outside : ndarray, shape (m,)
-        [1/year], [-].
-    """
+    """Annual rate of collapse [1/year], and the share of it from beyond the hazard table."""
     _, rate = by_interval(hazard, median, dispersion)
     total = rate.sum(axis=1)
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -71,14 +71,7 @@ class Runs:
 
     def key(self, dotted):
         """Return the function of a run's name that looks up a key of its configuration."""
-
-        def value(run):
-            found = self.settings[run]
-            for name in dotted.split("."):
-                found = found[name]
-            return found
-
-        return value
+        return lambda run: configuration.value_at(self.settings[run], dotted)
 
     def named(self, dotted):
         """Like `key`, for names of records; ends the workflow in one line if one is unknown."""
@@ -107,13 +100,7 @@ class Runs:
         return list(self.tables[run]) if wanted == "all" else self.known(run, "records", wanted)
 
     def check_vertical(self, run, key, names):
-        """Refuse records without a vertical motion.
-
-        Raises
-        ------
-        ConfigError
-            In one line with the key that needs it, the table and its line.
-        """
+        """Refuse records without a vertical motion: the key that needs it, the table, its line."""
         for row in (self.tables[run][name] for name in names):
             if row.vertical_path is None:
                 raise configuration.ConfigError(
@@ -123,13 +110,7 @@ class Runs:
                 )
 
     def known(self, run, key, names) -> list[str]:
-        """Return record names that a configuration key gives.
-
-        Raises
-        ------
-        ConfigError
-            In one line for a name that is not in the run's table.
-        """
+        """Return record names that a configuration key gives; refuse what is not in the table."""
         for name in names:
             if name not in self.tables[run]:
                 raise configuration.ConfigError(

@@ -18,13 +18,7 @@ def _key(*settings):
 
 
 class Shared:
-    """Keys of the folders in `results/.shared`.
-
-    Parameters
-    ----------
-    settings : dict of str to dict
-        Resolved configuration of each run.
-    """
+    """Keys of the folders in `results/.shared`, by the resolved configuration of each run."""
 
     def __init__(self, settings):
         """Name the settings of each run."""

@@ -17,18 +17,8 @@ COLUMNS += ["pga_p10_g", "pga_median_g", "pga_max_g", "runs_planar"]
 def forms(case, bases, law):
     """A case on each base that is equally probable, by the name of the form.
 
-    Parameters
-    ----------
-    case : Case
-        Its name is its model's; that of another base has the base behind.
-    bases : sequence of str
-        Values of facade.base; none: the case's own alone.
-    law : path
-        Coefficients of the law of β, which may differ by base.
-
-    Returns
-    -------
-    dict of str to Case
+    The name is the model's; that of another base has the base behind. Without `bases`, values of
+    facade.base, the case's own alone. The law of β may differ by base.
     """
     found, own = {}, case["facade"]["base"]
     for base in bases or [own]:
@@ -41,24 +31,9 @@ def forms(case, bases, law):
 
 
 def collapse(name, case, motion, direction, factors, settings):
-    """Collapse of a case over the sample, the first `replicates` of it twice.
+    """Collapse (COLUMNS) of a case over the sample, the first `replicates` of it twice.
 
-    Parameters
-    ----------
-    name : str
-        Of the form, see `forms`.
-    case : Case
-    motion : Motion
-    direction : str
-    factors : DataFrame
-        Of `sampling.factors`.
-    settings : dict
-        max_pga_g, replicates.
-
-    Returns
-    -------
-    list of dict
-        COLUMNS.
+    `name` is that of the form, `factors` of `sampling.factors`; settings are max_pga_g, replicates.
     """
     rows, first, limit = [], None, settings["max_pga_g"]
     for number, factor in enumerate(factors.to_dict("records")):
@@ -80,19 +55,8 @@ def collapse(name, case, motion, direction, factors, settings):
 def sampled_motions(runs, run):
     """Direction of every motion of a run's design, by record.
 
-    Parameters
-    ----------
-    runs : rocking.runs.Runs
-    run : str
-
-    Returns
-    -------
-    dict of str to str
-
-    Raises
-    ------
-    ValueError
-        In one line where the sample cannot be drawn, or fewer than three records are short enough.
+    A ValueError of one line where the sample cannot be drawn, or fewer than three records are short
+    enough.
     """
     resolved = runs.settings[run]
     own = resolved["uncertainty"]

@@ -24,14 +24,6 @@ def two_way(table):
     """Mean, and variances by row, by column and of the rest, of a crossed table without repeats.
 
     E[MS_row] = rest + columns·V_row, and likewise for the columns (Scheffé, 1959, section 7.4).
-
-    Parameters
-    ----------
-    table : ndarray, shape (rows, columns)
-
-    Returns
-    -------
-    mean, by_row, by_column, rest : float
     """
     rows, columns = table.shape
     mean = table.mean()
@@ -46,16 +38,8 @@ def two_way(table):
 def components(y, numerical=0.0):
     """Variances of `PARTS`; they may be negative by chance where a part is nothing.
 
-    Parameters
-    ----------
-    y : ndarray, shape (motions, points, models)
-        Logarithms of collapse intensities.
-    numerical : float
-        Variance of e.
-
-    Returns
-    -------
-    dict of str to float
+    `y` are logarithms of collapse intensities, shape (motions, points, models), `numerical` the
+    variance of e.
     """
     motions, points, models = y.shape
     middle = y.mean(axis=2)
@@ -76,19 +60,9 @@ def components(y, numerical=0.0):
 
 
 def cube(table):
-    """Logarithms of collapse as (motions, points, models), and the motions that are complete.
+    """Logarithms of collapse, shape (motions, points, models), and complete motions and models.
 
-    A motion under which some cell never collapsed is left out.
-
-    Parameters
-    ----------
-    table : DataFrame
-        record, model, sample, replicate, pga_median_g; the medians' row is left out.
-
-    Returns
-    -------
-    y : ndarray
-    records, models : list of str
+    A motion under which some cell never collapsed is left out, and so is the medians' row.
     """
     mine = table[(table["replicate"] == 0) & (table["sample"] > 0)]
     wide = mine.pivot(index="record", columns=["sample", "model"], values="pga_median_g").dropna()
@@ -107,21 +81,11 @@ def numerical_variance(table):
 
 
 def interval(statistic, shape, confidence):
-    """A statistic and its interval by leaving out one motion, then one point, at a time.
+    """A statistic, of indices of motions and of points, with the ends of its interval.
 
-    The two jackknife variances add up, which errs to the wide side (Owen, 2007, Ann. Appl. Stat. 1,
-    386); Student's t with the smaller number of degrees of freedom.
-
-    Parameters
-    ----------
-    statistic : callable
-        From indices of motions and of points to an ndarray.
-    shape : (int, int)
-        Motions and points.
-
-    Returns
-    -------
-    best, low, high : ndarray
+    By leaving out one motion, then one point, at a time: the two jackknife variances add up, which
+    errs to the wide side (Owen, 2007, Ann. Appl. Stat. 1, 386); Student's t with the smaller number
+    of degrees of freedom. `shape` is (motions, points).
     """
     every = [np.arange(n) for n in shape[:2]]
     best, variance = statistic(*every), 0.0
@@ -137,10 +101,7 @@ def interval(statistic, shape, confidence):
 def table_of_parts(y, numerical, confidence):
     """Dispersion and share of every part, and of the whole, with intervals (`interval`).
 
-    Returns
-    -------
-    DataFrame
-        part, beta, beta_low, beta_high, share, share_low, share_high; the last row is the total.
+    part, beta, beta_low, beta_high, share, share_low, share_high; the last row is the total.
     """
 
     def variances(motions, points):
@@ -157,22 +118,11 @@ def table_of_parts(y, numerical, confidence):
 
 
 def first_order(scores, y):
-    """Slopes of the mean over motions on the scores, and first-order indices.
+    """Slopes of the mean over motions on the scores, first-order indices, and adjusted R².
 
-    ln C = c_0 + Σ c_i z_i + rest with standardised, independent z; Sobol's first-order index of a
-    linear answer is c_i²/V. The error of c_i is taken off its square, so an idle parameter has an
-    index of zero on average.
-
-    Parameters
-    ----------
-    scores : ndarray, shape (points, parameters)
-    y : ndarray, shape (motions, points)
-
-    Returns
-    -------
-    slope, index : ndarray, shape (parameters,)
-    r_squared : float
-        Of the regression, adjusted for its number of parameters.
+    ln C = c_0 + Σ c_i z_i + rest with standardised, independent z, shape (points, parameters), and
+    y of shape (motions, points); Sobol's first-order index of a linear answer is c_i²/V. The error
+    of c_i is taken off its square, so an idle parameter has an index of zero on average.
     """
     answer = y.mean(axis=0)
     a = np.column_stack([np.ones(len(scores)), scores])
@@ -187,12 +137,9 @@ def first_order(scores, y):
 
 
 def sensitivities(scores, y, confidence):
-    """`first_order` with intervals (`interval`).
+    """`first_order` with intervals (`interval`), by parameter.
 
-    Returns
-    -------
-    DataFrame
-        slope, slope_low, slope_high, index, index_low, index_high, r_squared; by parameter.
+    slope, slope_low, slope_high, index, index_low, index_high, r_squared.
     """
 
     def both(motions, points):

@@ -20,22 +20,10 @@ PLACES = {  # dotted key of a case, for parameters that are one value of it
 
 
 def scores(settings):
-    """Standardised values of a sample, mean 0 and standard deviation 1, without the medians' row.
+    """Standardised values of a sample, shape (samples, parameters), without the medians' row.
 
-    Parameters
-    ----------
-    settings : dict
-        Section uncertainty: samples, sampling, seed, parameters.
-
-    Returns
-    -------
-    ndarray, shape (samples, parameters)
-
-    Raises
-    ------
-    ValueError
-        One line for fewer points than two for every slope, or Sobol' points that are no power of
-        two.
+    Mean 0 and standard deviation 1, by section uncertainty. A ValueError for fewer points than two
+    for every slope, or Sobol' points that are no power of two.
     """
     from scipy.stats import qmc  # slow to load, and a plan needs none
 
@@ -57,15 +45,10 @@ def scores(settings):
 
 
 def factors(settings):
-    """Factor on every parameter by sample; row MEDIAN has ones.
+    """Factor on every parameter (columns) by sample; row MEDIAN has ones.
 
     exp(σ z) for a lognormal one, 1 + r z/√3 for a uniform one, with z the score and σ or r the
     spread.
-
-    Returns
-    -------
-    DataFrame
-        One column a parameter.
     """
     z = scores(settings)
     columns = {}
@@ -80,15 +63,10 @@ def factors(settings):
 
 
 def variant(case, factor):
-    """Variant of a case with the parameters times their factors.
+    """Variant of a case with the parameters times their factors, by parameter.
 
     Friction is the coefficient tan φ of base and back joints; a length of return wall that is null
     is h/2 before it is multiplied.
-
-    Parameters
-    ----------
-    case : Case
-    factor : mapping of str to float
     """
     changes, factors = {}, {}
     for name, value in factor.items():
@@ -105,21 +83,7 @@ def variant(case, factor):
 
 
 def motions(names, directions, settings):
-    """Records and directions of the design: drawn without replacement, one direction each.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Records that may be drawn.
-    directions : sequence of str
-    settings : dict
-        motions, seed.
-
-    Returns
-    -------
-    dict of str to str
-        Direction by record, in the order of `names`.
-    """
+    """Direction by record of the design: records drawn without replacement, one direction each."""
     rng = np.random.default_rng(settings["seed"])
     count = min(settings["motions"], len(names))
     chosen = sorted(rng.choice(len(names), count, replace=False))

@@ -25,24 +25,18 @@ class Format:
     read: Any
 
 
-# Order matters: formats with a marked header first, bare columns last.
+MARKED = (at2, geonet, esm, cosmos, csmip, smc, knet, packed)  # by a header; looked for first
+BARE = {
+    "csv": ("columns apart by commas", columns.read_columns),
+    "two-column": ("time and acceleration", columns.read_columns),
+    "columns": ("more columns", columns.read_columns),
+    "wrapped": ("several a line", columns.read_wrapped),
+    "single-column": ("one a line", columns.read_single),
+}
 FORMATS = {
-    form.name: form
-    for form in (
-        Format("at2", at2.DESCRIPTION, at2.sniff, at2.read),
-        Format("geonet", geonet.DESCRIPTION, geonet.sniff, geonet.read),
-        Format("esm", esm.DESCRIPTION, esm.sniff, esm.read),
-        Format("cosmos", cosmos.DESCRIPTION, cosmos.sniff, cosmos.read),
-        Format("csmip", csmip.DESCRIPTION, csmip.sniff, csmip.read),
-        Format("smc", smc.DESCRIPTION, smc.sniff, smc.read),
-        Format("knet", knet.DESCRIPTION, knet.sniff, knet.read),
-        Format("packed", packed.DESCRIPTION, packed.sniff, packed.read),
-        Format("csv", "columns apart by commas", columns.sniff_csv, columns.read_columns),
-        Format(
-            "two-column", "time and acceleration", columns.sniff_two_column, columns.read_columns
-        ),
-        Format("columns", "more columns", columns.sniff_columns, columns.read_columns),
-        Format("wrapped", "several a line", columns.sniff_wrapped, columns.read_wrapped),
-        Format("single-column", "one a line", columns.sniff_single, columns.read_single),
-    )
+    **{m.NAME: Format(m.NAME, m.DESCRIPTION, m.sniff, m.read) for m in MARKED},
+    **{
+        name: Format(name, words, columns.sniffs(name), read)
+        for name, (words, read) in BARE.items()
+    },
 }

@@ -58,12 +58,8 @@ MAX_CHANNELS = 200
 def channels(text, read_one):
     """All channels of a file that holds one after another.
 
-    Parameters
-    ----------
-    text : Text
-    read_one : callable
-        Takes the text and the line of a heading; returns the channel, or None for one that is
-        left aside, and the line after.
+    `read_one` takes the text and the line of a heading; it returns the channel, or None for one
+    that is left aside, and the line after.
     """
     found: list[Channel] = []
     line = 1

@@ -122,29 +122,9 @@ def _labels(line, layout, columns):
     return [""] * columns
 
 
-def sniff_csv(text):
-    """Tell whether the first numbers are apart by commas or semicolons."""
-    return _layout(text).kind == "csv"
-
-
-def sniff_two_column(text):
-    """Tell whether there are two columns apart by blanks, the first rising."""
-    return _layout(text).kind == "two-column"
-
-
-def sniff_columns(text):
-    """Tell whether there are more columns apart by blanks, with time first or all named."""
-    return _layout(text).kind == "columns"
-
-
-def sniff_wrapped(text):
-    """Tell whether numbers stand several to a line and the first of them is no time."""
-    return _layout(text).kind == "wrapped"
-
-
-def sniff_single(text):
-    """Tell whether there is one number a line."""
-    return _layout(text).kind == "single-column"
+def sniffs(kind):
+    """Return the function that tells whether a file is of a kind: the name of a format here."""
+    return lambda text: _layout(text).kind == kind
 
 
 def read_columns(text):

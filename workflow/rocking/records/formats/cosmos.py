@@ -14,7 +14,7 @@ from ..record import unit_name
 from ..text import fixed_block, parse_count, parse_number
 from .channel import Channel, channels
 
-DESCRIPTION = "COSMOS V1.20"
+NAME, DESCRIPTION = "cosmos", "COSMOS V1.20"
 MAX_HEADING = 200
 _FIRST = re.compile(r"\(Format v[\d.]+ with\s+(\d{1,3}) text lines\)", re.I)
 _HEADING = re.compile(

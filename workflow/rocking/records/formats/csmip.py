@@ -17,7 +17,7 @@ from ..record import unit_name
 from ..text import fixed_block, parse_count, parse_number
 from .channel import Channel, channels
 
-DESCRIPTION = "CSMIP Volumes 1 and 2"
+NAME, DESCRIPTION = "csmip", "CSMIP Volumes 1 and 2"
 _DATA = re.compile(
     r"\s*(\d+) POINTS OF (ACCEL|VELOC|DISPL) DATA EQUALLY SPACED AT\s+([\d.]+)\s+SEC[.,]"
     r"\s*(?:\(UNITS:|IN)\s*(\S+?)[.)]?(?:\s.*)?",

@@ -10,7 +10,7 @@ from ..record import unit_name
 from ..text import free_block, parse_count, parse_number
 from .channel import Channel
 
-DESCRIPTION = "ESM, ITACA ASCII"
+NAME, DESCRIPTION = "esm", "ESM, ITACA ASCII"
 MAX_HEADER = 200
 _KEY = re.compile(r"([A-Z][A-Z0-9_/^]*)\s*:(.*)")
 

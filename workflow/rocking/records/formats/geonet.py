@@ -11,7 +11,7 @@ from ..record import unit_name
 from ..text import fixed_block, parse_count, parse_number
 from .channel import Channel
 
-DESCRIPTION = "GeoNet V1A, V2A"
+NAME, DESCRIPTION = "geonet", "GeoNet V1A, V2A"
 TEXT_LINES, INTEGER_LINES, REAL_LINES = 16, 4, 6
 MAX_CHANNELS = 30
 _RAW = re.compile(r"intervals\s+of\s+([\d.]+)\s*s", re.I)

@@ -11,7 +11,7 @@ import numpy as np
 from ..text import MAX_SAMPLES, gridded_block, parse_number
 from .channel import Channel
 
-DESCRIPTION = "K-NET, KiK-net"
+NAME, DESCRIPTION = "knet", "K-NET, KiK-net"
 HEADER = 17
 _SCALE = re.compile(r"([\d.]+)\(gal\)/([\d.]+)")
 _KEYS = ("Sampling Freq(Hz)", "Duration Time(s)", "Dir.", "Scale Factor", "Max. Acc. (gal)")

@@ -25,7 +25,7 @@ from ..record import SHIPPED, unit_name
 from ..text import MAX_SAMPLES
 from .channel import Channel
 
-DESCRIPTION = "the project's packed motions"
+NAME, DESCRIPTION = "packed", "the project's packed motions"
 FIRST = "ROCKING MOTIONS 1"
 RESOLUTION = 1e-4  # of a motion's peak
 MAX_MOTIONS = 1000
@@ -53,12 +53,7 @@ def write(path, motions, **words):
 def pack(acceleration, about):
     """Return the lines of one motion.
 
-    Parameters
-    ----------
-    acceleration : ndarray, shape (n,)
-        In about["units"].
-    about : dict
-        label, station, event, time_utc, units, dt_s.
+    It is in about["units"]; `about` has label, station, event, time_utc, units and dt_s.
     """
     a = np.asarray(acceleration, dtype=float)
     q = float(f"{RESOLUTION * np.max(np.abs(a)):.6e}")

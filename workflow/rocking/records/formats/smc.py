@@ -10,7 +10,7 @@ import re
 from ..text import fixed_block, parse_count, parse_number
 from .channel import Channel
 
-DESCRIPTION = "USGS SMC"
+NAME, DESCRIPTION = "smc", "USGS SMC"
 TEXT_LINES, INTEGER_LINES, REAL_LINES = 11, 6, 10
 MAX_COMMENTS = 10_000
 UNKNOWN = 1.7e38
