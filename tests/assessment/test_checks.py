@@ -12,9 +12,7 @@ from rocking.assessment.demand import (
 )
 from rocking.assessment.family import pulls_of
 from rocking.mechanics.blocks import Facade, courses, interlocking, overturning, two_blocks
-from rocking.mechanics.closed_forms import (
-    block,
-)
+from rocking.mechanics.closed_forms import Interlocked, block
 from scipy.optimize import brentq
 
 WALL = overturning(Facade(6.0, 0.6, 100e3))
@@ -121,7 +119,7 @@ def test_interlocking_by_hand():
     Two walls: 62.8 kN at 2 m: α0 = 0.1 + 62.8·2/300 = 0.5188. Courses summed have 1/0.8 of it for
     many courses, and the same height: μ γ t v h n(n − 1)/2 = 0.577·18·0.4·0.15·0.3·190 = 35.52 kN.
     """
-    given = (6.0, 0.3, 0.4, 0.15, 0.577, 18e3)
+    given = (6.0, Interlocked(0.3, 0.15, 0.4, 0.577), 18e3)
     force, height, reach, fades, _ = interlocking(*given)
     three(force, 62.82e3)
     three(height, 2.0)

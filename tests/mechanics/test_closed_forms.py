@@ -149,16 +149,11 @@ def test_half_sine_threshold(ratio, x_cr):
 
 
 def interlocking(theta, **changes):
-    values = dict(
-        FACADE,
-        w_m=4.4,
-        density_kg_m3=1800.0,
-        return_thickness_m=0.375,
-        course_height_m=0.324,
-        overlap_m=0.125,
-        friction_deg=30.0,
-    )
-    return cf.capacity_interlocking(theta, **(values | changes))
+    values = {"course_height_m": 0.324, "overlap_m": 0.125, "friction_deg": 30.0} | changes
+    friction = np.tan(np.radians(values["friction_deg"]))
+    bricks = cf.Interlocked(values["course_height_m"], values["overlap_m"], 0.375, friction)
+    given = {**FACADE, "w_m": 4.4, "density_kg_m3": 1800.0, "bricks": bricks}
+    return cf.capacity_interlocking(theta, **given, bound=values.get("bound", "upper"))
 
 
 def test_interlocking_curve():

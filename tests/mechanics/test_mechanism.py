@@ -5,7 +5,12 @@ import math
 import numpy as np
 import pytest
 from rocking.mechanics.blocks import Facade, courses, overturning, two_blocks
-from rocking.mechanics.closed_forms import GRAVITY_M_S2, capacity_interlocking, capacity_rigid
+from rocking.mechanics.closed_forms import (
+    GRAVITY_M_S2,
+    Interlocked,
+    capacity_interlocking,
+    capacity_rigid,
+)
 
 WALL = Facade(height_m=6.0, thickness_m=0.6, weight_n=100e3)
 
@@ -61,21 +66,12 @@ def test_a_tie_is_gone_beyond_its_reach():
 def test_interlocking_is_the_kinematic_curve_of_the_study():
     """Same curve as the moment equilibrium of `capacity_interlocking`, before and after slip."""
     h, b, w, rho = 6.48, 0.375, 4.4, 1800.0
-    pulls = courses(h, 0.324, 0.375, 0.125, math.tan(math.radians(30)), rho * 9.81)
+    bricks = Interlocked(0.324, 0.125, 0.375, math.tan(math.radians(30)))
+    pulls = courses(h, bricks, rho * 9.81)
     weight = rho * GRAVITY_M_S2 * h * b * w
     found = overturning(Facade(h, b, weight), pulls)
     theta = np.array([0.0, 0.01, 0.0195, 0.03, 0.05])
-    other = capacity_interlocking(
-        theta,
-        h_m=h,
-        b_m=b,
-        w_m=w,
-        density_kg_m3=rho,
-        return_thickness_m=0.375,
-        course_height_m=0.324,
-        overlap_m=0.125,
-        friction_deg=30.0,
-    )
+    other = capacity_interlocking(theta, h, b, w, rho, bricks)
     assert [found.multiplier(t) for t in theta] == pytest.approx(other, rel=1e-3)
     three(found.multiplier(), 0.2760)
     # Σ F_i = μ γ t_s v h_b n(n − 1)/2 a wall, 20 courses

@@ -113,8 +113,8 @@ def largest_displacement(demand, low_s, high_s, damping_ratio):
     """Largest spectral displacement between two periods [m], and the period it is at [s].
 
     Circolare 7/2019, C8.7.1.2.1.8: so wherever accelerograms or a site response analysis give the
-    spectrum. For a spectrum whose displacement grows with the period it is that at `high_s`; where it
-    is the same from a period on, the first of these.
+    spectrum. For a spectrum whose displacement grows with the period it is that at `high_s`; where
+    it is the same from a period on, the first of these.
     """
     low = max(low_s, high_s / SHORTEST)
     first, last = (math.log(t) / math.log(PERIOD_STEP) for t in (low, high_s))

@@ -27,6 +27,7 @@ import numpy as np
 from rocking.assessment.checks import CANTILEVER, initial_period
 from rocking.assessment.masonry import Masonry
 from rocking.mechanics.blocks import Held, bending, interlocking, toppling
+from rocking.mechanics.closed_forms import Interlocked
 from rocking.mechanics.mechanism import WHOLE, Mechanism
 from yade_scripts.model.floors import place_of
 from yade_scripts.model.holds import FRICTION, holds
@@ -183,16 +184,12 @@ class Family:
         return initial_period(top_m - foot_m, front - back, self.masonry.unit_weight, e, CANTILEVER)
 
     def _interlocked(self, foot_m):
-        own, wall = self.settings, self.wall
-        held = interlocking(
-            self.height_m - foot_m,
-            own["interlocking_course_m"],
-            wall["thickness_m"],
-            own["interlocking_overlap_m"],
-            own["interlocking_friction"],
-            self.masonry.unit_weight,
-            wall["count"],
+        keys = ("course_m", "overlap_m", "friction")
+        course, overlap, friction = (self.settings[f"interlocking_{key}"] for key in keys)
+        bricks = Interlocked(
+            course, overlap, self.wall["thickness_m"], friction, self.wall["count"]
         )
+        held = interlocking(self.height_m - foot_m, bricks, self.masonry.unit_weight)
         return held._replace(height_m=foot_m + held.height_m)
 
     def changes(self):

@@ -178,32 +178,30 @@ def overturning(facade, pulls=(), name="overturning about the base"):
     )
 
 
-def courses(height_m, course_m, return_thickness_m, overlap_m, friction, unit_weight_n_m3, walls=2):
-    """Friction of interlocked courses as `Held`, from the top: F_i = μ γ t_s v h_b i a wall.
+def courses(height_m, bricks, unit_weight_n_m3):
+    """Friction of `Interlocked` walls as `Held`, from the top: F_i = μ γ t_s v h_b i a wall.
 
     Joint i lies at h − i·h_b above the hinge and is gone when it has slipped by the overlap v
     (upper bound of Casapulla et al., 2019). Their sum is μ γ t_s v h_b n(n − 1)/2 a wall, for n
     courses, at (n + 1)h_b/3 above the hinge: for many courses 1.25 times `interlocking`.
     """
-    _positive(course_m=course_m, overlap_m=overlap_m, return_thickness_m=return_thickness_m)
-    count = round(height_m / course_m)
-    force = walls * friction * unit_weight_n_m3 * return_thickness_m * overlap_m * course_m
-    return [Held(force * i, height_m - i * course_m, overlap_m) for i in range(1, count)]
+    force = bricks.return_walls * bricks.rubbing_n(unit_weight_n_m3)
+    course, overlap = bricks.course_height_m, bricks.overlap_m
+    joints = range(1, round(height_m / course))
+    return [Held(force * i, height_m - i * course, overlap) for i in joints]
 
 
-def interlocking(
-    height_m, course_m, return_thickness_m, overlap_m, friction, unit_weight_n_m3, walls=2
-):
-    """Friction of interlocked return walls by the Circolare's C8.7.1.2, as one `Held`.
+def interlocking(height_m, bricks, unit_weight_n_m3):
+    """Friction of `Interlocked` walls by the Circolare's C8.7.1.2, as one `Held`.
 
     F = 0.4 n(n + 1) Φ μ l² t_s W a wall, Φ = h_b/l, n = h/h_b, at a third of the height h above the
     hinge. The code does not say how it fades as the blocks slide off each other; here it falls
     linearly to zero as its point moves by the overlap l.
     """
-    _positive(course_m=course_m, overlap_m=overlap_m, return_thickness_m=return_thickness_m)
-    n, phi = height_m / course_m, course_m / overlap_m
-    one = 0.4 * n * (n + 1.0) * phi * friction * overlap_m**2 * return_thickness_m
-    return Held(walls * one * unit_weight_n_m3, height_m / 3.0, overlap_m, True)
+    overlap = bricks.overlap_m
+    n, phi = height_m / bricks.course_height_m, bricks.course_height_m / overlap
+    one = 0.4 * n * (n + 1.0) * phi * bricks.friction * overlap**2 * bricks.return_thickness_m
+    return Held(bricks.return_walls * one * unit_weight_n_m3, height_m / 3.0, overlap, True)
 
 
 def two_blocks(facade, hinge_height_m):

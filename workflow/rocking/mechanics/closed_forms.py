@@ -6,6 +6,7 @@ radian, rotation positive outward, SI units throughout.
 """
 
 import math
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -202,20 +203,37 @@ def capacity_rigid(theta_rad, h_m, b_m):
     return np.tan(math.atan2(b_m, h_m) - np.asarray(theta_rad, float))
 
 
+@dataclass(frozen=True)
+class Interlocked:
+    """Return walls of courses that interlock with the façade.
+
+    Attributes
+    ----------
+    course_height_m, overlap_m, return_thickness_m : float
+        h_b, v and t_s.
+    friction : float
+        μ = tan φ of the courses on each other.
+    return_walls : int
+    """
+
+    course_height_m: float
+    overlap_m: float
+    return_thickness_m: float
+    friction: float
+    return_walls: int = 2
+
+    def __post_init__(self):
+        """Check the sizes."""
+        _positive(**{k: v for k, v in vars(self).items() if k.endswith("_m")})
+
+    def rubbing_n(self, unit_weight_n_m3):
+        """F_1 = μ γ t_s v h_b in one wall [N]: what rubs in joint i is i times that."""
+        force = self.friction * unit_weight_n_m3 * self.return_thickness_m
+        return force * self.overlap_m * self.course_height_m
+
+
 def capacity_interlocking(
-    theta_rad,
-    *,
-    h_m,
-    b_m,
-    w_m,
-    density_kg_m3,
-    return_thickness_m,
-    course_height_m,
-    overlap_m,
-    friction_deg,
-    bound="upper",
-    return_walls=2,
-    gravity_m_s2=GRAVITY_M_S2,
+    theta_rad, h_m, b_m, w_m, density_kg_m3, bricks, bound="upper", gravity_m_s2=GRAVITY_M_S2
 ):
     """Kinematic capacity curve of a façade that rocks away from interlocked return walls.
 
@@ -228,16 +246,12 @@ def capacity_interlocking(
     ----------
     theta_rad : array_like
         Rotation; the top displacement is d = h sin θ.
-    h_m, b_m, w_m : float
-        Façade height, thickness and width.
-    density_kg_m3 : float
-        Of façade and return walls.
-    return_thickness_m, course_height_m, overlap_m : float
-        t_s, h_b and v; the height must be a whole number of courses.
-    friction_deg : float
+    h_m, b_m, w_m, density_kg_m3 : float
+        Height, thickness and width of the façade; density of it and of the return walls.
+    bricks : Interlocked
+        The height must be a whole number of courses.
     bound : {"upper", "lower"}
         Upper: k_i = 1 while s_i < v, else 0. Lower: k_i = max(0, 1 − s_i/v).
-    return_walls : int
 
     Returns
     -------
@@ -248,32 +262,24 @@ def capacity_interlocking(
     ----------
     Casapulla et al. (2019b), as used for the capacity curves of the study.
     """
-    _positive(
-        h_m=h_m,
-        b_m=b_m,
-        w_m=w_m,
-        density_kg_m3=density_kg_m3,
-        overlap_m=overlap_m,
-        return_thickness_m=return_thickness_m,
-        course_height_m=course_height_m,
-    )
-    courses = round(h_m / course_height_m)
-    if courses < 1 or abs(courses * course_height_m - h_m) > 1e-6 * h_m:
-        raise ValueError(f"course_height_m: {course_height_m} m does not divide h_m = {h_m} m")
+    _positive(h_m=h_m, b_m=b_m, w_m=w_m, density_kg_m3=density_kg_m3)
+    unit_weight = density_kg_m3 * gravity_m_s2
+    course, overlap_m = bricks.course_height_m, bricks.overlap_m
+    courses = round(h_m / course)
+    if courses < 1 or abs(courses * course - h_m) > 1e-6 * h_m:
+        raise ValueError(f"course_height_m: {course} m does not divide h_m = {h_m} m")
     if bound not in ("upper", "lower"):
         raise ValueError(f"bound: expected 'upper' or 'lower', got '{bound}'")
     theta = np.asarray(theta_rad, float)[..., None]
-    unit_weight = density_kg_m3 * gravity_m_s2
     i = np.arange(1, courses)
-    y = h_m - i * course_height_m
-    mu = math.tan(math.radians(friction_deg))
-    force = mu * unit_weight * return_thickness_m * overlap_m * course_height_m * i
+    y = h_m - i * course
     slip = y * np.sin(theta)
     if bound == "upper":
         engaged = (slip < overlap_m).astype(float)
     else:
         engaged = np.maximum(0.0, 1.0 - slip / overlap_m)
-    friction_moment = return_walls * np.sum(force * engaged * y, axis=-1)
+    force = bricks.rubbing_n(unit_weight) * i
+    friction_moment = bricks.return_walls * np.sum(force * engaged * y, axis=-1)
     weight = unit_weight * h_m * b_m * w_m
     cos, sin = np.cos(theta[..., 0]), np.sin(theta[..., 0])
     arm = 0.5 * (b_m * cos - h_m * sin)

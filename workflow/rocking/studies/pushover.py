@@ -95,23 +95,12 @@ def closed_form(d_over_b, config, model):
     if registry.model(model).walls != "bricks":
         return rigid, np.full_like(rigid, np.nan), compliant - rigid
     w3 = config["w3"]
-    bounds = [
-        closed_forms.capacity_interlocking(
-            theta,
-            h_m=h,
-            b_m=b,
-            w_m=facade["width_m"],
-            density_kg_m3=facade["density_kg_m3"],
-            return_thickness_m=wall["thickness_m"],
-            course_height_m=w3["course_height_m"],
-            overlap_m=w3["overlap_m"],
-            friction_deg=w3["friction_deg"],
-            bound=bound,
-            return_walls=wall["count"],
-        )
-        for bound in ("upper", "lower")
-    ]
-    return bounds[0], bounds[1], compliant - rigid
+    friction = math.tan(math.radians(w3["friction_deg"]))
+    sizes = w3["course_height_m"], w3["overlap_m"], wall["thickness_m"]
+    bricks = closed_forms.Interlocked(*sizes, friction, wall["count"])
+    given = theta, h, b, facade["width_m"], facade["density_kg_m3"], bricks
+    upper, lower = (closed_forms.capacity_interlocking(*given, k) for k in ("upper", "lower"))
+    return upper, lower, compliant - rigid
 
 
 def complete_curve(raw, config, model):
