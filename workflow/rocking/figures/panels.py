@@ -45,6 +45,7 @@ def common_legend(figure, last=(), more=(), **place):
     """Give a figure one legend, where it has labels: each once, as it is drawn first.
 
     Labels of `last` come after the others, in its order; then those of `more`, {label: handle}.
+    `ncols` of `place` is the most: rows are made as long as each other.
     """
     entries: dict = {}
     for axis in figure.axes:
@@ -55,6 +56,8 @@ def common_legend(figure, last=(), more=(), **place):
     names += list(more)
     entries.update(more)
     if names:
+        if most := place.get("ncols"):
+            place["ncols"] = -(-len(names) // -(-len(names) // most))
         figure.legend([entries[name] for name in names], names, **place)
 
 
