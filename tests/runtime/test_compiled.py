@@ -23,7 +23,6 @@ from rocking.records import Record
 from rocking.reference.facade import answers, motion_of
 
 
-
 def compiled():
     own = [vars(m) for name, m in sys.modules.items() if name.startswith("rocking.")]
     found = {f for names in own for f in names.values() if isinstance(f, Dispatcher)}
