@@ -80,6 +80,22 @@ def test_a_list_or_a_plan_that_is_none_is_named(tmp_path, sections, content):
         assert said.startswith(f"{wrong}: "), command.__name__
 
 
+@pytest.mark.parametrize("plan", [{"runs": [0.1]}, {"start_g": 0.1, "ranges": []}])
+def test_plans_of_runs_and_of_a_climb_are_both_taken(tmp_path, sections, monkeypatch, plan):
+    """The first is of a dense scan, the second of a complete building. YADE is loaded after it."""
+
+    def reached():
+        raise RuntimeError("the plan was taken")
+
+    monkeypatch.setattr(ida.adapter, "load_yade", reached)
+    case, motion = written(tmp_path / "W1.json", sections), str(tmp_path / "m.csv")
+    floor_motions.write(motion, np.array([0.0, 0.01]), np.array([0.0, 1.0]))
+    words = ["--scene", case, "--motion", motion, "--record", "A", "--direction", "neg"]
+    words += ["--plan", written(tmp_path / "plan.json", plan), "--journal", str(tmp_path / "j")]
+    with pytest.raises(RuntimeError, match="the plan was taken"):
+        ida.main([*words, "--output", str(tmp_path / "out.csv")])
+
+
 def test_a_faulty_motion_is_named_with_its_file(tmp_path):
     path = tmp_path / "m.csv"
     for rows, words in (

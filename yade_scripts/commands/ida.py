@@ -60,7 +60,9 @@ def main(arguments=None):
     )
     args = parser.parse_args(arguments)
     case, time_s, columns = command.opened(args)
-    plan = read_json(args.plan, "start_g") if args.plan else {}
+    plan = read_json(args.plan) if args.plan else {}
+    if not isinstance(plan, dict) or (args.plan and not {"runs", "start_g"} & set(plan)):
+        raise ValueError(f"{args.plan}: expected an object with runs, or with start_g and ranges")
     if not math.isfinite(case.get("beta_s", 0.0)):
         raise ValueError(f"{args.scene}: beta_s must be finite")
     start = plan.get("start_g", 1.0)
