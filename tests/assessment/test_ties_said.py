@@ -90,3 +90,6 @@ def test_rows_that_are_there_are_not_said_to_be_needless():
     given.config["facade"]["ties"] = [{"height_m": 3.0}]
     said = "None besides those that are there are needed for this demand."
     assert ties_said.answer(given) == said
+    given.tables["verdicts"] = pd.DataFrame()
+    said = "None besides those that are there are needed by hand; the dynamic check was not made."
+    assert ties_said.answer(given) == said

@@ -162,6 +162,8 @@ def test_the_verdict_says_what_moves_and_when_it_rests_on_motions_that_do_not_fi
     assert f"the joint of {bent}, moves 50 mm" in said[2]
     assert "; 80 % of draws of single histories say the same." in said[2]
     assert said[2].endswith("does not fit the demand within the code's bounds.")
+    said = headline(*given, pd.DataFrame(), part, "In 475 years", 1.35)
+    assert "the façade passes by hand: life safety" in said[0]
 
 
 @pytest.mark.parametrize(

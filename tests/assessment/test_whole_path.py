@@ -224,6 +224,8 @@ def test_with_the_rows_given_back_it_passes_and_with_95_per_cent_of_the_force_it
     stated, tied = yaml.safe_load(CONFIG), yaml.safe_load((folder / "ties.yaml").read_text())
     rows = tied["facade"]["ties"]
     assert len(rows) > len(stated["facade"]["ties"])
+    longest_s = pd.read_csv(folder / "selected_spectra.csv")["period_s"].max()
+    assert tied["assessment"]["match_high_s"] == pytest.approx(longest_s, rel=1e-5)
 
     def with_rows(factor):
         added = [{**r, "diameter_mm": factor**0.5 * r["diameter_mm"]} for r in rows[1:]]

@@ -7,6 +7,10 @@ import numpy as np
 from yade_scripts.model.floors import loaded
 
 
+class DoesNotStandError(ValueError):
+    """A façade that falls by its own weight, before anything shakes it."""
+
+
 def settlement(weight_n, kn_n_m, lift_m):
     """Settlement s at which the base nodes carry the weight, Σ kn·max(0, s − lift) = W [m].
 
@@ -26,7 +30,7 @@ def lean(weight, lever, kn_n_m, points, b, walls_stand):
 
     About the toe Σ F_i a_i cos φ = W (b_g cos φ − z_g sin φ), with a_i the nodes' places inward
     from it and (b_g, z_g) the lever of its weight and loads. Return walls hold what leans on them;
-    ValueError where nothing holds it.
+    DoesNotStandError where nothing holds it.
     """
     (arm, height), place = lever, (1.0 - points) * b
 
@@ -42,7 +46,7 @@ def lean(weight, lever, kn_n_m, points, b, walls_stand):
     steps = side * math.atan2(arm, height) * np.linspace(0.0, 1.0, 201)
     balanced = [i for i, angle in enumerate(steps) if side * excess(angle) <= 0.0]
     if not balanced:
-        raise ValueError(
+        raise DoesNotStandError(
             f"facade: weight and loads stand {arm:.3g} m from the front of the base and the façade "
             "does not stand on it; expected them nearer the middle"
         )

@@ -261,6 +261,10 @@ def motions(data):
         (r.record, r.station, r.component, r.event, f"{r.factor:.3f}", f"{r.pga_g:.3f}")
         for r in found.itertuples()
     ]
+    if found.empty:
+        return Table(
+            "No motions were chosen: the dynamic check was not made.", ("",), [], (1.0,)
+        ), []
     table = Table(
         "Motions, each scaled by its factor so that their mean fits the demand's spectrum (picture "
         "of the dynamic check).",
@@ -271,7 +275,7 @@ def motions(data):
     )
     said = found[["source", "licence"]].drop_duplicates().itertuples(index=False)
     lines = []
-    for source, licence in said if len(found) else ():
+    for source, licence in said:
         of = f"Licence: {licence}." if licence else "Its file states no licence."
         lines.append(f"Source: {source or 'not stated'} {of}")
     return table, lines

@@ -19,6 +19,8 @@ def answer(data):
         return "Not looked for: assessment.tie_levels_m is empty."
     if by_hand and held is not False:
         beside = " besides those that are there" if data.config["facade"]["ties"] else ""
+        if held is None:
+            return f"None{beside} are needed by hand; the dynamic check was not made."
         return f"None{beside} are needed for this demand."
     kept = rows[rows["force_kn"] > 0.0]
     if kept.empty:
@@ -82,7 +84,8 @@ def section(data, folder):
     if len(rows):
         tables = [_rows(rows, folder), _after(after, folder)]
         lines.append(
-            f"To assess the façade with these rows, give {folder}/ties.yaml after its own file. "
+            f"To assess the façade with these rows under the same motions, give {folder}/ties.yaml "
+            "after its own file. "
             "By hand alone each row is the least: with less in any one of them a mechanism fails. "
             "Under the motions rows that pull on a failing mechanism grow until it holds, one or "
             "all of them, by the least force in sum; then each gives back what the others have "

@@ -106,8 +106,9 @@ def headline(checks, mechanisms, verdicts, shaken, when, factor, fit=None):
     share = per_cent(least["pga_fails_g"] / demand)
     well = by_hand and held is not False
     which = "" if well or not by_hand else "under recorded motions; by hand it is "
+    passed = "passes by hand" if held is None else "passes"
     first = (
-        f"{when} (PGA {g3(demand)} g) the façade {'passes' if well else 'does not pass'}: "
+        f"{when} (PGA {g3(demand)} g) the façade {passed if well else 'does not pass'}: "
         f"life safety (SLV) is {'lost ' + which if which else ''}"
         f"{'kept up to' if by_hand else 'lost at'} {share} of that shaking, with FC = {factor:g}."
     )

@@ -16,6 +16,8 @@ from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
+from yade_scripts.model.rest import DoesNotStandError
+
 VARIED = {  # factors by key
     "facade.thickness_m": (0.95, 1.05),
     "facade.e_mpa": (0.5, 2.0),
@@ -35,14 +37,20 @@ CLEAR = 1.1  # of that start; a collapse no higher is sought again from the usua
 
 
 def half_collapse(case, motion, direction, max_pga_g, stated_g):
-    """PGA of half collapse of a changed façade [g], sought from below that of the stated one."""
+    """PGA of half collapse of a changed façade [g], sought from below that of the stated one.
+
+    0 of one that does not stand at rest.
+    """
     start, limit, found = BELOW * stated_g, {"max_pga_g": max_pga_g}, np.nan
     known = np.isfinite(stated_g)
-    if known:
-        near = crossings(case, motion, direction, {**limit, "from_g": start})
-        found = near["pga_median_g"]
-    if not known or found < CLEAR * start:
-        found = crossings(case, motion, direction, limit)["pga_median_g"]
+    try:
+        if known:
+            near = crossings(case, motion, direction, {**limit, "from_g": start})
+            found = near["pga_median_g"]
+        if not known or found < CLEAR * start:
+            found = crossings(case, motion, direction, limit)["pga_median_g"]
+    except DoesNotStandError:
+        found = 0.0
     return {"pga_stated_g": stated_g, "pga_changed_g": found}
 
 

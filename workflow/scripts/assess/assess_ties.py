@@ -1,6 +1,7 @@
 """Rows of ties with which the façade passes: by hand, then under the chosen motions.
 
-The rows stand as YAML too, to be given beside the façade's own file.
+The rows stand as YAML too, to be given beside the façade's own file: to the last digit, and with
+the range of periods by which the motions were chosen, so that it is held to the same ones.
 """
 
 import json
@@ -8,7 +9,7 @@ import json
 import pandas as pd
 import yaml
 from rocking import Case
-from rocking.assessment import site, ties, ties_shaken
+from rocking.assessment import selection, site, ties, ties_shaken
 from rocking.assessment.verdict import relied_on
 from rocking.records import load_as
 from rocking.runtime.script import run
@@ -23,7 +24,8 @@ def main(job):
     settings = json.loads(job.params.settings)
     records = {n: load_as(settings, n, job.params.table) for n in job.params.records}
     given = settings, list(records.values()), job.input.spectrum, job.input.hazard
-    tied = ties.Tied(settings, site.demand_from(*given))
+    demand = site.demand_from(*given)
+    tied, longest_s = ties.Tied(settings, demand), selection.longest_period(settings, demand)
     motions = [(records[r.record], r.pga_g) for r in pd.read_csv(job.input.motions).itertuples()]
     verdicts, shaken, relied = read_tables(job.input.verdicts), None, ""
     if motions:
@@ -43,12 +45,11 @@ def main(job):
     write_table(ties.after(tied, found, shaken), job.output.after, ties.AFTER)
     write_table(shaken.rows if shaken else [], job.output.tried, ties_shaken.TRIED)
     rows = [*settings["facade"]["ties"], *tied.entries(found.rows)]
-    rows = [
-        {k: float(f"{v:.6g}") if isinstance(v, float) else v for k, v in r.items()} for r in rows
-    ]
-    text = yaml.safe_dump(
-        {"run": f"{job.params.run}_tied", "facade": {"ties": rows}}, sort_keys=False
-    )
+    rows = [{k: float(v) if isinstance(v, float) else v for k, v in r.items()} for r in rows]
+    given = {"run": f"{job.params.run}_tied", "facade": {"ties": rows}}
+    if motions:  # a tied façade's own longest period would choose others
+        given["assessment"] = {"match_high_s": float(longest_s)}
+    text = yaml.safe_dump(given, sort_keys=False)
     with open(job.output.yaml, "w", encoding="utf-8") as file:
         file.write(ADDED.format(path=job.output.yaml) + text)
 
