@@ -190,7 +190,7 @@ def test_reference_and_runs_scale_a_motion_alike(tmp_path, monkeypatch):
     monkeypatch.setattr(reference, "simulate_batch", stand_in)
     job = {**resolved(), "model": "W1", "beta_s": BETA_S}
     for direction in ("pos", "neg"):
-        reference.peak_d_over_b(job, path, direction, 0.3)
+        reference.peak_and_end(job, path, direction, 0.3, nodes=33, tolerance=1e-5)
     peak = np.max(np.abs(rows[:, 1]))
     np.testing.assert_allclose(np.array(scales) * peak, [0.3 * 9.80665, -0.3 * 9.80665])
     given = [amplitude(rows[:, 1], direction, 0.3) for direction in ("pos", "neg")]
