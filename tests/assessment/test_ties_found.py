@@ -3,9 +3,10 @@
 import json
 import math
 
+import pandas as pd
 import pytest
 from rocking import Case, Motion
-from rocking.assessment import inputs, ties, ties_shaken
+from rocking.assessment import dynamic_check, inputs, ties, ties_shaken
 from rocking.assessment.code_checks import slv_pga
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.shaken import label
@@ -238,6 +239,57 @@ def test_the_table_has_what_fails_with_less_and_what_the_model_of_the_rate_asks_
     assert [row["model"] for row in table] == ["", "W2", ""]
     assert [row["force_relied_kn"] for row in table] == [5.0, 2.0, 1.0]
     assert [row["force_kn"] for row in table] == [5.0, 9.0, 0.0]
+
+
+def test_rods_that_are_sold_are_the_next_size_with_which_it_holds():
+    """A stronger row that fails where the least one holds is passed over, the highest first."""
+    tied = ties.Tied(sections(PLAIN, tie_levels_m=[3.0, 6.0]), DEMAND)
+    tied.failing, tied.passes = lambda rows: {}, lambda rows, beyond: True
+    rows = [ties.TieRow(3.0, 60e3), ties.TieRow(6.0, 80e3)]
+    found = ties.Found(rows, [60e3, 80e3], [], [None, None], [60e3, 80e3])
+    shaken = Shaken(tied, {"whole": ([1, 0], (0.0, 1.0), 0.0)})
+    own = tied.sections["strengthening"]
+
+    def force_n(d_mm):
+        return own["count"] * own["yield_mpa"] * math.pi / 4.0 * d_mm**2
+
+    least = [next(d for d in ties.COMMERCIAL_MM if force_n(d) >= row.force_n) for row in rows]
+    assert ties.sold(tied, found, shaken) == (least, True)
+    shaken.holds = lambda rows, failing: not math.isclose(rows[1].force_n, force_n(least[1]))
+    larger = next(d for d in ties.COMMERCIAL_MM if d > least[1])
+    assert ties.sold(tied, found, shaken) == ([least[0], larger], True)
+    table = ties.table_of(found, own, "W1", ([least[0], larger], True))
+    assert [row["commercial_mm"] for row in table] == [least[0], larger]
+    shaken.holds = lambda rows, failing: False
+    assert not ties.sold(tied, found, shaken)[1]
+
+
+@pytest.mark.parametrize(("fallen", "holds"), [((), True), ((3,), False)])
+def test_a_part_of_which_one_repetition_falls_does_not_hold(monkeypatch, fallen, holds):
+    """One motion beyond half of d_SLV, five repetitions: one that falls leaves 83 % of draws."""
+    limits, asked = dynamic_check.Limits(0.5, 0.2, 0.3), []
+    peaks = {"calm": 0.1 * limits.slv_m, "far": 0.9 * limits.slv_m}
+
+    def rows(name, ends):
+        about = {"record": name, "direction": "pos", "d_m": peaks[name]}
+        return pd.DataFrame([{**about, "realisation": k, "status": s} for k, s in ends])
+
+    def repeated(job, name, direction, pga_g, count):
+        asked.append(name)
+        ends = enumerate(["overturned" if k in fallen else "ok" for k in range(count)], 1)
+        return rows(name, ends)
+
+    monkeypatch.setattr(dynamic_check, "histories", lambda job, n, *more: rows(n, [(0, "ok")]))
+    monkeypatch.setattr(dynamic_check, "perturbed", repeated)
+    turns = [((name, 0.3), "pos") for name in peaks]
+    said, turn = dynamic_check.decided({}, turns, limits, 5, 1)
+    assert asked == ["far"]
+    assert said["holds"] is holds
+    assert said["exceed_d0"] == 0
+    assert said["agree"] == pytest.approx(1.0 if holds else 5 / 6, abs=0.03)
+    assert turn == (None if holds else turns[1])
+    once, _ = dynamic_check.decided({}, turns, limits, 0, 1)
+    assert once["holds"]
 
 
 def test_what_no_row_makes_hold_is_left_out_and_grows_none():

@@ -7,7 +7,8 @@ top relative to the base, and so are the limits; d/b is cut off at 1, where a fa
 
 Near collapse a history turns on its last digits. So motions are run as realisations too, which
 differ in amplitude, node layout and step, and the verdict is drawn over and over with one
-realisation of each motion.
+realisation of each motion. A check that is fulfilled in a smaller share of the draws than
+`LEAST_DRAWS` hangs on the numerics, and counts as not passed.
 """
 
 from typing import NamedTuple
@@ -21,6 +22,8 @@ from rocking.collapse.motion import Motion
 from yade_scripts.model.shape import shape_of
 
 DRAWS = 2000
+LEAST_DRAWS = 0.95  # share with which a check that is fulfilled counts as passed
+NEAR = 0.5  # of d_SLV: of motions that move a façade less no perturbed history decides
 COLUMNS = ["model", "record", "direction", "realisation", "pga_g", "d_over_b", "d_m", "status"]
 
 
@@ -84,9 +87,67 @@ def checked(job, motions, directions, limits, realisations):
     return pd.concat(found, ignore_index=True)
 
 
+def decided(job, turns, limits, realisations, seed):
+    """The check, ended once it cannot be passed.
+
+    Parameters
+    ----------
+    job : dict
+        A case file.
+    turns : list of ((Record, pga_g), direction)
+        In the order in which they are run.
+    limits : Limits
+    realisations : int
+        Perturbed histories of each motion that moves the façade by more than `NEAR` d_SLV.
+    seed : int
+        See `verdict`.
+
+    Returns
+    -------
+    about : dict
+        exceed_d0, mean_d_m, d_slv_m, histories, agree (share of draws that fulfil it), holds.
+    turn : tuple or None
+        What ended it.
+    """
+    found, far, ended, total_m = [], [], None, 0.0
+    for turn in turns:
+        (record, pga_g), direction = turn
+        table = histories(job, record, direction, [pga_g])
+        found.append(table)
+        d_m = table.loc[table["status"] != "failed", "d_m"].max()
+        total_m += 0.0 if np.isnan(d_m) else d_m
+        if d_m > NEAR * limits.slv_m:
+            far.append((d_m, turn))
+        if exceeds(table, limits).any() or total_m > limits.slv_m * len(turns):
+            ended = turn
+            break
+    far = sorted(far, key=lambda one: -one[0]) if realisations and ended is None else []
+    for _, turn in far:
+        (record, pga_g), direction = turn
+        found.append(perturbed(job, record, direction, pga_g, realisations))
+        if exceeds(found[-1], limits).sum() > (1.0 - LEAST_DRAWS) * (realisations + 1):
+            ended = turn
+            break
+    table = pd.concat(found, ignore_index=True)
+    if (table["status"] == "failed").all():
+        said = {"exceed_d0": 0, "mean_d_m": 0.0, "agree": 1.0, "slv": False}
+    else:
+        said = verdict(table, limits, seed)
+    share = said["agree"] if said["slv"] else 1.0 - said["agree"]
+    about = {"exceed_d0": said["exceed_d0"], "mean_d_m": said["mean_d_m"]}
+    about |= {"d_slv_m": limits.slv_m, "histories": len(table), "agree": share}
+    holds = ended is None and said["slv"] and share >= LEAST_DRAWS
+    return about | {"holds": bool(holds)}, ended
+
+
 def exceeds(table, limits):
     """Whether each history exceeds d0."""
     return ((table["status"] == "overturned") | (table["d_m"] > limits.d0_m)).to_numpy()
+
+
+def surely(verdicts):
+    """Whether each row of verdicts is fulfilled for SLV, and in `LEAST_DRAWS` of its draws."""
+    return verdicts["slv"].astype(bool) & (verdicts["agree"] >= LEAST_DRAWS)
 
 
 def verdict(table, limits, seed):

@@ -14,6 +14,9 @@ that does not hold a row that pulls on it is made stronger, in steps of 1/0.95, 
 (`ties_shaken.grown`). Last, every row gives back what the others' growth has made needless
 (`ties_shaken.lowered`), so that 95 % of each row, the others as they are, has been tried and does
 not pass. What no added row makes hold is left out here too.
+
+Rods come in sizes, and under the motions a stronger row may fail where a weaker one holds. So the
+rows are tried with rods that are sold too, the next size wherever they fail (`sold`).
 """
 
 import math
@@ -21,14 +24,23 @@ from typing import NamedTuple
 
 from rocking.assessment.code_checks import slv_pga
 from rocking.assessment.family import LEAST_PART_M, Family
-from rocking.assessment.shaken import label
-from rocking.assessment.ties_shaken import LEAST_SHARE, MOST_SHARE, grown, lowered
+from rocking.assessment.shaken import label, of_label
+from rocking.assessment.ties_shaken import (
+    BY_HAND,
+    LEAST_SHARE,
+    MOST_SHARE,
+    first_failing,
+    grown,
+    held_by,
+    lowered,
+)
 from rocking.studies.strengthening import row_of_rods
 
 CLOSE = 0.005  # relative, of a row's least force
 COMMERCIAL_MM = (8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 36, 40, 45, 50, 60, 70, 80)
 ROWS = ["height_m", "force_by_hand_kn", "force_kn", "count", "diameter_mm", "commercial_mm"]
 ROWS += ["yield_mpa", "length_m", "model", "governed_by", "relied", "force_relied_kn"]
+ROWS += ["sold_holds"]
 AFTER = ["part", "mechanism", "pga_fails_g", "ratio", "exceed_d0", "mean_d_m", "d_slv_m", "holds"]
 AFTER += ["beyond"]
 
@@ -244,7 +256,49 @@ def found(tied, shaken, stands, say=lambda text: None):
     return Found(rows, by_hand, sorted({*tied.failing(rows), *shaken.left}), why, relied)
 
 
-def table_of(result, own, relied=""):
+def sold(tied, result, shaken, say=lambda text: None):
+    """Rods that are sold with which the façade passes as with the rows found.
+
+    Of each row the next size; while a mechanism fails with them, by hand or shaken, the one after
+    that for the highest of the rows that pull on it.
+
+    Returns
+    -------
+    sizes : list of float
+        Diameter of each row's rods [mm].
+    holds : bool
+        False where no size does.
+    """
+    own = tied.sections["strengthening"]
+    least = [row_of_rods(own, r.height_m, 1e-3 * r.force_n)["diameter_mm"] for r in result.rows]
+    sizes = [commercial(d) if d else 0.0 for d in least]
+    while True:
+        rows = [
+            row._replace(force_n=row.force_n * (size / d) ** 2) if d else row
+            for row, size, d in zip(result.rows, sizes, least, strict=True)
+        ]
+        which = _pulling(tied, rows, result.beyond, shaken)
+        said = " ".join(f"{d:g}" for d in sizes)
+        if which is None:
+            say(f"as sold: φ {said} hold")
+            return sizes, True
+        larger = commercial(sizes[which[0]] + 0.01) if which else math.inf
+        if larger > COMMERCIAL_MM[-1]:
+            say(f"as sold: φ {said} do not hold")
+            return sizes, False
+        sizes[which[0]] = larger
+
+
+def _pulling(tied, rows, beyond, shaken):
+    """Rows that pull on a mechanism that fails, the highest first; None where none fails."""
+    by_hand = [name for name in tied.failing(rows) if name not in beyond]
+    if by_hand:
+        return held_by(of_label(tied.family(rows))[by_hand[0]].mechanism, rows)
+    failing = None if shaken is None else first_failing(shaken, rows, shaken.models)
+    return None if failing in (None, BY_HAND) else failing.rows
+
+
+def table_of(result, own, relied="", as_sold=None):
     """Rows as a table, with the rods they take (ROWS).
 
     Also a row of no force that the model tried first asks for.
@@ -256,10 +310,12 @@ def table_of(result, own, relied=""):
         Section strengthening.
     relied : str
         Model that was tried first; empty without the dynamic check.
+    as_sold : tuple, optional
+        What `sold` returns; without it the next sizes, untried.
     """
-    rows = []
-    every = zip(result.rows, result.by_hand_n, result.why, result.relied_n, strict=True)
-    for row, least_n, why, relied_n in every:
+    rows, (sizes, holds) = [], as_sold or ([None] * len(result.rows), "")
+    every = zip(result.rows, result.by_hand_n, result.why, result.relied_n, sizes, strict=True)
+    for row, least_n, why, relied_n, tried_mm in every:
         if not row.force_n and not relied_n:
             continue
         rod = row_of_rods(own, row.height_m, 1e-3 * row.force_n)
@@ -267,12 +323,13 @@ def table_of(result, own, relied=""):
         rods = (
             rod["count"],
             size,
-            commercial(size),
+            tried_mm or commercial(size),
             rod["yield_mpa"],
             rod["length_m"],
             *((why.model, why.mechanism) if why else ("", "")),
             relied,
             1e-3 * relied_n,
+            int(holds) if tried_mm else "",
         )
         forces = 1e-3 * least_n, 1e-3 * row.force_n
         rows.append(dict(zip(ROWS, (row.height_m, *forces, *rods), strict=True)))

@@ -45,13 +45,21 @@ def answer(data):
         rest = f" for all but {some} that no row at these levels holds, {words_of(left)}{rest}"
     many = len(kept) > 1
     with_rows = f"With {'rows' if many else 'a row'} of ties of {said}"
-    return f"{with_rows} {what} pass{rest}.{alone} {less(many, bool(left))}{relied(rows)}"
+    more = less(many, bool(left)) + as_sold(kept) + relied(rows)
+    return f"{with_rows} {what} pass{rest}.{alone} {more}"
 
 
 def less(many, beyond):
     """Sentence on 95 % of a row: each was tried, the others as they are."""
     of = "any one row, the others as they are," if many else "the force"
     return f"With 95 % of {of} {'a further mechanism fails' if beyond else 'they do not'}."
+
+
+def as_sold(rows):
+    """Sentence on the rods that are sold, which stand in brackets; nothing where none was tried."""
+    if rows["sold_holds"].isna().any():
+        return ""
+    return f" With the rods in brackets {'they do' if rows['sold_holds'].all() else 'not all do'}."
 
 
 def relied(rows):

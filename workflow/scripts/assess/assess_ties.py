@@ -10,6 +10,7 @@ import pandas as pd
 import yaml
 from rocking import Case
 from rocking.assessment import selection, site, ties, ties_shaken
+from rocking.assessment.dynamic_check import surely
 from rocking.assessment.verdict import relied_on
 from rocking.records import load_as
 from rocking.runtime.script import run
@@ -33,14 +34,16 @@ def main(job):
         relied = relied_on([case.model for case in cases])
         cases.sort(key=lambda case: case.model != relied)
         shaken = ties_shaken.Shaken(cases, tied, motions, settings["directions"])
-    stands = bool(len(verdicts)) and bool(verdicts["slv"].all())
+    stands = bool(len(verdicts)) and bool(surely(verdicts).all())
 
     def say(text):
         with open(str(job.log), "a", encoding="utf-8") as log:
             log.write(f"{text}\n")
 
     found = ties.found(tied, shaken, stands, say)
-    rows = ties.table_of(found, settings["strengthening"], relied)
+    there = any(row.force_n for row in found.rows)
+    as_sold = ties.sold(tied, found, shaken, say) if there else None
+    rows = ties.table_of(found, settings["strengthening"], relied, as_sold)
     write_table(rows, job.output.rows, ties.ROWS)
     write_table(ties.after(tied, found, shaken), job.output.after, ties.AFTER)
     write_table(shaken.rows if shaken else [], job.output.tried, ties_shaken.TRIED)
