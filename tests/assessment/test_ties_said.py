@@ -9,11 +9,12 @@ from rocking.assessment import ties_said
 GABLE = "part above 6.40 m (foot of the gable)"
 
 
-def data(forces, left=(), by_hand=0.1, tried=True, relied=None, levels=None):
+def data(forces, left=(), by_hand=0.1, tried=True, relied=None, levels=None, sold=None):
     """A report's tables: rows at 3.2 and 6.4 m, mechanisms that remain, a façade that fails."""
     rows = pd.DataFrame({"height_m": [3.2, 6.4][: len(forces)], "force_kn": forces})
     rows = rows.assign(count=2, commercial_mm=10, yield_mpa=235.0, relied="W2m")
     rows["force_relied_kn"] = forces if relied is None else relied
+    rows["sold_holds"] = float("nan") if sold is None else sold
     found = [(name, int(name in left)) for name in ("whole", *left)]
     mechanisms = {"mechanism": ["whole"], "kind": ["as stated"], "pga_fails_g": [by_hand]}
     tables = {
@@ -22,7 +23,9 @@ def data(forces, left=(), by_hand=0.1, tried=True, relied=None, levels=None):
         "ties_tried": pd.DataFrame({"holds": [1]} if tried else {"holds": []}),
         "code_checks": pd.DataFrame({"pga_demand_g": [0.2]}),
         "mechanisms": pd.DataFrame(mechanisms),
-        "verdicts": pd.DataFrame({"model": ["W1", "W2m"], "slv": [True, by_hand > 0.2]}),
+        "verdicts": pd.DataFrame(
+            {"model": ["W1", "W2m"], "slv": [True, by_hand > 0.2], "agree": [1.0, 1.0]}
+        ),
     }
     config = {"assessment": {"tie_levels_m": levels}, "facade": {"ties": []}}
     return SimpleNamespace(tables=tables, config=config)
@@ -61,6 +64,8 @@ def data(forces, left=(), by_hand=0.1, tried=True, relied=None, levels=None):
             " W2m by itself asks for 2.0 kN at 6.40 m.",
         ),
         (data([8.0], relied=[0.0]), "", " W2m by itself asks for none."),
+        (data([8.0], sold=1), "With a row", "they do not. With the rods in brackets they do."),
+        (data([8.0], sold=0), "With a row", "they do not. With the rods in brackets not all do."),
         (data([]), "No row at floors or eaves", "under Ties."),
         (data([8.0], by_hand=0.3), "None are needed", "demand."),
         (data([8.0], levels=[]), "Not looked for", "is empty."),
