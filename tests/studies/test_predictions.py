@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from rocking.configuration.config import ConfigError
-from rocking.studies import predictions
+from rocking.studies import predicted_motions, predictions
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = [ROOT / "config" / "predictions" / name for name in ("sin01", "gables")]
@@ -105,12 +105,12 @@ def test_a_motion_amplified_and_shifted():
     """A sine of 2 Hz by 90° is its cosine, and both supports end where they began."""
     t = np.arange(0.0, 20.0, 0.005)
     foot = np.sin(4.0 * np.pi * t) * np.sin(np.pi * t / 20.0) ** 2
-    time_s, same, top = predictions.shifted(t, foot, 2.0, 90.0)
+    time_s, same, top = predicted_motions.shifted(t, foot, 2.0, 90.0)
     middle = np.abs(time_s - time_s[-1] / 2.0) < 2.0
-    turned = -2.0 * np.cos(4.0 * np.pi * (time_s - predictions.PAUSE_S))
-    envelope = np.sin(np.pi * (time_s - predictions.PAUSE_S) / 20.0) ** 2
+    turned = -2.0 * np.cos(4.0 * np.pi * (time_s - predicted_motions.PAUSE_S))
+    envelope = np.sin(np.pi * (time_s - predicted_motions.PAUSE_S) / 20.0) ** 2
     assert top[middle] == pytest.approx((turned * envelope)[middle], abs=0.02)
-    assert np.interp(t + predictions.PAUSE_S, time_s, same) == pytest.approx(foot, abs=5e-3)
+    assert np.interp(t + predicted_motions.PAUSE_S, time_s, same) == pytest.approx(foot, abs=5e-3)
     for a in (same, top):
         place = np.cumsum(np.cumsum(a)) * 0.005**2
         assert abs(place[-1]) < 0.02 * np.abs(place).max()
@@ -123,7 +123,7 @@ def test_runs_take_their_file_or_their_motions_strongest_one(tmp_path):
     text = "Velocity\n512,0\n" + "\n".join(lines) + "\n"
     (tmp_path / "Gr_1_350_BottomShakeTable.txt").write_text(text)
     found = {
-        row["record"]: predictions.table_motion(specimen, row, tmp_path)
+        row["record"]: predicted_motions.table_motion(specimen, row, tmp_path)
         for _, row in runs.iterrows()
     }
     time_s, ground, source = found["Gr_1_350"]
@@ -132,5 +132,84 @@ def test_runs_take_their_file_or_their_motions_strongest_one(tmp_path):
     assert found["Gr_1_40"][2] == "scaled"
     assert found["Gr_1_40"][1] == pytest.approx(ground * 40.0 / 350.0, rel=1e-3)
     assert found["RWA_4"] is None
-    name = predictions.table_motion(specimen, runs.iloc[-1], None)[2]
+    name = predicted_motions.table_motion(specimen, runs.iloc[-1], None)[2]
     assert name == specimen["motions"]["stand_in"]["RWA"][0]
+
+
+@pytest.fixture
+def gable(tmp_path):
+    """The gable of one reading and one rung, with a run of its own that is to be read."""
+    text = (FOLDERS[1] / "specimen.yaml").read_text("utf-8")
+    text = text.replace("[1.0, 2.0, 3.0]", "[1.0]").replace("[0, 90, 180]", "[0]")
+    text = text.replace("[GMN_NS, GMN_WE, IS113_Tr]", "[IS113_Tr]")
+    text = text.replace("[0.1, 0.2, 0.3, 0.45, 0.65, 1.0]", "[0.1]")
+    (tmp_path / "specimen.yaml").write_text(text, "utf-8")
+    (tmp_path / "runs.csv").write_text("run,foot,top\n1,foot.csv,top.csv\n")
+    return tmp_path
+
+
+def supports(folder, peak_m_s2):
+    """Files of a foot and a top that move alike, two seconds at 2 Hz."""
+    t = np.arange(0.0, 2.0, 0.01)
+    wave = np.sin(4.0 * np.pi * t) * np.sin(np.pi * t / 2.0) ** 2
+    wave *= peak_m_s2 / np.abs(wave).max()
+    text = "".join(f"{a:.2f},{b:.5f}\n" for a, b in zip(t, wave, strict=True))
+    for name in ("foot.csv", "top.csv"):
+        (folder / name).write_text(text)
+
+
+@pytest.mark.slow
+def test_a_gables_own_runs_are_predicted_and_scored(gable):
+    """A motion that hardly moves it, and one of 30 m/s² at foot and top alike."""
+    found = []
+    for peak_m_s2, outcome in ((0.1, "stood"), (30.0, "fell")):
+        supports(gable, peak_m_s2)
+        table = predictions.run(gable, motions=gable)
+        own = table[table["run"] == 1]
+        assert own["pga_g"].to_numpy() == pytest.approx(peak_m_s2 / 9.80665, rel=1e-4)
+        outcomes(gable, (1, outcome))
+        held, _ = predictions.score(gable).to_dict("records")
+        assert held["runs"] == 1
+        assert held["brier"] == 0.0
+        found.append(own["fell"].iloc[0])
+    assert found == [0, 1]
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("top.csv", "time,a\n0,1\n1,2\n", "growing time [s],value with a comma and no heading"),
+        ("foot.csv", "0,1\n0,2\n", "growing time [s],value"),
+        ("foot.csv", "0 1\n1 2\n", "growing time [s],value"),
+        ("top.csv", "0,1\n0.5,2\n", "expected the times of"),
+        ("runs.csv", "run\n1\n", "expected columns foot, top"),
+    ],
+)
+def test_motions_of_a_gable_that_are_none(gable, name, text, said):
+    supports(gable, 1.0)
+    (gable / name).write_text(text)
+    with pytest.raises(ConfigError) as caught:
+        predictions.run(gable, motions=gable)
+    assert said in str(caught.value)
+    assert str(gable / name) in str(caught.value)
+
+
+def test_a_gables_prediction_asks_for_its_folder_of_motions(gable, capsys):
+    (gable / predictions.OUTCOMES).write_text("run,outcome,peak_mm\n1,fell,\n")
+    for words, said in (
+        (("run",), "--motions: expected the folder"),
+        (("run", "--motions", str(gable)), "foot.csv: expected this file"),
+        (("run", "--yade"), "--yade: "),
+    ):
+        assert predictions.main([words[0], str(gable), *words[1:]]) == 1
+        error = capsys.readouterr().err
+        assert said in error
+        assert error.count("\n") == 1
+
+
+def test_a_prediction_of_no_run_is_not_scored(tmp_path):
+    for path in FOLDERS[1].iterdir():
+        shutil.copy(path, tmp_path)
+    outcomes(tmp_path, (1, "fell"))
+    with pytest.raises(ConfigError, match="fill in runs.csv"):
+        predictions.score(tmp_path)

@@ -28,6 +28,7 @@ import yaml
 from rocking.configuration.config import ConfigError
 from rocking.records import load
 from rocking.studies import specimens
+from rocking.studies.predicted_motions import SUITE, foot_and_top_files, shifted, table_motion
 from rocking.studies.validation import (
     ALONE,
     PERCENTILES,
@@ -41,12 +42,12 @@ from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 
 STATED = ("specimen.yaml", "runs.csv")
 TABLE, DIGEST, OUTCOMES = "predicted.csv", "digest.txt", "outcomes.csv"
-KINDS = {"shake_table": ("run", "record", "motion", "scale"), "foot_and_top": ("run",)}
-SUITE = Path(__file__).resolve().parents[3] / "config" / "suites" / "recorded_suite.tsv"
+KINDS = {
+    "shake_table": ("run", "record", "motion", "scale"),
+    "foot_and_top": ("run", "foot", "top"),
+}
 SEED = 1976
 IN_YADE = 4  # of the variants the first so many have a band, and run in YADE at its middle
-SLOWEST_HZ = 0.25  # of motions that are shifted: slower ones would drift apart
-PAUSE_S = 5.0  # before and behind a motion that is shifted, for what the shift spreads
 FELL, STOOD = "fell", "stood"
 
 
@@ -68,53 +69,6 @@ def read(folder):
 def digest(paths):
     """SHA-256 over some files, one after the other."""
     return hashlib.sha256(b"".join(Path(path).read_bytes() for path in paths)).hexdigest()
-
-
-def velocity_file(path, time_0_s=0.0):
-    """Times and accelerations of a file of time and velocity, two lines of heading before them."""
-    time_s, velocity = np.loadtxt(path, delimiter=",", skiprows=2, unpack=True)
-    return time_s - time_s[0] + time_0_s, np.gradient(velocity - velocity[0], time_s)
-
-
-def table_motion(specimen, row, folder):
-    """Times, acceleration and source of a run's motion; None where the folder has none.
-
-    It is that of its file ("file"), its motion's strongest one ("scaled"), or without a folder a
-    stand-in, by its name.
-    """
-    about = specimen["motions"]
-    strongest = about["strongest"][row["motion"]]
-    for record, scale, source in (
-        (row["record"], 1.0, "file"),
-        (strongest, row["scale"], "scaled"),
-    ):
-        path = Path(folder or "") / about["files"].format(record=record)
-        if folder and path.is_file():
-            time_s, ground = velocity_file(path)
-            return time_s, scale * ground, source
-    if folder:
-        return None
-    name, peak_g = about["stand_in"][row["motion"]]
-    record = load(name, str(SUITE))
-    ground = record.acceleration_m_s2
-    size = row["scale"] * peak_g * STANDARD_GRAVITY_M_S2 / np.abs(ground).max()
-    return record.time_s, size * ground, name
-
-
-def shifted(time_s, acceleration, amplification, phase_deg):
-    """Times of a motion with a pause on either side, it, and it amplified with all phases shifted.
-
-    Both without what is slower than SLOWEST_HZ, so that they do not drift apart.
-    """
-    step = time_s[1] - time_s[0]
-    pause = np.zeros(round(PAUSE_S / step))
-    whole = np.concatenate([pause, acceleration, pause])
-    spectrum = np.fft.rfft(whole)
-    slow = np.fft.rfftfreq(whole.size, step) < SLOWEST_HZ
-    spectrum[slow] = 0.0
-    turn = np.exp(-1j * math.radians(phase_deg))
-    foot, top = (np.fft.irfft(s * spectrum, whole.size) for s in (1.0, amplification * turn))
-    return step * np.arange(whole.size), foot, top
 
 
 def shake_table(specimen, runs, folder, in_yade):
@@ -204,6 +158,8 @@ def foot_and_top(specimen, runs, folder, in_yade):
 
     Where `runs` has rows, their own motions are run too: amplification and phase blank.
     """
+    if in_yade:
+        raise ConfigError("--yade: a prediction of foot_and_top is the compiled solver's alone")
     from rocking.collapse.scan import driving
     from rocking.solver import peaks, to_plane
     from yade_scripts.model.models import build_scene
@@ -215,10 +171,7 @@ def foot_and_top(specimen, runs, folder, in_yade):
         plane = to_plane(scene)
 
         for _, row in runs.iterrows():
-            (t, foot), (_, top) = (
-                np.loadtxt(Path(folder or ".") / row[key], delimiter=",", unpack=True)
-                for key in ("foot", "top")
-            )
+            t, foot, top = foot_and_top_files(row, folder)
             motion = driving(scene, t, {"ground": foot, "floor1": top})
             out = peaks(plane, motion, numerics, [1.0])
             pga = np.abs(foot).max() / STANDARD_GRAVITY_M_S2
@@ -314,6 +267,10 @@ def score(folder):
         if not same:
             raise ConfigError(f"{folder}: what was {name} is not what {DIGEST} says")
     table = pd.read_csv(folder / TABLE)
+    if "run" not in table:
+        raise ConfigError(
+            f"{folder / TABLE}: no run is predicted; fill in runs.csv, and run it first"
+        )
     outcomes = outcomes_of(folder / OUTCOMES, set(table["run"]))
     table = table.merge(outcomes, on="run", suffixes=("", "_measured"))
     keys = [key for key in ("variant", "how", "solver") if key in table]
