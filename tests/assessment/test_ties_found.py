@@ -266,9 +266,9 @@ def test_rods_that_are_sold_are_the_next_size_with_which_it_holds():
 
 @pytest.mark.parametrize(("fallen", "holds"), [((), True), ((3,), False)])
 def test_a_part_of_which_one_repetition_falls_does_not_hold(monkeypatch, fallen, holds):
-    """One motion beyond half of d_SLV, five repetitions: one that falls leaves 83 % of draws."""
+    """One motion beyond half of d0, five repetitions: one that falls leaves 83 % of draws."""
     limits, asked = dynamic_check.Limits(0.5, 0.2, 0.3), []
-    peaks = {"calm": 0.1 * limits.slv_m, "far": 0.9 * limits.slv_m}
+    peaks = {"calm": 0.1 * limits.d0_m, "far": 0.6 * limits.d0_m}
 
     def rows(name, ends):
         about = {"record": name, "direction": "pos", "d_m": peaks[name]}

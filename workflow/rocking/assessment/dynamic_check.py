@@ -23,7 +23,7 @@ from yade_scripts.model.shape import shape_of
 
 DRAWS = 2000
 LEAST_DRAWS = 0.95  # share with which a check that is fulfilled counts as passed
-NEAR = 0.5  # of d_SLV: of motions that move a façade less no perturbed history decides
+NEAR = 0.5  # of d0: of motions that move a façade less no perturbed history is run
 COLUMNS = ["model", "record", "direction", "realisation", "pga_g", "d_over_b", "d_m", "status"]
 
 
@@ -98,7 +98,7 @@ def decided(job, turns, limits, realisations, seed):
         In the order in which they are run.
     limits : Limits
     realisations : int
-        Perturbed histories of each motion that moves the façade by more than `NEAR` d_SLV.
+        Perturbed histories of each motion that moves the façade by more than `NEAR` d0.
     seed : int
         See `verdict`.
 
@@ -116,7 +116,7 @@ def decided(job, turns, limits, realisations, seed):
         found.append(table)
         d_m = table.loc[table["status"] != "failed", "d_m"].max()
         total_m += 0.0 if np.isnan(d_m) else d_m
-        if d_m > NEAR * limits.slv_m:
+        if d_m > NEAR * limits.d0_m:
             far.append((d_m, turn))
         if exceeds(table, limits).any() or total_m > limits.slv_m * len(turns):
             ended = turn
