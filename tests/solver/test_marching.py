@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from rocking.mechanics import closed_forms
-from rocking.solver import Motions, bodies, stable_step
+from rocking.solver import Motions, bodies, runs, stable_step
 from rocking.solver.runs import _largest_step, limits
 from test_plane import BETA_S, case
 
@@ -35,6 +35,19 @@ def test_motions_on_the_steps_are_exact():
     place = 0.5 + 2.0 / 3.0 + 3.0 * 0.3 + relative * 0.0 + 5.0 * 0.3**2 / 3.0
     assert table.speed_m_s[-1, 0] == pytest.approx(speed)
     assert table.place_m[-1, 0] == pytest.approx(place)
+
+
+def test_tables_are_kept_up_to_a_size(monkeypatch):
+    """Twelve steps of a scan are tabulated once; beyond the size the oldest go, the last stays."""
+    t = np.linspace(0.0, 1.0, 11)
+    motions, steps = Motions(t, 0.0 * t, [t]), 0.01 + 1e-4 * np.arange(12)
+    first = [motions.table(step) for step in steps]
+    assert all(motions.table(step) is table for step, table in zip(steps, first, strict=True))
+    monkeypatch.setattr(runs, "KEPT", 1)
+    last = motions.table(0.02)
+    assert motions.table(0.02) is last
+    assert motions.table(steps[0]) is not first[0]
+    assert np.array_equal(motions.table(steps[0]).place_m, first[0].place_m)
 
 
 def test_a_grid_that_ends_after_the_motion_coasts():

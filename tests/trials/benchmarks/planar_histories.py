@@ -51,10 +51,12 @@ def main(arguments=None):
     parser.add_argument("--low", type=float, default=0.05, help="least PGA (g)")
     parser.add_argument("--high", type=float, default=1.0, help="largest PGA (g)")
     parser.add_argument("--building", type=float, default=60.0, help="its mass, of W2m (t)")
+    parser.add_argument("--courses", type=int, default=0, help="elastic courses, of growth 1.5")
     parser.add_argument("--adaptive", type=int, help="nodes: the adaptive solver instead")
     args = parser.parse_args(arguments)
     mass = {"building_mass_kg": 1e3 * args.building}
-    job = config.resolve({"models": [args.model], "return_wall": mass})
+    facade = {"courses": args.courses, "courses_growth": 1.5} if args.courses else {}
+    job = config.resolve({"models": [args.model], "return_wall": mass, "facade": facade})
     job |= {"model": args.model, "beta_s": job["damping"]["beta_s"]}
     job["numerics"], _ = choose(job, args.model, read_fidelity(ROOT / "config" / "fidelity.yaml"))
     names, chain = list(read_table(SUITE)), job["smdof"]

@@ -58,15 +58,13 @@ class Scan:
     block: int = search.BLOCK
 
     def shaking(self, pga_g):
-        """`Motions` and the factor on them at one intensity."""
+        """`Motions`, and the factor on them at an intensity, or at many."""
         return self.motions, amplitude(self.ground, self.direction, pga_g)
 
     def peaks(self, plane, pga_g, step_s):
         """`Peaks` of a plane at some intensities."""
-        factor = [self.shaking(g)[1] for g in pga_g]
-        return peaks(
-            plane, self.motions, self.numerics, factor, carried=self.carried, step_s=step_s
-        )
+        motions, factors = self.shaking(np.asarray(pga_g, float))
+        return peaks(plane, motions, self.numerics, factors, carried=self.carried, step_s=step_s)
 
     def run(self, pga_g, scatter):
         """Outcomes at ascending amplitudes; `scatter` turns node layout and step with them.

@@ -8,66 +8,39 @@ import numpy as np
 from rocking.runtime.compiled import inlined
 
 from .dashpots import push, turned
-from .vectors import choose, hypot, like, put, put_where, some, take
+from .vectors import choose, like, put, put_where, some, take
 
 
 class Bars(NamedTuple):
-    """Ties and floors of a plane; lengths from the reference centroid of their block.
+    """Ties and floors of a plane; lengths from the reference centroid of their block."""
 
-    Attributes
-    ----------
-    tie_body, floor_body : ndarray of int, shape (ties,), (floors,)
-        Which of the free blocks.
-    tie_arm_m, tie_end_m : ndarray, shape (ties, 2)
-        Ends on the block and on the support (y, z).
-    tie_support : ndarray of int, shape (ties,)
-        Column of the motion of the support; −1: it stands still.
-    tie_taut_m : ndarray, shape (ties,)
-        Length, slack included, beyond which a tie pulls.
-    tie_k_n_m, tie_capacity_n, tie_snap_m : ndarray, shape (ties,)
-    floor_arm_m : ndarray, shape (floors, 2)
-    floor_support : ndarray of int, shape (floors,)
-    floor_load_n, floor_k_n_m, floor_capacity_n : ndarray, shape (floors,)
-    mass_kg, spring_n_m, dashpot_ns_m : ndarray, shape (floors,)
-        Of a floor between façade and support; without mass it moves with the support.
-    """
-
-    tie_body: np.ndarray
-    tie_arm_m: np.ndarray
-    tie_end_m: np.ndarray
-    tie_support: np.ndarray
-    tie_taut_m: np.ndarray
+    tie_body: np.ndarray  # (ties,), int: which of the free blocks
+    tie_arm_m: np.ndarray  # (ties, 2) end on the block (y, z)
+    tie_end_m: np.ndarray  # (ties, 2) end on the support
+    tie_support: np.ndarray  # (ties,), int: column of its motion; −1: it stands still
+    tie_taut_m: np.ndarray  # length, slack included, beyond which a tie pulls
     tie_k_n_m: np.ndarray
     tie_capacity_n: np.ndarray
     tie_snap_m: np.ndarray
-    floor_body: np.ndarray
-    floor_arm_m: np.ndarray
+    floor_body: np.ndarray  # (floors,), int
+    floor_arm_m: np.ndarray  # (floors, 2)
     floor_support: np.ndarray
     floor_load_n: np.ndarray
     floor_k_n_m: np.ndarray
     floor_capacity_n: np.ndarray
-    mass_kg: np.ndarray
-    spring_n_m: np.ndarray
+    mass_kg: np.ndarray  # of a floor between façade and support; 0: it moves with the support
+    spring_n_m: np.ndarray  # from that mass to the support
     dashpot_ns_m: np.ndarray
 
 
 class Memory(NamedTuple):
-    """What ties and floors remember of a history.
+    """What ties and floors remember of a history, in rows."""
 
-    Attributes
-    ----------
-    yielded_m, snapped : rows, of ties
-        By how much a tie has yielded; 1 where it is lost.
-    slid_m : rows, of floors
-    place_m, speed_m_s, rate_m_s2 : rows, of floors
-        Of floors with a mass, relative to the ground; velocity half a step back.
-    """
-
-    yielded_m: np.ndarray
-    snapped: np.ndarray
-    slid_m: np.ndarray
-    place_m: np.ndarray
-    speed_m_s: np.ndarray
+    yielded_m: np.ndarray  # by how much a tie has yielded
+    snapped: np.ndarray  # 1 where a tie is lost
+    slid_m: np.ndarray  # of floors
+    place_m: np.ndarray  # of floors with a mass, relative to the ground
+    speed_m_s: np.ndarray  # half a step back
     rate_m_s2: np.ndarray
 
 
@@ -103,7 +76,7 @@ def _tie(bars, memory, i, place, turn, supports, pushed):
     none = like(0.0, ey)
     if not some(pulls):
         return none, none, none
-    length = hypot(ey, ez)
+    length = math.hypot(ey, ez)
     longer = length - taut
     pull = k * (longer - yielded)
     pulls = pulls & ~(pull <= 0.0)

@@ -15,33 +15,20 @@ from .vectors import alone, choose, like, lone, put, put_where, some, take
 
 
 class Touch(NamedTuple):
-    """What the nodes of a block remember, in rows.
+    """What the nodes of a block remember, in rows: one a group, of the last two one a node."""
 
-    Attributes
-    ----------
-    summed, bonds, most : a row a group
-        1 where it is in closed form: its slips are then the stored ones + more0 + more1·s. Bonds
-        that are left; largest stored slip of a summed group.
-    more0, more1, sum0, sum1, sum2 : a row a group
-        The last three are Σ kn·slip·(1, s, slip) of a summed group.
-    depth0, depth1 : a row a group
-        Penetration along the line at the last step, depth0 + depth1·s.
-    slip, intact : a row a node
-        Slip since a node closed [m]; 1 where its bond holds, without rows where none is bonded.
-    """
-
-    summed: np.ndarray
-    bonds: np.ndarray
-    most: np.ndarray
+    summed: np.ndarray  # 1 in closed form: slips are then the stored ones + more0 + more1·s
+    bonds: np.ndarray  # that are left
+    most: np.ndarray  # largest stored slip of a summed group
     more0: np.ndarray
     more1: np.ndarray
-    sum0: np.ndarray
-    sum1: np.ndarray
-    sum2: np.ndarray
-    depth0: np.ndarray
+    sum0: np.ndarray  # Σ kn·slip of a summed group
+    sum1: np.ndarray  # Σ kn·slip·s
+    sum2: np.ndarray  # Σ kn·slip²
+    depth0: np.ndarray  # penetration at the last step, depth0 + depth1·s
     depth1: np.ndarray
-    slip: np.ndarray
-    intact: np.ndarray
+    slip: np.ndarray  # since a node closed [m]
+    intact: np.ndarray  # 1 where its bond holds; without rows where none is bonded
 
 
 def untouched(p):

@@ -15,30 +15,17 @@ COLUMNS = 14  # of a history before the supports' own
 
 
 class SteppedMotion(NamedTuple):
-    """Motions at the whole steps, for a factor of one.
-
-    Attributes
-    ----------
-    step_s : float
-    ground_m_s2, vertical_m_s2 : ndarray, shape (steps + 1,)
-    place_m, speed_m_s : ndarray, shape (steps + 1, supports)
-        Of the supports relative to the ground; no rows when a chain carries them.
-    """
+    """Motions at the whole steps, for a factor of one."""
 
     step_s: float
-    ground_m_s2: np.ndarray
+    ground_m_s2: np.ndarray  # (steps + 1,)
     vertical_m_s2: np.ndarray
-    place_m: np.ndarray
+    place_m: np.ndarray  # (steps + 1, supports) relative to the ground; none if a chain carries
     speed_m_s: np.ndarray
 
 
 class Rules(NamedTuple):
-    """When a history ends; the meaning is that of `simulate.StopRules`.
-
-    Attributes
-    ----------
-    limit_s, overturn_m, rest_m, rest_velocity_m_s, rest_time_s : float
-    """
+    """When a history ends; the meaning is that of `simulate.StopRules`."""
 
     limit_s: float
     overturn_m: float
@@ -51,25 +38,15 @@ class Supports(NamedTuple):
     """Motion of the supports relative to the ground, and the forces on them.
 
     Rows of each have an entry a support and a last one, 0, for what stands still.
-
-    Attributes
-    ----------
-    y, vy, dy : rows
-        Place [m], velocity [m/s] and way since the last step [m] along y.
-    z, vz, dz : rows
-    turn, spin, dturn : rows
-        Rotation about x [rad], its rate and change.
-    fy, fz, moment : rows
-        Forces [N] and moment about x [N·m].
     """
 
     y: np.ndarray
     vy: np.ndarray
-    dy: np.ndarray
+    dy: np.ndarray  # way since the last step
     z: np.ndarray
     vz: np.ndarray
     dz: np.ndarray
-    turn: np.ndarray
+    turn: np.ndarray  # rotation about x
     spin: np.ndarray
     dturn: np.ndarray
     fy: np.ndarray

@@ -43,16 +43,6 @@ def _line(p, g, pose, supports, j, turning):
 
 
 @inlined
-def _break(p, i, g, touch, breaks, depth, ratio):
-    """Break a node's bonds where the mask is true; the energy that this takes [J]."""
-    spent = take(p.kn_n_m, i) * released(depth, take(touch.slip, i), ratio)
-    put_where(touch.intact, i, breaks, 0.0)
-    put_where(touch.slip, i, breaks, 0.0)
-    put_where(touch.bonds, g, breaks, take(touch.bonds, g) - 1.0)
-    return choose(breaks, spent, 0.0)
-
-
-@inlined
 def _each(p, touch, g, touches, before, bound, lines, dt, sums):
     """Resultants of the nodes that touch or hold, one by one, added to `sums`.
 
@@ -97,7 +87,10 @@ def _each(p, touch, g, touches, before, bound, lines, dt, sums):
             strength = take(p.pull_m, i), take(p.hold_m, i)
             breaks = holds & bond_breaks(depth, take(touch.slip, i) + step, strength, grip)
             if some(breaks):
-                spent += _break(p, i, g, touch, breaks, depth, grip[1])
+                spent += choose(breaks, kn * released(depth, take(touch.slip, i), grip[1]), 0.0)
+                put_where(touch.intact, i, breaks, 0.0)
+                put_where(touch.slip, i, breaks, 0.0)
+                put_where(touch.bonds, g, breaks, take(touch.bonds, g) - 1.0)
                 broken, step = choose(breaks, broken + 1.0, broken), choose(breaks, 0.0, step)
                 holds = holds & ~breaks
                 acts = touching | holds

@@ -29,30 +29,17 @@ SIDE = 0.5 / math.sqrt(3.0)  # two springs there have the moments of an even lin
 
 
 class Lines(NamedTuple):
-    """Beds between pieces and under the lowest, and their joints with what is behind them.
+    """Beds between pieces and under the lowest, and their joints with what is behind them."""
 
-    Attributes
-    ----------
-    body_a, body_b, support : ndarray of int, shape (lines,)
-        As of `stack.Stack`: the block above, the one below, and the motion of a support.
-    arm_a_m, arm_b_m : ndarray, shape (lines, 2)
-        The middle from the centroids of their blocks, of a support from the origin.
-    normal, along : ndarray, shape (lines, 2)
-        From b into a, which turns with b; along the line, which turns with a.
-    half_m, k_n_m2 : ndarray, shape (lines,)
-        Half its length; stiffness over length.
-    shear_ratio, beta_s, friction : ndarray, shape (lines,)
-    """
-
-    body_a: np.ndarray
-    body_b: np.ndarray
+    body_a: np.ndarray  # (lines,), int: the block above, see `stack.Stack`
+    body_b: np.ndarray  # the one below
     support: np.ndarray
-    arm_a_m: np.ndarray
-    arm_b_m: np.ndarray
-    normal: np.ndarray
-    along: np.ndarray
-    half_m: np.ndarray
-    k_n_m2: np.ndarray
+    arm_a_m: np.ndarray  # (lines, 2) the middle from the centroid of its block
+    arm_b_m: np.ndarray  # of a support from the origin
+    normal: np.ndarray  # (lines, 2) from b into a; turns with b
+    along: np.ndarray  # (lines, 2) turns with a
+    half_m: np.ndarray  # (lines,) half the length
+    k_n_m2: np.ndarray  # stiffness over length
     shear_ratio: np.ndarray
     beta_s: np.ndarray
     friction: np.ndarray

@@ -38,37 +38,22 @@ SCRATCH = 35  # rows a block
 
 
 class Parts(NamedTuple):
-    """What a history, or a chunk of them, remembers, in rows, and room for one step.
-
-    Attributes
-    ----------
-    supports : Supports
-    ride : substructure.Ride
-    memory : bars.Memory
-    place, rate, rise : three rows a block
-        y, z and rotation about x; rates half a step back; accelerations of the last step.
-    nodes : rows
-        What the nodes remember.
-    turn, now, force, own, push, between, inverse : 2, 3, 3, 6, 3, 9 and 9 rows a block
-        Cosine and sine; rates at the whole step; forces and moment; dashpots by their entries 00,
-        01, 02, 11, 12, 22; what ties and floors do; dashpots between a block and the next, and the
-        inverse of its matrix.
-    """
+    """What a history, or a chunk of them, remembers, in rows, and room for one step."""
 
     supports: Supports
     ride: substructure.Ride
     memory: bars.Memory
-    place: np.ndarray
-    rate: np.ndarray
-    rise: np.ndarray
-    nodes: np.ndarray
-    turn: np.ndarray
-    now: np.ndarray
-    force: np.ndarray
-    own: np.ndarray
-    push: np.ndarray
-    between: np.ndarray
-    inverse: np.ndarray
+    place: np.ndarray  # three rows a block: y, z and rotation about x
+    rate: np.ndarray  # the same of its rates half a step back
+    rise: np.ndarray  # and of its accelerations in the last step
+    nodes: np.ndarray  # what the nodes remember
+    turn: np.ndarray  # two rows a block: cosine and sine
+    now: np.ndarray  # three: rates at the whole step
+    force: np.ndarray  # three: forces and moment
+    own: np.ndarray  # six: its dashpots by their entries 00, 01, 02, 11, 12, 22
+    push: np.ndarray  # three: what ties and floors do
+    between: np.ndarray  # nine: dashpots between it and the next
+    inverse: np.ndarray  # nine: inverse of its matrix
 
 
 @inlined

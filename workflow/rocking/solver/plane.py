@@ -16,63 +16,32 @@ class Planar(NamedTuple):
     Nodes of a joint that stand on one line and meet one plane are a group: penetration, its
     rate and the slip rate are then linear in the place s along the line, and the two ends tell
     whether any of its nodes touches. Lengths count from the block's reference centroid.
-
-    Attributes
-    ----------
-    first : ndarray of int, shape (groups + 1,)
-        Group i has the nodes first[i]:first[i + 1], ordered by s.
-    origin_m, along, normal : ndarray, shape (groups, 2)
-        A node stands at origin + s·along; normal from block b into block a (y, z).
-    arm_m : ndarray, shape (groups, 2)
-        The origin from the centre of the group's support, about which that turns.
-    level_m : ndarray, shape (groups,)
-        The plane: points with normal·r = level.
-    carried : ndarray of bool, shape (groups,)
-        The free block carries the nodes; else it carries the plane, which turns with it.
-    support : ndarray of int, shape (groups,)
-        Column of the motion of the group's support; −1: it stands still in this frame.
-    beta_s, shear_ratio, friction : ndarray, shape (groups,)
-        Dashpots β·k; ks/kn; tan φ.
-    place_m, kn_n_m : ndarray, shape (nodes,)
-    pull_m, hold_m : ndarray, shape (nodes,)
-        Strengths of a bond over kn: tension and cohesion [m].
-    bonded, tie : ndarray of bool, shape (nodes,)
-        A tie is a bond that transmits no shear.
-    start : ndarray, shape (6,)
-        y, z [m] and rotation about x [rad] of the block, and their rates.
-    mass_kg, inertia_kg_m2, gravity_m_s2, thickness_m : float
-    monitor_m : ndarray, shape (2,)
-        Point that moves by d.
-    foot : int
-        Column of the motion of what the façade stands on, from which d counts; −1: the frame's.
-    bars : Bars
-        Ties and floors.
     """
 
-    first: np.ndarray
-    origin_m: np.ndarray
+    first: np.ndarray  # (groups + 1,), int: group i has first[i]:first[i + 1], ordered by s
+    origin_m: np.ndarray  # (groups, 2) a node stands at origin + s·along
     along: np.ndarray
-    normal: np.ndarray
-    arm_m: np.ndarray
-    level_m: np.ndarray
-    carried: np.ndarray
-    support: np.ndarray
-    beta_s: np.ndarray
-    shear_ratio: np.ndarray
-    friction: np.ndarray
-    place_m: np.ndarray
+    normal: np.ndarray  # from block b into block a (y, z)
+    arm_m: np.ndarray  # origin from the centre of the group's support, about which that turns
+    level_m: np.ndarray  # (groups,) the plane: points with normal·r = level
+    carried: np.ndarray  # bool: the block carries the nodes; else the plane, which turns with it
+    support: np.ndarray  # int: column of its motion; −1: it stands still in this frame
+    beta_s: np.ndarray  # dashpots β·k
+    shear_ratio: np.ndarray  # ks/kn
+    friction: np.ndarray  # tan φ
+    place_m: np.ndarray  # (nodes,) s
     kn_n_m: np.ndarray
-    pull_m: np.ndarray
-    hold_m: np.ndarray
+    pull_m: np.ndarray  # tension of a bond over kn
+    hold_m: np.ndarray  # its cohesion over kn
     bonded: np.ndarray
-    tie: np.ndarray
-    start: np.ndarray
+    tie: np.ndarray  # bool: a bond that transmits no shear
+    start: np.ndarray  # (6,) y, z [m] and rotation about x [rad] of the block, and their rates
     mass_kg: float
     inertia_kg_m2: float
     gravity_m_s2: float
     thickness_m: float
-    monitor_m: np.ndarray
-    foot: int
+    monitor_m: np.ndarray  # (2,) point that moves by d
+    foot: int  # column of the motion of what it stands on, from which d counts; −1: the frame's
     bars: Bars
 
     @property

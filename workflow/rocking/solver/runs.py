@@ -20,7 +20,7 @@ STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
 FEW = 2  # histories that are marched one after the other: eight side by side take twice one's time
 FARTHER = 1e3  # than the explicit stable step, where springs are taken ahead
 AT_ONCE = 64  # side by side, between two chances to stop; their memory fits into the cache
-TABLES = 3  # of motions that are kept, some 10 MB each
+KEPT = 12_000_000  # numbers in the tables of one motion that are kept, 100 MB: of a dense scan all
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,8 @@ class Motions:
     def table(self, step_s, supports=True):
         """Motions at the whole steps; those of the supports relative to the ground, exact.
 
-        The last `TABLES` are kept: amplitudes that are asked for a few at a time share them.
+        The last are kept up to `KEPT` numbers: a scan asks for some amplitudes at a time, in each
+        of its layouts and steps again.
 
         Returns
         -------
@@ -89,9 +90,9 @@ class Motions:
         """
         kept = self._tables
         if (step_s, supports) not in kept:
-            while len(kept) >= TABLES:
-                kept.pop(next(iter(kept)))
             kept[step_s, supports] = self._tabulate(step_s, supports)
+            while len(kept) > 1 and sum(_numbers(table) for table in kept.values()) > KEPT:
+                kept.pop(next(iter(kept)))
         return kept[step_s, supports]
 
     def _tabulate(self, step_s, supports):
@@ -118,6 +119,10 @@ class Motions:
             np.ascontiguousarray(np.reshape(place, shape).T),
             np.ascontiguousarray(np.reshape(speed, shape).T),
         )
+
+
+def _numbers(table):
+    return 2 * table.ground_m_s2.size + 2 * table.place_m.size
 
 
 @dataclass(frozen=True)

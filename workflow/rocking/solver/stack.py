@@ -18,98 +18,48 @@ MANY = 9  # height over the thinnest course beyond which their dashpots are take
 
 
 class Stack(NamedTuple):
-    """Blocks in the y–z plane, in the frame of the reference support.
+    """Blocks in the y–z plane, in the frame of the reference support."""
 
-    Attributes
-    ----------
-    mass_kg, inertia_kg_m2 : ndarray, shape (blocks,)
-    centre_m : ndarray, shape (blocks, 2)
-        Reference centroids (y, z).
-    free : ndarray of bool, shape (blocks, 3)
-        Whether a block moves along y, along z and about x; the first one moves freely.
-    guide : ndarray of int, shape (blocks,)
-        Column of the motion that moves a block along y; −1: its forces do.
-    debris : ndarray of bool, shape (blocks,)
-        A block that has come out of its slot stays where it is, without part in the rest.
-    watched : ndarray of int, shape (points,)
-    monitor_m : ndarray, shape (points, 2)
-        Points of those blocks, from their centroids, of which the farthest moves by d.
-    start : ndarray, shape (blocks, 6)
-        y, z [m] and rotation about x [rad] of each block, and their rates.
-    body_a, body_b, support : ndarray of int, shape (nodes,)
-        Block that carries the node and block with the plane, −1 for a support, and the column of
-        that support's motion (−1: it stands still).
-    arm_a_m, arm_b_m, normal : ndarray, shape (nodes, 2)
-        The node and a point of the plane from the centroids of their blocks (of a support from
-        the origin); normal from b into a.
-    kn_n_m, shear_ratio, beta_s, friction, bonded, tie, pull_m, hold_m : ndarray, shape (nodes,)
-        See `plane.Planar`.
-    drag : ndarray, shape (nodes,)
-        Of a dry node, its dashpot along the joint over β·ks.
-    rim : ndarray, shape (nodes, 2)
-        Outward direction of the rim of the plane (y, z), which turns with b; 0: it has none.
-    rim_m : ndarray, shape (nodes,)
-        How far from b's centroid along it a node is let go for good.
-    partial : ndarray of bool, shape (nodes,)
-        Its plane is a part of a slot only: past the rim the node alone is let go.
-    link_a, link_b : ndarray of int, shape (links,)
-        Blocks joined along y by a spring and a dashpot; −1: the ground.
-    link_n_m, link_ns_m : ndarray, shape (links,)
-    in_row : bool
-        Pieces that stand on each other: every node joins two that follow each other, or one to a
-        support, so that all their dashpots can be solved together.
-    lines : Lines
-        Beds of theirs that are summed in closed form, apart from the nodes.
-    lead, beta, late : float
-        By how much of a step the springs of pieces are taken beyond now, with their dashpots; 0:
-        they act as they are, and the last acceleration predicts rates. β of all of them.
-        Where in a step the dashpots of `lines` act: 1, in its middle; 2, at its end.
-    gravity_m_s2, thickness_m, height_m : float
-    foot : int
-        See `plane.Planar`.
-    bars : Bars
-    """
-
-    mass_kg: np.ndarray
+    mass_kg: np.ndarray  # (blocks,)
     inertia_kg_m2: np.ndarray
-    centre_m: np.ndarray
-    free: np.ndarray
-    guide: np.ndarray
-    debris: np.ndarray
-    watched: np.ndarray
-    monitor_m: np.ndarray
-    start: np.ndarray
-    body_a: np.ndarray
-    body_b: np.ndarray
-    support: np.ndarray
-    arm_a_m: np.ndarray
-    arm_b_m: np.ndarray
-    normal: np.ndarray
-    kn_n_m: np.ndarray
+    centre_m: np.ndarray  # (blocks, 2) reference centroids (y, z)
+    free: np.ndarray  # (blocks, 3), bool: along y, z and about x; the first one moves freely
+    guide: np.ndarray  # (blocks,), int: column of what moves it along y; −1: its forces do
+    debris: np.ndarray  # bool: once out of its slot it stays where it is, without part in the rest
+    watched: np.ndarray  # (points,), int: blocks
+    monitor_m: np.ndarray  # (points, 2) points of theirs, of which the farthest moves by d
+    start: np.ndarray  # (blocks, 6) y, z [m] and rotation about x [rad], and their rates
+    body_a: np.ndarray  # (nodes,), int: block that carries the node; −1: a support
+    body_b: np.ndarray  # block with the plane
+    support: np.ndarray  # column of the support's motion; −1: it stands still
+    arm_a_m: np.ndarray  # (nodes, 2) the node from the centroid of its block
+    arm_b_m: np.ndarray  # a point of the plane; of a support from the origin
+    normal: np.ndarray  # from b into a
+    kn_n_m: np.ndarray  # (nodes,), this and what follows, see `plane.Planar`
     shear_ratio: np.ndarray
     beta_s: np.ndarray
     friction: np.ndarray
-    drag: np.ndarray
+    drag: np.ndarray  # of a dry node, its dashpot along the joint over β·ks
     bonded: np.ndarray
     tie: np.ndarray
     pull_m: np.ndarray
     hold_m: np.ndarray
-    rim: np.ndarray
-    rim_m: np.ndarray
-    partial: np.ndarray
-    link_a: np.ndarray
-    link_b: np.ndarray
+    rim: np.ndarray  # (nodes, 2) outward direction of the plane's rim, turns with b; 0: none
+    rim_m: np.ndarray  # (nodes,) how far from b's centroid along it a node is let go for good
+    partial: np.ndarray  # bool: its plane is a part of a slot; past the rim it alone is let go
+    link_a: np.ndarray  # (links,), int: blocks that a spring and a dashpot join along y
+    link_b: np.ndarray  # −1: the ground
     link_n_m: np.ndarray
     link_ns_m: np.ndarray
-    in_row: bool
-    lines: Lines
-    lead: float
-    beta: float
-    late: float
+    in_row: bool  # pieces, each node between two in turn or one and a support: solved together
+    lines: Lines  # beds that are summed in closed form, apart from the nodes
+    lead: float  # steps by which springs of pieces are taken ahead, as dashpots; 0: as they are
+    beta: float  # β of all of them
+    late: float  # where in a step the dashpots of `lines` act: 1, in its middle; 2, at its end
     gravity_m_s2: float
     thickness_m: float
     height_m: float
-    foot: int
+    foot: int  # see `plane.Planar`
     bars: Bars
 
 

@@ -21,21 +21,12 @@ OPEN, CLOSED, HOLDS, GONE = 0.0, 1.0, 2.0, 3.0  # states of a node
 
 
 class StackMemory(NamedTuple):
-    """What nodes and blocks remember, in rows.
+    """What nodes and blocks remember, in rows."""
 
-    Attributes
-    ----------
-    slip, state : a row a node
-    goes : a row a block
-        0 where it came out of its slot and takes no part any more.
-    lines : `lines.MEMORY` rows a line
-        See `lines.press`.
-    """
-
-    slip: np.ndarray
-    state: np.ndarray
-    goes: np.ndarray
-    lines: np.ndarray
+    slip: np.ndarray  # a row a node
+    state: np.ndarray  # a row a node
+    goes: np.ndarray  # a row a block: 0 where it came out of its slot and takes no part any more
+    lines: np.ndarray  # `lines.MEMORY` rows a line, see `lines.press`
 
 
 @inlined

@@ -13,32 +13,17 @@ class Bodies(NamedTuple):
     """Coordinates that carry the supports: M ü + C u̇ + K u = −M r a_g + Hᵀ·forces and moments.
 
     They are the masses of a chain, or the modes of a building. Supports move by H u.
-
-    Attributes
-    ----------
-    mass_kg : ndarray, shape (n,)
-        Without masses the supports are driven.
-    k_n_m, c_n_s_m : ndarray, shape (n, n)
-    hang, lift, roll : ndarray, shape (supports, n)
-        H: what each coordinate adds to a support's motion along y, along z, and to its rotation
-        about x; `lift` and `roll` without rows where supports only move along y, or do not turn.
-    ground : ndarray, shape (n,)
-        r: motion of the coordinates when everything moves by one with the ground.
-    moves : tuple of three ndarrays of shape (n, supports)
-        Hang, lift and roll transposed, so that a loop over the supports runs along them.
-    band : int
-        How far from the diagonal the matrices have entries: modes have none beside it.
     """
 
-    mass_kg: np.ndarray
-    k_n_m: np.ndarray
+    mass_kg: np.ndarray  # (n,) without masses the supports are driven
+    k_n_m: np.ndarray  # (n, n)
     c_n_s_m: np.ndarray
-    hang: np.ndarray
-    lift: np.ndarray
-    roll: np.ndarray
-    ground: np.ndarray
-    moves: tuple
-    band: int
+    hang: np.ndarray  # (supports, n) H along y
+    lift: np.ndarray  # along z; without rows where supports only move along y
+    roll: np.ndarray  # about x; without rows where they do not turn
+    ground: np.ndarray  # (n,) r: motion when everything moves by one with the ground
+    moves: tuple  # hang, lift and roll transposed: a loop over the supports runs along them
+    band: int  # how far from the diagonal the matrices have entries: modes have none beside it
 
 
 _NONE = np.zeros((0, 0))
@@ -86,19 +71,13 @@ def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, roll=Non
 
 
 class Ride(NamedTuple):
-    """How the carriers move.
-
-    Attributes
-    ----------
-    u, v, w, a, force : rows
-        Displacement, velocity half a step back and now, acceleration, forces of the block.
-    """
+    """How the carriers move, in rows."""
 
     u: np.ndarray
-    v: np.ndarray
-    w: np.ndarray
+    v: np.ndarray  # half a step back
+    w: np.ndarray  # velocity now
     a: np.ndarray
-    force: np.ndarray
+    force: np.ndarray  # of the block
 
 
 @inlined

@@ -1,6 +1,6 @@
 """Numbers side by side in compiled code: LLVM's own vectors behind Python's operators.
 
-Code that keeps to arithmetic, comparisons, `min`, `max`, `abs`, `math.copysign` and the functions
+Code that keeps to arithmetic, comparisons, `min`, `max`, `abs`, some of `math` and the functions
 below stands for one number and for `WIDTH` of them alike, with the same digits: each operation is
 that of a single number, nothing is fused or summed across. Its memory has rows: of one number each
 in an array of one dimension, of `WIDTH` in one of shape (rows, WIDTH).
@@ -20,9 +20,9 @@ from numba.core.typing.templates import (
     infer_global,
     signature,
 )
-from numba.extending import models, overload, register_model
+from numba.extending import models, register_model
 
-from rocking.runtime.compiled import WITHIN, inlined
+from rocking.runtime.compiled import inlined
 
 WIDTH = 8  # as many as one AVX-512 register holds; narrower machines take several for one
 _REALS = ir.VectorType(ir.DoubleType(), WIDTH)
@@ -293,62 +293,32 @@ def put(array, row, value):
     array[row] = value
 
 
-def _extract(context, builder, sig, lanes, lane):
-    return builder.extract_element(lanes, lane)
+def _lane_by_lane(function, arguments):
+    """Let a function of the library take lanes, one after the other: with its digits."""
+    many, one = (LANES,) * arguments, (types.float64,) * arguments
+    cases = {"cases": [signature(LANES, *many)]}
+    infer_global(function)(type("Typing", (ConcreteTemplate,), cases))
 
-
-def _insert(context, builder, sig, lanes, lane, value):
-    return builder.insert_element(lanes, value, lane)
-
-
-@_emitted(lambda context, lanes, lane: (types.float64, lanes, types.intp), _extract)
-def _lane(lanes, lane):
-    return lanes[lane]
-
-
-@_emitted(lambda context, lanes, *_: (LANES, lanes, types.intp, types.float64), _insert)
-def _with_lane(lanes, lane, value):
-    return [*lanes[:lane], value, *lanes[lane + 1 :]]
-
-
-def cos_sin(angle, wanted):
-    """Cosine and sine, those of the library, lane by lane where they are wanted."""
-    return math.cos(angle), math.sin(angle)
-
-
-@overload(cos_sin, jit_options=WITHIN)
-def _cos_sin(angle, wanted):
-    if not isinstance(angle, Lanes):
-        return cos_sin
-
-    def lane_by_lane(angle, wanted):
-        cos, sin, ask = like(1.0, angle), like(0.0, angle), choose(wanted, 1.0, like(0.0, angle))
+    @lower_builtin(function, *many)
+    def lower(context, builder, sig, values):
+        call, found = context.get_function(function, signature(types.float64, *one)), values[0]
         for lane in range(WIDTH):
-            if _lane(ask, lane) > 0.0:
-                cos = _with_lane(cos, lane, math.cos(_lane(angle, lane)))
-                sin = _with_lane(sin, lane, math.sin(_lane(angle, lane)))
-        return cos, sin
-
-    return lane_by_lane
-
-
-def hypot(y, z):
-    """√(y² + z²), that of the library, lane by lane."""
-    return math.hypot(y, z)
-
-
-@overload(hypot, jit_options=WITHIN)
-def _hypot(y, z):
-    if not isinstance(y, Lanes):
-        return hypot
-
-    def lane_by_lane(y, z):
-        found = y
-        for lane in range(WIDTH):
-            found = _with_lane(found, lane, math.hypot(_lane(y, lane), _lane(z, lane)))
+            at = ir.Constant(ir.IntType(32), lane)
+            of_lane = call(builder, [builder.extract_element(value, at) for value in values])
+            found = builder.insert_element(found, of_lane, at)
         return found
 
-    return lane_by_lane
+
+_lane_by_lane(math.cos, 1)
+_lane_by_lane(math.sin, 1)
+_lane_by_lane(math.hypot, 2)
+
+
+@inlined
+def cos_sin(angle, wanted):
+    """Cosine and sine, of an angle of zero where they are not wanted: that takes no time."""
+    angle = choose(wanted, angle, 0.0)
+    return math.cos(angle), math.sin(angle)
 
 
 @inlined
