@@ -2,6 +2,7 @@
 
 import json
 import math
+from concurrent.futures import ThreadPoolExecutor
 
 import pandas as pd
 import pytest
@@ -290,6 +291,28 @@ def test_a_part_of_which_one_repetition_falls_does_not_hold(monkeypatch, fallen,
     assert turn == (None if holds else turns[1])
     once, _ = dynamic_check.decided({}, turns, limits, 0, 1)
     assert once["holds"]
+
+
+@pytest.mark.parametrize("falls", [None, 0, 2, 8])
+def test_turns_side_by_side_decide_as_one_after_another(monkeypatch, falls):
+    """What was run beyond the turn that ends the check counts for nothing."""
+    limits, asked = dynamic_check.Limits(0.5, 0.3, 0.3), []
+
+    def history(job, name, direction, pga_g):
+        asked.append(name)
+        status = "overturned" if name == falls else "ok"
+        about = {"record": name, "direction": direction, "d_m": 0.02 * name, "status": status}
+        return pd.DataFrame([{**about, "realisation": 0}])
+
+    monkeypatch.setattr(dynamic_check, "histories", history)
+    turns = [((name, 0.3), "pos") for name in range(12)]
+    alone = dynamic_check.decided({}, turns, limits, 0, 1)
+    after, asked[:] = len(asked), []
+    with ThreadPoolExecutor(2) as pool:
+        beside = dynamic_check.decided({}, turns, limits, 0, 1, pool.map, 2)
+    assert beside == alone
+    assert alone[1] == (None if falls is None else turns[falls])
+    assert after <= len(asked) <= min(after + 8, 12)
 
 
 def test_what_no_row_makes_hold_is_left_out_and_grows_none():

@@ -270,6 +270,7 @@ rule assess_ties:
         logs("assess_ties"),
     benchmark:
         benchmarks("assess_ties")
+    threads: 4
     params:
         run=lambda w: w.run,
         table=lambda w: RUNS.table_path(w.run),

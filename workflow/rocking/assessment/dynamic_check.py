@@ -11,6 +11,7 @@ realisation of each motion. A check that is fulfilled in a smaller share of the 
 `LEAST_DRAWS` hangs on the numerics, and counts as not passed.
 """
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -24,6 +25,7 @@ from yade_scripts.model.shape import shape_of
 DRAWS = 2000
 LEAST_DRAWS = 0.95  # share with which a check that is fulfilled counts as passed
 NEAR = 0.5  # of d0: of motions that move a façade less no perturbed history is run
+AHEAD = 4  # turns for each process of a pool, once the first ones have not ended a check
 COLUMNS = ["model", "record", "direction", "realisation", "pga_g", "d_over_b", "d_m", "status"]
 
 
@@ -87,7 +89,7 @@ def checked(job, motions, directions, limits, realisations):
     return pd.concat(found, ignore_index=True)
 
 
-def decided(job, turns, limits, realisations, seed):
+def decided(job, turns, limits, realisations, seed, many=map, at_once=1):
     """The check, ended once it cannot be passed.
 
     Parameters
@@ -95,12 +97,16 @@ def decided(job, turns, limits, realisations, seed):
     job : dict
         A case file.
     turns : list of ((Record, pga_g), direction)
-        In the order in which they are run.
+        In the order in which they count.
     limits : Limits
     realisations : int
         Perturbed histories of each motion that moves the façade by more than `NEAR` d0.
     seed : int
         See `verdict`.
+    many : callable
+        As `map`; a pool's runs some turns side by side.
+    at_once : int
+        How many. What is run beyond the turn that ends the check is left out: tables are the same.
 
     Returns
     -------
@@ -110,9 +116,7 @@ def decided(job, turns, limits, realisations, seed):
         What ended it.
     """
     found, far, ended, total_m = [], [], None, 0.0
-    for turn in turns:
-        (record, pga_g), direction = turn
-        table = histories(job, record, direction, [pga_g])
+    for turn, table in _run_ahead(many, partial(_history, job), turns, at_once):
         found.append(table)
         d_m = table.loc[table["status"] != "failed", "d_m"].max()
         total_m += 0.0 if np.isnan(d_m) else d_m
@@ -122,10 +126,10 @@ def decided(job, turns, limits, realisations, seed):
             ended = turn
             break
     far = sorted(far, key=lambda one: -one[0]) if realisations and ended is None else []
-    for _, turn in far:
-        (record, pga_g), direction = turn
-        found.append(perturbed(job, record, direction, pga_g, realisations))
-        if exceeds(found[-1], limits).sum() > (1.0 - LEAST_DRAWS) * (realisations + 1):
+    again = partial(_perturbed, job, realisations)
+    for turn, table in _run_ahead(many, again, [turn for _, turn in far], at_once):
+        found.append(table)
+        if exceeds(table, limits).sum() > (1.0 - LEAST_DRAWS) * (realisations + 1):
             ended = turn
             break
     table = pd.concat(found, ignore_index=True)
@@ -138,6 +142,28 @@ def decided(job, turns, limits, realisations, seed):
     about |= {"d_slv_m": limits.slv_m, "histories": len(table), "agree": share}
     holds = ended is None and said["slv"] and share >= LEAST_DRAWS
     return about | {"holds": bool(holds)}, ended
+
+
+def _run_ahead(many, run, turns, at_once):
+    """Turns and their tables, in turn; first `at_once` of them side by side, then more at a time.
+
+    What ends the check mostly stands first, and little is then run for nothing.
+    """
+    k, size = 0, at_once
+    while k < len(turns):
+        some = turns[k : k + size]
+        yield from zip(some, many(run, some), strict=True)
+        k, size = k + size, AHEAD * at_once
+
+
+def _history(job, turn):
+    (record, pga_g), direction = turn
+    return histories(job, record, direction, [pga_g])
+
+
+def _perturbed(job, realisations, turn):
+    (record, pga_g), direction = turn
+    return perturbed(job, record, direction, pga_g, realisations)
 
 
 def exceeds(table, limits):

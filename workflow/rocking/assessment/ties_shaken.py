@@ -69,10 +69,13 @@ class Shaken:
     tied : Tied
     motions : list of (Record, pga_g)
     directions : sequence of str
+    many, at_once
+        See `dynamic_check.decided`.
     """
 
-    def __init__(self, cases, tied, motions, directions):
+    def __init__(self, cases, tied, motions, directions, many=map, at_once=1):
         """Keep what every trial takes."""
+        self.pool = {"many": many, "at_once": at_once}
         self.cases, self.tied = cases, tied
         self.models = [case.model for case in cases]
         self.order = [(one, way) for one in motions for way in directions]  # decisive ones first
@@ -153,7 +156,8 @@ class Shaken:
         if key not in self._known:
             own, limits = self.tied.sections, limits_of(one.mechanism)
             count = own["assessment"]["dynamic_realisations"]
-            about, turn = decided(part.sections, self.order, limits, count, own["seed"])
+            given = part.sections, self.order, limits, count, own["seed"]
+            about, turn = decided(*given, **self.pool)
             if turn is not None:
                 self.order.remove(turn)
                 self.order.insert(0, turn)

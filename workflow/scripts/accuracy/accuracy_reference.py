@@ -9,6 +9,8 @@ from rocking.reference.facade import peak_and_end
 from rocking.runtime.script import run
 from rocking.tables import read_json, write_table
 
+from yade_scripts.engine import parent_process
+
 
 def one(arguments):
     """Row of one case, with its time."""
@@ -39,7 +41,8 @@ def main(job):
     scenes = {model: read_json(path) for model, path in plan["scenes"].items()}
     work = [(scenes[c["model"]], plan["motions"][c["record"]], c, settings) for c in plan["cases"]]
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
-    with ProcessPoolExecutor(int(getattr(job, "threads", 1))) as pool:
+    threads = int(getattr(job, "threads", 1))
+    with ProcessPoolExecutor(threads, initializer=parent_process.follow) as pool:
         rows = list(pool.map(one, work))
     write_table(rows, job.output[0], digits="%.9g")
 

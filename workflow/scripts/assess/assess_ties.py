@@ -5,6 +5,8 @@ the range of periods by which the motions were chosen, so that it is held to the
 """
 
 import json
+import os
+from concurrent.futures import ProcessPoolExecutor
 
 import pandas as pd
 import yaml
@@ -16,12 +18,22 @@ from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.tables import read_tables, write_table
 
+from yade_scripts.engine import parent_process
+
 ADDED = """# Rows of ties with which the façade passes; give this file after the façade's own:
 # .venv/bin/snakemake --cores 2 --configfile my_facade.yaml {path} -- assess
 """
 
 
 def main(job):
+    threads = int(getattr(job, "threads", 1))
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"
+    with ProcessPoolExecutor(threads, initializer=parent_process.follow) as pool:
+        _added(job, pool.map, threads)
+
+
+def _added(job, many, at_once):
+    """Tables and YAML of the job; the histories of a mechanism run `at_once` side by side."""
     settings = json.loads(job.params.settings)
     records = {n: load_as(settings, n, job.params.table) for n in job.params.records}
     given = settings, list(records.values()), job.input.spectrum, job.input.hazard
@@ -33,7 +45,7 @@ def main(job):
         cases = [Case.read(path) for path in job.input.cases]
         relied = relied_on([case.model for case in cases])
         cases.sort(key=lambda case: case.model != relied)
-        shaken = ties_shaken.Shaken(cases, tied, motions, settings["directions"])
+        shaken = ties_shaken.Shaken(cases, tied, motions, settings["directions"], many, at_once)
     stands = bool(len(verdicts)) and bool(surely(verdicts).all())
 
     def say(text):
