@@ -71,6 +71,7 @@ def opened(data):
     return b"".join(found)
 
 
+@pytest.mark.slow
 def test_the_same_page_makes_the_same_pdf_with_title_bookmarks_and_searchable_text(
     tmp_path, monkeypatch
 ):

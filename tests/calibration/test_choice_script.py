@@ -3,9 +3,11 @@
 import json
 
 import pandas as pd
+import pytest
 from run_script import script
 
 
+@pytest.mark.slow
 def test_collapse_is_the_lowest_that_either_solver_saw(tmp_path):
     """YADE stops once it has confirmed a scan: its few levels alone would say 0.58 g."""
     pga_g = [0.160, 0.169, 0.170, 0.171, 0.180, 0.600]

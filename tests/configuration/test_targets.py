@@ -11,6 +11,7 @@ from rocking.configuration.targets import PAGE, ROOT, Target, render, targets
 MARKS = "<!-- targets: {}; written -->\n<!-- end of targets -->\n"
 
 
+@pytest.mark.slow
 def test_the_targets_are_those_of_snakemake(tmp_path):
     """It names them where it knows none of a name; former names of a target come on top."""
     shutil.copytree(ROOT / "config", tmp_path / "config")

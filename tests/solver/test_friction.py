@@ -40,6 +40,7 @@ def test_spring_and_dashpot_together_keep_coulombs_limit():
     assert 1000 < slides < 7000
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", BRICKS)
 def test_every_node_of_the_bricks_at_every_step(model, monkeypatch):
     """The loop as Python runs it, half a second of shaking that breaks and slides."""
