@@ -6,6 +6,7 @@ FOLDER holds the .acc files (m/s², one value a line) and inventory.tsv with the
 component, axis, event, time_utc, dt_s and peaks.
 """
 
+import argparse
 import csv
 import sys
 from pathlib import Path
@@ -63,4 +64,9 @@ def main(folder):
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=Path, help="with inventory.tsv and the motions it lists")
+    given = parser.parse_args().folder
+    if not (given / "inventory.tsv").is_file():
+        parser.error(f"{given}: expected a folder with inventory.tsv")
+    main(given)

@@ -50,6 +50,7 @@ YADE_PYTHON = os.environ.get("YADE_PYTHON") or shutil.which("python3", path=os.d
 YADE = shlex.join([str(YADE_PYTHON), str(BASE / "yade_scripts")])
 LAW_FILE = str(BASE / "config" / "beta_law.json")
 FIDELITY_FILE = str(BASE / "config" / "fidelity.yaml")
+os.environ.update(MPLBACKEND="agg")  # figures are files; a notebook's backend is not there
 os.environ[parent_process.RUN_PID] = str(os.getpid())  # jobs end with this process
 STOPPED = "stopped: finished runs are kept; repeat the command to go on"
 

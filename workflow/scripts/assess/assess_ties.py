@@ -5,7 +5,6 @@ the range of periods by which the motions were chosen, so that it is held to the
 """
 
 import json
-import os
 from concurrent.futures import ProcessPoolExecutor
 
 import pandas as pd
@@ -27,7 +26,6 @@ ADDED = """# Rows of ties with which the façade passes; give this file after th
 
 def main(job):
     threads = int(getattr(job, "threads", 1))
-    os.environ["OPENBLAS_NUM_THREADS"] = "1"
     with ProcessPoolExecutor(threads, initializer=parent_process.follow) as pool:
         _added(job, pool.map, threads)
 
