@@ -11,8 +11,10 @@ import argparse
 import contextlib
 import errno
 import json
+import multiprocessing
 import os
 import sys
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -79,6 +81,16 @@ def _line(error, outputs):
     if isinstance(error, OSError) and error.errno in NO_ROOM and error.filename is None:
         error = OSError(error.errno, error.strerror, " or ".join(outputs))
     return f"error: {error}"
+
+
+def pool_of(job):
+    """Processes of the job's threads, which end with the run.
+
+    Forked: they have what the job has loaded. A job that is served warm would start them anew,
+    by the method of its server, and each would run the script again.
+    """
+    threads, fork = int(getattr(job, "threads", 1)), multiprocessing.get_context("fork")
+    return ProcessPoolExecutor(threads, fork, initializer=parent_process.follow)
 
 
 def run(main, namespace, draws=False):

@@ -2,14 +2,11 @@
 
 import os
 import time
-from concurrent.futures import ProcessPoolExecutor
 
 from rocking.accuracy.errors import ADAPTIVE
 from rocking.reference.facade import peak_and_end
-from rocking.runtime.script import run
+from rocking.runtime.script import pool_of, run
 from rocking.tables import read_json, write_table
-
-from yade_scripts.engine import parent_process
 
 
 def one(arguments):
@@ -41,11 +38,9 @@ def main(job):
     scenes = {model: read_json(path) for model, path in plan["scenes"].items()}
     work = [(scenes[c["model"]], plan["motions"][c["record"]], c, settings) for c in plan["cases"]]
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
-    threads = int(getattr(job, "threads", 1))
-    with ProcessPoolExecutor(threads, initializer=parent_process.follow) as pool:
+    with pool_of(job) as pool:
         rows = list(pool.map(one, work))
     write_table(rows, job.output[0], digits="%.9g")
 
 
-if __name__ == "__main__":
-    run(main, globals())
+run(main, globals())

@@ -5,7 +5,6 @@ the range of periods by which the motions were chosen, so that it is held to the
 """
 
 import json
-from concurrent.futures import ProcessPoolExecutor
 
 import pandas as pd
 import yaml
@@ -14,10 +13,8 @@ from rocking.assessment import selection, site, ties, ties_shaken
 from rocking.assessment.dynamic_check import surely
 from rocking.assessment.verdict import relied_on
 from rocking.records import load_as
-from rocking.runtime.script import run
+from rocking.runtime.script import pool_of, run
 from rocking.tables import read_tables, write_table
-
-from yade_scripts.engine import parent_process
 
 ADDED = """# Rows of ties with which the façade passes; give this file after the façade's own:
 # .venv/bin/snakemake --cores 2 --configfile my_facade.yaml {path} -- assess
@@ -25,9 +22,8 @@ ADDED = """# Rows of ties with which the façade passes; give this file after th
 
 
 def main(job):
-    threads = int(getattr(job, "threads", 1))
-    with ProcessPoolExecutor(threads, initializer=parent_process.follow) as pool:
-        _added(job, pool.map, threads)
+    with pool_of(job) as pool:
+        _added(job, pool.map, int(getattr(job, "threads", 1)))
 
 
 def _added(job, many, at_once):
