@@ -218,3 +218,14 @@ def test_a_long_job_of_which_nothing_is_known_gets_no_time():
     machine = Forecasts([("scan", "W1", 9.0)] * 90 + [("scan", "W2m", 90.0)] * 9, 2, {"scan"})
     line, _, _ = machine.said(0.1)
     assert re.search(r"at least about \d+ min left, beside scan of W2m$", line)
+
+
+def test_what_is_usual_promises_nothing_of_a_model_that_none_has_run():
+    """Formerly "at least about 22 min" of six: jobs of W3 took a seventh of what is usual."""
+    jobs = [("ida", "W1", 6.0)] * 20 + [("ida", "W3", 30.0)] * 20
+    machine = Forecasts(jobs, 2, {"ida"})
+    line, _, _ = machine.said(0.05)
+    assert line.endswith("no forecast yet: nothing is known of ida of W3")
+    line, forecast_s, left_s = machine.said(0.4)
+    assert "at least" not in line
+    assert 0.5 * left_s < forecast_s < 2.0 * left_s

@@ -45,7 +45,7 @@ USUAL_S = {
 SHORT_S = 2.0  # a table or a figure
 FAR, LONG_S = 3.0, 60.0  # a job beyond so many times its usual, and beyond so long, is one apart
 USUAL_RUNS = {"ida": 20}
-PRIOR = 3  # the usual time counts as much as this many measured ones
+PRIOR = 1  # the usual time counts as much as this many measured ones
 
 
 def count_lines(path):
@@ -161,16 +161,17 @@ class Progress:
 
         return {(task.rule, task.model): mean(task) for task in self.tasks}
 
-    def left_s(self):
+    def left_s(self, kinds=None):
         """Seconds until all is done: work that remains over jobs at a time, or the longest job.
 
-        A job far beyond its kind goes on for as long again: of a duration that nothing is known
-        about, what has passed is as likely its first half as its second.
+        With `kinds`, pairs of rule and model, of these alone. A job far beyond its kind goes on
+        for as long again: of a duration that nothing is known about, what has passed is as likely
+        its first half as its second.
         """
         expected, now, left = self.expected_s(), self.clock(), []
         self.overdue = False
         for task in self.tasks:
-            if task.took_s is not None:
+            if task.took_s is not None or not (kinds is None or self._kind(task) in kinds):
                 continue
             whole = expected[task.rule, task.model] * task.share
             if task.began_s is None:
@@ -188,22 +189,21 @@ class Progress:
         at_a_time = max(self.busy_s / max(now - self.began, 1e-9), 1.0)
         return max(sum(left) / at_a_time, max(left, default=0.0))
 
-    def unknown(self):
-        """Rules of jobs not done that may take long, of whose kind nothing is known yet, sorted.
+    @staticmethod
+    def _kind(task):
+        return task.rule, task.model
 
-        What another model took does not tell: that was wrong by factors of three to six.
+    def unknown(self):
+        """Kinds of jobs not done that may take long, of which none has ended yet, sorted.
+
+        What another model took does not tell: that was wrong by factors of three to six. Nor does
+        what is usual: a run's settings may leave out most of what a job usually does. Of a job
+        whose number of runs is known, those that ended tell.
         """
-        known = {(t.rule, t.model) for t in self.tasks if t.took_s is not None}
-        return sorted(
-            {
-                f"{t.rule} of {t.model}" if t.model else t.rule
-                for t in self.tasks
-                if t.costly
-                and t.took_s is None
-                and t.rule not in USUAL_S
-                and (t.rule, t.model) not in known
-            }
-        )
+        known = {self._kind(t) for t in self.tasks if t.took_s is not None}
+        known |= {self._kind(t) for t in self.tasks if t.runs and count_lines(t.journal) > t.kept}
+        long = [t for t in self.tasks if t.took_s is None and (t.costly or t.rule in USUAL_S)]
+        return sorted({self._kind(t) for t in long} - known)
 
     def line(self):
         """Return one line; empty before the first job and after the last.
@@ -216,10 +216,12 @@ class Progress:
             return ""
         runs = sum(count_lines(t.journal) - t.kept for t in self.tasks if t.journal)
         added = f", {runs} runs in YADE" if runs else ""
-        seconds, unknown = self.left_s(), self.unknown()
+        unknown = self.unknown()
+        seconds = self.left_s({*map(self._kind, self.tasks)} - {*unknown})
         said = f"progress: {done} of {len(self.tasks)} jobs{added}"
         more = f" and {len(unknown) - 2} more" if len(unknown) > 2 else ""
-        what = f"{', '.join(unknown[:2])}{more}"
+        names = [f"{rule} of {model}" if model else rule for rule, model in unknown[:2]]
+        what = f"{', '.join(names)}{more}"
         if unknown and seconds < 60.0:
             return f"{said}, no forecast yet: nothing is known of {what}"
         least = "at least " if self.overdue or unknown else ""
