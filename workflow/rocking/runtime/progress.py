@@ -1,8 +1,8 @@
 """How far a study is and how long it will take, by the work that remains.
 
 Snakemake counts jobs, of which one takes a second and another an hour. Here every job of the DAG
-weighs what jobs of its kind (rule and model) took in this run, and before any of them has finished
-what they usually take. A thread of the main process looks every few seconds and prints a line a
+weighs what jobs of its kind (rule and model) took in this run. Of a kind of which none has ended
+nothing is promised. A thread of the main process looks every few seconds and prints a line a
 minute.
 """
 
