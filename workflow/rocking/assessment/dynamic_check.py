@@ -11,6 +11,7 @@ realisation of each motion. A check that is fulfilled in a smaller share of the 
 `LEAST_DRAWS` hangs on the numerics, and counts as not passed.
 """
 
+import math
 from functools import partial
 from typing import NamedTuple
 
@@ -20,13 +21,32 @@ import pandas as pd
 from rocking.collapse.case import Case
 from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
+from rocking.collapse.quick import LONG_STEP
 from yade_scripts.model.shape import shape_of
 
 DRAWS = 2000
 LEAST_DRAWS = 0.95  # share with which a check that is fulfilled counts as passed
-NEAR = 0.5  # of d0: of motions that move a façade less no perturbed history is run
 AHEAD = 4  # turns for each process of a pool, once the first ones have not ended a check
 COLUMNS = ["model", "record", "direction", "realisation", "pga_g", "d_over_b", "d_m", "status"]
+
+
+class Care(NamedTuple):
+    """How finely a check is run that is ended once it cannot be passed.
+
+    Attributes
+    ----------
+    calm : float
+        Of d0: motions that move a façade less by the long steps of `quick` are run by no others.
+    near : float
+        Of d0: of motions that move a façade less no perturbed history is run.
+    """
+
+    calm: float
+    near: float
+
+
+ROUGH = Care(math.inf, 0.5)  # finds rows of ties that are near those of `FINE`
+FINE = Care(0.2, 0.3)  # on other motions nothing below 0.45 d0 went beyond d0: docs/log/assessment
 
 
 class Limits(NamedTuple):
@@ -58,9 +78,9 @@ def histories(job, record, direction, pga_g, fraction=None):
     return _rows(pd.concat(parts, ignore_index=True), job, record, direction)
 
 
-def perturbed(job, record, direction, pga_g, count):
+def perturbed(job, record, direction, pga_g, count, fraction=None):
     """As `histories`: realisations 1 to `count` within ± `ensemble.amplitude_spread` of a PGA."""
-    screen = run_by("planar", Case(job), Motion(record), direction)
+    screen = run_by("planar", Case(job), Motion(record), direction, fraction=fraction)
     spread = job["ensemble"]["amplitude_spread"]
     factors = np.linspace(1.0 - spread, 1.0 + spread, count)
     found = screen.run(pga_g * factors, scatter=True).assign(pga_g=pga_g)
@@ -89,7 +109,7 @@ def checked(job, motions, directions, limits, realisations):
     return pd.concat(found, ignore_index=True)
 
 
-def decided(job, turns, limits, realisations, seed, many=map, at_once=1):
+def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once=1):
     """The check, ended once it cannot be passed.
 
     Parameters
@@ -100,9 +120,10 @@ def decided(job, turns, limits, realisations, seed, many=map, at_once=1):
         In the order in which they count.
     limits : Limits
     realisations : int
-        Perturbed histories of each motion that moves the façade by more than `NEAR` d0.
+        Perturbed histories of each motion that moves the façade by more than `care.near` d0.
     seed : int
         See `verdict`.
+    care : Care
     many : callable
         As `map`; a pool's runs some turns side by side.
     at_once : int
@@ -116,17 +137,17 @@ def decided(job, turns, limits, realisations, seed, many=map, at_once=1):
         What ended it.
     """
     found, far, ended, total_m = [], [], None, 0.0
-    for turn, table in _run_ahead(many, partial(_history, job), turns, at_once):
+    for turn, table in _run_ahead(many, partial(_history, job, care.calm * limits.d0_m), turns, at_once):
         found.append(table)
         d_m = table.loc[table["status"] != "failed", "d_m"].max()
         total_m += 0.0 if np.isnan(d_m) else d_m
-        if d_m > NEAR * limits.d0_m:
+        if d_m > care.near * limits.d0_m:
             far.append((d_m, turn))
         if exceeds(table, limits).any() or total_m > limits.slv_m * len(turns):
             ended = turn
             break
     far = sorted(far, key=lambda one: -one[0]) if realisations and ended is None else []
-    again = partial(_perturbed, job, realisations)
+    again = partial(_perturbed, job, realisations, LONG_STEP if math.isinf(care.calm) else None)
     for turn, table in _run_ahead(many, again, [turn for _, turn in far], at_once):
         found.append(table)
         if exceeds(table, limits).sum() > (1.0 - LEAST_DRAWS) * (realisations + 1):
@@ -156,14 +177,17 @@ def _run_ahead(many, run, turns, at_once):
         k, size = k + size, AHEAD * at_once
 
 
-def _history(job, turn):
+def _history(job, calm_m, turn):
+    """One history by long steps, and where it moves by more than `calm_m` by the scan's instead."""
     (record, pga_g), direction = turn
-    return histories(job, record, direction, [pga_g])
+    found = histories(job, record, direction, [pga_g], LONG_STEP)
+    calm = (found["status"] == "ok").all() and found["d_m"].max() <= calm_m
+    return found if calm or math.isinf(calm_m) else histories(job, record, direction, [pga_g])
 
 
-def _perturbed(job, realisations, turn):
+def _perturbed(job, realisations, fraction, turn):
     (record, pga_g), direction = turn
-    return perturbed(job, record, direction, pga_g, realisations)
+    return perturbed(job, record, direction, pga_g, realisations, fraction)
 
 
 def exceeds(table, limits):

@@ -13,7 +13,8 @@ Then the façade with its rows is held to the code's dynamic check, mechanism by
 that does not hold a row that pulls on it is made stronger, in steps of 1/0.95, until it does
 (`ties_shaken.grown`). Last, every row gives back what the others' growth has made needless
 (`ties_shaken.lowered`), so that 95 % of each row, the others as they are, has been tried and does
-not pass. What no added row makes hold is left out here too.
+not pass. What no added row makes hold is left out here too. Both are done with long steps first,
+and from there once more as finely as the report's own check.
 
 Rods come in sizes, and under the motions a stronger row may fail where a weaker one holds. So the
 rows are tried with rods that are sold too, the next size wherever they fail (`sold`).
@@ -23,6 +24,7 @@ import math
 from typing import NamedTuple
 
 from rocking.assessment.code_checks import slv_pga
+from rocking.assessment.dynamic_check import FINE, ROUGH
 from rocking.assessment.family import LEAST_PART_M, Family
 from rocking.assessment.shaken import label, of_label
 from rocking.assessment.ties_shaken import (
@@ -246,14 +248,24 @@ def found(tied, shaken, stands, say=lambda text: None):
     rows = [TieRow(*row) for row in zip(levels, by_hand, strict=True)]
     if shaken is None or not levels or (stands and not least):
         return Found(rows, by_hand, beyond, [None] * len(rows), by_hand)
-    shaken.beyond, shaken.left = set(beyond), set(beyond)  # no force helps these by hand
-    first = shaken.models[:1]
-    rows, _ = grown(shaken, rows, first, say)
-    rows, _ = lowered(shaken, rows, first, say)
+    shaken.beyond = set(beyond)  # no force helps these by hand
+    rows, _ = _shaken(shaken, rows, shaken.models[:1], say)
     relied = [row.force_n for row in rows]
-    rows, _ = grown(shaken, rows, shaken.models, say)
-    rows, why = lowered(shaken, rows, shaken.models, say)
+    rows, why = _shaken(shaken, rows, shaken.models, say)
     return Found(rows, by_hand, sorted({*tied.failing(rows), *shaken.left}), why, relied)
+
+
+def _shaken(shaken, rows, models, say):
+    """Rows with which some models hold, and why none is less: found roughly, then mended."""
+    likely: list = [None] * len(rows)
+    for shaken.care in (ROUGH, FINE):
+        shaken.left = set(shaken.beyond)
+        rows, governs = grown(shaken, rows, models, say)
+        for growth in governs:
+            for k in growth.which:
+                likely[k] = growth.why
+        rows, likely = lowered(shaken, rows, models, say, likely)
+    return rows, likely
 
 
 def sold(tied, result, shaken, say=lambda text: None):

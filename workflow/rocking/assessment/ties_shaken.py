@@ -14,7 +14,7 @@ import math
 from typing import NamedTuple
 
 from rocking.assessment.code_checks import slv_pga
-from rocking.assessment.dynamic_check import decided, limits_of
+from rocking.assessment.dynamic_check import FINE, decided, limits_of
 from rocking.assessment.shaken import cases, chosen, heights, of_label
 from rocking.collapse.case import Variant
 
@@ -23,7 +23,7 @@ STEP = 0.95  # of the force, between two strengths of the rows
 COARSE = 8  # steps at once, until the dynamic check holds
 SAME_M = 1e-6  # heights
 TRIED = ["forces_kn", "model", "part", "mechanism", "exceed_d0", "mean_d_m", "d_slv_m"]
-TRIED += ["histories", "agree", "holds"]
+TRIED += ["histories", "agree", "holds", "fine"]
 
 
 class Failing(NamedTuple):
@@ -82,7 +82,8 @@ class Shaken:
         self.rows: list[dict] = []  # TRIED, in their order
         self.left: set[str] = set()  # parts that fail and that no added row makes hold
         self.beyond: set[str] = set()  # of these, parts that fail by hand too
-        self._known: dict[str, dict] = {}
+        self.care = FINE
+        self._known: dict[tuple, dict] = {}
 
     def failing(self, rows, model, start=None):
         """First mechanism of one model that does not hold; those that are left out are passed over.
@@ -145,19 +146,19 @@ class Shaken:
     def _run(self, rows, part, label, one):
         """Row of TRIED of one part."""
         about = {"forces_kn": forces_said(rows), "model": part.model, "part": label}
-        about |= {"mechanism": one.name, **self._of(part, one)}
+        about |= {"mechanism": one.name, **self._of(part, one), "fine": int(self.care == FINE)}
         if about not in self.rows:
             self.rows.append(about)
         return about
 
     def _of(self, part, one):
         """What the check says of one part; what decided last is run first: it mostly does again."""
-        key = json.dumps(part.sections, sort_keys=True)  # model, façade and all
+        key = json.dumps(part.sections, sort_keys=True), self.care  # model, façade and all
         if key not in self._known:
             own, limits = self.tied.sections, limits_of(one.mechanism)
             count = own["assessment"]["dynamic_realisations"]
             given = part.sections, self.order, limits, count, own["seed"]
-            about, turn = decided(*given, **self.pool)
+            about, turn = decided(*given, self.care, **self.pool)
             if turn is not None:
                 self.order.remove(turn)
                 self.order.insert(0, turn)
@@ -307,7 +308,7 @@ def raised(shaken, rows, which, failing, most_n=math.inf):
     return at(high)
 
 
-def lowered(shaken, rows, models, say=lambda text: None):
+def lowered(shaken, rows, models, say=lambda text: None, likely=None):
     """Rows of which none could be a step weaker, the others as they are, and what then fails.
 
     The strongest first. A row that all checks do without goes; one that gives back some of its
@@ -322,6 +323,8 @@ def lowered(shaken, rows, models, say=lambda text: None):
     models : sequence of str
     say : callable
         Receives a line for a row that gives force back.
+    likely : list of Failing or None, optional
+        By row what is tried first.
 
     Returns
     -------
@@ -330,9 +333,10 @@ def lowered(shaken, rows, models, say=lambda text: None):
         By row what fails with a step less; `BY_HAND` for the checks by hand, None for no row.
     """
     why: list[Failing | None] = [None] * len(rows)
+    likely = likely or why
     while open_rows := [k for k, row in enumerate(rows) if row.force_n and why[k] is None]:
         k = max(open_rows, key=lambda k: rows[k].force_n)
-        force_n, reason = _least_of(shaken, rows, k, models)
+        force_n, reason = _least_of(shaken, rows, k, models, likely[k])
         if force_n < rows[k].force_n:
             rows = _with(rows, k, force_n)
             why = [None] * len(rows)
@@ -341,9 +345,9 @@ def lowered(shaken, rows, models, say=lambda text: None):
     return rows, why
 
 
-def _least_of(shaken, rows, k, models):
+def _least_of(shaken, rows, k, models, likely=None):
     """Least force of a row, steps of 0.95 down, and what fails one step below; (0, None): none."""
-    reason = None
+    reason = likely
 
     def fails(force_n):
         nonlocal reason
