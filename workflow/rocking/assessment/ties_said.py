@@ -59,7 +59,7 @@ def as_sold(rows):
     """Sentence on the rods that are sold, which stand in brackets; nothing where none was tried."""
     if rows["sold_holds"].isna().any():
         return ""
-    return f" With the rods in brackets {'they do' if rows['sold_holds'].all() else 'not all do'}."
+    return f" With the rods in brackets {'the same' if rows['sold_holds'].all() else 'fewer'} pass."
 
 
 def relied(rows):
@@ -97,7 +97,7 @@ def section(data, folder):
             "By hand alone each row is the least: with less in any one of them a mechanism fails. "
             "Under the motions rows that pull on a failing mechanism grow until it holds, one or "
             "all of them, by the least force in sum; then each gives back what the others have "
-            "made needless, until 95 % of any one row does not do."
+            "made needless, until 95 % of any one row is too little."
         )
     if len(beyond):
         bends = beyond["mechanism"].str.startswith("vertical").any()
