@@ -137,7 +137,8 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
         What ended it.
     """
     found, far, ended, total_m = [], [], None, 0.0
-    for turn, table in _run_ahead(many, partial(_history, job, care.calm * limits.d0_m), turns, at_once):
+    once = partial(_history, job, care.calm * limits.d0_m)
+    for turn, table in _run_ahead(many, once, turns, at_once):
         found.append(table)
         d_m = table.loc[table["status"] != "failed", "d_m"].max()
         total_m += 0.0 if np.isnan(d_m) else d_m
