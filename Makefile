@@ -53,9 +53,12 @@ predictions: setup
 	rm -rf build/predictions
 	mkdir -p build
 	cp -r config/predictions build
-	.venv/bin/python -m rocking.studies.predictions run build/predictions/sin01 --yade $(if $(MOTIONS),--motions $(MOTIONS))
-	.venv/bin/python -m rocking.studies.predictions run build/predictions/gables
+	@$(MAKE) --no-print-directory -j2 predicted-sin01 predicted-gables
 	-diff -r --exclude=digest.txt config/predictions build/predictions
+
+predicted-sin01: YADE = --yade $(if $(MOTIONS),--motions $(MOTIONS))
+predicted-%:
+	.venv/bin/python -m rocking.studies.predictions run build/predictions/$* $(YADE)
 
 REVISION ?= main
 freeze: setup

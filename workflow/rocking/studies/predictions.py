@@ -16,17 +16,24 @@ and the commit of the former. `score` sets them against outcomes.csv. docs/predi
 import argparse
 import hashlib
 import math
+import multiprocessing
+import os
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import yaml
 
+from rocking.calibration.restitution import read_archive
+from rocking.collapse.scan import driving
+from rocking.collapse.yade import run_yade
 from rocking.configuration.config import ConfigError
 from rocking.records import load
+from rocking.solver import Motions, history, peaks, to_plane
 from rocking.studies import specimens
 from rocking.studies.predicted_motions import SUITE, foot_and_top_files, shifted, table_motion
 from rocking.studies.validation import (
@@ -38,7 +45,9 @@ from rocking.studies.validation import (
     peaks_of_spans,
 )
 from rocking.tables import write_json
+from yade_scripts.model.floor_motions import write
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
+from yade_scripts.model.models import build_scene
 
 STATED = ("specimen.yaml", "runs.csv")
 TABLE, DIGEST, OUTCOMES = "predicted.csv", "digest.txt", "outcomes.csv"
@@ -71,12 +80,9 @@ def digest(paths):
     return hashlib.sha256(b"".join(Path(path).read_bytes() for path in paths)).hexdigest()
 
 
-def shake_table(specimen, runs, folder, in_yade):
+def shake_table(specimen, runs, folder, in_yade, cores):
     """Table of a wall whose foot and top the table moves alike; see `run`."""
-    from rocking.solver import Motions, history, peaks, to_plane
-    from yade_scripts.model.models import build_scene
-
-    rng, rows = np.random.default_rng(SEED), []
+    rng = np.random.default_rng(SEED)
     count, band = specimen["members"], specimen["band"]
     drawn = rng.uniform(1.0 - band, 1.0 + band, (len(runs), count))
     motions = [table_motion(specimen, row, folder) for _, row in runs.iterrows()]
@@ -85,85 +91,104 @@ def shake_table(specimen, runs, folder, in_yade):
         raise ConfigError(f"{folder}: expected files named {specimen['motions']['files']}")
     runs, drawn = runs[had], drawn[had]
     motions = [motion for motion in motions if motion is not None]
-    whole, ground, spans = one_after_another([motion[:2] for motion in motions])
     found = {name: specimens.case(specimen, own) for name, own in specimen["variants"].items()}
-    for place, (variant, case) in enumerate(found.items()):
-        main = place < IN_YADE
-        plane, numerics = to_plane(build_scene(case)), case["numerics"]
-        mm, step = 1e3 * plane.thickness_m, specimens.planar_step(plane, numerics)
-        for (_, row), motion, own in zip(runs.iterrows(), motions, drawn, strict=True):
-            factors = np.array([1.0, *(own if main else ())])
-            out = peaks(plane, Motions(*motion[:2]), numerics, factors, step_s=step)
-            values = np.where(out.overturned, np.inf, mm * out.d_over_b)
-            line = {"variant": variant, "run": row["run"], "record": row["record"], "how": ALONE}
-            line |= {"source": motion[2], "solver": "planar", "peak_mm": values[0]}
-            several = slice(1, None) if main else slice(None)
-            band_mm = np.percentile(values[several], PERCENTILES, method="nearest")
-            line |= {f"p{p}_mm": v for p, v in zip(PERCENTILES, band_mm, strict=True)}
-            members, fell = values[several].size, int(out.overturned[several].sum())
-            rows.append(line | {"members": members, "fell": fell, "probability": fell / members})
-        still = {**numerics, "quiet_ratio": 0.0}
-        fallen, parts = np.zeros(len(runs)), []
-        sequences = [1.0, *drawn[0, : count // 2]] if main else [1.0]
-        for factor in sequences:
-            d = history(plane, Motions(whole, ground), still, factor, step_s=step, sample_s=2e-3)
-            one = 1e3 * np.array(peaks_of_spans(d.time_s, d.d_m, spans, d.status))
-            parts.append(one)
-            fallen += ~np.isfinite(one)
-        for (_, row), motion, peak, lost in zip(
-            runs.iterrows(), motions, parts[0], fallen.tolist(), strict=True
-        ):
-            line = {"variant": variant, "run": row["run"], "record": row["record"]}
-            line |= {"how": SEQUENCE, "source": motion[2], "solver": "planar", "peak_mm": peak}
-            share = lost / len(sequences)
-            rows.append(line | {"members": len(sequences), "fell": int(lost), "probability": share})
-    if in_yade:
-        rows += yade_rows(found, runs, motions)
+    main = dict(list(found.items())[:IN_YADE])
+    with ProcessPoolExecutor(cores, multiprocessing.get_context("fork")) as pool:
+        tests = _tests(main, runs) if in_yade else []
+        parts = [tests[k::cores] for k in range(cores)]  # the longest first
+        shaken = [pool.submit(_by_yade, part, runs, motions) for part in parts if part]
+        planar = [
+            pool.submit(_planar_rows, name, case, runs, motions, drawn if name in main else None)
+            for name, case in found.items()
+        ]
+        rows = [row for part in planar for row in part.result()]
+        done = {one["id"]: one for part in shaken for one in part.result()}
+    rows += [_yade_row(test, done[test["id"]], runs, motions) for test in tests]
     return pd.DataFrame(rows)
 
 
-def yade_rows(found, runs, motions):
-    """Rows of the first variants by YADE, each run alone at its own amplitude."""
-    from rocking.calibration.restitution import read_archive
-    from rocking.collapse.yade import run_yade
-    from yade_scripts.model.floor_motions import write
+def _planar_rows(variant, case, runs, motions, drawn):
+    """Rows of one reading by the compiled solver; `drawn` are the amplitudes of its band, if any.
 
-    tests, rows = [], []
-    with tempfile.TemporaryDirectory() as room:
-        for (_, row), motion in zip(runs.iterrows(), motions, strict=True):
-            write(f"{room}/{row['run']}.csv", *motion[:2])
-            for variant in list(found)[:IN_YADE]:
-                case = {key: found[variant][key] for key in ("model", "beta_s", "observed_m")}
-                case["config"] = {key: found[variant][key] for key in specimens.SECTIONS}
-                name = f"{variant}|{row['run']}"
-                path = f"{room}/{row['run']}.csv"
-                tests.append({**case, "factor": 1.0, "id": name, "motion": path})
-        write_json(f"{room}/walls.json", tests)
-        run_yade("walls", "--list", f"{room}/walls.json", "--output", f"{room}/w.npz", folder=room)
-        record = dict(zip(runs["run"], runs["record"], strict=True))
-        source = dict(zip(runs["run"], [motion[2] for motion in motions], strict=True))
-        for done in read_archive(f"{room}/w.npz"):
-            variant, _, number = done["id"].rpartition("|")
-            fell = int(done["status"] == "overturned")
-            mm = 1e3 * found[variant]["facade"]["thickness_m"]
-            line = {"variant": variant, "run": int(number), "record": record[int(number)]}
-            line |= {"how": ALONE, "source": source[int(number)], "solver": "YADE"}
-            line["peak_mm"] = np.inf if fell else mm * done["peak_d_over_b"]
-            rows.append(line | {"members": 1, "fell": fell, "probability": float(fell)})
+    Each run on a wall as new, then all of them in sequence.
+    """
+    plane, numerics = to_plane(build_scene(case)), case["numerics"]
+    mm, step = 1e3 * plane.thickness_m, specimens.planar_step(plane, numerics)
+    main, rows = drawn is not None, []
+    for place, ((_, row), motion) in enumerate(zip(runs.iterrows(), motions, strict=True)):
+        factors = np.array([1.0, *(drawn[place] if main else ())])
+        out = peaks(plane, Motions(*motion[:2]), numerics, factors, step_s=step)
+        values = np.where(out.overturned, np.inf, mm * out.d_over_b)
+        line = {"variant": variant, "run": row["run"], "record": row["record"], "how": ALONE}
+        line |= {"source": motion[2], "solver": "planar", "peak_mm": values[0]}
+        several = slice(1, None) if main else slice(None)
+        band_mm = np.percentile(values[several], PERCENTILES, method="nearest")
+        line |= {f"p{p}_mm": v for p, v in zip(PERCENTILES, band_mm, strict=True)}
+        members, fell = values[several].size, int(out.overturned[several].sum())
+        rows.append(line | {"members": members, "fell": fell, "probability": fell / members})
+    whole, ground, spans = one_after_another([motion[:2] for motion in motions])
+    still = {**numerics, "quiet_ratio": 0.0}
+    fallen, parts = np.zeros(len(runs)), []
+    sequences = [1.0, *drawn[0, : drawn.shape[1] // 2]] if main else [1.0]
+    for factor in sequences:
+        d = history(plane, Motions(whole, ground), still, factor, step_s=step, sample_s=2e-3)
+        one = 1e3 * np.array(peaks_of_spans(d.time_s, d.d_m, spans, d.status))
+        parts.append(one)
+        fallen += ~np.isfinite(one)
+    for (_, row), motion, peak, lost in zip(
+        runs.iterrows(), motions, parts[0], fallen.tolist(), strict=True
+    ):
+        line = {"variant": variant, "run": row["run"], "record": row["record"]}
+        line |= {"how": SEQUENCE, "source": motion[2], "solver": "planar", "peak_mm": peak}
+        share = lost / len(sequences)
+        rows.append(line | {"members": len(sequences), "fell": int(lost), "probability": share})
     return rows
 
 
-def foot_and_top(specimen, runs, folder, in_yade):
+def _tests(found, runs):
+    """What YADE is asked for: each run alone at its own amplitude, by some readings."""
+    tests = []
+    for number in runs["run"]:
+        for variant, case in found.items():
+            own = {key: case[key] for key in ("model", "beta_s", "observed_m")}
+            own["config"] = {key: case[key] for key in specimens.SECTIONS}
+            name = f"{variant}|{number}"
+            tests.append({**own, "factor": 1.0, "id": name, "motion": f"{number}.csv"})
+    return tests
+
+
+def _by_yade(tests, runs, motions):
+    """What YADE says of some tests, see `read_archive`."""
+    with tempfile.TemporaryDirectory() as room:
+        for number, motion in zip(runs["run"], motions, strict=True):
+            write(f"{room}/{number}.csv", *motion[:2])
+        write_json(
+            f"{room}/walls.json",
+            [{**test, "motion": f"{room}/{test['motion']}"} for test in tests],
+        )
+        run_yade("walls", "--list", f"{room}/walls.json", "--output", f"{room}/w.npz", folder=room)
+        return read_archive(f"{room}/w.npz")
+
+
+def _yade_row(test, done, runs, motions):
+    """Row of one test in YADE."""
+    variant, _, number = test["id"].rpartition("|")
+    place = list(runs["run"]).index(int(number))
+    fell = int(done["status"] == "overturned")
+    mm = 1e3 * test["config"]["facade"]["thickness_m"]
+    line = {"variant": variant, "run": int(number), "record": runs["record"].iloc[place]}
+    line |= {"how": ALONE, "source": motions[place][2], "solver": "YADE"}
+    line["peak_mm"] = np.inf if fell else mm * done["peak_d_over_b"]
+    return line | {"members": 1, "fell": fell, "probability": float(fell)}
+
+
+def foot_and_top(specimen, runs, folder, in_yade, cores):
     """Table of a gable by amplification and phase of its top's motion; see `run`.
 
     Where `runs` has rows, their own motions are run too: amplification and phase blank.
     """
     if in_yade:
         raise ConfigError("--yade: a prediction of foot_and_top is the compiled solver's alone")
-    from rocking.collapse.scan import driving
-    from rocking.solver import peaks, to_plane
-    from yade_scripts.model.models import build_scene
-
     rows, levels = [], np.array(specimen["pga_g"], float)
     for variant, changes in specimen["variants"].items():
         case = specimens.case(specimen, changes)
@@ -195,16 +220,16 @@ def foot_and_top(specimen, runs, folder, in_yade):
     return table.assign(probability=table["fell"] / table["members"])
 
 
-def run(folder, motions=None, in_yade=False):
+def run(folder, motions=None, in_yade=False, cores=1):
     """Write the tables of a prediction, and digests of what was stated and of them.
 
     `motions` is the folder of those that may not be passed on; `in_yade`, the first variants run in
-    YADE too. A row says of how many members how many fell.
+    YADE too; `cores`, processes of `shake_table`. A row says of how many members how many fell.
     """
     folder = Path(folder)
     specimen, runs = read(folder)
     make = {"shake_table": shake_table, "foot_and_top": foot_and_top}[specimen["kind"]]
-    table = make(specimen, runs, motions, in_yade)
+    table = make(specimen, runs, motions, in_yade, cores)
     table.round(6).to_csv(folder / TABLE, index=False, float_format="%.5g")
     stated = [folder / name for name in STATED]
     lines = [f"stated {digest(stated)}", f"predicted {digest([folder / TABLE])}"]
@@ -292,13 +317,15 @@ def main(words=None):
     parser.add_argument("folders", nargs="+")
     parser.add_argument("--motions", help="folder of motions that are not part of the project")
     parser.add_argument("--yade", action="store_true", help="the first variants by YADE too")
+    cores = len(os.sched_getaffinity(0))
+    parser.add_argument("--cores", type=int, default=cores, help="processes (default: every core)")
     given = parser.parse_args(words)
     try:
         for folder in given.folders:
             if not Path(folder).is_dir():
                 raise ValueError(f"{folder}: no folder of a prediction")
             if given.what == "run":
-                table = run(folder, given.motions, given.yade)
+                table = run(folder, given.motions, given.yade, max(1, given.cores))
             else:
                 table = score(folder)
             sys.stdout.write(table.to_string(index=False) + "\n")
