@@ -19,33 +19,9 @@ from yade_scripts.model import registry
 
 INTERVAL_S = 60.0
 LOOK_S = 2.0
-# Seconds a job of W1 usually takes on two slow cores; a model's `cost` says how many times that it
-# takes. Ratios matter, not their size: that is measured as the first jobs finish.
-USUAL_S = {
-    "ida": 12.0,
-    "reduction_ida": 16.0,
-    "damping_choice_ida": 16.0,
-    "pushover": 3.0,
-    "pushover_variant": 3.0,
-    "frames": 6.0,
-    "energy_balance": 6.0,
-    "free_rocking": 120.0,
-    "stability": 30.0,
-    "shake_table": 300.0,
-    "accuracy_runs": 600.0,
-    "accuracy_reference": 120.0,
-    "building_explicit": 45.0,
-    "building_fit": 20.0,
-    "building_modal": 10.0,
-    "building_cost": 8.0,
-    "complete_ida": 420.0,
-    "complete_history": 25.0,
-    "complete_frames": 30.0,
-}
-SHORT_S = 2.0  # a table or a figure
-FAR, LONG_S = 3.0, 60.0  # a job beyond so many times its usual, and beyond so long, is one apart
-USUAL_RUNS = {"ida": 20}
-PRIOR = 1  # the usual time counts as much as this many measured ones
+SHORT_S = 2.0  # a table or a figure, until one has ended
+FAR, LONG_S = 3.0, 60.0  # a job beyond so many times its kind, and beyond so long, is one apart
+RUNS = 20  # of a job whose journal says how many were kept, and nobody how many it takes
 
 
 def count_lines(path):
@@ -86,17 +62,9 @@ class Task:
     took_s: float | None = None
 
     @property
-    def usual_s(self):
-        """Seconds that such a job usually takes."""
-        if self.rule not in USUAL_S:
-            return SHORT_S
-        return USUAL_S[self.rule] * registry.cost(self.model)
-
-    @property
     def share(self):
         """Part of the job that earlier runs left to do."""
-        whole = self.runs or USUAL_RUNS.get(self.rule, USUAL_RUNS["ida"])
-        return max(1.0 - self.kept / whole, 0.1)
+        return max(1.0 - self.kept / (self.runs or RUNS), 0.1)
 
 
 class Progress:
@@ -133,31 +101,22 @@ class Progress:
         self.seen = now
 
     def expected_s(self):
-        """Seconds of a whole job of every kind: as measured, led by what is usual at first.
+        """Seconds of a whole job of every kind, as measured.
 
-        Of a rule that has no usual time, what other models of it took says what is usual.
+        Of a kind of which none has ended, what other models of its rule took says how long.
         """
-        measured, learned = defaultdict(list), defaultdict(list)
+        measured, others = defaultdict(list), defaultdict(list)
         for task in self.tasks:
             if task.took_s is not None:
                 whole = task.took_s / task.share
                 measured[task.rule, task.model].append(whole)
-                if task.rule not in USUAL_S:
-                    learned[task.rule].append(whole / registry.cost(task.model))
-        done = [t for t in self.tasks if t.took_s is not None and t.usual_s > SHORT_S]
-        usual = sum(t.usual_s * t.share for t in done)
-        # this machine's speed; a minute of usual work keeps the first seconds from deciding
-        pace = (60.0 + sum(t.took_s for t in done)) / (60.0 + usual)
-
-        def first(task):
-            known = learned.get(task.rule)
-            return fmean(known) * registry.cost(task.model) if known else pace * task.usual_s
+                others[task.rule].append(whole / registry.cost(task.model))
 
         def mean(task):
-            own = measured[task.rule, task.model]
-            if own and task.rule not in USUAL_S:  # what others took is no measure beside its own
+            if own := measured[task.rule, task.model]:
                 return fmean(own)
-            return (PRIOR * first(task) + sum(own)) / (PRIOR + len(own))
+            known = others.get(task.rule)
+            return fmean(known) * registry.cost(task.model) if known else SHORT_S
 
         return {(task.rule, task.model): mean(task) for task in self.tasks}
 
@@ -196,13 +155,12 @@ class Progress:
     def unknown(self):
         """Kinds of jobs not done that may take long, of which none has ended yet, sorted.
 
-        What another model took does not tell: that was wrong by factors of three to six. Nor does
-        what is usual: a run's settings may leave out most of what a job usually does. Of a job
+        What another model took does not tell: that was wrong by factors of three to six. Of a job
         whose number of runs is known, those that ended tell.
         """
         known = {self._kind(t) for t in self.tasks if t.took_s is not None}
         known |= {self._kind(t) for t in self.tasks if t.runs and count_lines(t.journal) > t.kept}
-        long = [t for t in self.tasks if t.took_s is None and (t.costly or t.rule in USUAL_S)]
+        long = [t for t in self.tasks if t.took_s is None and t.costly]
         return sorted({self._kind(t) for t in long} - known)
 
     def line(self):
@@ -290,7 +248,7 @@ def opening(tasks, runs, cores):
     """
     counts: dict[str, int] = defaultdict(int)
     for task in tasks:
-        if task.usual_s > SHORT_S:
+        if task.costly:
             counts[task.rule] += 1
     long = [f"{n} {rule}" for rule, n in counts.items()]
     short = len(tasks) - sum(counts.values())
