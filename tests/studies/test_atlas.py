@@ -1,18 +1,14 @@
-"""The formula and its atlas: groups, exact laws found again, refusals, classes, the page."""
+"""The formula and its atlas: design, groups, exact laws found again, refusals."""
 
-import json
 import math
-import shutil
-import subprocess
 import warnings
-from types import SimpleNamespace
 
 import numpy as np
 import pandas as pd
 import pytest
+from formula_cases import ROW
 from rocking import Case, Motion, estimate
-from rocking.assessment import report
-from rocking.formula import classes, fit, groups, law, measures, page, words
+from rocking.formula import fit, groups, law, measures
 from rocking.shipped import shipped
 from rocking.studies import atlas
 from scipy.special import ndtr
@@ -25,18 +21,6 @@ COLUMN = {
     "return_wall.building_mass_kg": 1.0e5,
     "facade.thickness_m": 0.45,
 }
-ROW = {
-    "height_m": 6.5,
-    "slenderness": 14.0,
-    "e_mpa": 1800.0,
-    "density_kg_m3": 1800.0,
-    "friction_deg": 30.0,
-    "period_s": 0.3,
-    "mass_ratio": 6.0,
-    "contact_damping": 1.0,
-    "storeys": 3,
-}
-PARTS = ("whole", "above_2.000")  # of an assessment
 SETTINGS = {"facades": 32, "seed": 48, "others": [], "max_pga_g": 8.0}
 SETTINGS["ranges"] = {
     "height_m": [3.0, 12.0],
@@ -61,13 +45,6 @@ def known():
 def case():
     with pytest.warns(UserWarning, match="eq. 5 was fitted"):
         return Case.configured("W2m", COLUMN)
-
-
-def drawn(count, seed=7):
-    """Façades within the limits of the shipped formula."""
-    rng, limits = np.random.default_rng(seed), law.read()["limits"]
-    rows = [{name: rng.uniform(*ends) for name, ends in limits.items()} for _ in range(count)]
-    return [{**row, "storeys": round(row["storeys"])} for row in rows]
 
 
 def test_a_longer_design_begins_with_the_shorter_one():
@@ -297,186 +274,6 @@ def test_a_model_without_a_law_is_refused():
 def test_w1_does_not_ask_for_the_building():
     case = Case.configured("W1", {"facade.base": "column", "smdof.period_s": 3.0})
     assert estimate(case).median > 0.0
-
-
-def test_class_of_one_facade_is_that_facade(known):
-    found = classes.fragility(pd.DataFrame([ROW]), "W2m")
-    median, dispersion, _ = law.said(ROW, "W2m")
-    assert found["median"] == pytest.approx(median, rel=1e-12)
-    assert found["dispersion"] == pytest.approx(dispersion, rel=1e-12)
-    assert found["by_facade"] == 0.0
-    same = classes.fragility(pd.DataFrame([ROW] * 5), "W2m")
-    assert same["dispersion"] == pytest.approx(dispersion, rel=1e-12)
-
-
-def test_class_of_two_facades_by_hand():
-    """θ = √(0.2·0.8) = 0.4; ln θ_i = ± ln 2 about it, so β_f = ln 2; β_m² = (0.3² + 0.4²)/2."""
-    median, beta, by_facade, by_motion = classes.combined([0.2, 0.8], [0.3, 0.4])
-    assert median == pytest.approx(0.4)
-    assert by_facade == pytest.approx(math.log(2.0))
-    assert by_motion == pytest.approx(math.sqrt(0.125))
-    assert beta == pytest.approx(math.sqrt(math.log(2.0) ** 2 + 0.125))
-    # at the median the mixture is one half, for it is symmetrical there if the dispersions are
-    assert classes.mixture(0.4, [0.2, 0.8], [0.3, 0.3]) == pytest.approx(0.5)
-
-
-def test_class_has_the_mean_and_the_variance_of_its_mixture():
-    medians, spreads, weights = [0.2, 0.3, 0.7], [0.3, 0.35, 0.4], [1.0, 2.0, 1.0]
-    median, beta, _, _ = classes.combined(medians, spreads, weights)
-    x = np.linspace(-8.0, 6.0, 200_001)
-    cdf = classes.mixture(np.exp(x), medians, spreads, weights)
-    density, middle = np.diff(cdf), 0.5 * (x[1:] + x[:-1])
-    mean = density @ middle
-    assert mean == pytest.approx(math.log(median), abs=1e-6)
-    assert density @ (middle - mean) ** 2 == pytest.approx(beta**2, abs=1e-6)
-
-
-def test_class_of_distributions_keeps_to_them():
-    rows = [
-        {"parameter": "height_m", "distribution": "uniform", "low": 5.0, "high": 9.0},
-        {"parameter": "thickness_m", "distribution": "lognormal", "median": 0.5, "spread": 0.1}
-        | {"low": 0.45, "high": 0.55},
-        {"parameter": "storeys", "distribution": "choice", "values": [2, 3]},
-    ]
-    rest = ("e_mpa", "density_kg_m3", "friction_deg", "period_s", "mass_ratio", "contact_damping")
-    rows += [{"parameter": name, "distribution": "value", "median": ROW[name]} for name in rest]
-    table = classes.sampled({"samples": 256, "seed": 1, "parameters": rows})
-    thick = table["height_m"] / table["slenderness"]
-    assert table["height_m"].between(5.0, 9.0).all()
-    assert thick.between(0.45, 0.55).all()
-    assert np.median(thick) == pytest.approx(0.5, rel=0.01)
-    assert set(table["storeys"]) == {2.0, 3.0}
-    without = [row for row in rows if row["parameter"] != "friction_deg"]
-    with pytest.raises(ValueError, match="friction_deg is missing"):
-        classes.sampled({"samples": 8, "seed": 1, "parameters": without})
-
-
-@pytest.mark.parametrize(
-    ("row", "said_of"),
-    [
-        ({"distribution": "value"}, "value without median; expected median"),
-        ({"distribution": "uniform", "low": 5.0}, "uniform without high; expected low and high"),
-        ({"distribution": "lognormal", "median": 5.0}, "lognormal without spread"),
-        ({"distribution": "choice"}, "choice without values"),
-        ({"distribution": "uniform", "low": 9.0, "high": 5.0}, "from 9 to 5; expected low < high"),
-    ],
-)
-def test_row_of_a_class_that_is_incomplete_ends_in_one_line(row, said_of):
-    settings = {"samples": 8, "seed": 1, "parameters": [{"parameter": "height_m", **row}]}
-    with pytest.raises(ValueError, match="facade_class.parameters: height_m: ") as said:
-        classes.sampled(settings)
-    assert said_of in str(said.value)
-    assert "\n" not in str(said.value)
-
-
-def test_class_outside_of_the_formula_is_refused():
-    rows = pd.DataFrame([ROW] * 8 + [{**ROW, "period_s": 2.0}])
-    with pytest.raises(groups.OutsideError, match="11 % of it lie outside"):
-        classes.fragility(rows, "W2m")
-    assert classes.fragility(rows, "W1")["n_outside"] == 0
-
-
-def test_page_carries_the_formula_and_loads_nothing(known):
-    text = page.page(known)
-    assert not any(word in text for word in ("src=", "href=", "fetch(", "import("))
-    assert "http" not in text.replace("http://www.w3.org/2000/svg", "")
-    inside = text.split("const LAW = ", 1)[1].split(";\n", 1)[0]
-    assert json.loads(inside)["limits"] == known["limits"]
-    assert set(json.loads(inside)["walls"]) == {known["made_of"]["base"], *known["bases"]}
-    assert 'name="viewport" content="width=device-width' in text
-
-
-@pytest.mark.skipif(not shutil.which("node"), reason="no Node.js; the browser was tried by hand")
-def test_page_and_python_agree_at_a_thousand_inputs(known, tmp_path):
-    """The page's own script, run without a page: median, probability at a PGA, error."""
-    rng, rows = np.random.default_rng(11), drawn(1000)
-    models, measures = list(known["models"]), list(law.MEASURES)
-    bases = [known["made_of"]["base"], *known["bases"]]
-    asked = [
-        {
-            "x": row,
-            "model": models[rng.integers(len(models))],
-            "measure": measures[rng.integers(len(measures))],
-            "base": bases[rng.integers(len(bases))],
-            "factor": float(rng.uniform(0.3, 3.0)),
-        }
-        for row in rows
-    ]
-    script = page.page(known).split("<script>", 1)[1].split("</script>", 1)[0]
-    script += (
-        "\nconst asked = JSON.parse(require('fs').readFileSync(0, 'utf8'));\n"
-        "console.log(JSON.stringify(asked.map((a) => { const f = estimate(a.x, a.model, a.measure, "
-        "a.base); return [f.median, probability(f, a.factor * f.median), f.error, "
-        "outside(a.x, a.model) === null]; })));\n"
-    )
-    (tmp_path / "page.js").write_text(script, "utf-8")
-    run = subprocess.run(
-        ["node", str(tmp_path / "page.js")],
-        input=json.dumps(asked),
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=True,
-    )
-    for one, (median, share, error, inside) in zip(asked, json.loads(run.stdout), strict=True):
-        own, spread, own_error = law.said(one["x"], one["model"], one["measure"], one["base"])
-        assert inside
-        assert median == pytest.approx(own, rel=1e-9)
-        assert share == pytest.approx(ndtr(math.log(one["factor"]) / spread), rel=1e-6, abs=1e-12)
-        assert error == pytest.approx(own_error, rel=1e-9)
-
-
-def test_a_run_of_an_own_facade_begins_with_the_formula():
-    from rocking.configuration import config
-
-    own = config.resolve(
-        {
-            "models": ["W1", "W2m", "W1c"],
-            "facade": {"height_m": 7.2},
-            "return_wall": {"building_mass_kg": 1.2e5},
-        }
-    )
-    line = words.of_run("mine", own)
-    case = Case.configured("W1", {"facade.height_m": 7.2})
-    assert line.startswith("mine: by the formula")
-    assert f"W1 {estimate(case).median:.2g} g" in line
-    assert "W2m" in line
-    assert "W1c" not in line
-    assert words.of_runs({"default": config.resolve({"models": ["W1"]})}) == []
-    assert (
-        words.of_run("slow", config.resolve({"models": ["W2"], "smdof": {"period_s": 3.0}})) == ""
-    )
-
-
-def test_a_computed_median_far_from_the_formula_is_remarked_upon():
-    found = law.Estimate("W2m", "pga_g", 0.3, 0.4, 0.05)
-    edge = math.exp(2.0 * math.hypot(0.05, 0.4 / 4.0))
-    assert words.remark(found, 0.3 * 0.99 * edge, 16) == ""
-    assert "more than" in words.remark(found, 0.3 * 1.01 * edge, 16)
-    assert "less than" in words.remark(found, 0.3 / 1.01 / edge, 16)
-    assert words.remark(found, 0.3 * 1.01 * edge, 2) == ""  # two motions say little
-    assert words.remark(found, math.nan, 16) == ""
-
-
-def test_an_assessment_says_where_its_median_is_far_from_the_formula():
-    from rocking.configuration import config
-
-    own = config.resolve({"models": ["W1"], "facade": {"height_m": 7.2, "base": "column"}})
-    by_formula = estimate(Case.configured("W1", {"facade.height_m": 7.2, "facade.base": "column"}))
-    rows = [{"model": "W1", "median_pga_g": by_formula.median, "stations": 22}]
-    assert words.remarks(own, pd.DataFrame(rows)) == []
-    rows[0]["median_pga_g"] *= 5.0
-    (said,) = words.remarks(own, pd.DataFrame(rows))
-    assert said.startswith("W1: the computed median")
-    tables = {
-        "parts_dynamic": pd.DataFrame([{**row, "part": part} for row in rows for part in PARTS]),
-        "dynamic": pd.DataFrame(rows),
-        "code_checks": pd.DataFrame({"pga_demand_g": [0.3]}),
-    }
-    data = SimpleNamespace(config=own, tables=tables, demand_said="stated", factor=1.35)
-    assert report.rests_on(data, "W1").count(said) == 1  # of the whole façade, not of its parts
-    own["facade"]["ties"] = [{"height_m": 3.0}]
-    assert words.remarks(own, pd.DataFrame(rows)) == []  # no formula, nothing to say
 
 
 def test_shipped_formula_is_the_one_of_the_shipped_atlas(known):

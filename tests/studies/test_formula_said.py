@@ -1,0 +1,123 @@
+"""What is said by the formula: its page, the first line of a run, remarks on other medians."""
+
+import json
+import math
+import shutil
+import subprocess
+from types import SimpleNamespace
+
+import numpy as np
+import pandas as pd
+import pytest
+from formula_cases import drawn
+from rocking import Case, estimate
+from rocking.assessment import report
+from rocking.configuration import config
+from rocking.formula import law, page, words
+from scipy.special import ndtr
+
+PARTS = ("whole", "above_2.000")  # of an assessment
+
+
+@pytest.fixture(scope="module")
+def known():
+    return law.read()
+
+
+def test_page_carries_the_formula_and_loads_nothing(known):
+    text = page.page(known)
+    assert not any(word in text for word in ("src=", "href=", "fetch(", "import("))
+    assert "http" not in text.replace("http://www.w3.org/2000/svg", "")
+    inside = text.split("const LAW = ", 1)[1].split(";\n", 1)[0]
+    assert json.loads(inside)["limits"] == known["limits"]
+    assert set(json.loads(inside)["walls"]) == {known["made_of"]["base"], *known["bases"]}
+    assert 'name="viewport" content="width=device-width' in text
+
+
+@pytest.mark.skipif(not shutil.which("node"), reason="no Node.js; the browser was tried by hand")
+def test_page_and_python_agree_at_a_thousand_inputs(known, tmp_path):
+    """The page's own script, run without a page: median, probability at a PGA, error."""
+    rng, rows = np.random.default_rng(11), drawn(1000)
+    models, measures = list(known["models"]), list(law.MEASURES)
+    bases = [known["made_of"]["base"], *known["bases"]]
+    asked = [
+        {
+            "x": row,
+            "model": models[rng.integers(len(models))],
+            "measure": measures[rng.integers(len(measures))],
+            "base": bases[rng.integers(len(bases))],
+            "factor": float(rng.uniform(0.3, 3.0)),
+        }
+        for row in rows
+    ]
+    script = page.page(known).split("<script>", 1)[1].split("</script>", 1)[0]
+    script += (
+        "\nconst asked = JSON.parse(require('fs').readFileSync(0, 'utf8'));\n"
+        "console.log(JSON.stringify(asked.map((a) => { const f = estimate(a.x, a.model, a.measure, "
+        "a.base); return [f.median, probability(f, a.factor * f.median), f.error, "
+        "outside(a.x, a.model) === null]; })));\n"
+    )
+    (tmp_path / "page.js").write_text(script, "utf-8")
+    run = subprocess.run(
+        ["node", str(tmp_path / "page.js")],
+        input=json.dumps(asked),
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=True,
+    )
+    for one, (median, share, error, inside) in zip(asked, json.loads(run.stdout), strict=True):
+        own, spread, own_error = law.said(one["x"], one["model"], one["measure"], one["base"])
+        assert inside
+        assert median == pytest.approx(own, rel=1e-9)
+        assert share == pytest.approx(ndtr(math.log(one["factor"]) / spread), rel=1e-6, abs=1e-12)
+        assert error == pytest.approx(own_error, rel=1e-9)
+
+
+def test_a_run_of_an_own_facade_begins_with_the_formula():
+    own = config.resolve(
+        {
+            "models": ["W1", "W2m", "W1c"],
+            "facade": {"height_m": 7.2},
+            "return_wall": {"building_mass_kg": 1.2e5},
+        }
+    )
+    line = words.of_run("mine", own)
+    case = Case.configured("W1", {"facade.height_m": 7.2})
+    assert line.startswith("mine: by the formula")
+    assert f"W1 {estimate(case).median:.2g} g" in line
+    assert "W2m" in line
+    assert "W1c" not in line
+    assert words.of_runs({"default": config.resolve({"models": ["W1"]})}) == []
+    assert (
+        words.of_run("slow", config.resolve({"models": ["W2"], "smdof": {"period_s": 3.0}})) == ""
+    )
+
+
+def test_a_computed_median_far_from_the_formula_is_remarked_upon():
+    found = law.Estimate("W2m", "pga_g", 0.3, 0.4, 0.05)
+    edge = math.exp(2.0 * math.hypot(0.05, 0.4 / 4.0))
+    assert words.remark(found, 0.3 * 0.99 * edge, 16) == ""
+    assert "more than" in words.remark(found, 0.3 * 1.01 * edge, 16)
+    assert "less than" in words.remark(found, 0.3 / 1.01 / edge, 16)
+    assert words.remark(found, 0.3 * 1.01 * edge, 2) == ""  # two motions say little
+    assert words.remark(found, math.nan, 16) == ""
+
+
+def test_an_assessment_says_where_its_median_is_far_from_the_formula():
+    own = config.resolve({"models": ["W1"], "facade": {"height_m": 7.2, "base": "column"}})
+    by_formula = estimate(Case.configured("W1", {"facade.height_m": 7.2, "facade.base": "column"}))
+    rows = [{"model": "W1", "median_pga_g": by_formula.median, "stations": 22}]
+    assert words.remarks(own, pd.DataFrame(rows)) == []
+    rows[0]["median_pga_g"] *= 5.0
+    (said,) = words.remarks(own, pd.DataFrame(rows))
+    assert said.startswith("W1: the computed median")
+    tables = {
+        "parts_dynamic": pd.DataFrame([{**row, "part": part} for row in rows for part in PARTS]),
+        "dynamic": pd.DataFrame(rows),
+        "code_checks": pd.DataFrame({"pga_demand_g": [0.3]}),
+    }
+    data = SimpleNamespace(config=own, tables=tables, demand_said="stated", factor=1.35)
+    assert report.rests_on(data, "W1").count(said) == 1  # of the whole façade, not of its parts
+    own["facade"]["ties"] = [{"height_m": 3.0}]
+    assert words.remarks(own, pd.DataFrame(rows)) == []  # no formula, nothing to say
