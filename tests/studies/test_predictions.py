@@ -136,6 +136,19 @@ def test_runs_take_their_file_or_their_motions_strongest_one(tmp_path):
     assert name == specimen["motions"]["stand_in"]["RWA"][0]
 
 
+@pytest.mark.slow
+def test_readings_side_by_side_are_those_one_after_another():
+    specimen, runs = predictions.read(FOLDERS[0])
+    readings = list(specimen["variants"].items())
+    small = {**specimen, "members": 2, "variants": dict(readings[:5:4])}
+    alone, beside = (
+        predictions.shake_table(small, runs.iloc[:1], None, False, cores) for cores in (1, 2)
+    )
+    pd.testing.assert_frame_equal(alone, beside, check_exact=True)
+    assert list(beside["variant"].unique()) == list(small["variants"])
+    assert len(beside) == 2 * 2
+
+
 @pytest.fixture
 def gable(tmp_path):
     """The gable of one reading and one rung, with a run of its own that is to be read."""
