@@ -360,6 +360,23 @@ def test_rows_pull_on_what_turns_below_them():
     assert ties_shaken.held_by(family.part(4.0, "part").mechanism, rows) == [1]
 
 
+def test_behind_a_part_are_the_rows_of_its_case():
+    """Bending below a row leaves it in place by hand; shaken, the row gives, and may grow."""
+    tied = ties.Tied(sections(PLAIN), DEMAND)
+    rows = two_rows(tied)
+    known = {label(one): one for one in tied.family(rows).plane()}
+    bends = next(one for one in known.values() if one.foot_m == 3.0 and one.held_m == 6.0)
+    assert ties_shaken.held_by(bends.mechanism, rows) == []
+    given = {"facade": {**PLAIN, "ties": tied.entries(rows)}, "smdof.n_dof": 3}
+    case = Case.configured("W1", {**given, "damping": {"law": "value", "beta_s": 0.001}})
+    for one in known.values():
+        behind = ties_shaken.behind(one, rows)
+        part = case.part(one.foot_m, one.held_m, one.hinge_m).sections["facade"]
+        heights = {row["height_m"] + one.foot_m for row in part["ties"]}
+        assert {rows[k].height_m for k in behind} == heights
+        assert behind == sorted(behind, reverse=True)
+
+
 @pytest.mark.slow
 def test_the_dynamic_check_of_a_tied_facade_holds_at_the_end_and_not_one_step_before():
     """Both by histories of its own: mean of the largest displacements, d_SLV of the tied curve."""

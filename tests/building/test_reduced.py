@@ -157,7 +157,8 @@ def test_mass_and_drag_are_those_behind_the_crack():
     few, many = reduction(scene, 5), reduction(scene, 80)
     mass = sum(b.mass_kg for b in scene.blocks if b.free and b.name != scene.monitor)
     assert many.participation @ many.participation == pytest.approx(mass, rel=0.02)
-    assert few.participation @ few.participation < many.participation @ many.participation
+    own, whole = (one.participation @ one.participation for one in (few, many))
+    assert own == pytest.approx(whole, rel=1e-9)  # static responses are among the fewest
     assert np.all((many.moving > 0.0) & (many.moving <= 1.0 + 1e-12))
     assert few.omega[0] == pytest.approx(many.omega[0], rel=1e-6)
     carried = many.carried(2.0)

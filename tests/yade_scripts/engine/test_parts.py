@@ -194,7 +194,7 @@ def test_energy_closes_on_the_chain(kind):
     """YADE's books of W2m, base, panels and pieces in them: less than 2e-3 of what overturns it."""
     case = part("W2m", KINDS[kind])
     time_s, columns = recorded(case)
-    last, factor = np.searchsorted(time_s, 4.0), 0.6 if kind == "before walls" else 1.0
+    last, factor = np.searchsorted(time_s, 2.5), 0.6 if kind == "before walls" else 1.0
     got = in_yade(
         "accuracy_cases",
         "balanced",

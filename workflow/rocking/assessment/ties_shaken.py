@@ -17,6 +17,7 @@ from rocking.assessment.code_checks import slv_pga
 from rocking.assessment.dynamic_check import FINE, decided, limits_of
 from rocking.assessment.shaken import cases, chosen, heights, of_label
 from rocking.collapse.case import Variant
+from yade_scripts.model.part import LEVEL_M, NEAR_M
 
 LEAST_SHARE, MOST_SHARE = 1e-4, 2.0  # of the façade's weight, of one row
 STEP = 0.95  # of the force, between two strengths of the rows
@@ -105,7 +106,7 @@ class Shaken:
         for row, part in [*parts[first:], *parts[:first]]:
             one = known[row.part]
             if row.part not in self.left and not self._run(rows, part, row.part, one)["holds"]:
-                return Failing(model, row.part, row.mechanism, held_by(one.mechanism, rows))
+                return Failing(model, row.part, row.mechanism, behind(one, rows))
         return None
 
     def everything(self, rows):
@@ -177,7 +178,7 @@ def forces_said(rows):
 
 
 def held_by(mechanism, rows):
-    """Indices of the rows that pull on a mechanism, the highest first.
+    """Indices of the rows that pull on a mechanism by hand, the highest first.
 
     Read off its own pulls: a row at or below its foot, or where it is kept in place, is none.
     """
@@ -187,6 +188,18 @@ def held_by(mechanism, rows):
         for k, row in enumerate(rows)
         if row.force_n and any(abs(row.height_m - z) < SAME_M for z in pulled)
     ]
+    return sorted(own, key=lambda k: -rows[k].height_m)
+
+
+def behind(one, rows):
+    """Indices of the rows behind a part that is shaken, the highest first: those its case has.
+
+    Also the row at the level that holds a part in bending: by hand that level stays, shaken it
+    gives as a row of its strength does.
+    """
+    foot_m, held_m, _ = heights(one)
+    top_m = math.inf if held_m is None else held_m + LEVEL_M
+    own = [k for k, r in enumerate(rows) if r.force_n and foot_m + NEAR_M < r.height_m < top_m]
     return sorted(own, key=lambda k: -rows[k].height_m)
 
 
@@ -263,7 +276,7 @@ def free_levels(shaken, rows, failing):
             continue
         weak = [*rows[:k], row._replace(force_n=least_n(shaken)), *rows[k + 1 :]]
         known = of_label(shaken.tied.family(weak))
-        if failing.part in known and k in held_by(known[failing.part].mechanism, weak):
+        if failing.part in known and k in behind(known[failing.part], weak):
             found.append(k)
     return found
 
