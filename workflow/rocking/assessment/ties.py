@@ -33,12 +33,12 @@ from rocking.assessment.ties_shaken import (
     MOST_SHARE,
     first_failing,
     grown,
-    held_by,
     lowered,
 )
 from rocking.studies.strengthening import row_of_rods
 
 CLOSE = 0.005  # relative, of a row's least force
+SAME_M = 1e-6  # heights
 COMMERCIAL_MM = (8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 36, 40, 45, 50, 60, 70, 80)
 ROWS = ["height_m", "force_by_hand_kn", "force_kn", "count", "diameter_mm", "commercial_mm"]
 ROWS += ["yield_mpa", "length_m", "model", "governed_by", "relied", "force_relied_kn"]
@@ -299,6 +299,20 @@ def sold(tied, result, shaken, say=lambda text: None):
             say(f"as sold: φ {said} do not hold")
             return sizes, False
         sizes[which[0]] = larger
+
+
+def held_by(mechanism, rows):
+    """Indices of the rows that pull on a mechanism by hand, the highest first.
+
+    Read off its own pulls: a row at or below its foot, or where it is kept in place, is none.
+    """
+    pulled = [float(pull.path(0.0)[1].real) for pull in mechanism.pulls]
+    own = [
+        k
+        for k, row in enumerate(rows)
+        if row.force_n and any(abs(row.height_m - z) < SAME_M for z in pulled)
+    ]
+    return sorted(own, key=lambda k: -rows[k].height_m)
 
 
 def _pulling(tied, rows, beyond, shaken):

@@ -22,7 +22,6 @@ from yade_scripts.model.part import LEVEL_M, NEAR_M
 LEAST_SHARE, MOST_SHARE = 1e-4, 2.0  # of the façade's weight, of one row
 STEP = 0.95  # of the force, between two strengths of the rows
 COARSE = 8  # steps at once, until the dynamic check holds
-SAME_M = 1e-6  # heights
 TRIED = ["forces_kn", "model", "part", "mechanism", "exceed_d0", "mean_d_m", "d_slv_m"]
 TRIED += ["histories", "agree", "holds", "fine"]
 
@@ -175,20 +174,6 @@ def _worse(row):
 def forces_said(rows):
     """Forces of rows [kN], in the order of their heights."""
     return " ".join(f"{1e-3 * row.force_n:.4g}" for row in rows)
-
-
-def held_by(mechanism, rows):
-    """Indices of the rows that pull on a mechanism by hand, the highest first.
-
-    Read off its own pulls: a row at or below its foot, or where it is kept in place, is none.
-    """
-    pulled = [float(pull.path(0.0)[1].real) for pull in mechanism.pulls]
-    own = [
-        k
-        for k, row in enumerate(rows)
-        if row.force_n and any(abs(row.height_m - z) < SAME_M for z in pulled)
-    ]
-    return sorted(own, key=lambda k: -rows[k].height_m)
 
 
 def behind(one, rows):
