@@ -2,12 +2,10 @@
 
 import json
 import math
-from concurrent.futures import ThreadPoolExecutor
 
-import pandas as pd
 import pytest
 from rocking import Case, Motion
-from rocking.assessment import dynamic_check, inputs, ties, ties_shaken
+from rocking.assessment import inputs, ties, ties_shaken
 from rocking.assessment.code_checks import slv_pga
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.shaken import label
@@ -263,81 +261,6 @@ def test_rods_that_are_sold_are_the_next_size_with_which_it_holds():
     assert [row["commercial_mm"] for row in table] == [least[0], larger]
     shaken.holds = lambda rows, failing: False
     assert not ties.sold(tied, found, shaken)[1]
-
-
-LIMITS = dynamic_check.Limits(0.5, 0.2, 0.3)
-ROUGH, FINE = dynamic_check.ROUGH, dynamic_check.FINE
-
-
-def shaken_by_hand(monkeypatch, shares, fallen=()):
-    """Peaks over d0 by motion, of repetitions with some that fall; returns what was asked for."""
-    asked = []
-
-    def rows(name, ends):
-        about = {"record": name, "direction": "pos", "d_m": shares[name] * LIMITS.d0_m}
-        return pd.DataFrame([{**about, "realisation": k, "status": s} for k, s in ends])
-
-    def once(job, name, direction, pga_g, fraction=None):
-        asked.append((name, 0, fraction))
-        return rows(name, [(0, "ok")])
-
-    def repeated(job, name, direction, pga_g, count, fraction=None):
-        asked.append((name, count, fraction))
-        ends = ["overturned" if k in fallen else "ok" for k in range(count)]
-        return rows(name, enumerate(ends, 1))
-
-    monkeypatch.setattr(dynamic_check, "histories", once)
-    monkeypatch.setattr(dynamic_check, "perturbed", repeated)
-    return asked
-
-
-@pytest.mark.parametrize(("fallen", "holds"), [((), True), ((3,), False)])
-def test_a_part_of_which_one_repetition_falls_does_not_hold(monkeypatch, fallen, holds):
-    """One motion at 0.4 of d0, five repetitions: one that falls leaves 83 % of draws."""
-    asked = shaken_by_hand(monkeypatch, {"calm": 0.1, "far": 0.4}, fallen)
-    turns = [((name, 0.3), "pos") for name in ("calm", "far")]
-    said, turn = dynamic_check.decided({}, turns, LIMITS, 5, 1)
-    assert [name for name, count, _ in asked if count] == ["far"]
-    assert said["holds"] is holds
-    assert said["exceed_d0"] == 0
-    assert said["agree"] == pytest.approx(1.0 if holds else 5 / 6, abs=0.03)
-    assert turn == (None if holds else turns[1])
-    for care, count in ((FINE, 0), (ROUGH, 5)):  # a rough one repeats from half of d0 on
-        assert dynamic_check.decided({}, turns, LIMITS, count, 1, care)[0]["holds"]
-
-
-def test_short_steps_are_taken_where_long_ones_move_a_part_far(monkeypatch):
-    asked = shaken_by_hand(monkeypatch, {"calm": 0.15, "near": 0.25, "far": 0.6})
-    turns = [((name, 0.3), "pos") for name in ("calm", "near", "far")]
-    dynamic_check.decided({}, turns, LIMITS, 5, 1, ROUGH)
-    long = dynamic_check.LONG_STEP
-    assert asked == [(n, 0, long) for n in ("calm", "near", "far")] + [("far", 5, long)]
-    asked.clear()
-    dynamic_check.decided({}, turns, LIMITS, 5, 1, FINE)
-    assert [name for name, _, step in asked if step is None] == ["near", "far", "far"]
-    assert [name for name, count, _ in asked if count] == ["far"]
-
-
-@pytest.mark.parametrize("falls", [None, 0, 2, 8])
-def test_turns_side_by_side_decide_as_one_after_another(monkeypatch, falls):
-    """What was run beyond the turn that ends the check counts for nothing."""
-    limits, asked = dynamic_check.Limits(0.5, 0.3, 0.3), []
-
-    def history(job, name, direction, pga_g, fraction=None):
-        asked.append(name)
-        status = "overturned" if name == falls else "ok"
-        about = {"record": name, "direction": direction, "d_m": 0.02 * name, "status": status}
-        return pd.DataFrame([{**about, "realisation": 0}])
-
-    monkeypatch.setattr(dynamic_check, "histories", history)
-    turns = [((name, 0.3), "pos") for name in range(12)]
-    alone = dynamic_check.decided({}, turns, limits, 0, 1, ROUGH)
-    after, asked[:] = len(asked), []
-    with ThreadPoolExecutor(2) as pool:
-        beside = dynamic_check.decided({}, turns, limits, 0, 1, ROUGH, pool.map, 2)
-    assert beside == alone
-    assert alone[1] == (None if falls is None else turns[falls])
-    assert after <= len(asked) <= min(after + 8, 12)
 
 
 def test_what_no_row_makes_hold_is_left_out_and_grows_none():
