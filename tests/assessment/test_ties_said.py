@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pandas as pd
 import pytest
-from rocking.assessment import ties_said
+from rocking.assessment import ties_said, verdict
 
 GABLE = "part above 6.40 m (foot of the gable)"
 
@@ -75,6 +75,19 @@ def test_the_answer_on_the_first_page(given, starts, ends):
     said = ties_said.answer(given)
     assert said.startswith(starts)
     assert said.endswith(ends)
+
+
+def test_a_row_of_a_few_newtons_is_not_none():
+    assert [ties_said.kn(force) for force in (412.616, 0.05, 0.0148)] == [
+        "412.6 kN",
+        "0.1 kN",
+        "0.015 kN",
+    ]
+
+
+def test_what_is_just_short_of_the_whole_is_not_100_per_cent():
+    said = [verdict.per_cent(x) for x in (0.994, 0.9962, 0.99999, 1.0, 1.002, -0.05)]
+    assert said == ["99 %", "99.6 %", "99.9 %", "100 %", "100 %", "−5 %"]
 
 
 def test_without_a_dynamic_check_the_answer_says_so():

@@ -27,7 +27,7 @@ def answer(data):
         return "No row at floors or eaves makes the façade pass; what fails is named under Ties."
     said = words_of(
         [
-            f"{r.force_kn:.1f} kN at {r.height_m:.2f} m ({r.count} φ{r.commercial_mm:g}, "
+            f"{kn(r.force_kn)} at {r.height_m:.2f} m ({r.count} φ{r.commercial_mm:g}, "
             f"{r.yield_mpa:g} MPa)"
             for r in kept.itertuples()
         ]
@@ -49,6 +49,11 @@ def answer(data):
     return f"{with_rows} {what} pass{rest}.{alone} {more}"
 
 
+def kn(force_kn):
+    """A force to a tenth, and to two digits where that would leave nothing of it."""
+    return f"{force_kn:.1f} kN" if force_kn >= SAME_KN else f"{force_kn:.2g} kN"
+
+
 def less(many, beyond):
     """Sentence on 95 % of a row: each was tried, the others as they are."""
     of = "any one row, the others as they are," if many else "the force"
@@ -68,7 +73,7 @@ def relied(rows):
     if not other.any():
         return ""
     own = rows[rows["force_relied_kn"] > 0.0]
-    said = [f"{r.force_relied_kn:.1f} kN at {r.height_m:.2f} m" for r in own.itertuples()]
+    said = [f"{kn(r.force_relied_kn)} at {r.height_m:.2f} m" for r in own.itertuples()]
     return f" {rows['relied'].iloc[0]} by itself asks for {words_of(said) if said else 'none'}."
 
 
@@ -119,8 +124,8 @@ def _rows(rows, folder):
         [
             (
                 f"{r.height_m:.2f} m",
-                f"{r.force_by_hand_kn:.1f} kN" if r.force_by_hand_kn else "–",
-                f"{r.force_kn:.1f} kN",
+                kn(r.force_by_hand_kn) if r.force_by_hand_kn else "–",
+                kn(r.force_kn),
                 f"{r.count} of {r.yield_mpa:g} MPa, {r.length_m:g} m long",
                 f"{r.diameter_mm:.1f} mm, sold as φ{r.commercial_mm:g}",
                 asked_by(r),

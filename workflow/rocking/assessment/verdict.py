@@ -1,5 +1,7 @@
 """What a report says first: the verdict in three sentences, what it rests on, what is next."""
 
+import math
+
 import pandas as pd
 
 from rocking.assessment.dynamic_check import LEAST_DRAWS, surely
@@ -22,7 +24,9 @@ def g3(value):
 
 
 def per_cent(value):
-    """Whole per cent."""
+    """Whole per cent; what is just short of the whole keeps a tenth, and is not 100 %."""
+    if 0.995 <= value < 1.0:
+        return f"{math.floor(1000.0 * value) / 10.0:.1f} %"
     return f"{100 * value:.0f} %".replace("-", "−")
 
 
