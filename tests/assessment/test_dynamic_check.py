@@ -133,17 +133,20 @@ def test_a_motion_that_always_exceeds_d0_settles_what_all_realisations_would_say
         found = table([0.0] * len(values)).assign(record=name, d_m=values)
         return found.assign(realisation=np.arange(first, first + len(values)))
 
-    def more(job, name, direction, pga_g, count):
-        asked.append(name)
-        return rows(name, [d[name]] * (count - 1) + [again.get(name, d[name])], 1)
+    def run(job, turns, fraction=None, realisations=0):
+        names = [name for (name, _), _ in turns]
+        if not realisations:
+            return [rows(name, [d[name]], 0) for name in names]
+        asked.extend(names)
+        last = [again.get(name, d[name]) for name in names]
+        every = [[d[n]] * (realisations - 1) + [end] for n, end in zip(names, last, strict=True)]
+        return [rows(name, values, 1) for name, values in zip(names, every, strict=True)]
 
-    monkeypatch.setattr(
-        dynamic_check, "histories", lambda job, name, *more: rows(name, [d[name]], 0)
-    )
-    monkeypatch.setattr(dynamic_check, "perturbed", more)
+    monkeypatch.setattr(dynamic_check, "histories", run)
     found = dynamic_check.checked({}, [(name, 0.2) for name in d], ["pos"], limits, 5)
     assert asked == wanted
-    every = pd.concat([found, *(more({}, n, "pos", 0.2, 5) for n in d if n not in asked)])
+    others = [((name, 0.2), "pos") for name in d if name not in asked]
+    every = pd.concat([found, *run({}, others, realisations=5)])
     said, full = verdict(found, limits, 1), verdict(every, limits, 1)
     for key in ("slv", "slc", "exceed_d0", "mean_d_m", "agree"):
         assert said[key] == full[key]

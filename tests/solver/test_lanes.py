@@ -1,4 +1,4 @@
-"""Amplitudes of one motion side by side: the digits of one history after the other."""
+"""Histories side by side, of one motion or many: the digits of one after the other."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ WHAT = ("d_over_b", "end_s", "overturned", "failed")
 def alone(monkeypatch, *args, **options):
     """`peaks`, one history after the other."""
     with monkeypatch.context() as patched:
-        patched.setattr(runs, "FEW", 10**9)
+        patched.setattr(runs, "_beside", lambda loop, count: False)
         return peaks(*args, **options)
 
 
@@ -154,6 +154,46 @@ def test_bricks_whose_numbers_ran_over_are_as_by_themselves(monkeypatch, seed, s
     one, many = alone(monkeypatch, *given, step_s=step), peaks(*given, step_s=step)
     assert one.failed.sum() > WIDTH
     assert same(one, many)
+
+
+@pytest.mark.parametrize(("seed", "model"), [(k, MODELS[k % 4]) for k in range(4, 12)])
+def test_motions_of_their_own_keep_the_digits_of_one_after_the_other(monkeypatch, seed, model):
+    """As long and as finely sampled as they are; some histories have one and the same."""
+    plane, first, numerics, factors = drawn(seed, model)
+    draw = np.random.default_rng(seed)
+    several = [first]
+    for share in (0.4, 0.7, 1.6, 2.3):
+        time = share * first.time_s[:-1]
+        rows = np.vstack([first.ground_m_s2, first.vertical_m_s2, first.supports_m_s2])[:, :-1]
+        rows = rows * draw.uniform(0.3, 1.5) + 0.3 * draw.normal(size=time.size)
+        several.append(Motions(time, rows[0], rows[2:], rows[1]))
+    motions = [several[k] for k in draw.integers(0, len(several), factors.size)]
+    given = plane, motions, numerics, factors
+    one, many = alone(monkeypatch, *given), peaks(*given)
+    assert same(one, many)
+    for motion in several:  # and those of its own motion alone
+        mine = [k for k, other in enumerate(motions) if other is motion]
+        assert same(many, peaks(plane, motion, numerics, factors[mine]), mine)
+    assert np.unique(one.end_s).size > 1
+
+
+def test_bricks_and_masses_keep_their_digits_under_motions_of_their_own(monkeypatch):
+    plane, first, numerics, factors = bricks(0)
+    second = Motions(
+        0.5 * first.time_s[:-1],
+        *(
+            2.0 * row[..., :-1]
+            for row in (first.ground_m_s2, first.supports_m_s2, first.vertical_m_s2)
+        ),
+    )
+    given = plane, [first, second] * 5, numerics, factors[:10]
+    assert same(alone(monkeypatch, *given), peaks(*given))
+
+
+def test_as_many_motions_as_factors_are_asked_for():
+    plane, motions, numerics, _ = drawn(2, "W2")
+    with pytest.raises(ValueError, match="3 factors, and 2 motions"):
+        peaks(plane, [motions] * 2, numerics, [0.1, 0.2, 0.3])
 
 
 def test_no_amplitude_no_history():

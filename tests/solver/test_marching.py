@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 from rocking.mechanics import closed_forms
-from rocking.solver import Motions, bodies, runs, stable_step
-from rocking.solver.runs import _largest_step, limits
+from rocking.solver import Motions, bodies, stable_step
+from rocking.solver import motions as solver_motions
+from rocking.solver.runs import _largest_step, _set_up, limits
 from test_plane import BETA_S, case
 
 NUMERICS = {
@@ -22,19 +23,20 @@ def test_motions_on_the_steps_are_exact():
     t = np.array([0.0, 0.3, 0.7, 1.0])
     motions = Motions(t, 1.0 - t, [2.0 + 3.0 * t], 0.5 * t)
     table = motions.table(0.01)
+    ground, vertical, places, speeds = table.rows.reshape(-1, 4).T
     at = 0.01 * np.arange(101)
     assert table.step_s == 0.01
-    assert table.ground_m_s2[:101] == pytest.approx(1.0 - at)
-    assert table.vertical_m_s2[:101] == pytest.approx(0.5 * at)
-    assert table.speed_m_s[:101, 0] == pytest.approx(at + 2.0 * at**2)
-    assert table.place_m[:101, 0] == pytest.approx(0.5 * at**2 + 2.0 * at**3 / 3.0)
+    assert ground[:101] == pytest.approx(1.0 - at)
+    assert vertical[:101] == pytest.approx(0.5 * at)
+    assert speeds[:101] == pytest.approx(at + 2.0 * at**2)
+    assert places[:101] == pytest.approx(0.5 * at**2 + 2.0 * at**3 / 3.0)
     # from 1 to 1.3 s accelerations fall to zero: then the ground rests, and what moves coasts
-    assert table.ground_m_s2[-1] == pytest.approx(0.0, abs=1e-12)
+    assert ground[-1] == pytest.approx(0.0, abs=1e-12)
     relative = 4.0 + 0.0
     speed = 3.0 + 0.5 * 0.3 * (5.0 - 0.0)
     place = 0.5 + 2.0 / 3.0 + 3.0 * 0.3 + relative * 0.0 + 5.0 * 0.3**2 / 3.0
-    assert table.speed_m_s[-1, 0] == pytest.approx(speed)
-    assert table.place_m[-1, 0] == pytest.approx(place)
+    assert speeds[-1] == pytest.approx(speed)
+    assert places[-1] == pytest.approx(place)
 
 
 def test_tables_are_kept_up_to_a_size(monkeypatch):
@@ -43,22 +45,23 @@ def test_tables_are_kept_up_to_a_size(monkeypatch):
     motions, steps = Motions(t, 0.0 * t, [t]), 0.01 + 1e-4 * np.arange(12)
     first = [motions.table(step) for step in steps]
     assert all(motions.table(step) is table for step, table in zip(steps, first, strict=True))
-    monkeypatch.setattr(runs, "KEPT", 1)
+    monkeypatch.setattr(solver_motions, "KEPT", 1)
     last = motions.table(0.02)
     assert motions.table(0.02) is last
     assert motions.table(steps[0]) is not first[0]
-    assert np.array_equal(motions.table(steps[0]).place_m, first[0].place_m)
+    assert np.array_equal(motions.table(steps[0]).rows, first[0].rows)
 
 
 def test_a_grid_that_ends_after_the_motion_coasts():
     motions = Motions([0.0, 0.1, 0.2], np.zeros(3), [[1.0, 1.0, 0.0]])
     table, end = motions.table(0.07), 0.3
-    last = 0.07 * (len(table.ground_m_s2) - 1)
+    *_, places, speeds = table.rows.reshape(-1, 4).T
+    last = 0.07 * (len(places) - 1)
     assert last > end
     speed = 0.15
-    assert table.speed_m_s[-1, 0] == pytest.approx(speed)
+    assert speeds[-1] == pytest.approx(speed)
     place = 0.1**2 / 2 + 0.1 * 0.1 + 0.1**2 / 3 + speed * (last - 0.2)
-    assert table.place_m[-1, 0] == pytest.approx(place)
+    assert places[-1] == pytest.approx(place)
 
 
 def test_a_history_ends_by_rules_that_follow_the_motion():
@@ -67,8 +70,13 @@ def test_a_history_ends_by_rules_that_follow_the_motion():
     ground = np.where(t < 0.95, 1.0, np.where(t < 1.45, -0.15, 0.01))
     ground[(t > 1.05) & (t < 1.35)] = 0.01  # a quiet spell is not the end
     motions, factors = Motions(t, ground), np.array([0.5, -10.0])
-    rules, end, quiet, speed = limits(2.0, 0.4, motions, NUMERICS, factors)
-    assert rules.limit_s == pytest.approx(2.0 + 7.0)
+    _, planar = case("free", 0.0)
+    uplift = 2.0 * planar.height_m / 0.4  # gravity that makes b/h of it 2 m/s²
+    flat = planar._replace(gravity_m_s2=uplift, thickness_m=0.4)
+    end, quiet, speed, limit, last = limits(flat, motions, NUMERICS, factors, 0.01).T
+    assert limit == pytest.approx([900.0, 900.0])  # 2 s and 7 after them, in steps
+    assert last == pytest.approx([210.0, 210.0])  # it ends at zero one sample after its last
+    rules = _set_up(flat, motions, NUMERICS, factors, None, 0.01).rules
     assert rules.overturn_m == pytest.approx(0.8)
     assert rules.rest_m == pytest.approx(0.2)  # half the thickness: beyond it nothing is at rest
     assert (rules.rest_velocity_m_s, rules.rest_time_s) == (1e-3, 0.5)

@@ -22,11 +22,12 @@ from rocking.collapse.case import Case
 from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
 from rocking.collapse.quick import LONG_STEP
+from rocking.collapse.scan import together
+from rocking.solver.vectors import WIDTH
 from yade_scripts.model.shape import shape_of
 
 DRAWS = 2000
 LEAST_DRAWS = 0.95  # share with which a check that is fulfilled counts as passed
-AHEAD = 4  # turns for each process of a pool, once the first ones have not ended a check
 COLUMNS = ["model", "record", "direction", "realisation", "pga_g", "d_over_b", "d_m", "status"]
 
 
@@ -68,29 +69,43 @@ def width_of(facade):
     return shape_of(facade).overturning_m
 
 
-def histories(job, record, direction, pga_g, fraction=None):
-    """Largest displacements of one case under one motion at some intensities, each once (COLUMNS).
+def histories(job, turns, fraction=None, realisations=0):
+    """Largest displacements of one case under some motions, which march side by side.
 
-    `fraction` is the step over the stable one; None takes the dense scan's.
+    Parameters
+    ----------
+    job : dict
+        A case file.
+    turns : sequence of ((Record, pga_g), direction)
+    fraction : float, optional
+        Step over the stable one; None takes the dense scan's.
+    realisations : int
+        How many within ± `ensemble.amplitude_spread` of each intensity; 0: each as it is.
+
+    Returns
+    -------
+    list of DataFrame
+        COLUMNS, one a turn.
     """
-    screen = run_by("planar", Case(job), Motion(record), direction, fraction=fraction)
-    parts = [screen.run([level], scatter=False).assign(pga_g=level) for level in pga_g]
-    return _rows(pd.concat(parts, ignore_index=True), job, record, direction)
-
-
-def perturbed(job, record, direction, pga_g, count, fraction=None):
-    """As `histories`: realisations 1 to `count` within ± `ensemble.amplitude_spread` of a PGA."""
-    screen = run_by("planar", Case(job), Motion(record), direction, fraction=fraction)
-    spread = job["ensemble"]["amplitude_spread"]
-    factors = np.linspace(1.0 - spread, 1.0 + spread, count)
-    found = screen.run(pga_g * factors, scatter=True).assign(pga_g=pga_g)
-    return _rows(found, job, record, direction).assign(realisation=np.arange(1, count + 1))
-
-
-def _rows(found, job, record, direction):
-    about = {"model": job["model"], "record": record.name, "direction": direction}
-    found = found.assign(**about, d_m=width_of(job["facade"]) * found["d_over_b"], realisation=0)
-    return found[COLUMNS]
+    case, spread, screens = Case(job), job["ensemble"]["amplitude_spread"], {}
+    factors = np.linspace(1.0 - spread, 1.0 + spread, realisations) if realisations else np.ones(1)
+    for (record, _), direction in turns:
+        if (key := (id(record), direction)) not in screens:
+            given = case, Motion(record), direction
+            screens[key] = run_by("planar", *given, fraction=fraction)
+    found = together(
+        [
+            (screens[id(record), direction], pga_g * factors, bool(realisations))
+            for (record, pga_g), direction in turns
+        ]
+    )
+    tables = []
+    for ((record, pga_g), direction), table in zip(turns, found, strict=True):
+        about = {"model": job["model"], "record": record.name, "direction": direction}
+        about |= {"d_m": width_of(job["facade"]) * table["d_over_b"], "pga_g": pga_g}
+        numbers = np.arange(1, realisations + 1) if realisations else 0
+        tables.append(table.assign(**about, realisation=numbers)[COLUMNS])
+    return tables
 
 
 def checked(job, motions, directions, limits, realisations):
@@ -99,12 +114,15 @@ def checked(job, motions, directions, limits, realisations):
     Motions, (Record, pga_g), that exceed d0 are perturbed first. Once one exceeds it in all its
     realisations every draw fails, whatever the others do, and no more are run.
     """
-    runs = [(record, direction, g) for record, g in motions for direction in directions]
-    found = [histories(job, record, direction, [g]) for record, direction, g in runs]
+    turns = [(one, direction) for one in motions for direction in directions]
+    found = histories(job, turns)
     over = [bool(exceeds(own, limits).any()) for own in found]
-    for k in sorted(range(len(runs)), key=lambda k: not over[k]) if realisations else ():
-        found.append(perturbed(job, *runs[k], realisations))
-        if over[k] and exceeds(found[-1], limits).all():
+    fell = [turn for turn, far in zip(turns, over, strict=True) if far]
+    stood = [turn for turn, far in zip(turns, over, strict=True) if not far]
+    for some in (*([turn] for turn in fell), stood) if realisations else ():
+        again = histories(job, some, realisations=realisations)
+        found += again
+        if some is not stood and exceeds(again[0], limits).all():
             break
     return pd.concat(found, ignore_index=True)
 
@@ -125,7 +143,7 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
         See `verdict`.
     care : Care
     many : callable
-        As `map`; a pool's runs some turns side by side.
+        As `map`; a pool's runs in some processes.
     at_once : int
         How many. What is run beyond the turn that ends the check is left out: tables are the same.
 
@@ -137,7 +155,7 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
         What ended it.
     """
     found, far, ended, total_m = [], [], None, 0.0
-    once = partial(_history, job, care.calm * limits.d0_m)
+    once = partial(_as_they_are, job, care.calm * limits.d0_m)
     for turn, table in _run_ahead(many, once, turns, at_once):
         found.append(table)
         d_m = table.loc[table["status"] != "failed", "d_m"].max()
@@ -148,7 +166,8 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
             ended = turn
             break
     far = sorted(far, key=lambda one: -one[0]) if realisations and ended is None else []
-    again = partial(_perturbed, job, realisations, LONG_STEP if math.isinf(care.calm) else None)
+    step = LONG_STEP if math.isinf(care.calm) else None
+    again = partial(histories, job, fraction=step, realisations=realisations)
     for turn, table in _run_ahead(many, again, [turn for _, turn in far], at_once):
         found.append(table)
         if exceeds(table, limits).sum() > (1.0 - LEAST_DRAWS) * (realisations + 1):
@@ -167,28 +186,32 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
 
 
 def _run_ahead(many, run, turns, at_once):
-    """Turns and their tables, in turn; first `at_once` of them side by side, then more at a time.
+    """Turns and their tables, in turn; first as many as fill a vector in each process, then all.
 
-    What ends the check mostly stands first, and little is then run for nothing.
+    What ends the check mostly stands first, and little is then run for nothing; a vector takes
+    hardly more than its longest history.
     """
-    k, size = 0, at_once
-    while k < len(turns):
-        some = turns[k : k + size]
-        yield from zip(some, many(run, some), strict=True)
-        k, size = k + size, AHEAD * at_once
+    first = min(len(turns), WIDTH * at_once)
+    for some in (turns[:first], turns[first:]):
+        size = max(1, -(-len(some) // at_once))
+        groups = [some[k : k + size] for k in range(0, len(some), size)]
+        for group, tables in zip(groups, many(run, groups), strict=True):
+            yield from zip(group, tables, strict=True)
 
 
-def _history(job, calm_m, turn):
-    """One history by long steps, and where it moves by more than `calm_m` by the scan's instead."""
-    (record, pga_g), direction = turn
-    found = histories(job, record, direction, [pga_g], LONG_STEP)
-    calm = (found["status"] == "ok").all() and found["d_m"].max() <= calm_m
-    return found if calm or math.isinf(calm_m) else histories(job, record, direction, [pga_g])
-
-
-def _perturbed(job, realisations, fraction, turn):
-    (record, pga_g), direction = turn
-    return perturbed(job, record, direction, pga_g, realisations, fraction)
+def _as_they_are(job, calm_m, turns):
+    """Each by long steps, and where it moves by more than `calm_m` by the scan's instead."""
+    found = histories(job, turns, LONG_STEP)
+    if math.isinf(calm_m):
+        return found
+    moved = [
+        k
+        for k, table in enumerate(found)
+        if (table["status"] != "ok").any() or not table["d_m"].max() <= calm_m
+    ]
+    for k, table in zip(moved, histories(job, [turns[k] for k in moved]), strict=True):
+        found[k] = table
+    return found
 
 
 def exceeds(table, limits):

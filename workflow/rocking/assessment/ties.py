@@ -26,7 +26,7 @@ from typing import NamedTuple
 from rocking.assessment.code_checks import slv_pga
 from rocking.assessment.dynamic_check import FINE, ROUGH
 from rocking.assessment.family import LEAST_PART_M, Family
-from rocking.assessment.shaken import label, of_label
+from rocking.assessment.shaken import label
 from rocking.assessment.ties_shaken import (
     BY_HAND,
     LEAST_SHARE,
@@ -71,9 +71,9 @@ class Tied:
         self.sections, self.demand = sections, demand
         masonry = Family(sections).masonry
         self.weight_n = sum(w for w, *_ in masonry.masses(0.0, masonry.top_m))
-        self.corners = {
-            label(one): slv_pga(one, sections, demand) for one in Family(sections).corners()
-        }
+        own = {label(one): one for one in Family(sections).corners()}  # which no row holds
+        self.corners = {name: slv_pga(one, sections, demand) for name, one in own.items()}
+        self._of_corners = own
         self._first: list[str] = []  # mechanisms that failed last are tried first
 
     def levels(self):
@@ -91,11 +91,15 @@ class Tied:
         ties = [*facade["ties"], *self.entries(rows)]
         return Family({**self.sections, "facade": {**facade, "ties": ties}})
 
-    def failing(self, rows):
-        """Labels of the mechanisms that fail by hand, and the PGA at which each does [g]."""
+    def mechanisms(self, rows):
+        """Mechanisms of the façade with rows added, by label, with the PGA at which each fails."""
         known = {label(one): one for one in self.family(rows).plane()}
         pga_g = {name: slv_pga(one, self.sections, self.demand) for name, one in known.items()}
-        pga_g |= self.corners
+        return known | self._of_corners, pga_g | self.corners
+
+    def failing(self, rows):
+        """Labels of the mechanisms that fail by hand, and the PGA at which each does [g]."""
+        _, pga_g = self.mechanisms(rows)
         return {name: at for name, at in pga_g.items() if at < self.demand.pga_g}
 
     def passes(self, rows, beyond=()):
@@ -319,7 +323,7 @@ def _pulling(tied, rows, beyond, shaken):
     """Rows that pull on a mechanism that fails, the highest first; None where none fails."""
     by_hand = [name for name in tied.failing(rows) if name not in beyond]
     if by_hand:
-        return held_by(of_label(tied.family(rows))[by_hand[0]].mechanism, rows)
+        return held_by(tied.mechanisms(rows)[0][by_hand[0]].mechanism, rows)
     failing = None if shaken is None else first_failing(shaken, rows, shaken.models)
     return None if failing in (None, BY_HAND) else failing.rows
 
@@ -366,10 +370,9 @@ def after(tied, result, shaken):
     """What each mechanism does with the rows: by hand, and in the dynamic check (AFTER)."""
     rows, beyond = [], set(result.beyond)
     last = shaken.everything(result.rows) if shaken is not None and shaken.rows else {}
-    for one in tied.family(result.rows).all():
-        name = label(one)
-        pga_g = slv_pga(one, tied.sections, tied.demand)
-        own = last.get(name, {})
+    known, fails_g = tied.mechanisms(result.rows)
+    for name, one in known.items():
+        pga_g, own = fails_g[name], last.get(name, {})
         ratio = pga_g / tied.demand.pga_g
         shake = [own.get(key, math.nan) for key in ("exceed_d0", "mean_d_m", "d_slv_m")]
         held = int(own["holds"]) if own else ""

@@ -13,9 +13,8 @@ import json
 import math
 from typing import NamedTuple
 
-from rocking.assessment.code_checks import slv_pga
 from rocking.assessment.dynamic_check import FINE, decided, limits_of
-from rocking.assessment.shaken import cases, chosen, heights, of_label
+from rocking.assessment.shaken import cases, chosen, heights
 from rocking.collapse.case import Variant
 from yade_scripts.model.part import LEVEL_M, NEAR_M
 
@@ -84,6 +83,7 @@ class Shaken:
         self.beyond: set[str] = set()  # of these, parts that fail by hand too
         self.care = FINE
         self._known: dict[tuple, dict] = {}
+        self._by_rows: dict[tuple, tuple] = {}
 
     def failing(self, rows, model, start=None):
         """First mechanism of one model that does not hold; those that are left out are passed over.
@@ -120,7 +120,7 @@ class Shaken:
 
     def holds(self, rows, failing):
         """Whether one mechanism holds, that failed with weaker rows; so too where it is no more."""
-        known, tried = self._tied(rows)
+        known, tried, _ = self._tied(rows)
         if failing.part not in known:
             return True
         case = next(case for case in tried if case.model == failing.model)
@@ -130,18 +130,20 @@ class Shaken:
 
     def _parts(self, rows, model):
         """Mechanisms by label, and what is shaken of them under one model: row and case."""
-        known, tried = self._tied(rows)
-        own, demand = self.tied.sections, self.tied.demand
-        ranked = [(slv_pga(one, own, demand), one, None) for one in known.values()]
+        known, tried, pga_g = self._tied(rows)
+        ranked = [(pga_g[name], one, None) for name, one in known.items()]
         ranked.sort(key=lambda row: row[0])
-        table = chosen(ranked, tried, own["assessment"]["shaken_within"])
+        table = chosen(ranked, tried, self.tied.sections["assessment"]["shaken_within"])
         (case,) = (one for one in tried if one.model == model)
         return known, list(cases(case, table))
 
     def _tied(self, rows):
-        """Mechanisms of the façade with these rows by label, and its case of each model."""
-        variant = Variant("tied", added={"facade.ties": self.tied.entries(rows)})
-        return of_label(self.tied.family(rows)), [case.varied(variant) for case in self.cases]
+        """Mechanisms with these rows by label, the case of each model, and PGAs by hand."""
+        if (key := tuple(rows)) not in self._by_rows:
+            variant = Variant("tied", added={"facade.ties": self.tied.entries(rows)})
+            known, pga_g = self.tied.mechanisms(rows)
+            self._by_rows[key] = known, [case.varied(variant) for case in self.cases], pga_g
+        return self._by_rows[key]
 
     def _run(self, rows, part, label, one):
         """Row of TRIED of one part."""
@@ -260,7 +262,7 @@ def free_levels(shaken, rows, failing):
         if row.force_n:
             continue
         weak = [*rows[:k], row._replace(force_n=least_n(shaken)), *rows[k + 1 :]]
-        known = of_label(shaken.tied.family(weak))
+        known, _ = shaken.tied.mechanisms(weak)
         if failing.part in known and k in behind(known[failing.part], weak):
             found.append(k)
     return found

@@ -6,7 +6,7 @@ further below, narrower than a step of its climb, may be missed: what that chang
 docs/log/assessment.md.
 """
 
-from rocking.collapse.curve import collapse_curve
+from rocking.collapse.curve import collapse_curves
 from rocking.collapse.probability import outcomes, ranges
 from rocking.collapse.search import SPREAD
 
@@ -24,13 +24,19 @@ def crossings(case, motion, direction, settings=None, step=LONG_STEP, ends=False
     leave it open. `step` is over the stable one; None takes the dense scan's. Else as
     `collapse_curve`.
     """
-    how = {"search": "crossings", "fraction": step}
-    found = collapse_curve(case, motion, direction, settings=settings, **how)
-    said = {**dict(zip(PGA, found.found, strict=True)), "runs_planar": found.runs}
-    if not ends:
-        return said
-    (at,) = ranges(outcomes(found.table), SPREAD, levels=(0.5,))
-    return said | dict(zip(ENDS, at, strict=True))
+    return crossings_of(case, [(motion, direction)], settings, step, ends)[0]
+
+
+def crossings_of(case, shaken, settings=None, step=LONG_STEP, ends=False):
+    """`crossings` under some motions, (Motion, direction) each, as `collapse_curves` has them."""
+    how = {"search": "crossings", "settings": settings, "fraction": step}
+    rows = []
+    for found in collapse_curves(case, shaken, **how):
+        rows.append({**dict(zip(PGA, found.found, strict=True)), "runs_planar": found.runs})
+        if ends:
+            (at,) = ranges(outcomes(found.table), SPREAD, levels=(0.5,))
+            rows[-1] |= dict(zip(ENDS, at, strict=True))
+    return rows
 
 
 def over_first(table):

@@ -8,8 +8,9 @@ import pandas as pd
 
 from rocking.collapse import search
 from rocking.collapse.search import Answer
+from rocking.solver.motions import Motions
 from rocking.solver.plane import moving_supports, to_plane
-from rocking.solver.runs import STEP_FRACTION, Motions, Peaks, peaks, stable_step
+from rocking.solver.runs import STEP_FRACTION, peaks, stable_step
 from rocking.solver.substructure import Bodies, bodies
 from smdof.chain import shear_chain
 from yade_scripts.commands.perturb import (
@@ -19,7 +20,6 @@ from yade_scripts.commands.perturb import (
     Realisation,
     perturbed_numerics,
 )
-from yade_scripts.commands.search import drive
 from yade_scripts.model import floor_motions, models, registry
 from yade_scripts.model.floor_motions import GROUND, VERTICAL
 from yade_scripts.model.motion import amplitude
@@ -58,45 +58,96 @@ class Scan:
     block: int = search.BLOCK
 
     def shaking(self, pga_g):
-        """`Motions`, and the factor on them at an intensity, or at many."""
-        return self.motions, amplitude(self.ground, self.direction, pga_g)
-
-    def peaks(self, plane, pga_g, step_s):
-        """`Peaks` of a plane at some intensities."""
-        motions, factors = self.shaking(np.asarray(pga_g, float))
-        return peaks(plane, motions, self.numerics, factors, carried=self.carried, step_s=step_s)
+        """`Motions` of each intensity, and the factor on them."""
+        pga_g = np.ravel(np.asarray(pga_g, float))
+        return [self.motions] * pga_g.size, amplitude(self.ground, self.direction, pga_g)
 
     def run(self, pga_g, scatter):
         """Outcomes at ascending amplitudes; `scatter` turns node layout and step with them.
 
         pga_g, extra_nodes, step_factor, d_over_b, status, collapsed.
         """
-        pga_g = np.asarray(pga_g, float)
-        turn = np.arange(pga_g.size) * bool(scatter)
-        extra, step = turn % len(self.planes), np.array(self.shorter)[turn % len(self.shorter)]
-        table = pd.DataFrame({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
-        table["d_over_b"], table["status"] = np.nan, "failed"
-        for layout, (plane, whole) in enumerate(zip(self.planes, self.steps_s, strict=True)):
-            for share in np.unique(step):  # the motions are tabulated once a step
-                mine = np.flatnonzero((extra == layout) & (step == share))
-                if mine.size:
-                    found = self.peaks(plane, pga_g[mine], share * whole)
-                    table.loc[mine, "d_over_b"] = np.minimum(found.d_over_b, 1.0)
-                    status = np.where(found.failed, "failed", "ok")
-                    table.loc[mine, "status"] = np.where(found.overturned, "overturned", status)
-        table["collapsed"] = (table["status"] == "overturned").astype(int)
-        return table
+        return together([(self, pga_g, scatter)])[0]
 
     def seen(self, strategy):
         """Outcomes of all that a search asks for, by ascending amplitude, and what it found."""
-        parts: list[pd.DataFrame] = []
+        return seen_together([(self, strategy)], _one_by_one)[0]
 
-        def run(ask):
-            parts.append(self.run(ask.pga_g, ask.realisations))
-            return Answer(parts[-1]["status"].to_numpy(), parts[-1]["d_over_b"].to_numpy(float))
 
-        found = drive(strategy, run)
-        return pd.concat(parts).sort_values("pga_g", ignore_index=True), found
+def together(asks):
+    """What `run` of some scans gives; histories of one plane and step march side by side.
+
+    Parameters
+    ----------
+    asks : list of (Scan, pga_g, scatter)
+        As for `run`, of any cases and motions.
+
+    Returns
+    -------
+    list of DataFrame
+    """
+    tables: list[pd.DataFrame] = []
+    alike: dict[tuple, tuple] = {}
+    for scan, levels, scatter in asks:
+        pga_g = np.asarray(levels, float)
+        turn = np.arange(pga_g.size) * bool(scatter)
+        extra, step = turn % len(scan.planes), np.array(scan.shorter)[turn % len(scan.shorter)]
+        table = pd.DataFrame({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
+        table["d_over_b"], table["status"] = np.nan, "failed"
+        motions, factors = scan.shaking(pga_g)
+        for row, layout in enumerate(extra):
+            plane, step_s = scan.planes[layout], step[row] * scan.steps_s[layout]
+            group = alike.setdefault((id(plane), step_s), (scan, plane, []))
+            group[2].append((motions[row], factors[row], len(tables), row))
+        tables.append(table)
+    ratios = [np.full(len(table), np.nan) for table in tables]
+    status = [np.full(len(table), "failed", object) for table in tables]
+    for (_, step_s), (scan, plane, histories) in alike.items():
+        motions, factors, of, rows = zip(*histories, strict=True)
+        how = {"carried": scan.carried, "step_s": step_s}
+        found = peaks(plane, motions, scan.numerics, factors, **how)
+        said = np.where(found.failed, "failed", np.where(found.overturned, "overturned", "ok"))
+        for k, row, ratio, word in zip(of, rows, found.d_over_b, said, strict=True):
+            ratios[k][row], status[k][row] = min(ratio, 1.0), word
+    for table, d_over_b, words in zip(tables, ratios, status, strict=True):
+        table["d_over_b"], table["status"] = d_over_b, words
+        table["collapsed"] = (table["status"] == "overturned").astype(int)
+    return tables
+
+
+def _one_by_one(asks):
+    return [scan.run(*what) for scan, *what in asks]
+
+
+def seen_together(searches, run=together):
+    """What `seen` of some scans gives: what they ask for at a time is run at once.
+
+    Parameters
+    ----------
+    searches : list of (Scan, strategy)
+    run : callable
+        As `together`.
+
+    Returns
+    -------
+    list of (DataFrame, found)
+    """
+    parts: list[list] = [[] for _ in searches]
+    found, answers = [None] * len(searches), dict.fromkeys(range(len(searches)))
+    while answers:
+        asked = {}
+        for k, answer in answers.items():
+            try:
+                asked[k] = searches[k][1].send(answer)
+            except StopIteration as end:
+                found[k] = end.value
+        tables = run([(searches[k][0], a.pga_g, a.realisations) for k, a in asked.items()])
+        answers = {}
+        for k, table in zip(asked, tables, strict=True):
+            parts[k].append(table)
+            answers[k] = Answer(table["status"].to_numpy(), table["d_over_b"].to_numpy(float))
+    tables = [pd.concat(part).sort_values("pga_g", ignore_index=True) for part in parts]
+    return list(zip(tables, found, strict=True))
 
 
 @functools.lru_cache(maxsize=KEPT)
@@ -156,30 +207,13 @@ class Screen(Scan):
         return driving(self.scene, time_s, columns)
 
     def shaking(self, pga_g):
-        """`Motions` and the factor on them at one intensity; a shock before keeps its own."""
+        """As of any scan; a shock before keeps its own amplitude."""
+        motions, factors = super().shaking(pga_g)
         if self.before is None:
-            return super().shaking(pga_g)
-        factor = amplitude(self.ground, self.direction, pga_g)
-        second = floor_motions.scaled(self.columns, factor)
-        both = floor_motions.after(self.before, self.time_s, second)
-        return self._motions(*both), 1.0
-
-    def peaks(self, plane, pga_g, step_s):
-        """`Peaks` of a plane at some intensities."""
-        if self.before is None:
-            return super().peaks(plane, pga_g, step_s)
-        found = []
-        for g in pga_g:
-            motions, factor = self.shaking(g)
-            found.append(
-                peaks(plane, motions, self.numerics, factor, carried=self.carried, step_s=step_s)
-            )
-        whole = {
-            name: np.concatenate([getattr(one, name) for one in found])
-            for name in vars(found[0])
-            if name != "step_s"
-        }
-        return Peaks(**whole, step_s=found[0].step_s)
+            return motions, factors
+        second = [floor_motions.scaled(self.columns, factor) for factor in factors]
+        both = [floor_motions.after(self.before, self.time_s, columns) for columns in second]
+        return [self._motions(*columns) for columns in both], np.ones(len(both))
 
 
 def scan_settings(case):

@@ -10,16 +10,17 @@ The scheme is leapfrog in the frame of the ground. Dashpots act at the velocity 
 by a 3 × 3 solve, and the first force of a node that closes within a step is weighted by the share
 of the step for which it touches; so the error falls with the square of the step through impacts.
 The nodes of a joint stand on one line: open ones are not visited, and a joint that touches with
-all its nodes, none sliding, is summed in closed form. Many amplitudes of one motion march side by
-side in vectors (`march`), by the same text and with the digits of one after the other: one block
-(`block`) or several (`stack_kernel`), whatever they meet. `docs/solver.md` shows a step.
+all its nodes, none sliding, is summed in closed form. Histories march side by side in vectors
+(`march`), of one motion or of many, by the same text and with the digits of one after the other:
+one block (`block`) or several (`stack_kernel`), whatever they meet. `docs/solver.md` shows a step.
 
 What it costs and how far it agrees with `reference` stands in `docs/log/accuracy.md`. Near collapse
 no solver repeats: run many amplitudes.
 """
 
+from .motions import Motions
 from .plane import Planar, moving_supports, to_plane
-from .runs import Motions, Peaks, Series, history, peaks, stable_step
+from .runs import Peaks, Series, history, peaks, stable_step
 from .substructure import bodies
 
 __all__ = [

@@ -51,20 +51,20 @@ def accelerate(p, parts, half, ag, gravity):
 
 
 @looped
-def march_block(given, rows, scratch, every, samples, weight):
+def march_block(given, rows, scratch, every, series, weight):
     """One history of a `Planar`, see `march.advance`."""
     what = contact, accelerate, monitor
-    return advance(what, given, rows, scratch, TO_THE_END, every, samples, weight)
+    return advance(what, given, rows, scratch, TO_THE_END, 0, every, series, weight)
 
 
 @looped
-def march_blocks(given, memory, scratch, case, found):
+def march_blocks(given, memory, scratch, case, motion, found):
     """Histories of a `Planar` side by side, see `march.march_many`."""
-    march_many((contact, accelerate, monitor), given, memory, scratch, case, found)
+    march_many((contact, accelerate, monitor), given, memory, scratch, case, motion, found)
 
 
 def _start(p):
     return *untouched(p), (p.mass_kg, p.mass_kg, p.inertia_kg_m2)
 
 
-BLOCK = Loop(march_block, march_blocks, _start)
+BLOCK = Loop(march_block, march_blocks, _start, 2)

@@ -1,4 +1,4 @@
-"""What the compiled loops are given beside the plane: motions, supports that move, stop rules."""
+"""What the compiled loops are given beside the plane and the motions: supports, stop rules."""
 
 import math
 from typing import NamedTuple
@@ -7,27 +7,16 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined
 
-from .vectors import choose, put, take
+from .vectors import choose
 
 OK, OVERTURNED, FAILED = 0.0, 1.0, 2.0
 REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
 COLUMNS = 14  # of a history before the supports' own
 
 
-class SteppedMotion(NamedTuple):
-    """Motions at the whole steps, for a factor of one."""
-
-    step_s: float
-    ground_m_s2: np.ndarray  # (steps + 1,)
-    vertical_m_s2: np.ndarray
-    place_m: np.ndarray  # (steps + 1, supports) relative to the ground; none if a chain carries
-    speed_m_s: np.ndarray
-
-
 class Rules(NamedTuple):
     """When a history ends; the meaning is that of `simulate.StopRules`."""
 
-    limit_s: float
     overturn_m: float
     rest_m: float
     rest_velocity_m_s: float
@@ -67,25 +56,7 @@ def standing(rows):
 
 
 @inlined
-def drive(table, factor, k, past_s, y, vy, dy):
-    """Move the driven supports to step k: their place, velocity, and way since the step before.
-
-    They coast after the table; `past_s` is the step, and zero at the first.
-    """
-    last = table.ground_m_s2.size - 1
-    row = min(k, last)
-    for j in range(table.place_m.shape[1]):
-        speed, old = factor * table.speed_m_s[row, j], take(y, j)
-        place = factor * table.place_m[row, j]
-        if k > last:
-            place = old + past_s * speed
-        put(y, j, place)
-        put(vy, j, speed)
-        put(dy, j, place - old if k > 0 else 0.0 * place)
-
-
-@inlined
-def verdict(rules, motion_s, max_speed_m_s, k, dt_s, d_m, speed_m_s, shaken, moving_until_s):
+def verdict(rules, motion_s, max_speed_m_s, limit, k, dt_s, d_m, speed_m_s, shaken, moving_until_s):
     """Whether a history ends at step k: it failed, overturned, is at rest, or the record ends.
 
     Parameters
@@ -93,6 +64,8 @@ def verdict(rules, motion_s, max_speed_m_s, k, dt_s, d_m, speed_m_s, shaken, mov
     rules : Rules
     motion_s, max_speed_m_s : number
         End of the motion that matters, and speed from which the run has failed.
+    limit : number
+        Step at which it ends whatever it does.
     k, dt_s : int, float
     d_m, speed_m_s : number
         Of the monitored point.
@@ -111,8 +84,6 @@ def verdict(rules, motion_s, max_speed_m_s, k, dt_s, d_m, speed_m_s, shaken, mov
     moves = (abs(speed_m_s) > rules.rest_velocity_m_s) | (abs(d_m) > rules.rest_m) | shaken
     moving_until_s = choose(moves, now, moving_until_s)
     rests = ~moves & (motion_s < now) & (now - moving_until_s > rules.rest_time_s)
-    over = ~sound | fell | rests
-    if k >= math.ceil(rules.limit_s / dt_s):
-        over = over | ~over
+    over = ~sound | fell | rests | (limit <= float(k))
     status = choose(fell, OVERTURNED, choose(sound, OK, FAILED))
     return over, status, moving_until_s

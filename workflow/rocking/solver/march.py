@@ -1,4 +1,4 @@
-"""The loop over the steps of a history, or of many of one motion side by side, whatever marches.
+"""The loop over the steps of a history, or of many side by side, whatever marches.
 
     move the supports ─ predict rates ─ forces of nodes, ties and floors ─ accelerations ─ judge
           └──────────────── places and rates half a step on, masses that carry ───────────────┘
@@ -26,14 +26,14 @@ import numpy as np
 from rocking.runtime.compiled import inlined
 
 from . import bars, substructure
-from .inputs import COLUMNS, Supports, drive, standing, verdict
+from .inputs import COLUMNS, Supports, standing, verdict
+from .motions import STRIDE, Table, columns, drive, samples_of, tabulate
 from .vectors import WIDTH, alone, choose, like, lone, put, put_where, rows_of_lanes, some, take
 
+# Largest |d|, when it last moved; factor, end of the motion that matters, quiet, failing speed,
+# step at which the history ends and after which its motion has; whether it goes on, outcome, end
+PEAK, MOVED, FACTOR, MOTION, QUIET, FASTEST, LIMIT, LAST, ALIVE, STATUS, END, HISTORY = range(12)
 TO_THE_END = 0, np.iinfo(np.int64).max
-STRIDE = 256  # steps between two looks at which histories have ended
-# Largest |d|, when it last moved, factor, end of the motion, quiet, failing speed; whether it goes
-# on, its outcome and end
-PEAK, MOVED, FACTOR, MOTION, QUIET, FASTEST, ALIVE, STATUS, END, HISTORY = range(10)
 SCRATCH = 35  # rows a block
 
 
@@ -57,18 +57,18 @@ class Parts(NamedTuple):
 
 
 @inlined
-def _shape(p, bodies, table):
+def _shape(p, bodies, samples):
     """Rows of the supports, of what carries them, and of ties and floors."""
     chained = bodies.mass_kg.size > 0
-    supports = bodies.hang.shape[0] if chained else table.place_m.shape[1]
+    supports = bodies.hang.shape[0] if chained else samples.place_m.shape[1]
     barred = 2 * p.bars.tie_k_n_m.size + 4 * p.bars.floor_k_n_m.size
     return 12 * (supports + 1), 5 * bodies.mass_kg.size, barred
 
 
 @inlined
-def _parts(p, bodies, table, rows, scratch):
+def _parts(p, bodies, samples, rows, scratch):
     """Cut the rows of a history into what they stand for."""
-    supports, ride, barred = _shape(p, bodies, table)
+    supports, ride, barred = _shape(p, bodies, samples)
     n = len(scratch) // SCRATCH
     carried = HISTORY + supports
     held = carried + ride
@@ -107,7 +107,7 @@ def _write(out, time, d, v, parts, half, energy, field, weight, chained):
 
 
 @inlined
-def advance(what, given, state, scratch, span, every, samples, weight):
+def advance(what, given, state, scratch, span, base, every, series, weight):
     """March a history, or a chunk, from a step up to another, or until all have ended.
 
     Parameters
@@ -115,12 +115,14 @@ def advance(what, given, state, scratch, span, every, samples, weight):
     what : tuple of functions
         `contact`, `accelerate`, `monitor`, see above.
     given : tuple
-        The plane, what stays of its nodes, `Bodies`, `SteppedMotion`, `Rules`.
+        The plane, what stays of its nodes, `Bodies`, `Table`, `Rules`.
     state, scratch : ndarray, shape (rows,) or (rows, WIDTH)
         What is remembered, see `Parts`, and room for a step.
     span : tuple of 2 ints
         From which step, and before which.
-    every, samples : int, ndarray (n, COLUMNS + 2·supports)
+    base : int
+        Step with which the table begins.
+    every, series : int, ndarray (n, COLUMNS + 2·supports)
         Of one history every so many steps a row is written while rows last; none: (0, …).
     weight : tuple of 3 floats
         Mass, mass and inertia, by which a row has the force of the contact.
@@ -132,8 +134,9 @@ def advance(what, given, state, scratch, span, every, samples, weight):
     """
     contact, accelerate, monitor = what
     p, whole, bodies, table, rules = given
-    dt, last = table.step_s, table.ground_m_s2.size - 1
-    parts = _parts(p, bodies, table, state, scratch)
+    dt, each = table.step_s, columns(table.samples)
+    steps = len(table.rows) // each
+    parts = _parts(p, bodies, table.samples, state, scratch)
     supports, ride, memory = parts.supports, parts.ride, parts.memory
     chained, barred = bodies.mass_kg.size > 0, len(memory.snapped) + len(memory.slid_m) > 0
     peak, moved, factor = take(state, PEAK), take(state, MOVED), take(state, FACTOR)
@@ -141,13 +144,13 @@ def advance(what, given, state, scratch, span, every, samples, weight):
     turning = bodies.roll.size > 0
     shaken, broken = like(False, peak), like(0.0, peak)
     spent = elastic = broken
-    counts = alone(peak) and samples.shape[0] > 0
+    counts = alone(peak) and series.shape[0] > 0
     written = 0
     for k in range(span[0], span[1]):
         half, past, ahead = (0.5 * dt, dt, dt) if k > 0 else (0.0, 0.0, 0.5 * dt)
-        row = min(k, last)
-        ag = factor * table.ground_m_s2[row]
-        gravity = p.gravity_m_s2 + size * table.vertical_m_s2[row]
+        at = each * min(k - base, steps - 1)
+        ag = factor * take(table.rows, at)
+        gravity = p.gravity_m_s2 + size * take(table.rows, at + 1)
         if chained:
             for j in range(len(supports.fy)):
                 put(supports.fy, j, 0.0)
@@ -155,7 +158,7 @@ def advance(what, given, state, scratch, span, every, samples, weight):
                 put(supports.moment, j, 0.0)
             substructure.carry(bodies, ride, half, past, supports)
         else:
-            drive(table, factor, k, past, supports.y, supports.vy, supports.dy)
+            drive(table, at, factor, take(state, LAST) < float(k), k, past, supports)
         time = half, past, dt
         elastic, spent, lost = contact(p, whole, parts, turning, time, alive, counts, spent)
         broken += lost
@@ -172,14 +175,13 @@ def advance(what, given, state, scratch, span, every, samples, weight):
         accelerate(p, parts, half, ag, gravity)
         if chained:
             shaken = substructure.accelerate(bodies, ride, supports, ag, take(state, QUIET))
-        if counts and k % every == 0 and written < samples.shape[0]:
+        if counts and k % every == 0 and written < series.shape[0]:
             field, energy = (ag, gravity, like(0.0, ag)), (lone(elastic), lone(spent))
-            out = samples[written]
+            out = series[written]
             _write(out, k * dt, d, v, parts, half, energy, field, weight, chained)
             written += 1
-        over, status, moved = verdict(
-            rules, take(state, MOTION), take(state, FASTEST), k, dt, d, v, shaken, moved
-        )
+        ends = take(state, MOTION), take(state, FASTEST), take(state, LIMIT)
+        over, status, moved = verdict(rules, *ends, k, dt, d, v, shaken, moved)
         over = over & alive
         if some(over):
             put_where(state, END, over, k * dt)
@@ -228,7 +230,7 @@ def _gathered(memory, case, chunks, found):
 
 
 @inlined
-def march_many(what, given, memory, scratch, case, found):
+def march_many(what, given, memory, scratch, case, motion, found):
     """Advance histories side by side until rules have ended them all.
 
     Parameters
@@ -238,16 +240,22 @@ def march_many(what, given, memory, scratch, case, found):
     memory, scratch : ndarray, shape (chunks, n, WIDTH), (n, WIDTH)
     case : ndarray of int, shape (chunks, WIDTH)
         Which history a lane has; −1: none.
+    motion : ndarray of int, shape (histories,)
+        Which of the samples drive each.
     found : ndarray, shape (histories, 3)
         Gets peak [m], status, end [s].
     """
+    table = given[3]
+    own = table.samples.begin.size > 2
     k, chunks = 0, len(case)
     while chunks > 0:
         for c in range(chunks):
-            advance(
-                *(what, given, memory[c], scratch),
-                *((k, k + STRIDE), 1, found, (0.0, 0.0, 0.0)),  # of lanes no samples are written
-            )
+            for lane in range(WIDTH):
+                if own and case[c, lane] >= 0:
+                    tabulate(table, motion[case[c, lane]], k, STRIDE, lane, WIDTH)
+            span, base = (k, k + STRIDE), k if own else 0
+            # of lanes no series is written
+            advance(what, given, memory[c], scratch, span, base, 1, found, (0.0, 0.0, 0.0))
         k += STRIDE
         chunks = _gathered(memory, case, chunks, found)
 
@@ -261,45 +269,86 @@ class Loop(NamedTuple):
         `advance` to the end of one history, and `march_many`, with its contact.
     start : callable
         From the plane: what its nodes remember at the start, in rows; what stays of them; weight.
+    few : int
+        Histories that are faster one after the other than in a vector.
     """
 
     one: Any
     many: Any
     start: Any
+    few: int
 
 
-def _begun(p, state, bodies, table):
+def _begun(p, state, bodies, samples):
     """Rows of a history before its first step, and room for a step; the case is still missing."""
     start = p.start.reshape(-1, 6)
-    own = np.zeros(HISTORY + sum(_shape(p, bodies, table)))
+    own = np.zeros(HISTORY + sum(_shape(p, bodies, samples)))
     own[ALIVE] = 1.0
     places, rates, rises = start[:, :3].ravel(), start[:, 3:].ravel(), np.zeros(3 * len(start))
     return np.concatenate((own, places, rates, rises, state)), SCRATCH * len(start)
 
 
-def one(loop, p, bodies, table, rules, case, every, samples):
-    """One history of a plane, as `Series` or `Peaks` are made of.
+class Shaken(NamedTuple):
+    """Histories of a plane under motions.
 
-    `case`: factor on all horizontal motions, its size on the vertical one, which has no direction;
-    then what `runs.limits` gives for it. `every`, `samples`: see `advance`.
+    Attributes
+    ----------
+    bodies : Bodies
+        What carries the supports.
+    motions : list of Motions
+    which : ndarray of int, shape (n,)
+        The motion of each history.
+    cases : ndarray, shape (n, 6)
+        Of each its rows from FACTOR to LAST: factor on all horizontal motions, its size on the
+        vertical one, which has no direction; then what `runs.limits` gives for it.
+    rules : Rules
+    step_s : float
+    """
+
+    bodies: substructure.Bodies
+    motions: list
+    which: np.ndarray
+    cases: np.ndarray
+    rules: Any
+    step_s: float
+
+    def some(self, these):
+        """Return some of the histories, and the motions that these have."""
+        places, which = np.unique(self.which[these], return_inverse=True)
+        motions = [self.motions[place] for place in places]
+        return self._replace(motions=motions, which=which, cases=self.cases[these])
+
+    def table(self):
+        """`Table` of their motions, and of the supports' unless masses carry these."""
+        driven = not self.bodies.mass_kg.size
+        if len(self.motions) == 1:
+            return self.motions[0].table(self.step_s, driven)
+        samples = samples_of(self.motions, driven)
+        rows = rows_of_lanes(STRIDE * columns(samples))
+        return Table(samples, self.step_s, rows, rows.reshape(-1))
+
+
+def one(loop, p, shaken, i, every, series):
+    """History i of a plane, as `Series` or `Peaks` are made of; `every`, `series`: `advance`.
 
     Returns
     -------
     ndarray of 3, int, float
         Peak [m], status, end [s]; rows written; bonds and ties that broke.
     """
-    state, whole, weight = loop.start(p)
-    rows, room = _begun(p, state, bodies, table)
-    rows[FACTOR : FASTEST + 1] = case
-    given, scratch = (p, whole, bodies, table, rules), np.zeros(room)
-    written, broken = loop.one(given, rows, scratch, every, samples, weight)
+    (state, whole, weight), table = loop.start(p), shaken.some([i]).table()
+    rows, room = _begun(p, state, shaken.bodies, table.samples)
+    rows[FACTOR : LAST + 1] = shaken.cases[i]
+    given = p, whole, shaken.bodies, table, shaken.rules
+    written, broken = loop.one(given, rows, np.zeros(room), every, series, weight)
     return rows[[PEAK, STATUS, END]], written, broken
 
 
-def many(loop, p, bodies, table, rules, cases):
-    """Peak, status and end of all cases, shape (n, 4), as of `one`; they march side by side."""
-    state, whole, _ = loop.start(p)
-    rows, room = _begun(p, state, bodies, table)
+def many(loop, p, shaken):
+    """Peak, status and end of all histories, shape (n, 3), as of `one`; they march side by side."""
+    (state, whole, _), table = loop.start(p), shaken.table()
+    rows, room = _begun(p, state, shaken.bodies, table.samples)
+    cases = shaken.cases
     count, chunks = len(cases), -(-len(cases) // WIDTH)
     memory = rows_of_lanes(chunks * len(rows)).reshape(chunks, len(rows), WIDTH)
     memory[:] = rows[:, None]
@@ -307,7 +356,8 @@ def many(loop, p, bodies, table, rules, cases):
     memory[:, ALIVE] = places < count
     filled = np.concatenate((cases, np.zeros((chunks * WIDTH - count, cases.shape[1]))))
     filled = filled.reshape(chunks, WIDTH, -1)
-    memory[:, FACTOR : FASTEST + 1] = filled.transpose(0, 2, 1)
+    memory[:, FACTOR : LAST + 1] = filled.transpose(0, 2, 1)
     found, case = np.zeros((count, 3)), np.where(places < count, places, -1)
-    loop.many((p, whole, bodies, table, rules), memory, rows_of_lanes(room), case, found)
+    given = p, whole, shaken.bodies, table, shaken.rules
+    loop.many(given, memory, rows_of_lanes(room), case, shaken.which, found)
     return found

@@ -1,15 +1,15 @@
-"""Histories and peaks: motions on the grid of steps, stop rules, step, and the compiled loop."""
+"""Histories and peaks: stop rules, step, and the compiled loop."""
 
 import math
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import block_diag
 
 from . import march
 from .block import BLOCK
-from .inputs import COLUMNS, FAILED, OVERTURNED, REST_RATIO, Rules, SteppedMotion
+from .inputs import COLUMNS, FAILED, OVERTURNED, REST_RATIO, Rules
+from .motions import Motions, last_step
 from .plane import matrices
 from .stack import Stack, stack_matrices
 from .stack_kernel import STACK
@@ -17,112 +17,8 @@ from .substructure import NO_BODIES
 
 STATUS = ("ok", "overturned", "failed")
 STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
-FEW = 2  # histories that are marched one after the other: eight side by side take twice one's time
 FARTHER = 1e3  # than the explicit stable step, where springs are taken ahead
 AT_ONCE = 64  # side by side, between two chances to stop; their memory fits into the cache
-KEPT = 12_000_000  # numbers in the tables of one motion that are kept, 100 MB: of a dense scan all
-
-
-@dataclass(frozen=True)
-class Motions:
-    """Accelerations that drive a planar scene, linear between samples, at rest before them.
-
-    Parameters
-    ----------
-    time_s : array_like, shape (nt,)
-    ground_m_s2 : array_like, shape (nt,)
-        Of the reference support, positive outward.
-    supports_m_s2 : array_like, shape (m, nt)
-        Absolute, in the order of `moving_supports(scene)`.
-    vertical_m_s2 : array_like, shape (nt,), or None
-        Of ground and walls alike, positive upward; scaled by the size of the others' factor.
-
-    Raises
-    ------
-    ValueError
-        If shapes differ, times do not ascend or a value is not finite.
-    """
-
-    time_s: np.ndarray
-    ground_m_s2: np.ndarray
-    supports_m_s2: Any = ()
-    vertical_m_s2: Any = None
-    _tables: dict = field(default_factory=dict, init=False, repr=False, compare=False)
-    _speed: list = field(default_factory=list, init=False, repr=False, compare=False)
-
-    def __post_init__(self):
-        """Check, and let every acceleration end at zero."""
-        time = np.asarray(self.time_s, float)
-        ground = np.asarray(self.ground_m_s2, float)
-        vertical = 0.0 * ground if self.vertical_m_s2 is None else self.vertical_m_s2
-        rows = [ground, np.asarray(vertical, float), *np.asarray(self.supports_m_s2, float)]
-        if time.ndim != 1 or time.size < 2 or any(row.shape != time.shape for row in rows):
-            raise ValueError("motions: expected accelerations of the length of time_s, at least 2")
-        if not (np.all(np.isfinite(rows)) and np.all(np.diff(time) > 0.0)):
-            raise ValueError("motions: expected finite accelerations at ascending times")
-        end = 2.0 * time[-1] - time[-2]
-        rows = [np.append(row, 0.0) for row in rows]
-        for name, value in (
-            ("time_s", np.append(time, end)),
-            ("ground_m_s2", rows[0]),
-            ("vertical_m_s2", rows[1]),
-            ("supports_m_s2", np.array(rows[2:]).reshape(-1, time.size + 1)),
-        ):
-            object.__setattr__(self, name, value)
-
-    def peak_speed(self):
-        """Largest |velocity| of ground and supports at a factor of one [m/s]; kept."""
-        if not self._speed:
-            rows = np.vstack([self.ground_m_s2, self.supports_m_s2])
-            gain = 0.5 * np.diff(self.time_s) * (rows[:, 1:] + rows[:, :-1])
-            self._speed.append(float(np.abs(np.cumsum(gain, axis=1)).max()))
-        return self._speed[0]
-
-    def table(self, step_s, supports=True):
-        """Motions at the whole steps; those of the supports relative to the ground, exact.
-
-        The last are kept up to `KEPT` numbers: a scan asks for some amplitudes at a time, in each
-        of its layouts and steps again.
-
-        Returns
-        -------
-        SteppedMotion
-        """
-        kept = self._tables
-        if (step_s, supports) not in kept:
-            kept[step_s, supports] = self._tabulate(step_s, supports)
-            while len(kept) > 1 and sum(_numbers(table) for table in kept.values()) > KEPT:
-                kept.pop(next(iter(kept)))
-        return kept[step_s, supports]
-
-    def _tabulate(self, step_s, supports):
-        t = self.time_s
-        grid = step_s * np.arange(math.ceil(t[-1] / step_s) + 1)
-        i = np.clip(np.searchsorted(t, grid, side="right") - 1, 0, t.size - 2)
-        s, width = np.minimum(grid, t[-1]) - t[i], np.diff(t)[i]
-        late = np.maximum(grid - t[-1], 0.0)
-        place, speed = [], []
-        for row in self.supports_m_s2 if supports else ():
-            a, dt = row - self.ground_m_s2, np.diff(t)
-            v = np.concatenate(([0.0], np.cumsum(0.5 * dt * (a[1:] + a[:-1]))))
-            u = v[:-1] * dt + dt**2 * (2.0 * a[:-1] + a[1:]) / 6.0
-            u = np.concatenate(([0.0], np.cumsum(u)))
-            slope = (a[i + 1] - a[i]) / width
-            now = v[i] + a[i] * s + 0.5 * slope * s**2
-            place.append(u[i] + v[i] * s + 0.5 * a[i] * s**2 + slope * s**3 / 6.0 + now * late)
-            speed.append(now)
-        shape = (len(place), grid.size)
-        return SteppedMotion(
-            float(step_s),
-            np.interp(grid, t, self.ground_m_s2),
-            np.interp(grid, t, self.vertical_m_s2),
-            np.ascontiguousarray(np.reshape(place, shape).T),
-            np.ascontiguousarray(np.reshape(speed, shape).T),
-        )
-
-
-def _numbers(table):
-    return 2 * table.ground_m_s2.size + 2 * table.place_m.size
 
 
 @dataclass(frozen=True)
@@ -222,48 +118,67 @@ def _largest_step(mass, k, c, alone, lead=0.0):
     return low
 
 
-def limits(uplift_m_s2, thickness_m, motions, numerics, factors):
-    """Stop rules, and per factor: end of motion [s], quiet [m/s²], largest speed [m/s]."""
+def limits(planar, motions, numerics, factors, step_s):
+    """What ends histories under a motion, shape (n, 5): rows from MOTION to LAST of `march`.
+
+    End of the motion that matters [s], quiet [m/s²], failing speed [m/s], step at which a history
+    ends, and after which the motion has.
+    """
     rows = np.vstack([motions.ground_m_s2, motions.supports_m_s2])
     envelope = np.abs(rows).max(axis=0)
     later = np.maximum.accumulate(envelope[::-1])[::-1]  # largest from each sample on
-    size = np.abs(factors)
-    quiet = numerics["quiet_ratio"] * np.minimum(uplift_m_s2, size * envelope.max())
+    size, uplift = np.abs(factors), planar.gravity_m_s2 * planar.thickness_m / planar.height_m
+    quiet = numerics["quiet_ratio"] * np.minimum(uplift, size * envelope.max())
     last = np.searchsorted(-later, -quiet / np.maximum(size, 1e-300), side="left") - 1
     motion = np.where(last < 0, 0.0, motions.time_s[np.maximum(last, 0)])
     speed = numerics["max_speed_ratio"] * (size * motions.peak_speed() + 1.0)
-    rules = Rules(
-        float(motions.time_s[-2] + numerics["after_motion_s"]),
-        float(numerics["overturn_ratio"] * thickness_m),
-        REST_RATIO * thickness_m,
-        float(numerics["rest_velocity_m_s"]),
-        float(numerics["rest_time_s"]),
-    )
-    return rules, motion, quiet, speed
+    limit = math.ceil((motions.time_s[-2] + numerics["after_motion_s"]) / step_s)
+    ends = [np.full(size.shape, float(step)) for step in (limit, last_step(motions, step_s))]
+    return np.stack([motion, quiet, speed, *ends], axis=1)
 
 
 def _set_up(planar, motions, numerics, factors, carried, step_s):
     carried = carried or NO_BODIES
     if isinstance(planar, Stack) and (len(carried.lift) or len(carried.roll)):
         raise ValueError("planar solver: supports of several blocks move along y alone")
+    factors = np.ravel(np.asarray(factors, float))
+    if own := isinstance(motions, Motions):
+        motions = [motions]
+    elif len(motions) != factors.size:
+        raise ValueError(f"planar solver: {factors.size} factors, and {len(motions)} motions")
+    known = {id(one): one for one in motions}
+    places = {key: place for place, key in enumerate(known)}
+    which = np.array([0] * factors.size if own else [places[id(one)] for one in motions], int)
     wanted = int(planar.support.max(initial=-1)) + 1
     if isinstance(planar, Stack):
         wanted = max(wanted, int(planar.guide.max()) + 1)
-    given = len(carried.hang) or len(motions.supports_m_s2)
+    given = len(carried.hang) or min((len(one.supports_m_s2) for one in motions), default=wanted)
     if wanted > given:
         raise ValueError(f"planar solver: the scene has {wanted} moving supports, got {given}")
     if len(carried.roll) and np.any(planar.carried & (planar.support >= 0)):
         raise ValueError("planar solver: expected supports that turn to carry their own nodes")
-    factors = np.ravel(np.asarray(factors, float))
-    step = step_s or STEP_FRACTION * stable_step(planar, carried)
-    table = motions.table(step, supports=not carried.mass_kg.size)
-    uplift = planar.gravity_m_s2 * planar.thickness_m / planar.height_m
-    rules, *own = limits(uplift, planar.thickness_m, motions, numerics, factors)
-    return carried, table, rules, np.stack([factors, *own], axis=1)
+    step = float(step_s or STEP_FRACTION * stable_step(planar, carried))
+    cases = np.zeros((factors.size, 6))
+    cases[:, 0] = factors
+    for place, one in enumerate(known.values()):
+        mine = which == place
+        cases[mine, 1:] = limits(planar, one, numerics, factors[mine], step)
+    rules = Rules(
+        float(numerics["overturn_ratio"] * planar.thickness_m),
+        REST_RATIO * planar.thickness_m,
+        float(numerics["rest_velocity_m_s"]),
+        float(numerics["rest_time_s"]),
+    )
+    return march.Shaken(carried, list(known.values()), which, cases, rules, step)
 
 
 def _loop(planar):
     return STACK if isinstance(planar, Stack) else BLOCK
+
+
+def _beside(loop, count):
+    """Whether so many histories march side by side: eight take the time of some of one each."""
+    return count > loop.few
 
 
 def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None, sample_s=0.005):
@@ -289,14 +204,13 @@ def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None,
     -------
     Series
     """
-    carried, table, rules, cases = _set_up(planar, motions, numerics, factor, carried, step_s)
-    every = max(1, round(sample_s / table.step_s))
-    supports = carried.mass_kg.size or table.place_m.shape[1]
-    count = math.ceil(rules.limit_s / table.step_s) // every + 1
+    shaken = _set_up(planar, motions, numerics, factor, carried, step_s)
+    step = shaken.step_s
+    every = max(1, round(sample_s / step))
+    supports = shaken.bodies.mass_kg.size or len(motions.supports_m_s2)
+    count = int(shaken.cases[0, march.LIMIT - march.FACTOR]) // every + 1
     rows = np.zeros((count, COLUMNS + 2 * supports))
-    (peak, status, end), written, broken = march.one(
-        _loop(planar), planar, carried, table, rules, cases[0], every, rows
-    )
+    (peak, status, end), written, broken = march.one(_loop(planar), planar, shaken, 0, every, rows)
     rows = rows[:written]
     return Series(
         rows[:, 0],
@@ -312,7 +226,7 @@ def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None,
         math.nan if status == FAILED else peak / planar.thickness_m,
         STATUS[int(status)],
         float(end),
-        table.step_s,
+        step,
         int(broken),
     )
 
@@ -342,21 +256,28 @@ class Peaks:
 
 
 def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
-    """Peak d/b of many amplitudes of one motion; parameters as `history`.
+    """Peak d/b of many histories; parameters as `history`.
+
+    Parameters
+    ----------
+    motions : Motions, or sequence of Motions
+        One for all, or one for each factor.
 
     Returns
     -------
     Peaks
     """
-    carried, table, rules, cases = _set_up(planar, motions, numerics, factors, carried, step_s)
-    given, rows = (_loop(planar), planar, carried, table, rules), np.zeros((0, COLUMNS))
-    if len(cases) > FEW:
-        parts = [cases[i : i + AT_ONCE] for i in range(0, len(cases), AT_ONCE)]
-        found = np.concatenate([march.many(*given, part) for part in parts])
-    else:
-        outcomes = [march.one(*given, case, 1, rows)[0] for case in cases]
-        found = np.reshape(outcomes, (-1, 3))
+    shaken = _set_up(planar, motions, numerics, factors, carried, step_s)
+    loop, count = _loop(planar), len(shaken.cases)
+    found = np.zeros((count, 3))
+    for first in range(0, count, AT_ONCE):
+        some = range(first, min(first + AT_ONCE, count))
+        if _beside(loop, count):
+            found[some] = march.many(loop, planar, shaken.some(some))
+        else:
+            none = np.zeros((0, COLUMNS))
+            found[some] = [march.one(loop, planar, shaken, i, 1, none)[0] for i in some]
     peak, status, end = found.T
     failed = status == FAILED
     ratio = np.where(failed, np.nan, peak / planar.thickness_m)
-    return Peaks(cases[:, 0], ratio, status == OVERTURNED, failed, end, table.step_s)
+    return Peaks(shaken.cases[:, 0], ratio, status == OVERTURNED, failed, end, shaken.step_s)

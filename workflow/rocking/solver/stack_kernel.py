@@ -305,16 +305,16 @@ def monitor(p, parts):
 
 
 @looped
-def march_stack(given, rows, scratch, every, samples, weight):
+def march_stack(given, rows, scratch, every, series, weight):
     """One history of a `Stack`, see `march.advance`; its samples are of the first block."""
     what = contact, accelerate, monitor
-    return advance(what, given, rows, scratch, TO_THE_END, every, samples, weight)
+    return advance(what, given, rows, scratch, TO_THE_END, 0, every, series, weight)
 
 
 @looped
-def march_stacks(given, memory, scratch, case, found):
+def march_stacks(given, memory, scratch, case, motion, found):
     """Histories of a `Stack` side by side, see `march.march_many`."""
-    march_many((contact, accelerate, monitor), given, memory, scratch, case, found)
+    march_many((contact, accelerate, monitor), given, memory, scratch, case, motion, found)
 
 
-STACK = Loop(march_stack, march_stacks, _start)
+STACK = Loop(march_stack, march_stacks, _start, 1)

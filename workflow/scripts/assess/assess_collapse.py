@@ -4,13 +4,11 @@ Of the whole façade; with a table of mechanisms, of the parts that are shaken i
 """
 
 import json
-from functools import partial
 
 import pandas as pd
-from rocking import Case, Motion, Variant
+from rocking import Case, Motion
 from rocking.assessment.shaken import WHOLE_PART, cases
-from rocking.collapse.quick import crossings
-from rocking.collapse.varied import collapses
+from rocking.collapse.quick import crossings_of
 from rocking.records import load_as, measures
 from rocking.runtime.script import run
 from rocking.tables import write_table
@@ -26,14 +24,16 @@ def main(job):
         table, columns = pd.read_csv(shaken), ["part", *COLUMNS]
         known = [(row.part, own) for row, own in cases(case, table, whole=False)]
     most = settings["ida.max_pga_g"]
-    find = partial(crossings, settings={"max_pga_g": most})
+    motions = {
+        name: Motion(load_as(settings, name, job.params.table)) for name, _ in job.params.curves
+    }
+    shaken = [(motions[name], direction) for name, direction in job.params.curves]
+    found = {part: crossings_of(own, shaken, {"max_pga_g": most}) for part, own in known}
     rows = []
-    for name, direction in job.params.curves:
-        motion = Motion(load_as(settings, name, job.params.table))
-        given = {"record_pga_g": measures(motion.record)["pga_g"], "pga_max_g": most}
-        for part, own in known:
-            about = Variant(about={"part": part, **given})
-            rows += collapses([own], motion, [direction], find, [about])
+    for k, (motion, direction) in enumerate(shaken):
+        about = {"model": case.model, "record": motion.name, "direction": direction}
+        about |= {"record_pga_g": measures(motion.record)["pga_g"], "pga_max_g": most}
+        rows += [{"part": part, **about, **own[k]} for part, own in found.items()]
     write_table(rows, job.output[0], columns)
 
 

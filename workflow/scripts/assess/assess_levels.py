@@ -56,13 +56,14 @@ def main(job):
         part: [row | by_hand(mechanisms[part], settings, demand) for demand, row in levels]
         for part in shaken.loc[shaken["shaken"] == 1, "part"]
     }
+    runs = [(records[name], g, ag_g) for name, own in wanted.items() for ag_g, g in own.items()]
+    turns = [((record, pga_g), settings["directions"][0]) for record, pga_g, _ in runs]
+    at_g = [ag_g for _, _, ag_g in runs]
     for path in job.input.cases:
         for about, case in cases(Case.read(str(path)), shaken):
-            parts, direction = [], settings["directions"][0]
-            for name, pga_g in wanted.items():
-                given = case.sections, records[name], direction, pga_g.values(), LONG_STEP
-                parts.append(histories(*given).assign(ag_g=list(pga_g)))
-            table = pd.concat(parts, ignore_index=True)
+            found = histories(case.sections, turns, LONG_STEP)
+            tables = [one.assign(ag_g=ag_g) for one, ag_g in zip(found, at_g, strict=True)]
+            table = pd.concat(tables, ignore_index=True)
             limits = limits_of(mechanisms[about.part].mechanism)
             for row in known[about.part]:
                 found = verdict(table[table["ag_g"] == row["ag_g"]], limits, settings["seed"])
