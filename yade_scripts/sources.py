@@ -151,7 +151,7 @@ def sources(path, drawn=True):
         file = todo.pop()
         if file not in seen:
             seen.add(file)
-            todo.extend(imports(file, drawn))
+            todo.extend(imports(file, drawn or _package(file) != STUDIES))
     beside = {
         other
         for folder in {file.parent for file in seen if _package(file)}
@@ -165,7 +165,7 @@ def digest(path, drawn=True):
     """Hash of a script and all that it imports, hex; arguments as of `sources`."""
     total = hashlib.sha256()
     for file in sources(path, drawn):
-        own = not drawn and file.suffix == ".py"
-        content = _text(file, drawn).encode() if own else file.read_bytes()
+        python, whole = file.suffix == ".py", drawn or _package(file) != STUDIES
+        content = _text(file, whole).encode() if python else file.read_bytes()
         total.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + content)
     return total.hexdigest()

@@ -250,7 +250,7 @@ def test_yade_and_the_compiled_solver(facade):
     if "courses" in facade:
         numerics = read_fidelity(FIDELITY_FILE)[COURSES]
     config, scene = scene_of(facade, numerics)
-    config["numerics"]["after_motion_s"] = 1.0
+    config["numerics"]["after_motion_s"] = 0.4
     t, ground = pulses(1.2)
     plane = to_plane(scene)
     step = course_step(config) if "courses" in facade else None

@@ -20,6 +20,7 @@ _PUBLIC = {
     "Motion": "collapse.motion",
     "Variant": "collapse.case",
     "collapse_curve": "collapse.curve",
+    "collapse_curves": "collapse.curve",
     "estimate": "formula.law",
     "history": "collapse.curve",
 }

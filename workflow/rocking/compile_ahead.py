@@ -34,12 +34,17 @@ def case(model):
     return {**config, "numerics": numerics, "model": model, "beta_s": 0.0}, numerics
 
 
-def planar(model, histories=1):
-    """The planar loop of a model: of one block, or of a stack of them; many go side by side."""
+def planar(model, motions=0):
+    """The planar loop of a model: of one block, or of a stack of them.
+
+    Of one history, or of many side by side under one motion or under more.
+    """
     given, numerics = case(model)
     scene = build_scene(given)
-    motions = solver.Motions(TIME_S, STILL, [STILL for _ in solver.moving_supports(scene)])
-    solver.peaks(solver.to_plane(scene), motions, numerics, np.ones(histories), step_s=1e-3)
+    still = [STILL for _ in solver.moving_supports(scene)]
+    several = [solver.Motions(TIME_S, STILL, still) for _ in range(motions or 1)] * 4
+    factors = np.ones(len(several) if motions else 1)
+    solver.peaks(solver.to_plane(scene), several[: factors.size], numerics, factors, step_s=1e-3)
 
 
 def others():
@@ -63,8 +68,10 @@ JOBS = (
     (planar, "W2"),
     (others,),
     (planar, "W3"),
-    (planar, "W3", 8),
-    (planar, "W2", 8),
+    (planar, "W3", 1),
+    (planar, "W3", 2),
+    (planar, "W2", 1),
+    (planar, "W2", 2),
     (imports,),
 )  # the longest first
 

@@ -24,16 +24,21 @@ SPECTRUM = checked(assessed.spectrum_file)
 HAZARD = checked(assessed.hazard_file)
 
 
+SITES: dict[str, list] = {}
+
+
 def site(wildcards):
     """Files that say how the site shakes; what is missing ends the workflow in one line."""
-    try:
-        assessed.check_stated(RUNS.stated[wildcards.run], RUNS.cfg(wildcards)["models"])
-        assessed.check_mechanisms(RUNS.cfg(wildcards))
-        found = SPECTRUM(wildcards) + HAZARD(wildcards)
-        assessed.check_demand(RUNS.cfg(wildcards), *found)
-    except ValueError as error:
-        stop(error)
-    return found
+    if wildcards.run not in SITES:
+        try:
+            assessed.check_stated(RUNS.stated[wildcards.run], RUNS.cfg(wildcards)["models"])
+            assessed.check_mechanisms(RUNS.cfg(wildcards))
+            found = SPECTRUM(wildcards) + HAZARD(wildcards)
+            assessed.check_demand(RUNS.cfg(wildcards), *found)
+        except ValueError as error:
+            stop(error)
+        SITES[wildcards.run] = found
+    return SITES[wildcards.run]
 
 
 def stated(wildcards):

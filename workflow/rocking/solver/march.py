@@ -27,7 +27,7 @@ from rocking.runtime.compiled import inlined
 
 from . import bars, substructure
 from .inputs import COLUMNS, Supports, standing, verdict
-from .motions import STRIDE, Table, columns, drive, samples_of, tabulate
+from .motions import STRIDE, SteppedMotions, columns, drive, samples_of, tabulate
 from .vectors import WIDTH, alone, choose, like, lone, put, put_where, rows_of_lanes, some, take
 
 # Largest |d|, when it last moved; factor, end of the motion that matters, quiet, failing speed,
@@ -115,7 +115,7 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
     what : tuple of functions
         `contact`, `accelerate`, `monitor`, see above.
     given : tuple
-        The plane, what stays of its nodes, `Bodies`, `Table`, `Rules`.
+        The plane, what stays of its nodes, `Bodies`, `SteppedMotions`, `Rules`.
     state, scratch : ndarray, shape (rows,) or (rows, WIDTH)
         What is remembered, see `Parts`, and room for a step.
     span : tuple of 2 ints
@@ -288,7 +288,7 @@ def _begun(p, state, bodies, samples):
     return np.concatenate((own, places, rates, rises, state)), SCRATCH * len(start)
 
 
-class Shaken(NamedTuple):
+class Driven(NamedTuple):
     """Histories of a plane under motions.
 
     Attributes
@@ -319,13 +319,13 @@ class Shaken(NamedTuple):
         return self._replace(motions=motions, which=which, cases=self.cases[these])
 
     def table(self):
-        """`Table` of their motions, and of the supports' unless masses carry these."""
+        """`SteppedMotions` of their motions, and of the supports' unless masses carry these."""
         driven = not self.bodies.mass_kg.size
         if len(self.motions) == 1:
             return self.motions[0].table(self.step_s, driven)
         samples = samples_of(self.motions, driven)
         rows = rows_of_lanes(STRIDE * columns(samples))
-        return Table(samples, self.step_s, rows, rows.reshape(-1))
+        return SteppedMotions(samples, self.step_s, rows, rows.reshape(-1))
 
 
 def one(loop, p, shaken, i, every, series):

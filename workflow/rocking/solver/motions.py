@@ -31,7 +31,7 @@ class Samples(NamedTuple):
     place_m: np.ndarray
 
 
-class Table(NamedTuple):
+class SteppedMotions(NamedTuple):
     """Motions at whole steps: `columns` rows a step, as `tabulate` writes them."""
 
     samples: Samples
@@ -96,7 +96,7 @@ class Motions:
         return self._kept["speed"]
 
     def table(self, step_s, supports=True):
-        """`Table` of this motion to its end; those of the supports relative to the ground, exact.
+        """`SteppedMotions` of this motion alone; those of supports relative to the ground, exact.
 
         The last are kept up to `KEPT` numbers: a scan asks for some amplitudes at a time, in each
         of its layouts and steps again.
@@ -105,7 +105,7 @@ class Motions:
         if (step_s, supports) not in kept:
             samples = samples_of([self], supports)
             rows = np.zeros((last_step(self, step_s) + 1) * columns(samples))
-            kept[step_s, supports] = Table(samples, step_s, rows, rows)
+            kept[step_s, supports] = SteppedMotions(samples, step_s, rows, rows)
             tabulated(kept[step_s, supports])
             while len(kept) > 1 and sum(table.rows.size for table in kept.values()) > KEPT:
                 kept.pop(next(iter(kept)))

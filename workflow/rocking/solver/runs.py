@@ -169,7 +169,7 @@ def _set_up(planar, motions, numerics, factors, carried, step_s):
         float(numerics["rest_velocity_m_s"]),
         float(numerics["rest_time_s"]),
     )
-    return march.Shaken(carried, list(known.values()), which, cases, rules, step)
+    return march.Driven(carried, list(known.values()), which, cases, rules, step)
 
 
 def _loop(planar):
