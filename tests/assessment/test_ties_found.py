@@ -2,10 +2,12 @@
 
 import json
 import math
+from concurrent.futures import ThreadPoolExecutor
 
+import pandas as pd
 import pytest
 from rocking import Case, Motion
-from rocking.assessment import inputs, ties, ties_shaken
+from rocking.assessment import inputs, ties, ties_grown, ties_shaken
 from rocking.assessment.code_checks import slv_pga
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.shaken import label
@@ -139,7 +141,7 @@ def test_a_row_grows_until_its_mechanism_holds_and_95_per_cent_was_tried(times_m
     rows = two_rows(tied)
     asked = (0.5 + times_more) * rows[1].force_n
     shaken = Shaken(tied, {"whole": ([1, 0], (0.5, 1.0), asked)})
-    found, governs = ties_shaken.grown(shaken, rows, shaken.models)
+    found, governs = ties_grown.grown(shaken, rows, shaken.models)
     assert found[0] == rows[0]
     assert 1.0 <= found[1].force_n / (times_more * rows[1].force_n) < 1.0 / 0.95 + 1e-9
     assert [(g.which, g.why.part) for g in governs] == [((1,), "whole")]
@@ -155,7 +157,7 @@ def test_only_rows_that_pull_on_what_fails_grow_and_those_that_take_the_least_fo
     rows = two_rows(tied)
     force = 4.0 * rows[0].force_n
     asks = {"part": ([1], (0.0, 1.0), force), "whole": ([1, 0], (1.0, 0.1), 2.0 * force)}
-    found, governs = ties_shaken.grown(Shaken(tied, asks), rows, ["W1"])
+    found, governs = ties_grown.grown(Shaken(tied, asks), rows, ["W1"])
     assert [g.which for g in governs] == [(1,), (0,)]
     assert force <= found[1].force_n < force / 0.95
     asked = 2.0 * force - 0.1 * found[1].force_n
@@ -168,7 +170,7 @@ def test_rows_grow_together_where_none_alone_is_of_use():
     rows = two_rows(tied)
     shaken = Shaken(tied, {"bending": ([1, 0], (1.0, 1.0), 0.0)})
     shaken.holds = lambda own, failing: min(r.force_n for r in own) >= 3.0 * rows[0].force_n
-    found, (growth,) = ties_shaken.grown(shaken, rows, shaken.models)
+    found, (growth,) = ties_grown.grown(shaken, rows, shaken.models)
     assert growth.which == (1, 0)
     assert all(3.0 <= r.force_n / rows[0].force_n < 3.0 / 0.95 for r in found)
 
@@ -182,14 +184,14 @@ def test_a_level_without_a_row_gets_one_where_no_row_that_is_there_helps():
     family = tied.family([rows[0], rows[1]._replace(force_n=1.0)])
     name = label(family.part(3.0, "part"))  # above the row that is there
     shaken = Shaken(tied, {name: ([], (0.0, 1.0), 0.05 * tied.weight_n)})
-    assert ties_shaken.free_levels(shaken, rows, shaken.failing(rows, "W1")) == [1]
-    found, (growth,) = ties_shaken.grown(shaken, rows, ["W1"])
+    assert ties_grown.free_levels(shaken, rows, shaken.failing(rows, "W1")) == [1]
+    found, (growth,) = ties_grown.grown(shaken, rows, ["W1"])
     assert growth.which == (1,)
     assert found[0] == rows[0]
     assert 1.0 <= found[1].force_n / (0.05 * tied.weight_n) < 1.0 / 0.95 + 1e-9
     tied.passes = lambda rows, beyond: False  # by hand the wall bends about the new row
     again = Shaken(tied, shaken.asks)
-    assert ties_shaken.grown(again, rows, ["W1"]) == (rows, [])
+    assert ties_grown.grown(again, rows, ["W1"]) == (rows, [])
     assert again.left == {name}
 
 
@@ -200,7 +202,7 @@ def test_rows_give_back_what_the_others_have_made_needless_and_no_more():
     asks = {"part": ([1], (0.0, 1.0), 3e3), "whole": ([1, 0], (1.0, 1.0), 4e3)}
     shaken = Shaken(tied, asks)
     start = [ties.TieRow(3.0, 2e3), ties.TieRow(6.0, 6e3)]
-    found, why = ties_shaken.lowered(shaken, start, ["W1"])
+    found, why = ties_grown.lowered(shaken, start, ["W1"])
     low, high = (row.force_n for row in found)
     assert 3e3 <= high < 3e3 / 0.95
     assert low + high >= 4e3
@@ -221,16 +223,16 @@ def test_a_row_that_all_checks_do_without_goes_and_checks_by_hand_keep_their_sha
     least_n = 1.5e3
     tied.passes = lambda rows, beyond: rows[1].force_n >= least_n
     start = [ties.TieRow(3.0, 2e3), ties.TieRow(6.0, 6e3)]
-    found, why = ties_shaken.lowered(Shaken(tied, {}), start, ["W1"])
+    found, why = ties_grown.lowered(Shaken(tied, {}), start, ["W1"])
     assert found[0].force_n == 0.0
     assert least_n <= found[1].force_n < least_n / 0.95
-    assert why == [None, ties_shaken.BY_HAND]
+    assert why == [None, ties_grown.BY_HAND]
 
 
 def test_the_table_has_what_fails_with_less_and_what_the_model_of_the_rate_asks_for():
     failing = ties_shaken.Failing("W2", "above_6", "part above 6 m", [1])
     rows = [ties.TieRow(z, f) for z, f in ((2.0, 0.0), (3.0, 5e3), (6.0, 9e3), (8.0, 0.0))]
-    why = [None, ties_shaken.BY_HAND, failing, None]
+    why = [None, ties_grown.BY_HAND, failing, None]
     found = ties.Found(rows, [0.0, 4e3, 0.0, 0.0], [], why, [0.0, 5e3, 2e3, 1e3])
     table = ties.table_of(found, sections(PLAIN)["strengthening"], "W2m")
     assert [row["height_m"] for row in table] == [3.0, 6.0, 8.0]
@@ -267,10 +269,10 @@ def test_what_no_row_makes_hold_is_left_out_and_grows_none():
     tied = ties.Tied(sections(PLAIN), DEMAND)
     rows = two_rows(tied)
     shaken = Shaken(tied, {"gable": ([], (0.0, 0.0), 1.0), "whole": ([1, 0], (1, 1), math.inf)})
-    found, governs = ties_shaken.grown(shaken, rows, shaken.models)
+    found, governs = ties_grown.grown(shaken, rows, shaken.models)
     assert (found, governs) == (rows, [])
     assert shaken.left == {"gable", "whole"}
-    most = ties_shaken.MOST_SHARE * tied.weight_n
+    most = ties_grown.MOST_SHARE * tied.weight_n
     assert 0.9 * most < max(r.force_n for _, own in shaken.tried for r in own) <= most
 
 
@@ -309,10 +311,14 @@ def test_the_dynamic_check_of_a_tied_facade_holds_at_the_end_and_not_one_step_be
     case = Case.configured("W1", given)
     tied = ties.Tied(resolved, DEMAND)
     table = "config/suites/recorded_suite.tsv"
-    motions = [(Motion.named(name, table).record, 0.5) for name in ("IS101_Lo", "GMN_NS")]
+    motions = [(Motion.named(name, table), 0.5) for name in ("IS101_Lo", "GMN_NS")]
     shaken = ties_shaken.Shaken([case], tied, motions, ["neg"])
     found = ties.found(tied, shaken, False)
     assert found.rows
+    with ThreadPoolExecutor(2) as pool:  # the same trials in the same order
+        beside = ties_shaken.Shaken([case], tied, motions, ["neg"], pool.map, 2)
+        assert ties.found(tied, beside, False) == found
+    assert pd.DataFrame(beside.rows).equals(pd.DataFrame(shaken.rows))
     final = shaken.everything(found.rows)
     assert final
     assert all(row["holds"] or part in found.beyond for part, row in final.items())

@@ -20,10 +20,8 @@ import pandas as pd
 
 from rocking.collapse.case import Case
 from rocking.collapse.curve import run_by
-from rocking.collapse.motion import Motion
 from rocking.collapse.quick import LONG_STEP
 from rocking.collapse.scan import together
-from rocking.solver.vectors import WIDTH
 from yade_scripts.model.shape import shape_of
 
 DRAWS = 2000
@@ -76,7 +74,7 @@ def histories(job, turns, fraction=None, realisations=0):
     ----------
     job : dict
         A case file.
-    turns : sequence of ((Record, pga_g), direction)
+    turns : sequence of ((Motion, pga_g), direction)
     fraction : float, optional
         Step over the stable one; None takes the dense scan's.
     realisations : int
@@ -89,29 +87,29 @@ def histories(job, turns, fraction=None, realisations=0):
     """
     case, spread, screens = Case(job), job["ensemble"]["amplitude_spread"], {}
     factors = np.linspace(1.0 - spread, 1.0 + spread, realisations) if realisations else np.ones(1)
-    for (record, _), direction in turns:
-        if (key := (id(record), direction)) not in screens:
-            given = case, Motion(record), direction
-            screens[key] = run_by("planar", *given, fraction=fraction)
+    for (motion, _), direction in turns:
+        if (key := (id(motion), direction)) not in screens:
+            screens[key] = run_by("planar", case, motion, direction, fraction=fraction)
     found = together(
         [
-            (screens[id(record), direction], pga_g * factors, bool(realisations))
-            for (record, pga_g), direction in turns
+            (screens[id(motion), direction], pga_g * factors, bool(realisations))
+            for (motion, pga_g), direction in turns
         ]
     )
-    tables = []
-    for ((record, pga_g), direction), table in zip(turns, found, strict=True):
-        about = {"model": job["model"], "record": record.name, "direction": direction}
-        about |= {"d_m": width_of(job["facade"]) * table["d_over_b"], "pga_g": pga_g}
-        numbers = np.arange(1, realisations + 1) if realisations else 0
-        tables.append(table.assign(**about, realisation=numbers)[COLUMNS])
+    tables, width_m = [], width_of(job["facade"])
+    for ((motion, pga_g), direction), table in zip(turns, found, strict=True):
+        about = {"model": job["model"], "record": motion.name, "direction": direction}
+        about |= {"realisation": np.arange(1, realisations + 1) if realisations else 0}
+        own = {name: table[name].to_numpy() for name in ("d_over_b", "status")}
+        about |= {"pga_g": pga_g, "d_m": width_m * own["d_over_b"], **own}
+        tables.append(pd.DataFrame(about)[COLUMNS])
     return tables
 
 
 def checked(job, motions, directions, limits, realisations):
     """Histories (COLUMNS) for `verdict`: every motion as it is, and perturbed where it tells.
 
-    Motions, (Record, pga_g), that exceed d0 are perturbed first. Once one exceeds it in all its
+    Motions, (Motion, pga_g), that exceed d0 are perturbed first. Once one exceeds it in all its
     realisations every draw fails, whatever the others do, and no more are run.
     """
     turns = [(one, direction) for one in motions for direction in directions]
@@ -134,7 +132,7 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
     ----------
     job : dict
         A case file.
-    turns : list of ((Record, pga_g), direction)
+    turns : list of ((Motion, pga_g), direction)
         In the order in which they count.
     limits : Limits
     realisations : int
@@ -143,9 +141,9 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
         See `verdict`.
     care : Care
     many : callable
-        As `map`; a pool's runs in some processes.
+        As `map`; a pool's runs in some threads.
     at_once : int
-        How many. What is run beyond the turn that ends the check is left out: tables are the same.
+        How many. What follows the turn that ends the check is left out: tables are the same.
 
     Returns
     -------
@@ -156,7 +154,7 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
     """
     found, far, ended, total_m = [], [], None, 0.0
     once = partial(_as_they_are, job, care.calm * limits.d0_m)
-    for turn, table in _run_ahead(many, once, turns, at_once):
+    for turn, table in _run(many, once, turns, at_once):
         found.append(table)
         d_m = table.loc[table["status"] != "failed", "d_m"].max()
         total_m += 0.0 if np.isnan(d_m) else d_m
@@ -168,7 +166,7 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
     far = sorted(far, key=lambda one: -one[0]) if realisations and ended is None else []
     step = LONG_STEP if math.isinf(care.calm) else None
     again = partial(histories, job, fraction=step, realisations=realisations)
-    for turn, table in _run_ahead(many, again, [turn for _, turn in far], at_once):
+    for turn, table in _run(many, again, [turn for _, turn in far], at_once):
         found.append(table)
         if exceeds(table, limits).sum() > (1.0 - LEAST_DRAWS) * (realisations + 1):
             ended = turn
@@ -185,18 +183,16 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
     return about | {"holds": bool(holds)}, ended
 
 
-def _run_ahead(many, run, turns, at_once):
-    """Turns and their tables, in turn; first as many as fill a vector in each process, then all.
+def _run(many, run, turns, at_once):
+    """Turns and their tables, in turn; `at_once` groups of them go side by side.
 
-    What ends the check mostly stands first, and little is then run for nothing; a vector takes
-    hardly more than its longest history.
+    All of them, whatever ends the check: a vector takes hardly longer than its longest history.
     """
-    first = min(len(turns), WIDTH * at_once)
-    for some in (turns[:first], turns[first:]):
-        size = max(1, -(-len(some) // at_once))
-        groups = [some[k : k + size] for k in range(0, len(some), size)]
-        for group, tables in zip(groups, many(run, groups), strict=True):
-            yield from zip(group, tables, strict=True)
+    tables: list = [None] * len(turns)
+    groups = [turns[k::at_once] for k in range(min(at_once, len(turns)))]
+    for k, found in enumerate(many(run, groups)):
+        tables[k::at_once] = found
+    return zip(turns, tables, strict=True)
 
 
 def _as_they_are(job, calm_m, turns):

@@ -11,8 +11,8 @@ them) are *beyond* these levels. They are left out of the search and named.
 
 Then the façade with its rows is held to the code's dynamic check, mechanism by mechanism. For one
 that does not hold a row that pulls on it is made stronger, in steps of 1/0.95, until it does
-(`ties_shaken.grown`). Last, every row gives back what the others' growth has made needless
-(`ties_shaken.lowered`), so that 95 % of each row, the others as they are, has been tried and does
+(`ties_grown.grown`). Last, every row gives back what the others' growth has made needless
+(`ties_grown.lowered`), so that 95 % of each row, the others as they are, has been tried and does
 not pass. What no added row makes hold is left out here too. Both are done with long steps first,
 and from there once more as finely as the report's own check.
 
@@ -27,7 +27,7 @@ from rocking.assessment.code_checks import slv_pga
 from rocking.assessment.dynamic_check import FINE, ROUGH
 from rocking.assessment.family import LEAST_PART_M, Family
 from rocking.assessment.shaken import label
-from rocking.assessment.ties_shaken import (
+from rocking.assessment.ties_grown import (
     BY_HAND,
     LEAST_SHARE,
     MOST_SHARE,

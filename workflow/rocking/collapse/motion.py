@@ -1,8 +1,9 @@
 """What shakes a case: a record, or floor motions that were made of one, and a shock before it."""
 
+import json
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from numbers import Real
 from os import PathLike
 from typing import Any
@@ -58,6 +59,7 @@ class Motion:
     first: "Motion | None" = None
     first_pga_g: float = 0.0
     pause_s: float = PAUSE_S
+    _kept: dict = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def __post_init__(self):
         """Check that there is a motion."""
@@ -216,7 +218,11 @@ class Motion:
         columns : dict of str to ndarray
             See `floor_motions.read`.
         """
-        return self.floors or floor_columns(self.record, case["smdof"])
+        if self.floors:
+            return self.floors
+        if (key := json.dumps(case["smdof"], sort_keys=True)) not in self._kept:
+            self._kept[key] = floor_columns(self.record, case["smdof"])
+        return self._kept[key]
 
     def before(self, case, direction):
         """What comes before it: time_s and columns as they shake, and the pause; None: nothing."""

@@ -86,32 +86,34 @@ def together(asks):
     -------
     list of DataFrame
     """
-    tables: list[pd.DataFrame] = []
     alike: dict[tuple, tuple] = {}
+    parts, count = [], 0
     for scan, levels, scatter in asks:
         pga_g = np.asarray(levels, float)
         turn = np.arange(pga_g.size) * bool(scatter)
         extra, step = turn % len(scan.planes), np.array(scan.shorter)[turn % len(scan.shorter)]
-        table = pd.DataFrame({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
-        table["d_over_b"], table["status"] = np.nan, "failed"
         motions, factors = scan.shaking(pga_g)
-        for row, layout in enumerate(extra):
-            plane, step_s = scan.planes[layout], step[row] * scan.steps_s[layout]
+        for k, layout in enumerate(extra):
+            plane, step_s = scan.planes[layout], step[k] * scan.steps_s[layout]
             group = alike.setdefault((id(plane), step_s), (scan, plane, []))
-            group[2].append((motions[row], factors[row], len(tables), row))
-        tables.append(table)
-    ratios = [np.full(len(table), np.nan) for table in tables]
-    status = [np.full(len(table), "failed", object) for table in tables]
+            group[2].append((motions[k], factors[k], count + k))
+        parts.append({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
+        count += pga_g.size
+    d_over_b, status = np.full(count, np.nan), np.full(count, "failed", object)
     for (_, step_s), (scan, plane, histories) in alike.items():
-        motions, factors, of, rows = zip(*histories, strict=True)
+        motions, factors, rows = zip(*histories, strict=True)
         how = {"carried": scan.carried, "step_s": step_s}
         found = peaks(plane, motions, scan.numerics, factors, **how)
-        said = np.where(found.failed, "failed", np.where(found.overturned, "overturned", "ok"))
-        for k, row, ratio, word in zip(of, rows, found.d_over_b, said, strict=True):
-            ratios[k][row], status[k][row] = min(ratio, 1.0), word
-    for table, d_over_b, words in zip(tables, ratios, status, strict=True):
-        table["d_over_b"], table["status"] = d_over_b, words
-        table["collapsed"] = (table["status"] == "overturned").astype(int)
+        here = np.array(rows)
+        d_over_b[here] = np.minimum(found.d_over_b, 1.0)
+        status[here[~found.failed]] = "ok"
+        status[here[found.overturned]] = "overturned"
+    tables, first = [], 0
+    for part in parts:
+        mine = slice(first, first := first + part["pga_g"].size)
+        fell = (status[mine] == "overturned").astype(int)
+        said = {"d_over_b": d_over_b[mine], "status": status[mine], "collapsed": fell}
+        tables.append(pd.DataFrame({**part, **said}))
     return tables
 
 

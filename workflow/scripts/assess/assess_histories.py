@@ -6,7 +6,7 @@ Of the whole façade; with a table of mechanisms, of the parts that are shaken i
 import json
 
 import pandas as pd
-from rocking import Case
+from rocking import Case, Motion
 from rocking.assessment.dynamic_check import COLUMNS, checked, limits_of, verdict
 from rocking.assessment.family import Family
 from rocking.assessment.shaken import WHOLE_PART, cases, of_label
@@ -23,9 +23,11 @@ def main(job):
         parts = [(row.part, own) for row, own in cases(case, pd.read_csv(shaken), whole=False)]
     assessment = settings["assessment"]
     known = of_label(Family({**case.sections, "assessment": assessment}))
-    records = {name: load_as(settings, name, job.params.table) for name in motions["record"]}
+    known_motions = {
+        name: Motion(load_as(settings, name, job.params.table)) for name in motions["record"]
+    }
     found, rows = [], []
-    given = [(records[row.record], row.pga_g) for row in motions.itertuples()]
+    given = [(known_motions[row.record], row.pga_g) for row in motions.itertuples()]
     for part, own in parts if given else ():
         limits = limits_of(known[part].mechanism)
         directions, count = settings["directions"], assessment["dynamic_realisations"]

@@ -6,7 +6,7 @@ Of the whole façade, and of the mechanism that governs by hand where that is an
 import json
 
 import pandas as pd
-from rocking import Case
+from rocking import Case, Motion
 from rocking.assessment import selection
 from rocking.assessment.checks import LEAST_KNOWN
 from rocking.assessment.code_checks import code_checks, least
@@ -56,8 +56,11 @@ def main(job):
         part: [row | by_hand(mechanisms[part], settings, demand) for demand, row in levels]
         for part in shaken.loc[shaken["shaken"] == 1, "part"]
     }
-    runs = [(records[name], g, ag_g) for name, own in wanted.items() for ag_g, g in own.items()]
-    turns = [((record, pga_g), settings["directions"][0]) for record, pga_g, _ in runs]
+    known_motions = {name: Motion(record) for name, record in records.items()}
+    runs = [
+        (known_motions[name], g, ag_g) for name, own in wanted.items() for ag_g, g in own.items()
+    ]
+    turns = [((motion, pga_g), settings["directions"][0]) for motion, pga_g, _ in runs]
     at_g = [ag_g for _, _, ag_g in runs]
     for path in job.input.cases:
         for about, case in cases(Case.read(str(path)), shaken):

@@ -5,15 +5,16 @@ the range of periods by which the motions were chosen, so that it is held to the
 """
 
 import json
+from concurrent.futures import ThreadPoolExecutor
 
 import pandas as pd
 import yaml
-from rocking import Case
+from rocking import Case, Motion
 from rocking.assessment import selection, site, ties, ties_shaken
 from rocking.assessment.dynamic_check import surely
 from rocking.assessment.verdict import relied_on
 from rocking.records import load_as
-from rocking.runtime.script import pool_of, run
+from rocking.runtime.script import run
 from rocking.tables import read_tables, write_table
 
 ADDED = """# Rows of ties with which the façade passes; give this file after the façade's own:
@@ -22,8 +23,9 @@ ADDED = """# Rows of ties with which the façade passes; give this file after th
 
 
 def main(job):
-    with pool_of(job) as pool:
-        _added(job, pool.map, int(getattr(job, "threads", 1)))
+    threads = int(getattr(job, "threads", 1))  # the compiled loops let others run
+    with ThreadPoolExecutor(threads) as pool:
+        _added(job, pool.map, threads)
 
 
 def _added(job, many, at_once):
@@ -33,7 +35,8 @@ def _added(job, many, at_once):
     given = settings, list(records.values()), job.input.spectrum, job.input.hazard
     demand = site.demand_from(*given)
     tied, longest_s = ties.Tied(settings, demand), selection.longest_period(settings, demand)
-    motions = [(records[r.record], r.pga_g) for r in pd.read_csv(job.input.motions).itertuples()]
+    chosen = pd.read_csv(job.input.motions)
+    motions = [(Motion(records[row.record]), row.pga_g) for row in chosen.itertuples()]
     verdicts, shaken, relied = read_tables(job.input.verdicts), None, ""
     if motions:
         cases = [Case.read(path) for path in job.input.cases]
