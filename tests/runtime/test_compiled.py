@@ -17,7 +17,7 @@ import sys
 
 import numpy as np
 from numba.core.dispatcher import Dispatcher
-from rocking import Case, Motion, collapse_curve, compile_ahead
+from rocking import Case, Motion, collapse_curve, collapse_curves, compile_ahead
 from rocking.mechanics import column, rocking_block
 from rocking.records import Record
 from rocking.reference.facade import answers, motion_of
@@ -40,12 +40,16 @@ tie, floor = {"height_m": 6.0, "diameter_mm": 6.0}, {"height_m": 5.0, "anchor_kn
 for model, more in (
     ("W1", {"facade.ties": [tie], "facade.floors": [floor]}),
     ("W1", {"facade.hinges_m": [3.0]}),
+    ("W2", {"facade.courses": 4, "facade.courses_growth": 1.5}),
     ("W2c", {}),
     ("W2m", {"return_wall.building_mass_kg": 6e4}),
     ("W3", {"w3.course_height_m": 0.648}),
 ):
     case = Case.configured(model, {**short, **more})
-    collapse_curve(case, Motion(Record("wave", wave, 0.01, "file")), "neg", search="crossings")
+    one, other = (Motion(Record("wave", f * wave, 0.01, "file")) for f in (1.0, 0.9))
+    collapse_curve(case, one, "neg", search="crossings")
+    several = {"search": "list", "settings": {"pga_g": [0.05, 0.1]}}
+    collapse_curves(case, [(one, "neg"), (other, "pos")], **several)
 case = Case.configured("W2").sections
 moving = motion_of(t, {"ground": wave, **{f"floor{j}": wave for j in range(1, 5)}}, "W2")
 answers(case, moving, "pos", [0.1], nodes=5, tolerance=1e-4)

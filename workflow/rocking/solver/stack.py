@@ -138,7 +138,7 @@ def stacked(scene, own, column, bars):
         hold_m=nodes.cohesion_n / nodes.kn_n_m,
         rim=rim,
         rim_m=edge - np.einsum("ni,ni->n", rim, from_b),
-        partial=np.array([name in partial for name in joint]),
+        partial=np.array([name in partial for name in joint], bool),
         link_a=np.array([number[link.a] for link in links], np.int64),
         link_b=np.array([number[link.b] for link in links], np.int64),
         link_n_m=np.array([link.stiffness_n_m for link in links], float),
