@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from rocking import Case, Motion, collapse_curve
+from rocking import Case, Motion, collapse_curve, collapse_curves
 from rocking.collapse import search
 from rocking.collapse.quick import crossings
 from rocking.records import Record
@@ -27,6 +27,33 @@ def test_the_climb_finds_what_the_dense_scan_finds(model):
     assert found["pga_median_g"] == pytest.approx(dense.summary()["pga_median_g"], rel=0.03)
     assert found["pga_p10_g"] <= found["pga_median_g"]
     assert found["runs_planar"] < dense.runs
+
+
+@pytest.mark.parametrize("model", ["W1", "W2m"])
+def test_curves_found_together_are_those_found_alone(model):
+    """Of motions of other length and sampling, both directions, each with settings of its own."""
+    own, first = case(model), pulse().record
+    t = 0.005 * np.arange(500)
+    second = Motion(Record("long", np.sin(4.0 * np.pi * t) * (t < 2.0), 0.005, source="file"))
+    shaken = [(Motion(first), "pos"), (second, "neg"), (Motion(first), "neg")]
+    settings = [{"max_pga_g": g} for g in (3.0, 2.0, 0.2)]
+    how = {"search": "crossings", "fraction": 0.3}
+    found = collapse_curves(own, shaken, settings=settings, **how)
+    assert len({len(curve.table) for curve in found}) > 1  # searches end apart
+    for curve, one, given in zip(found, shaken, settings, strict=True):
+        alone = collapse_curve(own, *one, settings=given, **how)
+        assert curve.table.equals(alone.table)
+        assert curve.found == pytest.approx(alone.found, rel=0.0, nan_ok=True)
+
+
+def test_a_motion_shakes_each_case_by_the_floors_of_its_own_building():
+    """One motion, asked by two cases in turn."""
+    motion, floors = pulse(), {}
+    for period_s in (0.2, 0.8, 0.2):
+        own = Case.configured("W2", {"smdof.period_s": period_s, "smdof.tail_s": 1.0})
+        found = motion.columns(own)[1]["floor1"]
+        assert np.array_equal(floors.setdefault(period_s, found), found)
+    assert not np.array_equal(floors[0.2], floors[0.8])
 
 
 def test_a_façade_that_stands_has_no_crossing():

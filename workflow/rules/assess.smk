@@ -345,7 +345,7 @@ rule assess_report:
 rule assess:
     """
     Codes of practice compared with the dynamic answer, one façade: a report in HTML and PDF.
-    Costs: 2 to 5 minutes for three models and 44 motions; by records, mechanisms and height.
+    Costs: 1 to 3 minutes for three models and 44 motions; by records, mechanisms and height.
     Page: docs/assessment.md
     """
     input:
