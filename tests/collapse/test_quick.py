@@ -36,7 +36,7 @@ def test_curves_found_together_are_those_found_alone(model):
     t = 0.005 * np.arange(500)
     second = Motion(Record("long", np.sin(4.0 * np.pi * t) * (t < 2.0), 0.005, source="file"))
     shaken = [(Motion(first), "pos"), (second, "neg"), (Motion(first), "neg")]
-    settings = [{"max_pga_g": g} for g in (3.0, 2.0, 0.2)]
+    settings = [{"max_pga_g": g} for g in (3.0, 2.0, 0.05)]
     how = {"search": "crossings", "fraction": 0.3}
     found = collapse_curves(own, shaken, settings=settings, **how)
     assert len({len(curve.table) for curve in found}) > 1  # searches end apart
