@@ -27,7 +27,7 @@ TABLE = "config/suites/recorded_suite.tsv"
 STATIONS = ("GMN_NS", "IS101_Lo", "IS113_Lo", "LPCC_H1", "BGI_NS", "IS106_Lo", "IS108_Lo")
 CONFIG = f"""
 run: small
-models: [W1, W2]
+models: [W2, W1]
 records_table: {TABLE}
 records: [{", ".join(STATIONS)}]
 directions: [neg]

@@ -40,6 +40,9 @@ OTHERS = ":".join({sysconfig.get_path("purelib"), sysconfig.get_path("platlib")}
 COPIED = ("pyproject.toml", "setup.py", "README.md", "config", "workflow/schemas")
 
 
+pytestmark = pytest.mark.xdist_group("wheel")  # which is made once
+
+
 @pytest.fixture(scope="module")
 def site(tmp_path_factory):
     """A wheel of the tree, unpacked; modules that it must have."""
