@@ -379,3 +379,20 @@ def test_a_run_with_a_hazard_curve_takes_a_studys_settings_but_what_is_stated():
     assert asked["ensemble"]["enabled"] == "on"
     assert asked["ida"] == {**rated["ida"], **own["ida"]}
     assert resolve(rated) == rated
+
+
+BY_THEMSELVES = ("complete.", "two_components.")  # these searches do not ask `collapse_curve`
+
+
+def test_the_steps_that_studies_hand_to_a_search_are_within_its_limits():
+    """What the configuration accepts ends no job: `collapse_curve` knows the limits of ida."""
+    known = dict(LEAVES)
+    own = known["ida.level_ratio"]
+    handed = {
+        key: leaf
+        for key, leaf in known.items()
+        if key.endswith("level_ratio") and not key.startswith(BY_THEMSELVES)
+    }
+    assert {"assumptions.level_ratio", "surrogates.level_ratio", "w3.scan.level_ratio"} <= {*handed}
+    for key, leaf in handed.items():
+        assert own["minimum"] <= leaf["minimum"] < leaf["maximum"] <= own["maximum"], key

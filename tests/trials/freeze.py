@@ -39,7 +39,7 @@ from rocking.configuration.targets import targets  # noqa: E402
 PLAN = "tests/trials/freeze.yaml"
 SNAKEMAKE = Path(sys.executable).with_name("snakemake")
 KINDS = {".csv", ".json", ".yaml", ".txt", ".xml", ".md", ".tsv"}
-LEFT_OUT = {"logs", "benchmarks", "cache", "figures", "report"}  # folders of a run
+LEFT_OUT = {"logs", "benchmarks", "cache", "figures", "report", "evidence"}  # folders of a run
 LEFT_OUT |= {"config.yaml", "yade.txt"}  # a new key or another YADE changes no result
 # columns and keys that are measured on the machine; others that hold one of these words as well
 MEASURED = re.compile(
