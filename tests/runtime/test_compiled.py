@@ -60,9 +60,12 @@ print(json.dumps([ahead, compiled()]))
 
 
 def printed(folder, words):
-    """What a Python of its own prints that runs some words in a folder."""
+    """What a Python of its own prints that runs some words in a folder.
+
+    It keeps no bytecode, which would hide a change of a file within the same second.
+    """
     done = subprocess.run(
-        [sys.executable, "-c", words],
+        [sys.executable, "-B", "-c", words],
         cwd=folder,
         env={**os.environ, "PYTHONPATH": os.pathsep.join(("", *sys.path))},
         capture_output=True,
