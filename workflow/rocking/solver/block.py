@@ -1,11 +1,107 @@
-"""One block in a step: its acceleration and its loops; `joints` has its contact, see `march`."""
+"""One block in a step: its contact, group by group (`joints`), its acceleration; see `march`."""
 
 from rocking.runtime.compiled import inlined, looped
 
-from .groups import untouched
-from .joints import contact
+from .groups import touched, untouched
+from .joints import added, reached, resultants
 from .march import TO_THE_END, Loop, advance, march_many
-from .vectors import put, take
+from .vectors import alone, choose, cos_sin, like, put, some, take
+
+
+@inlined
+def _line(p, g, pose, supports, j, turning):
+    """Where a group is: side of the block, normal, its line from the block's centre, penetration.
+
+    The last is d0 + d1·s. A support's rotation is small, as in the modes that give it.
+    """
+    y, z, cos, sin = pose
+    by, bz = take(supports.y, j), take(supports.z, j)
+    ny, nz, ey, ez = p.normal[g, 0], p.normal[g, 1], p.along[g, 0], p.along[g, 1]
+    ry, rz = p.origin_m[g, 0], p.origin_m[g, 1]
+    if p.carried[g]:
+        sign = 1.0
+        ry, rz = cos * ry - sin * rz, sin * ry + cos * rz
+        ey, ez = cos * ey - sin * ez, sin * ey + cos * ez
+        d0 = p.level_m[g] - ny * (y + ry - by) - nz * (z + rz - bz)
+    else:
+        sign = -1.0
+        ny, nz = cos * ny - sin * nz, sin * ny + cos * nz
+        ry, rz = ry + by - y, rz + bz - z
+        if turning:
+            roll = take(supports.turn, j)
+            ry, rz = ry - roll * p.arm_m[g, 1], rz + roll * p.arm_m[g, 0]
+            ey, ez = ey - roll * ez, ez + roll * ey
+        d0 = p.level_m[g] - ny * ry - nz * rz
+    return sign, ny, nz, ry, rz, ey, ez, d0, -(ny * ey + nz * ez)
+
+
+@inlined
+def contact(p, whole, parts, turning, time, alive, counts, spent):
+    """Forces of all nodes on the block and on its supports, and dashpots; see `march`."""
+    half, past_s, _ = time
+    supports, touch = parts.supports, touched(p, parts.nodes)
+    my, mz, mt = take(parts.rate, 0), take(parts.rate, 1), take(parts.rate, 2)
+    py, pz = my + half * take(parts.rise, 0), mz + half * take(parts.rise, 1)
+    pt = mt + half * take(parts.rise, 2)
+    cos, sin = cos_sin(take(parts.place, 2), alive)
+    pose = take(parts.place, 0), take(parts.place, 1), cos, sin
+    none = like(0.0, py)
+    fy = fz = moment = elastic = lost = broken = none
+    own = none, none, none, none, none, none
+    for g in range(p.level_m.size):
+        j = p.support[g] if p.support[g] >= 0 else len(supports.y) - 1
+        sign, ny, nz, ry, rz, ey, ez, d0, d1 = _line(p, g, pose, supports, j, turning)
+        if not alone(d0):
+            d0, d1 = choose(alive, d0, -1.0), choose(alive, d1, 0.0)
+        reach, gone = reached(p, touch, g, alive, (d0, d1), counts)
+        lost += gone
+        if not some(reach[0] | reach[2]):
+            continue
+        ty, tz = -nz, ny
+        vy = py - pt * rz - take(supports.vy, j)
+        vz = pz + pt * ry - take(supports.vz, j)
+        uy = past_s * (my - mt * rz) - take(supports.dy, j)
+        uz = past_s * (mz + mt * ry) - take(supports.dz, j)
+        turn_n, turn_t = nz * ey - ny * ez, tz * ey - ty * ez
+        arm_y, arm_z, spin, dturn = p.arm_m[g, 0], p.arm_m[g, 1], none, none
+        if turning:
+            spin, dturn = take(supports.spin, j), take(supports.dturn, j)
+            vy, vz = vy + spin * arm_z, vz - spin * arm_y
+            uy, uz = uy + dturn * arm_z, uz - dturn * arm_y
+        q0, q1 = -sign * (ny * vy + nz * vz), -sign * pt * turn_n
+        s0, s1 = sign * (ty * vy + tz * vz), sign * pt * turn_t
+        g0, g1 = sign * (ty * uy + tz * uz), sign * past_s * mt * turn_t
+        along_y, along_z = p.along[g, 0], p.along[g, 1]
+        if turning:
+            turn_t = sign * (tz * along_y - ty * along_z)
+            q1 += spin * sign * (nz * along_y - ny * along_z)
+            s1, g1 = s1 - spin * turn_t, g1 - dturn * turn_t
+        lines = d0, d1, q0, q1, s0, s1, g0, g1
+        sums = resultants(p, touch, g, whole, reach, lines, time, counts)
+        (n0, n1), (t0, t1), across, along, stored, taken, gone = sums
+        elastic, lost, broken = elastic + stored, lost + taken, broken + gone
+        gy, gz = sign * (ny * n0 - ty * t0), sign * (nz * n0 - tz * t0)
+        fy += gy
+        fz += gz
+        moment += ry * gz - rz * gy
+        far_y, far_z = ny * n1 - ty * t1, nz * n1 - tz * t1
+        moment += sign * (ey * far_z - ez * far_y)
+        put(supports.fy, j, take(supports.fy, j) - gy)
+        put(supports.fz, j, take(supports.fz, j) - gz)
+        if turning:
+            back = arm_y * gz - arm_z * gy + along_y * (sign * far_z) - along_z * (sign * far_y)
+            put(supports.moment, j, take(supports.moment, j) - back)
+        dashpots = p.beta_s[g], p.shear_ratio[g]
+        own = added(own, (ry, rz, ey, ez), (ny, nz, ty, tz), (across, along), dashpots)
+    put(parts.turn, 0, cos)
+    put(parts.turn, 1, sin)
+    for m, value in enumerate((py, pz, pt)):
+        put(parts.now, m, value)
+    for m, value in enumerate((fy, fz, moment)):
+        put(parts.force, m, value)
+    for m, value in enumerate(own):
+        put(parts.own, m, value)
+    return elastic, spent + lost, broken
 
 
 @inlined

@@ -1,4 +1,4 @@
-"""What the nodes of a block remember, group by group, and the closed form of a group.
+"""Groups of nodes: which go together, what they remember, and the closed form of a group.
 
 A group that touches with all its nodes, none sliding, is summed: each resultant follows from
 Σ kn·(1, s, s²), and its slips from one line that is added to those that were stored.
@@ -12,6 +12,8 @@ import numpy as np
 from rocking.runtime.compiled import inlined
 
 from .vectors import alone, choose, like, lone, put, put_where, some, take
+
+LEVEL_M = 1e-9  # nodes of one group lie this close to one line, their planes to one plane
 
 
 class Touch(NamedTuple):
@@ -29,6 +31,38 @@ class Touch(NamedTuple):
     depth1: np.ndarray
     slip: np.ndarray  # since a node closed [m]
     intact: np.ndarray  # 1 where its bond holds; without rows where none is bonded
+
+
+def grouped(nodes, centre):
+    """Node numbers by group: whole joints where they are straight and uniform, else single."""
+    found = []
+    for joint in np.unique(nodes.joint):
+        mine = np.flatnonzero(nodes.joint == joint)
+        place, line = line_of(nodes, centre, mine)
+        level = np.einsum("ni,ni->n", nodes.normal[mine], nodes.position_m[mine])
+        level = level - nodes.gap_m[mine]
+        straight = np.abs(place[:, None] * line[1] + line[0] - _points(nodes, centre, mine))
+        laws = (nodes.beta_s, nodes.friction_rad, nodes.ks_n_m / nodes.kn_n_m, nodes.a, nodes.b)
+        alike = all(np.ptp(law[mine]) <= 1e-12 * np.abs(law[mine]).max() for law in laws)
+        one_normal = np.ptp(nodes.normal[mine], axis=0).max() < 1e-12
+        if alike and one_normal and straight.max() < LEVEL_M and np.ptp(level) < LEVEL_M:
+            found.append(mine[np.argsort(place, kind="stable")])
+        else:
+            found.extend(mine[:, None])
+    return found
+
+
+def _points(nodes, centre, mine):
+    return nodes.position_m[mine, 1:] - centre
+
+
+def line_of(nodes, centre, mine):
+    """Place of nodes along the line through the first and the farthest, its origin, direction."""
+    points = _points(nodes, centre, mine)
+    far = points[np.argmax(np.linalg.norm(points - points[0], axis=1))] - points[0]
+    length = np.linalg.norm(far)
+    direction = far / length if length > 0.0 else np.array([1.0, 0.0])
+    return (points - points[0]) @ direction, (points[0], direction)
 
 
 def untouched(p):

@@ -1,8 +1,9 @@
-"""Contact of one block: the nodes of a joint that stand on one line, group by group.
+"""Nodes of a joint that stand on one line, group by group, whatever blocks they are between.
 
 Penetration, its rate and the slip rate are linear in the place s along the line, so the range of
 nodes that touch follows from its ends: open ones are not visited. A group that touches with all
-its nodes, none sliding, is summed in closed form (`groups`).
+its nodes, none sliding, is summed in closed form (`groups`). `block` and `pieces` say where the
+line is, and what its resultants act on.
 
 One text for one history and for `vectors.WIDTH` of them: of many, joints that are open in all are
 passed over, closed forms are summed where one needs them, and nodes visited where one touches.
@@ -10,36 +11,9 @@ passed over, closed forms are summed where one needs them, and nodes visited whe
 
 from rocking.runtime.compiled import inlined
 
-from .groups import close, in_closed_form, let_go, spread, touched
+from .groups import close, in_closed_form, let_go, spread
 from .law import bond_breaks, node, released
-from .vectors import alone, choose, cos_sin, like, lone, put, put_where, some, take
-
-
-@inlined
-def _line(p, g, pose, supports, j, turning):
-    """Where a group is: side of the block, normal, its line from the block's centre, penetration.
-
-    The last is d0 + d1·s. A support's rotation is small, as in the modes that give it.
-    """
-    y, z, cos, sin = pose
-    by, bz = take(supports.y, j), take(supports.z, j)
-    ny, nz, ey, ez = p.normal[g, 0], p.normal[g, 1], p.along[g, 0], p.along[g, 1]
-    ry, rz = p.origin_m[g, 0], p.origin_m[g, 1]
-    if p.carried[g]:
-        sign = 1.0
-        ry, rz = cos * ry - sin * rz, sin * ry + cos * rz
-        ey, ez = cos * ey - sin * ez, sin * ey + cos * ez
-        d0 = p.level_m[g] - ny * (y + ry - by) - nz * (z + rz - bz)
-    else:
-        sign = -1.0
-        ny, nz = cos * ny - sin * nz, sin * ny + cos * nz
-        ry, rz = ry + by - y, rz + bz - z
-        if turning:
-            roll = take(supports.turn, j)
-            ry, rz = ry - roll * p.arm_m[g, 1], rz + roll * p.arm_m[g, 0]
-            ey, ez = ey - roll * ez, ez + roll * ey
-        d0 = p.level_m[g] - ny * ry - nz * rz
-    return sign, ny, nz, ry, rz, ey, ez, d0, -(ny * ey + nz * ez)
+from .vectors import choose, like, lone, put, put_where, some, take
 
 
 @inlined
@@ -114,7 +88,7 @@ def _each(p, touch, g, touches, before, bound, lines, dt, sums):
 
 
 @inlined
-def _added(own, arms, directions, sums, dashpots):
+def added(own, arms, directions, sums, dashpots):
     """Dashpots of a group added to those of the block, ∂(force)/∂(rates).
 
     Rows (direction, arm × direction), with the arm linear in s.
@@ -139,103 +113,81 @@ def _added(own, arms, directions, sums, dashpots):
 
 
 @inlined
-def contact(p, whole, parts, turning, time, alive, counts, spent):
-    """Forces of all nodes on the block and on its supports, and dashpots; see `march`."""
-    half, past_s, dt = time
-    supports, touch = parts.supports, touched(p, parts.nodes)
-    my, mz, mt = take(parts.rate, 0), take(parts.rate, 1), take(parts.rate, 2)
-    py, pz = my + half * take(parts.rise, 0), mz + half * take(parts.rise, 1)
-    pt = mt + half * take(parts.rise, 2)
-    cos, sin = cos_sin(take(parts.place, 2), alive)
-    pose = take(parts.place, 0), take(parts.place, 1), cos, sin
-    none = like(0.0, py)
-    fy = fz = moment = elastic = lost = broken = none
-    own = none, none, none, none, none, none
-    for g in range(p.level_m.size):
-        j = p.support[g] if p.support[g] >= 0 else len(supports.y) - 1
-        sign, ny, nz, ry, rz, ey, ez, d0, d1 = _line(p, g, pose, supports, j, turning)
-        if not alone(d0):
-            d0, d1 = choose(alive, d0, -1.0), choose(alive, d1, 0.0)
-        s_low, s_high = p.place_m[p.first[g]], p.place_m[p.first[g + 1] - 1]
-        below, above = d0 + d1 * s_low > 0.0, d0 + d1 * s_high > 0.0
-        touches, full = below | above, below & above
-        bound = alive & (take(touch.bonds, g) > 0.0)  # bonds act wherever they are
-        summed = take(touch.summed, g) > 0.0
-        before = take(touch.depth0, g), take(touch.depth1, g)
-        put(touch.depth0, g, d0)
-        put(touch.depth1, g, d1)
-        if some(summed & ~full):
-            spread(p, touch, g, summed & ~full)
-            summed = summed & full
-        if counts and some(~full):
-            was = lone(before[0]), lone(before[1])
-            lost += let_go(p, touch, g, was, (lone(d0), lone(d1)))
-        if not some(touches | bound):
-            continue
-        ty, tz = -nz, ny
-        vy = py - pt * rz - take(supports.vy, j)
-        vz = pz + pt * ry - take(supports.vz, j)
-        uy = past_s * (my - mt * rz) - take(supports.dy, j)
-        uz = past_s * (mz + mt * ry) - take(supports.dz, j)
-        turn_n, turn_t = nz * ey - ny * ez, tz * ey - ty * ez
-        arm_y, arm_z, spin, dturn = p.arm_m[g, 0], p.arm_m[g, 1], none, none
-        if turning:
-            spin, dturn = take(supports.spin, j), take(supports.dturn, j)
-            vy, vz = vy + spin * arm_z, vz - spin * arm_y
-            uy, uz = uy + dturn * arm_z, uz - dturn * arm_y
-        q0, q1 = -sign * (ny * vy + nz * vz), -sign * pt * turn_n
-        s0, s1 = sign * (ty * vy + tz * vz), sign * pt * turn_t
-        g0, g1 = sign * (ty * uy + tz * uz), sign * past_s * mt * turn_t
-        along_y, along_z = p.along[g, 0], p.along[g, 1]
-        if turning:
-            turn_t = sign * (tz * along_y - ty * along_z)
-            q1 += spin * sign * (nz * along_y - ny * along_z)
-            s1, g1 = s1 - spin * turn_t, g1 - dturn * turn_t
-        lines = d0, d1, q0, q1, s0, s1, g0, g1
-        beta, ratio, friction = p.beta_s[g], p.shear_ratio[g], p.friction[g]
-        h0, h1 = d0 + beta * q0, d1 + beta * q1  # force over kn along the line
-        least = min(h0 + h1 * s_low, h0 + h1 * s_high)
-        if some(summed):
-            most = take(touch.most, g) + abs(take(touch.more0, g) + g0)
-            most += abs(take(touch.more1, g) + g1) * whole[g, 3]
-            most += beta * (abs(s0) + abs(s1) * whole[g, 3])  # the dashpots' part
-            slides = summed & (ratio * most > friction * least)
-            if some(slides):
-                spread(p, touch, g, slides)
-                summed = summed & ~slides
-        three = none, none, none
-        sums = (none, none), (none, none), three, three, none, none, none
-        if some(summed):
-            sums = in_closed_form(p, touch, g, summed, whole, lines, dt, counts)
-        each = (touches | bound) & ~summed
-        if some(each):
-            here = choose(each, d0, -1.0), choose(each, d1, 0.0)
-            if past_s == 0.0:  # what touches at first has not just closed
-                before = d0, d1
-            sums = _each(p, touch, g, here, before, bound, lines, dt, sums)
-            ready = each & (full | bound) & (take(touch.bonds, g) <= 0.0)
-            if some(ready):
-                close(p, touch, g, ready, 0.5 * friction * least / ratio)
-        (n0, n1), (t0, t1), across, along, stored, taken, gone = sums
-        elastic, lost, broken = elastic + stored, lost + taken, broken + gone
-        gy, gz = sign * (ny * n0 - ty * t0), sign * (nz * n0 - tz * t0)
-        fy += gy
-        fz += gz
-        moment += ry * gz - rz * gy
-        far_y, far_z = ny * n1 - ty * t1, nz * n1 - tz * t1
-        moment += sign * (ey * far_z - ez * far_y)
-        put(supports.fy, j, take(supports.fy, j) - gy)
-        put(supports.fz, j, take(supports.fz, j) - gz)
-        if turning:
-            back = arm_y * gz - arm_z * gy + along_y * (sign * far_z) - along_z * (sign * far_y)
-            put(supports.moment, j, take(supports.moment, j) - back)
-        own = _added(own, (ry, rz, ey, ez), (ny, nz, ty, tz), (across, along), (beta, ratio))
-    put(parts.turn, 0, cos)
-    put(parts.turn, 1, sin)
-    for m, value in enumerate((py, pz, pt)):
-        put(parts.now, m, value)
-    for m, value in enumerate((fy, fz, moment)):
-        put(parts.force, m, value)
-    for m, value in enumerate(own):
-        put(parts.own, m, value)
-    return elastic, spent + lost, broken
+def reached(p, touch, g, alive, depths, counts):
+    """Which lanes a group touches in; one that opens loses its closed form.
+
+    Parameters
+    ----------
+    alive : mask
+        Histories that go on.
+    depths : tuple of 2 numbers
+        Penetration along the line, a0 + a1·s.
+
+    Returns
+    -------
+    reach : tuple
+        Whether it touches somewhere, with all its nodes, has bonds left, is in closed form; and
+        penetrations at the last step.
+    lost : number
+        Energy that nodes which open have lost, of one history [J].
+    """
+    d0, d1 = depths
+    s_low, s_high = p.place_m[p.first[g]], p.place_m[p.first[g + 1] - 1]
+    below, above = d0 + d1 * s_low > 0.0, d0 + d1 * s_high > 0.0
+    touches, full = below | above, below & above
+    bound = alive & (take(touch.bonds, g) > 0.0)  # bonds act wherever they are
+    summed = take(touch.summed, g) > 0.0
+    before = take(touch.depth0, g), take(touch.depth1, g)
+    put(touch.depth0, g, d0)
+    put(touch.depth1, g, d1)
+    if some(summed & ~full):
+        spread(p, touch, g, summed & ~full)
+        summed = summed & full
+    lost = like(0.0, d0)
+    if counts and some(~full):
+        was = lone(before[0]), lone(before[1])
+        lost += let_go(p, touch, g, was, (lone(d0), lone(d1)))
+    return (touches, full, bound, summed, before), lost
+
+
+@inlined
+def resultants(p, touch, g, whole, reach, lines, time, counts):
+    """Resultants of a group: `sums` of `_each`; in closed form where that is allowed.
+
+    Parameters
+    ----------
+    whole : ndarray
+        A row a group, see `groups.untouched`.
+    reach, lines, time
+        See `reached`, `_each`, `march`.
+    """
+    _, past_s, dt = time
+    touches, full, bound, summed, before = reach
+    d0, d1, q0, q1, s0, s1, g0, g1 = lines
+    none = like(0.0, d0)
+    s_low, s_high = p.place_m[p.first[g]], p.place_m[p.first[g + 1] - 1]
+    beta, ratio, friction = p.beta_s[g], p.shear_ratio[g], p.friction[g]
+    h0, h1 = d0 + beta * q0, d1 + beta * q1  # force over kn along the line
+    least = min(h0 + h1 * s_low, h0 + h1 * s_high)
+    if some(summed):
+        most = take(touch.most, g) + abs(take(touch.more0, g) + g0)
+        most += abs(take(touch.more1, g) + g1) * whole[g, 3]
+        most += beta * (abs(s0) + abs(s1) * whole[g, 3])  # the dashpots' part
+        slides = summed & (ratio * most > friction * least)
+        if some(slides):
+            spread(p, touch, g, slides)
+            summed = summed & ~slides
+    three = none, none, none
+    sums = (none, none), (none, none), three, three, none, none, none
+    if some(summed):
+        sums = in_closed_form(p, touch, g, summed, whole, lines, dt, counts)
+    each = (touches | bound) & ~summed
+    if some(each):
+        here = choose(each, d0, -1.0), choose(each, d1, 0.0)
+        if past_s == 0.0:  # what touches at first has not just closed
+            before = d0, d1
+        sums = _each(p, touch, g, here, before, bound, lines, dt, sums)
+        ready = each & (full | bound) & (take(touch.bonds, g) <= 0.0)
+        if some(ready):
+            close(p, touch, g, ready, 0.5 * friction * least / ratio)
+    return sums

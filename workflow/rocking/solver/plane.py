@@ -5,9 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from .bars import Bars, elements, of_scene, row_of
+from .groups import grouped, line_of
 from .stack import FREEDOMS, matrices_of, pose, stacked
-
-LEVEL_M = 1e-9  # nodes of one group lie this close to one line, their planes to one plane
 
 
 class Planar(NamedTuple):
@@ -105,7 +104,7 @@ def to_plane(scene, frame=None):
     if np.any((nodes.a == own) == (nodes.b == own)):
         raise ValueError("planar solver: every node must join the block to a support")
     centre = np.array(block.centre_m)[1:]
-    groups = [_group(scene, own, centre, column, mine) for mine in _groups(nodes, centre)]
+    groups = [_group(scene, own, centre, column, mine) for mine in grouped(nodes, centre)]
     sizes = [len(group["place_m"]) for group in groups]
     order = np.concatenate([group.pop("nodes") for group in groups])
     kn = nodes.kn_n_m[order]
@@ -134,42 +133,10 @@ def to_plane(scene, frame=None):
     )
 
 
-def _groups(nodes, centre):
-    """Node numbers by group: whole joints where they are straight and uniform, else single."""
-    found = []
-    for joint in np.unique(nodes.joint):
-        mine = np.flatnonzero(nodes.joint == joint)
-        place, line = _line(nodes, centre, mine)
-        level = np.einsum("ni,ni->n", nodes.normal[mine], nodes.position_m[mine])
-        level = level - nodes.gap_m[mine]
-        straight = np.abs(place[:, None] * line[1] + line[0] - _points(nodes, centre, mine))
-        laws = (nodes.beta_s, nodes.friction_rad, nodes.ks_n_m / nodes.kn_n_m, nodes.a, nodes.b)
-        alike = all(np.ptp(law[mine]) <= 1e-12 * np.abs(law[mine]).max() for law in laws)
-        one_normal = np.ptp(nodes.normal[mine], axis=0).max() < 1e-12
-        if alike and one_normal and straight.max() < LEVEL_M and np.ptp(level) < LEVEL_M:
-            found.append(mine[np.argsort(place, kind="stable")])
-        else:
-            found.extend(mine[:, None])
-    return found
-
-
-def _points(nodes, centre, mine):
-    return nodes.position_m[mine, 1:] - centre
-
-
-def _line(nodes, centre, mine):
-    """Place of nodes along the line through the first and the farthest, its origin, direction."""
-    points = _points(nodes, centre, mine)
-    far = points[np.argmax(np.linalg.norm(points - points[0], axis=1))] - points[0]
-    length = np.linalg.norm(far)
-    direction = far / length if length > 0.0 else np.array([1.0, 0.0])
-    return (points - points[0]) @ direction, (points[0], direction)
-
-
 def _group(scene, own, centre, column, mine):
     """Values of one group, its nodes in order, by the names of `Planar`."""
     nodes, i = scene.nodes, mine[0]
-    place, (origin, direction) = _line(nodes, centre, mine)
+    place, (origin, direction) = line_of(nodes, centre, mine)
     carried = nodes.a[i] == own
     support = scene.blocks[nodes.b[i] if carried else nodes.a[i]]
     normal = nodes.normal[i, 1:]

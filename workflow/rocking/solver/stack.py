@@ -11,6 +11,7 @@ import numpy as np
 from .bars import Bars, elements, row_of
 from .lines import Lines, lines_of
 from .lines import elements as of_lines
+from .pieces import Groups, groups_of, nodes_of
 
 FREEDOMS = "yzX"
 LEAD = 1.0  # of courses: their springs as by Newmark's β of 1/2, at any step
@@ -53,6 +54,7 @@ class Stack(NamedTuple):
     link_ns_m: np.ndarray
     in_row: bool  # pieces, each node between two in turn or one and a support: solved together
     lines: Lines  # beds that are summed in closed form, apart from the nodes
+    groups: Groups  # of blocks in a row all other nodes; the nodes above are then none
     lead: float  # steps by which springs of pieces are taken ahead, as dashpots; 0: as they are
     beta: float  # β of all of them
     late: float  # where in a step the dashpots of `lines` act: 1, in its middle; 2, at its end
@@ -93,7 +95,10 @@ def stacked(scene, own, column, bars):
         heights = [blocks[i].size_m[2] for i in own]
         late = 2.0 if sum(heights) > MANY * min(heights) else 1.0
     lines, summed = lines_of(scene, even or (), number, column)
-    nodes, a, b = nodes.select(~summed), a[~summed], b[~summed]
+    rows = in_row & ~summed & np.all(nodes.drag == 1.0)
+    groups = groups_of(scene, nodes.select(rows), number, column)
+    single = ~summed & ~rows
+    nodes, a, b = nodes.select(single), a[single], b[single]
     if any(tuple(link.direction) != (0.0, 1.0, 0.0) for link in links):
         raise ValueError("planar solver: expected links along y")
     centre = np.array([block.centre_m[1:] for block in blocks], float)
@@ -145,6 +150,7 @@ def stacked(scene, own, column, bars):
         link_ns_m=np.array([link.dashpot_ns_m for link in links], float),
         in_row=in_row,
         lines=lines,
+        groups=groups,
         lead=LEAD if even else 0.0,
         beta=float(beta),
         late=late,
@@ -194,6 +200,8 @@ def stack_matrices(stack, supports=0):
             yield from between(p, i, node[i], kn, 1.0 if p.bonded[i] else p.drag[i])
         for i, place, kn in of_lines(p.lines, p.centre_m):
             yield from between(p.lines, i, place, kn, 1.0)
+        for g, place, kn in nodes_of(p.groups, p.centre_m):
+            yield from between(p.groups, g, place, kn, 1.0)
         for stiffness, dashpot, row in elements(p.bars, supports, n):
             yield row, stiffness, (1.0, dashpot)
         for i, (a, b) in enumerate(zip(p.link_a, p.link_b, strict=True)):

@@ -11,9 +11,10 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined, looped
 
+from . import lines, pieces
 from .dashpots import apart, beyond, placed, push, rates, resist, solve_row, solved, turned
+from .groups import untouched
 from .law import bond_breaks, node, released
-from .lines import MEMORY, press
 from .march import TO_THE_END, Loop, advance, march_many
 from .vectors import alone, choose, cos_sin, like, put, put_where, some, take
 
@@ -27,21 +28,25 @@ class StackMemory(NamedTuple):
     state: np.ndarray  # a row a node
     goes: np.ndarray  # a row a block: 0 where it came out of its slot and takes no part any more
     lines: np.ndarray  # `lines.MEMORY` rows a line, see `lines.press`
+    groups: np.ndarray  # rows of `groups.touched`
 
 
 @inlined
 def _nodes(p, rows):
     """`StackMemory` in the rows of `_start`."""
     count, goes = p.kn_n_m.size, 2 * p.kn_n_m.size + p.mass_kg.size
-    return StackMemory(rows[:count], rows[count : 2 * count], rows[2 * count : goes], rows[goes:])
+    even = goes + lines.MEMORY * p.lines.half_m.size
+    of_nodes = rows[:count], rows[count : 2 * count]
+    return StackMemory(*of_nodes, rows[2 * count : goes], rows[goes:even], rows[even:])
 
 
 def _start(p):
     """Rows of nodes that have not met their planes yet, and of blocks that all go; see `Loop`."""
     slip, state = np.zeros(p.kn_n_m.size), np.where(p.bonded, HOLDS, OPEN)
-    lines = np.zeros(MEMORY * p.lines.half_m.size)
-    rows = np.concatenate((slip, state, np.ones(p.mass_kg.size), lines))
-    return rows, np.zeros((0, 4)), (0.0, 0.0, 0.0)
+    even = np.zeros(lines.MEMORY * p.lines.half_m.size)
+    groups, whole = untouched(p.groups)
+    rows = np.concatenate((slip, state, np.ones(p.mass_kg.size), even, groups))
+    return rows, whole, (0.0, 0.0, 0.0)
 
 
 @inlined
@@ -175,9 +180,9 @@ def contact(p, whole, parts, turning, time, alive, counts, spent):
     """Forces of all nodes and links, and dashpots; see `march`."""
     _predict(p, parts, time, alive)
     nodes, supports = _nodes(p, parts.nodes), parts.supports
-    broken = like(0.0, spent)
-    elastic, taken = press(p, parts, nodes.lines, time, alive, counts)
-    spent += taken
+    elastic, taken = lines.press(p, parts, nodes.lines, time, alive, counts)
+    stored, lost, broken = pieces.press(p, whole, parts, nodes.groups, time, alive, counts)
+    elastic, spent = elastic + stored, spent + taken + lost
     for i in range(p.kn_n_m.size):
         now = take(nodes.state, i)
         live = alive & (now < GONE)
