@@ -33,6 +33,8 @@ BRICKS_STEP = 0.4  # of W3's stable step, which its bricks decide: 0.20 ms
 COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}  # beds need none
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
 COURSES_STEP = 0.08  # of the stable step of the same façade in one block
+# Between hinges the light piece makes the stable step short, and errs less: so much longer, up to
+PIECES_STEPS, PIECES_MOST = 5.0 / 3.0, 0.5
 KEPT = 16  # façades whose scenes are kept, for the motions that follow
 LATE_STEP = 0.5  # of that, where the dashpots of thin courses act at the end of a step
 
@@ -167,6 +169,8 @@ def _layouts_of(text, fraction):
         planes.append(to_plane(scene, GROUND if kind.two_way and not bricks else None))
     usual = BRICKS_STEP if bricks else COURSES_STEP if courses else STEP_FRACTION
     share = fraction or usual
+    if getattr(planes[0], "in_row", False) and not courses:
+        share = max(share, min(PIECES_STEPS * share, PIECES_MOST))
     if fraction:
         shorter = LAYOUTS_SHORTER
     steps_s = [share * stable_step(plane) for plane in planes]
@@ -190,7 +194,8 @@ class Screen(Scan):
 
     Floor motions are those of `floor_motions.read`; `before` is a shock before them (time_s,
     columns, pause_s), as it shakes. A `fraction` is the step over the stable one, where the
-    solver's own choice is too dear; then every layout of nodes has a step of its own.
+    solver's own choice is too dear (of pieces between hinges up to `PIECES_STEPS` as much); then
+    every layout of nodes has a step of its own.
     """
 
     def __init__(self, case, time_s, columns, direction, fraction=None, before=None):

@@ -20,7 +20,7 @@ from rocking.runtime.compiled import inlined
 
 from .dashpots import apart, beyond, placed, push, rates, resist, turned
 from .law import bounded, rub
-from .vectors import alone, choose, like, lone, put, some, take
+from .vectors import alone, choose, every, like, lone, put, some, take
 
 BINS = 8
 ENDS = tuple(-math.cos(math.pi * k / BINS) for k in range(BINS + 1))  # of the parts, over half
@@ -169,20 +169,27 @@ def press(p, parts, rows, time, alive, counts):
         moment = whole * (mean * middle + h1 * (length * length / 12.0))
         speed, step = ty * ry + tz * rz, ty * gy + tz * gz
         shear = grip = stuck = like(0.0, d0)
+        # pressed over all its length, now and at the last step: each part keeps its slip as it is
+        throughout = (max(low, was[0]) <= -half) & (min(high, was[1]) >= half)
+        even = not counts and every(throughout | ~acts)
         for part in range(BINS):
             at = first + 2 + part
             one, two = half * ENDS[part], half * ENDS[part + 1]
-            start, stop = max(low, one), min(high, two)
-            share = max(stop - start, 0.0)
-            shut_m = share > 0.0
-            before = max(min(was[1], two) - max(was[0], one), 0.0)
             had = take(rows, at)
-            if counts:
-                spent += 0.5 * k * ratio * lone(before) * (lone(had) * lone(had))
-            if not some(shut_m):
-                put(rows, at, 0.0)
-                continue
-            had = had * (min(before, share) / choose(shut_m, share, 1.0))
+            if even:
+                start, stop = like(one, d0), like(two, d0)
+                shut_m, share = acts, choose(acts, two - one, 0.0)
+            else:
+                start, stop = max(low, one), min(high, two)
+                share = max(stop - start, 0.0)
+                shut_m = share > 0.0
+                before = max(min(was[1], two) - max(was[0], one), 0.0)
+                if counts:
+                    spent += 0.5 * k * ratio * lone(before) * (lone(had) * lone(had))
+                if not some(shut_m):
+                    put(rows, at, 0.0)
+                    continue
+                had = had * (min(before, share) / choose(shut_m, share, 1.0))
             limit = max(h0 + h1 * (0.5 * (start + stop)), 0.0)
             spring, slip, _, sticks = rub(had + step, limit, ratio, friction, had)
             bound, within = bounded(spring + ratio * beta * speed, friction * limit)

@@ -27,7 +27,7 @@ from rocking.runtime.compiled import inlined
 
 from . import bars, substructure
 from .inputs import COLUMNS, Supports, standing, verdict
-from .motions import STRIDE, SteppedMotions, columns, drive, samples_of, tabulate
+from .motions import STRIDE, SteppedMotions, columns, drive, samples_of, to_lanes
 from .vectors import WIDTH, alone, choose, like, lone, put, put_where, rows_of_lanes, some, take
 
 # Largest |d|, when it last moved; factor, end of the motion that matters, quiet, failing speed,
@@ -250,9 +250,8 @@ def march_many(what, given, memory, scratch, case, motion, found):
     k, chunks = 0, len(case)
     while chunks > 0:
         for c in range(chunks):
-            for lane in range(WIDTH):
-                if own and case[c, lane] >= 0:
-                    tabulate(table, motion[case[c, lane]], k, STRIDE, lane, WIDTH)
+            if own:
+                to_lanes(table, motion, case[c], k)
             span, base = (k, k + STRIDE), k if own else 0
             # of lanes no series is written
             advance(what, given, memory[c], scratch, span, base, 1, found, (0.0, 0.0, 0.0))
@@ -324,8 +323,9 @@ class Driven(NamedTuple):
         if len(self.motions) == 1:
             return self.motions[0].table(self.step_s, driven)
         samples = samples_of(self.motions, driven)
-        rows = rows_of_lanes(STRIDE * columns(samples))
-        return SteppedMotions(samples, self.step_s, rows, rows.reshape(-1))
+        count, motions = STRIDE * columns(samples), len(self.motions)
+        rows, near, begin = rows_of_lanes(count), np.zeros((motions, count)), np.full(motions, -1)
+        return SteppedMotions(samples, self.step_s, rows, rows.reshape(-1), near, begin)
 
 
 def one(loop, p, shaken, i, every, series):

@@ -38,6 +38,8 @@ class SteppedMotions(NamedTuple):
     step_s: float
     rows: np.ndarray  # of one motion to its end, or STRIDE steps of a motion a lane
     flat: np.ndarray  # the same memory
+    near: np.ndarray  # (motions, rows) of several STRIDE steps of each
+    from_step: np.ndarray  # (motions,), int: with which these begin
 
 
 @dataclass(frozen=True)
@@ -105,8 +107,10 @@ class Motions:
         if (step_s, supports) not in kept:
             samples = samples_of([self], supports)
             rows = np.zeros((last_step(self, step_s) + 1) * columns(samples))
-            kept[step_s, supports] = SteppedMotions(samples, step_s, rows, rows)
-            tabulated(kept[step_s, supports])
+            begin = np.zeros(1, np.int64)
+            table = SteppedMotions(samples, step_s, rows, rows, rows.reshape(1, -1), begin)
+            tabulate_all(table)
+            kept[step_s, supports] = table
             while len(kept) > 1 and sum(table.rows.size for table in kept.values()) > KEPT:
                 kept.pop(next(iter(kept)))
         return kept[step_s, supports]
@@ -166,17 +170,17 @@ def _before(time_s, begin, end, now_s):
 
 
 @inlined
-def tabulate(table, motion, first, steps, lane, width):
-    """Write a motion at so many steps from `first` on into a lane of rows of `width` numbers.
+def tabulate(table, motion, first, steps):
+    """Write a motion at so many steps from `first` on into its row of `near`.
 
     Between samples an acceleration a + γs makes a velocity v + as + γs²/2 and a place
     u + vs + as²/2 + γs³/6; from the last step of a motion on its last row stands.
     """
-    samples, step_s, flat = table.samples, table.step_s, table.flat
+    samples, step_s, row = table.samples, table.step_s, table.near[motion]
     time_s, field, rise = samples.time_s, samples.field_m_s2, samples.field_m_s3
     begin, end = samples.begin[motion], samples.begin[motion + 1]
     from_s, until_s, supports = time_s[begin], time_s[end - 1], samples.place_m.shape[1]
-    last, at = math.ceil(until_s / step_s), lane
+    last, at = math.ceil(until_s / step_s), 0
     i = _before(time_s, begin, end, step_s * first)
     for k in range(first, first + steps):
         now = step_s * min(k, last)
@@ -184,8 +188,8 @@ def tabulate(table, motion, first, steps, lane, width):
             i += 1
         near, s = (i, max(now, from_s) - time_s[i]) if now < until_s else (end - 1, 0.0)
         for j in range(2):
-            flat[at] = rise[near, j] * s + field[near, j]
-            at += width
+            row[at] = rise[near, j] * s + field[near, j]
+            at += 1
         s, coasts = min(now, until_s) - time_s[i], max(now - until_s, 0.0)
         # s³ rounded once: twice, a history near collapse would have other digits
         square, cube = s * s, math.pow(s, 3.0) if supports > 0 else 0.0
@@ -194,15 +198,33 @@ def tabulate(table, motion, first, steps, lane, width):
             v, u = samples.speed_m_s[i, j], samples.place_m[i, j]
             speed = v + a * s + 0.5 * slope * square
             place = u + v * s + 0.5 * a * square + slope * cube / 6.0
-            flat[at], flat[at + supports * width] = place + speed * coasts, speed
-            at += width
-        at += supports * width
+            row[at], row[at + supports] = place + speed * coasts, speed
+            at += 1
+        at += supports
 
 
 @looped
-def tabulated(table):
+def tabulate_all(table):
     """Write one motion to its end."""
-    tabulate(table, 0, 0, table.rows.size // columns(table.samples), 0, 1)
+    tabulate(table, 0, 0, table.rows.size // columns(table.samples))
+
+
+@inlined
+def to_lanes(table, motion, histories, first):
+    """Write steps from `first` on of each lane's motion into the rows that lanes read.
+
+    `motion`: of each history; `histories`: those of the lanes, −1: none. A motion that several of
+    them have is tabulated once.
+    """
+    near, width = table.near, len(histories)
+    for lane in range(width):
+        own = motion[max(histories[lane], 0)]
+        if table.from_step[own] != first:
+            table.from_step[own] = first
+            tabulate(table, own, first, STRIDE)
+    for at in range(near.shape[1]):
+        for lane in range(width):
+            table.flat[at * width + lane] = near[motion[max(histories[lane], 0)], at]
 
 
 @inlined
