@@ -1,5 +1,7 @@
 """Intermediate hinges: mechanisms in closed form, YADE against the compiled solver, matrices."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from both_solvers import BETA_S, FEW, agreed, pulses
@@ -15,7 +17,7 @@ from test_ties import G
 from yade_process import in_yade
 
 from yade_scripts.model.facade import facade_scene
-from yade_scripts.model.scene import observed_at
+from yade_scripts.model.scene import BOND, observed_at
 from yade_scripts.model.stiffness import assemble, modes
 
 HELD = {**ROOF, "friction": 0.0, "anchor_kn": 1000.0, "stiffness_kn_m": 1e6}
@@ -90,20 +92,55 @@ def test_the_weakest_hinge():
         assert got.status == status
 
 
+def node_by_node(scene):
+    """The same, whose dashpots along the joints differ by the last digit: they form no groups."""
+    more = np.full(len(scene.nodes), np.nextafter(1.0, 2.0))
+    return replace(scene, nodes=scene.nodes.select(slice(None), drag=more))
+
+
 @pytest.mark.parametrize("model", ["W1", "W2"])
 def test_one_piece_is_the_single_block(model):
-    """Both step loops, through impacts, sliding and a roof with a mass, to rounding."""
+    """All three step loops, through impacts, sliding and a roof with a mass, to rounding."""
     config, scene = floored({**ROOF, "load_kn": 30.0, "mass_t": 2.0}, model=model, numerics=FEW)
     t, ground = pulses(2.0)
     floors = [ground * (1.0 + 0.1 * j) for j in range(1, 5)] if model == "W2" else []
     column = {name: i for i, name in enumerate(moving_supports(scene))}
-    planes = to_plane(scene), stacked(scene, [1], column, of_scene(scene, [1], column))
+    scenes = scene, node_by_node(scene)
+    stacks = [stacked(s, [1], column, of_scene(s, [1], column)) for s in scenes]
+    assert [plane.kn_n_m.size for plane in stacks] == [0, len(scene.nodes)]
     motions = Motions(t, ground, floors)
-    one, other = (history(p, motions, config["numerics"], sample_s=0.01) for p in planes)
+    one, *others = (
+        history(p, motions, config["numerics"], sample_s=0.01) for p in (to_plane(scene), *stacks)
+    )
     assert one.peak_d_over_b > 0.1
-    assert other.peak_d_over_b == pytest.approx(one.peak_d_over_b, rel=1e-9)
-    assert other.spent_j[-1] == pytest.approx(one.spent_j[-1], rel=1e-9)
-    assert other.step_s == pytest.approx(one.step_s, rel=1e-9)
+    for other in others:
+        assert other.peak_d_over_b == pytest.approx(one.peak_d_over_b, rel=1e-9)
+        assert other.spent_j[-1] == pytest.approx(one.spent_j[-1], rel=1e-9)
+        assert other.step_s == pytest.approx(one.step_s, rel=1e-9)
+
+
+@pytest.mark.parametrize("bonds", [False, True])
+def test_pieces_by_groups_are_pieces_node_by_node(bonds):
+    """Three that open, slide and let bonds go: forces and dashpots of a line are its nodes'."""
+    config, scene = floored(*FLOORS, model="W2", facade=THREE, numerics=FEW)
+    if bonds:
+        n = scene.nodes
+        mine = n.joint == scene.joints.index("hinge 1")
+        strong = {"tension_n": 3e4 * n.area_m2 * mine, "cohesion_n": 6e4 * n.area_m2 * mine}
+        kind = np.where(mine, BOND, n.kind)
+        scene = replace(scene, nodes=n.select(slice(None), kind=kind, **strong))
+    t, ground = pulses(3.0)
+    motions = Motions(t, ground, [ground * (1.0 + 0.1 * j) for j in range(1, 5)])
+    one, other = (
+        history(to_plane(s), motions, config["numerics"], sample_s=0.01)
+        for s in (scene, node_by_node(scene))
+    )
+    assert one.peak_d_over_b > 0.05
+    assert one.broken == other.broken
+    assert (one.broken > 0) == bonds
+    assert other.d_m == pytest.approx(one.d_m, abs=1e-6 * np.abs(one.d_m).max())
+    assert other.spent_j[-1] == pytest.approx(one.spent_j[-1], rel=1e-6)
+    assert other.elastic_j == pytest.approx(one.elastic_j, abs=1e-6 * one.spent_j[-1])
 
 
 THREE = {"hinges_m": [2.0, 4.0]}
