@@ -114,6 +114,7 @@ rule assess_code:
         logs("assess_code"),
     benchmark:
         benchmarks("assess_code")
+    priority: 2  # the longest jobs wait for it
     params:
         table=lambda w: RUNS.table_path(w.run),
         records=lambda w: RUNS.records[w.run],
@@ -135,6 +136,7 @@ use rule assess_collapse as assess_parts_collapse with:
         logs("assess_parts_collapse_{model}"),
     benchmark:
         benchmarks("assess_parts_collapse_{model}")
+    priority: 1  # the longest go first
 
 
 PARTS_COLLAPSE = of_run(rules.assess_parts_collapse.output[0], model=dry)
@@ -224,6 +226,7 @@ use rule assess_histories as assess_parts_histories with:
         logs("assess_parts_histories_{model}"),
     benchmark:
         benchmarks("assess_parts_histories_{model}")
+    priority: 1  # YADE waits for them
 
 
 CHECKED_PARTS = rules.assess_histories.output, rules.assess_parts_histories.output
@@ -301,6 +304,7 @@ rule assess_sensitivity:
         logs("assess_sensitivity"),
     benchmark:
         benchmarks("assess_sensitivity")
+    priority: 1
     params:
         table=lambda w: RUNS.table_path(w.run),
         settings=RUNS.params_of("baseline", "seed", "vertical_motion", "ida.max_pga_g"),
