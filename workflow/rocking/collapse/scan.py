@@ -34,7 +34,7 @@ COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5} 
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
 COURSES_STEP = 0.08  # of the stable step of the same façade in one block
 # Between hinges the light piece makes the stable step short, and errs less: so much longer, up to
-PIECES_STEPS, PIECES_MOST = 5.0 / 3.0, 0.5
+PIECES_STEPS, PIECES_MOST = 4.0 / 3.0, 0.4
 KEPT = 16  # façades whose scenes are kept, for the motions that follow
 LATE_STEP = 0.5  # of that, where the dashpots of thin courses act at the end of a step
 
