@@ -46,6 +46,33 @@ def test_curves_found_together_are_those_found_alone(model):
         assert curve.found == pytest.approx(alone.found, rel=0.0, nan_ok=True)
 
 
+def test_settings_are_one_or_one_for_each():
+    own, shaken = case("W1"), [(pulse(), "pos"), (pulse(), "neg")]
+    with pytest.raises(ValueError, match="settings: 1 given, expected one, or 2"):
+        collapse_curves(own, shaken, settings=[{}])
+    for bad in (5, "abc", [{"max_pga_g": 1.0}]):
+        with pytest.raises(TypeError, match="expected a mapping"):
+            collapse_curve(own, *shaken[0], settings=bad)
+
+
+def test_a_search_that_asks_for_nothing_leaves_the_others_theirs():
+    """A climb that would begin above its end."""
+    shaken = [(pulse(), "pos"), (pulse(), "neg")]
+    settings = [{"from_g": 0.5, "max_pga_g": 0.2}, {"max_pga_g": 0.2}]
+    nothing, some = collapse_curves(case("W1"), shaken, search="crossings", settings=settings)
+    assert nothing.runs == 0
+    assert np.isnan(nothing.found).all()
+    assert some.runs > 0
+
+
+def test_a_motion_keeps_the_floors_of_one_building():
+    """A sample of thousands of buildings would fill the memory."""
+    motion = pulse()
+    for period_s in (0.2, 0.3, 0.4):
+        motion.columns(Case.configured("W2", {"smdof.period_s": period_s}))
+    assert len(motion._kept) == 1
+
+
 def test_a_motion_shakes_each_case_by_the_floors_of_its_own_building():
     """One motion, asked by two cases in turn."""
     motion, floors = pulse(), {}

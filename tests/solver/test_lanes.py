@@ -194,6 +194,27 @@ def test_as_many_motions_as_factors_are_asked_for():
     plane, motions, numerics, _ = drawn(2, "W2")
     with pytest.raises(ValueError, match="3 factors, and 2 motions"):
         peaks(plane, [motions] * 2, numerics, [0.1, 0.2, 0.3])
+    one, more = (Motions([0.0, 1.0], [0.0, 1.0], np.zeros((n, 2))) for n in (4, 5))
+    with pytest.raises(ValueError, match=r"motions of \[4, 5\] supports side by side"):
+        peaks(plane, [one, more] * 2, numerics, np.ones(4))
+
+
+HELD = {"ties": [{"height_m": 3.0}], "floors": [{"height_m": 3.24, "anchor_kn": 5.0}]}
+SUPPORTED = {
+    "pieces": {"hinges_m": [3.0]},
+    "courses": {"courses": 3},
+    "one block": {},
+    "pieces, held": {"hinges_m": [3.0], **HELD},
+}
+
+
+@pytest.mark.parametrize("name", SUPPORTED)
+def test_every_support_that_a_scene_names_is_asked_for(name):
+    """Whatever names it: a node, a group, a bed, a tie or a floor; else a foreign row is read."""
+    config = resolved(facade=SUPPORTED[name])
+    plane = to_plane(build_scene({**config, "model": "W2", "beta_s": 0.003}))
+    with pytest.raises(ValueError, match="4 moving supports, got 3"):
+        peaks(plane, Motions([0.0, 1.0], [0.0, 1.0], np.zeros((3, 2))), config["numerics"], 1.0)
 
 
 def test_no_amplitude_no_history():

@@ -2,7 +2,7 @@
 
 import math
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from numbers import Real
@@ -152,7 +152,7 @@ def collapse_curve(
     True
     """
     if solver == "planar":
-        how = {"search": search, "settings": settings, **options}
+        how = {"search": search, "settings": [settings or {}], **options}
         return collapse_curves(case, [(motion, direction)], **how)[0]
     began = time.monotonic()
     outcomes = run_by(solver, case, motion, direction, **options)
@@ -182,9 +182,11 @@ def collapse_curves(case, shaken, *, search="scan", settings=None, **options):
         With the same outcomes as one after the other; `wall_s` is each one's share of the time.
     """
     began = time.monotonic()
-    several = (
-        [settings] * len(shaken) if settings is None or isinstance(settings, Mapping) else settings
-    )
+    several = [settings] * len(shaken)
+    if isinstance(settings, Sequence) and not isinstance(settings, str):
+        several = list(settings)
+        if len(several) != len(shaken):
+            raise ValueError(f"settings: {len(several)} given, expected one, or {len(shaken)}")
     outcomes = [run_by("planar", case, *one, **options) for one in shaken]
     given = [_settings(case, own, search) for own in several]
     searches = [

@@ -220,9 +220,12 @@ class Motion:
         """
         if self.floors:
             return self.floors
-        if (key := json.dumps(case["smdof"], sort_keys=True)) not in self._kept:
-            self._kept[key] = floor_columns(self.record, case["smdof"])
-        return self._kept[key]
+        key = json.dumps(case["smdof"], sort_keys=True)
+        if (found := self._kept.get(key)) is None:
+            found = floor_columns(self.record, case["smdof"])
+            self._kept.clear()  # of one building: a sample of thousands has as many
+            self._kept[key] = found
+        return found
 
     def before(self, case, direction):
         """What comes before it: time_s and columns as they shake, and the pause; None: nothing."""

@@ -36,7 +36,7 @@ COURSES_STEP = 0.08  # of the stable step of the same façade in one block
 # Between hinges the light piece makes the stable step short, and errs less: so much longer, up to
 PIECES_STEPS, PIECES_MOST = 4.0 / 3.0, 0.4
 KEPT = 16  # façades whose scenes are kept, for the motions that follow
-LATE_STEP = 0.5  # of that, where the dashpots of thin courses act at the end of a step
+LATE_STEP = 0.5  # of `COURSES_STEP`, where the dashpots of thin courses act at the end of a step
 
 
 class Scan:
@@ -150,6 +150,8 @@ def seen_together(searches, run=together):
         for k, table in zip(asked, tables, strict=True):
             parts[k].append(table)
             answers[k] = Answer(table["status"].to_numpy(), table["d_over_b"].to_numpy(float))
+    for (scan, _), part in zip(searches, parts, strict=True):
+        part += [] if part else run([(scan, [], False)])  # it asked for nothing
     tables = [pd.concat(part).sort_values("pga_g", ignore_index=True) for part in parts]
     return list(zip(tables, found, strict=True))
 

@@ -17,7 +17,7 @@ LEVEL_M = 1e-9  # nodes of one group lie this close to one line, their planes to
 
 
 class Touch(NamedTuple):
-    """What the nodes of a block remember, in rows: one a group, of the last two one a node."""
+    """What nodes remember, in rows: one a group, of the last two one a node."""
 
     summed: np.ndarray  # 1 in closed form: slips are then the stored ones + more0 + more1·s
     bonds: np.ndarray  # that are left

@@ -136,8 +136,8 @@ def _coupled(between, low, directions, sums, size):
 def _resist(own, block, arms, directions, sums, dashpots):
     """Add the dashpots of a group to those of a block."""
     at = 6 * block
-    had = take(own, at), take(own, at + 1), take(own, at + 2)
-    had = *had, take(own, at + 3), take(own, at + 4), take(own, at + 5)
+    yy, yz, yt = take(own, at), take(own, at + 1), take(own, at + 2)
+    had = yy, yz, yt, take(own, at + 3), take(own, at + 4), take(own, at + 5)
     for m, value in enumerate(added(had, arms, directions, sums, dashpots)):
         put(own, at + m, value)
 
@@ -197,7 +197,7 @@ def press(p, whole, parts, rows, time, alive, counts):
         elastic, spent, broken = elastic + stored, spent + taken, broken + gone
         fy, fz = ny * n0 - ty * t0, nz * n0 - tz * t0
         far = ey * (nz * n1 - tz * t1) - ez * (ny * n1 - ty * t1)
-        beta = groups.beta_s[g] + p.lead * dt  # as of `lines`
+        beta = groups.beta_s[g] + p.lead * dt  # of dashpots, and of springs taken ahead
         dashpots, directions = (beta, groups.shear_ratio[g]), (ny, nz, ty, tz)
         if a >= 0:
             push(parts.force, a, 1.0, (fy, fz), (ry, rz), far)

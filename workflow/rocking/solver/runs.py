@@ -137,6 +137,14 @@ def limits(planar, motions, numerics, factors, step_s):
     return np.stack([motion, quiet, speed, *ends], axis=1)
 
 
+def _supports_of(planar):
+    """How many moving supports its joints, ties and floors name."""
+    columns = [planar.support, planar.bars.tie_support, planar.bars.floor_support]
+    if isinstance(planar, Stack):
+        columns += [planar.groups.support, planar.lines.support, planar.guide]
+    return 1 + max(int(column.max(initial=-1)) for column in columns)
+
+
 def _set_up(planar, motions, numerics, factors, carried, step_s):
     carried = carried or NO_BODIES
     if isinstance(planar, Stack) and (len(carried.lift) or len(carried.roll)):
@@ -149,12 +157,12 @@ def _set_up(planar, motions, numerics, factors, carried, step_s):
     known = {id(one): one for one in motions}
     places = {key: place for place, key in enumerate(known)}
     which = np.array([0] * factors.size if own else [places[id(one)] for one in motions], int)
-    wanted = int(planar.support.max(initial=-1)) + 1
-    if isinstance(planar, Stack):
-        wanted = max(wanted, int(planar.guide.max()) + 1)
-    given = len(carried.hang) or min((len(one.supports_m_s2) for one in motions), default=wanted)
+    wanted, counts = _supports_of(planar), {len(one.supports_m_s2) for one in motions}
+    given = len(carried.hang) or min(counts, default=wanted)
     if wanted > given:
         raise ValueError(f"planar solver: the scene has {wanted} moving supports, got {given}")
+    if len(counts) > 1 and not len(carried.hang):
+        raise ValueError(f"planar solver: motions of {sorted(counts)} supports side by side")
     if len(carried.roll) and np.any(planar.carried & (planar.support >= 0)):
         raise ValueError("planar solver: expected supports that turn to carry their own nodes")
     step = float(step_s or STEP_FRACTION * stable_step(planar, carried))

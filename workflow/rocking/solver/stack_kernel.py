@@ -1,7 +1,7 @@
-"""Several blocks in a step: their contact, node by node, and their accelerations; see `march`.
+"""Several blocks in a step: their contact and their accelerations; see `march`.
 
-The law of a node (`law`) and the scheme are those of one block. Lines of nodes that meet one plane
-together, which make that fast, are left out. One text for one history and for many side by side.
+Bricks meet node by node, by the law of `law`; pieces by groups of nodes (`pieces`), courses along
+lines (`lines`). The scheme is that of one block; one text for one history and for many.
 """
 
 import math
