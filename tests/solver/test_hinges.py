@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from both_solvers import BETA_S, FEW, agreed, pulses
+from rocking.collapse.scan import carried_masses
 from rocking.configuration import config as configuration
 from rocking.configuration.config import ConfigError
 from rocking.mechanics.blocks import weakest_hinge
@@ -119,26 +120,41 @@ def test_one_piece_is_the_single_block(model):
         assert other.step_s == pytest.approx(one.step_s, rel=1e-9)
 
 
-@pytest.mark.parametrize("bonds", [False, True])
-def test_pieces_by_groups_are_pieces_node_by_node(bonds):
+PIECES = {
+    "as they are": ("W2", {}, {}),
+    "bonds that break": ("W2", {}, {"tension_n": 3e4, "cohesion_n": 6e4}),
+    "a setback, a gap behind": ("W2", {"thickness_steps": [{"z_m": 4.0, "thickness_m": 0.25}]}, {}),
+    "walls on masses": ("W2m", {}, {}),
+}
+
+
+@pytest.mark.parametrize("name", PIECES)
+def test_pieces_by_groups_are_pieces_node_by_node(name):
     """Three that open, slide and let bonds go: forces and dashpots of a line are its nodes'."""
-    config, scene = floored(*FLOORS, model="W2", facade=THREE, numerics=FEW)
-    if bonds:
-        n = scene.nodes
-        mine = n.joint == scene.joints.index("hinge 1")
-        strong = {"tension_n": 3e4 * n.area_m2 * mine, "cohesion_n": 6e4 * n.area_m2 * mine}
-        kind = np.where(mine, BOND, n.kind)
-        scene = replace(scene, nodes=n.select(slice(None), kind=kind, **strong))
+    model, facade, strength = PIECES[name]
+    config, scene = floored(*FLOORS, model="W2", facade={**THREE, **facade}, numerics=FEW)
+    n = scene.nodes
+    mine = n.joint == scene.joints.index("hinge 1")
+    changes = {key: pa * n.area_m2 * mine for key, pa in strength.items()}
+    if strength:
+        changes["kind"] = np.where(mine, BOND, n.kind)
+    if "gap" in name:
+        changes["gap_m"] = n.gap_m + 1e-3 * (n.normal[:, 1] != 0.0)
+    scene = replace(scene, nodes=n.select(slice(None), **changes))
     t, ground = pulses(3.0)
-    motions = Motions(t, ground, [ground * (1.0 + 0.1 * j) for j in range(1, 5)])
+    floors, how = [ground * (1.0 + 0.1 * j) for j in range(1, 5)], {"sample_s": 0.01}
+    if model == "W2m":
+        config = {**config, "return_wall": {**config["return_wall"], "building_mass_kg": 6e4}}
+        floors, how["carried"] = (), carried_masses(config, scene)
     one, other = (
-        history(to_plane(s), motions, config["numerics"], sample_s=0.01)
+        history(to_plane(s), Motions(t, ground, floors), config["numerics"], **how)
         for s in (scene, node_by_node(scene))
     )
     assert one.peak_d_over_b > 0.05
     assert one.broken == other.broken
-    assert (one.broken > 0) == bonds
+    assert (one.broken > 0) == bool(strength)
     assert other.d_m == pytest.approx(one.d_m, abs=1e-6 * np.abs(one.d_m).max())
+    assert other.supports_m == pytest.approx(one.supports_m, abs=1e-9)
     assert other.spent_j[-1] == pytest.approx(one.spent_j[-1], rel=1e-6)
     assert other.elastic_j == pytest.approx(one.elastic_j, abs=1e-6 * one.spent_j[-1])
 
