@@ -18,7 +18,7 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined
 
-from .dashpots import apart, beyond, placed, push, rates, resist, turned
+from .dashpots import beyond, placed, push, relative, resist, turned
 from .law import bounded, rub
 from .vectors import alone, choose, every, like, lone, put, some, take
 
@@ -116,6 +116,64 @@ def _reach(f0, f1, low, high):
 
 
 @inlined
+def _rubbed(rows, first, half, reach, moves, law, acts, counts, spent):
+    """Friction along a line, part by part.
+
+    Parameters
+    ----------
+    rows, first
+        The slip of each part from that row on.
+    reach : tuple of 4 numbers
+        From where to where it is pressed, now and at the last step.
+    moves : tuple of 4 numbers
+        Normal force over k along the line, h0 + h1·s; rate of slip, and slip of this step.
+    law : tuple of 4 floats
+        Stiffness over length, ks/kn, tan φ, β.
+    acts : mask
+        Where it is pressed at all.
+    spent : number
+        Energy taken so far [J]; what parts lose that open is added, of one history.
+
+    Returns
+    -------
+    shear, stuck, grip, spent : number
+        Force over k, length whose dashpot acts, Σ length·slip², and that energy.
+    """
+    (low, high, low_then, high_then), (h0, h1, speed, step) = reach, moves
+    k, ratio, friction, beta = law
+    shear = stuck = grip = like(0.0, h0)
+    # pressed over all its length, now and at the last step: each part keeps its slip as it is
+    throughout = (max(low, low_then) <= -half) & (min(high, high_then) >= half)
+    even = not counts and every(throughout | ~acts)
+    for part in range(BINS):
+        at = first + part
+        one, two = half * ENDS[part], half * ENDS[part + 1]
+        had = take(rows, at)
+        if even:
+            start, stop = like(one, h0), like(two, h0)
+            shut, share = acts, choose(acts, two - one, 0.0)
+        else:
+            start, stop = max(low, one), min(high, two)
+            share = max(stop - start, 0.0)
+            shut = share > 0.0
+            before = max(min(high_then, two) - max(low_then, one), 0.0)
+            if counts:
+                spent += 0.5 * k * ratio * lone(before) * (lone(had) * lone(had))
+            if not some(shut):
+                put(rows, at, 0.0)
+                continue
+            had = had * (min(before, share) / choose(shut, share, 1.0))
+        limit = max(h0 + h1 * (0.5 * (start + stop)), 0.0)
+        spring, slip, _, sticks = rub(had + step, limit, ratio, friction, had)
+        bound, within = bounded(spring + ratio * beta * speed, friction * limit)
+        shear += share * choose(sticks, bound, spring)
+        stuck += choose(sticks & within, share, 0.0)
+        put(rows, at, choose(shut, slip, 0.0))
+        grip += share * slip * slip
+    return shear, stuck, grip, spent
+
+
+@inlined
 def press(p, parts, rows, time, alive, counts):
     """What the lines do to their blocks; energy stored, and taken in this step [J]; see `march`.
 
@@ -132,8 +190,6 @@ def press(p, parts, rows, time, alive, counts):
         ay, az = turned(parts.turn, a, (lines.arm_a_m[i, 0], lines.arm_a_m[i, 1]))
         ey, ez = turned(parts.turn, a, (lines.along[i, 0], lines.along[i, 1]))
         py, pz = placed(p, parts, a, (ay, az))
-        spin = take(parts.now, 3 * a + 2)
-        ry, rz, gy, gz = rates(parts, a, (ay, az), past)
         ny, nz = like(lines.normal[i, 0], py), like(lines.normal[i, 1], py)
         by, bz = py, pz
         if b >= 0:
@@ -141,12 +197,11 @@ def press(p, parts, rows, time, alive, counts):
             by, bz = beyond(p, parts, b, py, pz)
             qy, qz = turned(parts.turn, b, (lines.arm_b_m[i, 0], lines.arm_b_m[i, 1]))
             d0 = -ny * (by - qy) - nz * (bz - qz)
-            ry, rz, gy, gz = apart(parts, b, (by, bz), past, (ry, rz, gy, gz))
-            spin = spin - take(parts.now, 3 * b + 2)
         else:
             su = take(supports.y, j)
             d0 = -ny * (py - lines.arm_b_m[i, 0] - su) - nz * (pz - lines.arm_b_m[i, 1])
-            ry, gy = ry - take(supports.vy, j), gy - take(supports.dy, j)
+        arms = (ay, az), (by, bz)
+        ry, rz, gy, gz, spin, _ = relative(parts, a, b, arms, past, supports, j)
         across = nz * ey - ny * ez
         d1 = -(ny * ey + nz * ez)
         if not alone(d0):
@@ -168,35 +223,11 @@ def press(p, parts, rows, time, alive, counts):
         normal = whole * mean
         moment = whole * (mean * middle + h1 * (length * length / 12.0))
         speed, step = ty * ry + tz * rz, ty * gy + tz * gz
-        shear = grip = stuck = like(0.0, d0)
-        # pressed over all its length, now and at the last step: each part keeps its slip as it is
-        throughout = (max(low, was[0]) <= -half) & (min(high, was[1]) >= half)
-        even = not counts and every(throughout | ~acts)
-        for part in range(BINS):
-            at = first + 2 + part
-            one, two = half * ENDS[part], half * ENDS[part + 1]
-            had = take(rows, at)
-            if even:
-                start, stop = like(one, d0), like(two, d0)
-                shut_m, share = acts, choose(acts, two - one, 0.0)
-            else:
-                start, stop = max(low, one), min(high, two)
-                share = max(stop - start, 0.0)
-                shut_m = share > 0.0
-                before = max(min(was[1], two) - max(was[0], one), 0.0)
-                if counts:
-                    spent += 0.5 * k * ratio * lone(before) * (lone(had) * lone(had))
-                if not some(shut_m):
-                    put(rows, at, 0.0)
-                    continue
-                had = had * (min(before, share) / choose(shut_m, share, 1.0))
-            limit = max(h0 + h1 * (0.5 * (start + stop)), 0.0)
-            spring, slip, _, sticks = rub(had + step, limit, ratio, friction, had)
-            bound, within = bounded(spring + ratio * beta * speed, friction * limit)
-            shear += share * choose(sticks, bound, spring)
-            stuck += choose(sticks & within, share, 0.0)
-            put(rows, at, choose(shut_m, slip, 0.0))
-            grip += share * slip * slip
+        law, now = (k, ratio, friction, beta), (low, high, was[0], was[1])
+        moves = h0, h1, speed, step
+        shear, stuck, grip, spent = _rubbed(
+            rows, first + 2, half, now, moves, law, acts, counts, spent
+        )
         shear = k * shear
         fy, fz = ny * normal - ty * shear, nz * normal - tz * shear
         push(parts.force, a, 1.0, (fy, fz), (ay, az), across * moment)

@@ -10,7 +10,7 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined
 
-from .dashpots import apart, beyond, placed, push, rates, turned
+from .dashpots import beyond, placed, push, relative, turned
 from .groups import grouped, line_of, touched
 from .joints import added, reached, resultants
 from .vectors import alone, choose, like, put, some, take
@@ -177,20 +177,12 @@ def press(p, whole, parts, rows, time, alive, counts):
         if not some(reach[0] | reach[2]):
             continue
         ty, tz = -nz, ny
-        sv, sdu, spin, turn = take(supports.vy, j), take(supports.dy, j), none, none
-        vy, vz, uy, uz = sv, none, sdu, none
-        if a >= 0:
-            vy, vz, uy, uz = rates(parts, a, (ry, rz), past)
-            spin, turn = take(parts.now, 3 * a + 2), take(parts.rate, 3 * a + 2)
-        if b >= 0:
-            vy, vz, uy, uz = apart(parts, b, (by, bz), past, (vy, vz, uy, uz))
-            spin, turn = spin - take(parts.now, 3 * b + 2), turn - take(parts.rate, 3 * b + 2)
-        else:
-            vy, uy = vy - sv, uy - sdu
+        arms = (ry, rz), (by, bz)
+        vy, vz, uy, uz, spin, turn = relative(parts, a, b, arms, past, supports, j)
         more_n, more_t = nz * ey - ny * ez, tz * ey - ty * ez
         q0, q1 = -(ny * vy + nz * vz), -spin * more_n
         s0, s1 = ty * vy + tz * vz, spin * more_t
-        g0, g1 = ty * uy + tz * uz, past * turn * more_t
+        g0, g1 = ty * uy + tz * uz, turn * more_t
         lines = d0, d1, q0, q1, s0, s1, g0, g1
         sums = resultants(groups, touch, g, whole, reach, lines, time, counts)
         (n0, n1), (t0, t1), across, along, stored, taken, gone = sums
