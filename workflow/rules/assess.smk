@@ -278,7 +278,7 @@ rule assess_ties:
         logs("assess_ties"),
     benchmark:
         benchmarks("assess_ties")
-    threads: 4
+    threads: lambda w: 1 if RUNS.cfg(w)["assessment"]["tie_levels_m"] == [] else 4
     params:
         run=lambda w: w.run,
         table=lambda w: RUNS.table_path(w.run),
