@@ -65,6 +65,15 @@ def line_of(nodes, centre, mine):
     return (points - points[0]) @ direction, (points[0], direction)
 
 
+def law_of(nodes, i):
+    """ks/kn, β [s] and tan φ of a node, and so of the joint that it is of, by their names."""
+    return {
+        "shear_ratio": nodes.ks_n_m[i] / nodes.kn_n_m[i],
+        "beta_s": nodes.beta_s[i],
+        "friction": np.tan(nodes.friction_rad[i]),
+    }
+
+
 def untouched(p):
     """Rows of nodes that have not met their planes yet, and what stays of their groups.
 

@@ -19,6 +19,7 @@ import numpy as np
 from rocking.runtime.compiled import inlined
 
 from .dashpots import beyond, placed, push, relative, resist, turned
+from .groups import law_of
 from .law import bounded, rub
 from .vectors import alone, choose, every, like, lone, put, some, take
 
@@ -83,9 +84,7 @@ def lines_of(scene, even, number, column):
             "along": (high - low) / length,
             "half_m": 0.5 * length,
             "k_n_m2": kn.sum() / length,
-            "shear_ratio": nodes.ks_n_m[first] / kn[0],
-            "beta_s": nodes.beta_s[first],
-            "friction": np.tan(nodes.friction_rad[first]),
+            **law_of(nodes, first),
         }
         for key, values in found.items():
             values.append(row[key])

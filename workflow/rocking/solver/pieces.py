@@ -11,7 +11,7 @@ import numpy as np
 from rocking.runtime.compiled import inlined
 
 from .dashpots import beyond, placed, push, relative, turned
-from .groups import grouped, line_of, touched
+from .groups import grouped, law_of, line_of, touched
 from .joints import added, reached, resultants
 from .vectors import alone, choose, like, put, some, take
 
@@ -71,9 +71,7 @@ def groups_of(scene, nodes, number, column):
                 "along": along,
                 "normal": normal,
                 "level_m": normal @ (origin - centre_b) - nodes.gap_m[i],
-                "shear_ratio": nodes.ks_n_m[i] / nodes.kn_n_m[i],
-                "beta_s": nodes.beta_s[i],
-                "friction": np.tan(nodes.friction_rad[i]),
+                **law_of(nodes, i),
             }
         )
         order.append(mine)

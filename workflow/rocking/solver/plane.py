@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .bars import Bars, elements, of_scene, row_of
-from .groups import grouped, line_of
+from .groups import grouped, law_of, line_of
 from .stack import FREEDOMS, matrices_of, pose, stacked
 
 
@@ -149,9 +149,7 @@ def _group(scene, own, centre, column, mine):
         "level_m": normal @ origin - nodes.gap_m[i],
         "carried": carried,
         "support": column.get(support.motion, -1),
-        "beta_s": nodes.beta_s[i],
-        "shear_ratio": nodes.ks_n_m[i] / nodes.kn_n_m[i],
-        "friction": np.tan(nodes.friction_rad[i]),
+        **law_of(nodes, i),
         "place_m": place,
     }
 
