@@ -304,7 +304,7 @@ rule assess_sensitivity:
         logs("assess_sensitivity"),
     benchmark:
         benchmarks("assess_sensitivity")
-    priority: 1
+    priority: 1  # as long as those
     params:
         table=lambda w: RUNS.table_path(w.run),
         settings=RUNS.params_of("baseline", "seed", "vertical_motion", "ida.max_pga_g"),
