@@ -76,7 +76,7 @@ def _tie(bars, memory, i, place, turn, supports, pushed):
     none = like(0.0, ey)
     if not some(pulls):
         return none, none, none
-    length = math.hypot(ey, ez)
+    length = math.sqrt(ey * ey + ez * ez)
     longer = length - taut
     pull = k * (longer - yielded)
     pulls = pulls & ~(pull <= 0.0)

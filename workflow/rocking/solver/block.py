@@ -5,7 +5,8 @@ from rocking.runtime.compiled import inlined, looped
 from .groups import touched, untouched
 from .joints import added, reached, resultants
 from .march import TO_THE_END, Loop, advance, march_many
-from .vectors import alone, choose, cos_sin, like, put, some, take
+from .sines import cos_sin
+from .vectors import alone, choose, like, put, some, take
 
 
 @inlined

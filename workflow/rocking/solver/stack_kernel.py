@@ -16,7 +16,8 @@ from .dashpots import apart, beyond, placed, push, rates, resist, solve_row, sol
 from .groups import untouched
 from .law import bond_breaks, node, released
 from .march import TO_THE_END, Loop, advance, march_many
-from .vectors import alone, choose, cos_sin, like, put, put_where, some, take
+from .sines import cos_sin
+from .vectors import alone, choose, like, put, put_where, some, take
 
 OPEN, CLOSED, HOLDS, GONE = 0.0, 1.0, 2.0, 3.0  # states of a node
 

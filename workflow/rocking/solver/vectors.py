@@ -141,6 +141,7 @@ for _function, _sign in ((operator.lt, "<"), (operator.le, "<="), (operator.gt, 
     _defined(_function, MASK, _PAIRS, _compare(_sign))
 _defined(operator.ge, MASK, _PAIRS, _compare(">="))
 _defined(abs, LANES, [(LANES,)], _call("fabs", 1))
+_defined(math.sqrt, LANES, [(LANES,)], _call("sqrt", 1))
 _defined(operator.neg, LANES, [(LANES,)], ir.IRBuilder.fneg)
 for _function, _emit in ((operator.and_, ir.IRBuilder.and_), (operator.or_, ir.IRBuilder.or_)):
     _defined(_function, MASK, [(MASK, MASK), (MASK, types.boolean), (types.boolean, MASK)], _emit)
@@ -291,34 +292,6 @@ def take(array, row):
 def put(array, row, value):
     """Write a number or lanes into such a row."""
     array[row] = value
-
-
-def _lane_by_lane(function, arguments):
-    """Let a function of the library take lanes, one after the other: with its digits."""
-    many, one = (LANES,) * arguments, (types.float64,) * arguments
-    cases = {"cases": [signature(LANES, *many)]}
-    infer_global(function)(type("Typing", (ConcreteTemplate,), cases))
-
-    @lower_builtin(function, *many)
-    def lower(context, builder, sig, values):
-        call, found = context.get_function(function, signature(types.float64, *one)), values[0]
-        for lane in range(WIDTH):
-            at = ir.Constant(ir.IntType(32), lane)
-            of_lane = call(builder, [builder.extract_element(value, at) for value in values])
-            found = builder.insert_element(found, of_lane, at)
-        return found
-
-
-_lane_by_lane(math.cos, 1)
-_lane_by_lane(math.sin, 1)
-_lane_by_lane(math.hypot, 2)
-
-
-@inlined
-def cos_sin(angle, wanted):
-    """Cosine and sine, of an angle of zero where they are not wanted: that takes no time."""
-    angle = choose(wanted, angle, 0.0)
-    return math.cos(angle), math.sin(angle)
 
 
 @inlined
