@@ -68,6 +68,17 @@ def resist(p, parts, a, b, dashpots):
 
 
 @inlined
+def resist_turning(p, parts, a, b, dashpot):
+    """Add a dashpot between the rotations of two blocks, −1: none."""
+    for block in (a, b):
+        if block >= 0:
+            put(parts.own, 6 * block + 5, take(parts.own, 6 * block + 5) + dashpot)
+    if p.in_row and a >= 0 and b >= 0:
+        at = 9 * min(a, b) + 8
+        put(parts.between, at, take(parts.between, at) - dashpot)
+
+
+@inlined
 def turned(turn, block, arm):
     """A direction or arm that turns with a block."""
     cos, sin = take(turn, 2 * block), take(turn, 2 * block + 1)

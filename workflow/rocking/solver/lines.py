@@ -18,7 +18,7 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined
 
-from .dashpots import beyond, placed, push, relative, resist, turned
+from .dashpots import beyond, placed, push, relative, resist, resist_turning, turned
 from .groups import law_of
 from .law import bounded, rub
 from .vectors import alone, choose, every, like, lone, put, some, take
@@ -235,16 +235,15 @@ def press(p, parts, rows, time, alive, counts):
         else:
             put(supports.fy, j, take(supports.fy, j) - fy)
         ahead = p.late * beta + p.lead * dt
-        each = 0.5 * ahead * whole
-        one, other = nz * ay - ny * az, nz * by - ny * bz
-        near, far = across * (middle - SIDE * length), across * (middle + SIDE * length)
-        arms = tz * ay - ty * az, tz * by - ty * bz
+        size, shift = ahead * whole, across * middle
+        turns = nz * ay - ny * az + shift, nz * by - ny * bz + shift
+        slides = tz * ay - ty * az, tz * by - ty * bz
         dashpots = (
-            ((ny, nz), (one + near, other + near), each),
-            ((ny, nz), (one + far, other + far), each),
-            ((ty, tz), arms, ratio * ahead * k * stuck),
+            ((ny, nz), turns, size),
+            ((ty, tz), slides, ratio * ahead * k * stuck),
         )
         resist(p, parts, a, b, dashpots)
+        resist_turning(p, parts, a, b, size * (across * across) * (length * length / 12.0))
         if counts:
             low, high = shut
             length, middle = max(high - low, 0.0), 0.5 * (low + high)

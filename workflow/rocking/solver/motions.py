@@ -191,8 +191,7 @@ def tabulate(table, motion, first, steps):
             row[at] = rise[near, j] * s + field[near, j]
             at += 1
         s, coasts = min(now, until_s) - time_s[i], max(now - until_s, 0.0)
-        # s³ rounded once: twice, a history near collapse would have other digits
-        square, cube = s * s, math.pow(s, 3.0) if supports > 0 else 0.0
+        square, cube = s * s, s * s * s
         for j in range(supports):
             slope, a = samples.apart_m_s3[i, j], samples.apart_m_s2[i, j]
             v, u = samples.speed_m_s[i, j], samples.place_m[i, j]
