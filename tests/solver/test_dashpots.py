@@ -1,5 +1,7 @@
 """Dashpots of blocks at the velocity of the step: what is solved in place, as dense matrices."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from rocking.solver import dashpots
@@ -61,3 +63,27 @@ def test_accelerations_of_blocks_in_a_row():
     expected = np.linalg.solve(np.diag(diagonal) + c, force)
     dashpots.solve_row(own, between, room, mass, inertia, force)
     assert force == pytest.approx(expected)
+
+
+def rows_of(count):
+    """A plane of blocks in a row, and empty rows of their dashpots."""
+    rows = {"own": np.zeros(6 * count), "between": np.zeros(9 * count)}
+    return SimpleNamespace(in_row=True), SimpleNamespace(**rows)
+
+
+@pytest.mark.parametrize(("a", "b"), [(1, 0), (0, 1), (0, -1)])
+def test_dashpots_spread_along_a_line_act_in_its_middle_and_on_its_rotation(a, b):
+    """Σ c (1, s, s²) = c L (1, m, m² + L²/12), of many along it."""
+    normal, length, middle, c, n = (0.6, 0.8), 0.4, 0.11, 30.0, 2000
+    arm_a, arm_b = 0.3, -0.7  # of the line's origin along the normal; s adds to both
+    plane, spread = rows_of(2)
+    for s in middle + length * ((np.arange(n) + 0.5) / n - 0.5):
+        one = (normal, (arm_a + s, arm_b + s), c * length / n)
+        dashpots.resist(plane, spread, a, b, (one,))
+    _, whole = rows_of(2)
+    one = (normal, (arm_a + middle, arm_b + middle), c * length)
+    dashpots.resist(plane, whole, a, b, (one,))
+    dashpots.resist_turning(plane, whole, a, b, c * length * length**2 / 12.0)
+    assert whole.own == pytest.approx(spread.own, rel=1e-6)
+    assert whole.between == pytest.approx(spread.between, rel=1e-6)
+    assert whole.between.any() == (b >= 0)
