@@ -13,9 +13,10 @@ from typing import Any
 
 from rocking.configuration import refusals, renamed
 from rocking.configuration import schema as config_schema
+from rocking.configuration.differences import by_path
 from rocking.configuration.facade import check_facade
 from rocking.configuration.files import changed, check_files, write_resolved
-from rocking.configuration.schema import STUDY_KEYS, ConfigError, show
+from rocking.configuration.schema import STUDY_KEYS, ConfigError, show, value_at
 from rocking.configuration.units import unusual
 from rocking.configuration.words import listed
 from yade_scripts.model.part import part_of
@@ -33,9 +34,8 @@ __all__ = [
 ]
 
 MAX_RUNS = 1000
-RATED: dict[
-    str, dict[str, Any]
-] = {  # of a run with risk.hazard, where nothing else is stated: many motions, one number
+# of a run with risk.hazard, where nothing else is stated: many motions, one number
+RATED: dict[str, dict[str, Any]] = {
     "ida": {"power": 0.0, "confirm": "collapse", "confirm_every": 8},
     "ensemble": {"enabled": "off"},
 }
@@ -141,14 +141,6 @@ def _check_below(resolved: Mapping, path: str, value: Any, schema: Mapping) -> N
         if value > limit or (word == "below" and value == limit):
             text = f"{word.replace('_', ' ')} {schema[word]} = {show(limit)}"
             raise ConfigError(f"{path} = {show(value)}: expected a value {text}")
-
-
-def value_at(resolved: Mapping, path: str) -> Any:
-    """Value of a dotted key."""
-    value: Any = resolved
-    for key in path.split("."):
-        value = value[key]
-    return value
 
 
 class Settings(str):
@@ -276,7 +268,11 @@ def _grid(given: Any) -> dict[str, dict]:
     known = config_schema.whole()
     schemas = dict(config_schema.leaves(known))
     axes = []
-    lists = _flatten(given)
+    lists: dict[str, Any] = {}
+    for path, values in by_path(given):
+        if path in lists:
+            raise ConfigError(f"grid.{path}: given twice")
+        lists[path] = values
     count = math.prod(len(v) if isinstance(v, list) else 1 for v in lists.values())
     if count > MAX_RUNS:
         raise ConfigError(f"grid: {count} combinations, expected at most {MAX_RUNS}")
@@ -312,19 +308,6 @@ def _word(value: Any) -> str:
     if isinstance(value, float):
         return format(value, ".10g").replace("+", "")
     return value if isinstance(value, str) else show(value)
-
-
-def _flatten(given: dict, prefix: str = "") -> dict[str, Any]:
-    out: dict[str, Any] = {}
-    for key, value in given.items():
-        path = f"{prefix}{key}"
-        for name, item in (
-            _flatten(value, f"{path}.") if isinstance(value, dict) else {path: value}
-        ).items():
-            if name in out:
-                raise ConfigError(f"grid.{name}: given twice")
-            out[name] = item
-    return out
 
 
 def _nest(given: dict, where: str) -> dict:

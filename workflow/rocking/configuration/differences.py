@@ -4,15 +4,18 @@ import itertools
 from collections.abc import Mapping
 
 
-def flat(settings, prefix=""):
-    """Values of nested mappings by dotted key; lists are values."""
-    out: dict = {}
+def by_path(settings, prefix=""):
+    """Yield (dotted key, value) of nested mappings; lists are values."""
     for key, value in settings.items():
         if isinstance(value, Mapping):
-            out |= flat(value, f"{prefix}{key}.")
+            yield from by_path(value, f"{prefix}{key}.")
         else:
-            out[f"{prefix}{key}"] = value
-    return out
+            yield f"{prefix}{key}", value
+
+
+def flat(settings, prefix=""):
+    """Values of nested mappings by dotted key, as `by_path`."""
+    return dict(by_path(settings, prefix))
 
 
 def differences(configurations):

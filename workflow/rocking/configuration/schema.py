@@ -17,12 +17,13 @@ Schema's own keywords (draft 2020-12) these are understood:
 
 import copy
 import datetime
+import functools
 import math
 import numbers
+import operator
 import re
 import reprlib
 from collections.abc import Iterator, Mapping
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -55,7 +56,7 @@ class ConfigError(ValueError):
         super().__init__(f"config: {self.detail}")
 
 
-@lru_cache(maxsize=4)
+@functools.lru_cache(maxsize=4)
 def sections(folder: Path = FOLDER) -> dict[str, dict]:
     """Schema of every section by name, the top level first, then in alphabetical order."""
     names = sorted(p.name.removesuffix(".schema.yaml") for p in folder.glob("*.schema.yaml"))
@@ -84,7 +85,7 @@ def _name_all(leaf: dict) -> None:
             leaf.setdefault("default", list(MEASURES))
 
 
-@lru_cache(maxsize=4)
+@functools.lru_cache(maxsize=4)
 def whole(folder: Path = FOLDER) -> dict:
     """Return the schema of a complete configuration, assembled from the sections."""
     parts = dict(sections(folder))
@@ -103,6 +104,11 @@ def leaves(schema: dict, prefix: str = "") -> Iterator[tuple[str, dict]]:
             yield from leaves(part, f"{prefix}{name}.")
         else:
             yield f"{prefix}{name}", part
+
+
+def value_at(resolved: Mapping, path: str) -> Any:
+    """Value of a dotted key."""
+    return functools.reduce(operator.getitem, path.split("."), resolved)
 
 
 def plain(value: Any, path: str = "", depth: int = 0, budget: list | None = None) -> Any:

@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from rocking.configuration.schema import leaves, show, whole
+from rocking.configuration.schema import leaves, show, value_at, whole
 
 # What one of another unit is in the key's own.
 OTHERS: dict[str, dict[str, float]] = {
@@ -44,9 +44,7 @@ def meant(value: float, unit: str, usual: list[float] | None) -> str:
 def unusual(resolved: Mapping) -> Iterator[str]:
     """Doubts about numbers of a resolved configuration that lie outside what is usual."""
     for path, schema in leaves(whole()):
-        value: Any = resolved
-        for part in path.split("."):
-            value = value.get(part) if isinstance(value, Mapping) else None
+        value = value_at(resolved, path)
         yield from _unlikely(path, value, schema, schema.get("unit", "-"))
 
 

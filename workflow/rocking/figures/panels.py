@@ -8,22 +8,11 @@ BRIGHTNESS = np.array([0.299, 0.587, 0.114])  # of red, green and blue, as one s
 
 
 def panels(count, most, size, around=(0.0, 0.0), **options):
-    """Make a figure of panels in rows; places that are left over stay empty.
+    """Make a figure of panels in rows, at most so many side by side; return it and its axes.
 
-    Parameters
-    ----------
-    count, most : int
-        Panels in all, and at most so many side by side.
-    size, around : (float, float)
-        Width and height of a panel, and of what stands around all of them [inch].
-    **options
-        Of `plt.subplots`.
-
-    Returns
-    -------
-    Figure
-    ndarray of Axes, shape (rows, columns)
-        The panels are the first `count` of `axes.flat`.
+    The panels are the first `count` of `axes.flat`, the places left over stay empty. `size` and
+    `around` are width and height of a panel and of what stands around all of them [inch];
+    `options` are of `plt.subplots`.
     """
     columns = max(1, min(most, count))
     rows = max(1, -(-count // columns))
@@ -41,19 +30,17 @@ def lowest(axes, count):
     return list(axes.flat[max(0, count - axes.shape[1]) : count])
 
 
-def common_legend(figure, last=(), more=(), **place):
+def common_legend(figure, more=(), **place):
     """Give a figure one legend, where it has labels: each once, as it is drawn first.
 
-    Labels of `last` come after the others, in its order; then those of `more`, {label: handle}.
-    `ncols` of `place` is the most: rows are made as long as each other.
+    Those of `more`, {label: handle}, come last. `ncols` of `place` is the most: rows are made as
+    long as each other.
     """
     entries: dict = {}
     for axis in figure.axes:
         for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
             entries.setdefault(label, handle)
-    names = [name for name in entries if name not in last]
-    names += [name for name in last if name in entries]
-    names += list(more)
+    names = [*entries, *more]
     entries.update(more)
     if names:
         if most := place.get("ncols"):
@@ -91,10 +78,7 @@ def band(axis, x, middle, low, high, color, alpha=0.15, **look):
 def intervals(axis, place, middle, low, high, along="y", **look):
     """Draw symbols with intervals along "x" or "y"; an unknown end has no bar.
 
-    Parameters
-    ----------
-    place, middle, low, high : array_like, shape (n,)
-        Where on the other side, the value and its ends.
+    `place` is where on the other side; it, the values `middle` and their ends have shape (n,).
     """
     middle, place = np.asarray(middle, float), np.asarray(place, float)
     length = np.array([middle - low, high - middle]).clip(0.0)
@@ -105,19 +89,10 @@ def intervals(axis, place, middle, low, high, along="y", **look):
 
 
 def heat_map(axis, table, texts, **colours):
-    """Draw a table as coloured squares with a text in each; its columns go along x.
+    """Draw a table as coloured squares with a text in each; return the image.
 
-    Parameters
-    ----------
-    table : DataFrame
-        Values; columns and index give the ticks.
-    texts : array_like of str, same shape
-    **colours
-        Of `imshow`.
-
-    Returns
-    -------
-    AxesImage
+    Its columns, along x, and its index give the ticks. `texts` have its shape; `colours` are of
+    `imshow`.
     """
     image = axis.imshow(table.to_numpy(float), origin="lower", aspect="auto", **colours)
     bright = image.to_rgba(table.to_numpy(float))[..., :3] @ BRIGHTNESS

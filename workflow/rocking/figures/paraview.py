@@ -13,31 +13,20 @@ import numpy as np
 
 from rocking.figures.pictures import boxes, corners, turned
 
-BLOCKS, CONTACTS = 0, 1  # parts of the collection
-
 
 def blocks(frames, frame, walls, config):
     """Blocks of one instant as a mesh of hexahedra.
 
-    Parameters
-    ----------
-    frames : dict
-        Of `yade_scripts.commands.frames` with contacts.
-    frame : int
-    walls : int
-        Number of return walls.
-    config : dict
-        Sections facade, return_wall, w3.
-
-    Returns
-    -------
-    meshio.Mesh
-        Points where they are in the frame of the motion's origin [m], with displacement_m and
-        velocity_m_s; cells with block (index in the scene), free and spin_rad_s.
+    Its points are where they are in the frame of the motion's origin [m], with displacement_m and
+    velocity_m_s; its cells have block (index in the scene), free and spin_rad_s. Frames are of
+    `yade_scripts.commands.frames` with contacts, `walls` is the number of return walls, `config`
+    has sections facade, return_wall, w3.
     """
     moved, rates = (np.array(frames[key][frame], float) for key in ("moved", "velocity"))
     base = [i for i, b in enumerate(frames["blocks"]) if b["name"] == "base"]
-    shown = [*boxes(frames, walls, config), *_of_base(frames, base, config)]
+    facade = config["facade"]  # the base is a slab a little wider than it
+    slab = np.array([1.2 * facade["width_m"], 6.0 * facade["thickness_m"], 0.2])
+    shown = [*boxes(frames, walls, config), *((np.array([0.0, 0.0, -0.1]), slab, i) for i in base)]
     places: list[np.ndarray] = []
     shifts, velocities, cells = [], [], []
     for centre, size, i in shown:
@@ -68,13 +57,6 @@ def blocks(frames, frame, walls, config):
     )
 
 
-def _of_base(frames, base, config):
-    """The base as a slab a little wider than the façade."""
-    facade = config["facade"]
-    size = np.array([1.2 * facade["width_m"], 6.0 * facade["thickness_m"], 0.2])
-    return [(np.array([0.0, 0.0, -0.1]), size, i) for i in base]
-
-
 def contacts(frames, frame):
     """Contacts of one instant as vertices, with force_n [N] and the block that it acts on."""
     table = np.array(frames["contacts"][frame], float).reshape(-1, 7)
@@ -84,25 +66,20 @@ def contacts(frames, frame):
 
 
 def write(collection, frames, walls, config):
-    """Write a history: the collection, and its instants in a folder beside it.
+    """Write a history: the collection, name.pvd, and its instants in the folder name/ beside it.
 
-    Parameters
-    ----------
-    collection : path
-        `name.pvd`; the instants go to `name/`.
-    frames, walls, config
-        See `blocks`.
+    Frames, walls and configuration are as `blocks` takes them.
     """
     collection = Path(collection)
     folder = collection.with_suffix("")
     folder.mkdir(parents=True, exist_ok=True)
     rows = []
     for k, time_s in enumerate(frames["time_s"]):
-        parts = {BLOCKS: blocks(frames, k, walls, config), CONTACTS: contacts(frames, k)}
-        for part, mesh in parts.items():
+        parts = {"blocks": blocks(frames, k, walls, config), "contacts": contacts(frames, k)}
+        for part, (what, mesh) in enumerate(parts.items()):
             if not len(mesh.points):
                 continue
-            path = folder / f"{('blocks', 'contacts')[part]}_{k:04d}.vtu"
+            path = folder / f"{what}_{k:04d}.vtu"
             mesh.write(path, file_format="vtu", binary=True)
             name = quoteattr(f"{folder.name}/{path.name}")
             rows.append(f'    <DataSet timestep="{time_s:.6g}" part="{part}" file={name}/>')

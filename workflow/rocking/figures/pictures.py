@@ -70,12 +70,8 @@ def _w3_boxes(block, i, places, config):
 def faces(frames, frame, walls, config, magnification=1.0):
     """Visible faces of all boxes at one frame, sorted from back to front.
 
-    Returns
-    -------
-    polygons : ndarray, shape (n, 4, 2)
-        Screen coordinates.
-    moved_m : ndarray, shape (n,)
-        Displacement magnitude relative to the ground at each face's middle.
+    Their screen coordinates, shape (n, 4, 2), and the displacement relative to the ground at each
+    face's middle [m], shape (n,).
     """
     moved = np.array(frames["moved"][frame], float)
     names = [b["name"] for b in frames["blocks"]]
@@ -110,18 +106,8 @@ def corners(centre, size, low, tall):
     x0, x1 = centre[0] - 0.5 * size[0], centre[0] + 0.5 * size[0]
     y0, y1 = centre[1] - 0.5 * size[1], centre[1] + 0.5 * size[1]
     z0, z1 = low, low + tall
-    return np.array(
-        [
-            [x0, y0, z0],
-            [x0, y1, z0],
-            [x0, y1, z1],
-            [x0, y0, z1],
-            [x1, y0, z0],
-            [x1, y1, z0],
-            [x1, y1, z1],
-            [x1, y0, z1],
-        ]
-    )
+    side = ((y0, z0), (y1, z0), (y1, z1), (y0, z1))
+    return np.array([(x, y, z) for x in (x0, x1) for y, z in side])
 
 
 def turned(points, pivot, angle):
@@ -147,12 +133,8 @@ def outline(centre, size, moved=(0.0, 0.0, 0.0)):
 def leaning(block, theta, toe_m):
     """How a block has moved in W3 when its façade has turned outward by θ about its toe.
 
-    Headers go with the façade and stay level (rule hinged); bricks rest.
-
-    Returns
-    -------
-    dy, dz [m], angle [rad]
-        Of the centre, and about x as in `outline`.
+    Headers go with the façade and stay level (rule hinged); bricks rest. It is dy, dz of the
+    centre [m] and the angle about x [rad], as in `outline`.
     """
     _, y, z = block.centre_m
     if " header " in block.name:

@@ -140,11 +140,8 @@ def _settle(axis):
 def save(figure, output, facts=()):
     """Save a figure to those of the job's outputs that are pictures, without dates; close it.
 
-    Parameters
-    ----------
-    facts : str or sequence of str
-        Provenance files of the records whose results it shows; what they say is added below the
-        figure, which keeps its size.
+    `facts` are one or more provenance files of the records whose results it shows; what they say is
+    added below the figure, which keeps its size.
     """
     plain_numbers(figure)
     settle_legends(figure)
@@ -175,13 +172,7 @@ def titles(facts):
 
 
 def origins(facts, width_in):
-    """Where records come from, as text for below a figure of a width [inch].
-
-    Parameters
-    ----------
-    facts : str or sequence of str
-        Provenance files of records.
-    """
+    """Where records of one or more provenance files come from, below a figure so wide [inch]."""
     paths = [facts] if isinstance(facts, str) else facts
     lines = sources([read_json(path) for path in paths])
     return "\n".join(_balanced(line, int(20 * width_in)) for line in lines)
@@ -198,18 +189,10 @@ def _balanced(text, most):
 
 
 def sources(facts):
-    """Lines on the origin of records, one a kind of source.
+    """Lines on the origin of records, one a kind of source, of what their provenance files hold.
 
-    Parameters
-    ----------
-    facts : sequence of dict
-        What provenance files of records hold (`records.store`).
-
-    Returns
-    -------
-    list of str
-        Station, event, component and file of up to `NAMED` records, of more their numbers; a
-        record that several runs have is one.
+    Station, event, component and file of up to `NAMED` records, of more their numbers; a record
+    that several runs have is one.
     """
     lines = []
     facts = {(f["name"], f["source"], f["details"].get("sha256")): f for f in facts}.values()

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from rocking.configuration import config as configuration
+from rocking.configuration.schema import value_at
 from rocking.records import read_table, surrogates_for
 from rocking.runs.shared import Shared
 from rocking.stations import unnamed
@@ -71,7 +72,7 @@ class Runs:
 
     def key(self, dotted):
         """Return the function of a run's name that looks up a key of its configuration."""
-        return lambda run: configuration.value_at(self.settings[run], dotted)
+        return lambda run: value_at(self.settings[run], dotted)
 
     def named(self, dotted):
         """Like `key`, for names of records; ends the workflow in one line if one is unknown."""
