@@ -19,16 +19,9 @@ from yade_scripts.commands.search import drive
 KEY = probability.KEY
 SCAN_COLUMNS = (*KEY, "pga_g", "level", "d_over_b", "status", "collapsed")
 BAND_COLUMNS = (
-    *KEY,
-    *("pga_collapse_g", "reference_collapse_g", "reference_fine_g", "collapse_error"),
-    *(
-        "pga_p10_g",
-        "reference_p10_g",
-        "pga_median_g",
-        "reference_median_g",
-        "pga_p90_g",
-        "reference_p90_g",
-    ),
+    *(*KEY, "pga_collapse_g", "reference_collapse_g", "reference_fine_g", "collapse_error"),
+    *("pga_p10_g", "reference_p10_g", "pga_median_g", "reference_median_g"),
+    *("pga_p90_g", "reference_p90_g"),
     *("coverage", "coverage_pooled", "reversals", "reference_reversals", "reference_runs"),
 )
 
@@ -40,7 +33,6 @@ def scan(job, motion_path, direction, settings, start_g):
     reference_nodes and reference_tolerance. Columns are pga_g, level (1 for the coarse levels, 0
     for the finer ones), d_over_b, status and collapsed.
     """
-
     nodes, tolerance = settings["reference_nodes"], settings["reference_tolerance"]
     parts: list[pd.DataFrame] = []
 

@@ -1,6 +1,5 @@
 """The walls of the calibration study, the β each is run at, and the best-fitting β of a wall."""
 
-import copy
 import itertools
 import math
 
@@ -151,80 +150,70 @@ def sensitivity_cases(settings):
     Role "stiffness" varies what the law describes; role "other" what it leaves out: release,
     friction, shear stiffness, width at the same ratio, and the discretisation.
     """
-    cases = []
+    r, released = settings["reference_ratio"], settings["release_ratio"]
+    walls = []  # its number, the change, its role, the configuration, the release
     for number, (b, e_mpa, slenderness) in enumerate(SENSITIVITY, 1):
-        h = slenderness * b
-        r = settings["reference_ratio"]
         base = batch_wall(settings, b, e_mpa, slenderness, r)
-        twice = {
-            "nodes_thickness": 2 * settings["nodes_thickness"],
-            "nodes_height": 2 * settings["nodes_height"],
-            "step_fraction": 0.5 * settings["step_fraction"],
-        }
-        jkn = e_mpa * 1e6 / h
-        low, high = 0.6 * settings["release_ratio"], 1.4 * settings["release_ratio"]
-        density = settings["density_kg_m3"]
-        rows = [
-            ("none", "other", {}, None),
-            ("L/h 0.25", "stiffness", {"return_wall": {"length_m": 0.25 * h}}, None),
-            ("L/h 1", "stiffness", {"return_wall": {"length_m": h}}, None),
-            ("ratio 0.05", "stiffness", {"return_wall": {"thickness_m": 0.025}}, None),
-            ("ratio 1", "stiffness", {"return_wall": {"thickness_m": 0.5}}, None),
-            ("base jkn ×0.5", "stiffness", {"facade": {"base_stiffness_pa_m": 0.5 * jkn}}, None),
-            ("base jkn ×2", "stiffness", {"facade": {"base_stiffness_pa_m": 2.0 * jkn}}, None),
-            ("E ×0.25", "stiffness", {"facade": {"e_mpa": 0.25 * e_mpa}}, None),
-            (f"θ0/α {low:g}", "other", {}, low),
-            (f"θ0/α {high:g}", "other", {}, min(high, 0.95)),
-            ("back friction 0°", "other", {"return_wall": {"friction_deg": 0.0}}, None),
-            ("base friction 45°", "other", {"facade": {"friction_deg": 45.0}}, None),
-            ("jks/jkn 1", "other", {"facade": {"shear_stiffness_ratio": 1.0}}, None),
-            ("density ×1.25", "stiffness", {"facade": {"density_kg_m3": 1.25 * density}}, None),
-            (
-                "width ×0.5, same ratio",
-                "other",
-                {"facade": {"width_m": 0.5}, "return_wall": {"thickness_m": 0.25 * r}},
-                None,
-            ),
-            ("nodes ×2, step ×0.5", "other", {"numerics": twice}, None),
-        ]
-        for change, role, overrides, release in rows:
-            config = copy.deepcopy(base)
-            for section, keys in overrides.items():
-                config[section].update(keys)
-            release = settings["release_ratio"] if release is None else release
-            cases.append(
-                wall_case(
-                    f"wall {number}: {change}",
-                    config,
-                    release,
-                    beta_grid(config),
-                    role=role,
-                    change=change,
-                    wall=number,
-                )
-            )
-    b, e_mpa, slenderness = FACADE
-    r = settings["reference_ratio"]
+        for change, role, sections, release in _changes(settings, slenderness * b, e_mpa):
+            config = {**base, **{name: {**base[name], **keys} for name, keys in sections.items()}}
+            walls.append((number, change, role, config, release))
     for change, ratio, factor in (
         ("façade", r, 1.0),
         ("façade, ratio 0.1", 0.1, 1.0),
         ("façade, ratio 0.5", 0.5, 1.0),
         ("façade, density ×1.25", r, 1.25),
     ):
-        config = batch_wall(settings, b, e_mpa, slenderness, ratio)
+        config = batch_wall(settings, *FACADE, ratio)
         config["facade"]["density_kg_m3"] *= factor
-        cases.append(
-            wall_case(
-                f"wall 3: {change}",
-                config,
-                settings["release_ratio"],
-                beta_grid(config),
-                role="stiffness",
-                change=change,
-                wall=3,
-            )
+        walls.append((3, change, "stiffness", config, released))
+    return [
+        wall_case(
+            f"wall {number}: {change}",
+            config,
+            release,
+            beta_grid(config),
+            role=role,
+            change=change,
+            wall=number,
         )
-    return cases
+        for number, change, role, config, release in walls
+    ]
+
+
+def _changes(settings, h, e_mpa):
+    """What is changed of a wall of height h [m]: name, role, keys by section, release θ0/α."""
+    release, density = settings["release_ratio"], settings["density_kg_m3"]
+    low, high = 0.6 * release, 1.4 * release
+    jkn = e_mpa * 1e6 / h
+    twice = {
+        "nodes_thickness": 2 * settings["nodes_thickness"],
+        "nodes_height": 2 * settings["nodes_height"],
+        "step_fraction": 0.5 * settings["step_fraction"],
+    }
+    narrow = {"thickness_m": 0.25 * settings["reference_ratio"]}
+    return [
+        ("none", "other", {}, release),
+        ("L/h 0.25", "stiffness", {"return_wall": {"length_m": 0.25 * h}}, release),
+        ("L/h 1", "stiffness", {"return_wall": {"length_m": h}}, release),
+        ("ratio 0.05", "stiffness", {"return_wall": {"thickness_m": 0.025}}, release),
+        ("ratio 1", "stiffness", {"return_wall": {"thickness_m": 0.5}}, release),
+        ("base jkn ×0.5", "stiffness", {"facade": {"base_stiffness_pa_m": 0.5 * jkn}}, release),
+        ("base jkn ×2", "stiffness", {"facade": {"base_stiffness_pa_m": 2.0 * jkn}}, release),
+        ("E ×0.25", "stiffness", {"facade": {"e_mpa": 0.25 * e_mpa}}, release),
+        (f"θ0/α {low:g}", "other", {}, low),
+        (f"θ0/α {high:g}", "other", {}, min(high, 0.95)),
+        ("back friction 0°", "other", {"return_wall": {"friction_deg": 0.0}}, release),
+        ("base friction 45°", "other", {"facade": {"friction_deg": 45.0}}, release),
+        ("jks/jkn 1", "other", {"facade": {"shear_stiffness_ratio": 1.0}}, release),
+        ("density ×1.25", "stiffness", {"facade": {"density_kg_m3": 1.25 * density}}, release),
+        (
+            "width ×0.5, same ratio",
+            "other",
+            {"facade": {"width_m": 0.5}, "return_wall": narrow},
+            release,
+        ),
+        ("nodes ×2, step ×0.5", "other", {"numerics": twice}, release),
+    ]
 
 
 def at_ratio(config, ratio):
@@ -234,21 +223,18 @@ def at_ratio(config, ratio):
     return {**config, "return_wall": {**walls, "thickness_m": thickness_m}}
 
 
-def wall_cases(settings, wall, ratios=(), betas=None):
+def wall_cases(settings, wall, ratios=(), betas=()):
     """Cases of one given wall: as configured, then at other return-wall ratios."""
     cases = []
     for ratio in (None, *ratios):
         config = wall if ratio is None else at_ratio(wall, ratio)
         config = {**config, "numerics": {**config["numerics"], **study_numerics(settings)}}
-        grid = beta_grid(config)
-        listed = [] if betas is None else list(betas)
-        name = f"{wall['run']}" + ("" if ratio is None else f" r{ratio:g}")
         cases.append(
             wall_case(
-                name,
+                wall["run"] if ratio is None else f"{wall['run']} r{ratio:g}",
                 config,
                 settings["release_ratio"],
-                sorted({*grid, *listed}),
+                sorted({*beta_grid(config), *betas}),
                 end=2.0 * END,
                 role="wall",
             )
@@ -285,15 +271,8 @@ def best_fit(betas_s, e_ratio, targets=TARGETS):
     error = misfit(curves, 1.0, targets)
     judged = np.flatnonzero(np.isfinite(error))
     if not len(judged):
-        return {
-            "beta_s": math.nan,
-            "misfit": math.nan,
-            "at_edge": False,
-            "single_s": single,
-            "low_s": math.nan,
-            "high_s": math.nan,
-            "ratio": [math.nan] * count,
-        }
+        none = dict.fromkeys(("beta_s", "misfit", "low_s", "high_s"), math.nan)
+        return {**none, "at_edge": False, "single_s": single, "ratio": [math.nan] * count}
     least = judged[np.argmin(error[judged])]
     # the middle of the β that fit as well: ranges leave the least misfit flat, or with a kink
     # at either end, and a thousandth of e would move the winner by several per cent
