@@ -43,22 +43,14 @@ class RangeWarning(UserWarning):
 def groups(config: Mapping) -> dict[str, float]:
     """Dimensionless groups of a façade, by name, and its contact frequency `omega_c_rad_s`.
 
-    Parameters
-    ----------
-    config : mapping
-        Resolved configuration; sections facade and return_wall.
+    Of sections facade and return_wall of a resolved configuration::
 
-    Returns
-    -------
-    dict
-        Of numbers::
-
-            slenderness        h/b
-            return_wall_ratio  r = count·t_w/w
-            stiffness_ratio    jkn of the return walls over jkn of the base
-            base_stiffness     jkn_base/(ρ·g), which is E/(ρgh) unless stated: height over the
-                               settlement under the own weight
-            omega_c_rad_s      √(jkn·r/(ρ·b)) [rad/s], which makes β dimensionless
+        slenderness        h/b
+        return_wall_ratio  r = count·t_w/w
+        stiffness_ratio    jkn of the return walls over jkn of the base
+        base_stiffness     jkn_base/(ρ·g), which is E/(ρgh) unless stated: height over the
+                           settlement under the own weight
+        omega_c_rad_s      √(jkn·r/(ρ·b)) [rad/s], which makes β dimensionless
     """
     facade, wall = config["facade"], config["return_wall"]
     h, b, density = facade["height_m"], facade["thickness_m"], facade["density_kg_m3"]
@@ -213,13 +205,7 @@ def dimensional_error(b_m, e_mpa, slenderness, betas_s):
 
 
 def read_law(path=LAW_FILE, base=bases.STUDY):
-    """Read the law that was fitted on a base.
-
-    Raises
-    ------
-    CalibrationError
-        In one line if the file is absent, or holds no law for this base.
-    """
+    """Read the law that was fitted on a base; a CalibrationError where the file has none for it."""
     laws = read_laws(path)
     if base not in laws:
         raise CalibrationError(
@@ -230,7 +216,7 @@ def read_law(path=LAW_FILE, base=bases.STUDY):
 
 
 def read_laws(path=LAW_FILE):
-    """Read the laws of a file: a dict by the base they were fitted on; errors as `read_law`."""
+    """Read the laws of a file, by the base they were fitted on; a CalibrationError without them."""
     try:
         data = json.loads(Path(path).read_text("utf-8"))
         if "names" in data:  # a file of version 0.2: one law, of the study's base
@@ -250,29 +236,29 @@ def read_laws(path=LAW_FILE):
 
 
 def beta_for(config: Mapping, law_file=LAW_FILE) -> float:
-    """β [s] of a façade's contacts by the law its configuration chooses.
+    """β [s] of a façade's contacts by the law that its resolved configuration chooses.
 
-    Parameters
-    ----------
-    config : mapping
-        Resolved configuration; `damping.law` is value, eq5 or fitted.
-    law_file : path
-        Coefficients of `fitted`; those of the façade's base are taken.
-
-    Warns
-    -----
-    RangeWarning
-        Outside the range of the walls behind eq. 5 or behind the fitted law.
-
-    Raises
-    ------
-    CalibrationError
-        Where eq. 5 gives no positive β, for a free-standing façade with `fitted`, or without
-        a usable law file.
+    `law_file` has the coefficients of `fitted`. A RangeWarning outside the range of the walls
+    behind eq. 5 or behind the fitted law; a CalibrationError where eq. 5 gives no positive β, for a
+    free-standing façade with either, or without a usable law file.
     """
+    beta, outside = _beta(config, law_file)
+    for line in outside:
+        warnings.warn(line, RangeWarning, stacklevel=2)
+    return beta
+
+
+def beta_and_range(config: Mapping, law_file=LAW_FILE) -> tuple[float, str]:
+    """β as `beta_for`, and in one line what lies outside the range of its law; else nothing."""
+    beta, outside = _beta(config, law_file)
+    return beta, "; ".join(outside)
+
+
+def _beta(config: Mapping, law_file) -> tuple[float, list[str]]:
+    """β, and a line for each value outside the range of its law."""
     damping, facade = config["damping"], config["facade"]
     if damping["law"] == "value":
-        return float(damping["beta_s"])
+        return float(damping["beta_s"]), []
     if facade["sides"] == "two":
         raise CalibrationError(
             f"config: damping.law = {damping['law']}: expected value with facade.sides = two, "
@@ -286,28 +272,16 @@ def beta_for(config: Mapping, law_file=LAW_FILE) -> float:
                 f"config: damping.law = eq5: β = {beta:.3g} s for thickness_m = {b:g}, "
                 f"e_mpa = {e_mpa:g}; expected a wall for which eq. 5 is positive"
             )
-        for name, unit, value, (low, high) in (
-            ("thickness_m", "m", b, EQ5_THICKNESS_M),
-            ("e_mpa", "MPa", e_mpa, EQ5_MODULUS_MPA),
-        ):
-            if not low <= value <= high:
-                fitted = f"eq. 5 was fitted to walls of {low:g} to {high:g} {unit}"
-                _warn(f"eq5: {name} = {value:g}, and {fitted}")
-        return beta
+        outside = [
+            f"damping.law = eq5: {name} = {value:g}, and eq. 5 was fitted to walls of {low:g} to "
+            f"{high:g} {unit}"
+            for name, unit, value, (low, high) in (
+                ("thickness_m", "m", b, EQ5_THICKNESS_M),
+                ("e_mpa", "MPa", e_mpa, EQ5_MODULUS_MPA),
+            )
+            if not low <= value <= high
+        ]
+        return beta, outside
     law, values = read_law(law_file, facade.get("base", bases.STUDY)), groups(config)
     problem = law.outside(values)
-    if problem:
-        _warn(f"fitted: {problem}")
-    return law.predict(values)[0]
-
-
-def beta_and_range(config: Mapping, law_file=LAW_FILE) -> tuple[float, str]:
-    """β as `beta_for`, and in one line what lies outside the range of its law; else nothing."""
-    with warnings.catch_warnings(record=True) as said:
-        warnings.simplefilter("always", RangeWarning)
-        beta = beta_for(config, law_file)
-    return beta, "; ".join(str(warning.message) for warning in said)
-
-
-def _warn(text):
-    warnings.warn(f"damping.law = {text}", RangeWarning, stacklevel=3)
+    return law.predict(values)[0], [f"damping.law = fitted: {problem}"] if problem else []

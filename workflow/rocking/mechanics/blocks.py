@@ -39,26 +39,15 @@ class Held(NamedTuple):
 
 
 class Facade(NamedTuple):
-    """A plain façade as its mechanisms see it; lengths in m, forces in N, on the whole width.
-
-    Attributes
-    ----------
-    height_m, thickness_m, weight_n : float
-    hinge_inset_m : float
-        Distance of the hinge from the outer face, for crushing.
-    roof_n, roof_arm_m : float
-        Vertical load at the top, and its distance from the inner face; it moves with the façade.
-    pushing_n : float
-        Weight of what does not bear on the façade but pushes it at the top, Q of C8.7.1.1.
-    """
+    """A plain façade as its mechanisms see it; lengths in m, forces in N, on the whole width."""
 
     height_m: float
     thickness_m: float
     weight_n: float
-    hinge_inset_m: float = 0.0
-    roof_n: float = 0.0
-    roof_arm_m: float = 0.0
-    pushing_n: float = 0.0
+    hinge_inset_m: float = 0.0  # of the hinge from the outer face, for crushing
+    roof_n: float = 0.0  # vertical load at the top, which moves with the façade
+    roof_arm_m: float = 0.0  # its distance from the inner face
+    pushing_n: float = 0.0  # weight that does not bear on it but pushes its top, Q of C8.7.1.1
 
 
 def _checked(facade):

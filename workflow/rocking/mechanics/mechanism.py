@@ -14,6 +14,7 @@ import cmath
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -51,27 +52,15 @@ class Pull(NamedTuple):
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Weights, pulls and the point whose outward displacement is d_C.
-
-    Attributes
-    ----------
-    name : str
-    weights, pulls : tuple of Weight, of Pull
-    control : callable
-        θ → (y, z) of the control point [m].
-    largest_rad : float
-        End of the kinematics.
-    pieces : tuple of (low_m, high_m, move)
-        Its rigid pieces by height, for drawings; `move` makes the path of a point.
-    """
+    """Weights, pulls and the point whose outward displacement is d_C."""
 
     name: str
-    weights: tuple
-    control: Callable
-    pulls: tuple = ()
-    largest_rad: float = 0.5 * math.pi
-    pieces: tuple = ()
-    _known: dict = field(default_factory=dict, repr=False, compare=False)
+    weights: tuple[Weight, ...]
+    control: Callable  # θ → (y, z) of the control point [m]
+    pulls: tuple[Pull, ...] = ()
+    largest_rad: float = 0.5 * math.pi  # end of the kinematics
+    pieces: tuple = ()  # rigid ones as (low_m, high_m, what makes a point's path), for drawings
+    _rotations: dict = field(default_factory=dict, repr=False, compare=False)  # by displacement
 
     def multiplier(self, theta_rad=0.0):
         """α(θ) of the module's equation [-]; of an array of rotations an array."""
@@ -103,36 +92,31 @@ class Mechanism:
             brentq(left, 0.0, self.largest_rad, xtol=1e-14) if left(self.largest_rad) > 0 else None
         )
 
+    @cached_property
     def _course(self):
         """Rotations over the whole kinematics, either side of where a pull begins or ends; α."""
-        if "course" not in self._known:
-            grid = set(np.linspace(0.0, self.largest_rad, COURSES + 1).tolist())
-            for pull in self.pulls:
-                for gone in (pull.slack_m, pull.reach_m):
-                    if 0.0 < gone < math.inf and (turned := self._turned(pull, gone)) is not None:
-                        grid |= {turned, turned * (1.0 + BESIDE)}
-            found = np.array(sorted(grid))
-            self._known["course"] = found, self.multiplier(found)
-        return self._known["course"]
+        grid = set(np.linspace(0.0, self.largest_rad, COURSES + 1).tolist())
+        for pull in self.pulls:
+            for gone in (pull.slack_m, pull.reach_m):
+                if 0.0 < gone < math.inf and (turned := self._turned(pull, gone)) is not None:
+                    grid |= {turned, turned * (1.0 + BESIDE)}
+        found = np.array(sorted(grid))
+        return found, self.multiplier(found)
 
     def falls(self):
         """Whether α vanishes at some rotation; squat blocks between held levels lock instead."""
-        return bool((self._course()[1] <= 0.0).any())
+        return bool((self._course[1] <= 0.0).any())
 
     def ultimate(self):
         """Rotation [rad] and displacement d0 [m] of the control point at which α first is zero.
 
-        Raises
-        ------
-        ValueError
-            If α is not positive at the start, or never vanishes.
+        A ValueError where α is not positive at the start, or never vanishes.
         """
-        if "ultimate" not in self._known:  # every check asks for it
-            self._known["ultimate"] = self._ultimate()
-        return self._known["ultimate"]
+        return self._ultimate
 
-    def _ultimate(self):
-        grid, alpha = self._course()
+    @cached_property
+    def _ultimate(self):  # every check asks for it
+        grid, alpha = self._course
         below = np.flatnonzero(alpha <= 0.0)
         if not below.size or below[0] == 0:
             when = "at rest" if below.size else "up to its largest rotation"
@@ -143,11 +127,11 @@ class Mechanism:
 
     def rotation(self, displacement_m):
         """θ at which the control point has moved by d_C [rad]."""
-        if displacement_m not in self._known:
-            self._known[displacement_m] = brentq(
+        if displacement_m not in self._rotations:
+            self._rotations[displacement_m] = brentq(
                 lambda t: self.displacement(t) - displacement_m, 0.0, self.largest_rad, xtol=1e-14
             )
-        return self._known[displacement_m]
+        return self._rotations[displacement_m]
 
     def limit(self, share):
         """Displacement of the control point at which a limit state is reached [m], and why.
@@ -155,17 +139,13 @@ class Mechanism:
         The least of a share of d0 and of the displacement at which a pull ends and takes more than
         half of the largest multiplier with it (Circolare 7/2019, C8.7.1.2.1.6, for the SLV). What
         ends before d0 has no part in d0, which is of the curve that is left. A pull holds up to its
-        end, itself included, so α there is that of the curve before the drop.
-
-        Returns
-        -------
-        displacement_m : float
-        broken : bool
-            Whether it is a pull's end.
+        end, itself included, so α there is that of the curve before the drop. The second value
+        tells whether it is a pull's end.
         """
         theta0, d0 = self.ultimate()
         found, broken = share * d0, False
-        largest = max(self._course()[1][self._course()[0] <= theta0])
+        grid, alpha = self._course
+        largest = max(alpha[grid <= theta0])
         for pull in self.pulls:
             if not math.isfinite(pull.reach_m) or pull.fades:
                 continue
