@@ -55,24 +55,9 @@ def choose(config, model, measured):
     courses has one set for all models: the compiled solver sums its joints in closed form, and at
     these YADE is within 1 % of that (docs/log/base.md).
 
-    Parameters
-    ----------
-    config : dict
-        Resolved configuration, or a case file; sections numerics and, for bricks, w3.
-    model : str
-    measured : dict
-        Content of config/fidelity.yaml (`fidelity_table`, and `COURSES`).
-
-    Returns
-    -------
-    numerics : dict
-        Section numerics without open values.
-    reason : str
-
-    Raises
-    ------
-    ValueError
-        One line when nothing measured meets the tolerance, and not all of them are stated.
+    `config` is resolved, or a case file; `measured` the content of config/fidelity.yaml
+    (`fidelity_table`, and `COURSES`). Section numerics without open values, and the reason; a
+    ValueError of one line when nothing measured meets the tolerance and not all are stated.
     """
     numerics, kind = config["numerics"], registry.model(model)
     stated = {key: numerics[key] for key in CHOSEN if numerics[key] is not None}

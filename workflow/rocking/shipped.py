@@ -17,29 +17,11 @@ IN_WHEEL = (
 
 
 def shipped(path):
-    """Place of a file or folder that comes with the project.
-
-    Parameters
-    ----------
-    path : str
-        In the project's folder, such as `config/records.tsv`.
-
-    Returns
-    -------
-    Path
-        Need not exist.
-    """
+    """Place of what comes with the project, as `config/records.tsv`; it need not exist."""
     return (INSIDE if INSIDE.is_dir() else HERE.parents[1]) / path
 
 
 def found(path):
-    """A user's file, as it is named or, where there is none, the one that comes with the project.
-
-    Parameters
-    ----------
-    path : path
-        Relative to the working folder first.
-    """
-    own = Path(path)
-    ours = shipped(str(own)) if not own.is_absolute() else own
+    """A user's file as it is named or, where there is none, the one that comes with the project."""
+    own, ours = Path(path), shipped(path)
     return ours if not own.exists() and ours.exists() else own

@@ -14,9 +14,8 @@ from yade_scripts.files import write_atomic
 def write_resolved(resolved: Mapping, path: str | os.PathLike, chosen: Iterable[str] = ()) -> None:
     """Write a resolved configuration as YAML that can be given back with `--configfile`.
 
-    What null stands for is said at the end in comments, the lines of `chosen`.
-
-    The file is replaced at once, and left alone where it already says the same.
+    What null stands for is said at the end in comments, the lines of `chosen`. The file is replaced
+    at once, and left alone where it already says the same.
     """
     target = Path(path)
     text = "# Every key of this run, defaults included; written by the workflow.\n"

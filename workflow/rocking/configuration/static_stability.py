@@ -41,11 +41,8 @@ WEAKEST = "weakest"  # of facade.hinges_m
 def check_static_stability(resolved: Mapping) -> None:
     """Refuse a façade that cannot stand on its base, in the models that nothing bonds to walls.
 
-    Raises
-    ------
-    ConfigError
-        In one line with the height that would stand, all heights of the façade in proportion, or
-        with the tilt.
+    The ConfigError has the height that would stand, all heights of the façade in proportion, or the
+    tilt.
     """
     models = map(registry.model, resolved["models"])
     if not any(kind.single_block and not kind.bonded for kind in models):

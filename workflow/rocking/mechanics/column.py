@@ -52,13 +52,9 @@ def rotation_law(moment):
 
         G = ∫ σ f dσ,   f = 12 m σ² (uncracked), 2 σ/(9 (1/2 − m σ)²) (cracked),
 
-    integrated in closed form. Then λ h/b = 2 m − δ. At small m G = 3 m; at large rotation
-    m = 1/2 − 4 Γ/(9 δ): the reaction walks to the toe as 1/δ, on a constant spring as δ^−1/2.
-
-    Parameters
-    ----------
-    moment : array_like
-        Positive and below 1/2.
+    integrated in closed form; m is positive and below 1/2. Then λ h/b = 2 m − δ. At small m
+    G = 3 m; at large rotation m = 1/2 − 4 Γ/(9 δ): the reaction walks to the toe as 1/δ, on a
+    constant spring as δ^−1/2.
     """
     m = np.asarray(moment, float)
     first = np.minimum(1.0, 1.0 / (6.0 * m))
@@ -119,29 +115,11 @@ def _down(multiplier, top_rad, gamma, ratio, edges):
 
 
 def capacity(d_over_b, gamma, ratio, edges=None):
-    """Static curve λ(d) of the column, or of a stack of courses.
+    """Static curve λ(d) of the column, or of a stack of courses with these `edges` (`courses`).
 
-    Parameters
-    ----------
-    d_over_b : array_like, shape (n,)
-        Top displacement over thickness, 0 < d/b ≤ 1.2.
-    gamma : float
-        Γ, see `compliance`.
-    ratio : float
-        b/h.
-    edges : ndarray, or None
-        See `courses`; None: the column.
-
-    Returns
-    -------
-    ndarray, shape (n,)
-        λ, negative past the point of no return.
-
-    Raises
-    ------
-    ValueError
-        For a d/b out of range or without an equilibrium, or a wall that falls by its own weight,
-        Γ ≥ 0.653.
+    Of top displacements d/b, shape (n,), above 0 and at most 1.2, Γ (`compliance`) and b/h the
+    multipliers, shape (n,), negative past the point of no return. A ValueError for a d/b out of
+    range or without an equilibrium, or a wall that falls by its own weight, Γ ≥ 0.653.
     """
     wanted = np.atleast_1d(np.asarray(d_over_b, float))
     edges = graded() if edges is None else np.asarray(edges, float)

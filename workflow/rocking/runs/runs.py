@@ -24,14 +24,6 @@ class CurveKey(NamedTuple):
 class Runs:
     """The runs that a configuration describes.
 
-    Parameters
-    ----------
-    config : mapping
-        Snakemake's merged configuration.
-    base : Path
-        Folder of the Snakefile; files of the configuration are looked for in the working folder
-        first, then here.
-
     Attributes
     ----------
     name : str
@@ -44,15 +36,14 @@ class Runs:
         Rows of its records table, by record.
     records : dict of str to list of str
         Names of the records it uses.
-
-    Raises
-    ------
-    ConfigError, RecordError
-        In one line, for whatever is wrong with configuration or records table.
     """
 
     def __init__(self, config, base):
-        """Resolve the configuration and read the records tables."""
+        """Resolve Snakemake's merged configuration and read the records tables.
+
+        Files are looked for in the working folder first, then in `base`, that of the Snakefile. A
+        ConfigError or RecordError of one line for whatever is wrong with them.
+        """
         self.base = Path(base)
         known = configuration.expanded(config)
         self.settings = {run: resolved for run, (resolved, _) in known.items()}
