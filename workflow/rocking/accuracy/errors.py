@@ -37,17 +37,17 @@ def plan_runs(drawn, settings, scenes):
     everything = charted(drawn, settings["chart_histories"])
     runs = []
     for case in drawn.sort_values(["record", "case"])[keys].to_dict("records"):
-        base = {**case, "nodes": None, "step_fraction": None, "factor": 1.0}
+        one = {**case, "nodes": None, "step_fraction": None, "factor": 1.0}
         grid = list(itertools.product(settings["nodes"], settings["step_fractions"]))
         if chosen_pair(scenes[case["model"]]) not in grid:
-            runs.append({**base, "method": "nodes and step"})
+            runs.append({**one, "method": "nodes and step"})
         runs += [
-            {**base, "method": "nodes and step", "nodes": n, "step_fraction": f} for n, f in grid
+            {**one, "method": "nodes and step", "nodes": n, "step_fraction": f} for n, f in grid
         ]
         if case["case"] in everything:
-            runs += [{**base, "method": method} for method in OTHERS]
+            runs += [{**one, "method": method} for method in OTHERS]
             if case["model"] == "W1":  # some 10,000 steps/s: a step of 0.05 would take minutes
-                runs.append({**base, "method": "Polyhedra", "step_fraction": 0.2})
+                runs.append({**one, "method": "Polyhedra", "step_fraction": 0.2})
     return runs
 
 

@@ -14,6 +14,12 @@ from rocking.statements import OURS, STUDY, statement
 
 LOW, HIGH = FREE_ROCKING_LOW_S, FREE_ROCKING_HIGH_S
 TEST_BETA_S = 0.001  # that "showed similar damped motion as the experiments"
+# b [m], h [m], E [MPa] of the walls for which the study prints the β of its eq. 5 [s]
+EQ5_WALLS = {
+    "Sorrentino": (0.11, 0.8, 1800.0),
+    "Shawa": (0.25, 3.0, 4050.0),
+    "façade": (0.375, 6.48, 1800.0),
+}
 EQ5_PRINTED = {"Sorrentino": 0.00095, "Shawa": 0.00086, "façade": 0.00276}
 SHAWA_TRIAL_S = 0.00094
 SIMILAR, AS_PRINTED = 0.10, 0.01  # "very similar", ours; agreement of eq. 5 with what is printed
@@ -29,13 +35,10 @@ def by_beta(free, wall):
     part = free[free["wall"] == wall]
     if not len(part):
         raise ValueError(f"free rocking: there is no wall '{wall}'")
-    betas = np.sort(part["beta_s"].unique())
-    ratio, theta = np.full((2, len(betas), IMPACTS), np.nan)
-    for i, beta in enumerate(betas):
-        for row in part[part["beta_s"] == beta].itertuples():
-            ratio[i, row.n - 1] = row.e_exp / row.e_1sr
-            theta[i, row.n - 1] = row.theta_over_alpha
-    return betas, theta, ratio
+    part = part.assign(ratio=part["e_exp"] / part["e_1sr"])
+    table = part.pivot(index="beta_s", columns="n", values=["theta_over_alpha", "ratio"])
+    theta, ratio = (table[name].to_numpy() for name in ("theta_over_alpha", "ratio"))
+    return table.index.to_numpy(), theta, ratio
 
 
 def _at(betas, wanted):
@@ -115,51 +118,42 @@ def evaluate(free, fits, walls, wall="sorrentino", release=0.5):
 
 
 def _of_equations():
-    rows = []
-    walls = {
-        "Sorrentino": (0.11, 0.8, 1800.0),
-        "Shawa": (0.25, 3.0, 4050.0),
-        "façade": (0.375, 6.48, 1800.0),
-    }
-    found = {name: closed_forms.beta_one_sided(*wall) for name, wall in walls.items()}
-    for name, value in found.items():
-        printed = EQ5_PRINTED[name]
-        rows.append(
-            statement(
-                f"eq. 5 gives the β printed for the wall: {name}",
-                f"{printed:g} s",
-                f"{value:.6f} s ({100 * (value / printed - 1.0):+.1f} %, within "
-                f"{100 * AS_PRINTED:g} %)",
-                abs(value / printed - 1.0) <= AS_PRINTED,
-                OURS,
-            )
-        )
+    found = {name: closed_forms.beta_one_sided(*wall) for name, wall in EQ5_WALLS.items()}
     off = 1.0 - found["Sorrentino"] / TEST_BETA_S
-    rows.append(
+    shawa = abs(found["Shawa"] / SHAWA_TRIAL_S - 1.0)
+    return [
+        *(_as_printed(name, value) for name, value in found.items()),
         statement(
             "eq. 5 is within 5 % of the β that matches the test",
             "5 % (0.00095 against 0.001 s)",
             f"{100 * off:.1f} % by the printed coefficients",
             abs(off) <= 0.05,
             STUDY,
-        )
-    )
-    shawa = abs(found["Shawa"] / SHAWA_TRIAL_S - 1.0)
-    rows.append(
+        ),
         statement(
             "eq. 5 is very similar to the β found by trial for the Shawa wall",
             f"{EQ5_PRINTED['Shawa']:g} against {SHAWA_TRIAL_S:g} s",
             f"{100 * shawa:.1f} % apart (limit {100 * SIMILAR:g} %)",
             shawa <= SIMILAR,
             OURS,
-        )
+        ),
+    ]
+
+
+def _as_printed(name, value):
+    printed = EQ5_PRINTED[name]
+    return statement(
+        f"eq. 5 gives the β printed for the wall: {name}",
+        f"{printed:g} s",
+        f"{value:.6f} s ({100 * (value / printed - 1.0):+.1f} %, within {100 * AS_PRINTED:g} %)",
+        abs(value / printed - 1.0) <= AS_PRINTED,
+        OURS,
     )
-    return rows
 
 
 def _fit_beside_test(betas, ratio):
     fit = best_fit(betas, ratio)["beta_s"]
-    printed = closed_forms.beta_one_sided(0.11, 0.8, 1800.0)
+    printed = closed_forms.beta_one_sided(*EQ5_WALLS["Sorrentino"])
     return statement(
         "eq. 5 is within 5 % of the β that fits the test's ranges here",
         "5 %",

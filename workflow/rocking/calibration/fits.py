@@ -60,7 +60,6 @@ def row_of(wall):
     """Row of a wall of the study, see COLUMNS."""
     case, facade = wall["case"], wall["case"]["config"]["facade"]
     fit = study.best_fit(wall["beta_s"], wall["e"] / wall["e_1sr"])
-    groups = calibration.groups(case["config"])
     return {
         "wall": case["id"],
         "role": case["about"]["role"],
@@ -68,7 +67,7 @@ def row_of(wall):
         "h_m": facade["height_m"],
         "e_mpa": facade["e_mpa"],
         "density_kg_m3": facade["density_kg_m3"],
-        **{name: groups[name] for name in (*GROUPS, "omega_c_rad_s")},
+        **calibration.groups(case["config"]),
         "release_ratio": case["release_ratio"],
         "e_1sr": wall["e_1sr"],
         "beta_fit_s": fit["beta_s"],

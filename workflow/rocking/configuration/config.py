@@ -192,9 +192,9 @@ def expanded(config: Mapping) -> dict[str, tuple[dict[str, Any], dict[str, Any]]
     """
     if not isinstance(config, Mapping):
         raise ConfigError("expected keys and values at the top level")
-    base = config_schema.plain(config)
-    wanted, scenarios, grid = (base.pop(key, None) for key in STUDY_KEYS)
-    base = renamed.current(base)
+    common = config_schema.plain(config)
+    wanted, scenarios, grid = (common.pop(key, None) for key in STUDY_KEYS)
+    common = renamed.current(common)
     cells = _grid(renamed.current(grid))
     named = _scenarios(scenarios)
     chosen = _chosen(wanted, named)
@@ -205,13 +205,13 @@ def expanded(config: Mapping) -> dict[str, tuple[dict[str, Any], dict[str, Any]]
     for name, overrides in (named or {"": {}}).items():
         for label, cell in cells.items():
             ending = "-".join(part for part in (name, label) if part)
-            given = _merge(_merge(base, overrides), cell)
+            given = _merge(_merge(common, overrides), cell)
             try:
                 one = resolve(given)
                 if ending:
                     one = resolve({**given, "run": f"{one['run']}-{ending}"})
             except ConfigError as error:
-                if not ending or error.detail == _fault(base):
+                if not ending or error.detail == _fault(common):
                     raise
                 raise ConfigError(f"scenario '{ending}': {error.detail}") from None
             if one["run"] in runs:
@@ -238,11 +238,10 @@ def _scenarios(given: Any) -> dict[str, dict]:
     for name, overrides in given.items():
         if overrides is not None and not isinstance(overrides, dict):
             raise ConfigError(f"scenarios.{name} = {show(overrides)}: expected keys and values")
-        nested = renamed.current(_nest(overrides or {}, f"scenarios.{name}"))
+        out[name] = renamed.current(_nest(overrides or {}, f"scenarios.{name}"))
         for key in ("run", *STUDY_KEYS):
-            if key in nested:
+            if key in out[name]:
                 raise ConfigError(f"scenarios.{name}.{key}: a scenario cannot set '{key}'")
-        out[name] = nested
     if "" in out or "all" in out:
         raise ConfigError("scenarios: expected names other than 'all' and the empty one")
     return out
@@ -292,11 +291,9 @@ def _grid(given: Any) -> dict[str, dict]:
         labels = [f"{leaf}_{_word(point)}" for point in points]
         if len(set(labels)) < len(labels):
             raise ConfigError(f"grid.{path} = {show(values)}: expected different values")
-        axes.append([(label, {path: point}) for label, point in zip(labels, points, strict=True)])
+        axes.append([(label, path, point) for label, point in zip(labels, points, strict=True)])
     return {
-        "-".join(label for label, _ in cell): _nest(
-            {k: v for _, part in cell for k, v in part.items()}, "grid"
-        )
+        "-".join(label for label, *_ in cell): _nest({path: at for _, path, at in cell}, "grid")
         for cell in itertools.product(*axes)
     }
 
@@ -330,9 +327,9 @@ def _both(one: Any, two: Any) -> bool:
     return any(_both(one[key], two[key]) for key in one.keys() & two.keys())
 
 
-def _merge(base: dict, overrides: dict) -> dict:
-    """Lay overrides over base, section by section; lists and single values are replaced."""
-    out = dict(base)
+def _merge(given: dict, overrides: dict) -> dict:
+    """Lay overrides over what is given by section; lists and single values are replaced."""
+    out = dict(given)
     for key, value in overrides.items():
         old = out.get(key)
         both = isinstance(old, dict) and isinstance(value, dict)

@@ -80,12 +80,9 @@ def refusal(error: jsonschema.ValidationError, known: dict) -> ConfigError:
         missing = next(k for k in error.validator_value if k not in error.instance)
         return ConfigError(f"{path}.{missing}: missing".lstrip("."))
     words = expectation({**schema, "unit": schema.get("unit", unit)})
-    comma = isinstance(error.instance, str) and re.fullmatch(r"[+-]?\d+,\d+", error.instance)
-    hint = (
-        "; write a decimal point, not a comma"
-        if comma
-        else _other_unit(error.instance, schema, unit)
-    )
+    hint = _other_unit(error.instance, schema, unit)
+    if isinstance(error.instance, str) and re.fullmatch(r"[+-]?\d+,\d+", error.instance):
+        hint = "; write a decimal point, not a comma"
     return ConfigError(f"{path} = {show(error.instance)}: expected {words}{hint}")
 
 
@@ -97,13 +94,10 @@ def _other_unit(value: Any, schema: dict, unit: str) -> str:
 
 def refuse_invalid(value: Any, known: dict) -> None:
     """Raise `ConfigError` for the first error of `value`; unknown keys come before the rest."""
-    errors = list(jsonschema.Draft202012Validator(known).iter_errors(value))
-    if errors:
-        first = min(
-            errors,
-            key=lambda e: (
-                e.validator != "additionalProperties",
-                [str(s) for s in e.absolute_path],
-            ),
-        )
+
+    def place(error):
+        return error.validator != "additionalProperties", list(map(str, error.absolute_path))
+
+    errors = jsonschema.Draft202012Validator(known).iter_errors(value)
+    if first := min(errors, key=place, default=None):
         raise refusal(first, known)

@@ -273,12 +273,8 @@ def _kind(kind: str, schema: dict) -> str:
     if kind == "array":
         low, high = schema.get("minItems", 0), schema.get("maxItems")
         count = f"{low} " if low == high else (f"{low} or more " if low else "")
-        traits = [
-            w
-            for k, w in (("uniqueItems", "different"), ("ascending", "ascending"))
-            if schema.get(k)
-        ]
-        words = " ".join([*traits, "values"])
+        traits = {"uniqueItems": "different", "ascending": "ascending"}
+        words = " ".join([*(traits[key] for key in traits if schema.get(key)), "values"])
         return f"a list of {count}{words}, each {expectation(schema.get('items', {}))}"
     if kind == "string":
         allowed = schema.get("pattern_words") or schema.get("pattern")

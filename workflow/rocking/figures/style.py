@@ -120,7 +120,8 @@ def _settle(axis):
     if legend is None:
         return False
     handles, labels = axis.get_legend_handles_labels()
-    own = [text.get_text() for text in legend.get_texts()] == labels
+    texts = [text.get_text() for text in legend.get_texts()]
+    own = texts == labels
     gone = [own and _outside(axis, handle) for handle in handles]
     covers = _covers(legend, axis)
     if not covers and not any(gone):
@@ -128,7 +129,6 @@ def _settle(axis):
     if own:
         kept = [(h, t) for h, t, out in zip(handles, labels, gone, strict=True) if not out]
     else:
-        texts = [text.get_text() for text in legend.get_texts()]
         kept = list(zip(legend.legend_handles, texts, strict=True))
     place = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if covers else {}
     size = legend.get_texts()[0].get_fontsize()
