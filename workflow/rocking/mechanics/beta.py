@@ -67,33 +67,15 @@ def groups(config: Mapping) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class PowerLaw:
-    """A fitted power law β·ω_c = exp(c0)·Π x_i^c_i.
+    """A fitted power law β·ω_c = exp(c0)·Π x_i^c_i."""
 
-    Attributes
-    ----------
-    names : tuple of str
-        Groups x_i (see `groups`).
-    coefficients : tuple of float, length 1 + len(names)
-        c0, then the exponents.
-    covariance : tuple of tuples
-        Of the coefficients.
-    residual_std : float
-        Standard deviation of ln β about the law.
-    freedom : int
-        Degrees of freedom left by the fit.
-    ranges : dict of str to (float, float)
-        Smallest and largest value of every group among the fitted walls.
-    loo_error : float
-        Root mean square of the leave-one-out residuals of ln β.
-    """
-
-    names: tuple
-    coefficients: tuple
-    covariance: tuple
-    residual_std: float
-    freedom: int
-    ranges: dict
-    loo_error: float
+    names: tuple  # of the groups x_i, see `groups`
+    coefficients: tuple  # c0, then the exponents
+    covariance: tuple  # of the coefficients, by rows
+    residual_std: float  # standard deviation of ln β about the law
+    freedom: int  # degrees of freedom left by the fit
+    ranges: dict  # smallest and largest value of every group among the fitted walls
+    loo_error: float  # root mean square of the leave-one-out residuals of ln β
 
     def outside(self, values):
         """Return one line about the first group outside the fitted range, or None."""

@@ -22,29 +22,20 @@ class CurveKey(NamedTuple):
 
 
 class Runs:
-    """The runs that a configuration describes.
+    """The runs that a configuration describes; `name` is what the names of all begin with.
 
-    Attributes
-    ----------
-    name : str
-        Name that all runs begin with, `run` of the configuration.
-    settings : dict of str to dict
-        Resolved configuration of each run.
-    stated : dict of str to dict
-        What the user's configuration says of each run, scenario and grid included.
-    tables : dict of str to dict
-        Rows of its records table, by record.
-    records : dict of str to list of str
-        Names of the records it uses.
+    By run: `settings`, its resolved configuration; `stated`, what the user's configuration says of
+    it, scenario and grid included; `tables`, the rows of its records table by record; `records`,
+    the names of those that it uses.
     """
 
-    def __init__(self, config, base):
+    def __init__(self, config, folder):
         """Resolve Snakemake's merged configuration and read the records tables.
 
-        Files are looked for in the working folder first, then in `base`, that of the Snakefile. A
+        Files are looked for in the working folder first, then in `folder`, that of the Snakefile. A
         ConfigError or RecordError of one line for whatever is wrong with them.
         """
-        self.base = Path(base)
+        self.folder = Path(folder)
         known = configuration.expanded(config)
         self.settings = {run: resolved for run, (resolved, _) in known.items()}
         self.stated = {run: stated for run, (_, stated) in known.items()}
@@ -80,7 +71,7 @@ class Runs:
 
     def find_file(self, path) -> str:
         """A file as given, or beside the Snakefile if it is not found there."""
-        near = self.base / path
+        near = self.folder / path
         return str(near if not Path(path).exists() and near.exists() else path)
 
     def table_path(self, run) -> str:
