@@ -96,13 +96,13 @@ def rebounds(time_s, theta_over_alpha, *, sides="one", smallest=SMALLEST):
     )
 
 
-def e_exp(found, count=IMPACTS):
-    """Experimental restitution after impacts 1 … count (eq. 4); nan where there was no impact.
+def e_exp(found):
+    """Experimental restitution after the first `IMPACTS` (eq. 4); nan where there was no impact.
 
     e_n = {[1 − (1 − |θn|/α)²]/[1 − (1 − |θ0|/α)²]}^{1/2n}
     """
-    out = np.full(count, np.nan)
-    n = np.arange(1, min(count, len(found)) + 1)
+    out = np.full(IMPACTS, np.nan)
+    n = np.arange(1, min(IMPACTS, len(found)) + 1)
     out[: len(n)] = closed_forms.restitution_observed(found.peak[: len(n)], found.release, n)
     return out
 

@@ -145,9 +145,9 @@ def fit_law(walls, betas_s, names):
     )
 
 
-def half_widths(law, level=0.95):
-    """Half widths of the coefficients' confidence intervals (Student's t)."""
-    factor = float(scipy.stats.t.ppf(0.5 + 0.5 * level, law.freedom))
+def half_widths(law):
+    """Half widths of the coefficients' 95 % confidence intervals (Student's t)."""
+    factor = float(scipy.stats.t.ppf(0.975, law.freedom))
     return factor * np.sqrt(np.diag(np.array(law.covariance)))
 
 
