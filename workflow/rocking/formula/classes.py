@@ -31,19 +31,9 @@ DRAWN = (*groups.DIMENSIONS, "thickness_m")  # what a distribution may be of
 
 
 def combined(medians, dispersions, weights=None):
-    """Median of a class, its dispersion, and the parts by façade and by motion.
+    """Median θ of a class, its dispersion β, and the parts β_f by façade and β_m by motion.
 
-    Parameters
-    ----------
-    medians, dispersions : array_like, shape (n,)
-        θ_i and δ_i.
-    weights : array_like, shape (n,), optional
-        Alike without.
-
-    Returns
-    -------
-    tuple of float
-        θ, β, β_f, β_m.
+    Of θ_i, δ_i and w_i, each of shape (n,); without weights all count alike.
     """
     x, spread = np.log(np.asarray(medians, float)), np.asarray(dispersions, float)
     w = np.ones(x.size) if weights is None else np.asarray(weights, float)
@@ -62,19 +52,11 @@ def mixture(intensity, medians, dispersions, weights=None):
 
 
 def quantile(row, u):
-    """Value of a distribution at a probability.
+    """Value of a distribution at probabilities u, an array.
 
-    Parameters
-    ----------
-    row : mapping
-        distribution: value, uniform, lognormal or choice; value or median [unit of the parameter],
-        spread (standard deviation of the logarithm), low and high; choice: values, all alike.
-    u : ndarray
-
-    Returns
-    -------
-    ndarray
-        A lognormal one is cut at low and high, where they are given.
+    The row has distribution (value, uniform, lognormal or choice) and what it asks for: median
+    [unit of the parameter], spread (standard deviation of the logarithm), low and high, values, all
+    alike. A lognormal one is cut at low and high, where they are given.
     """
     kind = row["distribution"]
     if kind == "value":
@@ -93,10 +75,7 @@ def quantile(row, u):
 def check_row(row):
     """Refuse a row that lacks what its distribution asks for, or whose ends do not ascend.
 
-    Raises
-    ------
-    ValueError
-        In one line.
+    A ValueError of one line.
     """
     asks = ASKS[row["distribution"]]
     said = f"facade_class.parameters: {row['parameter']}: {row['distribution']}"
@@ -110,20 +89,9 @@ def check_row(row):
 def sampled(settings):
     """Façades of a class: Sobol' points over its distributions, the parameters independent.
 
-    Parameters
-    ----------
-    settings : dict
-        Section facade_class: samples, seed, parameters.
-
-    Returns
-    -------
-    DataFrame
-        `groups.DIMENSIONS`. A thickness takes the place of the slenderness.
-
-    Raises
-    ------
-    ValueError
-        In one line, for a parameter that is missing or named twice, and as of `check_row`.
+    By section facade_class (samples, seed, parameters) a table of `groups.DIMENSIONS`; a thickness
+    takes the place of the slenderness. A ValueError of one line for a parameter that is missing or
+    named twice, and as of `check_row`.
     """
     from scipy.stats import qmc
 

@@ -30,7 +30,7 @@ RESAMPLES = 400
 SEED = 1  # of the halves
 
 
-def wide(table, design, model, base, factor=None, column="pga_median_g"):
+def wide(table, design, model, base, factor=None):
     """Ln(IM/tan α) of every façade (rows) under every motion (columns: record, direction).
 
     Of a table of the atlas (`studies.atlas.COLUMNS`) and its façades (`groups.DIMENSIONS`);
@@ -38,7 +38,7 @@ def wide(table, design, model, base, factor=None, column="pga_median_g"):
     the largest intensity.
     """
     part = table[(table["model"] == model) & (table["base"] == base)]
-    found = part.pivot(index="facade", columns=["record", "direction"], values=column)
+    found = part.pivot(index="facade", columns=["record", "direction"], values="pga_median_g")
     if factor is not None:
         found = found * factor.loc[found.index, found.columns.get_level_values(0)].to_numpy()
     slender = design["slenderness"].loc[found.index]
@@ -140,15 +140,11 @@ def fitted(table, design, model, base, measure, factor, stations_of, seed):
     values = wide(table, design, model, base, factor)
     stations = [stations_of[record] for record in values.columns.get_level_values(0)]
     terms, y = matrix(design.loc[values.index], names), values.to_numpy()
-    low, high = intervals(terms, y, stations, seed)
     both, (alone, fractile) = left_out(terms, y, stations), facades_out(terms, y)
     level = both.groupby("fold")["level"].first()
     spread = pooled(y)
     return {
-        "terms": list(names),
-        "coefficients": _round(solve(terms, y)),
-        "low": _round(low),
-        "high": _round(high),
+        **_coefficients(names, terms, y, stations, seed),
         "dispersion": round(spread, 4),
         "error": round(float(np.hypot(rms(alone), spread / np.sqrt(len(set(stations))))), 4),
         "checks": {
@@ -173,19 +169,16 @@ def ratio_of_bases(table, design, model, base, other, seed, stations_of, names=O
     ratio = pair[1] - pair[0].loc[pair[1].index, pair[1].columns]
     stations = [stations_of[record] for record in ratio.columns.get_level_values(0)]
     terms, y = matrix(design.loc[ratio.index], names), ratio.to_numpy()
+    found = _coefficients(names, terms, y, stations, seed)
+    return found | {"error": round(rms(facades_out(terms, y)[0]), 4), "facades": len(y)}
+
+
+def _coefficients(names, terms, y, stations, seed):
+    """Names of a sum's terms, its coefficients, and the ends of their intervals."""
     low, high = intervals(terms, y, stations, seed)
-    return {
-        "terms": list(names),
-        "coefficients": _round(solve(terms, y)),
-        "low": _round(low),
-        "high": _round(high),
-        "error": round(rms(facades_out(terms, y)[0]), 4),
-        "facades": len(y),
-    }
-
-
-def _round(values):
-    return [float(f"{v:.5g}") for v in values]
+    numbers = {"coefficients": solve(terms, y), "low": low, "high": high}
+    rounded = {key: [float(f"{v:.5g}") for v in values] for key, values in numbers.items()}
+    return {"terms": list(names), **rounded}
 
 
 def law(table, design, factors, stations_of, made_of, own="own"):

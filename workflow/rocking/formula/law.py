@@ -36,13 +36,7 @@ NOT_FOR = {  # dimensions that a model does not know
 
 @lru_cache(maxsize=4)
 def read(path=FILE):
-    """Content of a formula's file.
-
-    Raises
-    ------
-    ValueError
-        In one line, where it is none.
-    """
+    """Content of a formula's file; a ValueError of one line where it is none."""
     try:
         law = json.loads(Path(path).read_text("utf-8"))
         law["models"], law["limits"], law["bases"]
@@ -52,13 +46,7 @@ def read(path=FILE):
 
 
 def check_limits(row, model, law):
-    """Refuse a façade outside of the atlas.
-
-    Raises
-    ------
-    OutsideError
-        In one line that names dimension, value and limits.
-    """
+    """Refuse a façade outside of the atlas: an OutsideError names dimension, value and limits."""
     for name, (low, high) in law["limits"].items():
         value = row[name]
         if name in NOT_FOR[model]:
@@ -209,19 +197,9 @@ def estimate(case, measure="pga_g", law=None):
 
 
 def base_of(facade, law):
-    """Name of a façade's base, as the formula's file has it.
+    """Name of the base of a section facade, as a formula's file (`read`) has it.
 
-    Parameters
-    ----------
-    facade : mapping
-        Section facade: base, courses, courses_growth.
-    law : dict
-        Of `read`.
-
-    Raises
-    ------
-    OutsideError
-        In one line, for a stack of courses that the atlas has not.
+    An OutsideError of one line for a stack of courses that the atlas has not.
     """
     if not facade["courses"]:
         return facade["base"]

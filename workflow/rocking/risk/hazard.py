@@ -37,14 +37,8 @@ class HazardError(ValueError):
 class Hazard:
     """A hazard curve, a power law between its points (straight on logarithmic scales).
 
-    Attributes
-    ----------
-    measure : str
-        Name of the intensity measure, see `MEASURES`.
-    intensity : ndarray, shape (n,)
-        Ascending, in the measure's unit.
-    annual_rate : ndarray, shape (n,)
-        Of exceedance [1/year]; descending, positive.
+    `measure` is of `MEASURES`, `intensity` ascends in its unit, shape (n,), and `annual_rate`, of
+    exceedance [1/year], descends and is positive.
     """
 
     measure: str
@@ -61,27 +55,11 @@ class Hazard:
 
 
 def read_hazard(path, period_s, site=None):
-    """Read a hazard curve in either form.
+    """`Hazard` of a file in either form; a curve of Sa at another period [s] is refused.
 
-    Parameters
-    ----------
-    path : str
-    period_s : float
-        Period at which Sa(T1) is taken in the run [s]; a curve for another one is refused.
-    site : pair of float or None
-        Longitude and latitude [°] of the site to take from an export; without it the export may
-        hold one site only.
-
-    Returns
-    -------
-    Hazard
-
-    Raises
-    ------
-    HazardError
-        One line that names the file, the line and what was expected.
-    rocking.records.RecordError
-        Where the file is missing, no text, or too large.
+    `site` is the longitude and latitude [°] to take from an export, which without it may hold one
+    site only. A HazardError of one line names file, line and what was expected; a RecordError comes
+    where the file is missing, no text, or too large.
     """
     lines = read_text(path).lines
     if lines[0].startswith("#") and "investigation_time" in lines[0]:

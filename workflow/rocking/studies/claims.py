@@ -85,81 +85,60 @@ def evaluate(collapse, static_peak, agreement=None):
     one, and the rule it was pushed with.
     """
     found = capacities(collapse)
-    capacity = found[0]
-    peak = static_peak.get("W3")
-    claims = [
-        (
-            "W2 is equally or more vulnerable than W1",
-            "all eight curves",
-            _compare(found, "W2", "W1", "<"),
-            STUDY,
-        ),
-        (
-            "amplification reduces the capacity by as much as 60 %",
-            f"60 % (here within {100 * TOLERANCE:g} points)",
-            _largest_reduction(capacity, capacities(collapse, half_collapse)[0]),
-            OURS,
-        ),
-        (
-            "the reduction comes from the building's motion, not from walls that cannot be pushed",
-            f"not checked (here: W2 and W2m within {100 * TOLERANCE:g} points)",
-            _assumption(capacity),
-            OURS,
-        ),
-        (
-            "the reduction is small for five curves and marked for the others",
-            f"small for {', '.join(MARGINAL)} (here: at most {100 * SMALL:g} %)",
-            _marginal(capacity),
-            OURS,
-        ),
-        (
-            "cohesion clearly raises the capacity of W1",
-            "W1c above W1",
-            _compare(found, "W1c", "W1", ">", strict=True),
-            STUDY,
-        ),
-        (
-            "with cohesion W2 detaches early: W2c collapses prematurely",
-            "W2c below W1c",
-            _compare(found, "W2c", "W1c", "<"),
-            STUDY,
-        ),
-        (
-            "cohesion does not help W2",
-            f"premature collapse (here: below {HELP:g} times)",
-            _no_help(capacity),
-            OURS,
-        ),
-        (
-            "interlocking and friction raise the capacity",
-            "W3 above W2",
-            _compare(found, "W3", "W2", ">", strict=True),
-            STUDY,
-        ),
-        (
-            "the pushover of W3 agrees with the kinematic curve",
-            f"good agreement (here: λ0 within {100 * AGREEMENT:g} %)",
-            _agreement((agreement or {}).get("W3")),
-            OURS,
-        ),
-        (
-            "W3 is near its pushover for BUCAR0 and RRS228",
-            f"matched well (here: within a factor {CLOSE:g})",
-            _against_static(capacity, peak, ("BUCAR0", "RRS228"), near=True),
-            OURS,
-        ),
-        (
-            "W3 is much higher than its pushover for 1ST280 and HVSC1",
-            f"much higher (here: above {HIGHER:g} times)",
-            _against_static(capacity, peak, ("1ST280", "HVSC1"), near=False),
-            OURS,
-        ),
-    ]
-    return [
-        statement(claim, paper, result[0], result[1], threshold)
-        for claim, paper, result, threshold in claims
-        if result is not None
-    ]
+    capacity, peak, rows = found[0], static_peak.get("W3"), []
+
+    def claim(words, paper, result, threshold=OURS):
+        """Add a statement, if the models that it is of were run."""
+        if result is not None:
+            rows.append(statement(words, paper, *result, threshold))
+
+    def order(first, want, second, words, paper, strict=False):
+        """Add a statement that the order of two models decides."""
+        claim(words, paper, _compare(found, first, second, want, strict), STUDY)
+
+    order("W2", "<", "W1", "W2 is equally or more vulnerable than W1", "all eight curves")
+    claim(
+        "amplification reduces the capacity by as much as 60 %",
+        f"60 % (here within {100 * TOLERANCE:g} points)",
+        _largest_reduction(capacity, capacities(collapse, half_collapse)[0]),
+    )
+    claim(
+        "the reduction comes from the building's motion, not from walls that cannot be pushed",
+        f"not checked (here: W2 and W2m within {100 * TOLERANCE:g} points)",
+        _assumption(capacity),
+    )
+    claim(
+        "the reduction is small for five curves and marked for the others",
+        f"small for {', '.join(MARGINAL)} (here: at most {100 * SMALL:g} %)",
+        _marginal(capacity),
+    )
+    raises = "cohesion clearly raises the capacity of W1"
+    order("W1c", ">", "W1", raises, "W1c above W1", strict=True)
+    detaches = "with cohesion W2 detaches early: W2c collapses prematurely"
+    order("W2c", "<", "W1c", detaches, "W2c below W1c")
+    claim(
+        "cohesion does not help W2",
+        f"premature collapse (here: below {HELP:g} times)",
+        _no_help(capacity),
+    )
+    interlocks = "interlocking and friction raise the capacity"
+    order("W3", ">", "W2", interlocks, "W3 above W2", strict=True)
+    claim(
+        "the pushover of W3 agrees with the kinematic curve",
+        f"good agreement (here: λ0 within {100 * AGREEMENT:g} %)",
+        _agreement((agreement or {}).get("W3")),
+    )
+    claim(
+        "W3 is near its pushover for BUCAR0 and RRS228",
+        f"matched well (here: within a factor {CLOSE:g})",
+        _against_static(capacity, peak, ("BUCAR0", "RRS228"), near=True),
+    )
+    claim(
+        "W3 is much higher than its pushover for 1ST280 and HVSC1",
+        f"much higher (here: above {HIGHER:g} times)",
+        _against_static(capacity, peak, ("1ST280", "HVSC1"), near=False),
+    )
+    return rows
 
 
 def _agreement(found):

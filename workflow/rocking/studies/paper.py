@@ -8,7 +8,7 @@ from rocking.collapse.probability import half_collapse, one_number
 
 MET = ("yes", "no", "partly", "given", "open")
 COUNTED = ("are met here", "not", "partly", "are inputs", "open")  # in the page's first sentence
-HEAD = "| | in the study | its value | here | met | why they differ |\n|---|---|---|---|---|---|\n"
+HEAD = "| | in the study | its value | here | met | why they differ |\n|---|---|---|---|---|---|"
 NOT_RUN = "not part of this run"
 SOURCES = {"file": "recorded", "surrogate": "surrogates"}
 CLAIMS = ("claims_building", "claims_calibration", "claims")
@@ -79,12 +79,15 @@ def _claim(start, tables):
     return found["holds"].tolist(), "; ".join(texts)
 
 
+def markdown(heading, rows):
+    """Lines of a table in Markdown, of the texts of its heading and of its rows."""
+    first, *others = ["| " + " | ".join(cells) + " |" for cells in (heading, *rows)]
+    return [first, "|---" * len(heading) + "|", *others]
+
+
 def records(data, tables):
     """Table 1 beside the run's motions."""
-    lines = [
-        "| record | source | PGA [g] | PGV [cm/s] | PGD [cm] | duration [s] |",
-        "|---" * 6 + "|",
-    ]
+    rows = []
     made = tables["records"].set_index("record") if "records" in tables else None
     for name, paper in data["table_1"].items():
         cells = [f"{p:g}" for p in paper]
@@ -94,17 +97,14 @@ def records(data, tables):
             source = "recorded" if one["source"] == "file" else one["source"]
             columns = ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
             cells = [f"{one[c]:.3g} ({p:g})" for c, p in zip(columns, paper, strict=True)]
-        lines.append(f"| {name} | {source} | " + " | ".join(cells) + " |")
-    return lines
+        rows.append([name, source, *cells])
+    heading = ["record", "source", "PGA [g]", "PGV [cm/s]", "PGD [cm]", "duration [s]"]
+    return markdown(heading, rows)
 
 
 def errors(data, tables):
     """Table 2 beside the run's errors, the study's in brackets."""
-    lines = [
-        "| quantity | record | SDOF | 2DOF | 3DOF | 4DOF | 5DOF |",
-        "|---" * 7 + "|",
-    ]
-    made = tables.get("wme")
+    made, rows = tables.get("wme"), []
     for quantity, of_records in data["table_2"].items():
         for record, paper in of_records.items():
             cells = []
@@ -112,8 +112,8 @@ def errors(data, tables):
                 where = {"record": record, "quantity": quantity, "n_dof": n}
                 spec = {"table": "wme", "where": where, "column": "wme", "digits": 3}
                 cells.append(f"{value(made, spec)} ({p:.3f})" if made is not None else f"({p:.3f})")
-            lines.append(f"| {quantity.replace('_', ' ')} | {record} | " + " | ".join(cells) + " |")
-    return lines
+            rows.append([quantity.replace("_", " "), record, *cells])
+    return markdown(["quantity", "record", "SDOF", "2DOF", "3DOF", "4DOF", "5DOF"], rows)
 
 
 def collapse(data, tables):
@@ -127,19 +127,18 @@ def collapse(data, tables):
         curve=table["record"] + table["direction"].map({"pos": "+", "neg": "−"}),
     )
     wide = table.pivot(index="curve", columns="model", values=["pga", "half"])
-    order = dict.fromkeys(table["curve"])
     models = list(dict.fromkeys(table["model"]))
     both = "pga_equivalent_g" in table
     said = "equivalent PGA (half collapse) [g]" if both else "collapse PGA [g]"
-    lines = [f"| {said} | " + " | ".join(models) + " |", "|---" * (len(models) + 1) + "|"]
-    for curve in order:
+    rows = []
+    for curve in dict.fromkeys(table["curve"]):
         cells = []
         for model in models:
             one, half = (wide.loc[curve, (of, model)] for of in ("pga", "half"))
             beside = f" ({half:.3f})" if both else ""
             cells.append("–" if math.isnan(one) else f"{one:.3f}{beside}")
-        lines.append(f"| {curve} | " + " | ".join(cells) + " |")
-    return lines
+        rows.append([curve, *cells])
+    return markdown([said, *models], rows)
 
 
 BLOCKS = {"records": records, "wme": errors, "collapse": collapse}
@@ -161,7 +160,7 @@ def page(data, tables, about):
     answer = f"Of the study's {len(rows)} figures, tables, equations and results {count}."
     lines = ["# The study, row by row", "", answer, about, ""]
     for section in data["sections"]:
-        lines += [f"## {section['title']}", "", HEAD.rstrip("\n")]
+        lines += [f"## {section['title']}", "", HEAD]
         lines += [row(entry, tables) for entry in section["rows"]]
         for entry in section["rows"]:
             if "table" in entry:

@@ -6,8 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from rocking.configuration.config import ConfigError
-from rocking.records import load
-from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
+from rocking.studies.validation import stand_in
 
 SUITE = Path(__file__).resolve().parents[3] / "config" / "suites" / "recorded_suite.tsv"
 SLOWEST_HZ = 0.25  # of motions that are shifted: slower ones would drift apart
@@ -17,12 +16,7 @@ PAUSE_S = 5.0  # before and behind a motion that is shifted, for what the shift 
 def motion_file(path, heading=0):
     """Times and values of a file of two columns with a comma between, below lines of heading.
 
-    Raises
-    ------
-    FileNotFoundError
-        With its name.
-    ConfigError
-        One line that names the file, if it is no such table or its times do not grow.
+    ConfigError of one line that names the file, if it is no such table or its times do not grow.
     """
     with open(path, encoding="utf-8") as lines:
         try:
@@ -45,10 +39,7 @@ def velocity_file(path):
 def foot_and_top_files(row, folder):
     """Times and accelerations of a gable's foot and top in one run, from the files that it names.
 
-    Raises
-    ------
-    ConfigError
-        One line, if no folder was named or the two do not have the same times.
+    ConfigError of one line if no folder was named or the two do not have the same times.
     """
     if folder is None:
         raise ConfigError("--motions: expected the folder of the files that runs.csv names")
@@ -62,13 +53,8 @@ def foot_and_top_files(row, folder):
 def table_motion(specimen, row, folder):
     """Motion of a run: its file, its motion's strongest one scaled, or without a folder a stand-in.
 
-    None where the folder has neither.
-
-    Returns
-    -------
-    time_s, acceleration_m_s2 : ndarray
-    source : str
-        "file", "scaled" or the stand-in's name.
+    Times, acceleration [m/s²] and source: "file", "scaled" or the stand-in's name. None where the
+    folder has neither.
     """
     about = specimen["motions"]
     strongest = about["strongest"][row["motion"]]
@@ -83,20 +69,13 @@ def table_motion(specimen, row, folder):
     if folder:
         return None
     name, peak_g = about["stand_in"][row["motion"]]
-    record = load(name, str(SUITE))
-    ground = record.acceleration_m_s2
-    size = row["scale"] * peak_g * STANDARD_GRAVITY_M_S2 / np.abs(ground).max()
-    return record.time_s, size * ground, name
+    return stand_in(name, str(SUITE), row["scale"] * peak_g)
 
 
 def shifted(time_s, acceleration, amplification, phase_deg):
     """A motion with a pause on either side, and it amplified with all its phases shifted.
 
-    Both without what is slower than SLOWEST_HZ, so that they do not drift apart.
-
-    Returns
-    -------
-    time_s, foot, top : ndarray
+    Times, foot and top, without what is slower than SLOWEST_HZ, so that they do not drift apart.
     """
     step = time_s[1] - time_s[0]
     pause = np.zeros(round(PAUSE_S / step))

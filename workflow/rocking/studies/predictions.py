@@ -94,7 +94,11 @@ def shake_table(specimen, runs, folder, in_yade, cores):
     found = {name: specimens.case(specimen, own) for name, own in specimen["variants"].items()}
     main = dict(list(found.items())[:IN_YADE])
     with ProcessPoolExecutor(cores, multiprocessing.get_context("fork")) as pool:
-        tests = _tests(main, runs) if in_yade else []
+        tests = [
+            specimens.walls_test(case, f"{variant}|{number}", f"{number}.csv")
+            for number in (runs["run"] if in_yade else ())
+            for variant, case in main.items()
+        ]
         parts = [tests[k::cores] for k in range(cores)]  # the longest first
         shaken = [pool.submit(_by_yade, part, runs, motions) for part in parts if part]
         planar = [
@@ -115,17 +119,16 @@ def _planar_rows(variant, case, runs, motions, drawn):
     plane, numerics = to_plane(build_scene(case)), case["numerics"]
     mm, step = 1e3 * plane.thickness_m, specimens.planar_step(plane, numerics)
     main, rows = drawn is not None, []
-    for place, ((_, row), motion) in enumerate(zip(runs.iterrows(), motions, strict=True)):
+    for place, motion in enumerate(motions):
         factors = np.array([1.0, *(drawn[place] if main else ())])
         out = peaks(plane, Motions(*motion[:2]), numerics, factors, step_s=step)
         values = np.where(out.overturned, np.inf, mm * out.d_over_b)
-        line = {"variant": variant, "run": row["run"], "record": row["record"], "how": ALONE}
-        line |= {"source": motion[2], "solver": "planar", "peak_mm": values[0]}
         several = slice(1, None) if main else slice(None)
         band_mm = np.percentile(values[several], PERCENTILES, method="nearest")
-        line |= {f"p{p}_mm": v for p, v in zip(PERCENTILES, band_mm, strict=True)}
+        band = {f"p{p}_mm": v for p, v in zip(PERCENTILES, band_mm, strict=True)}
         members, fell = values[several].size, int(out.overturned[several].sum())
-        rows.append(line | {"members": members, "fell": fell, "probability": fell / members})
+        about = variant, runs.iloc[place], ALONE, motion[2], "planar"
+        rows.append(_row(*about, values[0], members, fell, band))
     whole, ground, spans = one_after_another([motion[:2] for motion in motions])
     still = {**numerics, "quiet_ratio": 0.0}
     fallen, parts = np.zeros(len(runs)), []
@@ -135,26 +138,17 @@ def _planar_rows(variant, case, runs, motions, drawn):
         one = 1e3 * np.array(peaks_of_spans(d.time_s, d.d_m, spans, d.status))
         parts.append(one)
         fallen += ~np.isfinite(one)
-    for (_, row), motion, peak, lost in zip(
-        runs.iterrows(), motions, parts[0], fallen.tolist(), strict=True
-    ):
-        line = {"variant": variant, "run": row["run"], "record": row["record"]}
-        line |= {"how": SEQUENCE, "source": motion[2], "solver": "planar", "peak_mm": peak}
-        share = lost / len(sequences)
-        rows.append(line | {"members": len(sequences), "fell": int(lost), "probability": share})
+    for place, (motion, peak, lost) in enumerate(zip(motions, parts[0], fallen, strict=True)):
+        about = variant, runs.iloc[place], SEQUENCE, motion[2], "planar"
+        rows.append(_row(*about, peak, len(sequences), int(lost)))
     return rows
 
 
-def _tests(found, runs):
-    """What YADE is asked for: each run alone at its own amplitude, by some readings."""
-    tests = []
-    for number in runs["run"]:
-        for variant, case in found.items():
-            own = {key: case[key] for key in ("model", "beta_s", "observed_m")}
-            own["config"] = {key: case[key] for key in specimens.SECTIONS}
-            name = f"{variant}|{number}"
-            tests.append({**own, "factor": 1.0, "id": name, "motion": f"{number}.csv"})
-    return tests
+def _row(variant, row, how, source, solver, peak_mm, members, fell, band=()):
+    """Row of the table: of so many members of a run so many fell; the band in columns p10_mm, …"""
+    line = {"variant": variant, "run": row["run"], "record": row["record"], "how": how}
+    line |= {"source": source, "solver": solver, "peak_mm": peak_mm, **dict(band)}
+    return line | {"members": members, "fell": fell, "probability": fell / members}
 
 
 def _by_yade(tests, runs, motions):
@@ -176,10 +170,8 @@ def _yade_row(test, done, runs, motions):
     place = list(runs["run"]).index(int(number))
     fell = int(done["status"] == "overturned")
     mm = 1e3 * test["config"]["facade"]["thickness_m"]
-    line = {"variant": variant, "run": int(number), "record": runs["record"].iloc[place]}
-    line |= {"how": ALONE, "source": motions[place][2], "solver": "YADE"}
-    line["peak_mm"] = np.inf if fell else mm * done["peak_d_over_b"]
-    return line | {"members": 1, "fell": fell, "probability": float(fell)}
+    peak_mm = np.inf if fell else mm * done["peak_d_over_b"]
+    return _row(variant, runs.iloc[place], ALONE, motions[place][2], "YADE", peak_mm, 1, fell)
 
 
 def foot_and_top(specimen, runs, folder, in_yade, cores):

@@ -45,6 +45,13 @@ def case(specimen, changes=(), height_m=None):
     return found
 
 
+def walls_test(case, name, motion):
+    """A case under one motion as it is, in the form that YADE's command `walls` takes."""
+    found = {key: case[key] for key in ("model", "beta_s", "observed_m")}
+    found["config"] = {key: case[key] for key in SECTIONS}
+    return {**found, "factor": 1.0, "id": name, "motion": motion}
+
+
 def planar_step(planar, numerics):
     """Time step [s] that a specimen states, for the planar solver; None if it states none.
 

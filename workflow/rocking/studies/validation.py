@@ -143,18 +143,22 @@ def motion(experiment, run, folder, table):
     `run` is a row of `runs`, `folder` where the motions lie that are not part of the project,
     `table` the records of the stand-ins.
     """
-    from rocking.records import load
-
     about = experiment.specimen["motions"]
     path = Path(folder or "") / about["files"].format(run=int(run["run"]))
     if folder and path.is_file():
         time_s, value = np.loadtxt(path, unpack=True)
         unit = UNITS[about["unit"]]
         return time_s, np.gradient(value, time_s) if unit is None else unit * value, "file"
-    name = about["stand_in"][run["record"]]
+    return stand_in(about["stand_in"][run["record"]], table, run["pga_g"])
+
+
+def stand_in(name, table, pga_g):
+    """Times and acceleration of a record of a table, scaled to a peak, and its name."""
+    from rocking.records import load
+
     record = load(name, table)
     ground = record.acceleration_m_s2
-    size = run["pga_g"] * STANDARD_GRAVITY_M_S2 / np.abs(ground).max()
+    size = pga_g * STANDARD_GRAVITY_M_S2 / np.abs(ground).max()
     return record.time_s, size * ground, name
 
 

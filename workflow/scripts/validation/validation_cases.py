@@ -34,10 +34,8 @@ def main(job):
     found = specimens.cases(experiment)
     tests = []
     for name in list(found)[: settings["main_variants"]]:
-        case = {key: found[name][key] for key in ("model", "beta_s", "observed_m")}
-        case |= {"config": {key: found[name][key] for key in specimens.SECTIONS}, "factor": 1.0}
-        tests += [{**case, "id": f"{name}|{r['run']}", "motion": r["motion"]} for r in rows]
-        tests.append({**case, "id": f"{name}|sequence", "motion": whole})
+        each = [(r["run"], r["motion"]) for r in rows] + [("sequence", whole)]
+        tests += [specimens.walls_test(found[name], f"{name}|{what}", path) for what, path in each]
     about = {"variants": found, "runs": rows, "sequence": whole, "spans": spans}
     for path, data in ((job.output.cases, about), (job.output.tests, tests)):
         write_json(path, data)
