@@ -50,7 +50,7 @@ def test_a_sharp_fragility_gives_the_hazard_at_its_median():
 def test_rate_and_its_parts_agree_with_quadrature():
     """∫ F(x) |dλ/dx| dx, by quadrature of the hazard's own slope, interval by interval."""
     hazard = Hazard("pga_g", CURVED, bent(CURVED))
-    edges, rate = rates.by_interval(hazard, THETA, BETA, [0.07, 0.4])
+    edges, rate = rates.by_interval(hazard, THETA, BETA)
     fragility = stats.lognorm(BETA, scale=THETA)
     for a, b, part in zip(edges[1:-2], edges[2:-1], rate[0, 1:-1], strict=True):
         slope = np.log(hazard.rate(b) / hazard.rate(a)) / np.log(b / a)

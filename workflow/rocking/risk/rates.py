@@ -32,23 +32,21 @@ def _pieces(hazard, edges):
     return y[i] - slope[i] * x[i], -slope[i]
 
 
-def by_interval(hazard, median, dispersion, inner=()):
+def by_interval(hazard, median, dispersion):
     """Edges of intervals of intensity, (n + 1,), and rates of collapse there, (m, n) [1/year].
 
     Over an interval (a, b) it is ∫ F |dλ| = λ(a)F(a) − λ(b)F(b) + ∫ λ dF, for m fragilities of θ
-    and β; ∞ or 0 for a median of 0 or ∞. Edges are the hazard's intensities and `inner`, ascending,
-    between 0 and ∞.
+    and β; ∞ or 0 for a median of 0 or ∞. Edges are 0, the hazard's intensities and ∞.
     """
     theta = np.atleast_1d(np.asarray(median, float))[:, None]
     beta = np.atleast_1d(np.asarray(dispersion, float))[:, None]
-    points = np.unique(np.concatenate([hazard.intensity, np.asarray(inner, float)]))
-    edges = np.concatenate([[0.0], points, [np.inf]])
+    edges = np.concatenate([[0.0], hazard.intensity, [np.inf]])
     with np.errstate(divide="ignore", invalid="ignore"):
         log_k0, k = _pieces(hazard, edges)
         z = np.log(edges[None, :] / theta) / beta
         low, high = z[:, :-1] + k * beta, z[:, 1:] + k * beta
         density = np.exp(log_k0 - k * np.log(theta) + 0.5 * (k * beta) ** 2 + log_mass(low, high))
-        at = hazard.rate(points) * ndtr(z[:, 1:-1])
+        at = hazard.rate(hazard.intensity) * ndtr(z[:, 1:-1])
     at = np.pad(at, ((0, 0), (1, 1)))  # λF vanishes at 0 and at ∞
     rate = np.nan_to_num(at[:, :-1] - at[:, 1:] + density, nan=0.0)
     rate[np.isinf(theta[:, 0])] = 0.0

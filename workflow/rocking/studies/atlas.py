@@ -60,12 +60,6 @@ def design(settings):
     return pd.DataFrame(columns)
 
 
-def mass_kg(row):
-    """Mass of a façade of the design [kg]: ρ h b w."""
-    b = row["height_m"] / row["slenderness"]
-    return row["density_kg_m3"] * row["height_m"] * b * row["width_m"]
-
-
 def facade(case, row, changes=None, law=LAW_FILE):
     """Case of a façade of the design: its return walls are as thick as itself.
 
@@ -73,6 +67,7 @@ def facade(case, row, changes=None, law=LAW_FILE):
     values by dotted key, as of another base.
     """
     b = row["height_m"] / row["slenderness"]
+    mass_kg = row["density_kg_m3"] * row["height_m"] * b * row["width_m"]
     varied = case.varied(
         {
             "facade.height_m": float(row["height_m"]),
@@ -84,7 +79,7 @@ def facade(case, row, changes=None, law=LAW_FILE):
             "return_wall.friction_deg": float(row["friction_deg"]),
             "return_wall.thickness_m": float(b),
             "return_wall.count": WALLS,
-            "return_wall.building_mass_kg": float(row["mass_ratio"] * mass_kg(row)),
+            "return_wall.building_mass_kg": float(row["mass_ratio"] * mass_kg),
             "smdof.period_s": float(row["period_s"]),
             "smdof.n_dof": int(row["storeys"]),
             **(changes or {}),

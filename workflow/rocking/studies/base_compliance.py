@@ -59,7 +59,6 @@ def stack_name(courses, growth=1.0):
 
 STACK, CHOICE = stack_name(*WALL), stack_name(*CHOSEN)
 HALF = f"{CHOICE}, half the step"
-IN_HALF = {"facade": HALF}
 
 
 def variants():
@@ -135,7 +134,8 @@ def of_wall(name, case, motion, direction):
     rows = collapses([case], motion, [direction], costed, variants())
     chosen = next(variant for variant in variants() if variant.name == CHOICE)
     half = partial(costed, step=0.5 * COURSES_STEP)
-    rows += collapses([case], motion, [direction], half, [replace(chosen, about=IN_HALF)])
+    alike = replace(chosen, about={"facade": HALF})
+    rows += collapses([case], motion, [direction], half, [alike])
     return over_first(pd.DataFrame(rows).assign(wall=name).reindex(columns=COLUMNS))
 
 

@@ -14,6 +14,7 @@ than may of all, or none of so many that the interval's upper end is within what
 
 import math
 import time
+from functools import partial
 
 import numpy as np
 import pandas as pd
@@ -175,38 +176,42 @@ def search(case, motion, direction, settings, kept=None, say=lambda text: None):
         low, high = (band.low, band.high) if band else (np.nan, np.nan)
         return height, force, fell, n, fell / n if n else np.nan, low, high
 
-    def lost(row):
-        return not row[-2] <= settings["probability"]
-
     bare = tried(heights[0], none)
     rows: list[tuple] = []
     through: list[int] = []  # histories of each height
     for number, height in enumerate(heights, 1):
         say(f"height {number} of {len(heights)}: {height:.2f} m")
-        rows.append((height, *bare[1:]))
-        own: dict[int, tuple] = {}
-        sure, end = len(forces), -1  # all above is certain to hold; this certainly does not
-        for k in range(len(forces) - 1, -1, -STRIDE):
-            own[k] = tried(height, forces[k])
-            if lost(own[k]):
-                end = k
-                break
-        for k, row in own.items():
-            if not row[-1] <= settings["probability"]:
-                break
-            sure = k
-        for k in range(sure - 1, end, -1):
-            if k not in own:
-                own[k] = tried(height, forces[k])
-            if lost(own[k]):
-                break
-        rows += own.values()
-        through.append(sum(row[3] for row in own.values()))
+        own = down(partial(tried, height), forces, settings["probability"])
+        rows += [(height, *bare[1:]), *own]
+        through.append(sum(row[3] for row in own))
         if number < len(heights) and len(taken) > 1:
             seconds, histories = map(sum, zip(*taken[1:], strict=True))
             say(forecast_of_heights(through, len(heights) - number, seconds / max(histories, 1)))
     names = ["height_m", "force_kn", "fell", "realisations", "probability", "low", "high"]
     return pd.DataFrame(rows, columns=names).sort_values(names[:2], ignore_index=True)
+
+
+def down(tried, forces, probability):
+    """Rows of one height, see `search`; `tried` says what is found of a force, its band last."""
+    own: dict[int, tuple] = {}
+
+    def lost(k):
+        """Whether a tie certainly does not hold."""
+        if k not in own:
+            own[k] = tried(forces[k])
+        return not own[k][-2] <= probability
+
+    coarse = range(len(forces) - 1, -1, -STRIDE)
+    end = next((k for k in coarse if lost(k)), -1)
+    sure = len(forces)  # all from here on are certain to hold
+    for k, row in own.items():
+        if not row[-1] <= probability:
+            break
+        sure = k
+    for k in range(sure - 1, end, -1):
+        if lost(k):
+            break
+    return list(own.values())
 
 
 def least(table, probability):

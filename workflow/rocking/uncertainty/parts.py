@@ -109,12 +109,18 @@ def table_of_parts(y, numerical, confidence):
         whole = found.sum()
         return np.concatenate([found, [whole], found / whole, [1.0]])
 
-    columns: dict = {"part": [*PARTS, "total"]}
     ends = [np.maximum(v, 0.0).reshape(2, -1) for v in interval(variances, y.shape, confidence)]
-    for k, name in enumerate(("beta", "share")):
-        for ending, values in zip(("", "_low", "_high"), ends, strict=True):
-            columns[name + ending] = np.minimum(values[1], 1.0) if k else np.sqrt(values[0])
-    return pd.DataFrame(columns)
+    ends = [(np.sqrt(variance), np.minimum(share, 1.0)) for variance, share in ends]
+    return pd.DataFrame({"part": [*PARTS, "total"], **_with_ends(("beta", "share"), ends)})
+
+
+def _with_ends(names, ends):
+    """Columns of values and of the ends of their intervals (`interval`), by name."""
+    return {
+        name + ending: values[k]
+        for k, name in enumerate(names)
+        for ending, values in zip(("", "_low", "_high"), ends, strict=True)
+    }
 
 
 def first_order(scores, y):
@@ -145,9 +151,5 @@ def sensitivities(scores, y, confidence):
     def both(motions, points):
         return np.stack(first_order(scores[points], y[np.ix_(motions, points)])[:2])
 
-    columns = {}
-    ends = interval(both, y.shape, confidence)
-    for k, name in enumerate(("slope", "index")):
-        for ending, values in zip(("", "_low", "_high"), ends, strict=True):
-            columns[name + ending] = values[k]
+    columns = _with_ends(("slope", "index"), interval(both, y.shape, confidence))
     return pd.DataFrame(columns).assign(r_squared=first_order(scores, y)[2])

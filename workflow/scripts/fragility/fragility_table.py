@@ -43,9 +43,7 @@ def main(job):
     write_table(fits, job.output.fragility, fragility_tables.FITS)
     write_table(efficiency, job.output.measures, fragility_tables.EFFICIENCY)
     write_table(with_shares(fitted, curves, dense, factors), job.output.curves, CURVES)
-    write_table(
-        [dict(zip(FACTORS, row, strict=True)) for row in known], job.output.factors, FACTORS
-    )
+    write_table(known, job.output.factors, FACTORS)
 
 
 def with_shares(fitted, curves, dense, factors):
