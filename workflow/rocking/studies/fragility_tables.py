@@ -11,10 +11,8 @@ from rocking.studies import sufficiency
 
 POINTS = 121
 REACH = 3.5  # dispersions either side of the median
-SHARE, FIRST = (
-    "share",
-    "first",
-)  # readings of a curve: the share that falls at x, its first crossing
+# readings of a curve: the share that falls at x, its first crossing
+SHARE, FIRST = "share", "first"
 BRACKETS = [*probability.KEY, "station", "im", "reading", "low", "high", "weight"]
 FITS = ["model", "im", "median", "dispersion", "ci_low", "ci_high"]
 FITS += ["n", "n_censored", "n_records", "n_stations", "median_first", "dispersion_first", "remark"]

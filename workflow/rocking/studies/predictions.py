@@ -131,13 +131,12 @@ def _planar_rows(variant, case, runs, motions, drawn):
         rows.append(_row(*about, values[0], members, fell, band))
     whole, ground, spans = one_after_another([motion[:2] for motion in motions])
     still = {**numerics, "quiet_ratio": 0.0}
-    fallen, parts = np.zeros(len(runs)), []
+    parts: list = []
     sequences = [1.0, *drawn[0, : drawn.shape[1] // 2]] if main else [1.0]
     for factor in sequences:
         d = history(plane, Motions(whole, ground), still, factor, step_s=step, sample_s=2e-3)
-        one = 1e3 * np.array(peaks_of_spans(d.time_s, d.d_m, spans, d.status))
-        parts.append(one)
-        fallen += ~np.isfinite(one)
+        parts.append(1e3 * np.array(peaks_of_spans(d.time_s, d.d_m, spans, d.status)))
+    fallen = np.sum(~np.isfinite(parts), axis=0)
     for place, (motion, peak, lost) in enumerate(zip(motions, parts[0], fallen, strict=True)):
         about = variant, runs.iloc[place], SEQUENCE, motion[2], "planar"
         rows.append(_row(*about, peak, len(sequences), int(lost)))

@@ -21,7 +21,7 @@ from yade_scripts.model import registry
 from yade_scripts.model.gravity import STANDARD_GRAVITY_M_S2
 
 SECTIONAL = {"sections", "facade", "numerics", "observed"}  # keys whose mappings are merged
-KINDS = ("shake_table", "free_rocking")
+KINDS = {"shake_table": ("record", "pga_g"), "free_rocking": ("height_m",)}  # columns of runs.csv
 KEYS = ("title", "source", "kind", "model", "sections", "damping", "observed", "variants")
 DAMPING = ("beta_s", "first_mode", "bounce", "law")
 UNITS = {"m/s": None, "m/s2": 1.0, "g": STANDARD_GRAVITY_M_S2}  # of motions; m/s is differentiated
@@ -41,7 +41,6 @@ class Experiment:
     `measured` has `measured_<unit>` and maybe `another_<unit>`.
     """
 
-    name: str
     specimen: dict
     runs: pd.DataFrame
     measured: pd.DataFrame
@@ -89,11 +88,8 @@ def read(folder):
             raise ConfigError(f"{path}: {key} = {specimen[key]}: expected {' or '.join(known)}")
     check_damping(path, specimen)
     tables = []
-    own = {"shake_table": ("record", "pga_g"), "free_rocking": ("height_m",)}[specimen["kind"]]
-    for name, columns in (
-        ("runs", own),
-        ("measured", (f"measured_{specimen['observed']['unit']}",)),
-    ):
+    measured = (f"measured_{specimen['observed']['unit']}",)
+    for name, columns in (("runs", KINDS[specimen["kind"]]), ("measured", measured)):
         file = next((file for file in given if file.stem == name), folder / f"{name}.csv")
         table = pd.read_csv(file, comment="#")
         absent = [column for column in ("run", *columns) if column not in table]
@@ -103,7 +99,7 @@ def read(folder):
     strangers = sorted({*tables[1]["run"]} - {*tables[0]["run"]})
     if strangers:
         raise ConfigError(f"{folder}/measured.csv: run {strangers[0]}: expected one of runs.csv")
-    return Experiment(folder.name, specimen, *tables)
+    return Experiment(specimen, *tables)
 
 
 def check_damping(path, specimen):

@@ -41,10 +41,8 @@ def curves(job, records):
             raise ValueError(f"{path}: missing column(s) {', '.join(sorted(missing))}")
         measured = Path(path).parent.parent / "benchmarks"
         for key, table in whole[whole["record"].isin(records)].groupby(probability.KEY):
-            found, cost = (
-                assumptions.from_probabilities(table, p.hazard_slope),
-                cpu_s(measured, "complete_scan", key),
-            )
+            found = assumptions.from_probabilities(table, p.hazard_slope)
+            cost = cpu_s(measured, "complete_scan", key)
             yield key, "given", found["runs"], cost, found, table
 
 

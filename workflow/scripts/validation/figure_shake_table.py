@@ -50,11 +50,9 @@ def main(job):
         part = part[part["how"] == ALONE]
         axes[-1].plot(part["run"], part["peak_mm"], marker, ls=line, c=colour, ms=3, label=variant)
     axes[-1].set_title("other readings, planar, alone", fontsize=8)
-    for axis in axes:
-        fallen = table[(table["status"] != "ok") & (table["how"] == ALONE)]
-        own = shown if axis is not axes[-1] else others
-        title = axis.get_title()
-        mine = fallen[fallen["variant"].isin([title] if title in shown else own)]
+    fallen = table[(table["status"] != "ok") & (table["how"] == ALONE)]
+    for axis, names in zip(axes, [*([variant] for variant in shown), others], strict=True):
+        mine = fallen[fallen["variant"].isin(names)]
         axis.plot(mine["run"], [1e3 * thickness(about)] * len(mine), "k*", ms=6, label="fell")
         axis.set(yscale="log", ylabel=f"{about['observed']['quantity']}\n[{experiment.unit}]")
         axis.yaxis.label.set_size(7)

@@ -16,15 +16,13 @@ def main(job):
     settings = json.loads(job.params.settings)["validation"]
     experiment = validation.read(Path(job.input.files[0]).parent)
     os.makedirs(job.output.motions, exist_ok=True)
-    rows, motions = [], []
+    folder, rows, motions = settings["motions_folder"], [], []
     for _, row in experiment.runs.iterrows():
-        where = settings["motions_folder"], job.params.table
-        time_s, ground, source = validation.motion(experiment, row, *where)
+        time_s, ground, source = validation.motion(experiment, row, folder, job.params.table)
         path = os.path.join(job.output.motions, f"{row['run']}.csv")
         write(path, time_s, ground)
         motions.append((time_s, ground))
         rows.append({**row.to_dict(), "motion": path, "source": source})
-    folder = settings["motions_folder"]
     if folder and all(row["source"] != "file" for row in rows):
         pattern = experiment.specimen["motions"]["files"]
         raise ConfigError(f"validation.motions_folder = {folder}: expected files named {pattern}")
