@@ -49,10 +49,6 @@ def _pair(capacity, first, second):
     return (both[first], both[second]) if len(both) else None
 
 
-def _named(cases):
-    return ", ".join(sorted(cases)) if len(cases) else "none"
-
-
 def _compare(found, first, second, want, strict=False):
     """Whether `first` is below ("<") or above (">") `second` in every case; text and verdict."""
     capacity, width, bound = found
@@ -72,9 +68,9 @@ def _compare(found, first, second, want, strict=False):
         return None
     text += f"as claimed in {int(good.sum())} of {len(good)}"
     if stood.any():
-        text += f" ({strong} never fell in {_named(stood.index[stood])})"
+        text += f" ({strong} never fell in {', '.join(sorted(stood.index[stood]))})"
     if not good.all():
-        text += f"; not in {_named(good.index[~good.astype(bool)])}"
+        text += f"; not in {', '.join(sorted(good.index[~good.astype(bool)]))}"
     return text, bool(good.all())
 
 
@@ -88,7 +84,6 @@ def evaluate(collapse, static_peak, agreement=None):
     capacity, peak, rows = found[0], static_peak.get("W3"), []
 
     def claim(words, paper, result, threshold=OURS):
-        """Add a statement, if the models that it is of were run."""
         if result is not None:
             rows.append(statement(words, paper, *result, threshold))
 

@@ -81,17 +81,17 @@ def fit_period(job, period_s, path=E_KEY):
 
     if path not in FITTED:
         raise ConfigError(f"fitted = {path}: expected {' or '.join(FITTED)}")
-    rows = [job["facade"]] if path == E_KEY else [job["facade"]["floors"][0]]
+    row = job["facade"] if path == E_KEY else job["facade"]["floors"][0]
     key = path.rpartition(".")[2]
 
     def excess(log_value):
-        rows[0][key] = math.exp(log_value)
+        row[key] = math.exp(log_value)
         return math.log(2.0 * math.pi / first_frequency(job) / period_s)
 
     low, high = (math.log(value) for value in FITTED[path])
     if not excess(low) > 0.0 > excess(high):
         raise ConfigError(f"first_period_s = {period_s:g}: expected one that some {path} gives (s)")
-    rows[0][key] = math.exp(brentq(excess, low, high, xtol=1e-10))
+    row[key] = math.exp(brentq(excess, low, high, xtol=1e-10))
 
 
 def bounce_frequency(job):
