@@ -118,27 +118,11 @@ def sampled(settings):
 
 
 def fragility(facades, model, measure="pga_g", base=None, known=None):
-    """Curve of a class by the formula.
+    """Curve of a class by the formula: COLUMNS.
 
-    Parameters
-    ----------
-    facades : DataFrame
-        `groups.DIMENSIONS`, and weight, if they do not count alike.
-    model, measure, base
-        As of `law.said`.
-    known : dict or None
-        Of `law.read`.
-
-    Returns
-    -------
-    dict
-        COLUMNS.
-
-    Raises
-    ------
-    OutsideError
-        In one line, where more than `OUTSIDE` of the class lies outside of the formula's limits;
-        less is left out, and counted.
+    `facades` have `groups.DIMENSIONS`, and weight if they do not count alike; else as of
+    `law.said`, `known` of `law.read`. An OutsideError of one line where more than `OUTSIDE` of the
+    class lies outside of the formula's limits; less is left out, and counted.
     """
     said, weights, outside = [], [], 0.0
     given = facades.get("weight", pd.Series(1.0, facades.index))

@@ -65,30 +65,13 @@ def total(part, found):
 
 
 def said(row, model, measure="pga_g", base=None, law=None):
-    """Median over motions of half collapse, dispersion by motion, and the formula's own error.
+    """Median over motions of half collapse, dispersion δ by motion, and the formula's own error.
 
-    Parameters
-    ----------
-    row : mapping
-        `groups.DIMENSIONS`; those that the model does not know may be None.
-    model : str
-    measure : str
-        Of `MEASURES`.
-    base : str or None
-        None: that of the atlas.
-    law : dict or None
-        Of `read`.
-
-    Returns
-    -------
-    tuple of float
-        Median [unit of the measure], δ, and the standard error of ln median by façades and
-        stations left out.
-
-    Raises
-    ------
-    OutsideError
-        In one line, outside of the atlas, or for a model, measure or base that it has not.
+    The row has `groups.DIMENSIONS`, of which those that the model does not know may be None. The
+    median is in the unit of the measure (`MEASURES`); without a base it is on the atlas's own, and
+    without a law (`read`) by that of `FILE`. The error is the standard one of ln median, by façades
+    and stations left out. An OutsideError of one line outside of the atlas, or for a model, measure
+    or base that it has not.
     """
     law = law or read()
     if model not in law["models"]:

@@ -85,7 +85,7 @@ def evaluate(collapse, static_peak, agreement=None):
 
     def claim(words, paper, result, threshold=OURS):
         if result is not None:
-            rows.append(statement(words, paper, *result, threshold))
+            rows.append(statement(words, paper, result[0], result[1], threshold))
 
     def order(first, want, second, words, paper, strict=False):
         """Add a statement that the order of two models decides."""
