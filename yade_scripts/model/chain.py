@@ -41,28 +41,20 @@ def chain_matrices(smdof, mass_kg):
     return mass, stiffness, damping
 
 
-def chain_links(stiffness, damping, masses, ground, heights_m):
-    """Links along y that have K and C, between masses and the ground (indices of blocks).
+def chain_links(smdof, mass_kg, masses, heights_m):
+    """Links along y that have K and C of `chain_matrices`, between masses (indices of blocks).
 
-    ValueError if the matrices would need a negative spring or dashpot.
+    Block 0 is the ground. ValueError if the matrices would need a negative spring or dashpot.
     """
-    links = []
-    n = len(masses)
+    _, stiffness, damping = chain_matrices(smdof, mass_kg)
     least_k, least_c = (ROUNDING * np.abs(m).max() for m in (stiffness, damping))
-    for i in range(n):
-        for j in (None, *range(i + 1, n)):
+    links = []
+    for i, mass in enumerate(masses):
+        for j in (None, *range(i + 1, len(masses))):
             k, c = (m[i].sum() if j is None else -m[i, j] for m in (stiffness, damping))
             k, c = (0.0 if abs(v) <= least else v for v, least in ((k, least_k), (c, least_c)))
             if k or c:
-                other = "ground" if j is None else f"mass {j + 1}"
-                links.append(
-                    Link(
-                        f"mass {i + 1} – {other}",
-                        masses[i],
-                        ground if j is None else masses[j],
-                        float(k),
-                        float(c),
-                        (0.0, 0.0, heights_m[i]),
-                    )
-                )
+                other, block = ("ground", 0) if j is None else (f"mass {j + 1}", masses[j])
+                name, place = f"mass {i + 1} – {other}", (0.0, 0.0, heights_m[i])
+                links.append(Link(name, mass, block, float(k), float(c), place))
     return links

@@ -108,10 +108,8 @@ def facade_scene(
     if two_components and (planar or kind.two_way or shape.hinges_m):
         raise ValueError(f"{model}: two components need a full scene, one block, driven supports")
     motions: dict = {}
-    driven, hangs = None if kind.two_way else GROUND, kind.two_way and bool(raised)
-    if raised and not kind.two_way:
-        heights = raised, building_height(facade)
-        driven = motion_of("interpolated", *heights, config["smdof"]["n_dof"], motions)
+    hangs = kind.two_way and bool(raised)
+    driven = None if kind.two_way else _base_motion(config, motions)
     blocks, nodes = [ground_block(facade, driven)], NodeList()
     walls_stand = kind.walls != "none" and facade.get("sides") != "two"
     columns = None if planar else _columns(shape.base_strips, width_nodes)
@@ -127,16 +125,14 @@ def facade_scene(
         blocks[0] = replace(blocks[0], name=UNDER)
     walls, links = [], []
     if walls_stand or hangs:
-        given = config, kind, beta_s, blocks, nodes, planar, motions, shape
-        walls, links, masses = add_return_walls(*given, stands=walls_stand)
+        walls, links, masses = add_return_walls(
+            config, kind, beta_s, blocks, nodes, planar, motions, shape, walls_stand
+        )
         if hangs:
             hang_base(config, blocks, nodes, base, masses)
     if two_components:
         blocks = [b if b.free else replace(b, motion_x=along(b.motion)) for b in blocks]
-        motions |= {
-            along(name): {along(floor): share for floor, share in mix.items()}
-            for name, mix in list(motions.items())
-        }
+        motions |= _along_the_facade(motions)
 
     pressing = level_loads(facade, shape, blocks, walls, beds)
     behind = walls, blocks, shape
@@ -145,7 +141,8 @@ def facade_scene(
     floors, springs = facade_floors(
         facade.get("floors", ()), *behind, config["smdof"]["damping_ratio"]
     )
-    floors += pressing
+    even = _even(nodes.joints, tops) if facade.get("courses") else []
+    notes = {"motions": motions, "watched": tops, "even": even}
     return Scene(
         blocks,
         nodes.joints,
@@ -153,17 +150,31 @@ def facade_scene(
         monitor=blocks[1 + len(tops)].name,
         monitor_point_m=(0.0, 0.5 * sum(shape.storeys[-1][2:]), shape.top_m),
         reference=BASE,
-        thickness_m=shape.overturning_m if not is_plain(facade) else facade["thickness_m"],
+        thickness_m=facade["thickness_m"] if is_plain(facade) else shape.overturning_m,
         links=[*links, *springs],
         ties=ties,
-        floors=floors,
+        floors=floors + pressing,
         shaking=GROUND if kind.two_way else None,
-        notes={
-            **({"motions": motions} if motions else {}),
-            **({"watched": tops} if tops else {}),
-            **({"even": _even(nodes.joints, tops)} if facade.get("courses") else {}),
-        },
+        notes={key: value for key, value in notes.items() if value},
     )
+
+
+def _base_motion(config, motions):
+    """Name of the motion of a driven base: the ground's, or further up the chain's by height."""
+    facade = config["facade"]
+    raised = facade.get("base_height_m", 0.0)
+    if not raised:
+        return GROUND
+    whole, n = building_height(facade), config["smdof"]["n_dof"]
+    return motion_of("interpolated", raised, whole, n, motions)
+
+
+def _along_the_facade(motions):
+    """Mixed motions along x that go with those out of plane, by name and weights."""
+    return {
+        along(name): {along(floor): share for floor, share in mix.items()}
+        for name, mix in motions.items()
+    }
 
 
 def _even(joints, tops):
@@ -220,7 +231,8 @@ class Beds:
         low = np.broadcast_to(protrusion_m, points.shape)
         line = np.stack([origin[0] + 0 * points, origin[1] + points * b, 0 * points - low], axis=1)
         columns = columns or self.columns
-        places, areas, gaps = over_columns(line, weights * b * standing, columns, gap_m=-low)
+        places, areas = over_columns(line, weights * b * standing, columns)
+        gaps = np.tile(-low, len(columns[0]))
         jkn = base_jkn(section) * np.tile(shares(section, weights) / weights, len(columns[0]))
         jks = section["shear_stiffness_ratio"] * jkn
         held_by = {"beta_s": self.beta_s, **bond(section), "gap_m": gaps}
@@ -240,7 +252,7 @@ class Beds:
         if load == "point":
             points, weights = np.array([0.5]), np.array([1.0])
         line = np.stack([0 * points, y0 + points * b, height_m + 0 * points], axis=1)
-        places, areas, _ = over_columns(line, weights * b * width, self.columns)
+        places, areas = over_columns(line, weights * b * width, self.columns)
         jks = (NO_SHEAR if load else section["shear_stiffness_ratio"]) * jkn
         held_by = {"beta_s": self.beta_s, **(held(0.0, 0.0, 0.0) if load else bond(section))}
         self.nodes.add_joint(name, upper, lower, places, (0, 0, 1), areas, jkn, jks, **held_by)

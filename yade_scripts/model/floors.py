@@ -44,11 +44,8 @@ def loaded(rows, shape):
 def place_of(row, shape):
     """Point of a floor on the façade: s from its inner face, or the middle of its thickness."""
     back, front = shape.faces_at(row["height_m"])
-    return (
-        0.0,
-        0.5 * (back + front) if row["arm_m"] is None else back + row["arm_m"],
-        row["height_m"],
-    )
+    y = 0.5 * (back + front) if row["arm_m"] is None else back + row["arm_m"]
+    return 0.0, y, row["height_m"]
 
 
 def is_flat(row):
@@ -94,6 +91,7 @@ def level_loads(section, shape, blocks, walls, beds):
         load, share = 1e3 * row["load_kn"], 1.0 if has_inertia(row) else LIGHT
         carrier = wall_behind(f"floors[{number}].height_m", row["height_m"], walls, blocks)
         sunk = load / (jkn * shape.thickness_m * shape.width_m) - blocks[top].displacement_m[2]
+        own = len(blocks)
         blocks.append(
             Block(
                 f"load {number}",
@@ -106,7 +104,6 @@ def level_loads(section, shape, blocks, walls, beds):
                 displacement_m=(0.0, 0.0, -sunk),
             )
         )
-        own = len(blocks) - 1
         lies = "flat" if is_flat(row) else "point"
         beds.bed(f"bearing {number}", own, top, shape.height_m, jkn, load=lies)
         if share < 1.0:
@@ -140,26 +137,21 @@ def facade_floors(rows, walls, blocks, shape, damping_ratio):
     """
     floors, links = [], []
     for number, row in enumerate(rows, 1):
-        z = row["height_m"]
+        z, name = row["height_m"], f"floor {number}"
         carrier = wall_behind(f"floors[{number}].height_m", z, walls, blocks)
         if row["mass_t"] > 0.0:
             mass, omega = 1e3 * row["mass_t"], 2.0 * math.pi / row["period_s"]
             size = (shape.width_m, blocks[carrier].size_m[1], DEPTH_M)
             place = (0.0, -0.5 * size[1], z)
-            blocks.append(Block(f"floor {number}", place, size, mass, (1.0,) * 3, free="y"))
             spring, dashpot = mass * omega**2, 2.0 * damping_ratio * mass * omega
-            own = len(blocks) - 1
-            links.append(Link(f"floor {number}", own, carrier, spring, dashpot, place))
-            carrier = own
+            links.append(Link(name, len(blocks), carrier, spring, dashpot, place))
+            carrier = len(blocks)
+            blocks.append(Block(name, place, size, mass, (1.0,) * 3, free="y"))
         load = 0.0 if is_block(row) else 1e3 * row["load_kn"]
         slides = [hold for hold in of_floor(row) if hold.kind == FRICTION or row["mass_t"]]
         capacity = sum(hold.capacity_n for hold in slides)
         if load or capacity:
-            own, place, stiffness = (
-                1 + shape.piece_at(z),
-                place_of(row, shape),
-                row["stiffness_kn_m"],
-            )
-            name = f"floor {number}"
-            floors.append(Floor(name, own, carrier, place, load, 1e3 * stiffness, capacity))
+            own, place = 1 + shape.piece_at(z), place_of(row, shape)
+            stiffness = 1e3 * row["stiffness_kn_m"]
+            floors.append(Floor(name, own, carrier, place, load, stiffness, capacity))
     return floors, links

@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from yade_scripts.model.floors import loaded
+from yade_scripts.model.gravity import GRAVITY_M_S2
 
 
 def hinge_stiffness(section, shape):
@@ -31,8 +31,8 @@ def pieces(section, shape, whole):
     parts = shape.pieces
     for k, (mass, centre, tensor, size) in enumerate(parts):
         rows = [row for row in section.get("floors", ()) if shape.piece_at(row["height_m"]) >= k]
-        above = sum(part[0] for part in parts[k:])
-        sunk += settling[k] * loaded(rows, replace(shape, mass_kg=above))[0]
+        above = GRAVITY_M_S2 * sum(part[0] for part in parts[k:])
+        sunk += settling[k] * sum([above, *(1e3 * row["load_kn"] for row in rows)])
         found.append(
             replace(
                 whole,

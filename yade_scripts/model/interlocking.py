@@ -106,11 +106,8 @@ class _Assembly:
         self.config, self.beta, self.two_way = config, beta_s, two_way
         facade, wall, w3 = config["facade"], config["return_wall"], config["w3"]
         self.h, self.b = facade["height_m"], facade["thickness_m"]
-        self.course, self.v, self.length = (
-            w3["course_height_m"],
-            w3["overlap_m"],
-            w3["brick_length_m"],
-        )
+        self.course, self.v = w3["course_height_m"], w3["overlap_m"]
+        self.length = w3["brick_length_m"]
         self.t, self.density, self.w3 = wall["thickness_m"], facade["density_kg_m3"], w3
         check(config, two_way)
         self.courses = round(self.h / self.course)
@@ -192,12 +189,10 @@ class _Assembly:
             length = self.length - self.v
             place = [(x, y, course * self.course) for y in (-self.v, -self.length)]
             name = f"{wall} half brick {course}"
-            soft = {
-                **self.bed,
-                "jkn_pa_m": 0.5 * self.bed["jkn_pa_m"],
-                "jks_pa_m": 0.5 * self.bed["jks_pa_m"],
-            }
-            self.nodes.add_joint(name, below, rear, place, DOWN, 0.5 * self.t * length, **soft)
+            half = {key: 0.5 * self.bed[key] for key in ("jkn_pa_m", "jks_pa_m")}
+            self.nodes.add_joint(
+                name, below, rear, place, DOWN, 0.5 * self.t * length, **(self.bed | half)
+            )
             self.rims[name] = ONTO_BRICK
             self._back(wall, course + 1, front, x)
 
@@ -256,8 +251,8 @@ class _Assembly:
 
     def _header(self, wall, course, x):
         """Append a header and its joint to the façade; return its index."""
-        middle = (course - 0.5) * self.course
-        rule, w3 = self.w3["header_joint"], self.w3
+        w3, middle = self.w3, (course - 0.5) * self.course
+        rule = w3["header_joint"]
         if rule == "rigid":
             return 1
         size = (self.t, self.v, self.course)

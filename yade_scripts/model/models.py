@@ -25,16 +25,9 @@ def _assembled(case):
     kind = registry.model(case["model"])
     if kind.walls == "bricks":
         return interlocking.interlocking_scene(case, case["beta_s"], two_way=kind.two_way)
-    if count := case.get("width_nodes"):
-        return facade.facade_scene(
-            case,
-            case["model"],
-            case["beta_s"],
-            planar=False,
-            width_nodes=count,
-            two_components=True,
-        )
-    return facade.facade_scene(case, case["model"], case["beta_s"])
+    count = case.get("width_nodes")
+    full = {"planar": False, "width_nodes": count, "two_components": True} if count else {}
+    return facade.facade_scene(case, case["model"], case["beta_s"], **full)
 
 
 def numerics(case):

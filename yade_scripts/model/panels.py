@@ -15,7 +15,7 @@ it. What it weighs, and its panel, is taken from them: the building's mass stays
 from dataclasses import replace
 
 from yade_scripts.model.base import base_jkn
-from yade_scripts.model.chain import chain_links, chain_matrices
+from yade_scripts.model.chain import chain_links
 from yade_scripts.model.scene import Block, box_inertia, held
 from yade_scripts.model.wall_motion import building_height, storey_of, weight_of
 
@@ -46,6 +46,12 @@ def base_block(config, ground):
     return replace(ground, free="y", mass_kg=mass)
 
 
+def _join(nodes, name, a, b, place_m, k_n_m):
+    """Join two blocks along y at one point, in tension and compression, without shear."""
+    strong = held(1e30, 0.0, 0.0)
+    nodes.add_joint(name, a, b, [place_m], OUT, 1.0, k_n_m, k_n_m, beta_s=TIE_BETA_S, **strong)
+
+
 def hang_base(config, blocks, nodes, base, masses):
     """Tie the base, block `base`, to the masses below and above it, and take its mass from them.
 
@@ -61,9 +67,8 @@ def hang_base(config, blocks, nodes, base, masses):
     middle = 0.5 * facade["thickness_m"]
 
     def join(name, a, b, z):
-        strong = held(1e30, 0.0, 0.0)
-        place = [(0.0, middle, z)]  # on the panel's axis: it turns without lifting the node
-        nodes.add_joint(name, a, b, place, OUT, 1.0, k, k, beta_s=TIE_BETA_S, **strong)
+        # on the panel's axis: it turns without lifting the node
+        _join(nodes, name, a, b, (0.0, middle, z), k)
 
     def lighten(index, mass):
         if index:
@@ -131,11 +136,7 @@ class Hanging:
         return len(self.blocks) - 1
 
     def _join(self, name, a, b, place):
-        """Join two blocks along y at one point, in tension and compression, without shear."""
-        k = self.walls * TIE_N_M
-        self.nodes.add_joint(
-            name, a, b, [place], OUT, 1.0, k, k, beta_s=TIE_BETA_S, **held(1e30, 0.0, 0.0)
-        )
+        _join(self.nodes, name, a, b, place, self.walls * TIE_N_M)
 
     def hang(self, index, x_m):
         """Tie a piece of wall to what carries it, at the height of its centroid."""
@@ -158,5 +159,4 @@ class Hanging:
             )
         for i in self.masses:
             self.blocks[i] = replace(self.blocks[i], mass_kg=(self.total - carried) / self.n)
-        _, stiffness, damping = chain_matrices(self.config["smdof"], self.total)
-        return chain_links(stiffness, damping, self.masses, 0, self.heights)
+        return chain_links(self.config["smdof"], self.total, self.masses, self.heights)

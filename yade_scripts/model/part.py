@@ -16,7 +16,6 @@ from yade_scripts.model.shape import shape_of
 NEAR_M = 1e-6
 LEVEL_M = 0.3  # what holds no higher above a held level belongs to it, as ties below a floor
 WHOLE = (0.0, None, None)
-KEYS = ("foot_m", "held_m", "hinge_m")
 
 
 def part_of(section, foot_m, held_m=None, hinge_m=None):
@@ -42,23 +41,22 @@ def part_of(section, foot_m, held_m=None, hinge_m=None):
     }
     if foot_m >= eaves - NEAR_M:
         return found | _above_the_walls(section, shape)
-    rows = {"ties": _rows(section["ties"], foot_m, top), "floors": []}
-    rows["floors"] = _rows(section["floors"], foot_m, top)
+    floors = _rows(section["floors"], foot_m, top)
     if held_m is not None:
         found |= {"gable_height_m": 0.0, "parapet_height_m": 0.0}
-        rows["floors"] += _load(section, shape, held_m, _place(top - foot_m))
+        floors += _load(section, shape, held_m, _place(top - foot_m))
     back, front = shape.faces_at(min(foot_m + NEAR_M, eaves))
-    steps = section["thickness_steps"]
     return found | {
         "height_m": _place(top - foot_m),
         "thickness_m": _place(front - back),
         "thickness_steps": [
             {**row, "z_m": _place(row["z_m"] - foot_m)}
-            for row in steps
+            for row in section["thickness_steps"]
             if foot_m + NEAR_M < row["z_m"] < top - NEAR_M
         ],
         "openings": _openings(section["openings"], foot_m, top),
-        **rows,
+        "ties": _rows(section["ties"], foot_m, top),
+        "floors": floors,
     }
 
 
@@ -146,21 +144,13 @@ def _load(section, shape, held_m, height_m):
         if row["height_m"] >= held_m + LEVEL_M:
             back, front = shape.faces_at(row["height_m"])
             arm = 0.5 * (front - back) if row["arm_m"] is None else row["arm_m"]
-            weight, moment = (
-                weight + 1e3 * row["load_kn"],
-                moment + 1e3 * row["load_kn"] * (back + arm),
-            )
+            weight += 1e3 * row["load_kn"]
+            moment += 1e3 * row["load_kn"] * (back + arm)
     if weight <= 1e-6:
         return []
     back, front = shape.faces_at(held_m)
-    return [
-        {
-            **dict(FLOOR),
-            "height_m": height_m,
-            "load_kn": 1e-3 * weight,
-            "arm_m": min(max(moment / weight - back, 0.0), front - back),
-        }
-    ]
+    arm = min(max(moment / weight - back, 0.0), front - back)
+    return [FLOOR | {"height_m": height_m, "load_kn": 1e-3 * weight, "arm_m": arm}]
 
 
 FLOOR = {  # a dead load that nothing holds

@@ -9,38 +9,22 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Model:
-    """One boundary condition.
+    """One boundary condition."""
 
-    Attributes
-    ----------
-    name : str
-        Word of the vocabulary, used in the configuration, in file names and in legends.
-    walls : str
-        Return walls: "none"; "one" block up the height, with the motion of the base; "floors", a
-        block for each lumped mass with that mass's motion; "bricks", an interlocking column.
-    bonded : bool
-        The joint between façade and return walls starts with cohesion and tensile strength.
-    meaning : str
-        In words, for pages and legends.
-    colour, marker : str
-        In figures.
-    static : str
-        Line of its pushover curve in Figure 9; empty where the model has none of its own.
-    two_way : bool
-        The return walls carry the masses of the chain, joined by its springs and dashpots, and
-        feel the façade (two-way coupling); otherwise their motion is prescribed (one-way).
-    cost : float
-        Time of a run in YADE over that of W1; two-way models count as their one-way ones.
-    """
-
-    name: str
+    name: str  #: word of the vocabulary, used in the configuration, in file names and in legends
+    #: return walls are "none"; "one" block up the height, with the motion of the base; "floors", a
+    #: block for each lumped mass with that mass's motion; or "bricks", an interlocking column
     walls: str
+    #: the joint between façade and return walls starts with cohesion and tensile strength
     bonded: bool = False
-    meaning: str = ""
-    colour: str = "0.4"
-    marker: str = "o"
-    static: str = ""
+    meaning: str = ""  #: in words, for pages and legends
+    colour: str = "0.4"  #: in figures
+    marker: str = "o"  #: in figures
+    static: str = ""  #: line of its pushover curve in Figure 9; empty where it has none of its own
+    #: the return walls carry the masses of the chain, joined by its springs and dashpots, and feel
+    #: the façade (two-way coupling); otherwise their motion is prescribed (one-way)
     two_way: bool = False
+    #: time of a run in YADE over that of W1; two-way models count as their one-way ones
     cost: float = 1.0
 
     @property
@@ -84,7 +68,7 @@ class Model:
 
     @property
     def climb_ratio(self):
-        """From one amplitude of a short climb to the next: floors make narrower ranges."""
+        """From one amplitude of a short climb to the next; floors make narrower ranges."""
         return 1.03 if self.walls == "floors" else 1.12
 
     @property
@@ -101,7 +85,7 @@ class Model:
 
     @property
     def plain(self):
-        """Name of the one-way coupled, dry model with the same walls: its convergence is theirs."""
+        """Name of the one-way coupled, dry model with these walls, whose convergence is theirs."""
         same = (m for m in MODELS.values() if m.walls == self.walls)
         return next(m.name for m in same if not (m.bonded or m.two_way))
 
@@ -148,13 +132,7 @@ def cost(name):
 
 
 def model(name):
-    """Return the model called `name`.
-
-    Raises
-    ------
-    ValueError
-        One line that names the known models.
-    """
+    """Return the model called `name`; a ValueError of one line names the known models."""
     if not isinstance(name, str) or name not in MODELS:
         raise ValueError(f"unknown façade model '{name}': expected one of {', '.join(MODELS)}")
     return MODELS[name]

@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from yade_scripts.model.chain import chain_links, chain_matrices
+from yade_scripts.model.chain import chain_links
 from yade_scripts.model.panels import Hanging, building_mass, mass_heights
 from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
 from yade_scripts.model.scene import Block, held
@@ -82,12 +82,12 @@ def _contact(parts, tall_m, total_m, nodes_up, planar):
         points, weights = gauss_lobatto(count)
         line = np.stack([0 * points, y + 0 * points, foot + points * length], axis=1)
         columns = MIDDLE if planar else _middles(strips)
-        places, areas, _ = over_columns(line, weights * length * (total_m - lost), columns)
+        places, areas = over_columns(line, weights * length * (total_m - lost), columns)
         found.append((foot + 0.5 * length, places, areas))
     return found
 
 
-def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape, stands=True):
+def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape, stands):
     """Append return walls and their joints with the façade, and the chain that carries them.
 
     Block 0 is the base, those after it are the façade's, as `shape` numbers its pieces. To
@@ -97,29 +97,30 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
     Returned are indices of the walls' blocks, links between the masses, and indices of the masses
     from the lowest up; the last two empty where the chain is no part of the scene.
     """
-    facade, wall, numerics = config["facade"], config["return_wall"], config["numerics"]
+    facade, wall = config["facade"], config["return_wall"]
     h, raised = facade["height_m"], facade.get("base_height_m", 0.0)
     whole = building_height(facade)
     total = wall["count"] * wall["thickness_m"]
     masses = config["smdof"]["n_dof"] if kind.chain else 1
     parts = PARTS if kind.chain and wall["motion"] == "interpolated" else 1
     count = masses * parts
-    cut = numerics[kind.nodes_up]
-    nodes_up = 1 + math.ceil((cut - 1) / parts) if parts > 1 else cut, cut
+    cut = config["numerics"][kind.nodes_up]
+    nodes_up = 1 + math.ceil((cut - 1) / parts), cut
     apart = kind.two_way and wall["motion"] != "top"  # else each block is a mass of the chain
     hanging = Hanging(config, blocks, nodes, wall["count"], PIECE_M) if apart else None
     jkn, strips = back_jkn(config), wall_strips(facade["width_m"], wall)
-    mass, motion, own = 1.0, None, []
-    chain: dict[int, int] = {}  # block of each mass, by its number
-    if kind.two_way:
-        light = facade["density_kg_m3"] * total * PIECE_M * whole / count
-        mass = light if hanging else building_mass(config) / count
+    mass = 1.0
+    if hanging:
+        mass = facade["density_kg_m3"] * total * PIECE_M * whole / count
+    elif kind.two_way:
+        mass = building_mass(config) / count
+    walls: dict[int, int] = {}  # blocks by number
     for number, low, tall in _spans(count, facade, kind.chain) if stands else ():
         middle = low + 0.5 * tall
-        if not kind.two_way:
-            motion = blocks[0].motion
+        motion = None if kind.two_way else blocks[0].motion
         if kind.chain and not kind.two_way:
             motion = motion_of(wall["motion"], raised + middle, whole, masses, motions)
+        own = walls[number] = len(blocks)
         blocks.append(
             Block(
                 f"{WALL} {number}",
@@ -131,16 +132,14 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
                 motion=motion,
             )
         )
-        own.append(len(blocks) - 1)
-        chain[number] = own[-1]
         if hanging:
-            hanging.hang(own[-1], 0.0)
+            hanging.hang(own, 0.0)
         contact = _contact(shape.back_parts(low, tall, strips), tall, total, nodes_up, planar)
         for part, (at_m, places, areas) in enumerate(contact, 1):
             nodes.add_joint(
-                blocks[-1].name if len(contact) == 1 else f"{blocks[-1].name} part {part}",
+                blocks[own].name if len(contact) == 1 else f"{blocks[own].name} part {part}",
                 1 + shape.piece_at(at_m),
-                own[-1],
+                own,
                 places,
                 (0, 1, 0),
                 areas,
@@ -150,18 +149,23 @@ def add_return_walls(config, kind, beta_s, blocks, nodes, planar, motions, shape
                 gap_m=facade["gap_m"],
                 **back_strength(wall, kind.bonded),
             )
+    behind = list(walls.values())
     if hanging:
-        return own, hanging.finish(own), hanging.masses
+        return behind, hanging.finish(behind), hanging.masses
     if not kind.two_way:
-        return own, [], []
-    size, heights = (total, PIECE_M, 0.1), mass_heights(config)
+        return behind, [], []
+    return behind, *_chain_of(walls, config, blocks, mass, (total, PIECE_M, 0.1))
+
+
+def _chain_of(walls, config, blocks, mass_kg, size_m):
+    """Links and masses of a chain, each the block of its number; without a wall it gets its own."""
+    heights = mass_heights(config)
     for number, z in enumerate(heights, 1):
-        if number not in chain:
-            place = (0.0, -2.0 * PIECE_M, z)
-            blocks.append(Block(f"mass {number}", place, size, mass, (1.0,) * 3, free="y"))
-            chain[number] = len(blocks) - 1
+        if number in walls:
+            heights[number - 1] = blocks[walls[number]].centre_m[2]
         else:
-            heights[number - 1] = blocks[chain[number]].centre_m[2]
-    found = [chain[number] for number in sorted(chain)]
-    _, stiffness, damping = chain_matrices(config["smdof"], building_mass(config))
-    return own, chain_links(stiffness, damping, found, 0, heights), found
+            place = (0.0, -2.0 * PIECE_M, z)
+            walls[number] = len(blocks)
+            blocks.append(Block(f"mass {number}", place, size_m, mass_kg, (1.0,) * 3, free="y"))
+    masses = [walls[number] for number in sorted(walls)]
+    return chain_links(config["smdof"], building_mass(config), masses, heights), masses

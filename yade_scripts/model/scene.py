@@ -31,58 +31,28 @@ DOFS = "xyzXYZ"  # translations, then rotations about the same axes (YADE's lett
 
 @dataclass(frozen=True)
 class Block:
-    """One rigid block: its reference geometry, inertia, freedoms and drive.
+    """One rigid block: its reference geometry, inertia, freedoms and drive."""
 
-    Parameters
-    ----------
-    name : str
-        Unique name within the scene.
-    centre_m : tuple of 3 floats
-        Centroid in the reference position, where nodes are placed and gaps measured.
-    size_m : tuple of 3 floats
-        Edge lengths along x, y, z.
-    mass_kg : float
-        Mass; of the part that is modelled (half, in a half model).
-    inertia_kg_m2 : tuple of 3 floats
-        Principal moments about the centroid along x, y, z.
-    free : str
-        The free degrees of freedom, letters of "xyzXYZ" (capital: rotation). A
-        block without free degrees is a support.
-    motion : str or None
-        Name of the motion that drives a support along y; None keeps it at rest.
-    motion_x : str or None
-        Name of the motion that drives it along x.
-    displacement_m, rotation_rad : tuple of 3 floats
-        Initial pose relative to the reference: translation of the centroid and
-        rotation vector about it.
-    velocity_m_s : tuple of 3 floats
-        Initial velocity of the centroid.
-    angular_velocity_rad_s : tuple of 3 floats
-        Initial angular velocity.
-    weightless : bool
-        Inertia without weight: a part whose joints are linear, so that its dead load only
-        adds a static answer.
-    drag_1_s : float
-        Mass-proportional damping: a force −rate·m·v on the centroid, v relative to the frame.
-    lever_m : tuple of 2 floats or None
-        From the centroid out (y) and down (z) to the edge it rocks about; None: half its edges.
-    """
-
-    name: str
-    centre_m: tuple
-    size_m: tuple
-    mass_kg: float
-    inertia_kg_m2: tuple
+    name: str  #: unique within the scene
+    centre_m: tuple  #: centroid in the reference position, where nodes and gaps are measured
+    size_m: tuple  #: edge lengths along x, y, z
+    mass_kg: float  #: of the part that is modelled (half, in a half model)
+    inertia_kg_m2: tuple  #: principal moments about the centroid along x, y, z
+    #: free degrees of freedom, letters of "xyzXYZ" (rotations in capitals); a support has none
     free: str = DOFS
-    motion: str | None = None
-    displacement_m: tuple = (0.0, 0.0, 0.0)
-    rotation_rad: tuple = (0.0, 0.0, 0.0)
-    velocity_m_s: tuple = (0.0, 0.0, 0.0)
-    angular_velocity_rad_s: tuple = (0.0, 0.0, 0.0)
+    motion: str | None = None  #: name of the motion that drives a support along y, if any
+    displacement_m: tuple = (0.0, 0.0, 0.0)  #: initial, of the centroid from the reference
+    rotation_rad: tuple = (0.0, 0.0, 0.0)  #: initial rotation vector about the centroid
+    velocity_m_s: tuple = (0.0, 0.0, 0.0)  #: initial, of the centroid
+    angular_velocity_rad_s: tuple = (0.0, 0.0, 0.0)  #: initial
+    #: inertia without weight, of a part whose joints are linear, so that its dead load only adds a
+    #: static answer
     weightless: bool = False
+    #: mass-proportional damping, a force −rate·m·v on the centroid, v relative to the frame
     drag_1_s: float = 0.0
+    #: from the centroid out (y) and down (z) to the edge it rocks about; half its edges if None
     lever_m: tuple | None = None
-    motion_x: str | None = None
+    motion_x: str | None = None  #: name of the motion that drives it along x, if any
 
     @property
     def drives(self):
@@ -156,54 +126,32 @@ class Nodes:
 
 @dataclass
 class Scene:
-    """Blocks, contact nodes and what the run needs to know about them.
+    """Blocks, contact nodes and what the run needs to know about them."""
 
-    Parameters
-    ----------
-    blocks : list of Block
-    joints : list of str
-        Names of the joints, for reports ("base", "return wall 2", …).
-    nodes : Nodes
-    gravity_m_s2 : float
-        Downward acceleration.
-    monitor : str
-        Name of the block whose top displacement is d.
-    monitor_point_m : tuple of 3 floats
-        The point of that block, in the reference position, that moves by d.
-    reference : str
-        Name of the support, or of the block that masses carry, from which d is measured.
-    thickness_m : float
-        b of d/b.
-    links : list of Link
-    ties : list of Tie
-    floors : list of Floor
-    shaking : str or None
-        Name of the ground motion in whose frame the scene is described: supports without
-        motion of their own stand still and every free block feels −m·a_g along y. None:
-        an inertial frame.
-    vertical : str or None
-        Name of the vertical motion that supports and ground share. The scene is described in the
-        frame that moves with it: nothing prescribed moves along z, and every block that is free
-        along z feels −m·a_z. Exactly the same, since all that is prescribed moves together.
-    notes : dict
-        What some scenes say beside: "motions", weights of floor motions by name (see
-        `floor_motions`); "watched", see below; "rims", "debris" and "partial", where contact ends
-        (see `engine.faces`); "critical_step_s", where it is known; facts for tables.
-    """
-
-    blocks: list
-    joints: list
+    blocks: list  #: of `Block`
+    joints: list  #: names of the joints, for reports ("base", "return wall 2", …)
     nodes: Nodes
-    monitor: str
+    monitor: str  #: name of the block whose top displacement is d
+    #: the point of that block, in the reference position, that moves by d
     monitor_point_m: tuple
+    #: name of the support, or of the block that masses carry, from which d is measured
     reference: str
-    thickness_m: float
-    gravity_m_s2: float = GRAVITY_M_S2
-    links: list = field(default_factory=list)
-    ties: list = field(default_factory=list)
-    floors: list = field(default_factory=list)
+    thickness_m: float  #: b of d/b
+    gravity_m_s2: float = GRAVITY_M_S2  #: downward acceleration
+    links: list = field(default_factory=list)  #: of `bars.Link`
+    ties: list = field(default_factory=list)  #: of `bars.Tie`
+    floors: list = field(default_factory=list)  #: of `bars.Floor`
+    #: name of the ground motion in whose frame the scene is described, where supports without
+    #: motion of their own stand still and every free block feels −m·a_g along y; None: an inertial
+    #: frame
     shaking: str | None = None
+    #: name of the vertical motion that supports and ground share. The scene is described in the
+    #: frame that moves with it: nothing prescribed moves along z, and every block that is free
+    #: along z feels −m·a_z. Exactly the same, since all that is prescribed moves together
     vertical: str | None = None
+    #: what some scenes say beside. "motions" are weights of floor motions by name (see
+    #: `floor_motions`); "watched", see below; "rims", "debris" and "partial", where contact ends
+    #: (see `engine.faces`); "critical_step_s", where it is known; facts for tables
     notes: dict = field(default_factory=dict)
 
     def index(self, name):
@@ -215,7 +163,7 @@ class Scene:
 
     @property
     def watched(self):
-        """Blocks and points of which the farthest moves by d: (name, point) of each.
+        """Blocks and points of which the farthest moves by d, (name, point) of each.
 
         They are the monitored one and the tops of pieces below it, in the note "watched".
         """
@@ -248,17 +196,25 @@ def held(tension_pa, cohesion_pa, friction_rad):
     kind = BOND if tension_pa > 0.0 or cohesion_pa > 0.0 else DRY
     if kind == BOND and cohesion_pa == 0.0 and friction_rad == 0.0:
         kind = TIE
-    strengths = {"tension_pa": tension_pa, "cohesion_pa": cohesion_pa}
-    return {"kind": kind, "friction_rad": friction_rad, **strengths}
+    return {
+        "kind": kind,
+        "friction_rad": friction_rad,
+        "tension_pa": tension_pa,
+        "cohesion_pa": cohesion_pa,
+    }
+
+
+INTEGERS, VECTORS = ("a", "b", "joint", "kind"), ("position_m", "normal")  # columns of nodes
 
 
 class NodeList:
     """Collects the nodes of a scene joint by joint; `done()` gives the columns."""
 
-    def __init__(self, drag=1.0):
-        """Start without joints; `drag` is that of all nodes."""
-        self.joints, self.drag = [], drag
-        self._rows: dict[str, list] = {own.name: [] for own in fields(Nodes)}
+    def __init__(self, drag=1.0, scene=None):
+        """Start without joints, or after those of a scene; `drag` is that of all new nodes."""
+        self.joints, self.drag = [*scene.joints] if scene else [], drag
+        none = {own.name: np.empty((0, 3) if own.name in VECTORS else 0) for own in fields(Nodes)}
+        self._rows = {k: [v] for k, v in (vars(scene.nodes) if scene else none).items()}
 
     def add_joint(
         self,
@@ -278,27 +234,11 @@ class NodeList:
         tension_pa=0.0,
         cohesion_pa=0.0,
     ):
-        """Add the nodes of one joint.
+        """Add the nodes of one joint, carried by block `a` against block `b` (their indices).
 
-        Parameters
-        ----------
-        name : str
-            Joint name.
-        a, b : int
-            Indices of the carrying and the opposite block.
-        positions_m : array_like, shape (n, 3)
-        normal : array_like, shape (3,)
-            From b into a; normalised here.
-        areas_m2 : array_like, shape (n,)
-            Tributary areas; stiffness and strengths are per area.
-        jkn_pa_m, jks_pa_m : float
-            Joint normal and shear stiffness [Pa/m].
-        beta_s : float
-            Stiffness-proportional damping [s].
-        friction_rad, gap_m : float or array_like, shape (n,)
-        kind : int
-        tension_pa, cohesion_pa : float
-            Strengths of a bond or tie, see `held`.
+        Positions are (n, 3), the normal from b into a is normalised here. Areas are tributary, and
+        stiffness [Pa/m] and strengths (see `held`) are per area. Areas, friction and gap are one
+        value, or one a node; β is the stiffness-proportional damping.
 
         Raises
         ------
@@ -309,9 +249,7 @@ class NodeList:
         positions = np.atleast_2d(np.asarray(positions_m, float))
         count = len(positions)
         areas = np.broadcast_to(np.asarray(areas_m2, float), (count,))
-        unit = np.asarray(normal, float) / np.linalg.norm(normal)
-        checks = {"area": areas, "jkn": jkn_pa_m, "jks": jks_pa_m}
-        for label, value in checks.items():
+        for label, value in (("area", areas), ("jkn", jkn_pa_m), ("jks", jks_pa_m)):
             if not (np.all(np.isfinite(value)) and np.all(np.asarray(value) > 0.0)):
                 raise ValueError(f"joint '{name}': {label} must be positive and finite")
         if not np.all(np.isfinite(positions)):
@@ -325,6 +263,8 @@ class NodeList:
             "a": a,
             "b": b,
             "joint": len(self.joints) - 1,
+            "position_m": positions,
+            "normal": np.asarray(normal, float) / np.linalg.norm(normal),
             "area_m2": areas,
             "kn_n_m": jkn_pa_m * areas,
             "ks_n_m": jks_pa_m * areas,
@@ -337,18 +277,17 @@ class NodeList:
             "kind": kind,
         }
         for key, value in columns.items():
-            self._rows[key].append(np.broadcast_to(np.asarray(value), (count,)))
-        self._rows["position_m"].append(positions)
-        self._rows["normal"].append(np.broadcast_to(unit, (count, 3)))
+            shape = (count, 3) if key in VECTORS else (count,)
+            self._rows[key].append(np.broadcast_to(value, shape))
 
     def done(self):
         """Return the collected `Nodes`."""
-        columns = {}
-        for key, parts in self._rows.items():
-            dtype = int if key in ("a", "b", "joint", "kind") else float
-            shape = (0, 3) if key in ("position_m", "normal") else (0,)
-            columns[key] = np.concatenate(parts).astype(dtype) if parts else np.zeros(shape, dtype)
-        return Nodes(**columns)
+        return Nodes(
+            **{
+                key: np.concatenate(rows).astype(int if key in INTEGERS else float)
+                for key, rows in self._rows.items()
+            }
+        )
 
 
 def observed_at(scene, height_m):

@@ -27,9 +27,8 @@ from yade_scripts.model.intervals import without
 from yade_scripts.model.scene import box_inertia
 
 SLIVER_M = 1e-9
-FLUSH = ("outer", "inner")
 OWN_KEYS = ("thickness_steps", "openings", "gable_height_m", "parapet_height_m")
-BOX, TRIANGLE = "box", "triangle"  # outlines
+TRIANGLE = "triangle"  # outline of a gable by itself
 
 
 @dataclass(frozen=True)
@@ -139,11 +138,9 @@ class Shape:
         high = low_m + tall_m
         edges = [s[0] for s in self.storeys[1:]] + [z for row in near for z in row[2:]]
         cuts = sorted({z for z in edges if low_m + 1e-9 < z < high - 1e-9})
-        if not cuts:
-            spans = [(low_m, tall_m)]
-        else:
+        spans, found = [(low_m, tall_m)], []
+        if cuts:
             spans = [(a, b - a) for a, b in itertools.pairwise((low_m, *cuts, high))]
-        found = []
         for foot, tall in spans:
             middle = foot + 0.5 * tall
             y, _ = self.faces_at(middle)
@@ -167,14 +164,9 @@ def refuse(facade, what, held=False):
 
     With `held` also if ties, floors or a bond hold it.
     """
-    keys = (
-        *OWN_KEYS,
-        "base_height_m",
-        "building_height_m",
-        "hinges_m",
-        "courses",
-        *(("ties", "floors", "bond_tension_mpa", "bond_cohesion_mpa") if held else ()),
-    )
+    keys = [*OWN_KEYS, "base_height_m", "building_height_m", "hinges_m", "courses"]
+    if held:
+        keys += ["ties", "floors", "bond_tension_mpa", "bond_cohesion_mpa"]
     given = [key for key in keys if facade.get(key)]
     given += ["outline"] if facade.get("outline") == TRIANGLE else []
     if given:
@@ -287,7 +279,8 @@ def _storeys(facade):
     if parapet := facade.get("parapet_height_m", 0.0):
         edges.append(h + parapet)
         thick.append(facade.get("parapet_thickness_m") or thick[-1])
-    back = [b - t if facade.get("flush_face", FLUSH[0]) == FLUSH[0] else 0.0 for t in thick]
+    outer = facade.get("flush_face", "outer") == "outer"
+    back = [b - t if outer else 0.0 for t in thick]
     rows = zip(edges, edges[1:], back, thick, strict=False)
     return tuple((z0, z1, y, y + t) for z0, z1, y, t in rows)
 

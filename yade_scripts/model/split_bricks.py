@@ -69,17 +69,9 @@ def add_parts(assembly, name, x, bottom, motion, half_brick):
         parts[name].append([(-length, top), (-v, top), (-v, above), (-length, above)])
     for part, polygons in parts.items():
         mass, centre, inertia = _solid(assembly, polygons)
-        corners = np.concatenate([np.asarray(p) for p in polygons[:1]])
+        size = (assembly.t, float(np.ptp([y for y, _ in polygons[0]])), assembly.course)
         assembly.blocks.append(
-            Block(
-                part,
-                (x, *centre),
-                (assembly.t, float(np.ptp(corners[:, 0])), assembly.course),
-                mass,
-                inertia,
-                free="zX",
-                motion=motion,
-            )
+            Block(part, (x, *centre), size, mass, inertia, free="zX", motion=motion)
         )
     rear, front = len(assembly.blocks) - 2, len(assembly.blocks) - 1
     _plane(assembly, name, x, rear, front, (low, bottom), (-v, top))

@@ -20,25 +20,14 @@ from yade_scripts.model.scene import DOFS
 
 @dataclass
 class Triplets:
-    """Matrices of the free degrees of freedom, K and C as coordinate triplets.
-
-    Attributes
-    ----------
-    rows, cols : ndarray of int
-    k, c : ndarray
-        Stiffness [N/m, N, N·m] and damping entries at (rows, cols); repeated
-        positions add up.
-    mass : ndarray, shape (n_free,)
-        Diagonal mass matrix [kg, kg·m²].
-    dof : ndarray, shape (n_free, 2)
-        Block index and DOF number (0–5, order of "xyzXYZ") of each equation.
-    """
+    """Matrices of the free degrees of freedom, K and C as coordinate triplets."""
 
     rows: np.ndarray
     cols: np.ndarray
-    k: np.ndarray
-    c: np.ndarray
-    mass: np.ndarray
+    k: np.ndarray  #: stiffness [N/m, N, N·m] at (rows, cols); repeated positions add up
+    c: np.ndarray  #: damping there
+    mass: np.ndarray  #: diagonal mass matrix [kg, kg·m²], shape (n_free,)
+    #: block index and DOF number (0–5, order of "xyzXYZ") of each equation, shape (n_free, 2)
     dof: np.ndarray
 
     def dense(self):
@@ -80,13 +69,7 @@ def _relative_velocity(scene):
 
 
 def free_dofs(scene):
-    """Number the free degrees of freedom.
-
-    Returns
-    -------
-    equation : ndarray of int, shape (n_blocks, 6)
-        Equation number of each degree of freedom, −1 where it is not free.
-    """
+    """Equation number of each degree of freedom, shape (n_blocks, 6); −1 where it is not free."""
     equation = np.full((len(scene.blocks), 6), -1)
     free = np.array([[letter in b.free for letter in DOFS] for b in scene.blocks])
     equation[free] = np.arange(free.sum())
@@ -107,20 +90,9 @@ def _bars(scene):
 
 
 def assemble(scene):
-    """Assemble K, C and the diagonal M of a scene's free degrees of freedom.
+    """Assemble K, C and the diagonal M of a scene's free degrees of freedom, as `Triplets`.
 
-    Parameters
-    ----------
-    scene : Scene
-
-    Returns
-    -------
-    Triplets
-
-    Raises
-    ------
-    ValueError
-        If a free block has no positive mass or inertia, or nothing is free.
+    ValueError if a free block has no positive mass or inertia, or nothing is free.
     """
     equation = free_dofs(scene)
     if equation.max() < 0:
@@ -164,15 +136,8 @@ def assemble(scene):
 def modes(scene):
     """Circular frequencies and mass-normalised modes of a small scene, every contact closed.
 
-    Solves K φ = ω² M φ densely; for large scenes use the triplets with a sparse
-    solver.
-
-    Returns
-    -------
-    omega : ndarray, shape (n_free,)
-        Ascending [rad/s].
-    phi : ndarray, shape (n_free, n_free)
-        Columns are modes, φᵀMφ = I.
+    Solves K φ = ω² M φ densely; for large scenes use the triplets with a sparse solver. Frequencies
+    ascend [rad/s], shape (n_free,); columns of the second, (n_free, n_free), are modes, φᵀMφ = I.
     """
     matrices = assemble(scene)
     k, _ = matrices.dense()
@@ -182,19 +147,15 @@ def modes(scene):
 
 
 def critical_step(scene):
-    """Largest stable step of the leapfrog scheme with a lagged viscous force [s].
+    """Largest stable step Δt_crit of the leapfrog scheme with a lagged viscous force [s].
 
-    Central differences with the damping force taken from the previous
-    half step, u₍ₙ₊₁₎ = 2uₙ − u₍ₙ₋₁₎ − Δt²M⁻¹Kuₙ − ΔtM⁻¹C(uₙ − u₍ₙ₋₁₎), are stable
-    while Δt² λ(K) + 2Δt λ(C) ≤ 4 in every mode. With C = βK that is
-    Δt_crit = (2/ω)(√(1 + ζ²) − ζ), ζ = βω/2, at the largest ω. Where β differs
-    from node to node the modes do not uncouple; the limit is then the largest
-    Δt at which 4M − Δt²K − 2ΔtC stays positive semidefinite, found by bisection.
-
-    Returns
-    -------
-    float
-        Δt_crit; every contact is taken as closed, so opening only helps.
+    Every contact is taken as closed, so opening only helps. Central differences with the damping
+    force taken from the previous half step,
+    u₍ₙ₊₁₎ = 2uₙ − u₍ₙ₋₁₎ − Δt²M⁻¹Kuₙ − ΔtM⁻¹C(uₙ − u₍ₙ₋₁₎), are stable while
+    Δt² λ(K) + 2Δt λ(C) ≤ 4 in every mode. With C = βK that is Δt_crit = (2/ω)(√(1 + ζ²) − ζ),
+    ζ = βω/2, at the largest ω. Where β differs from node to node the modes do not uncouple; the
+    limit is then the largest Δt at which 4M − Δt²K − 2ΔtC stays positive semidefinite, found by
+    bisection.
     """
     matrices = assemble(scene)
     k, c = matrices.dense()
@@ -228,11 +189,8 @@ def lag_factors(scene, dt_s):
     where the wall moves too, with the inertia of both in series. The correction vanishes with
     the step; the critical step is that of the scene as given.
 
-    Returns
-    -------
-    ndarray, shape (n_nodes,)
-        1 for base and hinges, for scenes with other free blocks (masses of links apart) and
-        without damping.
+    The factors, shape (n_nodes,), are 1 for base and hinges, for scenes with other free blocks
+    (masses of links apart) and without damping.
     """
     nodes = scene.nodes
     factors = np.ones(len(nodes))

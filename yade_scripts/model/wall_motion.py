@@ -14,7 +14,6 @@ same weights.
 
 from yade_scripts.model.floor_motions import GROUND
 
-RULES = ("top", "middle", "interpolated")
 PARTS = 5  # of a storey's block, each at its own height: a course of W3 by default
 
 
@@ -39,10 +38,11 @@ def weight_of(rule, height_ratio, n):
 
     ValueError for an unknown rule.
     """
-    if rule not in RULES:
-        raise ValueError(f"return_wall.motion = '{rule}': expected {', '.join(RULES)}")
     place = height_ratio * n - storey_of(height_ratio, n)
-    return {"top": 1.0, "middle": 0.5, "interpolated": place}[rule]
+    weights = {"top": 1.0, "middle": 0.5, "interpolated": place}
+    if rule not in weights:
+        raise ValueError(f"return_wall.motion = '{rule}': expected {', '.join(weights)}")
+    return weights[rule]
 
 
 def motion_of(rule, height_m, building_height_m, n, motions):

@@ -22,8 +22,7 @@ def chain_scene(smdof):
     heights = np.arange(1.0, n + 1)
     for z in heights:
         blocks.append(Block(f"mass {z:g}", (0, 0, z), (1, 1, 1), MASS_KG / n, (1, 1, 1), free="y"))
-    _, k, c = chain_matrices(smdof, MASS_KG)
-    links = chain_links(k, c, range(1, n + 1), 0, heights)
+    links = chain_links(smdof, MASS_KG, range(1, n + 1), heights)
     return Scene(blocks, [], NodeList().done(), "mass 1", (0, 0, 1), "ground", 1.0, links=links)
 
 

@@ -314,6 +314,15 @@ def opening(name="gap", x=1.0, width=0.5, sill=0.6, height=0.6):
             },
             ["'up'", "'south'"],
         ),
+        ({"name": "test", "walls": 9}, ["walls must be a list", "9"]),
+        (mapping(openings=True), ["'north'", "openings must be a list", "True"]),
+        (
+            {
+                **mapping(),
+                "floors": [{"name": "up", "level_m": 2, "walls": None, "extent_m": [0, 3]}],
+            },
+            ["'up'", "walls must name the two walls"],
+        ),
     ],
 )
 def test_bad_plans_are_refused_by_name(data, words):

@@ -61,47 +61,23 @@ def build(
     """
     brick = brick or Brick()
     joints = joints or Joints()
-    if not (density_kg_m3 > 0.0 and timber_density_kg_m3 > 0.0):
-        raise PlanError("densities must be positive")
     bricks = lay(plan, brick.coarsened(coarsening))
-    boxes = [floor_boxes(plan, floor, timber_density_kg_m3) for floor in plan.floors]
-    empty = np.empty((0, 3))
-    timber_low = np.concatenate([empty, *(b.low_m for b in boxes)])
-    timber_high = np.concatenate([empty, *(b.high_m for b in boxes)])
+    timber = [floor_boxes(plan, floor, timber_density_kg_m3) for floor in plan.floors]
+    low = np.concatenate([bricks.low_m, *(boxes.low_m for boxes in timber)])
+    high = np.concatenate([bricks.high_m, *(boxes.high_m for boxes in timber)])
     floors, first = [], len(bricks)
-    for floor, box in zip(plan.floors, boxes, strict=True):
-        floors.append((first, len(box.low_m) - 1, 1 - plan.wall(floor.walls[0]).axis))
-        first += len(box.low_m)
-    faces = interfaces(bricks, timber_low, timber_high, floors, joints, brick)
+    for floor, boxes in zip(plan.floors, timber, strict=True):
+        floors.append((first, len(boxes.names) - 1, 1 - plan.wall(floor.walls[0]).axis))
+        first += len(boxes.names)
+    faces = interfaces(bricks, low, high, floors, joints, brick)
     faces = weakened(faces, bricks, [wall.facade for wall in plan.walls], plan.facade_bond)
-    check_support(plan, bricks, faces, first)
+    check_support(plan, bricks, faces, len(low))
 
-    low = np.concatenate([bricks.low_m, timber_low])
-    high = np.concatenate([bricks.high_m, timber_high])
-    sizes, centres = high - low, 0.5 * (low + high)
-    masses = density_kg_m3 * sizes.prod(axis=1)
+    masonry = density_kg_m3 * (bricks.high_m - bricks.low_m).prod(axis=1)
+    masses = np.concatenate([masonry, *(boxes.mass_kg for boxes in timber)])
     names = [bricks.name(i) for i in range(len(bricks))]
-    names += [box.box_name(i) for box in boxes for i in range(len(box.low_m))]
-    masses[len(bricks) :] = np.concatenate([np.empty(0), *(box.mass_kg for box in boxes)])
-    blocks = [
-        Block(name, tuple(centre), tuple(size), float(mass), box_inertia(float(mass), size))
-        for name, centre, size, mass in zip(
-            names, centres.tolist(), sizes.tolist(), masses, strict=True
-        )
-    ]
-    extent = high.max(axis=0) - low.min(axis=0)
-    middle = 0.5 * (high.max(axis=0) + low.min(axis=0))
-    blocks.append(
-        Block(
-            GROUND,
-            (middle[0], middle[1], -0.1),
-            (extent[0], extent[1], 0.2),
-            1e9,
-            (1e9, 1e9, 1e9),
-            free="",
-            motion=floor_motions.GROUND,
-        )
-    )
+    names += [name for boxes in timber for name in boxes.names]
+    blocks = _blocks(names, low, high, masses)
     monitor = _monitor(plan, blocks, floors)
     scene = Scene(
         blocks,
@@ -114,6 +90,20 @@ def build(
         notes={"plan": plan.name, "coarsening": float(coarsening), "bricks": len(bricks)},
     )
     return Building(plan, brick.coarsened(coarsening), bricks, faces, scene, floors)
+
+
+def _blocks(names, low, high, masses):
+    """Boxes as blocks, and below them the ground, a support driven by its motion."""
+    sizes, centres = (high - low).tolist(), (0.5 * (low + high)).tolist()
+    blocks = [
+        Block(name, tuple(centre), tuple(size), mass, box_inertia(mass, size))
+        for name, centre, size, mass in zip(names, centres, sizes, masses.tolist(), strict=True)
+    ]
+    extent = high.max(axis=0) - low.min(axis=0)
+    middle = 0.5 * (high.max(axis=0) + low.min(axis=0))
+    place, size = (middle[0], middle[1], -0.1), (extent[0], extent[1], 0.2)
+    blocks.append(Block(GROUND, place, size, 1e9, (1e9,) * 3, free="", motion=floor_motions.GROUND))
+    return blocks
 
 
 def _monitor(plan, blocks, floors):
@@ -140,7 +130,7 @@ def _nodes(faces, ground):
         position[rows, k, second] += v * faces.half_m[rows, second]
     area = np.repeat(faces.area_m2 / count, count)
     b = np.where(faces.b < 0, ground, faces.b)
-    zero = np.zeros(count * n)
+    none = ("beta_s", "friction_rad", "gap_m", "tension_n", "cohesion_n")
     return Nodes(
         a=np.repeat(faces.a, count),
         b=np.repeat(b, count),
@@ -150,13 +140,9 @@ def _nodes(faces, ground):
         area_m2=area,
         kn_n_m=np.repeat(faces.jkn_pa_m, count) * area,
         ks_n_m=np.repeat(faces.jks_pa_m, count) * area,
-        beta_s=zero,
         drag=np.ones(count * n),
-        friction_rad=zero.copy(),
-        gap_m=zero.copy(),
-        tension_n=zero.copy(),
-        cohesion_n=zero.copy(),
         kind=np.full(count * n, WELD),
+        **{name: np.zeros(count * n) for name in none},
     )
 
 

@@ -10,6 +10,7 @@ can change without changing the building; the joint stiffness follows from the
 actual spacing (see `contacts`).
 """
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -61,16 +62,15 @@ class Bricks:
 
     def name(self, i):
         """Return a unique name that tells where brick `i` lies, e.g. 'left/c12/w1/b3'."""
-        return (
-            f"{self.wall_names[self.wall[i]]}/c{self.course[i]}/w{self.wythe[i]}/b{self.place[i]}"
-        )
+        wall = self.wall_names[self.wall[i]]
+        return f"{wall}/c{self.course[i]}/w{self.wythe[i]}/b{self.place[i]}"
 
 
 def divide(breaks, spacing):
     """Ascending points that divide intervals between breaks into equal parts of about a spacing."""
     breaks = unique(breaks)
     points = [breaks[:1]]
-    for low, high in zip(breaks[:-1], breaks[1:], strict=True):
+    for low, high in itertools.pairwise(breaks):
         parts = max(1, int(np.floor((high - low) / spacing + 0.5)))
         points.append(np.linspace(low, high, parts + 1)[1:])
     return np.concatenate(points)
@@ -108,14 +108,13 @@ def recesses(plan, wall):
 
 
 def _crossings(plan, wall):
-    """Return (other wall, span along `wall`) of the footprints that cross it."""
+    """Return (other wall, span along `wall`) of the walls that cross it."""
     out = []
     for other in plan.walls:
-        if other.axis != wall.axis and overlap_in_plan(wall, other):
-            low, high = other.footprint()[wall.axis]
-            out.append(
-                (other, (max(0.0, low - wall.origin_m), min(wall.length_m, high - wall.origin_m)))
-            )
+        crosses = other.axis != wall.axis and overlap_in_plan(wall, other)
+        if crosses and overlap_in_height(wall, other):
+            low, high = (v - wall.origin_m for v in other.footprint()[wall.axis])
+            out.append((other, (max(0.0, low), min(wall.length_m, high))))
     return out
 
 
@@ -130,13 +129,11 @@ def _course_cuts(wall, grid, course, bottom, top, crossings, cavities):
     if wall.axis != course % 2:
         holes += [span for w, span in crossings if _between(w.base_m, w.top_m, bottom, top)]
     joints = grid if course % 2 == 0 else 0.5 * (grid[:-1] + grid[1:])
-    bricks = []
+    bricks: list[tuple] = []
     for low, high in without([(0.0, wall.length_m)], holes, TOLERANCE_M):
         inside = joints[(joints > low + TOLERANCE_M) & (joints < high - TOLERANCE_M)]
-        ends = [low, high, *inside]
-        ends += [s for _, span, _ in cavities for s in span if low < s < high]
-        ends = unique(ends)
-        bricks += list(zip(ends[:-1], ends[1:], strict=True))
+        recessed = [s for _, span, _ in cavities for s in span if low < s < high]
+        bricks += itertools.pairwise(unique([low, high, *inside, *recessed]))
     return bricks
 
 
@@ -148,8 +145,7 @@ def lay(plan, brick):
     lines = course_lines(plan, brick.height_m)
     low, high, labels = [], [], []
     for w, wall in enumerate(plan.walls):
-        crossings = [c for c in _crossings(plan, wall) if overlap_in_height(wall, c[0])]
-        cavities = recesses(plan, wall)
+        crossings, cavities = _crossings(plan, wall), recesses(plan, wall)
         breaks = [0.0, wall.length_m]
         for opening in wall.openings:
             breaks += wall.span(opening)
@@ -157,7 +153,7 @@ def lay(plan, brick):
             breaks += span
         grid = divide(breaks, brick.length_m)
         half = wall.thickness_m / 2.0
-        for course, (bottom, top) in enumerate(zip(lines[:-1], lines[1:], strict=True)):
+        for course, (bottom, top) in enumerate(itertools.pairwise(lines)):
             if top <= wall.base_m + TOLERANCE_M or bottom >= wall.top_m - TOLERANCE_M:
                 continue
             active = [
@@ -175,7 +171,7 @@ def lay(plan, brick):
                         else:
                             near = -half + floor.bearing_m
                 faces = wall.offset_m + divide((near, far), brick.width_m)
-                for wythe, (t0, t1) in enumerate(zip(faces[:-1], faces[1:], strict=True)):
+                for wythe, (t0, t1) in enumerate(itertools.pairwise(faces)):
                     along = (wall.origin_m + s0, wall.origin_m + s1)
                     x, y = (along, (t0, t1)) if wall.axis == 0 else ((t0, t1), along)
                     low.append((x[0], y[0], bottom))
@@ -183,6 +179,5 @@ def lay(plan, brick):
                     labels.append((wall.axis, w, course, wythe, place))
     axis, of_wall, of_course, of_wythe, of_place = np.array(labels, int).T
     names = [wall.name for wall in plan.walls]
-    return Bricks(
-        np.array(low), np.array(high), axis, of_wall, of_course, of_wythe, of_place, names
-    )
+    corners = np.array(low), np.array(high)
+    return Bricks(*corners, axis, of_wall, of_course, of_wythe, of_place, names)

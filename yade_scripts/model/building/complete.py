@@ -17,12 +17,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from yade_scripts.model.building.contacts import Joints
 from yade_scripts.model.building.plan import TOLERANCE_M, PlanError, PlanWall, shortened
 from yade_scripts.model.facade import FACADE, Beds, plain_block
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.return_walls import back_jkn, back_strength
-from yade_scripts.model.scene import DOFS, NodeList, Nodes, Scene
+from yade_scripts.model.scene import DOFS, NodeList, Scene
 from yade_scripts.model.shape import refuse
 
 BACK_JOINTS = ("bricks", "facade")
@@ -68,7 +67,7 @@ def _refuse_across(wall):
 
 
 def complete_scene(
-    config, building, crack_m, beta_s, *, bonded, back_joint, brick, joints=None, rate_1_s=0.0
+    config, building, crack_m, beta_s, *, bonded, back_joint, brick, joints, rate_1_s
 ):
     """Scene of the complete building; its notes tell the mass behind the crack [kg].
 
@@ -101,11 +100,11 @@ def complete_scene(
     facade = len(blocks)
     back = crack_m + section["gap_m"]
     blocks.append(plain_block(section, DOFS, middle, back))
-    nodes = NodeList()
+    nodes = NodeList(scene=base)
     Beds(config, beta_s, nodes, planar=False).base(facade, ground, origin=(middle, back))
     moduli = None
     if back_joint == "bricks":
-        moduli = (joints or Joints()).moduli(brick)[0]  # of the head joints, normal and shear
+        moduli = joints.moduli(brick)[0]  # of the head joints, normal and shear
     face = (middle - 0.5 * width, middle + 0.5 * width, crack_m)
     before = len(nodes.joints)
     for i in ends:
@@ -114,8 +113,8 @@ def complete_scene(
         raise ValueError("the complete building: no brick ends at the crack behind the façade")
     return Scene(
         blocks,
-        [*base.joints, *nodes.joints],
-        joined(base.nodes, nodes.done(), len(base.joints)),
+        nodes.joints,
+        nodes.done(),
         monitor=FACADE,
         monitor_point_m=(middle, back + 0.5 * b, h),
         reference=blocks[ground].name,
@@ -195,15 +194,6 @@ def with_rigid_floors(building):
     between = a != b
     nodes = nodes.select(between, a=a[between], b=b[between])
     return replace(scene, blocks=[blocks[i] for i in kept], nodes=nodes)
-
-
-def joined(one, two, joints):
-    """Return the nodes of two lists as one; the second's joints count from `joints`."""
-    columns = {}
-    for name in vars(one):
-        second = getattr(two, name) + joints if name == "joint" else getattr(two, name)
-        columns[name] = np.concatenate([getattr(one, name), second])
-    return Nodes(**columns)
 
 
 def apart(scene):

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from yade_scripts.model.building.plan import TOLERANCE_M, PlanError
+from yade_scripts.model.building.plan import TOLERANCE_M
 
 KINDS = ("ground", "bed", "head", "collar", "junction", "beam", "panel")
 SMALLEST_AREA_M2 = 1e-8
@@ -40,8 +40,6 @@ class Joints:
                 [self.bed_jkn_pa_m, self.bed_jks_pa_m],
             ]
         )
-        if not (np.all(per_length > 0.0) and min(self.timber_jkn_pa_m, self.timber_jks_pa_m) > 0.0):
-            raise PlanError("joint stiffnesses must be positive")
         spacing = np.array([brick.length_m, brick.width_m, brick.height_m])
         return per_length * spacing[:, None]
 
@@ -77,8 +75,6 @@ class Interfaces:
 
 def touching(low, high, upper, lower, axis):
     """Return index pairs (a, b), a of `upper` lying face to face on b of `lower` along `axis`."""
-    if not (len(upper) and len(lower)):
-        return np.empty((0, 2), int)
     touch = np.abs(low[upper, axis][:, None] - high[lower, axis][None, :]) < TOLERANCE_M
     area = np.ones(touch.shape)
     for k in (0, 1, 2):
@@ -142,16 +138,14 @@ def half_compliance(sizes, length_axis, moduli):
     return sizes[:, :, None] / (2.0 * moduli[role])
 
 
-def interfaces(bricks, timber_low, timber_high, floors, joints, brick):
+def interfaces(bricks, low, high, floors, joints, brick):
     """Find every interface of a building and give it its stiffness.
 
-    The timber's boxes are beams and panels, floor by floor; `floors` lists (first box, number of
-    beams, beam axis), boxes counted after the bricks. `joints` are stated for `brick`, which is not
-    the coarsened one.
+    `low` and `high` are of all boxes: bricks, then beams and panels, floor by floor; `floors` lists
+    (first box, number of beams, beam axis). `joints` are stated for `brick`, which is not the
+    coarsened one.
     """
     n = len(bricks)
-    low = np.concatenate([bricks.low_m, timber_low])
-    high = np.concatenate([bricks.high_m, timber_high])
     half = np.zeros((len(low), 3, 2))
     half[:n] = half_compliance(
         bricks.high_m - bricks.low_m, bricks.length_axis, joints.moduli(brick)

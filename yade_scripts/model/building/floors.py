@@ -9,14 +9,10 @@ import numpy as np
 class FloorBoxes:
     """Beams and panel of one floor as boxes: a row a beam and, last, the panel's."""
 
-    name: str
+    names: list
     low_m: np.ndarray
     high_m: np.ndarray
     mass_kg: np.ndarray
-
-    def box_name(self, i):
-        """Return the name of box `i`: a beam's or the panel's."""
-        return f"{self.name}/panel" if i == len(self.low_m) - 1 else f"{self.name}/beam{i + 1}"
 
 
 def floor_boxes(plan, floor, timber_density_kg_m3):
@@ -46,4 +42,5 @@ def floor_boxes(plan, floor, timber_density_kg_m3):
     high[-1, 2] = low[-1, 2] + floor.panel_thickness_m
     mass = timber_density_kg_m3 * np.prod(high - low, axis=1)
     mass[-1] += floor.load_kg_m2 * (end - start) * (inner[1] - inner[0])
-    return FloorBoxes(floor.name, low, high, mass)
+    names = [*(f"{floor.name}/beam{i + 1}" for i in range(count)), f"{floor.name}/panel"]
+    return FloorBoxes(names, low, high, mass)

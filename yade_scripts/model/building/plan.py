@@ -5,7 +5,7 @@ of the offending part, before any brick is laid. Walls run along x or y; x is
 along the façade, y out of plane, z up; lengths in metres.
 """
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import MISSING, dataclass, fields, replace
 
 from yade_scripts.model.intervals import without
 
@@ -195,8 +195,15 @@ def shortened(wall, start_m, end_m):
     return replace(wall, start_m=tuple(ends[0]), end_m=tuple(ends[1]), openings=openings)
 
 
-def _record(cls, data, where, convert=None):
-    """Build dataclass `cls` from mapping `data`; unknown, missing or ill-typed keys are named."""
+def _is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _record(cls, data, where, convert):
+    """Build dataclass `cls` from mapping `data`; unknown, missing or ill-typed keys are named.
+
+    `convert` has functions of value and `where` for the keys that are neither a number nor a pair.
+    """
     if not isinstance(data, dict):
         raise PlanError(f"{where}: expected a mapping of keys, got {data!r}")
     known = {f.name: f for f in fields(cls)}
@@ -206,26 +213,36 @@ def _record(cls, data, where, convert=None):
     values = {}
     for key, spec in known.items():
         if key not in data:
-            if spec.default is spec.default_factory:  # both MISSING: the key is required
+            if spec.default is MISSING:
                 raise PlanError(f"{where}: key '{key}' is missing")
             continue
         value = data[key]
-        if convert and key in convert:
-            value = convert[key](value)
-        elif key.endswith(("_m", "_m2")) and key not in ("start_m", "end_m", "extent_m"):
-            if isinstance(value, bool) or not isinstance(value, (int, float)):
+        if key in convert:
+            value = convert[key](value, where)
+        elif key in ("start_m", "end_m", "extent_m"):
+            pair = isinstance(value, (list, tuple)) and len(value) == 2
+            if not (pair and all(map(_is_number, value))):
+                raise PlanError(f"{where}: {key} must be two numbers in metres, got {value!r}")
+            value = tuple(map(float, value))
+        elif key.endswith(("_m", "_m2")):
+            if not _is_number(value):
                 raise PlanError(f"{where}: {key} must be a number, got {value!r}")
             value = float(value)
-        elif key in ("start_m", "end_m", "extent_m"):
-            if not (
-                isinstance(value, (list, tuple))
-                and len(value) == 2
-                and all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in value)
-            ):
-                raise PlanError(f"{where}: {key} must be two numbers in metres, got {value!r}")
-            value = tuple(float(v) for v in value)
         values[key] = value
     return cls(**values)
+
+
+def _records(cls, rows, where, kind, convert):
+    """Build what `rows` describe; an error line calls each by its name, or else by its number."""
+    if not isinstance(rows, (list, tuple)):
+        raise PlanError(f"{where}: {kind}s must be a list, got {rows!r}")
+    found = []
+    for number, row in enumerate(rows, 1):
+        name = f"number {number}"
+        if isinstance(row, dict):
+            name = row.get("name", name)
+        found.append(_record(cls, row, f"{where}, {kind} '{name}'", convert))
+    return tuple(found)
 
 
 def plan_from_dict(data, source="plan"):
@@ -237,27 +254,16 @@ def plan_from_dict(data, source="plan"):
     if not isinstance(data, dict) or not data.get("walls"):
         raise PlanError(f"{source}: a plan needs a list 'walls' with at least one wall")
 
-    def label(part, k):
-        return part.get("name", f"number {k + 1}") if isinstance(part, dict) else f"number {k + 1}"
+    def openings(rows, wall):
+        return _records(Opening, rows or (), wall, "opening", {})
 
-    walls = []
-    for k, item in enumerate(data["walls"]):
-        where = f"{source}, wall '{label(item, k)}'"
-        openings = {
-            "openings": lambda rows, where=where: tuple(
-                _record(Opening, row, f"{where}, opening '{label(row, j)}'")
-                for j, row in enumerate(rows or ())
-            )
-        }
-        walls.append(_record(PlanWall, item, where, openings))
-    floors = tuple(
-        _record(TimberFloor, item, f"{source}, floor '{label(item, k)}'", {"walls": tuple})
-        for k, item in enumerate(data.get("floors") or ())
-    )
-    rest = {k: v for k, v in data.items() if k not in ("walls", "floors")}
-    plan = _record(
-        Plan, {**rest, "walls": walls, "floors": floors}, source, {"walls": tuple, "floors": tuple}
-    )
+    def carriers(names, floor):
+        return tuple(names) if isinstance(names, (list, tuple)) else ()
+
+    walls = _records(PlanWall, data["walls"], source, "wall", {"openings": openings})
+    rows = data.get("floors") or ()
+    floors = _records(TimberFloor, rows, source, "floor", {"walls": carriers})
+    plan = _record(Plan, data | {"walls": walls, "floors": floors}, source, {})
     check(plan, source)
     return plan
 
@@ -300,12 +306,10 @@ def _check_wall(wall, where):
 def _check_floor(plan, floor, where):
     if len(floor.walls) != 2:
         raise PlanError(f"{where}: walls must name the two walls that carry the beams")
-    for name in floor.walls:
-        if name not in [w.name for w in plan.walls]:
-            raise PlanError(
-                f"{where}: no wall '{name}'; the plan has {[w.name for w in plan.walls]}"
-            )
-    one, two = (plan.wall(name) for name in floor.walls)
+    try:
+        one, two = (plan.wall(name) for name in floor.walls)
+    except PlanError as error:
+        raise PlanError(f"{where}: {error}") from None
     if one.axis != two.axis:
         raise PlanError(f"{where}: walls '{one.name}' and '{two.name}' are not parallel")
     clear = abs(two.offset_m - one.offset_m) - (one.thickness_m + two.thickness_m) / 2.0
@@ -349,7 +353,7 @@ def _check_floor(plan, floor, where):
                 )
 
 
-def check(plan, source="plan"):
+def check(plan, source):
     """Refuse, by name, a plan that cannot be built; see `plan_from_dict`."""
     for kind, parts in (("wall", plan.walls), ("floor", plan.floors)):
         names = [p.name for p in parts]
@@ -365,7 +369,7 @@ def check(plan, source="plan"):
     for floor in plan.floors:
         _check_floor(plan, floor, f"{source}, floor '{floor.name}'")
     bond = plan.facade_bond
-    if isinstance(bond, bool) or not isinstance(bond, (int, float)) or not 0.0 < bond <= 1.0:
+    if not (_is_number(bond) and 0.0 < bond <= 1.0):
         raise PlanError(f"{source}: facade_bond must be above 0 and at most 1, got {bond!r}")
     if plan.monitor_floor is not None and plan.monitor_floor not in [f.name for f in plan.floors]:
         raise PlanError(f"{source}: monitor_floor '{plan.monitor_floor}' is not a floor")
