@@ -24,7 +24,7 @@ def test_the_row_of_a_return_period_is_taken_as_it_is():
     assert national.row_at(ROWS, 475) == pytest.approx(
         {"ag_g": 0.202, "f0": 2.36, "tc_star_s": 0.32}
     )
-    demand = site.demand_of({**OWN, "spectrum": None}, [])
+    demand = site.demand_from({"assessment": OWN}, [], None, None)
     soil = 1.4 - 0.4 * 2.36 * 0.202  # subsoil B
     assert demand.pga_g == pytest.approx(0.202 * min(soil, 1.2) * 1.2)
 
@@ -40,10 +40,10 @@ def test_between_rows_parameters_are_straight_on_logarithmic_scales():
 def test_the_curve_is_exceeded_once_in_each_return_period_on_the_subsoil():
     curve = national.curve_of(ROWS, "B", "T2")
     for row in ROWS:
-        pga_g = national.demand_at(ROWS, row["return_period_years"], "B", "T2").pga_g
+        pga_g = national.spectrum_of(row, "B", "T2").pga_g
         assert curve.rate(pga_g) == pytest.approx(1.0 / row["return_period_years"], rel=1e-9)
     assert site.pga_at(curve, 475) == pytest.approx(
-        site.demand_of({**OWN, "spectrum": None}, []).pga_g
+        site.demand_from({"assessment": OWN}, [], None, None).pga_g
     )
 
 

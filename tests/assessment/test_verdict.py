@@ -17,6 +17,7 @@ from rocking.assessment.verdict import (
 from rocking.mechanics.mechanism import WHOLE
 
 CHECKS = pd.DataFrame({"check": ["linear_ground"], "pga_demand_g": [0.2], "ratio": [1.2]})
+SHAKEN = pd.DataFrame({"part": ["whole"], "mechanism": [WHOLE], "shaken": [1], "why_not": [""]})
 
 
 def mechanisms(**pga_fails_g):
@@ -52,7 +53,7 @@ def dynamic(stations):
     ],
 )
 def test_the_dynamic_checks_sentence(found, words):
-    assert words in dynamic_check(found, (-0.05, 0.2, True))
+    assert words in dynamic_check(found, (-0.05, 0.2, True), SHAKEN)
 
 
 def test_a_facade_passes_where_every_model_holds_and_the_worst_of_them_governs():
@@ -68,10 +69,9 @@ def test_a_facade_passes_where_every_model_holds_and_the_worst_of_them_governs()
 
 
 def test_a_check_that_holds_in_too_few_draws_counts_as_not_passed_and_says_so():
-    part = pd.DataFrame({"part": ["whole"], "mechanism": [WHOLE]})
     doubt = verdicts(True, True, agree=0.94).assign(part="whole")
     assert passes(CHECKS, mechanisms(whole=0.25), doubt) == (True, False)
-    said = headline(CHECKS, mechanisms(whole=0.25), doubt, part, "In 475 years", 1.35)
+    said = headline(CHECKS, mechanisms(whole=0.25), doubt, SHAKEN, "In 475 years", 1.35)
     assert "does not pass: life safety (SLV) is lost under recorded motions" in said[0]
     assert "only in 94 % of draws of perturbed ones" in said[2]
     assert list(held_or_not(doubt)) == ["in doubt", "in doubt"]
@@ -93,24 +93,25 @@ def test_a_check_that_holds_in_too_few_draws_counts_as_not_passed_and_says_so():
     ],
 )
 def test_the_first_sentence_says_by_which_check_life_safety_is_lost(pga_g, slv, words):
-    part = pd.DataFrame({"part": ["whole"], "mechanism": [WHOLE]})
     found = verdicts(slv).assign(part="whole")
-    said = headline(CHECKS, mechanisms(whole=pga_g), found, part, "In 475 years", 1.35)
+    said = headline(CHECKS, mechanisms(whole=pga_g), found, SHAKEN, "In 475 years", 1.35)
     assert words in said[0]
 
 
 def test_a_link_that_sets_d_slv_is_named():
     """d_SLV of 0.1 m is 0.4 d0 of 0.25 m; of 0.5 m it is less, so a tie or an anchor gives way."""
     lost = verdicts(True, False)
-    said = dynamic_check(lost, (-0.05, 0.2, True))
+    said = dynamic_check(lost, (-0.05, 0.2, True), SHAKEN)
     assert "50 mm with W1, 50 mm with W2 (2 beyond d0); d_SLV there is 100 mm." in said
     early = lost.assign(d0_m=0.5)
-    assert "100 mm, where a tie or an anchor gives way." in dynamic_check(early, (0, 0.2, True))
+    assert "100 mm, where a tie or an anchor gives way." in dynamic_check(
+        early, (0, 0.2, True), SHAKEN
+    )
     rounded = lost.assign(d_slv_m=0.149749, d0_m=0.374374)  # six figures of 0.4 d0
-    assert "a tie or an anchor" not in dynamic_check(rounded, (0, 0.2, True))
+    assert "a tie or an anchor" not in dynamic_check(rounded, (0, 0.2, True), SHAKEN)
     stood = mechanisms(whole=0.25)
-    assert any("let the rods yield" in s for s in next_steps(CHECKS, stood, early, ""))
-    assert not any("let the rods yield" in s for s in next_steps(CHECKS, stood, lost, ""))
+    assert any("let the rods yield" in s for s in next_steps(CHECKS, stood, early, SHAKEN))
+    assert not any("let the rods yield" in s for s in next_steps(CHECKS, stood, lost, SHAKEN))
 
 
 def test_a_check_that_fails_before_a_damaged_building_is_named():
@@ -123,8 +124,8 @@ def test_a_check_that_fails_before_a_damaged_building_is_named():
 
 
 def test_motions_that_do_not_fit_are_said():
-    assert "does not fit" in dynamic_check(verdicts(True), (-0.2, 0.2, False))
-    assert "does not fit" not in dynamic_check(verdicts(True), (-0.05, 0.2, True))
+    assert "does not fit" in dynamic_check(verdicts(True), (-0.2, 0.2, False), SHAKEN)
+    assert "does not fit" not in dynamic_check(verdicts(True), (-0.05, 0.2, True), SHAKEN)
 
 
 def test_below_seven_stations_no_share_and_no_interval():
@@ -141,41 +142,40 @@ def test_below_seven_stations_no_share_and_no_interval():
 
 
 def test_what_is_recommended_hangs_on_what_fails():
-    weak = next_steps(CHECKS, mechanisms(whole=0.15, corner=0.3), verdicts(True), "")
+    weak = next_steps(CHECKS, mechanisms(whole=0.15, corner=0.3), verdicts(True), SHAKEN)
     assert weak[0].startswith(f"Tie or hold the façade against: the {WHOLE} (0.15 g).")
     for other in ("vertical bending from 0.00 to 3.50 m", "left corner above 0.00 m"):  # feet at 0
-        said = next_steps(CHECKS, mechanisms(whole=0.3, **{other: 0.25}), verdicts(True), "")
+        said = next_steps(CHECKS, mechanisms(whole=0.3, **{other: 0.25}), verdicts(True), SHAKEN)
         assert f"{other}, was not shaken: it is judged by the kinematic checks alone" in said[-1]
     second = CHECKS.assign(ratio=0.62)
     worse = second.assign(ratio=0.15)
     found = [second.assign(check="en_sd_height"), worse.assign(check="parts_height"), CHECKS]
-    (said,) = next_steps(pd.concat(found), mechanisms(whole=0.25), verdicts(True), "")
+    (said,) = next_steps(pd.concat(found), mechanisms(whole=0.25), verdicts(True), SHAKEN)
     assert "do not pass: EN 1998-3 at 62 %, NZS 1170.5 at 15 % of the demand's PGA." in said
-    lost = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, False), "")
+    lost = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, False), SHAKEN)
     assert "The kinematic check passes and the dynamic one does not (W2)" in lost[0]
-    unsure = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, agree=0.9), "")
+    unsure = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True, agree=0.9), SHAKEN)
     assert "hangs on single histories" in " ".join(unsure)
-    (sound,) = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True), "")
+    (sound,) = next_steps(CHECKS, mechanisms(whole=0.25), verdicts(True), SHAKEN)
     assert "nothing else is asked for" in sound
 
 
 def test_the_verdict_says_what_moves_and_when_it_rests_on_motions_that_do_not_fit():
-    part = pd.DataFrame({"part": ["whole"], "mechanism": [WHOLE]})
     bent = "vertical bending from 0.00 to 6.00 m, open at 4.50 m"
     found = verdicts(True).assign(part="whole", mean_d_m=0.05)
     given = CHECKS, mechanisms(whole=0.25)
-    said = headline(*given, found, part, "In 475 years", 1.35, (-0.05, 0.2, True))
+    said = headline(*given, found, SHAKEN, "In 475 years", 1.35, (-0.05, 0.2, True))
     assert f"the weakest of 1 mechanisms, the {WHOLE}, holds" in said[1]
     assert f"the top of the {WHOLE} moves 50 mm in the mean of 11 histories" in said[2]
     assert "bounds" not in said[2]
     assert "draws" not in said[2]
-    bending = part.assign(mechanism=bent)
+    bending = SHAKEN.assign(mechanism=bent)
     unsure = found.assign(agree=0.8, slv=False)
     said = headline(*given, unsure, bending, "In 475 years", 1.35, (-0.1, 1.0, False))
     assert f"the joint of {bent}, moves 50 mm" in said[2]
     assert "; 80 % of draws of single histories say the same." in said[2]
     assert said[2].endswith("does not fit the demand within the code's bounds.")
-    said = headline(*given, pd.DataFrame(), part, "In 475 years", 1.35)
+    said = headline(*given, pd.DataFrame(), SHAKEN, "In 475 years", 1.35)
     assert "the façade passes by hand: life safety" in said[0]
 
 

@@ -115,9 +115,10 @@ def test_an_assessment_says_where_its_median_is_far_from_the_formula():
     tables = {
         "parts_dynamic": pd.DataFrame([{**row, "part": part} for row in rows for part in PARTS]),
         "dynamic": pd.DataFrame(rows),
-        "code_checks": pd.DataFrame({"pga_demand_g": [0.3]}),
     }
-    data = SimpleNamespace(config=own, tables=tables, demand_said="stated", factor=1.35)
-    assert report.rests_on(data, "W1").count(said) == 1  # of the whole façade, not of its parts
+    data = SimpleNamespace(
+        config=own, tables=tables, demand_said="stated", demand_g=0.3, relied="W1", factor=1.35
+    )
+    assert report.rests_on(data).count(said) == 1  # of the whole façade, not of its parts
     own["facade"]["ties"] = [{"height_m": 3.0}]
     assert words.remarks(own, pd.DataFrame(rows)) == []  # no formula, nothing to say

@@ -2,12 +2,11 @@
 
 from dataclasses import dataclass, field
 
-from rocking.assessment import byhand
+from rocking.assessment import byhand, verdict
 from rocking.assessment.checks import confidence
-from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.demand import eta, floor_demand
 from rocking.assessment.family import Candidate, Family
-from rocking.assessment.national import PARAMETERS, row_at
+from rocking.assessment.national import spectrum_of, stated_row
 from rocking.assessment.paper import Table
 from rocking.assessment.selection import fit_of
 from rocking.assessment.sources import FORMULAS
@@ -40,6 +39,10 @@ class Data:
         Where the tables are, for the sources.
     family, weakest
         `family.Family`, and its `Candidate` that fails first.
+    demand_g : float
+        PGA of the demand.
+    relied : str
+        Model that the rate rests on.
     fit, range_s
         Of the selected motions' mean, see `selection.fit_of`.
     """
@@ -54,17 +57,20 @@ class Data:
     folder: str
     family: Family = field(init=False)
     weakest: Candidate = field(init=False)
+    demand_g: float = field(init=False)
+    relied: str = field(init=False)
     fit: tuple | None = field(init=False)
     range_s: tuple = field(init=False)
 
     def __post_init__(self):
         """Find the weakest mechanism of the tables among the façade's."""
+        t = self.tables
         self.family = Family(self.config)
-        found = self.tables["mechanisms"]
-        found = found[found["kind"] == "as stated"].sort_values("pga_fails_g")
-        least = found["mechanism"].iloc[0]
+        least = verdict.as_stated(t["mechanisms"])["mechanism"].iloc[0]
         self.weakest = next(one for one in self.family.all() if one.name == least)
-        self.fit, self.range_s = fit_of(self.tables["selected_spectra"])
+        self.demand_g = t["code_checks"]["pga_demand_g"].iloc[0]
+        self.relied = verdict.relied_on(t["dynamic"]["model"])
+        self.fit, self.range_s = fit_of(t["selected_spectra"])
 
     @property
     def factor(self):
@@ -94,9 +100,8 @@ def _parts(rows, total, whole):
     cells.append(("sum", _six(1e-3 * total.weight_n), "", "", "", "", "", *map(_six, sums)))
     said = (
         "Parts: width × thickness of the masonry between two heights, weight and centroid (y from "
-        "the inner face of the foot outward, z above the base), and its virtual displacements "
-        "for a unit "
-        "rotation of the lowest block; δx² is the mean over the part's own height."
+        "the inner face of the foot outward, z above the base), and its virtual displacements for "
+        "a unit rotation of the lowest block; δx² is the mean over the part's own height."
     )
     return Table(
         said if whole else "Parts.",
@@ -134,43 +139,42 @@ def by_hand(data, candidate, whole=True):
 
     Where `whole` they say how each number comes about; else they stand two in a row.
     """
-    tables: list = []
-    if candidate.plane:
-        rows, holds = byhand.parts(data.family, candidate), byhand.pulled(candidate)
-        total = byhand.sums(rows, holds)
-        tables = [_parts(rows, total, whole), *([_holds(holds)] if holds else [])]
-        found = byhand.results(candidate, total, data.factor)
-        cells = [(s, how, f"{v:.4g} {unit}".strip()) for s, how, v, unit in found]
-        cells += _demand_of(data, candidate.name)
-        if not whole:
-            pairs = [(symbol, value) for symbol, _, value in cells[:-1]]
-            return {"name": candidate.name, "tables": [*tables, _paired(pairs, cells[-1])]}
-        tables.append(
-            Table(
-                f"Capacity, demand and verdict, with FC = {data.factor:g}.",
-                ("", "how", "value"),
-                cells,
-                (0.14, 0.66, 0.2),
-                f"{data.folder}/code_steps.csv",
-                (len(cells) - 1,),
-            )
-        )
-    else:
-        row = data.tables["mechanisms"].set_index("mechanism").loc[candidate.name]
-        pairs = [
-            ("α0", f"{row['multiplier']:.4g}"),
-            ("M*", f"{row['participating_mass_kg']:.4g} kg"),
-        ]
-        pairs += [("e*", f"{row['e_star']:.4g}"), ("d0", f"{row['d0_m']:.4g} m")]
-        demand = _demand_of(data, candidate.name)
-        pairs += [(symbol, value) for symbol, _, value in demand[:-1]]
-        words = "Both walls up to their cracks, turning about the bisector's normal; by strips. "
-        tables = [_paired(pairs, demand[-1], words)]
+    if not candidate.plane:
+        return {"name": candidate.name, "tables": [_by_strips(data, candidate.name)]}
+    parts, holds = byhand.parts(data.family, candidate), byhand.pulled(candidate)
+    total = byhand.sums(parts, holds)
+    found = byhand.results(candidate, total, data.factor)
+    rows = [(s, how, f"{v:.4g} {unit}".strip()) for s, how, v, unit in found]
+    rows += _demand_of(data, candidate.name)
+    results = Table(
+        f"Capacity, demand and verdict, with FC = {data.factor:g}.",
+        ("", "how", "value"),
+        rows,
+        (0.14, 0.66, 0.2),
+        f"{data.folder}/code_steps.csv",
+        (len(rows) - 1,),
+    )
+    tables = [_parts(parts, total, whole), *([_holds(holds)] if holds else [])]
+    tables.append(results if whole else _paired(rows))
     return {"name": candidate.name, "tables": tables}
 
 
-def _paired(pairs, last, words=""):
-    """Table of symbols and values, three pairs in a row; the verdict in its caption."""
+def _by_strips(data, name):
+    """Table of a corner's capacity, demand and verdict."""
+    row = data.tables["mechanisms"].set_index("mechanism").loc[name]
+    rows = [
+        ("α0", "", f"{row['multiplier']:.4g}"),
+        ("M*", "", f"{row['participating_mass_kg']:.4g} kg"),
+        ("e*", "", f"{row['e_star']:.4g}"),
+        ("d0", "", f"{row['d0_m']:.4g} m"),
+    ]
+    words = "Both walls up to their cracks, turning about the bisector's normal; by strips. "
+    return _paired(rows + _demand_of(data, name), words)
+
+
+def _paired(results, words=""):
+    """Table of symbols and values, three pairs in a row; the last, the verdict, in its caption."""
+    pairs, last = [(symbol, value) for symbol, _, value in results[:-1]], results[-1]
     third = -(-len(pairs) // 3)
     columns = [pairs[k * third : (k + 1) * third] for k in range(3)]
     rows = [
@@ -196,21 +200,18 @@ def _demand_of(data, name):
             )
         if len(found):
             fails.append(float(found.loc["a_g,SLV", "value"]))
-    demand = data.tables["code_checks"]["pga_demand_g"].iloc[0]
-    least = min(fails)
-    words = "it passes, beyond" if least >= demand else "it fails, short of"
-    rows.append(("PGA", f"{FAILS_AT}: {words} the demand's {demand:.4g} g", f"{least:.4g} g"))
+    least, demand_g = min(fails), data.demand_g
+    words = "it passes, beyond" if least >= demand_g else "it fails, short of"
+    rows.append(("PGA", f"{FAILS_AT}: {words} the demand's {demand_g:.4g} g", f"{least:.4g} g"))
     return rows
 
 
 def spectrum(data):
     """Numbers behind the demand's spectra on the ground and on the weakest mechanism's floor."""
     own, chain = data.config["assessment"], data.config["smdof"]
-    rows = []
-    if not own["spectrum"] and (own["hazard"] or own["ag_g"] is not None):
-        row = row_at(own["hazard"], own["return_period_years"]) if own["hazard"] else own
-        given = {key: row[key] for key in PARAMETERS}
-        demand = CodeDemand(**given, soil=own["soil"], topography=own["topography"])
+    rows = [("demand", data.demand_said)]
+    if not own["spectrum"] and (row := stated_row(own)) is not None:
+        demand = spectrum_of(row, own["soil"], own["topography"])
         ss, st, tb, tc, td = demand.factors
         rows = [
             ("a_g, F0, T_C*", f"{row['ag_g']:.4g} g, {row['f0']:.4g}, {row['tc_star_s']:.4g} s"),
@@ -220,27 +221,21 @@ def spectrum(data):
             ),
             ("T_B, T_C, T_D", f"{tb:.4g}, {tc:.4g}, {td:.4g} s"),
             ("PGA", f"a_g S_S S_T = {demand.pga_g:.4g} g"),
+            ("η", f"√(10/(5 + ξ)) = {eta(0.08):.4g} at 8 %, {eta(0.10):.4g} at 10 %"),
         ]
-        rows.append(("η", f"√(10/(5 + ξ)) = {eta(0.08):.4g} at 8 %, {eta(0.10):.4g} at 10 %"))
-    else:
-        rows = [("demand", data.demand_said)]
     period = chain["period_s"] * own["building_period_factor"]
     place = data.weakest.place
     (share,) = floor_demand(None, place, chain).share
-    many = chain["n_dof"] > 1
-    storeys = f"{chain['n_dof']} equal storeys" if many else "one storey"
-    rows.append(
-        (
-            "floor",
-            f"first mode of {storeys}, T1 = {period:.4g} s; taken at "
-            f"{place:.4g} of the eaves' height, the middle of what holds the part, where the mode "
-            f"times its participation, |γ1 ψ1|, is {abs(share):.4g}",
-        )
+    storeys = f"{chain['n_dof']} equal storeys" if chain["n_dof"] > 1 else "one storey"
+    floor = (
+        f"first mode of {storeys}, T1 = {period:.4g} s; taken at {place:.4g} of the eaves' height, "
+        "the middle of what holds the part, where the mode times its participation, |γ1 ψ1|, is "
+        f"{abs(share):.4g}"
     )
     return Table(
         "The demand: S_De(T) = S_e(T) T²/4π² on the ground; on the floor by C7.2.5–8.",
         ("", ""),
-        rows,
+        [*rows, ("floor", floor)],
         (0.2, 0.8),
         f"{data.folder}/spectra.csv",
     )
@@ -248,8 +243,7 @@ def spectrum(data):
 
 def others(data):
     """Every mechanism but the weakest, by hand, the weakest of them first."""
-    found = data.tables["mechanisms"]
-    order = found[found["kind"] == "as stated"].sort_values("pga_fails_g")["mechanism"]
+    order = verdict.as_stated(data.tables["mechanisms"])["mechanism"]
     known = {one.name: one for one in data.family.all()}
     return [by_hand(data, known[name], False) for name in order if name != data.weakest.name]
 
@@ -262,9 +256,8 @@ def motions(data):
         for r in found.itertuples()
     ]
     if found.empty:
-        return Table(
-            "No motions were chosen: the dynamic check was not made.", ("",), [], (1.0,)
-        ), []
+        said = "No motions were chosen: the dynamic check was not made."
+        return Table(said, ("",), [], (1.0,)), []
     table = Table(
         "Motions, each scaled by its factor so that their mean fits the demand's spectrum (picture "
         "of the dynamic check).",

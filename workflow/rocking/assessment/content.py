@@ -1,5 +1,7 @@
 """Tables and pictures of the assessment report's body: mechanisms, dynamic answers, rate."""
 
+from functools import partial
+
 import pandas as pd
 
 from rocking.assessment import pictures, verdict
@@ -29,12 +31,12 @@ def floors_said(floors):
     return f"; floors hold it by friction of {' and '.join(f'{mu:g}' for mu in rubbing)} too."
 
 
-def by_mechanism(tables, folder):
+def by_mechanism(data):
     """Mechanism by mechanism: by hand, by the code's dynamic check, half collapse by model."""
+    tables = data.tables
     shaken, own = tables["shaken"], tables["parts_dynamic"]
     verdicts, models = tables["verdicts"], list(tables["dynamic"]["model"])
-    demand = tables["code_checks"]["pga_demand_g"].iloc[0]
-    stated = tables["mechanisms"].query("kind == 'as stated'").set_index("mechanism")
+    stated = verdict.as_stated(tables["mechanisms"]).set_index("mechanism")
     half = own.set_index(["part", "model"])["median_pga_g"].to_dict()
     held = {}
     if len(verdicts):
@@ -48,7 +50,7 @@ def by_mechanism(tables, folder):
         for k, model in enumerate(models if r.shaken else ()):
             said = [held[r.part, model]] if (r.part, model) in held else []
             cells[k] = "; ".join([*said, g3(half[r.part, model])])
-        by_hand = f"{g3(r.pga_fails_g)} ({per_cent(r.pga_fails_g / demand)})"
+        by_hand = f"{g3(r.pga_fails_g)} ({per_cent(r.pga_fails_g / data.demand_g)})"
         rows.append((name, f"{known['multiplier']:.4f}", by_hand, *cells))
     left = f"{later.sum()} that fail{'s' if later.sum() == 1 else ''} by hand far later"
     more = f" Not shaken: {left}." if later.any() else ""
@@ -62,31 +64,27 @@ def by_mechanism(tables, folder):
         ("mechanism", "α0", "by hand [g]", *heads),
         rows,
         (0.36, 0.08, 0.14, *[share] * len(models)),
-        f"{folder}/parts_dynamic.csv",
+        f"{data.folder}/parts_dynamic.csv",
         (0,),
     )
 
 
-def checks(found, folder):
+def checks(data):
     """Checks of the mechanism that fails first and of the whole façade, a table each."""
     tables = []
-    for name, part in found.groupby("mechanism", sort=False):
+    for name, part in data.tables["code_checks"].groupby("mechanism", sort=False):
         own = part.set_index("check")
-        rows = []
-        for key in SHOWN:
-            if key not in own.index:
-                continue
-            r = own.loc[key]
-            rows.append(
-                (
-                    CHECKS.get(key, key.replace("_", " ")),
-                    with_unit(r["capacity"], r["unit"]),
-                    with_unit(r["demand"], r["unit"]),
-                    "passes" if r["ratio"] >= 1.0 else "fails",
-                    g3(r["pga_fails_g"]),
-                    g3(r["ratio"]),
-                )
+        rows = [
+            (
+                CHECKS[key],
+                with_unit(r["capacity"], r["unit"]),
+                with_unit(r["demand"], r["unit"]),
+                "passes" if r["ratio"] >= 1.0 else "fails",
+                g3(r["pga_fails_g"]),
+                g3(r["ratio"]),
             )
+            for key, r in own.loc[[key for key in SHOWN if key in own.index]].iterrows()
+        ]
         both = " What stands on the ground has two demands, ground and floor; the larger governs."
         tables.append(
             Table(
@@ -96,15 +94,15 @@ def checks(found, folder):
                 ("check", "capacity", "demand", "", "fails at [g]", "over demand"),
                 rows,
                 (0.36, 0.15, 0.15, 0.1, 0.12, 0.12),
-                f"{folder}/code_checks.csv",
+                f"{data.folder}/code_checks.csv",
             )
         )
     return tables
 
 
-def dynamic_check(data, folder):
+def dynamic_check(data):
     """Lines, picture and tables of the code's dynamic check."""
-    tables = data.tables
+    tables, folder = data.tables, data.folder
     verdicts, yade = tables["verdicts"], tables["yade"]
     if verdicts.empty:
         wanted = data.config["assessment"]["motions"]
@@ -152,7 +150,7 @@ def dynamic_check(data, folder):
         )
     low, high, _ = data.fit
     picture = Picture(
-        pictures.selected(tables["selected_spectra"]),
+        partial(pictures.selected, tables["selected_spectra"]),
         50.0,
         "Spectra of 5 %: the demand, the motions' mean, and each motion.",
         f"The mean lies {per_cent(low)} to {per_cent(high)} from the demand.",
@@ -171,8 +169,7 @@ def _motions(data):
     factors = motions["factor"]
     return (
         f"{len(motions)} recorded motions, one horizontal component a station (appendix C), "
-        "factors "
-        f"{factors.min():.2f} to {factors.max():.2f}, in "
+        f"factors {factors.min():.2f} to {factors.max():.2f}, in "
         f"{'both directions' if len(data.config['directions']) == 2 else 'one direction'}. Their "
         f"mean spectrum lies {per_cent(low)} to {per_cent(high)} from the demand's between "
         f"{data.range_s[0]:.2f} and {data.range_s[1]:.2f} s, "
@@ -199,9 +196,9 @@ def _in_yade(yade, folder):
     )
 
 
-def suite(dynamic, relied, folder):
+def suite(data):
     """Collapse under all motions of the run, by model."""
-    rows = []
+    dynamic, rows = data.tables["dynamic"], []
     for r in dynamic.itertuples():
         middle, share = g3(r.median_pga_g), "–"
         if r.probability == r.probability:  # from enough stations
@@ -218,12 +215,12 @@ def suite(dynamic, relied, folder):
         ("model", "median PGA [g]", "dispersion", "collapse at the demand", "curves (stood)"),
         rows,
         (0.22, 0.25, 0.12, 0.24, 0.17),
-        f"{folder}/dynamic.csv",
-        tuple(k for k, model in enumerate(dynamic["model"]) if model == relied),
+        f"{data.folder}/dynamic.csv",
+        tuple(k for k, model in enumerate(dynamic["model"]) if model == data.relied),
     )
 
 
-def rate(data, relied, folder):
+def rate(data):
     """Annual rate by model and hazard curve; why there is none."""
     rates = data.tables["rate"]
     if rates.empty:
@@ -247,8 +244,8 @@ def rate(data, relied, folder):
         ("model", "hazard", "collapses a year", "in that time", "from beyond"),
         rows,
         (0.1, 0.3, 0.32, 0.14, 0.14),
-        f"{folder}/rate.csv",
-        tuple(k for k, model in enumerate(rates["model"]) if model == relied),
+        f"{data.folder}/rate.csv",
+        tuple(k for k, model in enumerate(rates["model"]) if model == data.relied),
     )
     first, last = rates["pga_first_g"].iloc[0], rates["pga_last_g"].iloc[0]
     stands = verdict.stands_on(data.config["facade"])
@@ -260,7 +257,7 @@ def rate(data, relied, folder):
     return {"lines": lines, "tables": [table]}
 
 
-def sensitivity(data, folder):
+def sensitivity(data):
     """Pictures and table of what changes the answers."""
     code, dynamic = data.tables["code_sensitivity"], data.tables["dynamic_sensitivity"]
     own = data.tables["code_checks"]
@@ -274,12 +271,12 @@ def sensitivity(data, folder):
         before = values
         drawn.append(
             Picture(
-                pictures.tornado(part, own[key], "PGA of failure over the demand's [-]"),
+                partial(pictures.tornado, part, own[key], "PGA of failure over the demand's [-]"),
                 42.0,
                 f"Sensitivity of the non-linear SLV check, {words}; line: as stated. What changes "
                 "nothing is left out.",
                 "; ".join(f"{r.key} ×{r.factor:g} gives {g3(r.value)}" for r in part.itertuples()),
-                f"{folder}/code_sensitivity.csv",
+                f"{data.folder}/code_sensitivity.csv",
             )
         )
     found = dynamic.dropna(subset=["ratio"])
@@ -307,7 +304,7 @@ def sensitivity(data, folder):
                 ("parameter", "factors", "median ratios", "ranges over motions", "motions"),
                 rows,
                 (0.28, 0.14, 0.18, 0.29, 0.11),
-                f"{folder}/dynamic_sensitivity.csv",
+                f"{data.folder}/dynamic_sensitivity.csv",
             )
         )
     return {"pictures": drawn, "tables": tables}

@@ -205,30 +205,26 @@ def height_mm(family, wide_mm, high_mm):
     return min(high_mm, tall / scale_of(family, wide_mm, high_mm) + MARGIN_MM)
 
 
-def facade(family, candidate, wide_mm=176.0, high_mm=84.0):
+def facade(family, candidate, wide_mm, high_mm, figure):
     """Elevation with openings, floors (dashed) and ties (crosses), and the section beside it.
 
     The mechanism is drawn turned by half of the rotation at which its multiplier vanishes; the
     paper's size is in mm, and one scale serves both drawings.
     """
-
-    def draw(figure):
-        m = family.masonry
-        scale = scale_of(family, wide_mm, high_mm)
-        ends = (
-            (-0.5 * m.width_m - AROUND_MM * scale, 0.5 * m.width_m + AROUND_MM * scale),
-            (SECTION_MM[0] * scale, SECTION_MM[1] * scale),
-        )
-        axes = figure.subplots(1, 2, width_ratios=[b - a for a, b in ends])  # at one scale
-        _elevation(axes[0], family, candidate, scale)
-        _section(axes[1], family, candidate, scale)
-        for axis, end in zip(axes, ends, strict=True):
-            axis.set_aspect("equal")
-            axis.set_ylim(-family.base_m - 12.0 * scale, m.top_m + 8.0 * scale)
-            axis.set_xlim(*end)
-            axis.set_axis_off()
-
-    return draw
+    m = family.masonry
+    scale = scale_of(family, wide_mm, high_mm)
+    ends = (
+        (-0.5 * m.width_m - AROUND_MM * scale, 0.5 * m.width_m + AROUND_MM * scale),
+        (SECTION_MM[0] * scale, SECTION_MM[1] * scale),
+    )
+    axes = figure.subplots(1, 2, width_ratios=[b - a for a, b in ends])  # at one scale
+    _elevation(axes[0], family, candidate, scale)
+    _section(axes[1], family, candidate, scale)
+    for axis, end in zip(axes, ends, strict=True):
+        axis.set_aspect("equal")
+        axis.set_ylim(-family.base_m - 12.0 * scale, m.top_m + 8.0 * scale)
+        axis.set_xlim(*end)
+        axis.set_axis_off()
 
 
 def words(family, candidate):

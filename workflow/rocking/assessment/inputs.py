@@ -4,10 +4,9 @@ import subprocess
 from collections.abc import Mapping
 
 from rocking.assessment import national
-from rocking.assessment.site import SpectrumError, pga_at, read_spectrum
+from rocking.assessment.site import pga_at, read_spectrum
 from rocking.configuration.differences import flat
-from rocking.records import RecordError
-from rocking.risk.hazard import HazardError, read_hazard
+from rocking.risk.hazard import read_hazard
 from yade_scripts.model.registry import MODELS
 
 STATED = {  # keys that an assessment does not take from the case study
@@ -124,5 +123,5 @@ def commit_of(folder):
 def _checked(key, read, *arguments):
     try:
         return read(*arguments)
-    except (SpectrumError, HazardError, RecordError, ValueError) as error:
+    except ValueError as error:
         raise ValueError(f"{key}: {error}") from None

@@ -50,9 +50,16 @@ def row_at(rows, return_period_years):
     }
 
 
-def demand_at(rows, return_period_years, soil, topography):
-    """Elastic spectrum of NTC 2018 of a return period."""
-    return CodeDemand(**row_at(rows, return_period_years), soil=soil, topography=topography)
+def spectrum_of(row, soil, topography):
+    """Elastic spectrum of NTC 2018 of one row; other keys than `PARAMETERS` are passed over."""
+    return CodeDemand(*(row[key] for key in PARAMETERS), soil, topography)
+
+
+def stated_row(own):
+    """Row that section assessment states: of its hazard at the return period, or ag_g; or None."""
+    if own["hazard"]:
+        return row_at(own["hazard"], own["return_period_years"])
+    return None if own["ag_g"] is None else own
 
 
 def curve_of(rows, soil, topography):
@@ -63,8 +70,7 @@ def curve_of(rows, soil, topography):
     """
     points: list[tuple[float, float]] = []
     for row in rows:
-        given = {key: row[key] for key in PARAMETERS}
-        pga_g = CodeDemand(**given, soil=soil, topography=topography).pga_g
+        pga_g = spectrum_of(row, soil, topography).pga_g
         if not points or pga_g > points[-1][0]:
             points.append((pga_g, 1.0 / row[PERIOD]))
     return Hazard("pga_g", *np.array(points).T)

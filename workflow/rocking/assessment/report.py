@@ -1,14 +1,8 @@
 """What the assessment report says on its first pages, and all that its template shows."""
 
-from rocking.assessment import (
-    appendix,
-    content,
-    drawings,
-    evidence,
-    pictures,
-    ties_said,
-    verdict,
-)
+from functools import partial
+
+from rocking.assessment import appendix, content, drawings, evidence, pictures, ties_said, verdict
 from rocking.assessment.checks import LEAST_KNOWN
 from rocking.assessment.paper import Picture
 from rocking.assessment.shaken import WHOLE_PART
@@ -17,23 +11,17 @@ from rocking.formula import words
 from yade_scripts.model.registry import MODELS
 
 WIDE_MM, HIGH_MM = 176.0, 104.0  # of the drawing
+NOT_COVERED = (
+    "Failure in the façade's own plane, masonry that falls apart or crushes, foundations, what "
+    "pushes from neighbours, and what one mechanism does to another. Ties need a check of anchors, "
+    "of the walls they end in and of what carries them. Formulas of the codes were read in a "
+    "transcription (appendix D): compare them with the text in force."
+)
 
 
 def context(data, digest):
-    """All that the template shows.
-
-    Parameters
-    ----------
-    data : rocking.assessment.appendix.Data
-    digest : str
-        Of the evidence.
-
-    Returns
-    -------
-    dict
-    """
-    own, t, folder = data.config["assessment"], data.tables, data.folder
-    relied = verdict.relied_on(t["dynamic"]["model"])
+    """All that the template shows, of `appendix.Data` and the digest of the evidence."""
+    own, t = data.config["assessment"], data.tables
     motions, motions_said = appendix.motions(data)
     return {
         "title": f"{own['title'] or data.run}: out-of-plane assessment",
@@ -52,28 +40,32 @@ def context(data, digest):
             data.fit,
         ),
         "drawing": drawing(data),
-        "answers": answers(data, relied),
-        "rests_on": rests_on(data, relied),
-        "mechanisms": content.by_mechanism(t, folder),
+        "answers": [
+            ("Which ties?", ties_said.answer(data)),
+            ("How often?", rate_said(data)),
+            ("Not covered", NOT_COVERED),
+        ],
+        "rests_on": rests_on(data),
+        "mechanisms": content.by_mechanism(data),
         "next_steps": next_steps(data),
         "hand": appendix.by_hand(data, data.weakest),
         "capacity": Picture(
-            pictures.capacity(t["capacity_curve"], t["mechanisms"]),
+            partial(pictures.capacity, t["capacity_curve"], t["mechanisms"]),
             46.0,
             "Capacity curve. d_SLV is the least of 0.4 d0 and of where a tie or an anchor gives "
             "way and takes more than half of the capacity.",
             "The multiplier falls to zero at d0.",
-            f"{folder}/capacity_curve.csv",
+            f"{data.folder}/capacity_curve.csv",
         ),
         "spectrum": appendix.spectrum(data),
-        "dynamic": content.dynamic_check(data, folder),
-        "ties": ties_said.section(data, folder),
+        "dynamic": content.dynamic_check(data),
+        "ties": ties_said.section(data),
         "fragility": fragility(data),
-        "suite": content.suite(t["dynamic"], relied, folder),
-        "rate": content.rate(data, relied, folder),
-        "sensitivity": content.sensitivity(data, folder),
+        "suite": content.suite(data),
+        "rate": content.rate(data),
+        "sensitivity": content.sensitivity(data),
         "others": appendix.others(data),
-        "checks": content.checks(t["code_checks"], folder),
+        "checks": content.checks(data),
         "spectra": spectra(data),
         "motions": motions,
         "motions_said": motions_said,
@@ -105,7 +97,7 @@ def drawing(data):
     facade = data.config["facade"]
     marks = "Crosses: ties. " * bool(facade["ties"]) + "Dashed: floors. " * bool(facade["floors"])
     return Picture(
-        drawings.facade(data.family, data.weakest, WIDE_MM, HIGH_MM),
+        partial(drawings.facade, data.family, data.weakest, WIDE_MM, HIGH_MM),
         high_mm,
         f"To scale, in metres. {marks}Dashed outline: the mechanism that fails first, turned by "
         "half of the rotation at which it falls.",
@@ -115,29 +107,9 @@ def drawing(data):
     )
 
 
-def answers(data, relied):
-    """(question, answer) of ties, rate and what is not covered."""
-    rows = [
-        ("Which ties?", ties_said.answer(data)),
-        ("How often?", rate_said(data, relied)),
-    ]
-    rows.append(
-        (
-            "Not covered",
-            "Failure in the façade's own plane, masonry that falls apart or crushes, "
-            "foundations, what "
-            "pushes from neighbours, and what one mechanism does to another. Ties need a check of "
-            "anchors, of the walls they end in and of what carries them. Formulas of the codes "
-            "were "
-            "read in a transcription (appendix D): compare them with the text in force.",
-        )
-    )
-    return rows
-
-
-def rate_said(data, relied):
+def rate_said(data):
     """The rate of collapse in one sentence."""
-    every = data.tables["rate"]
+    every, relied = data.tables["rate"], data.relied
     rates = every[every["model"] == relied]
     if rates.empty:
         return verdict.no_rate(data.tables["dynamic"], data.config)
@@ -157,20 +129,21 @@ def rate_said(data, relied):
     )
 
 
-def rests_on(data, relied):
+def rests_on(data):
     """Lines: demand, models, and what is left out."""
     f, t = data.config["facade"], data.tables
-    demand = t["code_checks"]["pga_demand_g"].iloc[0]
     courses = f["courses"]
     stack = f"a stack of {courses} elastic courses" if courses else "a rigid part"
     names = list(t["dynamic"]["model"])
     meanings = "; ".join(f"{name}: {moved(name, names)}" for name in names)
     rests = ""
     if len(names) > 1:
-        rests = f" Verdict and ties are those of the worst of them; the rate rests on {relied}."
+        rests = (
+            f" Verdict and ties are those of the worst of them; the rate rests on {data.relied}."
+        )
     whole = t["parts_dynamic"][t["parts_dynamic"]["part"] == WHOLE_PART]
     return [
-        f"The demand is {data.demand_said}, a PGA of {g3(demand)} g.",
+        f"The demand is {data.demand_said}, a PGA of {g3(data.demand_g)} g.",
         f"Models of how the return walls move behind the façade. {meanings}.{rests}",
         f"{'By hand the' if courses else 'The'} façade is rigid blocks of "
         f"{f['density_kg_m3']:g} kg/m³ on dry joints; it does not crush or fall "
@@ -197,8 +170,7 @@ def moved(name, names):
 def next_steps(data):
     """Lines of what is recommended next."""
     t, own = data.tables, data.config["assessment"]
-    demand = t["code_checks"]["pga_demand_g"].iloc[0]
-    worse = verdict.damage(t["code_sensitivity"], t["mechanisms"], demand)
+    worse = verdict.damage(t["code_sensitivity"], t["mechanisms"], data.demand_g)
     known = ""
     if data.factor != own["confidence_factor"]:
         known = (
@@ -211,8 +183,8 @@ def next_steps(data):
             "Give more records (records_table): the mean spectrum of the chosen motions does not "
             "fit the demand within the code's bounds, so their check is not yet that of the code."
         )
-    given = t["code_checks"], t["mechanisms"], t["verdicts"]
-    return verdict.next_steps(*given, worse, known, misfit, shaken=t["shaken"])
+    given = t["code_checks"], t["mechanisms"], t["verdicts"], t["shaken"]
+    return verdict.next_steps(*given, worse, known, misfit)
 
 
 def fragility(data):
@@ -221,7 +193,7 @@ def fragility(data):
     if not len(t["dynamic_curves"]):
         return None
     return Picture(
-        pictures.fragility(t["dynamic_curves"], t["dynamic"], t["mechanisms"]),
+        partial(pictures.fragility, t["dynamic_curves"], t["dynamic"], t["mechanisms"]),
         48.0,
         "Probability of collapse with 95 % bands; mark: PGA at which the SLV check fails. "
         + verdict.suite(t["dynamic"], t["shaken"]["shaken"].sum() > 1),
@@ -234,12 +206,11 @@ def fragility(data):
 
 def spectra(data):
     """Picture of the demand on ground and floor."""
-    demand = data.tables["code_checks"]["pga_demand_g"].iloc[0]
     return Picture(
-        pictures.spectra(data.tables["spectra"]),
+        partial(pictures.spectra, data.tables["spectra"]),
         60.0,
-        f"Elastic spectra of 5 % at a PGA of {g3(demand)} g: the demand, the Circolare's floor "
-        "spectrum where the weakest mechanism is held, and the building's chain under the "
+        f"Elastic spectra of 5 % at a PGA of {g3(data.demand_g)} g: the demand, the Circolare's "
+        "floor spectrum where the weakest mechanism is held, and the building's chain under the "
         "run's motions scaled to that PGA.",
         "Ground, floor by formula, floor by the chain.",
         f"{data.folder}/spectra.csv",
@@ -249,10 +220,9 @@ def spectra(data):
 def kept(data, digest):
     """Lines that cite the evidence."""
     place = f"{data.folder}/evidence/{digest[: evidence.DIGITS]}"
-    dynamic = data.tables["dynamic"]
-    histories = int(dynamic["histories"].sum())
-    agree = data.tables["verdicts"]
-    worst = f" Least agreement: {per_cent(agree['agree'].min())}." if len(agree) else ""
+    histories = int(data.tables["dynamic"]["histories"].sum())
+    verdicts = data.tables["verdicts"]
+    worst = f" Least agreement: {per_cent(verdicts['agree'].min())}." if len(verdicts) else ""
     return [
         f"Configuration with every key, table of motions, the site's files, every table behind a "
         f"number above, and program with version are in {place}/, with this report. No later "

@@ -64,14 +64,22 @@ def chosen(ranked, tried, within):
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
-def cases(case, table, whole=True):
+def cases(case, table):
     """Case of each mechanism that is shaken by the table of `chosen`: (row, Case).
 
-    `case` is the façade's; `whole` says whether the whole façade is among them.
+    `case` is the façade's.
     """
     for row in table[table["shaken"] == 1].itertuples():
-        if row.part != WHOLE_PART:
+        if row.part == WHOLE_PART:
+            yield row, case
+        else:
             held = (None if pd.isna(v) else v for v in (row.held_m, row.hinge_m))
             yield row, case.part(row.foot_m, *held)
-        elif whole:
-            yield row, case
+
+
+def cases_of(case, path=None):
+    """Cases by part: of the whole façade; with the file of a table what else is shaken, instead."""
+    if path is None:
+        return {WHOLE_PART: case}
+    every = cases(case, pd.read_csv(path))
+    return {row.part: own for row, own in every if row.part != WHOLE_PART}

@@ -6,7 +6,6 @@ from pathlib import Path
 import numpy as np
 
 from rocking.assessment import national
-from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.demand import RecordDemand, TableDemand
 from rocking.records.text import read_text
 from rocking.risk.hazard import read_hazard
@@ -24,20 +23,15 @@ def demand_said(own, sites):
     """Where the demand is from, in words: of section assessment and the site's files."""
     if own["spectrum"]:
         return f"the spectrum in {own['spectrum']}"
-    row, years = own, ""
-    if own["hazard"]:
-        row = national.row_at(own["hazard"], own["return_period_years"])
-        years = f" once in {own['return_period_years']:g} years"
-    if row["ag_g"] is not None:
+    once = f" once in {own['return_period_years']:g} years"
+    if (row := national.stated_row(own)) is not None:
         return (
-            f"the spectrum of NTC 2018{years} for a_g = {row['ag_g']:.3g} g, F0 = {row['f0']:.3g}, "
-            f"T_C* = {row['tc_star_s']:.3g} s, subsoil {own['soil']}, topography "
-            f"{own['topography']}"
+            f"the spectrum of NTC 2018{once if own['hazard'] else ''} for a_g = "
+            f"{row['ag_g']:.3g} g, F0 = {row['f0']:.3g}, T_C* = {row['tc_star_s']:.3g} s, subsoil "
+            f"{own['soil']}, topography {own['topography']}"
         )
-    return (
-        f"that of {', '.join(Path(str(s)).name for s in sites)} once in "
-        f"{own['return_period_years']:g} years, with the median shape of the motions' spectra"
-    )
+    names = ", ".join(Path(str(s)).name for s in sites)
+    return f"that of {names}{once}, with the median shape of the motions' spectra"
 
 
 def read_spectrum(path):
@@ -109,21 +103,21 @@ def at_pga(shape, pga_g):
     return TableDemand(PERIODS_S, pga_g * np.median(shape, axis=0))
 
 
-def demand_of(own, records, spectrum=None, hazard=None):
+def demand_from(settings, records, spectrum, hazard):
     """The ground's demand: of a table, of NTC 2018, or the median shape at the hazard's PGA.
 
-    The first that is stated of the file of a spectrum, and in section assessment (`own`) of
-    `hazard` (rows of NTC 2018) and `ag_g`; else that of a hazard curve, where the shapes of
-    `records` stand for the site's.
+    The first that is stated of the file of a spectrum, and in section assessment of `hazard` (rows
+    of NTC 2018) and `ag_g`; else that of the file of a hazard curve, where the shapes of `records`
+    stand for the site's. Files are empty where there is none; `settings` are sections smdof and
+    assessment, and risk.site.
     """
+    own = settings["assessment"]
     if spectrum:
-        return read_spectrum(spectrum)
-    if own["hazard"]:
-        years = own["return_period_years"]
-        return national.demand_at(own["hazard"], years, own["soil"], own["topography"])
-    if own["ag_g"] is not None:
-        return CodeDemand(own["ag_g"], own["f0"], own["tc_star_s"], own["soil"], own["topography"])
-    return at_pga(shapes(records), pga_at(hazard, own["return_period_years"]))
+        return read_spectrum(str(spectrum))
+    if (row := national.stated_row(own)) is not None:
+        return national.spectrum_of(row, own["soil"], own["topography"])
+    curve = read_hazard(str(hazard), settings["smdof"]["period_s"], settings["risk.site"])
+    return at_pga(shapes(records), pga_at(curve, own["return_period_years"]))
 
 
 def hazards_of(own, curve=None, name=""):
@@ -138,14 +132,3 @@ def hazards_of(own, curve=None, name=""):
     if curve is not None and curve.measure == "pga_g":
         found[name] = curve
     return found
-
-
-def demand_from(settings, records, spectrum, hazard):
-    """`demand_of` the files of a spectrum and of a hazard curve, empty where there is none.
-
-    `settings` are sections smdof and assessment, and risk.site.
-    """
-    known = None
-    if hazard:
-        known = read_hazard(str(hazard), settings["smdof"]["period_s"], settings["risk.site"])
-    return demand_of(settings["assessment"], records, str(spectrum) if spectrum else None, known)

@@ -22,88 +22,64 @@ class Formula(NamedTuple):
 
     number: str
     text: str
-    document: str
-    status: str
+    document: str = CIRCOLARE
+    status: str = TRANSCRIPTION
 
 
 FORMULAS = {
-    "multiplier": Formula(
-        "C8.7.1.1",
-        "α0 = (Σ P δ_y − Σ F δ_F + L_i)/Σ (P + Q) δ_x",
-        CIRCOLARE,
-        TRANSCRIPTION,
-    ),
+    "multiplier": Formula("C8.7.1.1", "α0 = (Σ P δ_y − Σ F δ_F + L_i)/Σ (P + Q) δ_x"),
     "interlocking": Formula(
-        "C8.7.1.2",
-        "F = 0.4 n(n + 1) Φ μ l² t_s W a return wall, at h/3, Φ = h_b/l",
-        CIRCOLARE,
-        TRANSCRIPTION,
+        "C8.7.1.2", "F = 0.4 n(n + 1) Φ μ l² t_s W a return wall, at h/3, Φ = h_b/l"
     ),
-    "acceleration": Formula("C8.7.1.3", "a = α(d_C) g/(e* FC)", CIRCOLARE, TRANSCRIPTION),
-    "displacement": Formula(
-        "C8.7.1.4", "d = d_C Σ(P + Q)δ²/[δ_C Σ(P + Q)δ]", CIRCOLARE, TRANSCRIPTION
-    ),
-    "mass": Formula(
-        "C8.7.1.5", "e* = [Σ(P + Q)δ]²/{Σ(P + Q) Σ(P + Q)δ²}", CIRCOLARE, TRANSCRIPTION
-    ),
-    "elastic": Formula("C8.7.1.6", "a = 4π² d/T0²", CIRCOLARE, TRANSCRIPTION),
-    "period": Formula(
-        "C8.7.1.7", "T0 = κ λ L √(W/(E g)), κ = 6.2 or 2.2", CIRCOLARE, TRANSCRIPTION
-    ),
-    "onset": Formula("C8.7.1.8", "a_Z,SLD = α0 g/(e* FC)", CIRCOLARE, TRANSCRIPTION),
-    "onset_free": Formula("C8.7.1.9", "S_eZ,SLD(T0) = a_y/FC at 5 %", CIRCOLARE, TRANSCRIPTION),
+    "acceleration": Formula("C8.7.1.3", "a = α(d_C) g/(e* FC)"),
+    "displacement": Formula("C8.7.1.4", "d = d_C Σ(P + Q)δ²/[δ_C Σ(P + Q)δ]"),
+    "mass": Formula("C8.7.1.5", "e* = [Σ(P + Q)δ]²/{Σ(P + Q) Σ(P + Q)δ²}"),
+    "elastic": Formula("C8.7.1.6", "a = 4π² d/T0²"),
+    "period": Formula("C8.7.1.7", "T0 = κ λ L √(W/(E g)), κ = 6.2 or 2.2"),
+    "onset": Formula("C8.7.1.8", "a_Z,SLD = α0 g/(e* FC)"),
+    "onset_free": Formula("C8.7.1.9", "S_eZ,SLD(T0) = a_y/FC at 5 %"),
     "confidence": Formula(
         "C8.7.1.2.1.3",
         "FC of knowledge level 1 wherever α leaves the masonry's compressive strength out",
-        CIRCOLARE,
-        OFFICIAL,
+        status=OFFICIAL,
     ),
     "limits": Formula(
         "C8.7.1.2.1.6",
         "d_SLV: the least of 0.4 d0 and of the displacement at which a link's failure takes more "
         "than half of the capacity; d_SLC: 0.6 d0",
-        CIRCOLARE,
-        OFFICIAL,
+        status=OFFICIAL,
     ),
-    "behaviour": Formula("C8.7.1.2.1.7", "a_g,SLV = q a_g,SLD, q = 2", CIRCOLARE, OFFICIAL),
-    "secant_slv": Formula("C8.7.1.10", "T_SLV = 1.68π √(d_SLV/a(d_SLV))", CIRCOLARE, TRANSCRIPTION),
-    "secant_slc": Formula("C8.7.1.11", "T_SLC = 1.56π √(d_SLC/a(d_SLC))", CIRCOLARE, TRANSCRIPTION),
+    "behaviour": Formula("C8.7.1.2.1.7", "a_g,SLV = q a_g,SLD, q = 2", status=OFFICIAL),
+    "secant_slv": Formula("C8.7.1.10", "T_SLV = 1.68π √(d_SLV/a(d_SLV))"),
+    "secant_slc": Formula("C8.7.1.11", "T_SLC = 1.56π √(d_SLC/a(d_SLC))"),
     "largest": Formula(
         "C8.7.1.2.1.8",
         "demand: the largest spectral displacement over [T0, T_SLV]; 8 % damping (SLV), 10 % "
         "(SLC); a_g,SLV is not taken below a_g,SLD; at a height the first mode suffices",
-        CIRCOLARE,
-        OFFICIAL,
+        status=OFFICIAL,
     ),
     "at_height": Formula(
-        "C8.7.1.12",
-        "S_eZ(T, ξ, z) T²/4π², not less than S_eZ(T1, ξ, z) b² T1²/4π² where T > b T1",
-        CIRCOLARE,
-        TRANSCRIPTION,
+        "C8.7.1.12", "S_eZ(T, ξ, z) T²/4π², not less than S_eZ(T1, ξ, z) b² T1²/4π² where T > b T1"
     ),
     "dynamic": Formula(
         "C8.7.1.2.1.9",
         "fulfilled if d0 is exceeded in no analysis and the mean of the largest displacements does "
         "not exceed d_SLV (d_SLC)",
-        CIRCOLARE,
-        OFFICIAL,
+        status=OFFICIAL,
     ),
     "floor": Formula(
         "C7.2.5–7",
         "S_eZ by modes, root of squares, R = 1.1 ξ_k^−0.5 η(ξ) from a T_k to b T_k, a = 0.8, "
         "b = 1.1; not less than S_e(T, ξ) where T > T1",
-        CIRCOLARE,
-        TRANSCRIPTION,
     ),
-    "floor_peak": Formula("C7.2.8", "a_Z = √Σ a_Z,k²", CIRCOLARE, TRANSCRIPTION),
+    "floor_peak": Formula("C7.2.8", "a_Z = √Σ a_Z,k²"),
     "damaged": Formula(
         "C8.7.1.2.1.4",
         "at ultimate states the building's period grows by 50 to 100 %, its damping is 10 to 20 %",
-        CIRCOLARE,
-        OFFICIAL,
+        status=OFFICIAL,
     ),
-    "spectrum": Formula("3.2.2–7", "S_e(T) from a_g, F0, T_C*, S_S, C_C, S_T", NTC, TRANSCRIPTION),
-    "eta": Formula("3.2.4", "η = √(10/(5 + ξ)) ≥ 0.55", NTC, TRANSCRIPTION),
+    "spectrum": Formula("3.2.2–7", "S_e(T) from a_g, F0, T_C*, S_S, C_C, S_T", NTC),
+    "eta": Formula("3.2.4", "η = √(10/(5 + ξ)) ≥ 0.55", NTC),
     "motions": Formula(
         "3.2.3.6",
         "recorded motions: their mean spectrum of 5 % no more than 10 % below and 30 % above the "

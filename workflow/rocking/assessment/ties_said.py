@@ -88,9 +88,9 @@ def passes(row):
     return "remains" if row.beyond else "passes"
 
 
-def section(data, folder):
+def section(data):
     """Lines and tables of the rows of ties with which the façade passes."""
-    rows, after = data.tables["ties"], data.tables["ties_mechanisms"]
+    rows, after, folder = data.tables["ties"], data.tables["ties_mechanisms"], data.folder
     rows = rows[rows["force_kn"] > 0.0]
     beyond = after[after["beyond"] == 1]
     lines, tables = [answer(data)], []

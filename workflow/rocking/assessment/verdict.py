@@ -6,7 +6,6 @@ import pandas as pd
 
 from rocking.assessment.dynamic_check import LEAST_DRAWS, surely
 from rocking.assessment.shaken import is_later
-from rocking.mechanics.mechanism import WHOLE
 from rocking.stations import FEWEST
 
 GOVERNS = "W2m"  # the model that the rate rests on, where it is among a run's
@@ -14,6 +13,12 @@ ROUNDED = 1e-4  # relative; tables have six figures
 OTHERS = {"en": "EN 1998-3", "parts": "NZS 1170.5"}  # by the first part of a check's key
 SURE = 0.005  # of a probability that rounds to 0 or 100 %
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+NOT_MADE = "The code's dynamic check was not made: too few motions of different stations."
+
+
+def as_stated(mechanisms):
+    """Rows of mechanisms.csv of the façade as it stands, the weakest by hand first."""
+    return mechanisms[mechanisms["kind"] == "as stated"].sort_values("pga_fails_g")
 
 
 def g3(value):
@@ -79,8 +84,8 @@ def passes(checks, mechanisms, verdicts):
         None where the dynamic check was not made. A check that is fulfilled and hangs on the
         numerics (`dynamic_check.surely`) counts as not passed.
     """
-    stated = mechanisms[mechanisms["kind"] == "as stated"]
-    by_hand = bool(stated["pga_fails_g"].min() >= checks["pga_demand_g"].iloc[0])
+    weakest_g = as_stated(mechanisms)["pga_fails_g"].iloc[0]
+    by_hand = bool(weakest_g >= checks["pga_demand_g"].iloc[0])
     if verdicts.empty:
         return by_hand, None
     return by_hand, bool(surely(verdicts).all())
@@ -106,9 +111,8 @@ def headline(checks, mechanisms, verdicts, shaken, when, factor, fit=None):
         The verdict, the check by hand, the dynamic check.
     """
     by_hand, held = passes(checks, mechanisms, verdicts)
-    demand = checks["pga_demand_g"].iloc[0]
-    least = mechanisms[mechanisms["kind"] == "as stated"].sort_values("pga_fails_g").iloc[0]
-    share = per_cent(least["pga_fails_g"] / demand)
+    demand, stated = checks["pga_demand_g"].iloc[0], as_stated(mechanisms)
+    share = per_cent(stated["pga_fails_g"].iloc[0] / demand)
     well = by_hand and held is not False
     which = "" if well or not by_hand else "under recorded motions; by hand it is "
     passed = "passes by hand" if held is None else "passes"
@@ -117,13 +121,13 @@ def headline(checks, mechanisms, verdicts, shaken, when, factor, fit=None):
         f"life safety (SLV) is {'lost ' + which if which else ''}"
         f"{'kept up to' if by_hand else 'lost at'} {share} of that shaking, with FC = {factor:g}."
     )
-    return [first, kinematic(checks, mechanisms), _governed(verdicts, shaken, held, fit)]
+    return [first, _kinematic(stated, demand), _governed(verdicts, shaken, held, fit)]
 
 
 def _governed(verdicts, shaken, held, fit):
     """The dynamic check of the model and mechanism that decide, and what the others say."""
     if held is None:
-        return "The code's dynamic check was not made: too few motions of different stations."
+        return NOT_MADE
     model = decided_by(verdicts)
     names = dict(zip(shaken["part"], shaken["mechanism"], strict=True))
     worst = deciding(verdicts).set_index("model")
@@ -157,11 +161,9 @@ def moving(name):
     return f"the joint of {name}, moves" if bends else f"the top of the {name} moves"
 
 
-def kinematic(checks, mechanisms):
-    """The first sentence: the non-linear kinematic check of the weakest mechanism."""
-    stated = mechanisms[mechanisms["kind"] == "as stated"]
-    least = stated.sort_values("pga_fails_g").iloc[0]
-    demand = checks["pga_demand_g"].iloc[0]
+def _kinematic(stated, demand):
+    """The non-linear kinematic check of the weakest mechanism."""
+    least = stated.iloc[0]
     share = least["pga_fails_g"] / demand
     verdict = "passes" if share >= 1.0 else "fails"
     return (
@@ -177,24 +179,22 @@ def deciding(verdicts):
 
     Those that are not fulfilled before those that are, then by the mean over d_SLV.
     """
-    if verdicts.empty or "part" not in verdicts:  # of the whole façade alone
+    if verdicts.empty:
         return verdicts
+    first = _worst_first(verdicts).drop_duplicates("model").set_index("model")
+    return first.loc[verdicts["model"].unique()].reset_index()
+
+
+def _worst_first(verdicts):
+    """Rows of verdicts in the order of `deciding`."""
     over = verdicts["mean_d_m"] / verdicts["d_slv_m"]
     order = verdicts.assign(over=over, sure=surely(verdicts))
-    order = order.sort_values(["slv", "sure", "over"], ascending=[True, True, False])
-    first = order.drop_duplicates("model").set_index("model")
-    return first.loc[verdicts["model"].unique()].reset_index()
+    return order.sort_values(["slv", "sure", "over"], ascending=[True, True, False])
 
 
 def decided_by(verdicts):
     """Model that governs: of those that decide (`deciding`) the worst; None without a check."""
-    if verdicts.empty:
-        return None
-    worst = deciding(verdicts)
-    over = worst["mean_d_m"] / worst["d_slv_m"]
-    order = worst.assign(over=over, sure=surely(worst))
-    order = order.sort_values(["slv", "sure", "over"], ascending=[True, True, False])
-    return order["model"].iloc[0]
+    return None if verdicts.empty else _worst_first(deciding(verdicts))["model"].iloc[0]
 
 
 def held_or_not(verdicts):
@@ -215,8 +215,8 @@ def by_hand_alone(shaken):
     return f" Not shaken, judged by hand alone: {words_of(said)}."
 
 
-def dynamic_check(verdicts, fit, shaken=None):
-    """The second sentence: the code's own dynamic check.
+def dynamic_check(verdicts, fit, shaken):
+    """The code's own dynamic check.
 
     Parameters
     ----------
@@ -224,14 +224,13 @@ def dynamic_check(verdicts, fit, shaken=None):
         Of every model and mechanism, see `dynamic_check.verdict`.
     fit : tuple or None
         See `selection.fit_of`.
-    shaken : DataFrame or None
-        See `shaken.chosen`; None: the whole façade alone.
+    shaken : DataFrame
+        See `shaken.chosen`.
     """
     if verdicts.empty:
-        return "The code's dynamic check was not made: too few motions of different stations."
-    count = 1 if shaken is None else int(shaken["shaken"].sum())
-    names = {} if shaken is None else dict(zip(shaken["part"], shaken["mechanism"], strict=True))
-    left = "" if shaken is None else by_hand_alone(shaken)
+        return NOT_MADE
+    count = int(shaken["shaken"].sum())
+    names = dict(zip(shaken["part"], shaken["mechanism"], strict=True))
     verdicts = deciding(verdicts)
     sure = surely(verdicts)
     held, lost = (list(verdicts.loc[own, "model"]) for own in (sure, ~sure))
@@ -262,7 +261,7 @@ def dynamic_check(verdicts, fit, shaken=None):
     words += f"mean displacements of {top} are {said}; {'; '.join(limits)}"
     if unsure:
         words += f"; for {words_of(unsure)} the verdict hangs on the numerics"
-    return words + "." + left
+    return f"{words}.{by_hand_alone(shaken)}"
 
 
 def stands_on(facade):
@@ -286,7 +285,7 @@ def no_rate(dynamic, config):
 
 
 def suite(dynamic, several=False):
-    """The third sentence: collapse under all motions of the run, by the first of several parts."""
+    """Collapse under all motions of the run, by the first of several parts."""
     stations = int(dynamic["stations"].max())
     if stations < FEWEST:
         said = "; ".join(
@@ -294,10 +293,10 @@ def suite(dynamic, several=False):
             f"{g3(r.least_pga_g)} g)"
             for r in dynamic.itertuples()
         )
-        stations_said = f"{stations} station{'s' if stations > 1 else ''}"
         return (
-            f"Shaken by the motions of {stations_said} at the demand's PGA, {said}; so few give no "
-            f"probability and no interval ({FEWEST} stations are the least)."
+            f"Shaken by the motions of {stations} station{'s' if stations > 1 else ''} at the "
+            f"demand's PGA, {said}; so few give no probability and no interval ({FEWEST} stations "
+            "are the least)."
         )
     said = ", ".join(
         f"{share} with {r.model}{interval}"
@@ -317,10 +316,10 @@ def damage(sensitivity, mechanisms, demand_g):
     Of the sensitivity's rows `damaged building, …`: C8.7.1.2.1.4 has the period grow by 50 to 100 %
     at ultimate states.
     """
-    stated = mechanisms[mechanisms["kind"] == "as stated"]
+    weakest_g = as_stated(mechanisms)["pga_fails_g"].iloc[0]
     slv = sensitivity["check"].isin(("slv_ground", "slv_height"))
     rows = sensitivity[slv & sensitivity["key"].str.startswith("damaged building")]
-    if rows.empty or stated["pga_fails_g"].min() < demand_g or rows["ratio"].min() >= 1.0:
+    if rows.empty or weakest_g < demand_g or rows["ratio"].min() >= 1.0:
         return ""
     worst = rows.sort_values("ratio").iloc[0]
     return (
@@ -331,28 +330,39 @@ def damage(sensitivity, mechanisms, demand_g):
     )
 
 
-def next_steps(checks, mechanisms, verdicts, *more, shaken=None):
+def next_steps(checks, mechanisms, verdicts, shaken, *more):
     """What is recommended next, a line each; `more`: lines of others, empty ones left out.
 
     `verdicts` and `shaken` as of `dynamic_check`.
     """
-    verdicts = deciding(verdicts)
-    stated = mechanisms[mechanisms["kind"] == "as stated"]
-    demand = checks["pga_demand_g"].iloc[0]
-    weak = stated[stated["pga_fails_g"] < demand].sort_values("pga_fails_g")
-    lines = []
+    fails = mechanisms["pga_fails_g"] < checks["pga_demand_g"].iloc[0]
+    weak = as_stated(mechanisms[fails])
+    lines = _by_hand_next(checks, weak) + _shaken_next(deciding(verdicts), weak.empty)
+    least = as_stated(mechanisms)["mechanism"].iloc[0]
+    if least not in set(shaken.loc[shaken["shaken"] == 1, "mechanism"]):
+        lines.append(
+            f"The weakest mechanism, {the(least)}, was not shaken: it is judged by the kinematic "
+            "checks alone."
+        )
+    lines += [line for line in more if line]
+    if not lines:
+        lines.append("Keep the assumptions below verified on site; nothing else is asked for.")
+    return lines
+
+
+def _by_hand_next(checks, weak):
+    """Lines on the checks by hand; `weak` are the mechanisms that fail by them."""
     if len(weak):
-        lines.append(
-            "Tie or hold the façade against: "
-            + "; ".join(f"{the(r.mechanism)} ({g3(r.pga_fails_g)} g)" for r in weak.itertuples())
-            + ". Which rows of ties do so stands on page 1."
-        )
-        lines.append(
+        listed = [f"{the(r.mechanism)} ({g3(r.pga_fails_g)} g)" for r in weak.itertuples()]
+        return [
+            f"Tie or hold the façade against: {'; '.join(listed)}. Which rows of ties do so stands "
+            "on page 1.",
             "Verify on site what the checks leave out: the bond with the return walls, the anchors "
-            "of floors and roof, the quality of the masonry."
-        )
+            "of floors and roof, the quality of the masonry.",
+        ]
+    lines = []
     linear = checks[checks["check"].isin(("linear_ground", "linear_height"))]
-    if not len(weak) and (linear["ratio"] < 1.0).any():
+    if (linear["ratio"] < 1.0).any():
         lines.append(
             "The linear check with q = 2 fails, the non-linear one passes. The Circolare takes the "
             "first where no capacity curve is at hand, so the second stands."
@@ -360,13 +370,23 @@ def next_steps(checks, mechanisms, verdicts, *more, shaken=None):
     fails = checks[checks["ratio"] < 1.0]
     worst = fails.groupby(fails["check"].str.split("_").str[0])["ratio"].min()
     failed = [f"{OTHERS[k]} at {per_cent(r)}" for k, r in worst.items() if k in OTHERS]
-    if failed and not len(weak):
+    if failed:
         lines.append(
             f"Checks outside the Circolare do not pass: {', '.join(failed)} of the demand's PGA. "
             "They were read at second hand and decide nothing here; know why before you sign."
         )
-    lost = list(verdicts.loc[~surely(verdicts), "model"]) if len(verdicts) else []
-    if lost and not len(weak):
+    return lines
+
+
+def _shaken_next(verdicts, by_hand):
+    """Lines on the dynamic check; `by_hand`: whether the façade passes by hand."""
+    if verdicts.empty:
+        return [
+            "Give motions of as many stations as the code's dynamic check wants "
+            "(assessment.motions); it was not made."
+        ]
+    lines, lost = [], list(verdicts.loc[~surely(verdicts), "model"])
+    if lost and by_hand:
         lines.append(
             f"The kinematic check passes and the dynamic one does not ({words_of(lost)}): do not "
             "rest on the kinematic check alone; tie the façade or find what the building's motion "
@@ -378,23 +398,8 @@ def next_steps(checks, mechanisms, verdicts, *more, shaken=None):
             "Anchors stronger than their rods let the rods yield: now a tie or an anchor gives way "
             f"at {1e3 * min(yields):.3g} mm, the d_SLV of the dynamic check."
         )
-    if verdicts.empty:
-        lines.append(
-            "Give motions of as many stations as the code's dynamic check wants "
-            "(assessment.motions); it was not made."
-        )
-    elif (verdicts["agree"] < LEAST_DRAWS).any():
+    if (verdicts["agree"] < LEAST_DRAWS).any():
         lines.append(
             "Run the dynamic check with more motions: its verdict hangs on single histories."
         )
-    least = stated.sort_values("pga_fails_g").iloc[0]
-    done = {WHOLE} if shaken is None else {*shaken.loc[shaken["shaken"] == 1, "mechanism"]}
-    if least["mechanism"] not in done:
-        lines.append(
-            f"The weakest mechanism, {the(least['mechanism'])}, was not shaken: it is judged by "
-            "the kinematic checks alone."
-        )
-    lines += [line for line in more if line]
-    if not lines:
-        lines.append("Keep the assumptions below verified on site; nothing else is asked for.")
     return lines

@@ -5,9 +5,8 @@ Of the whole façade; with a table of mechanisms, of the parts that are shaken i
 
 import json
 
-import pandas as pd
 from rocking import Case, Motion
-from rocking.assessment.shaken import WHOLE_PART, cases
+from rocking.assessment.shaken import cases_of
 from rocking.collapse.quick import crossings_of
 from rocking.records import load_as, measures
 from rocking.runtime.script import run
@@ -19,22 +18,22 @@ COLUMNS += ["pga_max_g", "runs_planar"]
 
 def main(job):
     case, settings = Case.read(job.input.case), json.loads(job.params.settings)
-    known, columns = [(WHOLE_PART, case)], COLUMNS
-    if shaken := getattr(job.input, "shaken", None):
-        table, columns = pd.read_csv(shaken), ["part", *COLUMNS]
-        known = [(row.part, own) for row, own in cases(case, table, whole=False)]
-    most = settings["ida.max_pga_g"]
+    shaken = getattr(job.input, "shaken", None)
+    limit = {"max_pga_g": settings["ida.max_pga_g"]}
     motions = {
         name: Motion(load_as(settings, name, job.params.table)) for name, _ in job.params.curves
     }
-    shaken = [(motions[name], direction) for name, direction in job.params.curves]
-    found = {part: crossings_of(own, shaken, {"max_pga_g": most}) for part, own in known}
+    turns = [(motions[name], direction) for name, direction in job.params.curves]
+    found = {part: crossings_of(own, turns, limit) for part, own in cases_of(case, shaken).items()}
     rows = []
-    for k, (motion, direction) in enumerate(shaken):
+    for k, (motion, direction) in enumerate(turns):
         about = {"model": case.model, "record": motion.name, "direction": direction}
-        about |= {"record_pga_g": measures(motion.record)["pga_g"], "pga_max_g": most}
+        about |= {
+            "record_pga_g": measures(motion.record)["pga_g"],
+            "pga_max_g": limit["max_pga_g"],
+        }
         rows += [{"part": part, **about, **own[k]} for part, own in found.items()]
-    write_table(rows, job.output[0], columns)
+    write_table(rows, job.output[0], ["part", *COLUMNS] if shaken else COLUMNS)
 
 
 run(main, globals())

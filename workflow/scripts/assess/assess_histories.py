@@ -9,7 +9,7 @@ import pandas as pd
 from rocking import Case, Motion
 from rocking.assessment.dynamic_check import COLUMNS, checked, limits_of, verdict
 from rocking.assessment.family import Family
-from rocking.assessment.shaken import WHOLE_PART, cases, of_label
+from rocking.assessment.shaken import cases_of, of_label
 from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.tables import write_table
@@ -17,21 +17,18 @@ from rocking.tables import write_table
 
 def main(job):
     case, settings = Case.read(job.input.case), json.loads(job.params.settings)
-    motions = pd.read_csv(job.input.motions)
-    parts = [(WHOLE_PART, case)]
-    if shaken := getattr(job.input, "shaken", None):
-        parts = [(row.part, own) for row, own in cases(case, pd.read_csv(shaken), whole=False)]
     assessment = settings["assessment"]
     known = of_label(Family({**case.sections, "assessment": assessment}))
-    known_motions = {
-        name: Motion(load_as(settings, name, job.params.table)) for name in motions["record"]
-    }
+    motions = [
+        (Motion(load_as(settings, row.record, job.params.table)), row.pga_g)
+        for row in pd.read_csv(job.input.motions).itertuples()
+    ]
+    parts = cases_of(case, getattr(job.input, "shaken", None)) if motions else {}
+    directions, count = settings["directions"], assessment["dynamic_realisations"]
     found, rows = [], []
-    given = [(known_motions[row.record], row.pga_g) for row in motions.itertuples()]
-    for part, own in parts if given else ():
+    for part, own in parts.items():
         limits = limits_of(known[part].mechanism)
-        directions, count = settings["directions"], assessment["dynamic_realisations"]
-        table = checked(own.sections, given, directions, limits, count)
+        table = checked(own.sections, motions, directions, limits, count)
         found.append(table.assign(part=part))
         said = verdict(table, limits, settings["seed"])
         rows.append({"part": part, "model": case.model, **said})
