@@ -120,7 +120,7 @@ def test_the_part_above_the_sills_governs_and_the_sentence_says_so():
     ranked = governing(Family(CONFIG).all(), CONFIG, DEMAND)
     rows = [(one.name, "as stated", pga_g) for pga_g, one, _ in ranked]
     table = pd.DataFrame(rows, columns=["mechanism", "kind", "pga_fails_g"])
-    said = verdict.kinematic(pd.DataFrame({"pga_demand_g": [0.18]}), table)
+    said = verdict.kinematic(table, 0.18)
     assert "façade passes" in said
     assert f"{name}, holds up to a PGA of 0.22 g, 122 % of the demand's 0.18 g" in said
-    assert "fails" in verdict.kinematic(pd.DataFrame({"pga_demand_g": [0.23]}), table)
+    assert "fails" in verdict.kinematic(table, 0.23)

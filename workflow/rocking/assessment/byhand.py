@@ -14,6 +14,7 @@ from rocking.assessment import checks
 from rocking.assessment.family import NEAR_M
 from rocking.mechanics.closed_forms import GRAVITY_M_S2
 from rocking.mechanics.mechanism import rate
+from rocking.records import G_M_S2
 
 
 class Part(NamedTuple):
@@ -157,10 +158,9 @@ def results(candidate, found, confidence_factor):
     per = mechanism.participation()[2]
     why = "0.4 d0" if abs(control - 0.4 * d0) < 1e-9 else "where a tie or an anchor gives way"
     at = (up + pull) / out
-    height = {
-        "above": "height of the control point over the hinge, times sin θ0",
-        "held": "of the opening joint",
-    }["above" if candidate.held_m is None else "held"]
+    height = "of the opening joint"
+    if candidate.held_m is None:
+        height = "height of the control point over the hinge, times sin θ0"
     return [
         ("α0", "(Σ P δz + Σ F δF)/Σ P δx (C8.7.1.1)", alpha, ""),
         ("M*", "(Σ P δx)²/(g Σ P δx²)", mass, "kg"),
@@ -172,5 +172,5 @@ def results(candidate, found, confidence_factor):
         ("α(dC)", "(Σ P δz + Σ F δF)/Σ P δx of the turned position", at, ""),
         ("d*/dC", "Σ P δx²/(δC Σ P δx) (C8.7.1.4)", per, ""),
         ("d_SLV", "dC d*/dC", control * per, "m"),
-        ("a", "α(dC) g/(e* FC) (C8.7.1.3)", at * 9.80665 / (share * confidence_factor), "m/s²"),
+        ("a", "α(dC) g/(e* FC) (C8.7.1.3)", at * G_M_S2 / (share * confidence_factor), "m/s²"),
     ]

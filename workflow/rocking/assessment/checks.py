@@ -27,7 +27,8 @@ EUROCODE_PERIOD = 1.6  # of π√(d/a)
 MODEL_FACTOR = {1: 1.55, 2: 1.40, 3: 1.30}  # γ_Rd by knowledge level
 INFINITE_STRENGTH = 1.2  # on γ_Rd, where blocks do not crush
 FORCE_LIMIT = 3.6  # of the weight, in F_ph ≤ 3.6 W_p
-CANTILEVER, SPANNING = 6.2, 2.2  # κ of T0
+CANTILEVER = 6.2  # κ of T0
+ACTION_FACTOR = 1.0  # γ_Sd, which was not read
 
 
 @dataclass(frozen=True)
@@ -68,10 +69,10 @@ def confidence(stated, hinge_inset_m):
     return stated if hinge_inset_m > 0.0 else LEAST_KNOWN
 
 
-def initial_period(length_m, thickness_m, unit_weight_n_m3, e_pa, kappa=CANTILEVER):
-    """T0 = κ λ L √(W/(E g)), λ = L/t: an element free to vibrate [s] (C8.7.1.7)."""
+def initial_period(length_m, thickness_m, unit_weight_n_m3, e_pa):
+    """T0 = κ λ L √(W/(E g)), λ = L/t, κ = 6.2: a cantilever free to vibrate [s] (C8.7.1.7)."""
     slender = length_m / thickness_m
-    return kappa * slender * length_m * math.sqrt(unit_weight_n_m3 / (e_pa * GRAVITY_M_S2))
+    return CANTILEVER * slender * length_m * math.sqrt(unit_weight_n_m3 / (e_pa * GRAVITY_M_S2))
 
 
 def _shares(mechanism):
@@ -107,6 +108,7 @@ def linear(mechanism, demand, where, *, confidence_factor=1.0, behaviour=BEHAVIO
     alpha, ratio, _ = _shares(mechanism)
     start, damage = onset(mechanism, demand, confidence_factor, t0_s)
     peak = demand.acceleration(t0_s)
+    capacity, fails = behaviour * start, behaviour * damage
     steps = (
         ("α0", "multiplier that sets the mechanism off", alpha, "-"),
         ("e*", "participating mass ratio", ratio, "-"),
@@ -115,20 +117,12 @@ def linear(mechanism, demand, where, *, confidence_factor=1.0, behaviour=BEHAVIO
         ("T0", "period before the onset; 0 where walls behind hold it", t0_s, "s"),
         ("a_g,SLD", "PGA at the onset", damage, "g"),
         ("q", "behaviour factor", behaviour, "-"),
-        ("q a_SLD", "capacity", behaviour * start, "g"),
+        ("q a_SLD", "capacity", capacity, "g"),
         ("a(T0)", f"acceleration {where}", peak, "g"),
     )
     first = "onset_free" if t0_s else "onset"
-    return Check(
-        f"linear, {where}",
-        cited("multiplier", "mass", first, "confidence", "behaviour", "floor_peak"),
-        behaviour * start,
-        peak,
-        "g",
-        demand.pga_g,
-        behaviour * damage,
-        steps,
-    )
+    source = cited("multiplier", "mass", first, "confidence", "behaviour", "floor_peak")
+    return Check(f"linear, {where}", source, capacity, peak, "g", demand.pga_g, fails, steps)
 
 
 def capacity_at(mechanism, displacement_m, confidence_factor, t0_s=0.0):
@@ -184,15 +178,15 @@ def nonlinear(mechanism, demand, where, limit="SLV", *, confidence_factor=1.0, t
     )
     secant = f"secant_{limit.lower()}"
     keys = ("acceleration", "displacement", "limits", secant, "largest", "at_height", "floor")
-    return Check(
-        f"non-linear {limit}, {where}", cited(*keys), d, needed, "m", demand.pga_g, fails, steps
-    )
+    name = f"non-linear {limit}, {where}"
+    return Check(name, cited(*keys), d, needed, "m", demand.pga_g, fails, steps)
 
 
-def first_reading(mechanism, demand, where, limit="SLV"):
-    """The non-linear check as secondary transcriptions have it, to tell what the letter changes.
+def first_reading(mechanism, demand, limit):
+    """PGA at which the non-linear check of secondary transcriptions fails [g].
 
-    Demand at the secant period alone, no bound by the onset, FC = 1.
+    To tell what the letter changes: demand at the secant period alone, no bound by the onset,
+    FC = 1.
     """
     share, factor, damping = LIMITS[limit]
     per_control = mechanism.participation()[2]
@@ -200,20 +194,17 @@ def first_reading(mechanism, demand, where, limit="SLV"):
     a = capacity_at(mechanism, control, 1.0)
     d = control * per_control
     needed = displacement(demand, factor * math.pi * math.sqrt(d / a), damping)
-    fails = demand.pga_g * d / needed
-    source = "secondary transcriptions of the Circolare 7/2019 (second hand)"
-    name = f"first reading {limit}, {where}"
-    return Check(name, source, d, needed, "m", demand.pga_g, fails)
+    return demand.pga_g * d / needed
 
 
-def eurocode(mechanism, demand, where, limit="SD", *, knowledge=1, crushes=False, action=1.0):
+def eurocode(mechanism, demand, where, limit="SD", *, knowledge=1, crushes=False):
     """Rocking check of EN 1998-3:2025, known at second hand.
 
     With λ falling in a line from λ0 to zero at d0, a* = λ g/e* and T = 1.6π√(d/a*) at d = 0.4 d0
     (SD) or 0.6 d0 (NC): γ_Sd S_De(T) η(ξ) ≤ d/γ_Rd. Where ties or anchors pull, α(d) of the real
     curve is taken if less: they may have given way before. γ_Rd = 1.55, 1.40, 1.30 by knowledge
     level, times 1.2 where blocks do not crush. On a floor η is left out. The damping is the
-    Circolare's, the floor spectrum too; γ_Sd was not read and is taken as `action`.
+    Circolare's, the floor spectrum too; γ_Sd was not read and is taken as 1.
 
     Parameters
     ----------
@@ -231,9 +222,9 @@ def eurocode(mechanism, demand, where, limit="SD", *, knowledge=1, crushes=False
     a = left * G_M_S2 / ratio
     period = EUROCODE_PERIOD * math.pi * math.sqrt(d / a)
     ground = not hasattr(demand, "ground")
-    needed = action * displacement(demand, period, damping if ground else 0.05)
+    needed = ACTION_FACTOR * displacement(demand, period, damping if ground else 0.05)
     gamma = MODEL_FACTOR[knowledge] * (1.0 if crushes else INFINITE_STRENGTH)
-    fails = demand.pga_g * d / (gamma * needed)
+    capacity, fails = d / gamma, demand.pga_g * d / (gamma * needed)
     steps = (
         ("λ0", "multiplier that sets the mechanism off", alpha, "-"),
         ("d0*", "oscillator's displacement at which it vanishes", ultimate * per_control, "m"),
@@ -241,20 +232,12 @@ def eurocode(mechanism, demand, where, limit="SD", *, knowledge=1, crushes=False
         ("a*", "λ0 (1 − d/d0) g/e*, or λ(d) of ties and anchors", a / G_M_S2, "g"),
         (f"T_{limit}", "1.6π√(d/a*)", period, "s"),
         ("γ_Rd", "model factor", gamma, "-"),
-        ("γ_Sd", "action factor, assumed", action, "-"),
-        (f"d_{limit}/γ_Rd", "capacity", d / gamma, "m"),
+        ("γ_Sd", "action factor, assumed", ACTION_FACTOR, "-"),
+        (f"d_{limit}/γ_Rd", "capacity", capacity, "m"),
         ("γ_Sd S_De", f"demand {where}", needed, "m"),
     )
-    return Check(
-        f"EN 1998-3 {limit}, {where}",
-        cited("rocking"),
-        d / gamma,
-        needed,
-        "m",
-        demand.pga_g,
-        fails,
-        steps,
-    )
+    name = f"EN 1998-3 {limit}, {where}"
+    return Check(name, cited("rocking"), capacity, needed, "m", demand.pga_g, fails, steps)
 
 
 def height_coefficient(height_m, building_m):
@@ -337,7 +320,5 @@ def housner(height_m, thickness_m, demand):
         ("V", "velocity that turns the block over", needed, "m/s"),
         ("S_v", "mean pseudo-velocity, 0.1 to 2.5 s", given, "m/s"),
     )
-    fails = demand.pga_g * needed / given
-    return Check(
-        "Housner's energy", cited("energy"), needed, given, "m/s", demand.pga_g, fails, steps
-    )
+    name, fails = "Housner's energy", demand.pga_g * needed / given
+    return Check(name, cited("energy"), needed, given, "m/s", demand.pga_g, fails, steps)

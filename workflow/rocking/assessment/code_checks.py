@@ -151,7 +151,7 @@ def failing_pga(whole, sections, record, directions, max_pga_g):
     old = floor_demand(demand, whole.place, chain, modes="all", bounded=False)
     for limit in checks.LIMITS:
         pair = {
-            key: checks.first_reading(whole.mechanism, at, "", limit).failing_pga_g
+            key: checks.first_reading(whole.mechanism, at, limit)
             for key, at in (("ground", demand), ("height", old))
         }
         alike[f"{limit.lower()}_both_first"] = min(pair.values())

@@ -34,18 +34,6 @@ SHOWN = ("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_grou
 SECTIONS = ("facade", "return_wall", "smdof", "assessment")
 
 
-def checked(settings, demand, place):
-    """A mechanism of the façade and its checks; None where the façade has others.
-
-    `place` is which of how many: names have heights in them, which change with what is varied.
-    """
-    which, count = place
-    known = Family(settings).all()
-    if len(known) != count:
-        return None, {}
-    return known[which], code_checks(known[which], settings, demand)
-
-
 def variants(facade):
     """One key at a time up and down, then a damaged building; a height with all that is on it."""
     for key, factors in VARIED.items():
@@ -62,11 +50,18 @@ def variants(facade):
 
 
 def sensitivity(settings, demand, place):
-    """PGA of failure over the demand's, of one mechanism, by `variants`."""
-    rows, stated = [], Case({part: settings[part] for part in SECTIONS})
+    """PGA of failure over the demand's, of one mechanism, by `variants`.
+
+    `place` is which of how many: names have heights in them, which change with what is varied. A
+    façade that has others is left out.
+    """
+    rows, (which, count) = [], place
+    stated = Case({part: settings[part] for part in SECTIONS})
     for variant in variants(settings["facade"]):
         try:
-            _, found = checked(stated.varied(variant).sections, demand, place)
+            varied = stated.varied(variant).sections
+            known = Family(varied).all()
+            found = code_checks(known[which], varied, demand) if len(known) == count else {}
         except ValueError:  # no such façade, or a confidence factor below 1
             continue
         rows += [
@@ -100,10 +95,9 @@ def mechanism_row(one, found, tie_kn, kind):
 def mechanisms(settings, demand, ranked):
     """All mechanisms, the least first; what more ties or a held top would do to the first."""
     family = Family(settings)
+    weight = family.masonry.weight_n
     stated = 1e-3 * sum(one.force_n for one in pulls_of(settings["facade"]))
     rows = [mechanism_row(one, found, stated, "as stated") for _, one, found in ranked]
-    masonry = family.masonry
-    weight = sum(w for w, *_ in masonry.masses(0.0, masonry.top_m))
     for share in TIE_SHARES:
         tied = of_label(Family(settings, share * weight))
         if one := tied.get(label(ranked[0][1])):  # a new row has mechanisms of its own beside it
@@ -122,7 +116,6 @@ def spectra(records, settings, demand, share):
     chain = settings["smdof"]
     n = chain["n_dof"]
     floor = floor_demand(demand, share, chain)
-    periods = DRAWN_S
     exact, ground = [], []
     for record in records:
         motion = chain_motions(record, chain)
@@ -132,13 +125,13 @@ def spectra(records, settings, demand, share):
         moved = (1.0 - weight) * levels[j] + weight * levels[j + 1]
         scale = demand.pga_g / (np.abs(motion.ground_m_s2).max() / G_M_S2)
         dt = record.dt_s / motion.refine
-        exact.append(response_spectrum(moved, dt, periods, 0.05).psa_m_s2 / G_M_S2 * scale)
-        own = response_spectrum(record.acceleration_m_s2, record.dt_s, periods, 0.05)
+        exact.append(response_spectrum(moved, dt, DRAWN_S, 0.05).psa_m_s2 / G_M_S2 * scale)
+        own = response_spectrum(record.acceleration_m_s2, record.dt_s, DRAWN_S, 0.05)
         ground.append(own.psa_m_s2 / G_M_S2 * scale)
     table = {
-        "period_s": periods,
-        "ground_g": [demand.acceleration(t) for t in periods],
-        "floor_formula_g": [floor.acceleration(t) for t in periods],
+        "period_s": DRAWN_S,
+        "ground_g": [demand.acceleration(t) for t in DRAWN_S],
+        "floor_formula_g": [floor.acceleration(t) for t in DRAWN_S],
     }
     for name, rows in (("ground_suite", np.array(ground)), ("floor_chain", np.array(exact))):
         for tail in (16, 50, 84):
@@ -154,17 +147,18 @@ def checks_of(ranked):
     multiplier).
     """
     whole = next(row for row in ranked if row[1].whole)
+    told = [whole] if ranked[0] is whole else [ranked[0], whole]
     checks, steps, curves = [], [], []
-    for _, one, found in [whole] if ranked[0] is whole else [ranked[0], whole]:
+    for _, one, found in told:
         for key, check in found.items():
             values = (check.capacity, check.demand, check.unit, check.ratio, check.failing_pga_g)
             checks.append((one.name, key, check.name, *values, check.demand_pga_g, check.source))
             steps += [(one.name, key, *step) for step in check.steps]
         d, alpha = one.mechanism.curve()
         curves.append(pd.DataFrame({"mechanism": one.name, "d_m": d, "multiplier": alpha}))
-    told = {one.name for _, one, _ in ([whole] if ranked[0] is whole else [ranked[0], whole])}
+    names = {one.name for _, one, _ in told}
     for _, one, found in ranked:
         for key in ("slv_ground", "slv_height"):
-            if one.name not in told and key in found:
+            if one.name not in names and key in found:
                 steps += [(one.name, key, *step) for step in found[key].steps]
     return checks, steps, pd.concat(curves)

@@ -20,8 +20,6 @@ COLUMNS = [
     *("model", "level", "check", "group", "value", "n", "n_facades", "n_censored"),
     *("median_ratio", "log_scatter", "unsafe_share", "ci_low", "ci_high"),
 ]
-
-
 LEVELS_G = (0.05, 0.10, 0.15, 0.20, 0.25, 0.30)  # a_g of the code's checks
 SITE = (2.5, 0.3, "B")  # F0, T_C*, subsoil
 REFERENCE_G = 0.15  # a_g at which the mechanism that governs by hand is found
@@ -108,11 +106,8 @@ def summary(table, resamples, seed):
 def groups(table):
     """Parts of the table by what they have in common: (group, value, rows)."""
     yield "all", "all", table
-    for name, column in (
-        ("height", "height_m"),
-        ("slenderness", "slenderness"),
-        ("T1", "period_s"),
-    ):
+    facts = {"height": "height_m", "slenderness": "slenderness", "T1": "period_s"}
+    for name, column in facts.items():
         for value, part in table.groupby(column):
             yield name, f"{value:g}", part
     for name, column in (("pulse share", "pulse_share"), ("PGV/PGA", "pgv_over_pga_s")):
@@ -128,12 +123,8 @@ def compare(table, resamples, seed):
     for (model, level, check), part in table.groupby(["model", "level", "check"], sort=False):
         for group, value, rest in groups(part):
             if len(rest) and (group != "T1" or registry.model(model).chain):
-                one = summary(rest, resamples, seed)
-                rows.append(
-                    {"model": model, "level": level, "check": check, "group": group}
-                    | {"value": value}
-                    | one
-                )
+                about = {"model": model, "level": level, "check": check, "group": group}
+                rows.append({**about, "value": value, **summary(rest, resamples, seed)})
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
@@ -173,24 +164,18 @@ def parts_against_whole(levels, collapse):
     of the whole, share of curves in which the part falls first. Curves in which either never fell
     are left out of the median.
     """
-    collapse = collapse.fillna({"part": "whole"})
-    found = levels[levels["part"] != "whole"]
-    both = found.merge(
-        levels[levels["part"] == "whole"], on=["run", "model", "ag_g"], suffixes=("", "_whole")
-    )
-    keys = ["run", "model", *KEYS]
-    own = collapse[collapse["part"] != "whole"]
-    curves = own.merge(collapse[collapse["part"] == "whole"], on=keys, suffixes=("", "_whole"))
+    both = _beside_whole(levels, ["run", "model", "ag_g"])
+    curves = _beside_whole(collapse.fillna({"part": "whole"}), ["run", "model", *KEYS])
     curves["ratio"] = curves["pga_median_g"] / curves["pga_median_g_whole"]
     curves["first"] = curves["pga_median_g"] < curves["pga_median_g_whole"].fillna(np.inf)
     rows = []
     for model in both["model"].unique():
         for run in [*both.loc[both["model"] == model, "run"].unique(), "all"]:
-            mine = [
+            at, of = (
                 t[(t["model"] == model) & ((t["run"] == run) | (run == "all"))]
                 for t in (both, curves)
-            ]
-            at, of = mine
+            )
+            whole_passes, whole_holds = at["kinematic_fc_whole"] == 1, at["dynamic_whole"] == 1
             passes, holds = at["kinematic_fc"] == 1, at["dynamic"] == 1
             rows.append(
                 {
@@ -198,10 +183,8 @@ def parts_against_whole(levels, collapse):
                     "model": model,
                     "part": at["part"].iloc[0] if run != "all" else "",
                     "levels": len(at),
-                    "whole_alone_passes_by_hand": int(
-                        ((at["kinematic_fc_whole"] == 1) & ~passes).sum()
-                    ),
-                    "whole_alone_passes_dynamic": int(((at["dynamic_whole"] == 1) & ~holds).sum()),
+                    "whole_alone_passes_by_hand": int((whole_passes & ~passes).sum()),
+                    "whole_alone_passes_dynamic": int((whole_holds & ~holds).sum()),
                     "kinematic_alone_passes": int((passes & ~holds).sum()),
                     "dynamic_alone_passes": int((~passes & holds).sum()),
                     "curves": len(of),
@@ -212,3 +195,9 @@ def parts_against_whole(levels, collapse):
                 }
             )
     return pd.DataFrame(rows)
+
+
+def _beside_whole(table, keys):
+    """Rows of parts, each beside the whole façade's with the same keys (columns `…_whole`)."""
+    whole = table["part"] == "whole"
+    return table[~whole].merge(table[whole], on=keys, suffixes=("", "_whole"))

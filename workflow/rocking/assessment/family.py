@@ -24,7 +24,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocking.assessment.checks import CANTILEVER, initial_period
+from rocking.assessment.checks import initial_period
 from rocking.assessment.masonry import Masonry
 from rocking.mechanics.blocks import Held, bending, interlocking, toppling
 from rocking.mechanics.closed_forms import Interlocked
@@ -181,7 +181,7 @@ class Family:
     def _period(self, foot_m, top_m):
         back, front = self.masonry.faces(foot_m)
         e = CRACKED * 1e6 * self.section["e_mpa"]
-        return initial_period(top_m - foot_m, front - back, self.masonry.unit_weight, e, CANTILEVER)
+        return initial_period(top_m - foot_m, front - back, self.masonry.unit_weight, e)
 
     def _interlocked(self, foot_m):
         keys = ("course_m", "overlap_m", "friction")
@@ -195,10 +195,8 @@ class Family:
     def changes(self):
         """Heights at which masonry, holds or loads change, and what is there: (z_m, words)."""
         m, floors = self.masonry, self.section.get("floors", ())
-        known = {
-            self.height_m: "foot of the gable" if m.gable_m > NEAR_M else "foot of the parapet"
-        }
-        rows = [*known.items()] if m.top_m > self.height_m else []
+        foot = "foot of the gable" if m.gable_m > NEAR_M else "foot of the parapet"
+        rows = [(self.height_m, foot)] if m.top_m > self.height_m else []
         rows += [(row["height_m"], "tie") for row in self.section.get("ties", ())]
         rows += [(row["height_m"], "floor") for row in floors]
         rows += [(z0, "sill of an opening") for *_, z0, _ in m.shape.openings]

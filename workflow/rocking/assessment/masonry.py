@@ -61,6 +61,11 @@ class Masonry:
                 found.append((weight, 0.5 * (back + front), z))
         return [row for row in found if row[0] > 0.0]
 
+    @property
+    def weight_n(self):
+        """Weight of the whole façade [N]."""
+        return sum(weight for weight, *_ in self.masses(0.0, self.top_m))
+
     def strips(self, foot_m):
         """Strips of a wedge from a foot to what the return walls hold: (z, height) at Gauss points.
 

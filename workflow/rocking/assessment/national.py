@@ -51,8 +51,8 @@ def row_at(rows, return_period_years):
 
 
 def spectrum_of(row, soil, topography):
-    """Elastic spectrum of NTC 2018 of one row; other keys than `PARAMETERS` are passed over."""
-    return CodeDemand(*(row[key] for key in PARAMETERS), soil, topography)
+    """Elastic spectrum of NTC 2018 of one row."""
+    return CodeDemand(row["ag_g"], row["f0"], row["tc_star_s"], soil, topography)
 
 
 def stated_row(own):

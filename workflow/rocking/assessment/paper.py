@@ -103,17 +103,10 @@ def image(picture):
     return f"data:image/svg+xml;base64,{base64.b64encode(data.getvalue()).decode()}"
 
 
-def page(context, template="report.html.j2"):
+def page(context):
     """The report as one HTML page: style and pictures inside, no script, nothing fetched.
 
-    Parameters
-    ----------
-    context : dict
-        What the template shows.
-
-    Returns
-    -------
-    str
+    `context` is what the template shows.
     """
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(TEMPLATES),
@@ -125,7 +118,7 @@ def page(context, template="report.html.j2"):
     environment.filters |= {"broken": broken, "image": image}
     environment.globals |= {"kind": kind, "WHOLE": WHOLE}
     style = Markup((TEMPLATES / "report.css").read_text("utf-8"))
-    return environment.get_template(template).render(style=style, **context)
+    return environment.get_template("report.html.j2").render(style=style, **context)
 
 
 def write_pdf(path, text):

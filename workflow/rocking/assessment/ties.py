@@ -34,6 +34,7 @@ from rocking.assessment.ties_grown import (
     first_failing,
     grown,
     lowered,
+    with_force,
 )
 from rocking.studies.strengthening import row_of_rods
 
@@ -69,16 +70,15 @@ class Tied:
     def __init__(self, sections, demand):
         """Keep what every trial takes."""
         self.sections, self.demand = sections, demand
-        masonry = Family(sections).masonry
-        self.weight_n = sum(w for w, *_ in masonry.masses(0.0, masonry.top_m))
-        own = {label(one): one for one in Family(sections).corners()}  # which no row holds
-        self.corners = {name: slv_pga(one, sections, demand) for name, one in own.items()}
-        self._of_corners = own
+        family = Family(sections)
+        self.weight_n = family.masonry.weight_n
+        self.corners = {label(one): one for one in family.corners()}  # which no row holds
+        self.corners_pga_g = self._pga_g(self.corners)
         self._first: list[str] = []  # mechanisms that failed last are tried first
 
-    def levels(self):
-        """Heights at which a row may be added [m], ascending: `levels_of`."""
-        return levels_of(self.sections)
+    def _pga_g(self, known):
+        """PGA at which mechanisms by label fail by hand [g]."""
+        return {name: slv_pga(one, self.sections, self.demand) for name, one in known.items()}
 
     def entries(self, rows):
         """Entries of facade.ties for rows, those without force left out."""
@@ -94,8 +94,7 @@ class Tied:
     def mechanisms(self, rows):
         """Mechanisms of the façade with rows added, by label, with the PGA at which each fails."""
         known = {label(one): one for one in self.family(rows).plane()}
-        pga_g = {name: slv_pga(one, self.sections, self.demand) for name, one in known.items()}
-        return known | self._of_corners, pga_g | self.corners
+        return known | self.corners, self._pga_g(known) | self.corners_pga_g
 
     def failing(self, rows):
         """Labels of the mechanisms that fail by hand, and the PGA at which each does [g]."""
@@ -126,16 +125,15 @@ class Tied:
         beyond : list of str
             Labels of mechanisms that fail with the strongest rows too.
         """
-        if not self.failing([]):
-            return [], []
-        strongest = [TieRow(z, MOST_SHARE * self.weight_n) for z in levels]
-        beyond = sorted(self.failing(strongest))
-        if self.passes([], beyond):
-            return [], beyond
 
         def common(share):
             return [TieRow(z, share * self.weight_n) for z in levels]
 
+        if not self.failing([]):
+            return [], []
+        beyond = sorted(self.failing(common(MOST_SHARE)))
+        if self.passes([], beyond):
+            return [], beyond
         share = _halved(lambda s: self.passes(common(s), beyond), LEAST_SHARE, MOST_SHARE)
         rows = common(share)
         for _ in range(2):
@@ -147,8 +145,7 @@ class Tied:
         """Least force of one row, the others as they are."""
 
         def holds(force_n):
-            own = TieRow(rows[k].height_m, force_n)
-            return self.passes([*rows[:k], own, *rows[k + 1 :]], beyond)
+            return self.passes(with_force(rows, k, force_n), beyond)
 
         if holds(0.0):
             return 0.0
@@ -172,13 +169,7 @@ def levels_of(sections):
 
 
 def check_levels(sections):
-    """Refuse stated levels at which no return wall stands.
-
-    Raises
-    ------
-    ValueError
-        In one line.
-    """
+    """Refuse stated levels at which no return wall stands, by a ValueError of one line."""
     top = sections["facade"]["height_m"]
     for z in sections["assessment"]["tie_levels_m"] or ():
         if z > top:

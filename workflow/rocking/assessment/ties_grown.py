@@ -100,7 +100,7 @@ def free_levels(shaken, rows, failing):
     for k, row in enumerate(rows):
         if row.force_n:
             continue
-        weak = [*rows[:k], row._replace(force_n=least_n(shaken)), *rows[k + 1 :]]
+        weak = with_force(rows, k, least_n(shaken))
         known, _ = shaken.tied.mechanisms(weak)
         if failing.part in known and k in behind(known[failing.part], weak):
             found.append(k)
@@ -177,7 +177,7 @@ def lowered(shaken, rows, models, say=lambda text: None, likely=None):
         k = max(open_rows, key=lambda k: rows[k].force_n)
         force_n, reason = _least_of(shaken, rows, k, models, likely[k])
         if force_n < rows[k].force_n:
-            rows = _with(rows, k, force_n)
+            rows = with_force(rows, k, force_n)
             why = [None] * len(rows)
             say(f"row at {rows[k].height_m:g} m given back: {forces_said(rows)} kN")
         why[k] = reason
@@ -190,7 +190,7 @@ def _least_of(shaken, rows, k, models, likely=None):
 
     def fails(force_n):
         nonlocal reason
-        found = first_failing(shaken, _with(rows, k, force_n), models, reason)
+        found = first_failing(shaken, with_force(rows, k, force_n), models, reason)
         reason = found or reason
         return found is not None
 
@@ -208,7 +208,7 @@ def _least_of(shaken, rows, k, models, likely=None):
     return STEP**low * force_n, reason
 
 
-def _with(rows, k, force_n):
+def with_force(rows, k, force_n):
     """Rows of which one has another force."""
     return [*rows[:k], rows[k]._replace(force_n=force_n), *rows[k + 1 :]]
 

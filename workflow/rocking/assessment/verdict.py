@@ -121,7 +121,7 @@ def headline(checks, mechanisms, verdicts, shaken, when, factor, fit=None):
         f"life safety (SLV) is {'lost ' + which if which else ''}"
         f"{'kept up to' if by_hand else 'lost at'} {share} of that shaking, with FC = {factor:g}."
     )
-    return [first, _kinematic(stated, demand), _governed(verdicts, shaken, held, fit)]
+    return [first, kinematic(stated, demand), _governed(verdicts, shaken, held, fit)]
 
 
 def _governed(verdicts, shaken, held, fit):
@@ -161,7 +161,7 @@ def moving(name):
     return f"the joint of {name}, moves" if bends else f"the top of the {name} moves"
 
 
-def _kinematic(stated, demand):
+def kinematic(stated, demand):
     """The non-linear kinematic check of the weakest mechanism."""
     least = stated.iloc[0]
     share = least["pga_fails_g"] / demand

@@ -22,17 +22,8 @@ from yade_scripts.model import floor_motions
 
 LIMIT_S = 3600.0  # of one run in YADE
 USUAL = 1  # history of a block; of courses none, which take minutes
-COLUMNS = [
-    "model",
-    "record",
-    "direction",
-    "part",
-    "which",
-    "pga_g",
-    "d_m",
-    "d_yade_m",
-    "status_yade",
-]
+COLUMNS = ["model", "record", "direction", "part", "which", "pga_g", "d_m", "d_yade_m"]
+COLUMNS += ["status_yade"]
 
 
 def main(job):
@@ -45,16 +36,16 @@ def main(job):
     asked = ("nearest", "worst")[:count] if len(verdicts) else ()
     if asked:
         case, found, table = _governing(job.input.cases, verdicts, table, job.input.shaken)
-        scene, kept = case.sections, folder / f"{case.model}.json"
+        kept = folder / f"{case.model}.json"
         kept.write_text(case.to_json())
     for which in asked:
         own = table[(table["record"] == found[which]) & (table["realisation"] == 0)]
         row = own.loc[(own["d_m"] - found[f"{which}_d_m"]).abs().idxmin()]
         record = load_as(settings, row["record"], job.params.table)
-        time_s, columns = floor_columns(record, scene["smdof"])
+        time_s, columns = floor_columns(record, case.sections["smdof"])
         vertical = columns.pop(floor_motions.VERTICAL, None)
         ground, *floors = columns.values()
-        name = f"{scene['model']}_{row['record']}_{row['direction']}"
+        name = f"{case.model}_{row['record']}_{row['direction']}"
         motion, plan = folder / f"{name}.csv", folder / f"{name}.json"
         output, journal = folder / f"{name}_yade.csv", folder / f"{name}.jsonl"
         floor_motions.write(str(motion), time_s, ground, floors, vertical)
@@ -65,7 +56,7 @@ def main(job):
         command = [*shlex.split(job.params.yade), *map(str, words)]
         subprocess.run(command, check=True, timeout=LIMIT_S)
         yade = pd.read_csv(output).iloc[-1]
-        d = width_of(scene["facade"]) * min(yade["d_over_b"], 1.0)
+        d = width_of(case.sections["facade"]) * min(yade["d_over_b"], 1.0)
         values = (found["part"], which, row["pga_g"], row["d_m"], d, yade["status"])
         rows.append((case.model, row["record"], row["direction"], *values))
     write_table(rows, job.output[0], COLUMNS)

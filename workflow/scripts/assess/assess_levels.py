@@ -56,12 +56,11 @@ def main(job):
         part: [row | by_hand(mechanisms[part], settings, demand) for demand, row in levels]
         for part in shaken.loc[shaken["shaken"] == 1, "part"]
     }
-    known_motions = {name: Motion(record) for name, record in records.items()}
-    runs = [
-        (known_motions[name], g, ag_g) for name, own in wanted.items() for ag_g, g in own.items()
-    ]
-    turns = [((motion, pga_g), settings["directions"][0]) for motion, pga_g, _ in runs]
-    at_g = [ag_g for _, _, ag_g in runs]
+    turns, at_g = [], []
+    for name, pga_g in wanted.items():
+        motion = Motion(records[name])
+        turns += [((motion, own_g), settings["directions"][0]) for own_g in pga_g.values()]
+        at_g += pga_g.keys()
     for path in job.input.cases:
         for about, case in cases(Case.read(str(path)), shaken):
             found = histories(case.sections, turns, LONG_STEP)
