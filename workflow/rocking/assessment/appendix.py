@@ -26,39 +26,21 @@ STEPS = ("T_SLV", "T_max", "S_De", "a_g,SLD", "a_g,SLV")
 class Data:
     """What a report is made of.
 
-    Attributes
-    ----------
-    config : dict
-        Resolved configuration.
-    given : list of str
-        Keys that the user stated.
-    tables : dict of str to DataFrame
-        By file name; verdicts and yade of all models.
-    run, demand_said, program, commit : str
-    folder : str
-        Where the tables are, for the sources.
-    family, weakest
-        `family.Family`, and its `Candidate` that fails first.
-    demand_g : float
-        PGA of the demand.
-    relied : str
-        Model that the rate rests on.
-    fit, range_s
-        Of the selected motions' mean, see `selection.fit_of`.
+    `fit` and `range_s` are of the selected motions' mean, see `selection.fit_of`.
     """
 
-    config: dict
-    given: list
-    tables: dict
+    config: dict  # resolved
+    given: list  # keys that the user stated
+    tables: dict  # by file name; verdicts and yade of all models
     run: str
     demand_said: str
     program: str
     commit: str
-    folder: str
+    folder: str  # where the tables are, for the sources
     family: Family = field(init=False)
-    weakest: Candidate = field(init=False)
-    demand_g: float = field(init=False)
-    relied: str = field(init=False)
+    weakest: Candidate = field(init=False)  # fails first by hand
+    demand_g: float = field(init=False)  # PGA
+    relied: str = field(init=False)  # model that the rate rests on
     fit: tuple | None = field(init=False)
     range_s: tuple = field(init=False)
 

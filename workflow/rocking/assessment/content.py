@@ -110,8 +110,32 @@ def dynamic_check(data):
             f"Not made: it wants motions of as many stations as assessment.motions says ({wanted})."
         )
         return {"lines": [said], "picture": None, "tables": []}
+    lines = [verdict.dynamic_check(verdicts, data.fit, tables["shaken"]), _motions(data)]
+    if len(yade) and ((yade["d_yade_m"] / yade["d_m"] - 1.0).abs() > APART).any():
+        lines.append(
+            "YADE and the planar solver differ by more than a tenth in a history below. So far "
+            "from rest small differences grow in a single one; the check rests on all of them."
+        )
+    low, high, _ = data.fit
+    picture = Picture(
+        partial(pictures.selected, tables["selected_spectra"]),
+        50.0,
+        "Spectra of 5 %: the demand, the motions' mean, and each motion.",
+        f"The mean lies {per_cent(low)} to {per_cent(high)} from the demand.",
+        f"{folder}/selected_spectra.csv",
+    )
+    return {
+        "lines": lines,
+        "picture": picture,
+        "tables": [_decided(data), *([_in_yade(yade, folder)] if len(yade) else [])],
+    }
+
+
+def _decided(data):
+    """Table of the model that governs, and of the mechanism that decides in each other model."""
+    verdicts, shaken = data.tables["verdicts"], data.tables["shaken"]
     governs = verdict.decided_by(verdicts)
-    names = dict(zip(tables["shaken"]["part"], tables["shaken"]["mechanism"], strict=True))
+    names = dict(zip(shaken["part"], shaken["mechanism"], strict=True))
     worst = verdict.deciding(verdicts)
     shown = pd.concat(
         [verdicts[verdicts["model"] == governs], worst[worst["model"] != governs]],
@@ -130,7 +154,7 @@ def dynamic_check(data):
         for r, held in zip(shown.itertuples(), verdict.held_or_not(shown), strict=True)
     ]
     strong = tuple(k for k, r in enumerate(shown.itertuples()) if r.model == governs)
-    table = Table(
+    return Table(
         "The code's dynamic check (C8.7.1.2.1.9): held if no history exceeds d0 and the mean of "
         "the largest displacements of the top does not exceed d_SLV (d_SLC). Last column: share of "
         "sets of one perturbed history a motion that give the same verdict on SLV; a "
@@ -139,28 +163,9 @@ def dynamic_check(data):
         ("model, mechanism", "beyond d0", "mean", "d_SLV, d_SLC", "SLV", "SLC", "same verdict"),
         rows,
         (0.34, 0.1, 0.09, 0.15, 0.1, 0.1, 0.12),
-        f"{folder}/dynamic_check_*.csv",
+        f"{data.folder}/dynamic_check_*.csv",
         strong,
     )
-    lines = [verdict.dynamic_check(verdicts, data.fit, tables["shaken"]), _motions(data)]
-    if len(yade) and ((yade["d_yade_m"] / yade["d_m"] - 1.0).abs() > APART).any():
-        lines.append(
-            "YADE and the planar solver differ by more than a tenth in a history below. So far "
-            "from rest small differences grow in a single one; the check rests on all of them."
-        )
-    low, high, _ = data.fit
-    picture = Picture(
-        partial(pictures.selected, tables["selected_spectra"]),
-        50.0,
-        "Spectra of 5 %: the demand, the motions' mean, and each motion.",
-        f"The mean lies {per_cent(low)} to {per_cent(high)} from the demand.",
-        f"{folder}/selected_spectra.csv",
-    )
-    return {
-        "lines": lines,
-        "picture": picture,
-        "tables": [table, *([_in_yade(yade, folder)] if len(yade) else [])],
-    }
 
 
 def _motions(data):

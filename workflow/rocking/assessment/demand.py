@@ -19,9 +19,7 @@ REFERENCE = 0.05  # damping ratio of a spectrum given as a table
 LOWER, UPPER = 0.8, 1.1  # a and b of C7.2.6
 PERIOD_STEP = 1.08  # between the periods over which the largest displacement is sought
 SAME = 1e-9  # relative, of displacements
-SHORTEST = (
-    12.0  # of the longest: below, no spectrum of ground or floor has its largest displacement
-)
+SHORTEST = 12.0  # of the longest: no spectrum has its largest displacement below
 
 
 def eta(damping_ratio):
@@ -101,7 +99,7 @@ def displacement(demand, period_s, damping_ratio):
     period (Circolare 7/2019, C8.7.1.12): the displacement spectrum does not fall with the period.
     """
     value = demand.acceleration(period_s, damping_ratio) * G_M_S2 * (period_s / (2 * np.pi)) ** 2
-    if isinstance(demand, FloorDemand) and demand.bounded and demand.period_s:
+    if isinstance(demand, FloorDemand) and demand.bounded:
         first = max(demand.period_s)
         if period_s > UPPER * first:
             peak = demand.acceleration(first, damping_ratio) * G_M_S2

@@ -89,9 +89,8 @@ def _elevation(axis, family, candidate, scale):
         z = row["height_m"]
         across = np.linspace(-0.8 * half, 0.8 * half, row["count"]) if row["count"] > 1 else [0.0]
         axis.plot(across, [z] * len(across), "x", color="0", ms=4.5, mew=1.3)
-    if "corner" in candidate.name:
-        corner = _corner(family, candidate)
-        axis.add_patch(Polygon(corner, fc="none", ec="0", lw=1.1, ls="--"))
+    if not candidate.plane:
+        axis.add_patch(Polygon(_corner(family, candidate), fc="none", ec="0", lw=1.1, ls="--"))
     if family.base_m > 0.0:
         below = (-half, -family.base_m)
         axis.add_patch(Rectangle(below, 2 * half, family.base_m, fc="1", ec="0.5", hatch="//"))
@@ -143,16 +142,8 @@ def _section(axis, family, candidate, scale):
     if family.base_m > 0.0:
         axis.add_patch(Rectangle((-depth, ground), depth + b, family.base_m, fc="1", ec="0.5"))
     axis.plot([-1.2 * depth, b + 16 * scale], [ground] * 2, color="0", lw=1.2)
-    theta = 0.5 * candidate.mechanism.ultimate()[0]
-    corner = "corner" in candidate.name
-    for low, high, move in () if corner else candidate.mechanism.pieces:
-        for z0, z1, y0, y1 in [*m.shape.storeys, (m.height_m, top, *m.shape.storeys[-1][2:])]:
-            a, c = max(z0, low), min(z1, high)
-            if c - a < 1e-6:
-                continue
-            ends = [(y0, a), (y1, a), (y1, c), (y0, c)]
-            turned = [tuple(v.real for v in move(end)(theta)) for end in ends]
-            axis.add_patch(Polygon(turned, fc="none", ec="0", lw=0.9, ls="--"))
+    if candidate.plane:
+        _turned(axis, m, candidate.mechanism)
     edge = family._edge(candidate.foot_m, family.settings["hinge_inset_m"])
     axis.plot(edge, candidate.foot_m, "o", ms=3.5, color="0")
     held: dict[float, str] = {}
@@ -162,9 +153,8 @@ def _section(axis, family, candidate, scale):
         held[z] = f"{held.get(z, '')} tie {1e-3 * rod(row)[1]:.3g} kN"
     for row in section["floors"]:
         z = place_of(row, m.shape)[2]
-        axis.plot(
-            [-depth, 0.5 * sum(m.faces(z, above=False))], [z, z], color="0.2", lw=0.9, ls="--"
-        )
+        middle = 0.5 * sum(m.faces(z, above=False))
+        axis.plot([-depth, middle], [z, z], color="0.2", lw=0.9, ls="--")
         anchor = f", anchors {row['anchor_kn']:g} kN" if row["anchor_kn"] else ""
         held[z] = f"{held.get(z, '')} floor {row['load_kn']:g} kN{anchor}"
     values = sorted(held)
@@ -174,22 +164,29 @@ def _section(axis, family, candidate, scale):
         words = held[z].strip()
         axis.text(-1.2 * depth, place, words, size=SMALL, ha="right", va="center")
     _places(axis, ground, {0.0, b}, 4.0 * scale, 2.9 * scale, (-4 * scale, b + 4 * scale))
-    said = ""
+    line, said = {"arrowstyle": "-", "lw": 0.4, "color": "0.55"}, ""
     for z0, z1, y0, y1 in m.shape.storeys:
         said, before = f"{y1 - y0:.3g} thick", said
         if said == before:
             continue
-        place = y1 + 9 * scale, 0.5 * (z0 + z1)
-        axis.annotate(
-            said,
-            (0.5 * (y0 + y1), place[1]),
-            place,
-            size=SMALL,
-            va="center",
-            arrowprops={"arrowstyle": "-", "lw": 0.4, "color": "0.55"},
-        )
+        z = 0.5 * (z0 + z1)
+        at, place = (0.5 * (y0 + y1), z), (y1 + 9 * scale, z)
+        axis.annotate(said, at, place, size=SMALL, va="center", arrowprops=line)
     words = "section, and the mechanism that fails first"
     _titled(axis, 0.5 * sum(SECTION_MM) * scale, top + 3.0 * scale, words)
+
+
+def _turned(axis, masonry, mechanism):
+    """Section of a mechanism at half of the rotation at which its multiplier vanishes."""
+    theta, storeys = 0.5 * mechanism.ultimate()[0], masonry.shape.storeys
+    for low, high, move in mechanism.pieces:
+        for z0, z1, y0, y1 in [*storeys, (masonry.height_m, masonry.top_m, *storeys[-1][2:])]:
+            a, c = max(z0, low), min(z1, high)
+            if c - a < 1e-6:
+                continue
+            ends = [(y0, a), (y1, a), (y1, c), (y0, c)]
+            turned = [tuple(v.real for v in move(end)(theta)) for end in ends]
+            axis.add_patch(Polygon(turned, fc="none", ec="0", lw=0.9, ls="--"))
 
 
 def scale_of(family, wide_mm, high_mm):

@@ -30,18 +30,10 @@ COLUMNS = ["model", "record", "direction", "realisation", "pga_g", "d_over_b", "
 
 
 class Care(NamedTuple):
-    """How finely a check is run that is ended once it cannot be passed.
+    """How finely a check is run that is ended once it cannot be passed, by shares of d0."""
 
-    Attributes
-    ----------
-    calm : float
-        Of d0: motions that move a façade less by the long steps of `quick` are run by no others.
-    near : float
-        Of d0: of motions that move a façade less no perturbed history is run.
-    """
-
-    calm: float
-    near: float
+    calm: float  # motions that move a façade less by long steps are run by no others
+    near: float  # of motions that move a façade less no perturbed history is run
 
 
 ROUGH = Care(math.inf, 0.5)  # finds rows of ties that are near those of `FINE`

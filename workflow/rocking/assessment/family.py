@@ -56,35 +56,17 @@ def stretched(section, factor):
 
 
 class Candidate(NamedTuple):
-    """One mechanism and where it is.
-
-    Attributes
-    ----------
-    name : str
-    mechanism : Mechanism
-    foot_m : float
-        Height of its hinge over the façade's base.
-    place : float
-        Height of the middle of the line that holds it, over the building's height.
-    on_ground : bool
-        Its hinge is on the ground.
-    t0_s : float
-        Period before the onset, of an element free to vibrate; else 0.
-    hinge_m, held_m : float or None
-        Of vertical bending: where it opens, and the level that stays in place.
-    plane : bool
-        It turns over the whole width, as the dynamic models do.
-    """
+    """One mechanism and where it is; heights are over the façade's base."""
 
     name: str
     mechanism: Mechanism
-    foot_m: float
-    place: float
-    on_ground: bool
-    t0_s: float = 0.0
-    hinge_m: float | None = None
-    held_m: float | None = None
-    plane: bool = True
+    foot_m: float  # of its hinge
+    place: float  # of the middle of the line that holds it, over the building's height
+    on_ground: bool  # its hinge
+    t0_s: float = 0.0  # period before the onset, of an element free to vibrate; else 0
+    hinge_m: float | None = None  # of vertical bending: where it opens
+    held_m: float | None = None  # and the level that stays in place
+    plane: bool = True  # turns over the whole width, as the dynamic models do
 
     @property
     def whole(self):

@@ -36,47 +36,24 @@ WHOLE = 24  # rows of a table that is not parted between pages
 
 @dataclass(frozen=True)
 class Table:
-    """Rows of words under column names, with the file that the numbers stand in.
-
-    Attributes
-    ----------
-    caption : str
-    columns : tuple of str
-        All empty: no head.
-    rows : list of tuple of str
-    widths : tuple of float
-        Shares of the width.
-    source : str
-        File; empty for none.
-    strong : tuple of int
-        Rows set apart, as what governs.
-    """
+    """Rows of words under column names, with the file that the numbers stand in."""
 
     caption: str
-    columns: tuple
-    rows: list
-    widths: tuple
+    columns: tuple  # all empty: no head
+    rows: list  # of tuples of words
+    widths: tuple  # shares of the width
     source: str = ""
-    strong: tuple = ()
+    strong: tuple = ()  # numbers of rows set apart, as what governs
 
 
 @dataclass(frozen=True)
 class Picture:
-    """Picture with its caption and its text alternative.
+    """Picture with its caption and its text alternative."""
 
-    Attributes
-    ----------
-    draw : callable
-        Draws into a figure.
-    height_mm : float
-    caption, words, source : str
-    wide_mm : float
-    """
-
-    draw: Callable
+    draw: Callable  # into a figure
     height_mm: float
     caption: str
-    words: str
+    words: str  # the text alternative
     source: str = ""
     wide_mm: float = WIDTH_MM
 

@@ -86,7 +86,6 @@ def fragility(curves, dynamic, mechanisms, figure):
     axis.set(xscale="log", xlabel="PGA [g]", ylabel="probability of collapse [-]", ylim=(0, 1))
     low = 0.5 * min(curves["pga_g"].quantile(0.2), demand)
     ticks(axis.xaxis, [v for v in (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0) if v > low])
-    axis.minorticks_off()
     axis.set_xlim(low, 1.5 * max(curves["pga_g"].quantile(0.8), demand))
     axis.legend(loc="upper left", fontsize=6.5, bbox_to_anchor=(1.0, 1.0))
 
@@ -102,15 +101,8 @@ def tornado(table, base, label, figure):
     keys = list(ends[ends["high"] - ends["low"] > 1e-9].index)  # without those that do nothing
     for y, key in enumerate(keys[::-1]):
         part = table[table["key"] == key].sort_values("factor")
-        axis.barh(
-            y,
-            ends.loc[key, "high"] - ends.loc[key, "low"],
-            left=ends.loc[key, "low"],
-            height=0.5,
-            fc="0.85",
-            ec="0.3",
-            lw=0.6,
-        )
+        low, high = ends.loc[key, "low"], ends.loc[key, "high"]
+        axis.barh(y, high - low, left=low, height=0.5, fc="0.85", ec="0.3", lw=0.6)
         for _, row in part.iterrows():
             right = row["value"] > base
             axis.annotate(

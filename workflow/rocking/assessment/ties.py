@@ -195,45 +195,23 @@ def commercial(diameter_mm):
 
 
 class Found(NamedTuple):
-    """Rows of ties that make a façade pass.
+    """Rows of ties that make a façade pass: one `TieRow` at each level, 0 N for none.
 
-    Attributes
-    ----------
-    rows : list of TieRow
-        One at each level, with its final force; 0 N: none is needed there, or none helps.
-    by_hand_n : list of float
-        Least force of each by hand.
-    beyond : list of str
-        Labels of the mechanisms that these rows do not make pass.
-    why : list of ties_shaken.Failing or None
-        What fails under the motions with 0.95 of a row's force; None where nothing was shaken.
-    relied_n : list of float
-        Force of each with which every mechanism holds under the model that was tried first.
+    There none is needed, or none helps.
     """
 
     rows: list
-    by_hand_n: list
-    beyond: list
-    why: list
-    relied_n: list
+    by_hand_n: list  # least force of each by hand
+    beyond: list  # labels of the mechanisms that these rows do not make pass
+    why: list  # `Failing` with 0.95 of a row's force; None where nothing was shaken
+    relied_n: list  # forces that make all hold under the model that was tried first
 
 
 def found(tied, shaken, stands, say=lambda text: None):
-    """Rows with which the façade passes by hand and under the chosen motions.
+    """Rows with which a façade passes by hand and under the chosen motions, as `Found`.
 
-    Parameters
-    ----------
-    tied : Tied
-    shaken : Shaken or None
-        None: no motions were chosen, so by hand alone.
-    stands : bool
-        Whether the dynamic check holds without rows.
-    say : callable
-        Receives a line a trial.
-
-    Returns
-    -------
-    Found
+    `tied` is a `Tied`, `shaken` its `Shaken`, or None where no motions were chosen: by hand alone
+    then. `stands`: whether the dynamic check holds without rows. `say` receives a line a trial.
     """
     levels = levels_of(tied.sections)
     least, beyond = tied.least(levels) if levels else ([], sorted(tied.failing([])))
@@ -320,19 +298,10 @@ def _pulling(tied, rows, beyond, shaken):
 
 
 def table_of(result, own, relied="", as_sold=None):
-    """Rows as a table, with the rods they take (ROWS).
+    """Rows of `Found` as a table, with the rods of section strengthening that they take (ROWS).
 
-    Also a row of no force that the model tried first asks for.
-
-    Parameters
-    ----------
-    result : Found
-    own : dict
-        Section strengthening.
-    relied : str
-        Model that was tried first; empty without the dynamic check.
-    as_sold : tuple, optional
-        What `sold` returns; without it the next sizes, untried.
+    Also a row of no force that `relied`, the model tried first, asks for; it is empty without the
+    dynamic check. `as_sold` is what `sold` returns; without it the next sizes stand there, untried.
     """
     rows, (sizes, holds) = [], as_sold or ([None] * len(result.rows), "")
     every = zip(result.rows, result.by_hand_n, result.why, result.relied_n, sizes, strict=True)

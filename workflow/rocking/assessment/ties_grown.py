@@ -16,14 +16,7 @@ BY_HAND = Failing("", "", "", [])  # what fails are the checks by hand
 
 
 class Growth(NamedTuple):
-    """Rows that grew until a mechanism held.
-
-    Attributes
-    ----------
-    which : tuple of int
-        Those that grew.
-    why : Failing
-    """
+    """Rows that grew until a mechanism held, by number, and what failed before."""
 
     which: tuple
     why: Failing
@@ -37,20 +30,8 @@ def grown(shaken, rows, models, say=lambda text: None):
     takes the least force in sum; where none does, a level that has no row yet gets one. What none
     makes hold is left out (`Shaken.left`).
 
-    Parameters
-    ----------
-    shaken : Shaken
-    rows : list of TieRow
-        One at each level, ascending; 0 N: none there yet.
-    models : sequence of str
-    say : callable
-        Receives a line a mechanism.
-
-    Returns
-    -------
-    rows : list of TieRow
-    governs : list of Growth
-        In turn.
+    Rows are one at each level, ascending, of 0 N where none is yet. `say` receives a line a
+    mechanism. Returns the rows, and every `Growth` in turn.
     """
     governs: list[Growth] = []
     while True:
@@ -154,22 +135,9 @@ def lowered(shaken, rows, models, say=lambda text: None, likely=None):
     force puts the others to the question again. So 0.95 of each row has been tried beside the
     others as they are at the end, and does not pass.
 
-    Parameters
-    ----------
-    shaken : Shaken
-    rows : list of TieRow
-        With which every mechanism holds that is not left out.
-    models : sequence of str
-    say : callable
-        Receives a line for a row that gives force back.
-    likely : list of Failing or None, optional
-        By row what is tried first.
-
-    Returns
-    -------
-    rows : list of TieRow
-    why : list of Failing or None
-        By row what fails with a step less; `BY_HAND` for the checks by hand, None for no row.
+    With the rows given every mechanism holds that is not left out; `likely` says by row what is
+    tried first. Returns the rows, and by row what fails with a step less: a `Failing`, `BY_HAND`
+    for the checks by hand, None for no row.
     """
     why: list[Failing | None] = [None] * len(rows)
     likely = likely or why

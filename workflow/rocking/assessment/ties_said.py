@@ -83,11 +83,6 @@ def asked_by(row):
     return "checks by hand" if by_hand else f"{row.governed_by}, {row.model}"
 
 
-def passes(row):
-    """Word on a row of ties_mechanisms.csv."""
-    return "remains" if row.beyond else "passes"
-
-
 def section(data):
     """Lines and tables of the rows of ties with which the façade passes."""
     rows, after, folder = data.tables["ties"], data.tables["ties_mechanisms"], data.folder
@@ -145,7 +140,8 @@ def _after(after, folder):
         if not math.isnan(r.mean_d_m):
             over = f", {r.exceed_d0:.0f} beyond d0" if r.exceed_d0 else ""
             shaken = f"{1e3 * r.mean_d_m:.0f} of {1e3 * r.d_slv_m:.0f} mm{over}"
-        told.append((r.mechanism, g3(r.pga_fails_g), per_cent(r.ratio), shaken, passes(r)))
+        word = "remains" if r.beyond else "passes"
+        told.append((r.mechanism, g3(r.pga_fails_g), per_cent(r.ratio), shaken, word))
     return Table(
         "What every mechanism then does: by hand, and in the dynamic check of the model under "
         "which it comes nearest to its d_SLV, the mean of the largest displacements (up to the "

@@ -21,19 +21,12 @@ TRIED += ["histories", "agree", "holds", "fine"]
 
 
 class Failing(NamedTuple):
-    """A mechanism that does not hold: its model, label and name, and what holds it.
-
-    Attributes
-    ----------
-    model, part, mechanism : str
-    rows : list of int
-        Of the added rows those that hold it, the highest first.
-    """
+    """A mechanism that does not hold, and the added rows that hold it, the highest first."""
 
     model: str
-    part: str
-    mechanism: str
-    rows: list
+    part: str  # its label
+    mechanism: str  # its name
+    rows: list  # numbers
 
 
 class Shaken:
@@ -66,18 +59,10 @@ class Shaken:
         self._by_rows: dict[tuple, tuple] = {}
 
     def failing(self, rows, model, start=None):
-        """First mechanism of one model that does not hold; those that are left out are passed over.
+        """First mechanism of one model that does not hold, as `Failing`; None where all hold.
 
-        Parameters
-        ----------
-        rows : list of TieRow
-        model : str
-        start : str, optional
-            Label of the mechanism to begin with; those before it come last.
-
-        Returns
-        -------
-        Failing or None
+        Those that are left out are passed over. `start` is the label to begin with; those before
+        it come last.
         """
         known, parts = self._parts(rows, model)
         labels = [row.part for row, _ in parts]

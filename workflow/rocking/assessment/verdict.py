@@ -92,23 +92,10 @@ def passes(checks, mechanisms, verdicts):
 
 
 def headline(checks, mechanisms, verdicts, shaken, when, factor, fit=None):
-    """What the report says first: passes or not, by which check, mechanism and model.
+    """What the report says first: the verdict, the check by hand, the dynamic check.
 
-    Parameters
-    ----------
-    checks, mechanisms, verdicts, shaken : DataFrame
-        As in the report's tables.
-    when : str
-        Return period of the demand in words, or that it is the stated one.
-    factor : float
-        FC that was used.
-    fit : tuple or None
-        See `selection.fit_of`.
-
-    Returns
-    -------
-    list of str
-        The verdict, the check by hand, the dynamic check.
+    Of the report's tables; `when` says the demand's return period, or that it is the stated one,
+    `factor` is the FC that was used, `fit` as of `selection.fit_of`.
     """
     by_hand, held = passes(checks, mechanisms, verdicts)
     demand, stated = checks["pga_demand_g"].iloc[0], as_stated(mechanisms)
@@ -216,16 +203,10 @@ def by_hand_alone(shaken):
 
 
 def dynamic_check(verdicts, fit, shaken):
-    """The code's own dynamic check.
+    """The code's own dynamic check in one sentence.
 
-    Parameters
-    ----------
-    verdicts : DataFrame
-        Of every model and mechanism, see `dynamic_check.verdict`.
-    fit : tuple or None
-        See `selection.fit_of`.
-    shaken : DataFrame
-        See `shaken.chosen`.
+    Verdicts are of every model and mechanism, as of `dynamic_check.verdict`; `fit` as of
+    `selection.fit_of`, `shaken` of `shaken.chosen`.
     """
     if verdicts.empty:
         return NOT_MADE
