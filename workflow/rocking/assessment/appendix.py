@@ -12,14 +12,14 @@ from rocking.assessment.selection import fit_of
 from rocking.assessment.sources import FORMULAS
 from rocking.assessment.values import DEFAULT, values
 
-NUMBERS = {  # of the formulas behind the steps of a check
-    "T_SLV": "C8.7.1.10",
-    "S_De": "C8.7.1.2.1.8, C8.7.1.12",
-    "a_g,SLD": "C8.7.1.8",
-    "a_g,SLV": "not below a_g,SLD",
+STEPS = {  # of a check, with the numbers of their formulas
+    "T_SLV": " (C8.7.1.10)",
+    "T_max": "",
+    "S_De": " (C8.7.1.2.1.8, C8.7.1.12)",
+    "a_g,SLD": " (C8.7.1.8)",
+    "a_g,SLV": " (not below a_g,SLD)",
 }
 FAILS_AT = "of failure"
-STEPS = ("T_SLV", "T_max", "S_De", "a_g,SLD", "a_g,SLV")
 
 
 @dataclass
@@ -173,15 +173,13 @@ def _demand_of(data, name):
     own, rows, fails = steps[steps["mechanism"] == name], [], []
     for key, words in (("slv_ground", "ground"), ("slv_height", "floor")):
         found = own[own["check"] == key].set_index("symbol")
-        for symbol in STEPS if len(found) else ():
+        if found.empty:
+            continue
+        for symbol, number in STEPS.items():
             step = found.loc[symbol]
-            number = f" ({NUMBERS[symbol]})" if symbol in NUMBERS else ""
-            unit = "" if step["unit"] == "-" else step["unit"]
-            rows.append(
-                (f"{symbol}, {words}", f"{step['meaning']}{number}", f"{step['value']:.4g} {unit}")
-            )
-        if len(found):
-            fails.append(float(found.loc["a_g,SLV", "value"]))
+            value = f"{step['value']:.4g} {step['unit']}"
+            rows.append((f"{symbol}, {words}", f"{step['meaning']}{number}", value))
+        fails.append(float(found.loc["a_g,SLV", "value"]))
     least, demand_g = min(fails), data.demand_g
     words = "it passes, beyond" if least >= demand_g else "it fails, short of"
     rows.append(("PGA", f"{FAILS_AT}: {words} the demand's {demand_g:.4g} g", f"{least:.4g} g"))

@@ -33,30 +33,16 @@ ACTION_FACTOR = 1.0  # γ_Sd, which was not read
 
 @dataclass(frozen=True)
 class Check:
-    """One check with everything between input and result.
-
-    Attributes
-    ----------
-    name, source : str
-    capacity, demand : float
-        In `unit`.
-    unit : str
-    demand_pga_g : float
-        PGA of the shaking that the demand is of.
-    failing_pga_g : float
-        PGA at which the check just fails, its shaking scaled [g]; ∞ where it never does.
-    steps : tuple of (symbol, meaning, value, unit)
-        Intermediate numbers in their order.
-    """
+    """One check with everything between input and result."""
 
     name: str
     source: str
     capacity: float
     demand: float
-    unit: str
-    demand_pga_g: float
-    failing_pga_g: float
-    steps: tuple = field(default=(), repr=False)
+    unit: str  # of both
+    demand_pga_g: float  # of the shaking that the demand is of
+    failing_pga_g: float  # at which it just fails, its shaking scaled; ∞ where it never does
+    steps: tuple = field(repr=False)  # (symbol, meaning, value, unit) between, in their order
 
     @property
     def ratio(self):
@@ -93,17 +79,8 @@ def onset(mechanism, demand, confidence_factor, t0_s=0.0):
 def linear(mechanism, demand, where, *, confidence_factor=1.0, behaviour=BEHAVIOUR, t0_s=0.0):
     """Linear check: q α0 g/(e* FC) against the peak acceleration of ground or floor.
 
-    Parameters
-    ----------
-    mechanism : rocking.mechanics.mechanism.Mechanism
-    demand : RecordDemand, TableDemand, CodeDemand or FloorDemand
-        Taken at period T0.
-    where : str
-        "on the ground" or at which height.
-    confidence_factor, behaviour : float
-        FC, q.
-    t0_s : float
-        T0 of an element free to vibrate; 0 for one held by the walls behind it.
+    The demand, any of `demand` or a `CodeDemand`, is taken at T0: that of an element free to
+    vibrate, 0 for one held by the walls behind it. `where` says "on the ground" or at which height.
     """
     alpha, ratio, _ = _shares(mechanism)
     start, damage = onset(mechanism, demand, confidence_factor, t0_s)
@@ -146,10 +123,6 @@ def nonlinear(mechanism, demand, where, limit="SLV", *, confidence_factor=1.0, t
     (δ_C Σ Pδ). With d_SLV the least of 0.4 d0 and of a link's failure: T = 1.68π√(d/a(d)), demand
     the largest S_De over [T0, T] at 8 % damping; with d_SLC = 0.6 d0: 1.56π, 10 %. The PGA at which
     it fails is not taken below that of the onset.
-
-    Parameters
-    ----------
-    limit : {"SLV", "SLC"}
     """
     share, factor, damping = LIMITS[limit]
     _, ratio, per_control = _shares(mechanism)
@@ -204,13 +177,8 @@ def eurocode(mechanism, demand, where, limit="SD", *, knowledge=1, crushes=False
     (SD) or 0.6 d0 (NC): γ_Sd S_De(T) η(ξ) ≤ d/γ_Rd. Where ties or anchors pull, α(d) of the real
     curve is taken if less: they may have given way before. γ_Rd = 1.55, 1.40, 1.30 by knowledge
     level, times 1.2 where blocks do not crush. On a floor η is left out. The damping is the
-    Circolare's, the floor spectrum too; γ_Sd was not read and is taken as 1.
-
-    Parameters
-    ----------
-    knowledge : {1, 2, 3}
-    crushes : bool
-        Whether the hinge lies inside the outer face.
+    Circolare's, the floor spectrum too; γ_Sd was not read and is taken as 1. `crushes`: whether
+    the hinge lies inside the outer face.
     """
     share, damping = EUROCODE[limit]
     alpha, ratio, per_control = _shares(mechanism)

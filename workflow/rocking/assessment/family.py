@@ -92,12 +92,7 @@ def pulls_of(section, added_n=0.0):
 class Family:
     """All mechanisms of one façade.
 
-    Parameters
-    ----------
-    sections : mapping
-        Sections facade, return_wall and assessment of a configuration.
-    added_n : float
-        See `pulls_of`.
+    Of sections facade, return_wall and assessment of a configuration; `added_n` as of `pulls_of`.
     """
 
     def __init__(self, sections, added_n=0.0):

@@ -34,16 +34,16 @@ class Selection:
     mean_g: np.ndarray
 
     @property
-    def deviations(self):
-        """Least and largest of mean/target − 1."""
-        ratio = self.mean_g / self.target_g - 1.0
-        return float(ratio.min()), float(ratio.max())
-
-    @property
     def fits(self):
         """Whether the code's bounds hold at every period."""
-        low, high = self.deviations
-        return low >= -BELOW - 1e-9 and high <= ABOVE + 1e-9
+        return _deviations(self.mean_g, self.target_g, 1e-9)[2]
+
+
+def _deviations(mean_g, target_g, rounding):
+    """Least and largest of mean/target − 1, and whether both are within the code's bounds."""
+    ratio = mean_g / target_g - 1.0
+    low, high = float(ratio.min()), float(ratio.max())
+    return low, high, low >= -BELOW - rounding and high <= ABOVE + rounding
 
 
 def periods(low_s, high_s, points=POINTS):
@@ -92,10 +92,8 @@ def fit_of(spectra):
     """
     if spectra.empty:
         return None, (0.0, 0.0)
-    ratio = spectra["mean_g"] / spectra["target_g"] - 1.0
-    low, high = float(ratio.min()), float(ratio.max())
-    fits = low >= -BELOW - 1e-3 and high <= ABOVE + 1e-3
-    return (low, high, fits), (spectra["period_s"].min(), spectra["period_s"].max())
+    found = _deviations(spectra["mean_g"], spectra["target_g"], 1e-3)
+    return found, (spectra["period_s"].min(), spectra["period_s"].max())
 
 
 def _misfit(ratio):

@@ -56,15 +56,10 @@ class TieRow(NamedTuple):
 
 
 class Tied:
-    """A façade that rows of ties may be added to.
+    """A façade that rows of ties may be added to, and what it is held to by hand.
 
-    Parameters
-    ----------
-    sections : dict
-        Sections facade, return_wall, smdof, assessment and strengthening of a configuration; the
-        last says what rods the rows are of.
-    demand
-        See `code_checks.code_checks`.
+    Of sections facade, return_wall, smdof, assessment and strengthening of a configuration; the
+    last says what rods the rows are of.
     """
 
     def __init__(self, sections, demand):
@@ -245,14 +240,8 @@ def sold(tied, result, shaken, say=lambda text: None):
     """Rods that are sold with which the façade passes as with the rows found.
 
     Of each row the next size; while a mechanism fails with them, by hand or shaken, the one after
-    that for the highest of the rows that pull on it.
-
-    Returns
-    -------
-    sizes : list of float
-        Diameter of each row's rods [mm].
-    holds : bool
-        False where no size does.
+    that for the highest of the rows that pull on it. Returns the diameter of each row's rods [mm],
+    and whether they hold: False where no size does.
     """
     own = tied.sections["strengthening"]
     least = [row_of_rods(own, r.height_m, 1e-3 * r.force_n)["diameter_mm"] for r in result.rows]
