@@ -100,13 +100,14 @@ def headline(checks, mechanisms, verdicts, shaken, when, factor, fit=None):
     by_hand, held = passes(checks, mechanisms, verdicts)
     demand, stated = checks["pga_demand_g"].iloc[0], as_stated(mechanisms)
     share = per_cent(stated["pga_fails_g"].iloc[0] / demand)
-    well = by_hand and held is not False
-    which = "" if well or not by_hand else "under recorded motions; by hand it is "
-    passed = "passes by hand" if held is None else "passes"
+    outcome, state = "does not pass", "lost at"
+    if by_hand and held is False:
+        state = "lost under recorded motions; by hand it is kept up to"
+    elif by_hand:
+        outcome, state = "passes by hand" if held is None else "passes", "kept up to"
     first = (
-        f"{when} (PGA {g3(demand)} g) the façade {passed if well else 'does not pass'}: "
-        f"life safety (SLV) is {'lost ' + which if which else ''}"
-        f"{'kept up to' if by_hand else 'lost at'} {share} of that shaking, with FC = {factor:g}."
+        f"{when} (PGA {g3(demand)} g) the façade {outcome}: life safety (SLV) is {state} {share} "
+        f"of that shaking, with FC = {factor:g}."
     )
     return [first, kinematic(stated, demand), _governed(verdicts, shaken, held, fit)]
 
