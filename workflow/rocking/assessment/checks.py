@@ -234,14 +234,8 @@ def parts(mechanism, demand, height_m, building_m, period_s, *, response_factor=
     where the limit binds the demand does not grow with the PGA. How the standard's companion lets a
     rocking wall use its displacement could not be read and is not attempted.
 
-    Parameters
-    ----------
-    height_m, building_m : float
-        h_i of the part's support, h_n of the building.
-    period_s : float
-        T_p; 0 for a rigid part.
-    response_factor : float
-        C_ph · R_p.
+    Heights are h_i of the part's support and h_n of the building; the period is T_p, 0 for a rigid
+    part, the response factor C_ph R_p.
     """
     alpha = mechanism.multiplier()
     high, shape = height_coefficient(height_m, building_m), part_coefficient(period_s)

@@ -97,8 +97,7 @@ def code_checks(candidate, sections, demand, confidence_factor=None):
                 crushes=inset > 0.0,
             )
     slow = next(v for s, _, v, _ in found["slv_height"].steps if s == "T_SLV")
-    base = facade.get("base_height_m") or 0.0
-    high = base + facade["height_m"]
+    high = facade["base_height_m"] + facade["height_m"]
     rows = [("parts_height", place * high, 0.0), ("parts_slow", place * high, slow)]
     if candidate.on_ground:
         rows.insert(0, ("parts_ground", 0.0, 0.0))
@@ -150,13 +149,10 @@ def failing_pga(whole, sections, record, directions, max_pga_g):
     alike["slv_both_fc"] = least(known)
     old = floor_demand(demand, whole.place, chain, modes="all", bounded=False)
     for limit in checks.LIMITS:
-        pair = {
-            key: checks.first_reading(whole.mechanism, at, limit)
-            for key, at in (("ground", demand), ("height", old))
-        }
-        alike[f"{limit.lower()}_both_first"] = min(pair.values())
+        ground, floor = (checks.first_reading(whole.mechanism, at, limit) for at in (demand, old))
+        alike[f"{limit.lower()}_both_first"] = min(ground, floor)
         if limit == "SLV":
-            alike |= {f"slv_{key}_first": pga_g for key, pga_g in pair.items()}
+            alike |= {"slv_ground_first": ground, "slv_height_first": floor}
     every = floor_demand(demand, whole.place, chain, modes="all")
     alike["slv_all_modes"] = checks.nonlinear(whole.mechanism, every, "").failing_pga_g
     rows = []

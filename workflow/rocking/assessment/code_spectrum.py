@@ -28,20 +28,13 @@ class CodeDemand:
 
         a_g S η F0 [T/T_B + (1 − T/T_B)/(η F0)]    for T < T_B,
         a_g S η F0, a_g S η F0 T_C/T, a_g S η F0 T_C T_D/T²   to T_C, to T_D, beyond.
-
-    Parameters
-    ----------
-    ag_g, f0, tc_star_s : float
-        Of the limit state, on rock.
-    soil, topography : str
-        Keys of `SOILS` and `TOPOGRAPHY`.
     """
 
-    ag_g: float
+    ag_g: float  # of the limit state, on rock, and so are the next two
     f0: float
     tc_star_s: float
-    soil: str = "A"
-    topography: str = "T1"
+    soil: str = "A"  # of `SOILS`
+    topography: str = "T1"  # of `TOPOGRAPHY`
 
     @property
     def factors(self):

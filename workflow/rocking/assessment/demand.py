@@ -142,24 +142,14 @@ class FloorDemand:
 
     combined over modes by the root of the sum of squares, and not less than S_e(T, ξ) of the ground
     where T > T1. At T = 0 it is the floor's peak acceleration. Measured against the exact chain in
-    `floor_spectra`.
-
-    Parameters
-    ----------
-    ground : RecordDemand, TableDemand or CodeDemand
-    period_s, share : tuple of float
-        Of the modes that count: T_k, γ_k ψ_k(z).
-    damping_ratio : float
-        ξ_k of the building's modes.
-    bounded : bool
-        With the lower bound of C7.2.5 and that of C8.7.1.12 (`displacement`), which secondary
-        transcriptions leave out.
+    `floor_spectra`. `bounded` is with the lower bound of C7.2.5 and that of C8.7.1.12
+    (`displacement`), which secondary transcriptions leave out.
     """
 
-    ground: Any
-    period_s: tuple
-    share: tuple
-    damping_ratio: float = REFERENCE
+    ground: Any  # RecordDemand, TableDemand or CodeDemand
+    period_s: tuple  # T_k of the modes that count
+    share: tuple  # γ_k ψ_k(z)
+    damping_ratio: float = REFERENCE  # ξ_k
     bounded: bool = True
 
     @property
@@ -202,8 +192,6 @@ def floor_demand(ground, height_ratio, chain, modes="first", bounded=True, damag
     the building at ultimate states (C8.7.1.2.1.4); None leaves it as it is.
     """
     n = chain["n_dof"]
-    if not 0.0 <= height_ratio <= 1.0:
-        raise ValueError(f"height_ratio: expected 0 to 1, got {height_ratio}")
     if modes == "linear":
         gamma = 3.0 * n / (2.0 * n + 1.0)
         periods, shares = [chain["period_s"]], [gamma * height_ratio]

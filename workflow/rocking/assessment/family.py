@@ -45,12 +45,11 @@ def stretched(section, factor):
     """Section facade with every height times a factor: floors, ties and openings move with it."""
     found = {**section, "height_m": factor * section["height_m"]}
     for key in ("gable_height_m", "parapet_height_m"):
-        if found.get(key):
-            found[key] = factor * found[key]
+        found[key] = factor * section[key]
     for rows in ("floors", "ties", "openings", "thickness_steps"):
         found[rows] = [
             {k: factor * v if k in ("height_m", "z_m") else v for k, v in row.items()}
-            for row in section.get(rows) or ()
+            for row in section[rows]
         ]
     return found
 
@@ -101,7 +100,7 @@ class Family:
         self.section = {**sections["facade"], "courses": 0}  # by hand the masonry is one body
         section, settings = self.section, self.settings
         self.masonry = Masonry(section)
-        self.base_m = section.get("base_height_m") or 0.0
+        self.base_m = section["base_height_m"]
         self.height_m = self.masonry.height_m
         inset = settings["hinge_inset_m"]
         if not 0.0 <= inset <= 0.5 * section["thickness_m"]:
@@ -118,7 +117,7 @@ class Family:
         load, arm = self.settings["roof_load_kn"], self.settings["roof_arm_m"]
         if load is None:
             shape = self.masonry.shape
-            rows = self.section.get("floors", ())
+            rows = self.section["floors"]
             return [(1e3 * row["load_kn"], *place_of(row, shape)[1:]) for row in rows]
         back, front = self.masonry.faces(self.height_m, above=False)
         y = 0.5 * (back + front) if arm is None else back + arm
@@ -171,11 +170,11 @@ class Family:
 
     def changes(self):
         """Heights at which masonry, holds or loads change, and what is there: (z_m, words)."""
-        m, floors = self.masonry, self.section.get("floors", ())
+        m = self.masonry
         foot = "foot of the gable" if m.gable_m > NEAR_M else "foot of the parapet"
         rows = [(self.height_m, foot)] if m.top_m > self.height_m else []
-        rows += [(row["height_m"], "tie") for row in self.section.get("ties", ())]
-        rows += [(row["height_m"], "floor") for row in floors]
+        rows += [(row["height_m"], "tie") for row in self.section["ties"]]
+        rows += [(row["height_m"], "floor") for row in self.section["floors"]]
         rows += [(z0, "sill of an opening") for *_, z0, _ in m.shape.openings]
         rows += [(z1, "head of an opening") for *_, z1 in m.shape.openings]
         above = zip(m.shape.storeys, m.shape.storeys[1:], strict=False)

@@ -77,12 +77,8 @@ def relied_on(names):
 def passes(checks, mechanisms, verdicts):
     """Whether a façade passes by hand, and in the dynamic check of every model and mechanism.
 
-    Returns
-    -------
-    by_hand : bool
-    shaken : bool or None
-        None where the dynamic check was not made. A check that is fulfilled and hangs on the
-        numerics (`dynamic_check.surely`) counts as not passed.
+    The latter is None where that check was not made. One that is fulfilled and hangs on the
+    numerics (`dynamic_check.surely`) counts as not passed.
     """
     weakest_g = as_stated(mechanisms)["pga_fails_g"].iloc[0]
     by_hand = bool(weakest_g >= checks["pga_demand_g"].iloc[0])
