@@ -19,19 +19,16 @@ COLUMNS += ["pga_max_g", "runs_planar"]
 def main(job):
     case, settings = Case.read(job.input.case), json.loads(job.params.settings)
     shaken = getattr(job.input, "shaken", None)
-    limit = {"max_pga_g": settings["ida.max_pga_g"]}
+    parts, most = cases_of(case, shaken), settings["ida.max_pga_g"]
     motions = {
         name: Motion(load_as(settings, name, job.params.table)) for name, _ in job.params.curves
     }
     turns = [(motions[name], direction) for name, direction in job.params.curves]
-    found = {part: crossings_of(own, turns, limit) for part, own in cases_of(case, shaken).items()}
+    found = {part: crossings_of(own, turns, {"max_pga_g": most}) for part, own in parts.items()}
     rows = []
     for k, (motion, direction) in enumerate(turns):
         about = {"model": case.model, "record": motion.name, "direction": direction}
-        about |= {
-            "record_pga_g": measures(motion.record)["pga_g"],
-            "pga_max_g": limit["max_pga_g"],
-        }
+        about |= {"record_pga_g": measures(motion.record)["pga_g"], "pga_max_g": most}
         rows += [{"part": part, **about, **own[k]} for part, own in found.items()]
     write_table(rows, job.output[0], ["part", *COLUMNS] if shaken else COLUMNS)
 
