@@ -20,12 +20,12 @@ COLUMNS = [
     *("model", "level", "check", "group", "value", "n", "n_facades", "n_censored"),
     *("median_ratio", "log_scatter", "unsafe_share", "ci_low", "ci_high"),
 ]
-LEVELS_G = (0.05, 0.10, 0.15, 0.20, 0.25, 0.30)  # a_g of the code's checks
+CHECKED_AG_G = (0.05, 0.10, 0.15, 0.20, 0.25, 0.30)  # a_g of the code's checks
 SITE = (2.5, 0.3, "B")  # F0, T_C*, subsoil
 REFERENCE_G = 0.15  # a_g at which the mechanism that governs by hand is found
 CHECKS_BY_HAND = ("kinematic_fc", "kinematic_fc1", "kinematic_ground_fc")
 KEYS = ["record", "direction"]
-LEVELS = {"pga_p10_g": "p10", "pga_median_g": "median"}
+QUANTILES = {"pga_p10_g": "p10", "pga_median_g": "median"}
 FACTS = ("height_m", "slenderness", "period_s")
 
 
@@ -42,8 +42,8 @@ def gather(runs):
         checks = pd.read_csv(facts["checks"])
         for path in facts["collapse"]:
             given = [*KEYS, "model", "pga_max_g"]
-            long = pd.read_csv(path).melt(given, [*LEVELS], "level", "pga_dynamic_g")
-            both = long.assign(level=long["level"].map(LEVELS)).merge(checks, on=KEYS)
+            long = pd.read_csv(path).melt(given, [*QUANTILES], "level", "pga_dynamic_g")
+            both = long.assign(level=long["level"].map(QUANTILES)).merge(checks, on=KEYS)
             parts.append(both.assign(**{key: facts[key] for key in FACTS}, run=name))
     return pd.concat(parts, ignore_index=True)
 

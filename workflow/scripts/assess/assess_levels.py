@@ -11,7 +11,7 @@ from rocking.assessment import selection
 from rocking.assessment.checks import LEAST_KNOWN
 from rocking.assessment.code_checks import code_checks, least
 from rocking.assessment.code_spectrum import CodeDemand
-from rocking.assessment.comparison import LEVELS_G, SITE
+from rocking.assessment.comparison import CHECKED_AG_G, SITE
 from rocking.assessment.dynamic_check import histories, limits_of, verdict
 from rocking.assessment.family import Family
 from rocking.assessment.shaken import cases, of_label
@@ -44,7 +44,7 @@ def main(job):
     spectra_g = selection.spectra_of(records.values(), period_s)
     peaks = {name: measures(record)["pga_g"] for name, record in records.items()}
     levels, wanted = [], {}
-    for ag_g in LEVELS_G:
+    for ag_g in CHECKED_AG_G:
         demand = CodeDemand(ag_g, *SITE)
         chosen = selection.for_demand(demand, stations, spectra_g, period_s, own)
         levels.append((demand, {"ag_g": ag_g, "pga_g": demand.pga_g, "fits": int(chosen.fits)}))
