@@ -169,16 +169,10 @@ def decided(job, turns, limits, realisations, seed, care=FINE, many=map, at_once
     else:
         said = verdict(table, limits, seed)
     share = said["agree"] if said["slv"] else 1.0 - said["agree"]
+    about = {"exceed_d0": said["exceed_d0"], "mean_d_m": said["mean_d_m"]}
+    about |= {"d_slv_m": limits.slv_m, "histories": len(table), "agree": share}
     holds = ended is None and said["slv"] and share >= LEAST_DRAWS
-    about = {
-        "exceed_d0": said["exceed_d0"],
-        "mean_d_m": said["mean_d_m"],
-        "d_slv_m": limits.slv_m,
-        "histories": len(table),
-        "agree": share,
-        "holds": bool(holds),
-    }
-    return about, ended
+    return about | {"holds": bool(holds)}, ended
 
 
 def _run(many, run, turns, at_once):
