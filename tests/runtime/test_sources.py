@@ -1,12 +1,15 @@
 """Dependencies read from imports: they are what Python really loads, and every rule has them."""
 
 import ast
+import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
+import forked
 import pytest
 from rocking.runtime import stamps
 
@@ -25,6 +28,14 @@ for name, module in sorted(sys.modules.items()):
     file = getattr(module, "__file__", None)
     if file and name.split(".")[0] in ("rocking", "smdof", "yade_scripts"):
         print(file)
+"""
+SCRIPTS_OF_RULES = f"""
+import json
+include: "{ROOT}/workflow/Snakefile"
+for one in workflow.rules:
+    if one.script:
+        about = one.params.get("study"), one.input.modules({{}}), list(one.log)
+        print(json.dumps([one.name, one.script, *about]))
 """
 
 
@@ -58,25 +69,35 @@ def late(files):
     return out
 
 
-def rules():
-    """Yield (name, text) of every rule with a script or a study of its own."""
+def started():
+    """Yield (name, text) of every rule whose shell command starts YADE."""
     for path in sorted((ROOT / "workflow" / "rules").rglob("*.smk")):
         for block in re.split(r"(?m)^(?=(?:use )?rule )", path.read_text("utf-8")):
-            if re.search(r"^    script:|{params.yade}", block, re.M):
+            if "{params.yade}" in block:
                 yield re.match(r"(?:use )?rule (\w+)", block)[1], block
 
 
-@pytest.mark.parametrize(("name", "block"), list(rules()))
-def test_every_rule_depends_on_the_code_it_runs(name, block):
-    """The input `modules` names the script, the module it calls, or the study in YADE."""
-    if script := re.search(r'script:\n        "(?:\.\./)+scripts/(.+?)\.py"', block):
-        called = re.search(r'^        (study="\w+"),$', block, re.M)
-        names = [f'"{script[1].replace("wildcards.", "")}"', *(called.groups() if called else ())]
-        wanted = f"code({', '.join(names)})"
-    else:
-        started = re.search(r"{params\.yade} ([a-z_0-9]+)", block)
-        wanted = f'command_code("{started[1]}")'
-    assert f"modules={wanted}" in block
+@pytest.mark.parametrize(("name", "block"), list(started()))
+def test_every_rule_depends_on_the_command_it_starts(name, block):
+    command = re.search(r"{params\.yade} ([a-z_0-9]+)", block)[1]
+    assert f'modules=command_code("{command}")' in block
+
+
+@pytest.mark.slow
+def test_every_rule_depends_on_the_script_it_runs(tmp_path):
+    """The input `modules` stands for the script and the module it calls; there is a log."""
+    shutil.copytree(ROOT / "config", tmp_path / "config")
+    (tmp_path / "Snakefile").write_text(SCRIPTS_OF_RULES)
+    done = forked.snakemake(tmp_path, "--list-rules", snakefile=None)
+    assert done.returncode == 0, done.stderr
+    told = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("[")]
+    assert len(told) > 120
+    for name, script, study, modules, log in told:
+        called = [("studies", study)] if study else []
+        wanted = [f"{folder}-{stem}" for folder, stem in [Path(script).parts[-2:], *called]]
+        stamped = [Path(path).parent.name.removesuffix("-drawn") for path in modules]
+        assert stamped == [word.removesuffix(".py") for word in wanted], name
+        assert len(log) == 1, name
 
 
 def test_every_script_lies_where_its_rule_looks_for_it():

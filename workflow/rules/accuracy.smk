@@ -46,12 +46,9 @@ rule accuracy_plan:
     input:
         cases=accuracy_cases,
         motions=of_run(rules.floor_motions.output[0]),
-        modules=code("accuracy/accuracy_plan"),
     output:
         plan=results("accuracy/plan.json"),
         histories=results("accuracy/histories.csv"),
-    log:
-        logs("accuracy_plan"),
     benchmark:
         benchmarks("accuracy_plan")
     params:
@@ -66,11 +63,8 @@ rule accuracy_plan:
 rule accuracy_compiled:
     input:
         plan=rules.accuracy_plan.output.plan,
-        modules=code("accuracy/accuracy_compiled"),
     output:
         results("accuracy/compiled.csv"),
-    log:
-        logs("accuracy_compiled"),
     params:
         accuracy=value_of("accuracy"),
     script:
@@ -97,11 +91,8 @@ rule accuracy_runs:
 rule accuracy_reference:
     input:
         plan=rules.accuracy_plan.output.plan,
-        modules=code("accuracy/accuracy_reference"),
     output:
         results("accuracy/reference.csv"),
-    log:
-        logs("accuracy_reference"),
     benchmark:
         benchmarks("accuracy_reference")
     threads: 2
@@ -121,7 +112,6 @@ rule speed_accuracy:
         reference=rules.accuracy_reference.output[0],
         plan=rules.accuracy_plan.output.plan,
         histories=rules.accuracy_plan.output.histories,
-        modules=code("accuracy/table_speed_accuracy"),
     output:
         table=shown_table("speed_accuracy", "Accuracy and stability", "speed against accuracy"),
         summary=shown_table(
@@ -131,8 +121,6 @@ rule speed_accuracy:
             about="speed_accuracy",
         ),
         fidelity=results("accuracy/fidelity.yaml"),
-    log:
-        logs("speed_accuracy"),
     params:
         accuracy=value_of("accuracy"),
     script:
@@ -154,11 +142,8 @@ rule ensemble_realisations:
         ensembles=of_run(rules.ida.output.ensemble, **ACCURACY_CURVES),
         cases=accuracy_cases,
         motions=of_run(rules.floor_motions.output[0], record=RUNS.named("accuracy.records")),
-        modules=code("accuracy/table_ensemble_realisations"),
     output:
         results("tables/ensemble_realisations.csv"),
-    log:
-        logs("ensemble_realisations"),
     params:
         records=lambda w: RUNS.named("accuracy.records")(w.run),
     script:
@@ -208,11 +193,8 @@ rule energy_balance:
 rule table_energy_balance:
     input:
         histories=of_run(rules.energy_balance.output[0], **ENERGY_RUNS),
-        modules=code("energy/table_energy_balance"),
     output:
         shown_table("energy_balance", "Accuracy and stability", "energy balance"),
-    log:
-        logs("table_energy_balance"),
     params:
         share=value_of("accuracy.energy_share"),
     script:

@@ -76,11 +76,8 @@ rule assess_collapse:
     input:
         **MOTIONS,
         case=rules.facade_case.output[0],
-        modules=code("assess/assess_collapse"),
     output:
         results("assessment/collapse_{model}.csv"),
-    log:
-        logs("assess_collapse_{model}"),
     benchmark:
         benchmarks("assess_collapse_{model}")
     params:
@@ -101,7 +98,6 @@ rule assess_code:
         spectrum=SPECTRUM,
         hazard=HAZARD,
         cases=of_run(rules.facade_case.output[0], model=dry),
-        modules=code("assess/assess_code"),
     output:
         checks=results("assessment/code_checks.csv"),
         steps=results("assessment/code_steps.csv"),
@@ -110,8 +106,6 @@ rule assess_code:
         mechanisms=results("assessment/mechanisms.csv"),
         spectra=results("assessment/spectra.csv"),
         shaken=results("assessment/shaken.csv"),
-    log:
-        logs("assess_code"),
     benchmark:
         benchmarks("assess_code")
     priority: 2  # the longest jobs wait for it
@@ -129,11 +123,8 @@ use rule assess_collapse as assess_parts_collapse with:
         **MOTIONS,
         case=rules.facade_case.output[0],
         shaken=rules.assess_code.output.shaken,
-        modules=code("assess/assess_collapse"),
     output:
         results("assessment/parts_collapse_{model}.csv"),
-    log:
-        logs("assess_parts_collapse_{model}"),
     benchmark:
         benchmarks("assess_parts_collapse_{model}")
     priority: 1  # the longest go first
@@ -148,14 +139,11 @@ rule assess_dynamic:
         parts=PARTS_COLLAPSE,
         checks=rules.assess_code.output.checks,
         hazard=HAZARD,
-        modules=code("assess/assess_dynamic"),
     output:
         table=results("assessment/dynamic.csv"),
         curves=results("assessment/dynamic_curves.csv"),
         rates=results("assessment/rate.csv"),
         parts=results("assessment/parts_dynamic.csv"),
-    log:
-        logs("assess_dynamic"),
     benchmark:
         benchmarks("assess_dynamic")
     params:
@@ -176,12 +164,9 @@ rule assess_selection:
         site=site,
         spectrum=SPECTRUM,
         hazard=HAZARD,
-        modules=code("assess/assess_selection"),
     output:
         motions=results("assessment/selected_motions.csv"),
         spectra=results("assessment/selected_spectra.csv"),
-    log:
-        logs("assess_selection"),
     benchmark:
         benchmarks("assess_selection")
     params:
@@ -197,12 +182,9 @@ rule assess_histories:
         **MOTIONS,
         case=rules.facade_case.output[0],
         motions=rules.assess_selection.output.motions,
-        modules=code("assess/assess_histories"),
     output:
         histories=results("assessment/dynamic_check_{model}_histories.csv"),
         verdict=results("assessment/dynamic_check_{model}.csv"),
-    log:
-        logs("assess_histories_{model}"),
     benchmark:
         benchmarks("assess_histories_{model}")
     params:
@@ -218,12 +200,9 @@ use rule assess_histories as assess_parts_histories with:
         case=rules.facade_case.output[0],
         motions=rules.assess_selection.output.motions,
         shaken=rules.assess_code.output.shaken,
-        modules=code("assess/assess_histories"),
     output:
         histories=results("assessment/parts_check_{model}_histories.csv"),
         verdict=results("assessment/parts_check_{model}.csv"),
-    log:
-        logs("assess_parts_histories_{model}"),
     benchmark:
         benchmarks("assess_parts_histories_{model}")
     priority: 1  # YADE waits for them
@@ -240,12 +219,9 @@ rule assess_confirm:
         verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),
         shaken=rules.assess_code.output.shaken,
         yade=rules.yade_check.output[0],
-        modules=code("assess/assess_confirm"),
         study=command_code("ida"),
     output:
         results("assessment/dynamic_check_yade.csv"),
-    log:
-        logs("assess_confirm"),
     benchmark:
         benchmarks("assess_confirm")
     params:
@@ -268,14 +244,11 @@ rule assess_ties:
         cases=of_run(rules.facade_case.output[0], model=dry),
         motions=rules.assess_selection.output.motions,
         verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),
-        modules=code("assess/assess_ties"),
     output:
         rows=results("assessment/ties.csv"),
         after=results("assessment/ties_mechanisms.csv"),
         tried=results("assessment/ties_tried.csv"),
         yaml=results("assessment/ties.yaml"),
-    log:
-        logs("assess_ties"),
     benchmark:
         benchmarks("assess_ties")
     threads: lambda w: 1 if RUNS.cfg(w)["assessment"]["tie_levels_m"] == [] else 4
@@ -297,11 +270,8 @@ rule assess_sensitivity:
         collapse=of_run(rules.assess_collapse.output[0], model=governing),
         parts=of_run(rules.assess_parts_collapse.output[0], model=governing),
         shaken=rules.assess_code.output.shaken,
-        modules=code("assess/assess_sensitivity"),
     output:
         results("assessment/dynamic_sensitivity.csv"),
-    log:
-        logs("assess_sensitivity"),
     benchmark:
         benchmarks("assess_sensitivity")
     priority: 1  # as long as those
@@ -328,13 +298,10 @@ rule assess_report:
         yade=[rules.assess_confirm.output[0]],
         site=site,
         table=lambda w: RUNS.table_path(w.run),
-        modules=code("assess/assess_report"),
     output:
         html=results("assessment/report.html"),
         pdf=results("assessment/report.pdf"),
         values=results("assessment/values.csv"),
-    log:
-        logs("assess_report"),
     benchmark:
         benchmarks("assess_report")
     params:

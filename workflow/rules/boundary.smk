@@ -69,7 +69,6 @@ rule animation_collapse:
     input:
         frames=rules.collapse_frames.output[0],
         facts=of_run(rules.own_record.output.facts, record=picture_record),
-        modules=code("history/animation_collapse"),
     output:
         shown(
             results("figures/collapse_{model}.gif"),
@@ -90,11 +89,8 @@ rule table_claims:
         collapse=rules.ida_collapse.output.collapse,
         facts=of_run(rules.record.output.facts),
         pushover=where(lambda run: "W3" in RUNS.settings[run]["models"], BRICKS_PUSHED),
-        modules=code("boundary/table_claims"),
     output:
         shown_table("claims", "Boundary conditions", "claims of the study"),
-    log:
-        logs("table_claims"),
     params:
         w3=RUNS.params_of("w3"),
     script:

@@ -52,11 +52,8 @@ def sizes(key):
 rule building_fit:
     input:
         plan=plan_file("building.plan"),
-        modules=code("building/building_fit"),
     output:
         results("building/fit.json"),
-    log:
-        logs("building_fit"),
     benchmark:
         benchmarks("building_fit")
     params:
@@ -69,11 +66,8 @@ rule building_modal:
     input:
         plan=plan_file("building.plan"),
         fit=rules.building_fit.output[0],
-        modules=code("building/building_modal"),
     output:
         results("building/{building}_modes.npz"),
-    log:
-        logs("building_modal_{building}"),
     benchmark:
         benchmarks("building_modal_{building}")
     params:
@@ -86,11 +80,8 @@ rule table_building_modes:
     input:
         cbdem=of_run(rules.building_modal.output[0], building="CBDEM"),
         sbdem=of_run(rules.building_modal.output[0], building="SBDEM"),
-        modules=code("building/table_building_modes"),
     output:
         shown_table("building_modes", "Building", "periods and effective masses"),
-    log:
-        logs("table_building_modes"),
     params:
         paper=lambda w: is_case_study(w.run),
     script:
@@ -100,11 +91,8 @@ rule table_building_modes:
 rule table_building_alternatives:
     input:
         plans=all_of(plan_file("building.plan"), plan_file("building.alternative_plans")),
-        modules=code("building/table_building_alternatives"),
     output:
         shown_table("building_alternatives", "Building", "periods of alternative plans"),
-    log:
-        logs("table_building_alternatives"),
     params:
         building=values_of("building", *BRICK_MODEL),
     script:
@@ -115,11 +103,8 @@ rule building_cost:
     input:
         plan=plan_file("building.plan"),
         fit=rules.building_fit.output[0],
-        modules=code("building/building_cost"),
     output:
         results("building/cost_{building}_{coarsening}.json"),
-    log:
-        logs("building_cost_{building}_{coarsening}"),
     benchmark:
         benchmarks("building_cost_{building}_{coarsening}")
     resources:
@@ -137,11 +122,8 @@ rule table_building_convergence:
             building=["CBDEM", "SBDEM"],
             coarsening=sizes("convergence"),
         ),
-        modules=code("building/table_building_convergence"),
     output:
         shown_table("building_convergence", "Building", "convergence and cost of the modes"),
-    log:
-        logs("table_building_convergence"),
     script:
         "../scripts/building/table_building_convergence.py"
 
@@ -152,11 +134,8 @@ rule building_history:
         fit=rules.building_fit.output[0],
         modes=rules.building_modal.output[0],
         record=rules.own_record.output.record,
-        modules=code("building/building_history"),
     output:
         results("building/history_{building}_{record}.csv"),
-    log:
-        logs("building_history_{building}_{record}"),
     params:
         building=values_of("building", *BRICK_MODEL, "damping_ratio"),
     script:
@@ -172,13 +151,10 @@ rule table_wme:
             record=RUNS.named("building.wme_records"),
         ),
         records=of_run(rules.own_record.output.record, record=RUNS.named("building.wme_records")),
-        modules=code("building/table_wme"),
     output:
         wme=shown_table("wme", "Building", "2: weighted mean error of chains"),
         chain=results("tables/building_chain.csv"),
         config=results("building/chain.yaml"),
-    log:
-        logs("table_wme"),
     params:
         building=values_of("building", *CHAINS),
         records=lambda w: RUNS.named("building.wme_records")(w.run),
@@ -216,7 +192,6 @@ rule fig03_wme:
         history=of_run(rules.building_history.output[0], building="SBDEM"),
         record=rules.own_record.output.record,
         facts=rules.own_record.output.facts,
-        modules=code("building/fig03_wme"),
     output:
         **figure(
             "fig03_{record}",
@@ -244,11 +219,8 @@ rule table_claims_building:
             rules.table_building_explicit.output.table,
             record=RUNS.named("building.explicit_records"),
         ),
-        modules=code("building/table_claims_building"),
     output:
         shown_table("claims_building", "Building", "claims of the study's section 2"),
-    log:
-        logs("table_claims_building"),
     script:
         "../scripts/building/table_claims_building.py"
 

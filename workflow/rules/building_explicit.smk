@@ -11,11 +11,8 @@ rule building_explicit_scene:
     input:
         plan=plan_file("building.plan"),
         fit=rules.building_fit.output[0],
-        modules=code("building/building_explicit_scene"),
     output:
         results("building/explicit_scene_{coarsening}.json"),
-    log:
-        logs("building_explicit_scene_{coarsening}"),
     params:
         building=values_of(
             "building",
@@ -62,7 +59,6 @@ rule table_building_explicit:
         loaded=of_run(rules.building_explicit.output.history, load="loaded"),
         record=rules.own_record.output.record,
         facts=rules.own_record.output.facts,
-        modules=code("building/table_building_explicit"),
     output:
         **figure(
             "fig03_rattling_{record}",
@@ -72,8 +68,6 @@ rule table_building_explicit:
             record="{record}",
         ),
         table=results("tables/building_explicit_{record}.csv"),
-    log:
-        logs("table_building_explicit_{record}"),
     params:
         building=values_of("building", *BRICK_MODEL),
     script:
@@ -109,11 +103,8 @@ rule table_building_explicit_cost:
             rules.building_explicit_cost.output.cost,
             coarsening=sizes("explicit_convergence"),
         ),
-        modules=code("building/table_building_explicit_cost"),
     output:
         shown_table("building_explicit_cost", "Building", "cost of the explicit run"),
-    log:
-        logs("table_building_explicit_cost"),
     params:
         coarsenings=value_of("building.explicit_convergence"),
     script:

@@ -9,11 +9,8 @@ def search_settings(wildcards):
 rule table_building_search:
     input:
         plan=plan_file("building_search.plan"),
-        modules=code("building/building_search"),
     output:
         results("tables/building_search.csv"),
-    log:
-        logs("table_building_search"),
     benchmark:
         benchmarks("table_building_search")
     params:
@@ -28,7 +25,6 @@ rule table_building_search_best:
         plan=plan_file("building_search.plan"),
         search=rules.table_building_search.output[0],
         plans=plan_file("building_search.plans"),
-        modules=code("building/building_search_verify"),
     output:
         shown_table(
             "building_search_best",
@@ -36,8 +32,6 @@ rule table_building_search_best:
             "search for the study's building",
             about="building_search",
         ),
-    log:
-        logs("table_building_search_best"),
     benchmark:
         benchmarks("table_building_search_best")
     params:
@@ -62,12 +56,9 @@ rule table_wme_readings:
         fit=rules.building_fit.output[0],
         modes=of_run(rules.building_modal.output[0], building="SBDEM"),
         records=of_run(rules.own_record.output.record, record=RUNS.named("building.wme_records")),
-        modules=code("building/table_wme_readings"),
     output:
         readings=results("tables/wme_readings.csv"),
         lowest=shown_table("wme_lowest", "Building", "2: every reading of its text"),
-    log:
-        logs("table_wme_readings"),
     benchmark:
         benchmarks("table_wme_readings")
     params:

@@ -34,11 +34,8 @@ def is_studied(run):
 rule calibration_cases:
     input:
         wall=tested_wall,
-        modules=code("calibration/calibrate_cases"),
     output:
         results("calibration/cases_{group}.json"),
-    log:
-        logs("calibration_cases_{group}"),
     wildcard_constraints:
         group=r"batch\d+|sensitivity|free_rocking_wall|own_wall",
     params:
@@ -68,11 +65,8 @@ rule free_rocking_table:
     input:
         cases=of_run(rules.calibration_cases.output[0], group=groups),
         histories=of_run(rules.free_rocking.output[0], group=groups),
-        modules=code("calibration/table_free_rocking"),
     output:
         shown_table("free_rocking", "Calibration of the damping", "rebounds and e_exp"),
-    log:
-        logs("free_rocking_table"),
     script:
         "../scripts/calibration/table_free_rocking.py"
 
@@ -81,12 +75,9 @@ rule beta_fit:
     input:
         cases=of_run(rules.calibration_cases.output[0], group=groups),
         histories=of_run(rules.free_rocking.output[0], group=groups),
-        modules=code("calibration/calibrate_fit"),
     output:
         walls=results("tables/beta_walls.csv"),
         fit=shown_table("beta_fit", "Calibration of the damping", "best-fitting β"),
-    log:
-        logs("beta_fit"),
     script:
         "../scripts/calibration/calibrate_fit.py"
 
@@ -95,12 +86,9 @@ rule beta_law:
     input:
         walls=rules.beta_fit.output.walls,
         others=ancient(LAW_FILE),  # the law of the other base stays as it is
-        modules=code("calibration/calibrate_law"),
     output:
         law=results("calibration/beta_law.json"),
         table=shown_table("beta_regression", "Calibration of the damping", "laws of β"),
-    log:
-        logs("beta_law"),
     params:
         base=value_of("calibration.base"),
     script:
@@ -112,15 +100,12 @@ rule table_claims_calibration:
         free=rules.free_rocking_table.output[0],
         fits=rules.beta_fit.output.fit,
         walls=rules.beta_fit.output.walls,
-        modules=code("calibration/table_claims_calibration"),
     output:
         shown_table(
             "claims_calibration",
             "Calibration of the damping",
             "claims of the study's section 3",
         ),
-    log:
-        logs("table_claims_calibration"),
     params:
         settings=RUNS.params_of("calibration"),
     script:
@@ -145,12 +130,9 @@ rule wall_beta:
         cases=of_run(rules.calibration_cases.output[0], group="own_wall"),
         histories=of_run(rules.free_rocking.output[0], group="own_wall"),
         law=LAW_FILE,
-        modules=code("calibration/calibrate_wall"),
     output:
         **figure("wall_beta", "Calibration of the damping", "β of this façade"),
         table=results("tables/wall_beta.csv"),
-    log:
-        logs("wall_beta"),
     params:
         config=RUNS.params_of("calibration", "facade", "return_wall"),
     script:

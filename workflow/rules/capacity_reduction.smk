@@ -17,7 +17,6 @@ wildcard_constraints:
 rule reduction_motion:
     input:
         record=rules.own_record.output.record,
-        modules=code("capacity_reduction/capacity_reduction_motion"),
     output:
         motion=results("capacity_reduction/T{t1}_below{below}/{record}.csv"),
         facts=results("capacity_reduction/T{t1}_below{below}/{record}.json"),
@@ -33,7 +32,6 @@ use rule planar_ida as reduction_planar with:
     input:
         case=of_run(rules.facade_case.output[0], model="W2"),
         motion=rules.reduction_motion.output.motion,
-        modules=code("ida/planar_ida"),
     output:
         scan=results("capacity_reduction/T{t1}_below{below}/scan_{record}_{direction}.csv"),
         plan=results("capacity_reduction/T{t1}_below{below}/plan_{record}_{direction}.json"),
@@ -69,12 +67,9 @@ rule figure_capacity_reduction:
         w2_scans=of_run(rules.reduction_planar.output.scan, **BUILDINGS),
         facts=of_run(rules.reduction_motion.output.facts, **BUILDINGS),
         records=of_run(rules.record.output.facts),
-        modules=code("capacity_reduction/figure_capacity_reduction"),
     output:
         **figure("capacity_reduction", "Capacity reduction", "W2/W1 against T1 and position"),
         table=results("tables/capacity_reduction.csv"),
-    log:
-        logs("figure_capacity_reduction"),
     params:
         w1=of_run(rules.ida.output[0], model="W1"),
         w2=of_run(rules.reduction_ida.output[0], **BUILDINGS),

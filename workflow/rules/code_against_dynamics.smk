@@ -24,11 +24,8 @@ def compared_facades(wildcards):
 rule assess_checks:
     input:
         **MOTIONS,
-        modules=code("assess/assess_checks"),
     output:
         results("assessment/checks_by_record.csv"),
-    log:
-        logs("assess_checks"),
     params:
         table=lambda w: RUNS.table_path(w.run),
         records=stations,
@@ -40,11 +37,8 @@ rule assess_checks:
 rule assess_governing:
     input:
         cases=of_run(rules.facade_case.output[0], model=dry),
-        modules=code("assess/assess_governing"),
     output:
         results("assessment/governing.csv"),
-    log:
-        logs("assess_governing"),
     params:
         settings=RUNS.params_of(*CHECKED),
     script:
@@ -56,11 +50,8 @@ use rule assess_collapse as assess_governing_collapse with:
         **MOTIONS,
         case=rules.facade_case.output[0],
         shaken=rules.assess_governing.output[0],
-        modules=code("assess/assess_collapse"),
     output:
         results("assessment/governing_collapse_{model}.csv"),
-    log:
-        logs("assess_governing_collapse_{model}"),
     benchmark:
         benchmarks("assess_governing_collapse_{model}")
 
@@ -73,11 +64,8 @@ rule assess_levels:
         **MOTIONS,
         shaken=rules.assess_governing.output[0],
         cases=of_run(rules.facade_case.output[0], model=dry),
-        modules=code("assess/assess_levels"),
     output:
         results("assessment/dynamic_levels.csv"),
-    log:
-        logs("assess_levels"),
     params:
         table=lambda w: RUNS.table_path(w.run),
         stations=stations,
@@ -90,12 +78,9 @@ rule assess_floor_spectra:
     input:
         **MOTIONS,
         facts=of_run(rules.record.output.facts),
-        modules=code("assess/assess_floor_spectra"),
     output:
         **figure("floor_spectra", "Code of practice", "floor spectra, formula over chain"),
         table=results("assessment/floor_spectra.csv"),
-    log:
-        logs("assess_floor_spectra"),
     params:
         table=lambda w: RUNS.table_path(w.run),
         records=lambda w: RUNS.records[w.run],
@@ -108,7 +93,6 @@ rule compare_code_and_dynamics:
     input:
         tables=every_run(rules.assess_checks.output[0], COLLAPSE, GOVERNING_COLLAPSE),
         facts=every_run(rules.record.output.facts),
-        modules=code("assess/code_against_dynamics"),
     output:
         table=f"{COMPARED}/code_against_dynamics.csv",
         ratios=f"{COMPARED}/code_ratios.csv",
@@ -134,7 +118,6 @@ rule figure_code_unsafe:
     input:
         table=rules.compare_code_and_dynamics.output.table,
         facts=every_run(rules.record.output.facts),
-        modules=code("assess/figure_code_unsafe"),
     output:
         png=shown(
             f"{COMPARED}/code_unsafe_share.png",
@@ -154,7 +137,6 @@ rule compare_kinematic_and_dynamic:
     input:
         levels=every_run(rules.assess_levels.output[0]),
         collapse=every_run(COLLAPSE, GOVERNING_COLLAPSE),
-        modules=code("assess/dynamic_against_kinematic"),
     output:
         levels=f"{COMPARED}/dynamic_levels_all.csv",
         table=f"{COMPARED}/dynamic_against_kinematic.csv",

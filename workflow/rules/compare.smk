@@ -67,7 +67,6 @@ rule compare_runs:
     input:
         tables=compared_tables,
         facts=compared_facts,
-        modules=code("compare/figure_compare"),
     output:
         table=results("compare/collapse.csv").format(run=RUNS.name),
         png=shown(

@@ -107,11 +107,8 @@ rule complete_scene:
         fit=rules.building_fit.output[0],
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,
-        modules=code("complete/complete_scene"),
     output:
         results("complete/cases/{complete}_{coarsening}_{back}.json"),
-    log:
-        logs("complete_scene_{complete}_{coarsening}_{back}"),
     params:
         config=COMPLETE_SECTIONS,
     script:
@@ -125,12 +122,9 @@ rule complete_scan:
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,
         motion=of_run(rules.floor_motions.output[0]),
-        modules=code("complete/complete_scan"),
     output:
         scan=results("planar/{complete}/{record}_{direction}.csv"),
         plan=results("complete/plans/{complete}_{record}_{direction}.json"),
-    log:
-        logs("complete_scan_{complete}_{record}_{direction}"),
     benchmark:
         benchmarks("complete_scan_{complete}_{record}_{direction}")
     params:
@@ -164,12 +158,8 @@ use rule ida as complete_ida with:
 
 # A short push of the ground, and then nothing: the building rings.
 rule complete_pulse:
-    input:
-        modules=code("complete/complete_pulse"),
     output:
         results("complete/pulse.csv"),
-    log:
-        logs("complete_pulse"),
     script:
         "../scripts/complete/complete_pulse.py"
 
@@ -202,11 +192,8 @@ rule table_complete_checks:
         ring=linear_history("ring"),
         apart=linear_history("apart"),
         motion=CHECK_MOTION,
-        modules=code("complete/table_complete_checks"),
     output:
         shown_table("complete_checks", "Complete building", "periods and linear answer"),
-    log:
-        logs("table_complete_checks"),
     params:
         direction=value_of("complete.check_direction"),
         pga_g=value_of("complete.linear_pga_g"),
@@ -219,11 +206,8 @@ rule table_complete_convergence:
         scenes=of_run(rules.complete_scene.output[0], complete="CB", cases=brick_models),
         costs=of_run(rules.complete_history.output.cost, **LEVELS),
         histories=of_run(rules.complete_history.output.history, **LEVELS),
-        modules=code("complete/table_complete_convergence"),
     output:
         shown_table("complete_convergence", "Complete building", "brick size and back joint"),
-    log:
-        logs("table_complete_convergence"),
     script:
         "../scripts/complete/table_complete_convergence.py"
 
@@ -236,12 +220,9 @@ rule complete_collapse:
             record=RUNS.confirmed,
         ),
         scans=of_run(rules.complete_scan.output.scan, complete=COMPLETE_MODELS),
-        modules=code("complete/table_complete_collapse"),
     output:
         collapse=results("tables/complete_collapse.csv"),
         probability=results("tables/complete_probability.csv"),
-    log:
-        logs("complete_collapse"),
     params:
         spread=value_of("ensemble.amplitude_spread"),
     script:
@@ -293,7 +274,6 @@ rule figure_complete_collapse:
     input:
         frames=rules.complete_frames.output.frames,
         facts=rules.own_record.output.facts,
-        modules=code("complete/figure_complete_collapse"),
     output:
         **figure(
             "complete_collapse_{complete}_{record}_{direction}",
@@ -302,8 +282,6 @@ rule figure_complete_collapse:
             about="complete_collapse",
             record="{record}",
         ),
-    log:
-        logs("figure_complete_collapse_{complete}_{record}_{direction}"),
     script:
         "../scripts/complete/figure_complete_collapse.py"
 

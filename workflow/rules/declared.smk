@@ -25,11 +25,8 @@ def figure_by(source, title, category, result, about=None, params=None, **inputs
             own
         input:
             **inputs,
-            modules=code(source),
         output:
             **figure(title, category, result, about=about),
-        log:
-            logs("_".join([own, *re.findall(r"{\w+}", title)])),
         params:
             **(params or {}),
         script:
@@ -56,11 +53,8 @@ def table_of(study, rule_name, tables=None, **outputs):
             rule_name
         input:
             **({"tables": tables} if tables else {}),
-            modules=code("studies/table", study=study),
         output:
             **{function: results(f"tables/{table}.csv") for function, table in outputs.items()},
-        log:
-            logs(rule_name),
         params:
             study=study,
         script:
@@ -92,11 +86,8 @@ def figure_of(study, title, category, result, caption, facts=None, draw="draw", 
         input:
             **inputs,
             facts=facts or of_run(rules.record.output.facts),
-            modules=code("studies/figure", study=study),
         output:
             **figure(title, category, result, about="study"),
-        log:
-            logs(f"figure_{title}"),
         params:
             study=study,
             draw=draw,

@@ -13,11 +13,8 @@ rule facade_case:
         fidelity=FIDELITY_FILE,
         law=LAW_FILE,
         building=mass_of_walls,
-        modules=code("ida/facade_case"),
     output:
         results("cases/{model}.json"),
-    log:
-        logs("facade_case_{model}"),
     params:
         sections=lambda w: RUNS.params_of(
             *SECTIONS, *(["w3"] if MODELS[w.model].walls == "bricks" else [])

@@ -20,7 +20,6 @@ rule fragility_table:
         collapse=rules.ida_collapse.output.collapse,
         probability=rules.ida_collapse.output.probability,
         records=of_run(rules.record.output.record),
-        modules=code("fragility/fragility_table"),
     output:
         fragility=results("tables/fragility.csv"),
         measures=results("tables/intensity_measures.csv"),
@@ -28,8 +27,6 @@ rule fragility_table:
         brackets=results("fragility/brackets.csv"),
         curves=results("fragility/curves.csv"),
         factors=results("fragility/factors.csv"),
-    log:
-        logs("fragility_table"),
     params:
         stations=stations,
         fragility=value_of("fragility"),
@@ -75,11 +72,8 @@ figure_by(
 rule fragility_nrml:
     input:
         fragility=rules.fragility_table.output.fragility,
-        modules=code("fragility/fragility_nrml"),
     output:
         results("fragility/nrml_{im}_{form}.xml"),
-    log:
-        logs("fragility_nrml_{im}_{form}"),
     params:
         period_s=value_of("smdof.period_s"),
     script:

@@ -25,7 +25,6 @@ rule figure_history:
     input:
         history=rules.history.output[0],
         facts=rules.own_record.output.facts,
-        modules=code("history/figure_history"),
     output:
         shown(
             results("histories/{model}/{record}_{direction}_{pga}g.png"),
@@ -59,7 +58,6 @@ use rule animation_collapse as animation_history with:
     input:
         frames=rules.history_frames.output[0],
         facts=rules.own_record.output.facts,
-        modules=code("history/animation_collapse"),
     output:
         results("histories/{model}/{record}_{direction}_{pga}g.gif"),
     log:
@@ -88,7 +86,6 @@ rule history_acting:
 rule history_vtk:
     input:
         frames=rules.history_acting.output[0],
-        modules=code("history/history_vtk"),
     output:
         collection=results("histories/{model}/{record}_{direction}_{pga}g.pvd"),
         instants=directory(results("histories/{model}/{record}_{direction}_{pga}g")),

@@ -12,12 +12,9 @@ rule planar_ida:
     input:
         case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
-        modules=code("ida/planar_ida"),
     output:
         scan=results("planar/{model}/{record}_{direction}.csv"),
         plan=results("planar/{model}/{record}_{direction}.json"),
-    log:
-        logs("planar_ida_{model}_{record}_{direction}"),
     benchmark:
         benchmarks("planar_ida_{model}_{record}_{direction}")
     params:
@@ -58,12 +55,9 @@ rule ida_collapse:
         ida=of_run(rules.ida.output[0], cases=RUNS.by_yade),
         ensemble=of_run(rules.ida.output.ensemble, cases=RUNS.ensembles),
         scans=of_run(rules.planar_ida.output.scan, cases=RUNS.scans),
-        modules=code("ida/table_ida_collapse"),
     output:
         collapse=results("tables/ida_collapse.csv"),
         probability=results("tables/collapse_probability.csv"),
-    log:
-        logs("ida_collapse"),
     params:
         curves=lambda w: list(map(tuple, RUNS.curves(w.run))),
         spread=value_of("ensemble.amplitude_spread"),

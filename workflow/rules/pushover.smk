@@ -25,11 +25,8 @@ wildcard_constraints:
 rule pushover_case:
     input:
         law=LAW_FILE,
-        modules=code("pushover/pushover_case"),
     output:
         results("pushover/cases/{pushed}.json"),
-    log:
-        logs("pushover_case_{pushed}"),
     params:
         sections=RUNS.params_of(
             "facade", "return_wall", "damping", "smdof", "numerics", "pushover", "w3"
@@ -82,11 +79,8 @@ rule pushover_curve:
     input:
         case=rules.pushover_case.output[0],
         raw=rules.pushover.output.curve,
-        modules=code("pushover/pushover_curve"),
     output:
         results("pushover/{pushed}.csv"),
-    log:
-        logs("pushover_curve_{pushed}"),
     script:
         "../scripts/pushover/pushover_curve.py"
 
@@ -97,11 +91,8 @@ rule table_pushover:
         cases=of_run(rules.pushover_variant_case.output[0], variant=laid_variants),
         raw=of_run(rules.pushover_variant.output.curve, variant=laid_variants),
         forces=of_run(rules.pushover_variant.output.forces, variant=laid_variants),
-        modules=code("pushover/table_pushover"),
     output:
         shown_table("pushover", "Boundary conditions", "static capacities"),
-    log:
-        logs("table_pushover"),
     script:
         "../scripts/pushover/table_pushover.py"
 
@@ -120,7 +111,6 @@ figure_by(
 rule figure_w3_sensitivity:
     input:
         table=rules.table_pushover.output[0],
-        modules=code("pushover/figure_w3_sensitivity"),
     output:
         **figure("w3_sensitivity", "Boundary conditions", "sensitivity of W3's capacity"),
     log:

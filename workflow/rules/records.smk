@@ -4,7 +4,6 @@ rule record:
         file=of_alike(RUNS.record_file),
         vertical=of_alike(lambda w: RUNS.record_row(w).vertical_path or []),
         surrogates=of_alike(RUNS.surrogate_parameters),
-        modules=code("records/record"),
     output:
         record=shared("records/{record}.csv"),
         facts=shared("records/{record}.json"),
@@ -22,7 +21,6 @@ rule figure_record:
     input:
         record=rules.record.output.record,
         facts=rules.record.output.facts,
-        modules=code("records/figure_record"),
     output:
         png=report(
             shared("figures/record_{record}.png"),
@@ -44,11 +42,8 @@ rule figure_record:
 rule records_table:
     input:
         facts=of_run(rules.record.output.facts),
-        modules=code("records/table_records"),
     output:
         results("tables/records.csv"),
-    log:
-        logs("records_table"),
     script:
         "../scripts/records/table_records.py"
 
@@ -57,11 +52,8 @@ rule records_check:
     input:
         files=RUNS.record_files,
         table=lambda w: RUNS.table_path(w.run),
-        modules=code("records/check_records"),
     output:
         results("tables/records_check.csv"),
-    log:
-        logs("records_check"),
     params:
         table=lambda w: RUNS.table_path(w.run),
         records=lambda w: RUNS.records[w.run],

@@ -14,11 +14,8 @@ rule reference_scan:
         case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         scan=rules.planar_ida.output.scan,
-        modules=code("reference/reference_scan"),
     output:
         results("reference/{model}/{record}_{direction}.csv"),
-    log:
-        logs("reference_scan_{model}_{record}_{direction}"),
     benchmark:
         benchmarks("reference_scan_{model}_{record}_{direction}")
     params:
@@ -34,7 +31,6 @@ rule reference_bands:
     input:
         scans=describable,
         collapse=rules.ida_collapse.output.collapse,
-        modules=code("reference/table_reference"),
     output:
         scan=results("tables/reference_scan.csv"),
         bands=shown_table(
@@ -43,8 +39,6 @@ rule reference_bands:
             "reported bands and the reference solver's",
             about="reference_solver",
         ),
-    log:
-        logs("reference_bands"),
     params:
         spread=value_of("ensemble.amplitude_spread"),
     script:

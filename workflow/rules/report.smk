@@ -9,7 +9,6 @@ rule report_summary:
         collapse=rules.ida_collapse.output.collapse,
         figure=rules.fig09_ida.output.png,
         style=REPORT_STYLE,
-        modules=code("report/report_summary"),
     output:
         page=shown(
             results("report/summary.html"),
@@ -19,8 +18,6 @@ rule report_summary:
         ),
         first=results("report/summary.rst"),
         factors=results("tables/scale_factors.csv"),
-    log:
-        logs("report_summary"),
     params:
         facade=RUNS.params_of("facade"),
         models=lambda w: [f"{m}, {MODELS[m].meaning}" for m in RUNS.cfg(w)["models"]],
@@ -32,7 +29,6 @@ rule report_table:
     input:
         table=results("tables/{table}.csv"),
         style=REPORT_STYLE,
-        modules=code("report/report_table"),
     output:
         report(
             results("report/{table}.html"),
@@ -40,8 +36,6 @@ rule report_table:
             category=lambda w: REPORT_TABLES[w.table]["category"],
             labels=lambda w: {"run": w.run, "result": REPORT_TABLES[w.table]["label"]},
         ),
-    log:
-        logs("report_table_{table}"),
     params:
         title=lambda w: REPORT_TABLES[w.table]["label"],
         text=lambda w: REPORT_TABLES[w.table]["text"],
@@ -53,7 +47,6 @@ rule report_provenance:
     input:
         facts=of_run(rules.record.output.facts),
         style=REPORT_STYLE,
-        modules=code("report/report_provenance"),
     output:
         shown(
             results("report/provenance.html"),
@@ -61,8 +54,6 @@ rule report_provenance:
             "Records",
             "provenance of every record",
         ),
-    log:
-        logs("report_provenance"),
     params:
         table=value_of("records_table"),
     script:
@@ -74,11 +65,8 @@ rule table_run_times:
     input:
         ida=of_run(rules.ida.output[0], cases=RUNS.by_yade),
         ensembles=of_run(rules.ida.output.ensemble, cases=RUNS.by_yade),
-        modules=code("report/table_run_times"),
     output:
         results("tables/run_times.csv"),
-    log:
-        logs("table_run_times"),
     params:
         benchmarks=results("benchmarks"),
     script:

@@ -18,12 +18,9 @@ rule risk_rate:
         brackets=rules.fragility_table.output.brackets,
         factors=rules.fragility_table.output.factors,
         hazard=hazard,
-        modules=code("risk/risk_rate"),
     output:
         table=results("tables/risk.csv"),
         deaggregation=results("risk/deaggregation.csv"),
-    log:
-        logs("risk_rate"),
     params:
         risk=value_of("risk"),
         fragility=value_of("fragility"),

@@ -46,12 +46,9 @@ rule shake_table_tests:
         records=shake_table_files,
         fidelity=FIDELITY_FILE,
         law=rules.beta_law.output.law,
-        modules=code("shake_tables/calibrate_shake_table"),
     output:
         tests=results("calibration/shake_table_tests.json"),
         motions=directory(results("calibration/shake_table_motions")),
-    log:
-        logs("shake_table_tests"),
     params:
         settings=RUNS.params_of("calibration"),
         baseline=value_of("baseline"),
@@ -82,11 +79,8 @@ rule shake_table_table:
     input:
         tests=rules.shake_table_tests.output.tests,
         histories=rules.shake_table.output[0],
-        modules=code("shake_tables/table_shake_table"),
     output:
         shown_table("shake_table", "Calibration of the damping", "shake-table runs"),
-    log:
-        logs("shake_table_table"),
     script:
         "../scripts/shake_tables/table_shake_table.py"
 
@@ -106,7 +100,6 @@ rule damping_choice_case:
     input:
         law=rules.beta_law.output.law,
         fidelity=FIDELITY_FILE,
-        modules=code("ida/facade_case"),
     output:
         results("calibration/choice/{model}_{law}.json"),
     log:
@@ -123,12 +116,9 @@ use rule planar_ida as damping_choice_planar with:
     input:
         case=rules.damping_choice_case.output[0],
         motion=of_run(rules.floor_motions.output[0], record=CHOICE_RECORD),
-        modules=code("ida/planar_ida"),
     output:
         scan=results("calibration/choice/scan_{model}_{direction}_{law}.csv"),
         plan=results("calibration/choice/plan_{model}_{direction}_{law}.json"),
-    log:
-        logs("damping_choice_planar_{model}_{direction}_{law}"),
     benchmark:
         benchmarks("damping_choice_planar_{model}_{direction}_{law}")
     params:
@@ -162,12 +152,9 @@ rule damping_choice:
         ida=of_run(rules.damping_choice_ida.output[0], cases=choices),
         scans=of_run(rules.damping_choice_planar.output.scan, cases=choices),
         facts=of_run(rules.own_record.output.facts, record=CHOICE_RECORD),
-        modules=code("shake_tables/calibrate_choice"),
     output:
         **figure("damping_choice", "Calibration of the damping", "IDA under two laws of β"),
         table=results("tables/damping_choice.csv"),
-    log:
-        logs("damping_choice"),
     params:
         spread=value_of("ensemble.amplitude_spread"),
     script:

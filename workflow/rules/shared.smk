@@ -24,11 +24,8 @@ of_records = all_of(of_run(*SHARED_FILES, cases=each_record), rules.floor_motion
 rule shared_files:
     input:
         files=of_records,
-        modules=code("records/link_shared"),
     output:
         results("tables/shared.csv"),
-    log:
-        logs("shared_files"),
     script:
         "../scripts/records/link_shared.py"
 

@@ -4,7 +4,6 @@
 rule floor_motions:
     input:
         record=rules.record.output.record,
-        modules=code("smdof/floor_motions"),
     output:
         shared("{chain}/smdof/{record}_{n}dof.csv"),
     log:
@@ -19,7 +18,6 @@ rule figure_floor_motions:
     input:
         motion=of_alike(of_run(rules.floor_motions.output[0])),
         facts=rules.record.output.facts,
-        modules=code("smdof/figure_floor_motions"),
     output:
         png=report(
             shared("{chain}/figures/floor_motions_{record}.png"),

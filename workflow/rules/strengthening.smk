@@ -20,14 +20,11 @@ rule strengthen:
     input:
         case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
-        modules=code("strengthening/strengthen"),
     output:
         search=results("strengthening/{model}/{record}_{direction}.csv"),
         least=results("strengthening/{model}/{record}_{direction}_least.csv"),
         curve=results("strengthening/{model}/{record}_{direction}_curve.csv"),
         plan=results("strengthening/{model}/{record}_{direction}.json"),
-    log:
-        logs("strengthen_{model}_{record}_{direction}"),
     benchmark:
         benchmarks("strengthen_{model}_{record}_{direction}")
     params:
@@ -66,7 +63,6 @@ rule figure_strengthening:
         curve=rules.strengthen.output.curve,
         yade=rules.strengthen_yade.output[0],
         facts=rules.own_record.output.facts,
-        modules=code("strengthening/figure_strengthening"),
     output:
         png=shown(
             results("strengthening/{model}/{record}_{direction}.png"),
@@ -75,8 +71,6 @@ rule figure_strengthening:
             "{model}, {record} {direction}",
         ),
         pdf=results("strengthening/{model}/{record}_{direction}.pdf"),
-    log:
-        logs("figure_strengthening_{model}_{record}_{direction}"),
     params:
         settings=RUNS.params_of("strengthening"),
         height_m=value_of("facade.height_m"),
@@ -88,12 +82,9 @@ rule table_strengthening:
     input:
         least=of_run(rules.strengthen.output.least, model=models_for("strengthening")),
         yade=of_run(rules.strengthen_yade.output[0], model=models_for("strengthening")),
-        modules=code("strengthening/table_strengthening"),
     output:
         table=results("tables/strengthening.csv"),
         share=results("tables/strengthening_share.csv"),
-    log:
-        logs("table_strengthening"),
     params:
         settings=RUNS.params_of("strengthening"),
     script:

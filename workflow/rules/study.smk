@@ -30,11 +30,8 @@ rule study_page:
         data=RUNS.find_file("docs/study.yaml"),
         tables=STUDY_TABLES,
         figures=STUDY_FIGURES,
-        modules=code("study/study_page"),
     output:
         results("study.md"),
-    log:
-        logs("study_page"),
     script:
         "../scripts/study/study_page.py"
 

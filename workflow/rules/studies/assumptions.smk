@@ -25,14 +25,11 @@ rule table_assumptions:
         bricks=of_run(rules.ida.output[0], cases=without_scan),
         others=lambda w: list(map(RUNS.find_file, ASSUMPTIONS(w.run)["other_curves"])),
         facts=of_run(rules.record.output.facts),
-        modules=code("assumptions/table_assumptions"),
     output:
         table=results("tables/assumptions.csv"),
         ratios=results("tables/assumptions_ratios.csv"),
         losses=results("tables/assumptions_losses.csv"),
         probability=results("assumptions/probability.csv"),
-    log:
-        logs("table_assumptions"),
     params:
         spread=value_of("ensemble.amplitude_spread"),
         reference=value_of("assumptions.reference"),
@@ -68,11 +65,8 @@ rule assumptions_map:
     input:
         case=of_run(rules.facade_case.output[0], model="W2"),
         record=rules.own_record.output.record,
-        modules=code("assumptions/assumptions_map"),
     output:
         results("assumptions/map/{record}.csv"),
-    log:
-        logs("assumptions_map_{record}"),
     benchmark:
         benchmarks("assumptions_map_{record}")
     params:
@@ -88,11 +82,8 @@ rule assumptions_map:
 rule table_assumptions_map:
     input:
         curves=of_run(rules.assumptions_map.output[0]),
-        modules=code("assumptions/table_assumptions_map"),
     output:
         results("tables/assumptions_map.csv"),
-    log:
-        logs("table_assumptions_map"),
     script:
         "../../scripts/assumptions/table_assumptions_map.py"
 
@@ -117,11 +108,8 @@ rule assumptions_stage:
         fit=rules.building_fit.output[0],
         cbdem=of_run(rules.building_modal.output[0], building="CBDEM"),
         sbdem=of_run(rules.building_modal.output[0], building="SBDEM"),
-        modules=code("assumptions/assumptions_stage"),
     output:
         results("assumptions/stage.json"),
-    log:
-        logs("assumptions_stage"),
     script:
         "../../scripts/assumptions/assumptions_stage.py"
 
@@ -132,11 +120,8 @@ rule assumptions_varied:
         stage=rules.assumptions_stage.output[0],
         record=rules.own_record.output.record,
         law=LAW_FILE,
-        modules=code("assumptions/assumptions_varied"),
     output:
         results("assumptions/{model}/{record}.csv"),
-    log:
-        logs("assumptions_varied_{model}_{record}"),
     benchmark:
         benchmarks("assumptions_varied_{model}_{record}")
     params:
@@ -151,11 +136,8 @@ rule assumptions_varied:
 rule table_assumptions_tornado:
     input:
         curves=of_run(rules.assumptions_varied.output[0], record=tornado_records),
-        modules=code("assumptions/table_assumptions_tornado"),
     output:
         results("tables/assumptions_tornado_{model}.csv"),
-    log:
-        logs("table_assumptions_tornado_{model}"),
     script:
         "../../scripts/assumptions/table_assumptions_tornado.py"
 

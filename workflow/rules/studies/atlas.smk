@@ -21,7 +21,6 @@ rule atlas_collapse:
         record=rules.own_record.output.record,
         cases=of_run(rules.facade_case.output[0], model=RUNS.compiled),
         law=LAW_FILE,
-        modules=code("studies/collapse", study="atlas"),
     output:
         table=results("atlas/{base}{piece}_{record}.csv"),
     log:
@@ -54,14 +53,11 @@ rule atlas_formula:
         records=of_run(rules.record.output.record),
         case=of_run(rules.facade_case.output[0], model="W2m"),
         law=LAW_FILE,
-        modules=code("atlas/atlas_formula"),
     output:
         formula=results("formula.json"),
         facades=results("tables/atlas_facades.csv"),
         coefficients=results("tables/atlas_formula.csv"),
         errors=results("tables/atlas_errors.csv"),
-    log:
-        logs("atlas_formula"),
     params:
         settings=values_of("atlas", "facades", "seed", "ranges", "others"),
         base=value_of("facade.base"),
@@ -75,11 +71,8 @@ rule atlas_formula:
 rule formula_page:
     input:
         formula=rules.atlas_formula.output.formula,
-        modules=code("atlas/formula_page"),
     output:
         results("formula.html"),
-    log:
-        logs("formula_page"),
     script:
         "../../scripts/atlas/formula_page.py"
 
@@ -99,14 +92,11 @@ figure_of(
 rule class_fragility:
     input:
         law=FORMULA_FILE,
-        modules=code("atlas/class_fragility"),
     output:
         table=results("tables/class_fragility.csv"),
         facades=results("class/facades.csv"),
         pga_g=results("class/fragility_pga_g.xml"),
         pgv_cm_s=results("class/fragility_pgv_cm_s.xml"),
-    log:
-        logs("class_fragility"),
     params:
         settings=value_of("facade_class"),
         facade=values_of("facade", "base", "courses", "courses_growth"),

@@ -17,7 +17,6 @@ rule base_collapse:
     input:
         case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
-        modules=code("studies/collapse", study="base_compliance"),
     output:
         table=results("base/{model}/{record}_{direction}.csv"),
     log:

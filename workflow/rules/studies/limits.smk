@@ -4,7 +4,6 @@
 rule limits_table:
     input:
         record=of_run(rules.own_record.output.record, record=lambda run: RUNS.records[run][0]),
-        modules=code("accuracy/limits"),
     output:
         results("tables/limits.csv"),
     log:

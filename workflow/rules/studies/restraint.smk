@@ -5,7 +5,6 @@ rule restrain:
     input:
         case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
-        modules=code("studies/collapse", study="restraint"),
     output:
         table=results("restraint/{model}/{record}_{direction}.csv"),
         plan=results("restraint/{model}/{record}_{direction}.json"),
@@ -41,7 +40,6 @@ rule figure_restraint:
         yade=of_run(rules.restrain_yade.output[0], model=models_for("restraint")),
         record=rules.own_record.output.facts,
         facts=rules.own_record.output.facts,
-        modules=code("studies/figure", study="restraint"),
     output:
         png=shown(
             results("restraint/{record}_{direction}.png"),
@@ -50,8 +48,6 @@ rule figure_restraint:
             "roof, {record} {direction}",
         ),
         pdf=results("restraint/{record}_{direction}.pdf"),
-    log:
-        logs("figure_restraint_{record}_{direction}"),
     params:
         study="restraint",
         caption="Collapse PGA (half of the perturbed histories of the planar solver fall; band: 10"

@@ -17,7 +17,6 @@ rule sequence_collapse:
         case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
         first=lambda w: of_run(rules.floor_motions.output[0])(Of(run=w.run, record=first_shock(w))),
-        modules=code("studies/collapse", study="sequence"),
     output:
         table=results("sequence/{model}/{record}_{direction}.csv"),
         plan=results("sequence/{model}/{record}_{direction}.json"),

@@ -12,7 +12,6 @@ rule surrogate_collapse:
         record=rules.own_record.output.record,
         parameters=RUNS.surrogate_parameters,
         cases=of_run(rules.facade_case.output[0], model=["W1", "W2"]),
-        modules=code("studies/collapse", study="surrogates"),
     output:
         table=results("surrogates/{record}.csv"),
     log:

@@ -37,7 +37,6 @@ rule two_components_curves:
         motion=of_run(rules.floor_motions.output[0]),
         second=motion_along,
         yade=rules.yade_check.output[0],
-        modules=code("studies/collapse", study="two_components"),
         command=command_code("runs"),
     output:
         table=results("two_components/{record}.csv"),

@@ -43,7 +43,6 @@ rule uncertainty_collapse:
         record=rules.own_record.output.record,
         cases=of_run(rules.facade_case.output[0], model=RUNS.key("uncertainty.models")),
         law=LAW_FILE,
-        modules=code("uncertainty/uncertainty_collapse"),
     output:
         results("uncertainty/{record}.csv"),
     log:
@@ -63,11 +62,8 @@ rule uncertainty_cells:
         records=of_run(rules.own_record.output.record, record=sampled),
         cases=of_run(rules.facade_case.output[0], model=RUNS.key("uncertainty.models")),
         law=LAW_FILE,
-        modules=code("uncertainty/uncertainty_cells"),
     output:
         results("uncertainty/cells.json"),
-    log:
-        logs("uncertainty_cells"),
     params:
         settings=sample_settings("confirm"),
     script:
@@ -95,11 +91,8 @@ rule uncertainty_confirm:
     input:
         cells=rules.uncertainty_cells.output[0],
         yade=of_run(rules.uncertainty_yade.output[0], cell=cells),
-        modules=code("uncertainty/uncertainty_confirm"),
     output:
         results("tables/uncertainty_confirm.csv"),
-    log:
-        logs("uncertainty_confirm"),
     script:
         "../../scripts/uncertainty/uncertainty_confirm.py"
 
@@ -107,14 +100,11 @@ rule uncertainty_confirm:
 rule uncertainty_tables:
     input:
         tables=of_run(rules.uncertainty_collapse.output[0], record=sampled),
-        modules=code("uncertainty/uncertainty_tables"),
     output:
         samples=results("uncertainty/samples.csv"),
         parts=results("tables/uncertainty_parts.csv"),
         sensitivity=results("tables/uncertainty_sensitivity.csv"),
         fragility=results("tables/uncertainty_fragility.csv"),
-    log:
-        logs("uncertainty_tables"),
     params:
         settings=sample_settings("confidence"),
     script:

@@ -51,13 +51,10 @@ wildcard_constraints:
 rule validation_cases:
     input:
         files=experiment_files,
-        modules=code("validation/validation_cases"),
     output:
         cases=results("validation/{experiment}/cases.json"),
         tests=results("validation/{experiment}/tests.json"),
         motions=directory(results("validation/{experiment}/motions")),
-    log:
-        logs("validation_cases_{experiment}"),
     params:
         table=RUNS.find_file("config/suites/recorded_suite.tsv"),
         settings=RUNS.params_of("validation"),
@@ -69,11 +66,8 @@ rule validation_planar:
     input:
         cases=rules.validation_cases.output.cases,
         motions=rules.validation_cases.output.motions,
-        modules=code("validation/validation_planar"),
     output:
         results("validation/{experiment}/planar.csv"),
-    log:
-        logs("validation_planar_{experiment}"),
     benchmark:
         benchmarks("validation_planar_{experiment}")
     params:
@@ -102,12 +96,9 @@ rule validation_shake_table:
         cases=rules.validation_cases.output.cases,
         planar=rules.validation_planar.output[0],
         histories=rules.validation_yade.output[0],
-        modules=code("validation/validation_shake_table"),
     output:
         table=results("validation/{experiment}/shake_table.csv"),
         summary=results("validation/{experiment}/summary.csv"),
-    log:
-        logs("validation_shake_table_{experiment}"),
     script:
         "../../scripts/validation/validation_shake_table.py"
 
@@ -143,11 +134,8 @@ figure_by(
 rule validation_rocking_cases:
     input:
         files=experiment_files,
-        modules=code("validation/validation_rocking_cases"),
     output:
         results("validation/{experiment}/rocking_cases.json"),
-    log:
-        logs("validation_rocking_cases_{experiment}"),
     script:
         "../../scripts/validation/validation_rocking_cases.py"
 
@@ -170,11 +158,8 @@ rule validation_rocking:
         files=experiment_files,
         cases=rules.validation_rocking_cases.output[0],
         histories=rules.validation_rocking_yade.output[0],
-        modules=code("validation/validation_rocking"),
     output:
         results("validation/{experiment}/free_rocking.csv"),
-    log:
-        logs("validation_rocking_{experiment}"),
     script:
         "../../scripts/validation/validation_rocking.py"
 

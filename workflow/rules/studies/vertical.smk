@@ -16,7 +16,6 @@ rule vertical_collapse:
         files=both_motions,
         record=of_run(rules.record.output.record),
         cases=of_run(rules.facade_case.output[0], model=RUNS.compiled),
-        modules=code("studies/collapse", study="vertical"),
     output:
         table=results("vertical/{record}.csv"),
     log:

@@ -5,11 +5,8 @@ rule friction_collapse:
     input:
         case=rules.facade_case.output[0],
         motion=of_run(rules.floor_motions.output[0]),
-        modules=code("studies/collapse", study="friction"),
     output:
         table=results("friction/{model}/{record}_{direction}.csv"),
-    log:
-        logs("friction_{model}_{record}_{direction}"),
     params:
         study="friction",
         given=lambda w: {"settings": RUNS.cfg(w)["friction"]},
