@@ -1,11 +1,12 @@
-# What a rule with a script has besides what it states: among its inputs the script and all that this imports,
-# so that a change there makes its files anew; and a log. Included last, when all rules are known.
+# What a rule with a script has where it states none: among its inputs, as `modules`, the script and all that this
+# imports, so that a change there makes its files anew; and a log. Included last, when all rules are known.
 
 
 def add_code_and_log(own):
-    """Give a rule the input `modules`, and a log named by the rule and its wildcards where it states none."""
+    """Give a rule the input `modules`, and a log named by the rule and its wildcards."""
     folder, script = Path(own.script).with_suffix("").parts[-2:]
-    own.set_input(modules=code(f"{folder}/{script}", own.params.get("study")))
+    if "modules" not in own.input.keys():
+        own.set_input(modules=code(f"{folder}/{script}", own.params.get("study")))
     if not own.log:
         wildcards = [name for name in re.findall(r"{(\w+)", own.output[0]) if name != "run"]
         own.log_modifier = own.output_modifier
@@ -13,6 +14,6 @@ def add_code_and_log(own):
 
 
 for one in workflow.rules:
-    # as a module: not those of the workflow that takes it
+    # not those of a workflow that takes this one as a module
     if one.script and one.module_globals is globals():
         add_code_and_log(one)

@@ -101,14 +101,10 @@ def code(script, study=None):
     One more for the module of `rocking.studies` that the script is told to call.
     """
     folder = BASE / "workflow"
+    own = folder / "scripts" / f"{script}.py"
     called = [folder / "rocking" / "studies" / f"{study}.py"] if study else []
     drawn = script == "studies/figure"
-
-    def files(wildcards):
-        own = stamped(folder / "scripts" / f"{script.format(**dict(wildcards))}.py")
-        return [own, *(stamped(path, drawn) for path in called)]
-
-    return files
+    return lambda w: [stamped(own), *(stamped(path, drawn) for path in called)]
 
 
 def command_code(name):
