@@ -89,4 +89,4 @@ def test_every_format_has_a_sample_and_a_real_file():
 
 
 def detect_name(sample):
-    return _detect(text_from_bytes(sample.name, sample.data)).name
+    return _detect(text_from_bytes(sample.name, sample.data))

@@ -12,7 +12,7 @@ from numbers import Real
 import numpy as np
 
 from .errors import RecordError
-from .formats import FORMATS
+from .formats import FORMATS, format_of
 from .record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, Record, check_plausible, unit_name
 from .text import read_text
 
@@ -22,22 +22,15 @@ def detect(path):
 
     Raises RecordError when none fits.
     """
-    return _detect(read_text(path)).name
+    return _detect(read_text(path))
 
 
 def _detect(text):
-    for form in FORMATS.values():
-        if form.sniff(text):
-            return form
-    raise text.error(
-        1, f"format not recognised; state it in the column format, one of {', '.join(FORMATS)}"
-    )
-
-
-def _format(name):
-    form = FORMATS.get(name.lower())
-    if form is None:
-        raise RecordError(f"unknown format {name!r}{nearest(name.lower(), FORMATS)}")
+    form = format_of(text)
+    if not form:
+        raise text.error(
+            1, f"format not recognised; state it in the column format, one of {', '.join(FORMATS)}"
+        )
     return form
 
 
@@ -127,13 +120,15 @@ _LAST: dict = {}  # channels of the file that was read last: a suite has all its
 def open_file(path, format=None):
     """Read a file's channels, for `pick`: (Text, name of the format, channels)."""
     text = read_text(path)
-    form = _format(format) if format else _detect(text)
-    key = text.path, form.name, text.sha256
+    form = format.lower() if format else _detect(text)
+    if form not in FORMATS:
+        raise RecordError(f"unknown format {format!r}{nearest(form, FORMATS)}")
+    key = text.path, form, text.sha256
     if key not in _LAST:
-        channels = form.read(text)
+        channels = FORMATS[form](text)
         _LAST.clear()
         _LAST[key] = channels
-    return text, form.name, _LAST[key]
+    return text, form, _LAST[key]
 
 
 def pick(text, form, channels, name=None, component=None, dt_s=None, units=None):
@@ -179,24 +174,21 @@ def _units(channel, stated, text):
 
 
 def _step(channel, stated, text):
-    step = channel.dt_s
+    # Where the header rounds coarsely, the stated step is the better one.
+    own, step = channel.dt_s, channel.dt_s if stated is None else stated
     if step is None:
-        if stated is not None and channel.values[0] == stated:
+        raise text.error(channel.line, "the file states no time step; state dt_s")
+    if own is None:
+        if channel.values[0] == stated:
             raise text.error(
                 channel.line,
                 f"the first number is {stated:g}, the stated step, and would be read as an "
                 f"acceleration; write 'DT= {stated:g}' there, or delete it",
             )
-        step = stated
-    elif stated is not None:
-        # Where the header rounds coarsely, the stated step is the better one.
-        if not abs(stated - step) <= max(1e-3 * step, channel.dt_rounding_s):
-            raise text.error(
-                channel.line, f"the file's time step is {step:g} s, but dt_s {stated:g} is stated"
-            )
-        step = stated
-    if step is None:
-        raise text.error(channel.line, "the file states no time step; state dt_s")
+    elif stated is not None and not abs(stated - own) <= max(1e-3 * own, channel.dt_rounding_s):
+        raise text.error(
+            channel.line, f"the file's time step is {own:g} s, but dt_s {stated:g} is stated"
+        )
     if not MIN_DT_S <= step <= MAX_DT_S:
         raise text.error(
             channel.line, f"time step {step:g} s; expected {MIN_DT_S:g} … {MAX_DT_S:g} s"
@@ -205,13 +197,13 @@ def _step(channel, stated, text):
 
 
 def _check_peak(channel, text):
-    if channel.peak_stated is None:
+    stated, relative, absolute = channel.peak
+    if stated is None:
         return
     peak = float(np.max(np.abs(channel.values)))
-    relative, absolute = channel.peak_tolerance
-    if abs(peak - channel.peak_stated) > max(relative * channel.peak_stated, absolute):
+    if abs(peak - stated) > max(relative * stated, absolute):
         raise text.error(
             channel.line,
-            f"largest value {peak:g} {channel.units}, but the header states "
-            f"{channel.peak_stated:g}: the data or the header is damaged",
+            f"largest value {peak:g} {channel.units}, but the header states {stated:g}: "
+            "the data or the header is damaged",
         )

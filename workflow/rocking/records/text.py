@@ -10,7 +10,7 @@ import math
 import os
 import re
 from array import array
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -49,11 +49,6 @@ class Text:
             raise self.error(len(self.lines), f"the file ends here; expected {expected}")
         return self.lines[number - 1]
 
-    def with_points(self, first):
-        """Return the file with points for the decimal commas from line `first` on."""
-        lines = [line.replace(",", ".") for line in self.lines[first - 1 :]]
-        return replace(self, lines=self.lines[: first - 1] + lines)
-
 
 def read_text(path):
     """Read a whole text file of bounded size: UTF-8, or Latin-1 when it is not.
@@ -85,7 +80,7 @@ def text_from_bytes(path, data):
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):  # as spreadsheets save it
         data = data.decode("utf-16", errors="replace").encode()
     data = data.rstrip(b"\x1a")  # DOS end-of-file mark
-    if not data.strip():
+    if not data.removeprefix(codecs.BOM_UTF8).strip():
         raise RecordError(f"{path}: the file is empty")
     control = _CONTROL.search(data)
     if control:
@@ -121,14 +116,12 @@ def text_from_bytes(path, data):
 def parse_number(text, number, token, what):
     """Parse one finite decimal number; `what` names it in the refusal."""
     token = token.strip()
-    if token and _NUMERIC.fullmatch(token):
-        try:
-            value = float(token)
-        except ValueError:
-            pass
-        else:
-            if math.isfinite(value):
-                return value
+    try:
+        value = float(token) if _NUMERIC.fullmatch(token) else math.nan
+    except ValueError:
+        value = math.nan
+    if math.isfinite(value):
+        return value
     raise text.error(number, f"expected {what}, found {token[:40]!r}{comma_hint(token)}")
 
 
@@ -161,23 +154,14 @@ def _numbers(text, number, tokens, values):
         raise text.error(number, f"more than {MAX_SAMPLES} samples")
 
 
-def _finished(text, first, values, line_of_value, count):
-    """Return the array, checked finite and of `count` values (None: any count)."""
-    result = np.frombuffer(values, dtype=float) if values else np.empty(0)
+def _finite(text, values, line_of_value):
+    """Return the array, checked finite."""
+    result = np.asarray(values)
     bad = np.flatnonzero(~np.isfinite(result))
     if bad.size:
-        line = line_of_value[int(np.searchsorted(_starts(line_of_value), bad[0], "right")) - 1][1]
+        line = max(line for start, line in line_of_value if start <= bad[0])
         raise text.error(line, "a number too large for double precision")
-    if count is not None and len(result) != count:
-        last = line_of_value[-1][1] if line_of_value else first
-        raise text.error(
-            last, f"{len(result)} values up to here, but the header declares {count} samples"
-        )
     return result
-
-
-def _starts(line_of_value):
-    return [start for start, _ in line_of_value]
 
 
 def _shape(token):
@@ -201,8 +185,8 @@ def check_last(text, number, token, earlier):
         )
 
 
-def free_block(text, first, last, count=None):
-    """Read blank-separated numbers from lines first … last (from 1, inclusive).
+def free_block(text, first, count):
+    """Read blank-separated numbers from line `first` (from 1) to the end of the file.
 
     Blank lines and a closing "*** End data ***" are skipped. `count` is the declared
     number of values, or None.
@@ -211,7 +195,7 @@ def free_block(text, first, last, count=None):
     -------
     ndarray, shape (count,)
     """
-    values, line_of_value = array("d"), []
+    values, line_of_value, last = array("d"), [], len(text.lines)
     while last > first and text.lines[last - 1].lstrip()[:3] in ("", "***"):
         last -= 1
     for number in range(first, last + 1):
@@ -223,11 +207,17 @@ def free_block(text, first, last, count=None):
                 raise text.error(
                     number, f"more values than the {count} samples the header declares"
                 )
+    number = first
     if line_of_value:
         number = line_of_value[-1][1]
-        earlier = text.lines[first - 1].split() + text.lines[number - 1].split()[:-1]
-        check_last(text, number, text.lines[number - 1].split()[-1], earlier)
-    return _finished(text, first, values, line_of_value, count)
+        *earlier, token = text.lines[number - 1].split()
+        check_last(text, number, token, text.lines[first - 1].split() + earlier)
+    result = _finite(text, values, line_of_value)
+    if count not in (None, len(result)):
+        raise text.error(
+            number, f"{len(result)} values up to here, but the header declares {count} samples"
+        )
+    return result
 
 
 def gridded_block(text, first, width, indent, per_line, count):
@@ -240,7 +230,7 @@ def gridded_block(text, first, width, indent, per_line, count):
     whole = indent + width * (per_line - 1)
     ends = [match.end() for match in re.finditer(r"\S+", line[: whole + 1])]
     if count is None or len(line) != whole or ends != list(range(indent, whole + 1, width)):
-        return free_block(text, first, len(text.lines), count)
+        return free_block(text, first, count)
     values, following = fixed_block(text, first, width, per_line, count, indent)
     for number in range(following, len(text.lines) + 1):
         if text.lines[number - 1].strip():
@@ -266,8 +256,7 @@ def fixed_block(text, first, width, per_line, count, indent=None):
     values, line_of_value = array("d"), []
     for row in range(rows):
         number = first + row
-        line = text.line(number, f"{count - len(values)} more values").rstrip()
-        line = margin + line
+        line = margin + text.line(number, f"{count - len(values)} more values").rstrip()
         expected = min(per_line, count - len(values))
         if "\t" in line or len(line) != expected * width:
             raise text.error(
@@ -280,4 +269,4 @@ def fixed_block(text, first, width, per_line, count, indent=None):
             raise text.error(number, f"values are not in columns of {width} characters")
         line_of_value.append((len(values), number))
         _numbers(text, number, tokens, values)
-    return _finished(text, first, values, line_of_value, count), first + rows
+    return _finite(text, values, line_of_value), first + rows

@@ -1,7 +1,7 @@
 """Record formats: one module a format, found by name or by looking at the file.
 
-A format is a pair of functions: `sniff(text)` tells whether a file looks like it,
-`read(text)` returns its acceleration channels.
+In a module, `sniff(text)` tells whether a file looks like its format and `read(text)` returns the
+acceleration channels.
 
 Why own readers: ObsPy (1.5) reads K-NET but none of AT2, GeoNet, ESM ASCII, COSMOS,
 CSMIP and SMC; gmprocess (2.8) reads most of them but installs some 115 packages,
@@ -9,34 +9,29 @@ OpenQuake and Django among them, and neither refuses a damaged file by its line.
 reader here is a page.
 """
 
-from dataclasses import dataclass
-from typing import Any
-
 from . import at2, columns, cosmos, csmip, esm, geonet, knet, packed, smc
 
-
-@dataclass(frozen=True)
-class Format:
-    """A registered format."""
-
-    name: str
-    description: str
-    sniff: Any
-    read: Any
-
-
-MARKED = (at2, geonet, esm, cosmos, csmip, smc, knet, packed)  # by a header; looked for first
-BARE = {
-    "csv": ("columns apart by commas", columns.read_columns),
-    "two-column": ("time and acceleration", columns.read_columns),
-    "columns": ("more columns", columns.read_columns),
-    "wrapped": ("several a line", columns.read_wrapped),
-    "single-column": ("one a line", columns.read_single),
+MARKED = {  # by a header; looked for first
+    "at2": at2,
+    "geonet": geonet,
+    "esm": esm,
+    "cosmos": cosmos,
+    "csmip": csmip,
+    "smc": smc,
+    "knet": knet,
+    "packed": packed,
 }
 FORMATS = {
-    **{m.NAME: Format(m.NAME, m.DESCRIPTION, m.sniff, m.read) for m in MARKED},
-    **{
-        name: Format(name, words, columns.sniffs(name), read)
-        for name, (words, read) in BARE.items()
-    },
+    **{name: module.read for name, module in MARKED.items()},
+    "csv": columns.read_columns,
+    "two-column": columns.read_columns,
+    "columns": columns.read_columns,
+    "wrapped": columns.read_wrapped,
+    "single-column": columns.read_single,
 }
+
+
+def format_of(text):
+    """Name of the format that a file looks like; empty for none."""
+    marked = (name for name, module in MARKED.items() if module.sniff(text))
+    return next(marked, None) or columns.kind_of(text)

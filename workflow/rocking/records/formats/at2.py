@@ -16,7 +16,6 @@ from ..text import gridded_block, parse_count, parse_number
 from .channel import Channel
 from .header import is_numbers, stated_unit
 
-NAME, DESCRIPTION = "at2", "PEER AT2"
 HEADING = 20  # lines within which NPTS is looked for
 _NAMED = re.compile(r"\s*NPTS\s*=\s*(\d+)\s*,\s*DT\s*=\s*([\d.]+)\s*(?:SEC)?\s*,?\s*", re.I)
 _TRAILING = re.compile(r"\s*(\d+)\s+([\d.]+)\s+NPTS\s*,\s*DT\s*", re.I)

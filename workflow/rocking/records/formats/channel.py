@@ -25,11 +25,10 @@ class Channel:
         Time step; None when the file does not state it.
     dt_rounding_s : float
         Half a unit of its last printed digit, where digits are few (.0024 may be 0.00244).
-    peak_stated : float or None
-        The header's largest acceleration (magnitude, in `units`) and the relative or
-        absolute disagreement, whichever is larger, that its rounding explains.
-    peak_tolerance : tuple of 2 floats
-        (relative, absolute in `units`).
+    peak : tuple
+        The header's largest acceleration (magnitude, in `units`; None when it states none) and
+        the relative or absolute disagreement (in `units`), whichever is larger, that its rounding
+        explains.
     about : dict
         Station, event, source, licence and the like where the file states them.
     provenance : str
@@ -45,8 +44,7 @@ class Channel:
     units: str | None = None
     dt_s: float | None = None
     dt_rounding_s: float = 0.0
-    peak_stated: float | None = None
-    peak_tolerance: tuple = (0.01, 0.0)
+    peak: tuple[float | None, float, float] = (None, 0.0, 0.0)
     about: dict = field(default_factory=dict)
     provenance: str = "file"
     component: str | None = None

@@ -9,7 +9,7 @@ where those are not separators too.
 """
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -44,7 +44,7 @@ class _Layout:
     decimal_comma: bool = False
     columns: int = 0
     kind: str = ""
-    labels: tuple = ()
+    labels: list = field(default_factory=list)  # with an empty one first: no time column
 
     def cells(self, line):
         cells = line.split(self.separator)
@@ -92,8 +92,8 @@ def _layout(text):
         if not timed and not separator and not named:
             kind = "wrapped"
         if not timed and named:
-            return _Layout(first, separator, comma, columns, kind, ("", *labels))
-    return _Layout(first, separator, comma, columns, kind, tuple(labels))
+            labels = ["", *labels]
+    return replace(layout, columns=columns, kind=kind, labels=labels)
 
 
 def _is_time(text, layout):
@@ -122,9 +122,9 @@ def _labels(line, layout, columns):
     return [""] * columns
 
 
-def sniffs(kind):
-    """Return the function that tells whether a file is of a kind: the name of a format here."""
-    return lambda text: _layout(text).kind == kind
+def kind_of(text):
+    """Name of the format here that a file looks like; empty where it has no line of numbers."""
+    return _layout(text).kind
 
 
 def read_columns(text):
@@ -184,10 +184,11 @@ def read_wrapped(text):
     layout = _layout(text)
     if not layout.first or layout.separator:
         raise text.error(layout.first or 1, "expected accelerations apart by blanks")
+    heading, rows = text.lines[: layout.first - 1], text.lines[layout.first - 1 :]
     if layout.decimal_comma:
-        text = text.with_points(layout.first)
-    count = stated_count(text.lines[: layout.first - 1])
-    return _numbers_only(text, layout, free_block(text, layout.first, len(text.lines), count))
+        text = replace(text, lines=heading + [row.replace(",", ".") for row in rows])
+    values = free_block(text, layout.first, stated_count(heading))
+    return _numbers_only(text, layout, values)
 
 
 def _table(text, layout):
@@ -198,30 +199,26 @@ def _table(text, layout):
     rows = len(text.lines) - first + 1
     if rows * columns > 4 * MAX_SAMPLES:
         raise text.error(first, f"more than {4 * MAX_SAMPLES} numbers")
-    table = np.empty((rows, columns))
-    used, last = 0, first
-    for number in range(first, len(text.lines) + 1):
-        line = text.lines[number - 1]
+    last = len(text.lines)
+    while not text.lines[last - 1].strip():
+        last -= 1
+    table = np.empty((last - first + 1, columns))
+    for number, line in enumerate(text.lines[first - 1 : last], first):
         if not line.strip():
-            if any(rest.strip() for rest in text.lines[number:]):
-                raise text.error(number, "blank line between the samples")
-            break
+            raise text.error(number, "blank line between the samples")
         cells = layout.cells(line)
         if len(cells) != columns:
             raise text.error(number, f"{len(cells)} values, but {columns} in the lines before")
-        for column, cell in enumerate(cells):
-            table[used, column] = parse_number(text, number, cell, "a number")
-        last = number
-        used += 1
+        table[number - first] = [parse_number(text, number, cell, "a number") for cell in cells]
     lines = text.lines[first - 1 : min(last - 1, first + 999)]
     earlier = [layout.cells(line)[-1] for line in lines]
     check_last(text, last, layout.cells(text.lines[last - 1])[-1], earlier)
-    if used < 2:
+    if len(table) < 2:
         raise text.error(first, "expected at least 2 samples")
     count = stated_count(_worded(text).lines[: first - 1])
-    if count not in (None, used):
-        raise text.error(last, f"{used} samples, but the heading declares {count}")
-    return table[:used]
+    if count not in (None, len(table)):
+        raise text.error(last, f"{len(table)} samples, but the heading declares {count}")
+    return table
 
 
 def _check_commas(text, layout):

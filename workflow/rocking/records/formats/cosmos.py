@@ -14,7 +14,6 @@ from ..record import unit_name
 from ..text import fixed_block, parse_count, parse_number
 from .channel import Channel, channels
 
-NAME, DESCRIPTION = "cosmos", "COSMOS V1.20"
 MAX_HEADING = 200
 _FIRST = re.compile(r"\(Format v[\d.]+ with\s+(\d{1,3}) text lines\)", re.I)
 _HEADING = re.compile(
@@ -108,14 +107,8 @@ def _acceleration(text, line, reals, label, values, units):
         raise text.error(line, f"{len(reals)} real headers; expected at least 64")
     interval_ms = parse_number(text, reals[61][0], reals[61][1], "the sampling interval (real 62)")
     peak = parse_number(text, reals[63][0], reals[63][1], "the largest value (real 64)")
-    azimuth = re.match(r"(\d{1,3})\s*deg", label, re.I)
-    return Channel(
-        label,
-        values,
-        line + 1,
-        azimuth_deg=int(azimuth[1]) if azimuth else None,
-        units=unit,
-        dt_s=interval_ms / 1000 if interval_ms > 0 else None,
-        peak_stated=abs(peak) if peak != UNKNOWN else None,
-        peak_tolerance=(0.001, 0.0),
-    )
+    found = re.match(r"(\d{1,3})\s*deg", label, re.I)
+    azimuth = int(found[1]) if found else None
+    dt_s = interval_ms / 1000 if interval_ms > 0 else None
+    stated_peak = (abs(peak) if peak != UNKNOWN else None, 0.001, 0.0)
+    return Channel(label, values, line + 1, azimuth, unit, dt_s, peak=stated_peak)

@@ -11,7 +11,6 @@ from ..record import unit_name
 from ..text import fixed_block, parse_count, parse_number
 from .channel import Channel
 
-NAME, DESCRIPTION = "geonet", "GeoNet V1A, V2A"
 TEXT_LINES, INTEGER_LINES, REAL_LINES = 16, 4, 6
 MAX_CHANNELS = 30
 _RAW = re.compile(r"intervals\s+of\s+([\d.]+)\s*s", re.I)
@@ -55,26 +54,17 @@ def _component(text, first):
     label = words[1] if len(words) > 1 and words[0] == "Component" else ""
     peak = _PEAK.match(text.line(first + 13, "the peak acceleration")[:200])
     unit = unit_name(peak[2]) if peak else None
-    peak_stated = None
+    stated = None
     if peak and unit:
-        peak_stated = abs(parse_number(text, first + 13, peak[1], "the peak acceleration"))
+        stated = abs(parse_number(text, first + 13, peak[1], "the peak acceleration"))
     counts = _counts(text, first + TEXT_LINES + INTEGER_LINES - 1)
     data = first + TEXT_LINES + INTEGER_LINES + REAL_LINES
     values, line = fixed_block(text, data, 8, 10, counts[0])
     for count in counts[1:]:
         if count:
             _, line = fixed_block(text, line, 8, 10, count)
-    channel = Channel(
-        label,
-        values,
-        data,
-        _azimuth(label),
-        unit,
-        dt_s,
-        peak_stated=peak_stated,
-        peak_tolerance=(0.002, 0.06),
-    )
-    return channel, line
+    stated_peak = (stated, 0.002, 0.06)
+    return Channel(label, values, data, _azimuth(label), unit, dt_s, peak=stated_peak), line
 
 
 def _counts(text, number):

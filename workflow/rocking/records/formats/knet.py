@@ -11,7 +11,6 @@ import numpy as np
 from ..text import MAX_SAMPLES, gridded_block, parse_number
 from .channel import Channel
 
-NAME, DESCRIPTION = "knet", "K-NET, KiK-net"
 HEADER = 17
 _SCALE = re.compile(r"([\d.]+)\(gal\)/([\d.]+)")
 _KEYS = ("Sampling Freq(Hz)", "Duration Time(s)", "Dir.", "Scale Factor", "Max. Acc. (gal)")
@@ -52,18 +51,7 @@ def read(text):
         raise text.error(number, "expected a positive scale")
     counts = gridded_block(text, HEADER + 1, 9, 8, 8, round(count))
     gal = counts * (top / bottom)
-    number, word = fields["Max. Acc. (gal)"]
-    peak = abs(parse_number(text, number, word, "the largest acceleration"))
-    label = fields["Dir."][1]
-    return [
-        Channel(
-            label,
-            gal - np.mean(gal),
-            HEADER + 1,
-            azimuth_deg=_AZIMUTH.get(label),
-            units="cm/s2",
-            dt_s=1 / rate,
-            peak_stated=peak,
-            peak_tolerance=(0.02, 0.01),
-        )
-    ]
+    peak = abs(parse_number(text, *fields["Max. Acc. (gal)"], "the largest acceleration"))
+    _, label = fields["Dir."]
+    azimuth, stated = _AZIMUTH.get(label), (peak, 0.02, 0.01)
+    return [Channel(label, gal - np.mean(gal), HEADER + 1, azimuth, "cm/s2", 1 / rate, peak=stated)]

@@ -25,7 +25,6 @@ from ..record import SHIPPED, unit_name
 from ..text import MAX_SAMPLES
 from .channel import Channel
 
-NAME, DESCRIPTION = "packed", "the project's packed motions"
 FIRST = "ROCKING MOTIONS 1"
 RESOLUTION = 1e-4  # of a motion's peak
 MAX_MOTIONS = 1000

@@ -10,7 +10,6 @@ import re
 from ..text import fixed_block, parse_count, parse_number
 from .channel import Channel
 
-NAME, DESCRIPTION = "smc", "USGS SMC"
 TEXT_LINES, INTEGER_LINES, REAL_LINES = 11, 6, 10
 MAX_COMMENTS = 10_000
 UNKNOWN = 1.7e38
@@ -53,18 +52,7 @@ def read(text):
     component = _COMPONENT.search(text.line(6, "the station and component"))
     label = component[1].strip()[:40] if component else ""
     azimuth = int(label) if re.fullmatch(r"\d{1,3}", label) else None
-    return [
-        Channel(
-            label,
-            values,
-            first,
-            azimuth,
-            "cm/s2",
-            1 / rate,
-            peak_stated=peak,
-            peak_tolerance=(0.001, 0.0),
-        )
-    ]
+    return [Channel(label, values, first, azimuth, "cm/s2", 1 / rate, peak=(peak, 0.001, 0.0))]
 
 
 def _fields(text, number, count, width):
