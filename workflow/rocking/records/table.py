@@ -24,13 +24,13 @@ from .record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, unit_name
 from .text import parse_number, read_text
 
 FILE_COLUMNS = ("file", "vertical_file")
-TEXT_COLUMNS = (
-    *("record", *FILE_COLUMNS, "format", "units", "component", "vertical"),
-    *("event", "station", "soil"),
-)
-NUMBER_COLUMNS = ("dt_s", "mw", "distance_km", "pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
-COLUMNS = TEXT_COLUMNS + NUMBER_COLUMNS
 TARGETS = ("pga_g", "pgv_cm_s", "pgd_cm", "duration_s")
+ABOUT = ("event", "station", "mw", "distance_km", "soil")
+NUMBER_COLUMNS = ("dt_s", "mw", "distance_km", *TARGETS)
+COLUMNS = (
+    *("record", *FILE_COLUMNS, "format", "units", "component", "vertical"),
+    *("event", "station", "soil", *NUMBER_COLUMNS),
+)
 MAX_NAME = 64
 SEPARATED = {"\t": "tabs", ";": "semicolons", ",": "commas"}
 _NAME = re.compile(r"[A-Za-z0-9_+][A-Za-z0-9._+-]*")
@@ -69,12 +69,8 @@ class Row:
     def stated(self, vertical=False):
         """Return what the row states of its file: keywords of `reader.pick`."""
         component = self.vertical if vertical else self.component
-        return {
-            "name": self.record,
-            "component": component,
-            "dt_s": self.dt_s,
-            "units": self.units,
-        }
+        stated = {"component": component, "dt_s": self.dt_s, "units": self.units}
+        return {"name": self.record, **stated}
 
 
 def check_name(name, where):
@@ -113,18 +109,13 @@ def read_table(path) -> dict[str, Row]:
     number, header = lines[0]
     separator = next((mark for mark in "\t;," if mark in header), "\t")
     columns = _cells(text, number, header, separator)
-    while separator != "\t" and columns and not columns[-1]:
-        columns.pop()  # as spreadsheets pad a row
     _check_columns(text, number, columns)
     rows: dict[str, Row] = {}
     seen: dict[str, int] = {}
     for number, line in lines[1:]:
-        cells = _cells(text, number, line, separator)
-        if separator != "\t":
-            if not any(cells):
-                continue
-            while len(cells) > len(columns) and not cells[-1]:
-                cells.pop()
+        cells = _cells(text, number, line, separator, len(columns))
+        if not any(cells):
+            continue
         if len(cells) > len(columns) or (len(cells) == 1 and len(columns) > 1 and " " in cells[0]):
             how = SEPARATED[separator]
             raise text.error(
@@ -146,14 +137,19 @@ def read_table(path) -> dict[str, Row]:
     return rows
 
 
-def _cells(text, number, line, separator):
-    """Cells of a line without the blanks around them; quotation marks count where tabs do not."""
+def _cells(text, number, line, separator, least=0):
+    """Cells of a line without the blanks around them; quotation marks count where tabs do not.
+
+    Where tabs do not, empty cells at the end are dropped down to `least`: spreadsheets pad rows.
+    """
     if separator == "\t":
         return [cell.strip() for cell in line.split(separator)]
     try:
         (cells,) = csv.reader([line], delimiter=separator, strict=True)
     except (csv.Error, ValueError):
         raise text.error(number, "a quotation mark that opens or ends within a cell") from None
+    while len(cells) > least and not cells[-1].strip():
+        cells.pop()
     return [cell.strip() for cell in cells]
 
 
@@ -171,11 +167,52 @@ def _check_columns(text, number, columns):
 
 
 def _row(text, number, cells):
+    cells = {column: cell for column, cell in cells.items() if cell}
     name = cells.get("record", "")
     check_name(name, f"{text.path}, line {number}")
+    numbers = _numbers(text, number, cells)
+    form, units, vertical = (cells.get(column) for column in ("format", "units", "vertical"))
+    if form and form.lower() not in FORMATS:
+        raise text.error(number, f"unknown format {form!r}{nearest(form.lower(), FORMATS)}")
+    if units and unit_name(units) is None:
+        raise text.error(
+            number, f"unknown units {units!r}; expected one of {', '.join(UNITS_M_S2)}"
+        )
+    paths = {}
+    for column in FILE_COLUMNS:
+        if column in cells:
+            path = os.path.join(os.path.dirname(text.path), cells[column])
+            if not os.path.isfile(path):
+                raise text.error(number, f"record {name}: no file {cells[column]!r} ({path})")
+            paths[column] = path
+    own = paths.get("file")
+    if own is None and (vertical or paths):
+        raise text.error(number, f"record {name}: a vertical motion without a file")
+    missing = [column for column in TARGETS if column not in numbers]
+    if own is None and missing:
+        raise text.error(
+            number, f"record {name}: no file, and a surrogate needs a value of {', '.join(missing)}"
+        )
+    return Row(
+        name,
+        own,
+        form,
+        numbers.get("dt_s"),
+        units,
+        cells.get("component"),
+        targets={column: numbers[column] for column in TARGETS if column in numbers},
+        about={column: numbers.get(column, cells[column]) for column in ABOUT if column in cells},
+        line=number,
+        vertical_path=paths.get("vertical_file", own if vertical else None),
+        vertical=vertical,
+    )
+
+
+def _numbers(text, number, cells):
+    """Cells of a row that hold numbers, by column."""
     numbers = {}
     for column in NUMBER_COLUMNS:
-        if cells.get(column):
+        if column in cells:
             value = parse_number(text, number, cells[column], f"a number in {column}")
             if value < 0 or (value == 0 and column != "distance_km"):
                 raise text.error(number, f"{column} is {cells[column]!r}; expected it positive")
@@ -184,59 +221,14 @@ def _row(text, number, cells):
         raise text.error(
             number, f"dt_s is {numbers['dt_s']:g}; expected {MIN_DT_S:g} … {MAX_DT_S:g} s"
         )
-    form = cells.get("format") or None
-    if form and form.lower() not in FORMATS:
-        raise text.error(number, f"unknown format {form!r}{nearest(form.lower(), FORMATS)}")
-    units = cells.get("units") or None
-    if units and unit_name(units) is None:
-        raise text.error(
-            number, f"unknown units {units!r}; expected one of {', '.join(UNITS_M_S2)}"
-        )
-    targets = {column: numbers[column] for column in TARGETS if column in numbers}
-    paths = {}
-    for column in FILE_COLUMNS:
-        if cells.get(column):
-            path = os.path.join(os.path.dirname(text.path), cells[column])
-            if not os.path.isfile(path):
-                raise text.error(number, f"record {name}: no file {cells[column]!r} ({path})")
-            paths[column] = path
-    vertical = cells.get("vertical") or None
-    if "file" not in paths and (vertical or "vertical_file" in paths):
-        raise text.error(number, f"record {name}: a vertical motion without a file")
-    if "file" not in paths and len(targets) < len(TARGETS):
-        missing = ", ".join(column for column in TARGETS if column not in targets)
-        raise text.error(
-            number, f"record {name}: no file, and a surrogate needs a value of {missing}"
-        )
-    about = {
-        column: numbers.get(column, cells.get(column))
-        for column in ("event", "station", "mw", "distance_km", "soil")
-        if cells.get(column)
-    }
-    return Row(
-        name,
-        paths.get("file"),
-        form,
-        numbers.get("dt_s"),
-        units,
-        cells.get("component") or None,
-        targets,
-        about,
-        number,
-        paths.get("vertical_file") or (paths.get("file") if vertical else None),
-        vertical,
-    )
+    return numbers
 
 
 def second_component(rows, name):
     """Name of the other record with the same event and station; None for none or several."""
     place = _place(rows[name])
-    mates = [
-        other
-        for other, row in rows.items()
-        if other != name and all(place) and _place(row) == place
-    ]
-    return mates[0] if len(mates) == 1 else None
+    mates = [other for other, row in rows.items() if other != name and _place(row) == place]
+    return mates[0] if len(mates) == 1 and all(place) else None
 
 
 def _place(row):
