@@ -86,6 +86,7 @@ def test_uneven_time_is_refused_with_its_line(tmp_path):
     [
         (b"", "empty"),
         (b" \n\n\t\n", "empty"),
+        (b"\xef\xbb\xbf", "empty"),
         (b"\x00\x01\x02", "binary"),
         (b"0.0 1.0\n0.1 \xff\n", "line 2: expected a number, found 'ÿ'"),
         (b"hello\nworld\n", "format not recognised"),

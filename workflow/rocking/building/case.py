@@ -37,13 +37,6 @@ def read_plan(path):
     return plan_from_dict(data, str(path))
 
 
-def model_plan(plan, model):
-    """Return the plan of CBDEM (as it is) or SBDEM (without façades)."""
-    if model not in MODELS:
-        raise ValueError(f"expected a model of {', '.join(MODELS)}, got '{model}'")
-    return plan if model == "CBDEM" else plan.without_facades()
-
-
 def real_brick(settings):
     """Return the real brick of section building."""
     return Brick(*(settings[f"brick_{part}_m"] for part in ("length", "height", "width")))
@@ -55,11 +48,12 @@ def real_joints(settings):
 
 
 def build_model(settings, plan, model, load_kg_m2=None, coarsening=None):
-    """Build CBDEM or SBDEM with the section `building` of the configuration.
+    """Build CBDEM, or SBDEM without the façades, with the section `building` of the configuration.
 
     None keeps the plan's own load, and takes the configured coarsening.
     """
-    plan = model_plan(plan, model)
+    if model == "SBDEM":
+        plan = plan.without_facades()
     if load_kg_m2 is not None:
         plan = plan.with_floor_load(load_kg_m2)
     return build(
@@ -80,19 +74,15 @@ def fitted_model(settings, plan, fit, model, coarsening=None):
 
 def mass_behind_facade(settings, plan, load_kg_m2):
     """Mass of the complete building less one of its façades [kg]; foundations do not count."""
-    complete, bare = (
-        sum(
-            b.mass_kg for b in build_model(settings, plan, model, load_kg_m2).scene.blocks if b.free
-        )
-        for model in MODELS
-    )
+    scenes = (build_model(settings, plan, model, load_kg_m2).scene for model in MODELS)
+    complete, bare = (sum(b.mass_kg for b in scene.blocks if b.free) for scene in scenes)
     facades = sum(wall.facade for wall in plan.walls)
     return complete - (complete - bare) / max(facades, 1)
 
 
-def translation_mode(modes, direction="y"):
-    """Return the index of the translational mode: the largest effective mass in `direction`."""
-    return modes.largest(direction)
+def translation_mode(modes):
+    """Return the index of the translational mode: the largest effective mass along y."""
+    return modes.largest("y")
 
 
 def twist_mode(modes):
@@ -115,7 +105,7 @@ def load_of_period(period_s, target_s, largest_kg_m2, within_kg_m2):
     return brentq(lambda q: period_s(q) - target_s, 0.0, largest_kg_m2, xtol=within_kg_m2)
 
 
-def fit_floor_load(settings, plan, coarsening=None):
+def fit_floor_load(settings, plan):
     """Floor load fitted to the period of the complete building along y [kg/m²], and the period.
 
     One load on every floor is the only free parameter. K does not depend on it, so one
@@ -125,12 +115,11 @@ def fit_floor_load(settings, plan, coarsening=None):
     """
     target = settings["fit_period_s"]
     if target is None:
-        solver = Solver(build_model(settings, plan, "CBDEM", None, coarsening).scene)
-        modes = solver.modes(12)
+        modes = Solver(build_model(settings, plan, "CBDEM").scene).modes(12)
         return None, float(modes.period_s[translation_mode(modes)])
     if not plan.floors:
         raise PlanError(f"plan '{plan.name}' has no floor whose load fit_period_s could fit")
-    building = build_model(settings, plan, "CBDEM", 0.0, coarsening)
+    building = build_model(settings, plan, "CBDEM", 0.0)
     solver = Solver(building.scene)
     areas = panel_areas(building)
 

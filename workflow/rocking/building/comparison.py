@@ -90,7 +90,7 @@ def against_chains(history, record, period_s, settings):
     given = record.acceleration_m_s2, record.dt_s
     for n in N_DOF:
         top = chain_top(*given, n, period_s, settings["damping_ratio"])
-        motion = top_motion(top[0], top[1], ranges[0], ranges[1])
+        motion = top_motion(*top, *ranges)
         chains[n] = motion, reference.wme(motion)
     return reference, chains
 

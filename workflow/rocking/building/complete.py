@@ -20,6 +20,7 @@ from .history import mass_damping_rate
 from .modes import Solver, largest_eigenvalue, per_mass, sparse_of
 
 MODES = 12
+LINEAR_MODES = 60  # of `linear_history`
 OWN = ("step_fraction", "quiet_ratio", "rest_velocity_m_s", "sample_interval_s")  # of numerics
 
 
@@ -85,14 +86,14 @@ def critical_step(scene):
     return brentq(lambda h: largest(h**2 * k + 2.0 * h * c) - 4.0, 1e-3 * limit, limit, rtol=1e-4)
 
 
-def linear_history(scene, points, time_s, ground_m_s2, count=60):
+def linear_history(scene, points, time_s, ground_m_s2):
     """Answer of a scene whose joints all stay closed, by its modes with their coupled damping.
 
-    q̈ + φᵀCφ q̇ + ω²q = −Γ_y a_g of the lowest `count` modes, integrated exactly for a uniformly
+    q̈ + φᵀCφ q̇ + ω²q = −Γ_y a_g of the lowest LINEAR_MODES, integrated exactly for a uniformly
     sampled, piecewise-linear a_g. Times, and displacements along y relative to the ground of blocks
     that are free there, shape (n_points, nt).
     """
-    modes = Solver(scene).modes(count)
+    modes = Solver(scene).modes(LINEAR_MODES)
     triplets = stiffness.assemble(scene)
     c, n = sparse_of(triplets, triplets.c).tocsr(), len(modes.omega)
     zero, one = np.zeros((n, n)), np.eye(n)

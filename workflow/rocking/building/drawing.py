@@ -1,5 +1,7 @@
 """Drawings of brick models: exposed faces in parallel projection, painted from back to front."""
 
+from itertools import pairwise
+
 import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.patches import Rectangle
@@ -133,11 +135,7 @@ def elevation(ax, wall, label):
         levels |= {opening.sill_m, opening.head_m}
     _dimensions(ax, sorted(edges), wall.base_m - 0.35, horizontal=True)
     _dimensions(ax, sorted(levels), -0.35, horizontal=False)
-    ax.set_title(label)
-    ax.set_xlim(-1.1, wall.length_m + 0.2)
-    ax.set_ylim(wall.base_m - 1.0, wall.top_m + 0.2)
-    ax.set_aspect("equal")
-    ax.axis("off")
+    _frame(ax, label, (0.0, wall.length_m), (wall.base_m, wall.top_m))
 
 
 def plan_view(ax, plan, label):
@@ -146,28 +144,26 @@ def plan_view(ax, plan, label):
     for wall in plan.walls:
         (x0, x1), (y0, y1) = wall.footprint()
         ax.add_patch(_box((x0, y0), x1 - x0, y1 - y0, MASONRY))
-        angle = 0 if wall.axis == 0 else 90
-        ax.text(
-            (x0 + x1) / 2,
-            (y0 + y1) / 2,
-            wall.name,
-            ha="center",
-            va="center",
-            rotation=angle,
-            fontsize=6,
-        )
+        middle, angle = ((x0 + x1) / 2, (y0 + y1) / 2), 0 if wall.axis == 0 else 90
+        ax.text(*middle, wall.name, ha="center", va="center", rotation=angle, fontsize=6)
         xs += [x0, x1]
         ys += [y0, y1]
-    _dimensions(ax, [min(xs), max(xs)], min(ys) - 0.35, horizontal=True)
-    _dimensions(ax, [min(ys), max(ys)], min(xs) - 0.35, horizontal=False)
-    middle = ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
+    x, y = (min(xs), max(xs)), (min(ys), max(ys))
+    _dimensions(ax, x, y[0] - 0.35, horizontal=True)
+    _dimensions(ax, y, x[0] - 0.35, horizontal=False)
+    middle = (sum(x) / 2, sum(y) / 2)
     for vector, name in (((1.0, 0.0), "x"), ((0.0, 1.0), "y (motion)")):
         tip = (middle[0] + vector[0], middle[1] + vector[1])
         ax.annotate("", xy=tip, xytext=middle, arrowprops={"arrowstyle": "->", "lw": 0.8})
         ax.text(tip[0] + 0.1, tip[1] + 0.1, name, fontsize=6)
+    _frame(ax, label, x, y)
+
+
+def _frame(ax, label, x, y):
+    """Title of a drawing between two x and two y, with room for dimensions below and left."""
     ax.set_title(label)
-    ax.set_xlim(min(xs) - 1.1, max(xs) + 0.2)
-    ax.set_ylim(min(ys) - 1.0, max(ys) + 0.2)
+    ax.set_xlim(x[0] - 1.1, x[1] + 0.2)
+    ax.set_ylim(y[0] - 1.0, y[1] + 0.2)
     ax.set_aspect("equal")
     ax.axis("off")
 
@@ -178,19 +174,11 @@ def _box(corner, width, height, colour):
 
 def _dimensions(ax, marks, line, *, horizontal):
     """Draw a dimension chain with ticks at `marks` along a line."""
-    marks = np.array(marks)
-    fixed = np.full(len(marks), line)
+    fixed = [line] * len(marks)
     style = {"color": "0.35", "lw": 0.5, "marker": "|" if horizontal else "_", "ms": 4}
     ax.plot(*((marks, fixed) if horizontal else (fixed, marks)), **style)
-    for low, high in zip(marks[:-1], marks[1:], strict=True):
+    aligned = {"ha": "center", "va": "top"} if horizontal else {"ha": "right", "va": "center"}
+    for low, high in pairwise(marks):
         middle, text = (low + high) / 2, f"{high - low:.2f}"
         where = (middle, line - 0.12) if horizontal else (line - 0.12, middle)
-        ax.text(
-            *where,
-            text,
-            ha="center" if horizontal else "right",
-            va="top" if horizontal else "center",
-            fontsize=5.5,
-            color="0.25",
-            rotation=0,
-        )
+        ax.text(*where, text, fontsize=5.5, color="0.25", **aligned)

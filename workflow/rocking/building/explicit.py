@@ -8,7 +8,7 @@ from rocking.building.history import LOADS, modal_history
 AFTER_S = 0.3  # by then a push is over, and short modes have died down
 LOUD = 0.05  # of the largest displacement: what still tells a period
 BENDING = 0.6  # of the first period: a longer one belongs to a twin of the first mode
-QUANTITIES = {"acceleration": 1, "displacement": 3}  # first column of an explicit history
+FIRST_COLUMN = {"acceleration": 1, "displacement": 3}  # of all points, in an explicit history
 
 
 def ringing_period(time_s, value):
@@ -47,7 +47,7 @@ def differences(explicit, modal, points):
         for other, two in modal.items():
             for i, point in enumerate(points):
                 values = two.acceleration_m_s2[i], two.displacement_m[i]
-                for (quantity, first), value in zip(QUANTITIES.items(), values, strict=True):
+                for (quantity, first), value in zip(FIRST_COLUMN.items(), values, strict=True):
                     grid = smdof.common_grid(two.time_s, value, one[:, 0], one[:, first + i])
                     rows.append((name, other, point, quantity, smdof.weighted_mean_error(*grid)))
     return rows

@@ -40,16 +40,7 @@ def mass_damping_rate(omega_rad_s, damping_ratio):
     return 2.0 * damping_ratio * omega_rad_s
 
 
-def modal_history(
-    modes,
-    blocks,
-    ground_m_s2,
-    dt_s,
-    rate_1_s,
-    *,
-    direction="y",
-    gravity_m_s2=0.0,
-):
+def modal_history(modes, blocks, ground_m_s2, dt_s, rate_1_s, *, direction="y", gravity_m_s2=0.0):
     """`PointHistory` of the centroids of some blocks under a ground motion, linear between samples.
 
     Damping is proportional to mass: mode j has ζ_j = a/(2ω_j) at the rate a. `gravity_m_s2` acts

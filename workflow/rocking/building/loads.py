@@ -11,22 +11,22 @@ from .case import panel_areas
 from .modes import Modes, Solver
 
 HEAVY_KG_M2 = 1500.0
+MODES = 12
 
 
 class LoadedModes:
     """Lowest modes of a building without floor load as a function of its floor load.
 
-    `count` modes of each of the two solutions span the basis; as many are returned.
+    MODES of each of the two solutions span the basis; as many are returned.
     """
 
-    def __init__(self, building, count=12):
+    def __init__(self, building):
         """Solve at the two ends and reduce K."""
         solver = Solver(building.scene)
-        self.scene, self.dof, self.count = building.scene, solver.dof, count
-        self.mass = solver.mass
+        self.scene, self.dof, self.mass = building.scene, solver.dof, solver.mass
         heavy = {i: HEAVY_KG_M2 * area for i, area in panel_areas(building).items()}
         self.added = (solver.mass_with(heavy) - self.mass) / HEAVY_KG_M2
-        ends = [solver.modes(count, self.mass + q * self.added).phi for q in (0.0, HEAVY_KG_M2)]
+        ends = [solver.modes(MODES, self.mass + q * self.added).phi for q in (0.0, HEAVY_KG_M2)]
         both = np.hstack(ends)
         self.basis = np.linalg.qr(both / np.linalg.norm(both, axis=0))[0]
         self.k = self.basis.T @ (solver.k @ self.basis)
@@ -35,5 +35,5 @@ class LoadedModes:
         """Return the `Modes` under a load of 0 to about HEAVY_KG_M2 on every floor [kg/m²]."""
         mass = self.mass + load_kg_m2 * self.added
         squared, shapes = eigh(self.k, self.basis.T @ (mass[:, None] * self.basis))
-        omega, phi = np.sqrt(squared[: self.count]), self.basis @ shapes[:, : self.count]
+        omega, phi = np.sqrt(squared[:MODES]), self.basis @ shapes[:, :MODES]
         return Modes.of(self.scene, self.dof, mass, omega, phi)

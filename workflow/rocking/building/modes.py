@@ -24,16 +24,16 @@ def sparse_of(triplets, values):
     return sparse.coo_array((values, (triplets.rows, triplets.cols)), shape=(size, size))
 
 
-def matrices(scene, chunk=CHUNK_NODES):
+def matrices(scene):
     """Assemble the sparse K and the diagonal of M of a scene; block and DOF (0–5) of each equation.
 
     `stiffness.assemble` keeps a 12 × 12 block for every node in memory; it is called here on
-    `chunk` nodes at a time, all blocks present, so that the equation numbers agree and the sums
+    CHUNK_NODES at a time, all blocks present, so that the equation numbers agree and the sums
     stay small. Units are N/m, N, N·m and kg, kg·m².
     """
     total = None
-    for start in range(0, len(scene.nodes), chunk):
-        nodes = scene.nodes.select(slice(start, start + chunk))
+    for start in range(0, len(scene.nodes), CHUNK_NODES):
+        nodes = scene.nodes.select(slice(start, start + CHUNK_NODES))
         triplets = stiffness.assemble(replace(scene, nodes=nodes))
         piece = sparse_of(triplets, triplets.k).tocsc()
         total = piece if total is None else total + piece

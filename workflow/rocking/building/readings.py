@@ -88,15 +88,12 @@ def highest_brick(building, name):
     number = building.bricks.wall_names.index(name)
     own = np.flatnonzero(building.bricks.wall == number)
     blocks = building.scene.blocks
-    return int(
-        max(
-            own,
-            key=lambda i: (
-                round(blocks[i].centre_m[2], 6),
-                -round(abs(blocks[i].centre_m[wall.axis] - middle), 6),
-            ),
-        )
-    )
+
+    def height_then_middle(i):
+        centre = blocks[i].centre_m
+        return round(centre[2], 6), -round(abs(centre[wall.axis] - middle), 6)
+
+    return int(max(own, key=height_then_middle))
 
 
 def strong_part(time_s, acceleration_m_s2):

@@ -201,8 +201,8 @@ def reached(table, near_s):
     Rows are of `fitted`; a period may be off by `near_s`. Not bettered: in all four periods
     together, see `not_dominated`.
     """
-    off = {key: table[f"{key[0].lower()}_{key[1]}_s"] - PAPER_PERIODS_S[key] for key in WANTED}
-    off = np.abs(np.array([off[key] for key in WANTED]).T)
+    found = table[[f"{model.lower()}_{kind}_s" for model, kind in WANTED]].to_numpy()
+    off = np.abs(found - [PAPER_PERIODS_S[key] for key in WANTED])
     met = np.all(off[:, [model == "CBDEM" for model, _ in WANTED]] <= near_s, axis=1)
     best = met.copy()
     best[met] = not_dominated(off[met])

@@ -11,6 +11,7 @@ import this module, so that changing it makes no record again.
 import contextlib
 import hashlib
 import json
+from collections import defaultdict
 from dataclasses import asdict, dataclass, replace
 from functools import cache as once
 from pathlib import Path
@@ -41,6 +42,7 @@ WARN_DURATION_S = 1.0  # a façade takes longer to fall
 FAST_M_S, FAR_M = 2.0, 2.0
 STRONG_G, STRONG_FAST_M_S, STRONG_FAR_M = 1.0, 1.2, 0.8
 MAX_REMEMBERED = 5000
+PEAKS = ("duration_s", "pga_g", "pgv_cm_s")  # facts that a file and a table's targets both give
 
 
 @dataclass(frozen=True)
@@ -110,14 +112,13 @@ def check_records(
         One a row, in order.
     """
     known = _remembered(cache)
-    opened: dict = {}
     same: dict = {}
     findings = []
-    digest, before = once(_digest), len(known)
+    digest, opened, before = once(_digest), once(open_file), len(known)
     for row in rows:
         spec = (specs or {}).get(row.record) if row.path is None else None
         # The path is part of the key because messages name it.
-        files = [(path, digest(path)) for path in (row.path, row.vertical_path) if path]
+        files = [(path, digest(path)) for path in _paths(row)]
         stated = asdict(row) | {"line": 0}
         key = _hash([_code(), stated, files, baseline, seed, repr(spec), draw])
         if key not in known:
@@ -139,21 +140,23 @@ def check_runs(runs, **options):
     `draw` and `cache` of `check_records`. Raises RecordError for surrogate parameters that cannot
     be read.
     """
-    farthest: dict[str, float] = {}
-    first: dict[str, tuple] = {}
+    alike = defaultdict(list)
     for run, resolved in runs.settings.items():
-        table, names = runs.table_path(run), runs.records[run]
-        treatment = {key: resolved[key] for key in ("baseline", "seed")}
-        combination = json.dumps([table, names, treatment], sort_keys=True)
-        first.setdefault(combination, (run, table, names, treatment))
-        farthest[combination] = max(farthest.get(combination, 0.0), reach_g(resolved))
+        treatment = [resolved[key] for key in ("baseline", "seed")]
+        combination = [runs.table_path(run), runs.records[run], treatment]
+        alike[json.dumps(combination, sort_keys=True)].append(run)
     found: dict[tuple, Finding] = {}
-    for combination, (run, table, names, treatment) in first.items():
-        path = surrogates_for(table)
-        rows = [runs.tables[run][name] for name in names]
-        treatment["specs"] = read_specs(path) if path else None
-        reach = farthest[combination]
-        for one in check_records(rows, reach_g=reach, **treatment, **options):
+    for run, *others in alike.values():
+        resolved, path = runs.settings[run], surrogates_for(runs.table_path(run))
+        findings = check_records(
+            [runs.tables[run][name] for name in runs.records[run]],
+            baseline=resolved["baseline"],
+            seed=resolved["seed"],
+            specs=read_specs(path) if path else None,
+            reach_g=max(reach_g(runs.settings[one]) for one in (run, *others)),
+            **options,
+        )
+        for one in findings:
             found.setdefault((one.record, one.file, one.status, one.message), one)
     return list(found.values())
 
@@ -261,33 +264,40 @@ def _settled_peaks(acceleration_m_s2, dt_s):
 def _finding(row, baseline, seed, spec, opened):
     """Return what a `Finding` says after the file, without its factor.
 
-    seed None: no surrogate is drawn; `opened` keeps channels.
+    seed None: no surrogate is drawn; `opened` is `open_file`, which reads each file once.
     """
-    options = {"method": baseline} if isinstance(baseline, str) else dict(baseline)
-    said, facts = [], []
     try:
-        if row.path is None:
-            facts = [None, *(row.targets[key] for key in ("duration_s", "pga_g", "pgv_cm_s"))]
-        if row.path is None and seed is None:
-            check_surrogate(row.record, **row.targets, spec=spec)
-        elif row.path is None:
-            generate(row.record, **row.targets, spec=spec, seed=seed)
-        for path in dict.fromkeys(filter(None, (row.path, row.vertical_path))):
-            if (path, row.format) not in opened:
-                opened[path, row.format] = open_file(path, row.format)
         if row.path:
-            record = pick(*opened[row.path, row.format], **row.stated())
-            treated = treat(record, **options)
-            doubts = _as_read(record, row.targets.get("pga_g"))
-            said, peaks, (offset, drift_m) = warnings(treated), measures(treated), _offset(treated)
-            facts = [treated.dt_s, *(peaks[key] for key in ("duration_s", "pga_g", "pgv_cm_s"))]
-            said = [*doubts, *said]
-            facts += [round(100.0 * offset, 4), round(drift_m, 4)]
-        if row.vertical_path:
-            pick(*opened[row.vertical_path, row.format], **row.stated(vertical=True))
+            said, facts = _of_files(row, baseline, opened)
+        else:
+            said, facts = [], [None, *(row.targets[key] for key in PEAKS)]
+            if seed is None:
+                check_surrogate(row.record, **row.targets, spec=spec)
+            else:
+                generate(row.record, **row.targets, spec=spec, seed=seed)
     except RecordError as error:
         return "fault", str(error)
     return ("warning" if said else "ok", "; ".join(said), *facts)
+
+
+def _of_files(row, baseline, opened):
+    """What is doubtful of the motion in a row's file, and its facts; reads the vertical one too."""
+    horizontal, *vertical = (opened(path, row.format) for path in _paths(row))
+    record = pick(*horizontal, **row.stated())
+    doubts = _as_read(record, row.targets.get("pga_g"))
+    treated = treat(record, **({"method": baseline} if isinstance(baseline, str) else baseline))
+    peaks, (offset, drift_m) = measures(treated), _offset(treated)
+    facts = [treated.dt_s, *(peaks[key] for key in PEAKS)]
+    facts += [round(100.0 * offset, 4), round(drift_m, 4)]
+    said = [*doubts, *warnings(treated)]
+    for file in vertical:
+        pick(*file, **row.stated(vertical=True))
+    return said, facts
+
+
+def _paths(row):
+    """Files of a row: the horizontal motion's, and the vertical one's where it is used."""
+    return [path for path in (row.path, row.vertical_path) if path]
 
 
 def _digest(path):

@@ -14,20 +14,19 @@ import numpy as np
 from scipy.signal import correlate, lfilter
 
 from .record import integrate
-from .surrogate_model import Noise, Pulse, Spec
+from .surrogate_model import SOLVED, Noise, Pulse, Spec
 
 PERIODS_S = np.geomspace(0.2, 8.0, 28)
 CYCLES = (1.2, 1.6, 2.0, 3.0)
 TAIL = 2.0  # of 1/p, after a pulse
-ROCKING_PER_S = 1.5  # p of a façade 6.5 m high
+ROCKING_PER_S = 1.5  # p = √(3g/4R) of a façade 6.5 m high
 NOISE_BOUNDS_HZ = (1.0, 8.0)  # of the ground filter, as for surrogates from peaks alone
 
 
-def find_pulses(record, count, rate_per_s=ROCKING_PER_S):
+def find_pulses(record, count):
     """Find so many pulses of a record, the one with the most ∫u² first.
 
-    Its baseline is treated: a drift would be taken for a pulse. The rate is p, the rocking
-    frequency √(3g/4R) [1/s]; 0 for the velocity itself.
+    Its baseline is treated: a drift would be taken for a pulse.
     """
     dt = record.dt_s
     t = record.time_s
@@ -36,13 +35,13 @@ def find_pulses(record, count, rate_per_s=ROCKING_PER_S):
         atom
         for period in PERIODS_S
         for cycles in CYCLES
-        if (atom := _atom(float(period), cycles, dt, rate_per_s)).size <= t.size
+        if (atom := _atom(float(period), cycles, dt)).size <= t.size
     ]
     found: list[Pulse] = []
     while atoms and len(found) < count:
-        kept = _keep(left, dt, rate_per_s)
-        best = max((_fit(atom, kept) for atom in atoms), key=lambda trial: trial[0])
-        _, atom, start, a, b = best
+        kept = _keep(left, dt)
+        fits = (_fit(atom, kept) for atom in atoms)
+        _, atom, start, a, b = max(fits, key=lambda fit: fit[0])
         # a cos ωτ + b sin ωτ = A cos(ωτ + ν) with A cos ν = a, A sin ν = −b
         pulse = Pulse(
             float(np.hypot(a, b)),
@@ -56,12 +55,12 @@ def find_pulses(record, count, rate_per_s=ROCKING_PER_S):
     return tuple(found)
 
 
-def pulse_spec(record, count, dt_s=0.01):
+def pulse_spec(record, count):
     """Parameters of a surrogate with the record's own pulses, and noise for the rest of it.
 
     The noise takes the rms of what the `count` pulses leave, its frequency from that rest's
     PGA/PGV, and its envelope from the rest's Arias intensity: rise to 5 %, plateau to 75 %, decay
-    to 95 %. `dt_s` is the step of the surrogate.
+    to 95 %.
     """
     pulses = find_pulses(record, count)
     t = record.time_s
@@ -82,9 +81,7 @@ def pulse_spec(record, count, dt_s=0.01):
         strong_end_s=float(strong_end),
         decay_s=float(max((end - strong_end) / 2.0, 0.1)),
     )
-    solve = ["pulses.0.amplitude_m_s", "pulses.0.period_s"]
-    solve += ["noise.rms_m_s2", "noise.frequency_hz", "noise.low_cut_hz"]
-    return Spec(dt_s, pulses, noise, tuple(solve))
+    return Spec(0.01, pulses, noise, SOLVED)
 
 
 class _Atom(NamedTuple):
@@ -105,18 +102,18 @@ class _Atom(NamedTuple):
         return self.kept.shape[1]
 
 
-def _keep(acceleration, dt, rate):
+def _keep(acceleration, dt):
     """Return u of u̇ + p u = a by the trapezoidal rule, from rest."""
-    half = 0.5 * dt
-    return lfilter([half, half], [1.0 + half * rate, half * rate - 1.0], acceleration, axis=-1)
+    half, p = 0.5 * dt, ROCKING_PER_S
+    return lfilter([half, half], [1.0 + half * p, half * p - 1.0], acceleration, axis=-1)
 
 
-def _atom(period, cycles, dt, rate):
+def _atom(period, cycles, dt):
     half = int(np.ceil(0.5 * cycles * period / dt))
-    tail = int(TAIL / rate / dt) if rate else 0
+    tail = int(TAIL / ROCKING_PER_S / dt)
     tau = dt * np.arange(-half, half + 1 + tail)
     pair = [Pulse(1.0, period, cycles, phase, 0.0).acceleration(tau) for phase in (0.0, -90.0)]
-    kept = _keep(np.array(pair), dt, rate)
+    kept = _keep(np.array(pair), dt)
     return _Atom(period, cycles, half, kept, np.linalg.inv(kept @ kept.T))
 
 

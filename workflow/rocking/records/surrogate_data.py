@@ -9,15 +9,13 @@ import yaml
 from .errors import RecordError
 from .reader import nearest
 from .record import MAX_DT_S, MIN_DT_S
-from .surrogate_model import Noise, Pulse, Spec
+from .surrogate_model import SOLVABLE_NOISE, SOLVABLE_PULSE, Noise, Pulse, Spec
 from .text import read_text
 
 KEYS = ("dt_s", "pulses", "noise", "solve", "notes")
 MAX_PULSES = 20
 MAX_LINES = 20_000
 SMALLEST, LARGEST = 1e-4, 1e4  # far beyond any sensible parameter in its units
-SOLVABLE_PULSE = ("amplitude_m_s", "period_s")
-SOLVABLE_NOISE = ("rms_m_s2", "frequency_hz", "low_cut_hz")
 
 
 def read_specs(path):

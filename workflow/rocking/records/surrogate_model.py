@@ -7,6 +7,12 @@ import numpy as np
 
 from .record import integrate
 
+SOLVABLE_PULSE = ("amplitude_m_s", "period_s")
+SOLVABLE_NOISE = ("rms_m_s2", "frequency_hz", "low_cut_hz")
+# what is solved for where no data say: the first pulse and the noise
+SOLVED = tuple(f"pulses.0.{key}" for key in SOLVABLE_PULSE)
+SOLVED += tuple(f"noise.{key}" for key in SOLVABLE_NOISE)
+
 
 @dataclass(frozen=True)
 class Pulse:
