@@ -89,8 +89,8 @@ def against_chains(history, record, period_s, settings):
     reference, chains = top_motion(time_s, top_m_s2, *ranges), {}
     given = record.acceleration_m_s2, record.dt_s
     for n in N_DOF:
-        top = chain_top(*given, n, period_s, settings["damping_ratio"])
-        motion = top_motion(*top, *ranges)
+        chain_time_s, chain_m_s2 = chain_top(*given, n, period_s, settings["damping_ratio"])
+        motion = top_motion(chain_time_s, chain_m_s2, *ranges)
         chains[n] = motion, reference.wme(motion)
     return reference, chains
 
