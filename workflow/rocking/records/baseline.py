@@ -11,7 +11,6 @@ import numpy as np
 
 from .errors import RecordError
 
-METHODS = ("none", "mean", "linear", "poly")
 MAX_DEGREE = 8
 
 
@@ -38,10 +37,10 @@ def treat(record, method="none", *, order=2, highpass_hz=None, lowpass_hz=None, 
         An unknown method or a corner outside 0 … Nyquist.
     """
     where = f"record {record.name}"
-    if method not in METHODS:
-        raise RecordError(f"{where}: baseline {method!r}; expected one of {', '.join(METHODS)}")
-    a, words = record.acceleration_m_s2, []
-    degree = {"none": None, "mean": 0, "linear": 1, "poly": order}[method]
+    degrees = {"none": None, "mean": 0, "linear": 1, "poly": order}
+    if method not in degrees:
+        raise RecordError(f"{where}: baseline {method!r}; expected one of {', '.join(degrees)}")
+    a, words, degree = record.acceleration_m_s2, [], degrees[method]
     if degree is not None:
         if not 0 <= degree <= min(MAX_DEGREE, len(a) - 2):
             raise RecordError(f"{where}: polynomial of degree {degree}; expected 0 … {MAX_DEGREE}")

@@ -154,21 +154,14 @@ def pick(text, form, channels, name=None, component=None, dt_s=None, units=None)
 
 
 def _units(channel, stated, text):
-    unit = None
-    if stated:
-        unit = unit_name(stated)
-        if unit is None:
-            raise text.error(
-                channel.line, f"unknown units {stated!r}; expected one of {', '.join(UNITS_M_S2)}"
-            )
-        if channel.units and unit != channel.units:
-            raise text.error(
-                channel.line, f"the file is in {channel.units}, but units {stated!r} are stated"
-            )
-    unit = channel.units or unit
+    unit, known = unit_name(stated) if stated else channel.units, ", ".join(UNITS_M_S2)
+    if stated and unit is None:
+        raise text.error(channel.line, f"unknown units {stated!r}; expected one of {known}")
     if unit is None:
+        raise text.error(channel.line, f"the file states no units; state one of {known}")
+    if channel.units and unit != channel.units:
         raise text.error(
-            channel.line, f"the file states no units; state one of {', '.join(UNITS_M_S2)}"
+            channel.line, f"the file is in {channel.units}, but units {stated!r} are stated"
         )
     return unit
 
