@@ -7,15 +7,7 @@ SUBMITS = {"slurm": "sbatch"}  # by the name of Snakemake's executor
 
 
 def fault(executor, which=shutil.which):
-    """Say in one line what an executor lacks on this machine; empty where it lacks nothing.
-
-    Parameters
-    ----------
-    executor : str
-        Name as of `--executor`.
-    which : callable
-        Finds a program.
-    """
+    """Say in one line what an executor (`--executor`) lacks on this machine; empty: nothing."""
     program = SUBMITS.get(executor)
     if program is None or which(program):
         return ""
@@ -28,12 +20,7 @@ def fault(executor, which=shutil.which):
 def warning(executor, words=None, which=shutil.which):
     """Say in one line what Snakemake will ask of this SLURM in vain; empty where it has it.
 
-    Parameters
-    ----------
-    executor, which
-        As of `fault`.
-    words : list of str, optional
-        The command line, unless given this process's.
+    `words` are the command line, unless given this process's.
     """
     words = sys.argv if words is None else words
     if executor != "slurm" or which("sacct") or "--slurm-no-account" in words:

@@ -9,11 +9,7 @@ def fault(words=None):
     """Say in one line which option stands twice; empty where none does.
 
     Of these options Snakemake takes the last alone, without a word of the values that it leaves.
-
-    Parameters
-    ----------
-    words : list of str, optional
-        The command line, unless given this process's.
+    `words` are the command line, unless given this process's.
     """
     words = list(sys.argv if words is None else words)
     words = words[: words.index("--")] if "--" in words else words

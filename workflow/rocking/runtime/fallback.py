@@ -10,13 +10,7 @@ import sys
 
 @contextlib.contextmanager
 def left_out_if_unknown(what):
-    """Leave something out, with a line that says so, where this Snakemake is not as it is known.
-
-    Parameters
-    ----------
-    what : str
-        For the line.
-    """
+    """Leave `what` out, with a line that says so, where this Snakemake is not as it is known."""
     try:
         yield
     except (ImportError, AttributeError, TypeError) as error:

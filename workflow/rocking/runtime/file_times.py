@@ -10,19 +10,9 @@ from pathlib import Path
 
 
 def settle(folder, now=None):
-    """Date files of a results folder that lie in the future to the present.
+    """Date files of a folder that lie after `now` [s since the epoch] to it; return their number.
 
-    Parameters
-    ----------
-    folder : path
-        Need not exist; links are left alone.
-    now : float, optional
-        Present time [s since the epoch].
-
-    Returns
-    -------
-    int
-        Number of files whose time was changed.
+    The folder need not exist; links are left alone.
     """
     now = time.time() if now is None else now
     changed = 0

@@ -22,17 +22,8 @@ STYLE = """.. raw:: html
 def of_runs(runs, words):
     """Return the path of the text that the report begins with.
 
-    Parameters
-    ----------
-    runs : iterable of str
-        Names; those that have `results/<run>/report/summary.rst` come first.
-    words : str
-        The text for all runs.
-
-    Returns
-    -------
-    str
-        `words` itself where no report is asked for or no run has an answer yet.
+    That of the runs that have a `results/<run>/report/summary.rst` comes first, then `words`, the
+    path of the text for all; where no report is asked for or no run has an answer it is `words`.
     """
     found = [Path("results") / run / "report" / "summary.rst" for run in runs]
     found = [path for path in found if path.is_file()]

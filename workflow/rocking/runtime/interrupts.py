@@ -31,10 +31,7 @@ def waiting(scheduler):
 def heed(scheduler):
     """Let both signals reach a run from now on; called in the main thread.
 
-    Parameters
-    ----------
-    scheduler : snakemake.scheduling.job_scheduler.JobScheduler
-        Upon SIGTERM its running jobs end, and no other begins.
+    Upon SIGTERM the running jobs of Snakemake's scheduler end, and no other begins.
     """
     end = scheduler.exit_gracefully
     came: queue.SimpleQueue = queue.SimpleQueue()  # may be put to whatever a signal interrupted

@@ -9,7 +9,7 @@ minute.
 import sys
 import threading
 import time
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -62,20 +62,18 @@ class Task:
     took_s: float | None = None
 
     @property
+    def kind(self):
+        """Rule and model."""
+        return self.rule, self.model
+
+    @property
     def share(self):
         """Part of the job that earlier runs left to do."""
         return max(1.0 - self.kept / (self.runs or RUNS), 0.1)
 
 
 class Progress:
-    """Progress of the jobs of a DAG.
-
-    Parameters
-    ----------
-    tasks : list of Task
-    clock : callable
-        Seconds.
-    """
+    """Progress of the jobs of a DAG, each a `Task`; `clock` returns seconds."""
 
     def __init__(self, tasks, clock=time.monotonic):
         """Note what there is already: only what this run adds says how fast it is."""
@@ -109,16 +107,16 @@ class Progress:
         for task in self.tasks:
             if task.took_s is not None:
                 whole = task.took_s / task.share
-                measured[task.rule, task.model].append(whole)
+                measured[task.kind].append(whole)
                 others[task.rule].append(whole / registry.cost(task.model))
 
         def mean(task):
-            if own := measured[task.rule, task.model]:
+            if own := measured[task.kind]:
                 return fmean(own)
             known = others.get(task.rule)
             return fmean(known) * registry.cost(task.model) if known else SHORT_S
 
-        return {(task.rule, task.model): mean(task) for task in self.tasks}
+        return {task.kind: mean(task) for task in self.tasks}
 
     def left_s(self, kinds=None):
         """Seconds until all is done: work that remains over jobs at a time, or the longest job.
@@ -130,9 +128,9 @@ class Progress:
         expected, now, left = self.expected_s(), self.clock(), []
         self.overdue = False
         for task in self.tasks:
-            if task.took_s is not None or not (kinds is None or self._kind(task) in kinds):
+            if task.took_s is not None or not (kinds is None or task.kind in kinds):
                 continue
-            whole = expected[task.rule, task.model] * task.share
+            whole = expected[task.kind] * task.share
             if task.began_s is None:
                 left.append(whole)
                 continue
@@ -148,20 +146,15 @@ class Progress:
         at_a_time = max(self.busy_s / max(now - self.began, 1e-9), 1.0)
         return max(sum(left) / at_a_time, max(left, default=0.0))
 
-    @staticmethod
-    def _kind(task):
-        return task.rule, task.model
-
     def unknown(self):
         """Kinds of jobs not done that may take long, of which none has ended yet, sorted.
 
         What another model took does not tell: that was wrong by factors of three to six. Of a job
         whose number of runs is known, those that ended tell.
         """
-        known = {self._kind(t) for t in self.tasks if t.took_s is not None}
-        known |= {self._kind(t) for t in self.tasks if t.runs and count_lines(t.journal) > t.kept}
-        long = [t for t in self.tasks if t.took_s is None and t.costly]
-        return sorted({self._kind(t) for t in long} - known)
+        known = {t.kind for t in self.tasks if t.took_s is not None}
+        known |= {t.kind for t in self.tasks if t.runs and count_lines(t.journal) > t.kept}
+        return sorted({t.kind for t in self.tasks if t.took_s is None and t.costly} - known)
 
     def line(self):
         """Return one line; empty before the first job and after the last.
@@ -175,7 +168,7 @@ class Progress:
         runs = sum(count_lines(t.journal) - t.kept for t in self.tasks if t.journal)
         added = f", {runs} runs in YADE" if runs else ""
         unknown = self.unknown()
-        seconds = self.left_s({*map(self._kind, self.tasks)} - {*unknown})
+        seconds = self.left_s({t.kind for t in self.tasks} - {*unknown})
         said = f"progress: {done} of {len(self.tasks)} jobs{added}"
         more = f" and {len(unknown) - 2} more" if len(unknown) > 2 else ""
         names = [f"{rule} of {model}" if model else rule for rule, model in unknown[:2]]
@@ -205,12 +198,8 @@ class Progress:
 def tasks_of(workflow, runs=lambda job: None):
     """Tasks of all jobs that a workflow is about to run.
 
-    Parameters
-    ----------
-    workflow : snakemake.workflow.Workflow
-        Its scheduler must exist, as it does in `onstart`.
-    runs : callable
-        Number of runs of a job with a journal, where it is known beforehand.
+    Its scheduler must exist, as it does in `onstart`. `runs` returns the number of runs of a job
+    with a journal, where it is known beforehand.
     """
     dag, scheduler = workflow.dag, workflow.scheduler
 
@@ -237,21 +226,10 @@ def tasks_of(workflow, runs=lambda job: None):
 
 
 def opening(tasks, runs, cores):
-    """Line that says what a study is about to run.
-
-    Parameters
-    ----------
-    tasks : list of Task
-    runs : list of str
-        Names of its runs.
-    cores : int or None
-    """
-    counts: dict[str, int] = defaultdict(int)
-    for task in tasks:
-        if task.costly:
-            counts[task.rule] += 1
+    """Line that says what a study is about to run, on so many cores if their number is known."""
+    counts = Counter(task.rule for task in tasks if task.costly)
     long = [f"{n} {rule}" for rule, n in counts.items()]
-    short = len(tasks) - sum(counts.values())
+    short = len(tasks) - counts.total()
     names = ", ".join(runs[:4]) + (f" and {len(runs) - 4} more" if len(runs) > 4 else "")
     where = f" on {cores} core{'s' * (cores > 1)}" if cores else ""
     parts = ", ".join([*long, *([f"{short} short"] if short else [])])

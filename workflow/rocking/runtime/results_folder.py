@@ -10,14 +10,7 @@ LEAST_B = 200_000  # Snakemake's own notes of a small run; less stops it in the 
 def fault(folder="results"):
     """Say in one line why a folder cannot take results; empty where it can.
 
-    Parameters
-    ----------
-    folder : path
-        Need not exist; its nearest existing parent counts then.
-
-    Returns
-    -------
-    str
+    Of one that does not exist the nearest existing parent counts.
     """
     path = Path(folder).absolute()
     there = next(p for p in (path, *path.parents) if os.path.lexists(p))

@@ -29,10 +29,7 @@ class Busy(RuntimeError):
 def _take(path, how):
     """Lock a file; return it, None where the file system has no locks.
 
-    Raises
-    ------
-    BlockingIOError
-        With the text that the one who has it wrote.
+    BlockingIOError with the text that the one who has it wrote.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     handle = open(path, "a+")  # noqa: SIM115  kept open: closing it would release the lock
@@ -59,24 +56,9 @@ def _take(path, how):
 def hold(runs, reads=(), makes=(), folder="."):
     """Take the locks of runs and of motions until this process ends.
 
-    Parameters
-    ----------
-    runs : iterable of str
-        Names.
-    reads, makes : iterable of str
-        Folders of `results/.shared` from which files are taken, and in which files are made.
-    folder : path
-        The working folder.
-
-    Returns
-    -------
-    list of file
-        Locks of the motions that are made, for `share`.
-
-    Raises
-    ------
-    Busy
-        In one line, naming the process that holds one; none is held then.
+    `reads` and `makes` are the folders of `results/.shared` from which files are taken, and in
+    which files are made; returned are the locks of these, for `share`. Busy, in one line that
+    names the process that holds one; none is held then.
     """
     taken: list = []
     making: list = []
@@ -120,14 +102,9 @@ def _busy(name, how, owner, folder):
 
 
 def share(locks, made, look_s=LOOK_S):
-    """Let other runs read motions as soon as they are made; a thread looks now and then.
+    """Let other runs read motions as soon as all are `made`; a thread looks now and then.
 
-    Parameters
-    ----------
-    locks : list of file
-        What `hold` returned.
-    made : callable
-        Whether all of them are.
+    `locks` are what `hold` returned.
     """
 
     def loop():

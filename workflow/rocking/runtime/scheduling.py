@@ -8,12 +8,7 @@ def choose_at_ends_only(workflow):
 
     With a limit on starts, Snakemake 9 looks at all ready jobs anew once in its time span for
     every job that has ended while others were ready: after hundreds, all the time. Its usual limit
-    is dropped; one that the user gives stays.
-
-    Parameters
-    ----------
-    workflow : snakemake.workflow.Workflow
-        As it is in `onstart`, before the first choice.
+    is dropped; one that the user gives stays. Called in `onstart`, before the first choice.
     """
     limiter = workflow.scheduler.job_rate_limiter
     if limiter and (limiter.max_jobs, limiter.timespan) == USUAL:

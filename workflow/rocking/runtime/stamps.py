@@ -19,25 +19,9 @@ def stamp(script, folder=FOLDER, drawn=False):
 
     Each has a folder of its own, for Snakemake remembers what a folder held when it first looked.
     It is dated like the newest of the files when it is first made, so that it can be deleted
-    without harm, and to the present when their content differs from what it says.
-
-    Parameters
-    ----------
-    script : Path
-    folder : Path
-        Where stamps are kept; made if missing.
-    drawn : bool
-        Whether what studies draw, and draw with, counts too.
-
-    Returns
-    -------
-    Path
-        Its lines are the digest of the content, then the files.
-
-    Raises
-    ------
-    OSError
-        With the stamp's name.
+    without harm, and to the present when their content differs from what it says. Its lines are
+    the digest of the content, then the files; with `drawn` what studies draw, and draw with,
+    counts too. OSError with the stamp's name if it cannot be written.
     """
     files, content = sources.sources(script, drawn), sources.digest(script, drawn)
     text = "\n".join([content, *map(str, files)]) + "\n"
@@ -63,12 +47,7 @@ def stamp(script, folder=FOLDER, drawn=False):
 
 
 def files(modules):
-    """Return the files behind the input `modules` of a job: those of stamps, or as they are.
-
-    Parameters
-    ----------
-    modules : iterable of path
-    """
+    """Return the files behind the input `modules` of a job: those of stamps, or as they are."""
     paths = map(Path, modules)
     return [
         file

@@ -19,14 +19,13 @@ CHATTER = ("Assuming unrestricted", "Building DAG", "Using shell", "Select jobs 
 MAX_WARNINGS = 5
 
 
-def warn(lines, stream=None):
+def warn(lines):
     """Print warnings, a line each, the first of many."""
     lines = list(lines)
     for line in lines[:MAX_WARNINGS]:
-        print(f"warning: {line}", file=stream or sys.stderr)
+        print(f"warning: {line}", file=sys.stderr)
     if (more := len(lines) - MAX_WARNINGS) > 0:
-        said = f"warning: {more} more; the target check lists all of records"
-        print(said, file=stream or sys.stderr)
+        print(f"warning: {more} more; the target check lists all of records", file=sys.stderr)
 
 
 def wanted(record):
@@ -58,15 +57,8 @@ def name_targets(targets, logger=None, runs=()):
     """Let Snakemake's message about a target that it does not know name the nearest one.
 
     That of a report on results that are not there says what to do, without a line for every file.
-
-    Parameters
-    ----------
-    targets : callable
-        Returns the names of the targets.
-    logger : logging.Logger
-        Snakemake's, unless given.
-    runs : collection of str
-        Names of this command's runs; may be filled later.
+    `targets` returns the names of the targets; `runs`, the names of this command's, may be filled
+    later. The logger is Snakemake's, unless given.
     """
 
     def explain(record):
@@ -92,11 +84,7 @@ def name_targets(targets, logger=None, runs=()):
 def thin_out(settings, logger=None):
     """Filter what a run prints; dry runs, `--verbose` and `--printshellcmds` are asked for in full.
 
-    Parameters
-    ----------
-    settings : snakemake.settings.types.OutputSettings
-    logger : logging.Logger
-        Snakemake's, unless given.
+    `settings` are Snakemake's `OutputSettings`; the logger is Snakemake's, unless given.
     """
     if settings.dryrun or settings.verbose or settings.printshellcmds:
         return

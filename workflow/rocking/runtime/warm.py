@@ -54,15 +54,8 @@ def _script(path, folder, temporary):
 class Server:
     """Starts scripts; used from the threads of one Snakemake process.
 
-    Parameters
-    ----------
-    modules : iterable of str
-        Dotted names of what the server imports beside `LIBRARIES`.
-
-    Raises
-    ------
-    OSError
-        If the server ends at once.
+    `modules` are dotted names of what the server imports beside `LIBRARIES`. OSError if it ends at
+    once.
     """
 
     def __init__(self, modules=()):
@@ -93,20 +86,9 @@ class Server:
     def run(self, path, watched=lambda pid: contextlib.nullcontext(), temporary=None):
         """Run a script in the working folder and wait for its end.
 
-        Parameters
-        ----------
-        path : str
-        watched : callable
-            Takes the process's number, returns the context to wait in (a benchmark).
-        temporary : str, optional
-            Folder for temporary files.
-
-        Raises
-        ------
-        subprocess.CalledProcessError
-            If it ends with another status than 0.
-        OSError
-            If it could not be started.
+        `watched` takes the process's number and returns the context to wait in (a benchmark);
+        `temporary` is the folder for temporary files. CalledProcessError if it ends with another
+        status than 0, OSError if it could not be started.
         """
         with self.lock:
             process = self._start(_script, str(path), os.getcwd(), temporary)
@@ -143,17 +125,9 @@ def serve(workflow):
     """Let Snakemake start the Python scripts of its rules from a server, if many are due.
 
     A script of several threads, one whose modules were changed since the server started, and one
-    that the server cannot start, are started as Snakemake does.
-
-    Parameters
-    ----------
-    workflow : snakemake.workflow.Workflow
-        With its DAG, as it is in `onstart`.
-
-    Raises
-    ------
-    ImportError, AttributeError, TypeError
-        In a release of Snakemake that starts scripts in another way; nothing is changed then.
+    that the server cannot start, are started as Snakemake does. The workflow has its DAG, as it
+    does in `onstart`. ImportError, AttributeError or TypeError in a release of Snakemake that
+    starts scripts in another way; nothing is changed then.
     """
     from snakemake.benchmark import benchmarked
     from snakemake.script import PythonScript
@@ -194,12 +168,7 @@ def serve(workflow):
 
 
 def serve_when_due(workflow):
-    """Like `serve`, from the first script on: in what was submitted to a cluster no `onstart` runs.
-
-    Parameters
-    ----------
-    workflow : snakemake.workflow.Workflow
-    """
+    """Like `serve`, from the first script on: what was submitted to a cluster has no `onstart`."""
     from snakemake.script import PythonScript
 
     cold = PythonScript.execute_script
