@@ -13,25 +13,24 @@ full 3D                   six freedoms and two columns of nodes
 Polyhedra                 YADE's volumetric law instead of nodes (W1; see `polyhedra`)
 """
 
+import contextlib
 import os
 import sys
 
 import numpy as np
 
 from yade_scripts.commands import command, shaking
-from yade_scripts.commands.tables import to_csv
-from yade_scripts.engine import adapter, loop, polyhedra, simulate
+from yade_scripts.commands.tables import KEY, to_csv
+from yade_scripts.engine import adapter, loop, polyhedra
 from yade_scripts.files import read_case, read_json, write_atomic
 from yade_scripts.model import facade, floor_motions, registry
 from yade_scripts.model.models import with_nodes
 from yade_scripts.model.motion import amplitude
+from yade_scripts.model.scene import DOFS
 
 COLUMNS = {
     "case": "",
-    "model": "",
-    "record": "",
-    "direction": "",
-    "pga_g": ".4f",
+    **KEY,
     "method": "",
     "nodes": "d",
     "factor": ".9g",
@@ -70,7 +69,7 @@ def drive_from_python(motions):
             half_steps = np.arange(0.5 * dt, t[-1] + dt, dt)
             states = [omega.bodies[i].state for i in drive.ids]
             for state in states:
-                state.blockedDOFs = "xyzXYZ"
+                state.blockedDOFs = DOFS
             table.append((states, np.interp(half_steps, t, velocity).tolist()))
         last = len(table[0][1]) - 1
 
@@ -102,7 +101,9 @@ def run_case(case, time_s, columns, spec):
     shaken = shaking.set_up(scene, numerics, time_s, columns, factor)
     ratio = shaken.step_s / shaken.critical_step_s
     if method == "Polyhedra":
-        return _polyhedra(scene, shaken.motions[floor_motions.GROUND], shaken.step_s), ratio
+        with _silent():
+            motion = shaken.motions[floor_motions.GROUND]
+            return polyhedra.run(scene, motion, shaken.step_s), ratio
     history = shaken.run(
         full_rotation=method == "full 3D",
         compensate_lag=method != "lag not compensated",
@@ -111,28 +112,25 @@ def run_case(case, time_s, columns, spec):
     return history, ratio
 
 
-def _polyhedra(scene, motion, step):
-    """History of the volumetric law, its flood of warnings left out of the log."""
+@contextlib.contextmanager
+def _silent():
+    """Leave the volumetric law's flood of warnings, which C++ writes, out of the log."""
     terminal = os.dup(2)
     quiet = os.open(os.devnull, os.O_WRONLY)
     os.dup2(quiet, 2)
     try:
-        peak, status, simulated, wall, steps = polyhedra.run(scene, motion, step, motion.duration_s)
+        yield
     finally:
         os.dup2(terminal, 2)
         os.close(quiet)
         os.close(terminal)
-    end = np.array([simulated])
-    return simulate.YadeHistory(end, 0 * end, 0 * end, 0 * end, peak, status, "", step, steps, wall)
 
 
 def as_row(spec, nodes, history, ratio):
     """Row of one run; `nodes` along an edge of the return walls' contact."""
     return {
-        **{k: spec[k] for k in ("case", "model", "record", "direction", "method")},
-        "pga_g": spec["pga_g"],
+        **{key: spec[key] for key in ("case", *KEY, "method", "factor")},
         "nodes": nodes,
-        "factor": spec["factor"],
         "dt_s": history.dt_s,
         "dt_over_dt_crit": ratio,
         "d_over_b": history.peak_d_over_b,

@@ -12,23 +12,12 @@ import numpy as np
 from yade_scripts.commands import perturb
 from yade_scripts.commands.confirm import Confirmation, turns
 from yade_scripts.commands.search import collapse_bounds, drive, next_amplitude, one_by_one
-from yade_scripts.commands.tables import RUN_COLUMNS
+from yade_scripts.commands.tables import KEY, REALISATION, RUN_COLUMNS
 from yade_scripts.engine import simulate
 
-COLUMNS = {
-    "model": "",
-    "record": "",
-    "direction": "",
-    "pga_g": ".4f",
-    "realisation": "d",
-    "amplitude_factor": ".9f",
-    **RUN_COLUMNS,
-}
+COLUMNS = {**KEY, **REALISATION, **RUN_COLUMNS}
 SENSITIVITY_COLUMNS = {
-    "model": "",
-    "record": "",
-    "direction": "",
-    "pga_g": ".4f",
+    **KEY,
     "perturbation": ".3g",
     "d_over_b": ".6f",
     "d_over_b_perturbed": ".6f",
@@ -54,10 +43,7 @@ def measure_sensitivity(runner, curve, settings):
         change = perturb.sensitivity(d_over_b[g], value)
         rows.append(
             {
-                "model": row["model"],
-                "record": row["record"],
-                "direction": row["direction"],
-                "pga_g": row["pga_g"],
+                **{key: row[key] for key in KEY},
                 "perturbation": size,
                 "d_over_b": d_over_b[g],
                 "d_over_b_perturbed": value,

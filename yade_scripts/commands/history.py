@@ -48,7 +48,7 @@ class Probe:
         slots, scene = self.balance.slot, self.scene
         self.facade = [slots[built.body[scene.index(name)]] for name, _ in scene.watched]
         self.base = slots[built.body[scene.index(scene.reference)]]
-        self.chain = {body for parts in (built.linked or {}).values() for body in parts}
+        self.chain = {body for parts in built.linked.values() for body in parts}
         loop.between(self, round(SAMPLE_S / built.omega.dt), first=1)
 
     def __call__(self):
@@ -90,15 +90,9 @@ def trace(shaken):
         pulled = np.interp(history.time_s, motion.time_s, motion.acceleration_m_s2)
         values[f"{name}_m_s2"] = pulled
         values[f"{name}_m"] = motion.position(history.time_s)
-    n = len(history.time_s)
     bars = [f"{bar}_y_n" for bar in BARS if getattr(probe.balance, bar)]
-    return history, values | dict(
-        zip(
-            (*FORCES, *bars, *ENERGIES),
-            np.array(probe.rows[:n]).T,
-            strict=True,
-        )
-    )
+    probed = np.array(probe.rows[: len(history.time_s)]).T
+    return history, values | dict(zip((*FORCES, *bars, *ENERGIES), probed, strict=True))
 
 
 def main(arguments=None):

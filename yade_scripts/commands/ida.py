@@ -14,11 +14,11 @@ from yade_scripts.commands import command, ensemble
 from yade_scripts.commands.journal import Journal
 from yade_scripts.commands.runner import Runner
 from yade_scripts.commands.search import drive, next_level, next_listed, one_by_one
-from yade_scripts.commands.tables import RUN_COLUMNS, to_csv
+from yade_scripts.commands.tables import KEY, RUN_COLUMNS, to_csv
 from yade_scripts.engine import adapter
 from yade_scripts.files import read_json, write_atomic
 
-COLUMNS = {"model": "", "record": "", "direction": "", "pga_g": ".4f", **RUN_COLUMNS}
+COLUMNS = {**KEY, **RUN_COLUMNS}
 
 
 def analyse(runner, plan=None):

@@ -26,15 +26,13 @@ from yade_scripts.commands import command, perturb
 from yade_scripts.commands.ensemble import run_realisations
 from yade_scripts.commands.journal import Journal
 from yade_scripts.commands.runner import Runner
-from yade_scripts.commands.tables import RUN_COLUMNS, TWO_COMPONENTS, to_csv
+from yade_scripts.commands.tables import KEY, REALISATION, RUN_COLUMNS, TWO_COMPONENTS, to_csv
 from yade_scripts.engine import adapter
 from yade_scripts.files import read_case, read_json, write_atomic
 from yade_scripts.model import floor_motions
 from yade_scripts.model.motion import SIGNS, amplitude
 
 GIVEN = ("scene", "motion", "second", "record", "direction")
-KEY = {"model": "", "record": "", "direction": "", "pga_g": ".4f"}
-REALISATION = {"realisation": "d", "amplitude_factor": ".9f"}
 
 
 def read_motion(given):

@@ -20,7 +20,7 @@ from yade_scripts.engine import adapter, loop
 from yade_scripts.files import read_case, write_atomic
 from yade_scripts.model import facade, floor_motions
 from yade_scripts.model.quadrature import gauss_lobatto
-from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia
+from yade_scripts.model.scene import DOFS, Block, NodeList, Scene, box_inertia
 from yade_scripts.model.stiffness import assemble, critical_step
 
 COLUMNS = {
@@ -155,7 +155,7 @@ def growth(scene, dt_s):
     omega = built.omega
     for body in omega.bodies:  # driven supports are free along y: hold them against the press
         if body.state.mass > 1e6 * max(b.mass_kg for b in scene.blocks):
-            body.state.blockedDOFs = "xyzXYZ"
+            body.state.blockedDOFs = DOFS
     newton = next(e for e in omega.engines if isinstance(e, w.NewtonIntegrator))
     newton.gravity = tuple(float(g) for g in gravity)
     newton.damping = 0.7

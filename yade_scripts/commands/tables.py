@@ -9,8 +9,9 @@ import numpy as np
 
 from yade_scripts.engine import simulate
 
-# what does not change along one history
-HEAD = {"model": "", "record": "", "direction": "", "pga_g": ".4f", "status": "", "dt_s": ".6e"}
+KEY = {"model": "", "record": "", "direction": "", "pga_g": ".4f"}  # what names a run
+REALISATION = {"realisation": "d", "amplitude_factor": ".9f"}  # and one of an ensemble
+HEAD = {**KEY, "status": "", "dt_s": ".6e"}  # what does not change along one history
 TWO_COMPONENTS = {"twist_rad": ".6g", "slid_m": ".6g"}  # what a run under both has beside
 # of the columns that every table of earthquake runs ends with
 RUN_COLUMNS = {

@@ -38,23 +38,23 @@ class Built:
 
     `body` has that of each block, the clump or the first face of a support; `node_body` of each
     node's sphere, the dry one of bonded nodes; `unturned`, by free block, the inverse of its
-    clump's orientation in the reference position. `bonds`, `guide` and `releases` follow bonded
-    nodes, driven blocks and nodes past their rim, where there are any. `linked` has the parts of
-    links by block, `ties` the two ends of each tie, `floors` each floor's spheres on the façade and
-    on its carrier, or None.
+    clump's orientation in the reference position. `linked` has the parts of links by block, `ties`
+    the two ends of each tie, `floors` each floor's spheres on the façade and on its carrier, or
+    None. `bonds`, `guide` and `releases` follow bonded nodes, driven blocks and nodes past their
+    rim, where there are any.
     """
 
     omega: object
     body: list
     node_body: list
     unturned: dict
+    linked: dict
+    links: list
+    ties: list
+    floors: list
     bonds: Bonds | None = None
     guide: Guide | None = None
     releases: Releases | None = None
-    linked: dict | None = None
-    links: list | None = None
-    ties: tuple | list = ()
-    floors: tuple | list = ()
 
 
 def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
@@ -77,21 +77,7 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     given = w, utils, omega, scene
     linked, tied, held, welded = Links(*given), Ties(*given), Floors(*given), Welds(*given)
     attached: list[Attached] = [linked, tied, held, welded]
-    body: list[int] = []
-    driven: dict[tuple, list[int]] = {}  # bodies by motion and axis
-    unturned: dict[int, object] = {}
-    for index, block in enumerate(scene.blocks):
-        if block.free:
-            own = parts.members(index, faces.of_block(index))
-            for kind in attached:
-                own += kind.members.get(index, [])
-            clump, unturned[index] = parts.clump(block, own, full_rotation)
-            body.append(clump)
-            continue
-        ids = _support(w, utils, scene, index, parts, attached)
-        for axis, name in block.drives:
-            driven.setdefault((name, axis), []).extend(ids)
-        body.append(ids[0])
+    body, unturned, driven = _blocks(w, utils, scene, parts, attached, full_rotation)
     omega.dt = dt_s
     interactions = w.InteractionLoop(
         sum((kind.geometry for kind in attached), [w.Ig2_Box_Sphere_ScGeom()]),
@@ -114,24 +100,37 @@ def build(scene, motions, dt_s, *, node_radius_m=1e-3, full_rotation=False):
     for kind in attached:
         kind.join()
     built = Built(
-        omega,
-        body,
-        parts.node_body,
-        unturned,
-        linked=linked.members,
-        links=scene.links,
-        ties=tied.pairs,
-        floors=held.pairs,
+        omega, body, parts.node_body, unturned, linked.members, scene.links, tied.pairs, held.pairs
     )
     _attach(scene, motions, built, parts.bonded, faces)
     return built
+
+
+def _blocks(w, utils, scene, parts, attached, full_rotation):
+    """Append all blocks; return `body` and `unturned` of `Built`, and bodies by motion and axis."""
+    body: list[int] = []
+    unturned: dict[int, object] = {}
+    driven: dict[tuple, list[int]] = {}
+    for index, block in enumerate(scene.blocks):
+        if block.free:
+            own = parts.members(index)
+            for kind in attached:
+                own += kind.members.get(index, [])
+            clump, unturned[index] = parts.clump(block, own, full_rotation)
+            body.append(clump)
+            continue
+        ids = _support(w, utils, scene, index, parts, attached)
+        for axis, name in block.drives:
+            driven.setdefault((name, axis), []).extend(ids)
+        body.append(ids[0])
+    return body, unturned, driven
 
 
 def _support(w, utils, scene, index, parts, attached):
     """Append the bodies of a support; return their ids."""
     omega, block = w.Omega(), scene.blocks[index]
     linked, tied, held, _ = (kind.members.get(index, []) for kind in attached)
-    ids = parts.faces_of(parts.faces.of_block(index))
+    ids = parts.faces_of(index)
     if block.motion is not None:
         ids += linked
     if not ids:

@@ -172,23 +172,11 @@ class EnergyBalance:
             rows.append((*arms, held, *law))
         table = np.array(rows, float).reshape(-1, 17)
         a, b = np.array(ends, int).reshape(-1, 2).T
+        point, normal, shear = table[:, 0:3], table[:, 3:6], table[:, 6:9]
         force, depth, kn, ks, cs, friction, preload, yielded = table[:, 9:].T
         pressed = 0.5 * kn * (depth**2 - preload**2)
         return Contacts(
-            keys,
-            a,
-            b,
-            table[:, 0:3],
-            table[:, 3:6],
-            depth,
-            force,
-            table[:, 6:9],
-            kn,
-            ks,
-            cs,
-            friction,
-            pressed,
-            yielded,
+            keys, a, b, point, normal, depth, force, shear, kn, ks, cs, friction, pressed, yielded
         )
 
     def _before(self):

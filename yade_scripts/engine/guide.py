@@ -25,8 +25,8 @@ class Guide:
             tables[name] = np.diff(motion.position(interval * np.arange(count))) / interval
         longest = max(len(t) for t in tables.values())
         columns = [tables[scene.blocks[i].motion] for i in guided]
-        self.speeds = np.array([np.pad(c, (0, longest - len(c)), mode="edge") for c in columns])
-        self.rows = self.speeds.T.tolist()
+        speeds = np.array([np.pad(c, (0, longest - len(c)), mode="edge") for c in columns])
+        self.rows = speeds.T.tolist()
 
     def __call__(self):
         """Set the speeds until the next update; beyond the motion the last one stays."""

@@ -10,6 +10,7 @@ import numpy as np
 from yade_scripts.engine.bonds import PRELOAD_M
 from yade_scripts.engine.library import EngineError
 from yade_scripts.engine.poses import quaternion
+from yade_scripts.model.scene import DOFS
 
 LEAST_BETA_S = 1e-15  # a dashpot of exactly 0 in series with the face would become the face's
 PARTNER_STIFFNESS = 1e30  # materials combine in series; the face must not soften the node
@@ -76,8 +77,9 @@ class SceneParts:
             state.mass, state.inertia = 0.0, (0.0, 0.0, 0.0)
         return ids
 
-    def faces_of(self, keys):
-        """Append faces; return their ids."""
+    def faces_of(self, index):
+        """Append the faces of a block; return their ids."""
+        keys = self.faces.of_block(index)
         return [self.faces.append(self.omega, key, self.reach_m, self.rigid) for key in keys]
 
     def joined(self, block, ids):
@@ -90,7 +92,7 @@ class SceneParts:
         state.mass, state.inertia = 1.0, STAND_IN_INERTIA
         return self.omega.bodies.clump([carrier, *self._weightless(ids)])
 
-    def members(self, index, keys):
+    def members(self, index):
         """Append carrier, node spheres and faces of a free block; return their ids."""
         block, nodes, faces = self.scene.blocks[index], self.scene.nodes, self.faces
         carrier = self.utils.box(
@@ -121,7 +123,7 @@ class SceneParts:
                 ]
                 self.bonded[int(i)] = (*new[1:], new[0])
             ids += self._weightless(new)
-        return ids + self._weightless(self.faces_of(keys))
+        return ids + self._weightless(self.faces_of(index))
 
     def clump(self, block, members, full_rotation):
         """Join members to a clump with the block's mass, freedoms and initial pose.
@@ -138,7 +140,7 @@ class SceneParts:
         unturned = state.ori.inverse()
         state.mass = block.mass_kg
         state.inertia = tuple(block.inertia_kg_m2)
-        state.blockedDOFs = "".join(d for d in "xyzXYZ" if d not in block.free)
+        state.blockedDOFs = "".join(d for d in DOFS if d not in block.free)
         self.omega.bodies[clump].aspherical = full_rotation
         state.pos = tuple(np.array(block.centre_m) + np.array(block.displacement_m))
         if any(block.rotation_rad):

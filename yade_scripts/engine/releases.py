@@ -13,6 +13,7 @@ import numpy as np
 
 from yade_scripts.engine.bonds import safe_wait, separate
 from yade_scripts.engine.poses import rotation
+from yade_scripts.model.scene import DOFS
 
 RELEASE_CHECK_S = 4e-3
 
@@ -124,5 +125,5 @@ class Releases:
         self.of_pair = {pair: nodes for pair, nodes in self.of_pair.items() if block not in pair}
         self.debris.discard(block)
         state = self.omega.bodies[self.body_of[block]].state
-        state.blockedDOFs = "xyzXYZ"
+        state.blockedDOFs = DOFS
         state.vel = state.angVel = (0.0, 0.0, 0.0)

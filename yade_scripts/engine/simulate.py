@@ -153,6 +153,27 @@ class _Monitor:
             self.status, self.reason = status, reason
         loop.stop()
 
+    def history(self, dt_s, wall_s):
+        """What the run has been, once it has ended."""
+        time_s, d, v, rotation_rad = np.array(self.rows, float).reshape(-1, 4).T
+        finite = np.isfinite(d) & np.isfinite(v)
+        peak = cubic_peak(time_s[finite], d[finite], v[finite]) if finite.any() else np.nan
+        if self.status == FAILED:
+            peak = np.nan
+        return YadeHistory(
+            time_s,
+            d,
+            v,
+            rotation_rad,
+            peak / self.b,
+            self.status,
+            self.reason or f"time limit {self.rules.limit_s:g} s",
+            dt_s,
+            int(self.omega.iter),
+            wall_s,
+            self.beside,
+        )
+
 
 def run(
     scene,
@@ -198,25 +219,4 @@ def run(
         setup(built)
     began = time.perf_counter()
     loop.run(omega, int(np.ceil(rules.limit_s / dt_s)))
-    wall = time.perf_counter() - began
-    rows = np.array(monitor.rows, float).reshape(-1, 4)
-    if not monitor.reason:
-        monitor.reason = f"time limit {rules.limit_s:g} s"
-    time_s, d, v, rotation = rows.T
-    finite = np.isfinite(d) & np.isfinite(v)
-    peak = cubic_peak(time_s[finite], d[finite], v[finite]) if finite.any() else np.nan
-    if monitor.status == FAILED:
-        peak = np.nan
-    return YadeHistory(
-        time_s,
-        d,
-        v,
-        rotation,
-        peak / scene.thickness_m,
-        monitor.status,
-        monitor.reason,
-        dt_s,
-        int(omega.iter),
-        wall,
-        monitor.beside,
-    )
+    return monitor.history(dt_s, time.perf_counter() - began)
