@@ -131,8 +131,8 @@ def imports(path, drawn=True):
         elif isinstance(node, ast.ImportFrom):
             parts = _package(path).split(".")
             above = parts[: len(parts) - node.level + 1] if node.level else []
-            base = ".".join([*above, *([node.module] if node.module else [])])
-            names.update(f"{base}.{alias.name}" for alias in node.names)
+            module = ".".join([*above, *([node.module] if node.module else [])])
+            names.update(f"{module}.{alias.name}" for alias in node.names)
     found: set[Path | None] = set()
     for name in names:
         parts = name.split(".")
@@ -165,7 +165,6 @@ def digest(path, drawn=True):
     """Hash of a script and all that it imports, hex; arguments as of `sources`."""
     total = hashlib.sha256()
     for file in sources(path, drawn):
-        python, whole = file.suffix == ".py", drawn or _package(file) != STUDIES
-        content = _text(file, whole).encode() if python else file.read_bytes()
+        content = _text(file, drawn).encode() if file.suffix == ".py" else file.read_bytes()
         total.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + content)
     return total.hexdigest()

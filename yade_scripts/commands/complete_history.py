@@ -84,12 +84,12 @@ def main(arguments=None):
     shaken = shaking.set_up(scene, numerics, time_s, columns, factor)
     shaken = replace(shaken, rules=replace(shaken.rules, overturn_ratio=args.fall))
     recorder = Recorder(scene)
-    camera = Camera(scene) if args.frames else None
+    camera = Camera(scene, FRAME_S) if args.frames else None
 
     def setup(built):
         recorder(built)
         if camera:
-            camera.attach(FRAME_S)(built)
+            camera.attach(built)
 
     cpu = time.process_time()
     history = shaken.checked(setup=setup)

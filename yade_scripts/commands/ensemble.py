@@ -57,12 +57,12 @@ def measure_sensitivity(runner, curve, settings):
 
 
 def run_realisations(runner, pga_g, realisations):
-    """Rows of every realisation at one intensity, and the share that collapsed."""
+    """Rows of every realisation at one intensity."""
     rows = [runner.run(pga_g, realisation) for realisation in realisations]
     outcome = [r["collapsed"] for r in rows if r["status"] != simulate.FAILED]
     share = float(np.mean(outcome)) if outcome else float("nan")
     runner.say(f"ensemble of {len(rows)} at {pga_g:.3f} g: {100 * share:.0f} % collapse")
-    return rows, share
+    return rows
 
 
 def confirm(runner, curve, plan, settings):
@@ -110,7 +110,7 @@ def analyse(runner, curve, plan=None):
         first = collapse_bounds(status)[1] or math.inf
         realisations = perturb.draw_realisations(settings)
         for g in sorted(g for g in status if g < first):
-            rows += run_realisations(runner, g, realisations)[0]
+            rows += run_realisations(runner, g, realisations)
     return rows + search_band(runner, status, settings, ida), []
 
 

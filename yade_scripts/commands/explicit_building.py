@@ -10,7 +10,6 @@ ground: the ground is fixed, every block feels −m·a_g along y and, where it i
 from the first step on; `LinearDragEngine` gives mass-proportional damping.
 """
 
-import csv
 import resource
 import time
 from dataclasses import replace
@@ -95,9 +94,9 @@ def main(arguments=None):
     parser.add_argument("--cost", help="JSON with steps, wall time and memory")
     options = parser.parse_args(arguments)
     scene = from_dict(read_json(options.scene, "nodes", "blocks"))
-    with open(options.motion, encoding="utf-8", newline="") as handle:
-        rows = [row for row in csv.reader(line for line in handle if not line.startswith("#"))]
-    motion = np.array([[float(v) for v in row[:2]] for row in rows[1:]])
+    with open(options.motion, encoding="utf-8") as handle:
+        lines = [line for line in handle if not line.startswith("#")]
+    motion = np.loadtxt(lines[1:], delimiter=",", usecols=(0, 1))
     rate, step, duration = (scene.notes[key] for key in ("rate_1_s", "step_s", "duration_s"))
     if options.steps is not None:
         duration = options.steps * step

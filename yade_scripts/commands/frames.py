@@ -23,29 +23,24 @@ from yade_scripts.files import write_atomic
 
 
 class Camera:
-    """Keeps the pose of every block at regular instants, and on request what acts on it."""
+    """Keeps the pose of every block at every interval [s], and on request what acts on it."""
 
-    def __init__(self, scene, contacts=False):
+    def __init__(self, scene, interval_s, contacts=False):
         """Prepare for a scene; `attach` is the `setup` of `simulate.run`."""
-        self.scene, self.rows, self.times = scene, [], []
+        self.scene, self.interval_s, self.rows, self.times = scene, interval_s, [], []
         self.balance: Any = balance.EnergyBalance(scene) if contacts else None
         self.velocities: list = []
         self.contacts: list = []
 
-    def attach(self, interval_s):
-        """Return the set-up function that starts the frames."""
-
-        def setup(built):
-            omega, bodies = built.omega, built.omega.bodies
-            self.omega = omega
-            self.states = [bodies[i].state for i in built.body]
-            self.start = [tuple(float(v) for v in s.pos) for s in self.states]
-            self.unturned = [built.unturned.get(i) for i in range(len(self.states))]
-            if self.balance:
-                self._number(built)
-            omega.engines = [*omega.engines, loop.runner(self, round(interval_s / omega.dt))]
-
-        return setup
+    def attach(self, built):
+        """Start the frames."""
+        self.omega = omega = built.omega
+        self.states = [omega.bodies[i].state for i in built.body]
+        self.start = [tuple(float(v) for v in s.pos) for s in self.states]
+        self.unturned = [built.unturned.get(i) for i in range(len(self.states))]
+        if self.balance:
+            self._number(built)
+        omega.engines = [*omega.engines, loop.runner(self, round(self.interval_s / omega.dt))]
 
     def _number(self, built):
         """Know which block a contact's ends belong to, and which of two is to be named."""
@@ -145,8 +140,8 @@ def main(arguments=None):
         rules=replace(shaken.rules, overturn_ratio=args.fall, limit_s=limit_s),
         sample_s=min(args.interval, shaken.sample_s),
     )
-    camera = Camera(shaken.scene, args.contacts)
-    history = shaken.run(setup=camera.attach(args.interval))
+    camera = Camera(shaken.scene, args.interval, args.contacts)
+    history = shaken.run(setup=camera.attach)
     facts = {"model": case["model"], "record": args.record, "direction": args.direction}
     camera.write(args.output, history, pga_g=pga_g, **facts)
     return 0

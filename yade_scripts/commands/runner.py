@@ -48,10 +48,10 @@ class Runner:
     def run(self, pga_g, realisation=perturb.ALONE):
         """Row of one realisation at one intensity (contract of the ensemble table)."""
         numerics = perturb.perturbed_numerics(models.numerics(self.case), realisation)
-        scene, base = self.scene(realisation.extra_nodes, numerics)
+        scene, scene_key = self.scene(realisation.extra_nodes, numerics)
         ground = self.columns["ground"]
         factor = realisation.amplitude_factor * amplitude(ground, self.direction, pga_g)
-        key = run_key(base, numerics, factor)
+        key = run_key(scene_key, numerics, factor)
         row = self.journal.get(key)
         if row is None:
             time_s, columns = self.time_s, self.columns

@@ -66,7 +66,7 @@ def run_case(case, journal, say):
     about = case.get("about", {})
     for k, pga_g in enumerate(case["pga_g"]):
         if case.get("realisations"):
-            found, _ = run_realisations(runner, pga_g, perturb.draw_realisations(own["ensemble"]))
+            found = run_realisations(runner, pga_g, perturb.draw_realisations(own["ensemble"]))
         else:
             found = [runner.run(pga_g)]
             say(f"{pga_g:.4g} g {found[0]['status']}")

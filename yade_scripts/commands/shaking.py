@@ -75,12 +75,12 @@ def set_up(scene, numerics, time_s, columns, factor):
     scene, columns = floor_motions.shaken(scene, columns)
     moved = floor_motions.scaled({name: columns[name] for name in scene.motions}, factor)
     motions = {name: adapter.SupportMotion(time_s, values) for name, values in moved.items()}
-    level = {name: motion for name, motion in motions.items() if name != scene.vertical}
+    horizontal = {name: motion for name, motion in motions.items() if name != scene.vertical}
     step, critical = simulate.choose_step(scene, numerics)
     return Shaking(
         scene,
         motions,
-        stop_rules(scene, numerics, time_s, level),
+        stop_rules(scene, numerics, time_s, horizontal),
         step,
         critical,
         numerics["sample_interval_s"],

@@ -110,8 +110,8 @@ def main(arguments=None):
     adapter.load_yade()
     runs, histories, angles = [], [], []
     for number, wall in enumerate(walls, 1):
-        part = wall["config"]["facade"]
-        alpha = math.atan2(part["thickness_m"], part["height_m"])
+        sizes = wall["config"]["facade"]
+        alpha = math.atan2(sizes["thickness_m"], sizes["height_m"])
         for beta_s in wall["beta_s"]:
             history = (shaken if "motion" in wall else released)(wall, beta_s)
             failed = history.status == simulate.FAILED

@@ -26,14 +26,14 @@ class Ceiling:
 
     def __init__(self, growth_mb=GROWTH_MB):
         """Set the ceiling; the first call of `reached` sets what growth counts from."""
-        self.growth_mb, self.base_mb = growth_mb, None
+        self.growth_mb, self.first_mb = growth_mb, None
 
     def reached(self):
         """Whether it has grown by that much; call once after every run."""
         now = resident_mb()
-        if self.base_mb is None:
-            self.base_mb = now
-        return now - self.base_mb > self.growth_mb
+        if self.first_mb is None:
+            self.first_mb = now
+        return now - self.first_mb > self.growth_mb
 
 
 def start_afresh():

@@ -37,8 +37,8 @@ class Releases:
         self.omega, self.node_body, self.released = omega, node_body, []
         names = [scene.joints[j] for j in nodes.joint]
         self.node = [i for i, name in enumerate(names) if name in rims]
-        parts = set(scene.notes.get("partial", ()))
-        self.partial = {i for i in self.node if names[i] in parts}
+        partial = set(scene.notes.get("partial", ()))
+        self.partial = {i for i in self.node if names[i] in partial}
         used = sorted({int(k) for i in self.node for k in (nodes.a[i], nodes.b[i])})
         self.states = {k: omega.bodies[state_of_block[k]].state for k in used}
         # a clump's frame may be turned by half a turn about an axis; blocks start unturned

@@ -47,17 +47,17 @@ class Welds(Attached):
             )
         self.material = self.cohesive(frictionAngle=0.5)
         for i in self.welded:
-            self.pairs.append(tuple(self._half(i, *side) for side in (("a", 1.0), ("b", -1.0))))
+            ends = (scene.nodes.a[i], 1.0), (scene.nodes.b[i], -1.0)
+            self.pairs.append(tuple(self._half(i, int(block), sign) for block, sign in ends))
         if self.welded:
             self.between_cohesive()
         if dragged:
             ids = [self._dragged(i) for i in dragged]
             self.drag = [w.LinearDragEngine(nu=DRAG_VISCOSITY_PA_S, ids=ids)]
 
-    def _half(self, i, side, sign):
-        """Append one sphere of node i; return its id."""
+    def _half(self, i, index, sign):
+        """Append the sphere of node i on a block; return its id."""
         nodes = self.scene.nodes
-        index = int(getattr(nodes, side)[i])
         if self.scene.blocks[index].motion is not None:
             name = self.scene.blocks[index].name
             raise ValueError(f"block '{name}' is driven: no node on it can be welded")

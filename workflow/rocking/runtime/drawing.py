@@ -29,10 +29,7 @@ def refused():
 def drawing(function):
     """Mark a function that draws, and that imports what it draws with itself.
 
-    Raises
-    ------
-    RuntimeError
-        When it is called by a job that computes.
+    RuntimeError when it is called by a job that computes.
     """
 
     @functools.wraps(function)

@@ -67,6 +67,11 @@ class Task:
         return self.rule, self.model
 
     @property
+    def added(self):
+        """Finished runs that its journal has beyond those kept before."""
+        return count_lines(self.journal) - self.kept if self.journal else 0
+
+    @property
     def share(self):
         """Part of the job that earlier runs left to do."""
         return max(1.0 - self.kept / (self.runs or RUNS), 0.1)
@@ -135,8 +140,7 @@ class Progress:
                 left.append(whole)
                 continue
             elapsed = now - task.began_s
-            new = count_lines(task.journal) - task.kept if task.journal else 0
-            if task.runs and new > 0:
+            if task.runs and (new := task.added) > 0:
                 left.append(elapsed / new * max(task.runs - task.kept - new, 0))
             elif elapsed > max(FAR * whole, LONG_S):
                 left.append(elapsed)
@@ -149,11 +153,11 @@ class Progress:
     def unknown(self):
         """Kinds of jobs not done that may take long, of which none has ended yet, sorted.
 
-        What another model took does not tell: that was wrong by factors of three to six. Of a job
+        What another model took does not tell: it is wrong by factors of three to six. Of a job
         whose number of runs is known, those that ended tell.
         """
         known = {t.kind for t in self.tasks if t.took_s is not None}
-        known |= {t.kind for t in self.tasks if t.runs and count_lines(t.journal) > t.kept}
+        known |= {t.kind for t in self.tasks if t.runs and t.added > 0}
         return sorted({t.kind for t in self.tasks if t.took_s is None and t.costly} - known)
 
     def line(self):
@@ -165,7 +169,7 @@ class Progress:
         done = sum(t.took_s is not None for t in self.tasks)
         if done == len(self.tasks) or not self.busy_s:
             return ""
-        runs = sum(count_lines(t.journal) - t.kept for t in self.tasks if t.journal)
+        runs = sum(t.added for t in self.tasks)
         added = f", {runs} runs in YADE" if runs else ""
         unknown = self.unknown()
         seconds = self.left_s({t.kind for t in self.tasks} - {*unknown})

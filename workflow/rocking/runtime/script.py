@@ -56,13 +56,8 @@ def _from_command_line(doc):
     parser = argparse.ArgumentParser(description=doc)
     for kind in ("input", "output", "params", "wildcards"):
         parser.add_argument(f"--{kind}", nargs="*", default=[], metavar="name=value")
-    args = parser.parse_args()
-    return SimpleNamespace(
-        **{
-            kind: _Named(**_pairs(getattr(args, kind)))
-            for kind in ("input", "output", "params", "wildcards")
-        }
-    )
+    given = vars(parser.parse_args())
+    return SimpleNamespace(**{kind: _Named(**_pairs(words)) for kind, words in given.items()})
 
 
 def _date_alike(outputs):
