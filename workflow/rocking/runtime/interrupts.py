@@ -11,6 +11,8 @@ import signal
 import sys
 import threading
 
+from rocking.runtime.terminal import listed
+
 MOST_NAMED = 4
 
 
@@ -23,9 +25,8 @@ def waiting(scheduler):
     )
     if not running:
         return "SIGTERM: ending"
-    more = f" and {len(running) - MOST_NAMED} more" if len(running) > MOST_NAMED else ""
-    named = ", ".join(running[:MOST_NAMED])
-    return f"SIGTERM: ending after what runs now ({named}{more}); Ctrl-C (SIGINT) ends it at once"
+    named = listed(running, MOST_NAMED)
+    return f"SIGTERM: ending after what runs now ({named}); Ctrl-C (SIGINT) ends it at once"
 
 
 def heed(scheduler):

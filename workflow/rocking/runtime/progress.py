@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import fmean
 
+from rocking.runtime.terminal import listed
 from yade_scripts.model import registry
 
 INTERVAL_S = 60.0
@@ -174,9 +175,7 @@ class Progress:
         unknown = self.unknown()
         seconds = self.left_s({t.kind for t in self.tasks} - {*unknown})
         said = f"progress: {done} of {len(self.tasks)} jobs{added}"
-        more = f" and {len(unknown) - 2} more" if len(unknown) > 2 else ""
-        names = [f"{rule} of {model}" if model else rule for rule, model in unknown[:2]]
-        what = f"{', '.join(names)}{more}"
+        what = listed([f"{rule} of {model}" if model else rule for rule, model in unknown], 2)
         if unknown and seconds < 60.0:
             return f"{said}, no forecast yet: nothing is known of {what}"
         least = "at least " if self.overdue or unknown else ""
@@ -234,7 +233,6 @@ def opening(tasks, runs, cores):
     counts = Counter(task.rule for task in tasks if task.costly)
     long = [f"{n} {rule}" for rule, n in counts.items()]
     short = len(tasks) - counts.total()
-    names = ", ".join(runs[:4]) + (f" and {len(runs) - 4} more" if len(runs) > 4 else "")
     where = f" on {cores} core{'s' * (cores > 1)}" if cores else ""
     parts = ", ".join([*long, *([f"{short} short"] if short else [])])
-    return f"{names}: {len(tasks)} jobs{where}: {parts}"
+    return f"{listed(runs, 4)}: {len(tasks)} jobs{where}: {parts}"

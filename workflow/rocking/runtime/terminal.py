@@ -28,6 +28,12 @@ def warn(lines):
         print(f"warning: {more} more; the target check lists all of records", file=sys.stderr)
 
 
+def listed(names, most):
+    """Names apart by commas; of many the first, and how many more."""
+    more = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + more
+
+
 def wanted(record):
     """Whether a log record is for the terminal: what went wrong, and how the run ended."""
     if record.levelno >= logging.WARNING:
