@@ -52,6 +52,8 @@ def build_model(settings, plan, model, load_kg_m2=None, coarsening=None):
 
     None keeps the plan's own load, and takes the configured coarsening.
     """
+    if model not in MODELS:
+        raise ValueError(f"model {model!r}: expected one of {', '.join(MODELS)}")
     if model == "SBDEM":
         plan = plan.without_facades()
     if load_kg_m2 is not None:

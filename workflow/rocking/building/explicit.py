@@ -39,7 +39,7 @@ def differences(explicit, modal, points):
     """Weighted mean error of every explicit run by every modal one.
 
     Explicit runs have time, then accelerations and displacements of the points, as
-    `studies.explicit_building` writes them; modal ones are `history.PointHistory`. Rows are
+    `commands.explicit_building` writes them; modal ones are `history.PointHistory`. Rows are
     explicit, modal, point, quantity, wme.
     """
     rows = []
