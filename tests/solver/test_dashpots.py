@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from rocking.solver import dashpots
+from rocking.solver import dashpots, faces
 
 
 def full(own):
@@ -65,25 +65,22 @@ def test_accelerations_of_blocks_in_a_row():
     assert force == pytest.approx(expected)
 
 
-def rows_of(count):
-    """A plane of blocks in a row, and empty rows of their dashpots."""
-    rows = {"own": np.zeros(6 * count), "between": np.zeros(9 * count)}
-    return SimpleNamespace(in_row=True), SimpleNamespace(**rows)
-
-
-@pytest.mark.parametrize(("a", "b"), [(1, 0), (0, 1), (0, -1)])
-def test_dashpots_spread_along_a_line_act_in_its_middle_and_on_its_rotation(a, b):
-    """Σ c (1, s, s²) = c L (1, m, m² + L²/12), of many along it."""
-    normal, length, middle, c, n = (0.6, 0.8), 0.4, 0.11, 30.0, 2000
-    arm_a, arm_b = 0.3, -0.7  # of the line's origin along the normal; s adds to both
-    plane, spread = rows_of(2)
-    for s in middle + length * ((np.arange(n) + 0.5) / n - 0.5):
-        one = (normal, (arm_a + s, arm_b + s), c * length / n)
-        dashpots.resist(plane, spread, a, b, (one,))
-    _, whole = rows_of(2)
-    one = (normal, (arm_a + middle, arm_b + middle), c * length)
-    dashpots.resist(plane, whole, a, b, (one,))
-    dashpots.resist_turning(plane, whole, a, b, c * length * length**2 / 12.0)
-    assert whole.own == pytest.approx(spread.own, rel=1e-6)
-    assert whole.between == pytest.approx(spread.between, rel=1e-6)
-    assert whole.between.any() == (b >= 0)
+@pytest.mark.parametrize(("a", "b"), [(1, 0), (0, 1), (0, -1), (-1, 1)])
+def test_dashpots_along_a_line_by_their_sums(a, b):
+    """Of many along it Σ c n nᵀ follows from Σ c (1, s, s²), across the joint and along it."""
+    (ny, nz), (ey, ez), ratio = (0.6, 0.8), (0.82, -0.57), 0.4
+    arms = np.array([(0.3, -0.2), (-0.1, 0.9)])
+    places = np.linspace(-0.2, 0.3, 7)
+    across, along = np.random.default_rng(3).random((2, places.size))
+    plane = SimpleNamespace(in_row=True)
+    one, other = (SimpleNamespace(own=np.zeros(12), between=np.zeros(9)) for _ in range(2))
+    for s, c, d in zip(places, across, along, strict=True):
+        for (y, z), dashpot in (((ny, nz), c), ((-nz, ny), ratio * d)):
+            turns = [z * (ry + s * ey) - y * (rz + s * ez) for ry, rz in arms]
+            dashpots.resist(plane, one, a, b, (((y, z), turns, dashpot),))
+    sums = [[(c * places**n).sum() for n in range(3)] for c in (across, along)]
+    joint = (a, b, 0), tuple(map(tuple, arms)), (ny, nz), (ey, ez)
+    faces.resist(other, joint, (nz * ey - ny * ez, ny * ey + nz * ez), sums, (1.0, ratio))
+    assert other.own == pytest.approx(one.own)
+    assert other.between == pytest.approx(one.between)
+    assert other.between.any() == (min(a, b) >= 0)

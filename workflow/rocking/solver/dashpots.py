@@ -5,7 +5,7 @@ These act at the velocity of the step, by matrices of 3 × 3 a block.
 
 from rocking.runtime.compiled import inlined
 
-from .vectors import choose, like, put, take
+from .vectors import choose, put, take
 
 
 @inlined
@@ -68,17 +68,6 @@ def resist(p, parts, a, b, dashpots):
 
 
 @inlined
-def resist_turning(p, parts, a, b, dashpot):
-    """Add a dashpot between the rotations of two blocks, −1: none."""
-    for block in (a, b):
-        if block >= 0:
-            put(parts.own, 6 * block + 5, take(parts.own, 6 * block + 5) + dashpot)
-    if p.in_row and a >= 0 and b >= 0:
-        at = 9 * min(a, b) + 8
-        put(parts.between, at, take(parts.between, at) - dashpot)
-
-
-@inlined
 def turned(turn, block, arm):
     """A direction or arm that turns with a block."""
     cos, sin = take(turn, 2 * block), take(turn, 2 * block + 1)
@@ -120,29 +109,6 @@ def apart(parts, block, arm, past_s, own):
     ry, rz = ry - take(parts.now, at) + spin * bz, rz - take(parts.now, at + 1) - spin * by
     gy -= past_s * (take(parts.rate, at) - turn * bz)
     return ry, rz, gy, gz - past_s * (take(parts.rate, at + 1) + turn * by)
-
-
-@inlined
-def relative(parts, a, b, arms, past_s, supports, j):
-    """Rates of a point of block a against the plane of block b; −1: support j, along y alone.
-
-    Returns
-    -------
-    vy, vz, uy, uz, spin, turn : number
-        Velocity now and way since the last step; the same of the rotation.
-    """
-    near, far = arms
-    spin = turn = like(0.0, near[0])
-    vy, vz, uy, uz = take(supports.vy, j), spin, take(supports.dy, j), spin
-    if a >= 0:
-        vy, vz, uy, uz = rates(parts, a, near, past_s)
-        spin, turn = take(parts.now, 3 * a + 2), take(parts.rate, 3 * a + 2)
-    if b >= 0:
-        vy, vz, uy, uz = apart(parts, b, far, past_s, (vy, vz, uy, uz))
-        spin, turn = spin - take(parts.now, 3 * b + 2), turn - take(parts.rate, 3 * b + 2)
-    else:
-        vy, uy = vy - take(supports.vy, j), uy - take(supports.dy, j)
-    return vy, vz, uy, uz, spin, past_s * turn
 
 
 @inlined

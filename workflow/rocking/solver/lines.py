@@ -18,10 +18,10 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined
 
-from .dashpots import beyond, placed, push, relative, resist, resist_turning, turned
+from .faces import act, met, moving, resist
 from .groups import law_of
 from .law import bounded, rub
-from .vectors import alone, choose, every, like, lone, put, some, take
+from .vectors import choose, every, like, lone, put, some, take
 
 BINS = 8
 ENDS = tuple(-math.cos(math.pi * k / BINS) for k in range(BINS + 1))  # of the parts, over half
@@ -35,10 +35,10 @@ class Lines(NamedTuple):
     body_a: np.ndarray  # (lines,), int: the block above, see `stack.Stack`
     body_b: np.ndarray  # the one below
     support: np.ndarray
-    arm_a_m: np.ndarray  # (lines, 2) the middle from the centroid of its block
-    arm_b_m: np.ndarray  # of a support from the origin
-    normal: np.ndarray  # (lines, 2) from b into a; turns with b
+    origin_m: np.ndarray  # (lines, 2) the middle from the centroid of its block
     along: np.ndarray  # (lines, 2) turns with a
+    normal: np.ndarray  # (lines, 2) from b into a; turns with b
+    level_m: np.ndarray  # of the plane: normal·r of its points, r from the centroid of b
     half_m: np.ndarray  # (lines,) half the length
     k_n_m2: np.ndarray  # stiffness over length
     shear_ratio: np.ndarray
@@ -78,10 +78,10 @@ def lines_of(scene, even, number, column):
             "body_a": number[nodes.a[first]],
             "body_b": number[nodes.b[first]],
             "support": column.get(other.motion, -1) if stands else -1,
-            "arm_a_m": middle - own.centre_m[1:],
-            "arm_b_m": middle - nodes.gap_m[first] * normal - from_b,
-            "normal": normal,
+            "origin_m": middle - own.centre_m[1:],
             "along": (high - low) / length,
+            "normal": normal,
+            "level_m": normal @ (middle - from_b) - nodes.gap_m[first],
             "half_m": 0.5 * length,
             "k_n_m2": kn.sum() / length,
             **law_of(nodes, first),
@@ -90,7 +90,7 @@ def lines_of(scene, even, number, column):
             values.append(row[key])
     whole = ("body_a", "body_b", "support")
     columns = {key: np.array(v, np.int64 if key in whole else float) for key, v in found.items()}
-    for key in ("arm_a_m", "arm_b_m", "normal", "along"):
+    for key in ("origin_m", "along", "normal"):
         columns[key] = columns[key].reshape(-1, 2)
     return Lines(**columns), taken
 
@@ -99,7 +99,7 @@ def elements(lines, centre):
     """(line, place (y, z), stiffness) of two springs that are each line's, all of it closed."""
     for i, half in enumerate(lines.half_m):
         for side in (-2.0 * SIDE, 2.0 * SIDE):
-            place = lines.arm_a_m[i] + side * half * lines.along[i] + centre[lines.body_a[i]]
+            place = lines.origin_m[i] + side * half * lines.along[i] + centre[lines.body_a[i]]
             yield i, place, lines.k_n_m2[i] * half
 
 
@@ -179,34 +179,14 @@ def press(p, parts, rows, time, alive, counts):
     `rows`: from where to where each was pressed at the last step, and the slip of each part.
     """
     _, past, dt = time
-    lines, supports = p.lines, parts.supports
+    lines = p.lines
     elastic = spent = like(0.0, take(parts.place, 0))
     for i in range(lines.half_m.size):
-        a, b = lines.body_a[i], lines.body_b[i]
-        j = lines.support[i] if lines.support[i] >= 0 else len(supports.y) - 1
+        ends, arms, direction, along, (d0, d1) = met(p, lines, i, parts, alive)
+        turns, moves = moving(parts, ends, arms, direction, along, past)
+        q0, q1, speed, _, step, _ = moves
         half, k, beta = lines.half_m[i], lines.k_n_m2[i], lines.beta_s[i]
         ratio, friction = lines.shear_ratio[i], lines.friction[i]
-        ay, az = turned(parts.turn, a, (lines.arm_a_m[i, 0], lines.arm_a_m[i, 1]))
-        ey, ez = turned(parts.turn, a, (lines.along[i, 0], lines.along[i, 1]))
-        py, pz = placed(p, parts, a, (ay, az))
-        ny, nz = like(lines.normal[i, 0], py), like(lines.normal[i, 1], py)
-        by, bz = py, pz
-        if b >= 0:
-            ny, nz = turned(parts.turn, b, (ny, nz))
-            by, bz = beyond(p, parts, b, py, pz)
-            qy, qz = turned(parts.turn, b, (lines.arm_b_m[i, 0], lines.arm_b_m[i, 1]))
-            d0 = -ny * (by - qy) - nz * (bz - qz)
-        else:
-            su = take(supports.y, j)
-            d0 = -ny * (py - lines.arm_b_m[i, 0] - su) - nz * (pz - lines.arm_b_m[i, 1])
-        arms = (ay, az), (by, bz)
-        ry, rz, gy, gz, spin, _ = relative(parts, a, b, arms, past, supports, j)
-        across = nz * ey - ny * ez
-        d1 = -(ny * ey + nz * ez)
-        if not alone(d0):
-            d0, d1 = choose(alive, d0, -1.0), choose(alive, d1, 0.0)
-        ty, tz = -nz, ny
-        q0, q1 = -(ny * ry + nz * rz), -spin * across
         h0, h1 = d0 + beta * q0, d1 + beta * q1
         shut = _reach(d0, d1, like(-half, d0), like(half, d0))
         low, high = _reach(h0, h1, *shut)
@@ -221,38 +201,31 @@ def press(p, parts, rows, time, alive, counts):
         mean = max(h0 + h1 * middle, 0.0)
         normal = whole * mean
         moment = whole * (mean * middle + h1 * (length * length / 12.0))
-        speed, step = ty * ry + tz * rz, ty * gy + tz * gz
-        law, now = (k, ratio, friction, beta), (low, high, was[0], was[1])
-        moves = h0, h1, speed, step
+        law, reach = (k, ratio, friction, beta), (low, high, was[0], was[1])
+        slides = h0, h1, speed, step
         shear, stuck, grip, spent = _rubbed(
-            rows, first + 2, half, now, moves, law, acts, counts, spent
+            rows, first + 2, half, reach, slides, law, acts, counts, spent
         )
         shear = k * shear
-        fy, fz = ny * normal - ty * shear, nz * normal - tz * shear
-        push(parts.force, a, 1.0, (fy, fz), (ay, az), across * moment)
-        if b >= 0:
-            push(parts.force, b, -1.0, (fy, fz), (by, bz), across * moment)
-        else:
-            put(supports.fy, j, take(supports.fy, j) - fy)
-        ahead = p.late * beta + p.lead * dt
-        size, shift = ahead * whole, across * middle
-        turns = nz * ay - ny * az + shift, nz * by - ny * bz + shift
-        slides = tz * ay - ty * az, tz * by - ty * bz
-        dashpots = (
-            ((ny, nz), turns, size),
-            ((ty, tz), slides, ratio * ahead * k * stuck),
-        )
-        resist(p, parts, a, b, dashpots)
-        resist_turning(p, parts, a, b, size * (across * across) * (length * length / 12.0))
+        act(parts, ends, arms, direction, (normal, shear), turns[0] * moment)
+        ahead, joint = p.late * beta + p.lead * dt, (ends, arms, direction, along)
+        pressed = whole, whole * middle, whole * (middle * middle + length * length / 12.0)
+        sticking = k * stuck, 0.0 * stuck, 0.0 * stuck
+        resist(parts, joint, turns, (pressed, sticking), (ahead, ratio))
         if counts:
-            low, high = shut
-            length, middle = max(high - low, 0.0), 0.5 * (low + high)
-            at, second = d0 + d1 * middle, length * length / 12.0
-            stiff = k * length
-            kept = 0.5 * stiff * (at * at + d1 * d1 * second)
-            held = stiff * at, stiff * (at * middle + d1 * second)
+            kept, held = _stored(k, (d0, d1), shut)
             gripped = 0.5 * k * ratio * grip
             elastic += kept + gripped
             spent += dt * ((normal - held[0]) * q0 + (moment - held[1]) * q1)
             spent += shear * step - gripped
     return elastic, spent
+
+
+@inlined
+def _stored(k, depths, shut):
+    """Energy of the springs that are pressed [J], and the resultants of their penetration."""
+    (d0, d1), (low, high) = depths, shut
+    length, middle = max(high - low, 0.0), 0.5 * (low + high)
+    at, second, stiff = d0 + d1 * middle, length * length / 12.0, k * length
+    kept = 0.5 * stiff * (at * at + d1 * d1 * second)
+    return kept, (stiff * at, stiff * (at * middle + d1 * second))

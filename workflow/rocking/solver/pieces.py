@@ -10,10 +10,10 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined
 
-from .dashpots import beyond, placed, push, relative, turned
+from .faces import act, met, moving, resist
 from .groups import grouped, law_of, line_of, touched
-from .joints import added, reached, resultants
-from .vectors import alone, choose, like, put, some, take
+from .joints import reached, resultants
+from .vectors import like, some, take
 
 
 class Groups(NamedTuple):
@@ -107,104 +107,30 @@ def nodes_of(groups, centre):
 
 
 @inlined
-def _coupled(between, low, directions, sums, size):
-    """Add what the dashpots of a group do between block `low` and the next, C of the two.
-
-    `directions`: of each (y, z), what arms of the lower and the higher block have along it at the
-    line's origin, and how both grow along the line; `sums`: of each Σ kn·(1, s, s²).
-    """
-    for which in range(2):
-        (y, z), (one, other, more) = directions[which]
-        k0, k1, k2 = sums[which]
-        dashpot = size[which]
-        of_low, of_high = one * k0 + more * k1, other * k0 + more * k1
-        both = one * of_high + more * (other * k1 + more * k2)
-        entries = (
-            (y * y * k0, y * z * k0, y * of_high),
-            (z * y * k0, z * z * k0, z * of_high),
-            (of_low * y, of_low * z, both),
-        )
-        for m, row in enumerate(entries):
-            for n, entry in enumerate(row):
-                at = 9 * low + 3 * m + n
-                put(between, at, take(between, at) - dashpot * entry)
-
-
-@inlined
-def _resist(own, block, arms, directions, sums, dashpots):
-    """Add the dashpots of a group to those of a block."""
-    at = 6 * block
-    yy, yz, yt = take(own, at), take(own, at + 1), take(own, at + 2)
-    had = yy, yz, yt, take(own, at + 3), take(own, at + 4), take(own, at + 5)
-    for m, value in enumerate(added(had, arms, directions, sums, dashpots)):
-        put(own, at + m, value)
-
-
-@inlined
 def press(p, whole, parts, rows, time, alive, counts):
     """What the groups do to their blocks; energy stored and taken in this step, bonds that broke.
 
     `rows`, `whole`: of `groups.untouched`; for the rest see `march`.
     """
     _, past, dt = time
-    groups, supports = p.groups, parts.supports
-    touch = touched(groups, rows)
+    groups, touch = p.groups, touched(p.groups, rows)
     none = like(0.0, take(parts.place, 0))
     elastic = spent = broken = none
     for g in range(groups.level_m.size):
-        a, b = groups.body_a[g], groups.body_b[g]
-        j = groups.support[g] if groups.support[g] >= 0 else len(supports.y) - 1
-        su = take(supports.y, j)
-        ry, rz = like(groups.origin_m[g, 0], su), like(groups.origin_m[g, 1], su)
-        ey, ez = like(groups.along[g, 0], su), like(groups.along[g, 1], su)
-        ny, nz = like(groups.normal[g, 0], su), like(groups.normal[g, 1], su)
-        py, pz = ry + su, rz
-        if a >= 0:
-            ry, rz = turned(parts.turn, a, (ry, rz))
-            ey, ez = turned(parts.turn, a, (ey, ez))
-            py, pz = placed(p, parts, a, (ry, rz))
-        by, bz = py - su, pz
-        if b >= 0:
-            ny, nz = turned(parts.turn, b, (ny, nz))
-            by, bz = beyond(p, parts, b, py, pz)
-        d0, d1 = groups.level_m[g] - ny * by - nz * bz, -(ny * ey + nz * ez)
-        if not alone(d0):
-            d0, d1 = choose(alive, d0, -1.0), choose(alive, d1, 0.0)
-        reach, gone = reached(groups, touch, g, alive, (d0, d1), counts)
+        ends, arms, normal, along, depths = met(p, groups, g, parts, alive)
+        reach, gone = reached(groups, touch, g, alive, depths, counts)
         spent += gone
         if not some(reach[0] | reach[2]):
             continue
-        ty, tz = -nz, ny
-        arms = (ry, rz), (by, bz)
-        vy, vz, uy, uz, spin, turn = relative(parts, a, b, arms, past, supports, j)
-        more_n, more_t = nz * ey - ny * ez, tz * ey - ty * ez
-        q0, q1 = -(ny * vy + nz * vz), -spin * more_n
-        s0, s1 = ty * vy + tz * vz, spin * more_t
-        g0, g1 = ty * uy + tz * uz, turn * more_t
-        lines = d0, d1, q0, q1, s0, s1, g0, g1
+        turns, moves = moving(parts, ends, arms, normal, along, past)
+        lines = *depths, *moves
         sums = resultants(groups, touch, g, whole, reach, lines, time, counts)
-        (n0, n1), (t0, t1), across, along, stored, taken, gone = sums
+        (n0, n1), (t0, t1), across, within, stored, taken, gone = sums
         elastic, spent, broken = elastic + stored, spent + taken, broken + gone
-        fy, fz = ny * n0 - ty * t0, nz * n0 - tz * t0
-        far = ey * (nz * n1 - tz * t1) - ez * (ny * n1 - ty * t1)
+        (ny, nz), (ey, ez) = normal, along
+        couple = ey * (nz * n1 - ny * t1) - ez * (ny * n1 + nz * t1)
+        act(parts, ends, arms, normal, (n0, t0), couple)
         beta = groups.beta_s[g] + p.lead * dt  # of dashpots, and of springs taken ahead
-        dashpots, directions = (beta, groups.shear_ratio[g]), (ny, nz, ty, tz)
-        if a >= 0:
-            push(parts.force, a, 1.0, (fy, fz), (ry, rz), far)
-            _resist(parts.own, a, (ry, rz, ey, ez), directions, (across, along), dashpots)
-        else:
-            put(supports.fy, j, take(supports.fy, j) + fy)
-        if b >= 0:
-            push(parts.force, b, -1.0, (fy, fz), (by, bz), far)
-            _resist(parts.own, b, (by, bz, ey, ez), directions, (across, along), dashpots)
-        else:
-            put(supports.fy, j, take(supports.fy, j) - fy)
-        if a >= 0 and b >= 0:
-            of_a, of_b = (
-                (nz * ry - ny * rz, tz * ry - ty * rz),
-                (nz * by - ny * bz, tz * by - ty * bz),
-            )
-            low, one, other = (a, of_a, of_b) if a < b else (b, of_b, of_a)
-            both = ((ny, nz), (one[0], other[0], more_n)), ((ty, tz), (one[1], other[1], more_t))
-            _coupled(parts.between, low, both, (across, along), (beta, beta * dashpots[1]))
+        joint, dashpots = (ends, arms, normal, along), (beta, groups.shear_ratio[g])
+        resist(parts, joint, turns, (across, within), dashpots)
     return elastic, spent, broken

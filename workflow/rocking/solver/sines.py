@@ -34,7 +34,7 @@ def cos_sin(angle, wanted):
 
     Taylor's series of what is left of the angle beyond whole quarters of a turn, up to π/4; the
     terms left out are below 2⁻⁵⁴ of the result. Right to 0.8 units of the last digit up to π/4,
-    beyond to two. NaN of what is not finite.
+    to 1.5 up to 1,000 rad. NaN of what is not finite.
     """
     rest = angle = choose(wanted, angle, 0.0)
     quarters, far = like(0.0, angle), abs(angle) > EIGHTH

@@ -83,6 +83,8 @@ def stacked(scene, own, column, bars):
     if np.any((a < 0) & (b < 0)):
         raise ValueError("planar solver: every node of several blocks must meet a free one")
     links = [link for link in scene.links if number[link.a] >= 0]
+    if any(tuple(link.direction) != (0.0, 1.0, 0.0) for link in links):
+        raise ValueError("planar solver: expected links along y")
     in_row = bool(
         not links
         and all(set(FREEDOMS) <= set(blocks[i].free) and blocks[i].motion is None for i in own)
@@ -90,76 +92,83 @@ def stacked(scene, own, column, bars):
     )
     beta = nodes.beta_s[0]
     even = in_row and np.all(nodes.beta_s == beta) and scene.notes.get("even", ())
-    late = 1.0
-    if even:
-        heights = [blocks[i].size_m[2] for i in own]
-        late = 2.0 if sum(heights) > MANY * min(heights) else 1.0
+    heights = [blocks[i].size_m[2] for i in own]
     lines, summed = lines_of(scene, even or (), number, column)
-    rows = in_row & ~summed & np.all(nodes.drag == 1.0)
-    groups = groups_of(scene, nodes.select(rows), number, column)
-    single = ~summed & ~rows
-    nodes, a, b = nodes.select(single), a[single], b[single]
-    if any(tuple(link.direction) != (0.0, 1.0, 0.0) for link in links):
-        raise ValueError("planar solver: expected links along y")
-    centre = np.array([block.centre_m[1:] for block in blocks], float)
-    watched = [(number[scene.index(name)], point[1:]) for name, point in scene.watched]
-    from_a, from_b = (
-        np.where((number[side] >= 0)[:, None], centre[side], 0.0) for side in (nodes.a, nodes.b)
-    )
-    normal = nodes.normal[:, 1:]
-    plane = nodes.position_m[:, 1:] - nodes.gap_m[:, None] * normal
-    still = np.where(a < 0, nodes.a, nodes.b)
-    support = [column.get(blocks[i].motion, -1) for i in still]
-    joint = [scene.joints[j] for j in nodes.joint]
-    rims, partial = scene.notes.get("rims", {}), set(scene.notes.get("partial", ()))
-    none = ((0.0, 0.0, 0.0), 0.0)
-    rim = np.array([rims.get(name, none)[0][1:] for name in joint], float).reshape(-1, 2)
-    edge = np.array([rims.get(name, (None, 0.0))[1] for name in joint], float)
-    mine = [blocks[i] for i in own]
+    grouped = in_row & ~summed & np.all(nodes.drag == 1.0)
     return Stack(
-        mass_kg=np.array([block.mass_kg for block in mine], float),
-        inertia_kg_m2=np.array([block.inertia_kg_m2[0] for block in mine], float),
-        centre_m=centre[own],
-        free=np.array([[dof in block.free for dof in FREEDOMS] for block in mine]),
-        guide=np.array([column.get(block.motion, -1) for block in mine], np.int64),
-        debris=np.array([block.name in scene.notes.get("debris", ()) for block in mine]),
-        watched=np.array([i for i, _ in watched], np.int64),
-        monitor_m=np.array([point - centre[own[i]] for i, point in watched], float),
-        start=np.array([pose(block) for block in mine]),
-        body_a=a,
-        body_b=b,
-        support=np.where((a >= 0) & (b >= 0), -1, np.array(support, np.int64)),
-        arm_a_m=nodes.position_m[:, 1:] - from_a,
-        arm_b_m=plane - from_b,
-        normal=np.ascontiguousarray(normal),
-        kn_n_m=nodes.kn_n_m,
-        shear_ratio=nodes.ks_n_m / nodes.kn_n_m,
-        beta_s=nodes.beta_s,
-        friction=np.tan(nodes.friction_rad),
-        drag=nodes.drag,
-        bonded=nodes.bonded,
-        tie=nodes.tie,
-        pull_m=nodes.tension_n / nodes.kn_n_m,
-        hold_m=nodes.cohesion_n / nodes.kn_n_m,
-        rim=rim,
-        rim_m=edge - np.einsum("ni,ni->n", rim, from_b),
-        partial=np.array([name in partial for name in joint], bool),
+        **_of_blocks(scene, own, number, column),
+        **_of_nodes(scene, nodes.select(~summed & ~grouped), number, column),
         link_a=np.array([number[link.a] for link in links], np.int64),
         link_b=np.array([number[link.b] for link in links], np.int64),
         link_n_m=np.array([link.stiffness_n_m for link in links], float),
         link_ns_m=np.array([link.dashpot_ns_m for link in links], float),
         in_row=in_row,
         lines=lines,
-        groups=groups,
+        groups=groups_of(scene, nodes.select(grouped), number, column),
         lead=LEAD if even else 0.0,
         beta=float(beta),
-        late=late,
+        late=2.0 if even and sum(heights) > MANY * min(heights) else 1.0,
         gravity_m_s2=float(scene.gravity_m_s2),
         thickness_m=float(scene.thickness_m),
-        height_m=float(max(p[1] for _, p in watched) - scene.nodes.position_m[:, 2].min()),
+        height_m=float(max(p[2] for _, p in scene.watched) - nodes.position_m[:, 2].min()),
         foot=column.get(blocks[scene.index(scene.reference)].motion, -1),
         bars=bars,
     )
+
+
+def _of_blocks(scene, own, number, column):
+    """Fields of a `Stack` that are of its blocks and of its watched points."""
+    mine, debris = [scene.blocks[i] for i in own], scene.notes.get("debris", ())
+    watched = [(scene.index(name), point) for name, point in scene.watched]
+    arms = [np.subtract(point, scene.blocks[i].centre_m)[1:] for i, point in watched]
+    return {
+        "mass_kg": np.array([block.mass_kg for block in mine], float),
+        "inertia_kg_m2": np.array([block.inertia_kg_m2[0] for block in mine], float),
+        "centre_m": np.array([block.centre_m[1:] for block in mine], float),
+        "free": np.array([[dof in block.free for dof in FREEDOMS] for block in mine]),
+        "guide": np.array([column.get(block.motion, -1) for block in mine], np.int64),
+        "debris": np.array([block.name in debris for block in mine]),
+        "watched": number[[i for i, _ in watched]],
+        "monitor_m": np.array(arms, float),
+        "start": np.array([pose(block) for block in mine]),
+    }
+
+
+def _of_nodes(scene, nodes, number, column):
+    """Fields of a `Stack` that are of nodes one by one."""
+    a, b = number[nodes.a], number[nodes.b]
+    centre = np.array([block.centre_m[1:] for block in scene.blocks], float)
+    from_a, from_b = (
+        np.where((number[side] >= 0)[:, None], centre[side], 0.0) for side in (nodes.a, nodes.b)
+    )
+    normal = nodes.normal[:, 1:]
+    still = np.where(a < 0, nodes.a, nodes.b)
+    support = [column.get(scene.blocks[i].motion, -1) for i in still]
+    joint = [scene.joints[j] for j in nodes.joint]
+    rims, partial = scene.notes.get("rims", {}), set(scene.notes.get("partial", ()))
+    none = ((0.0, 0.0, 0.0), 0.0)
+    rim = np.array([rims.get(name, none)[0][1:] for name in joint], float).reshape(-1, 2)
+    edge = np.array([rims.get(name, none)[1] for name in joint], float)
+    return {
+        "body_a": a,
+        "body_b": b,
+        "support": np.where((a >= 0) & (b >= 0), -1, np.array(support, np.int64)),
+        "arm_a_m": nodes.position_m[:, 1:] - from_a,
+        "arm_b_m": nodes.position_m[:, 1:] - nodes.gap_m[:, None] * normal - from_b,
+        "normal": np.ascontiguousarray(normal),
+        "kn_n_m": nodes.kn_n_m,
+        "shear_ratio": nodes.ks_n_m / nodes.kn_n_m,
+        "beta_s": nodes.beta_s,
+        "friction": np.tan(nodes.friction_rad),
+        "drag": nodes.drag,
+        "bonded": nodes.bonded,
+        "tie": nodes.tie,
+        "pull_m": nodes.tension_n / nodes.kn_n_m,
+        "hold_m": nodes.cohesion_n / nodes.kn_n_m,
+        "rim": rim,
+        "rim_m": edge - np.einsum("ni,ni->n", rim, from_b),
+        "partial": np.array([name in partial for name in joint], bool),
+    }
 
 
 def matrices_of(size, springs):
