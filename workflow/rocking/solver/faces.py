@@ -15,15 +15,8 @@ from .vectors import alone, choose, like, put, take
 def met(p, joints, i, parts, alive):
     """Where joint i of `pieces.Groups` or `lines.Lines` is.
 
-    Returns
-    -------
-    ends : tuple of 3 int
-        Blocks a and b, and the support.
-    arms : tuple of 2 pairs
-        Of the line's origin from the centroid of a, and of b.
-    normal, along : pair
-    depths : pair
-        Penetration d0 + d1·s; less than nothing in histories that have ended.
+    Blocks a and b and the support; arms of the line's origin from the centroids of a and b; the
+    plane's normal and the line's direction; d0, d1, less than nothing in histories that have ended.
     """
     supports = parts.supports
     a, b = joints.body_a[i], joints.body_b[i]
@@ -51,12 +44,8 @@ def met(p, joints, i, parts, alive):
 def moving(parts, ends, arms, normal, along, past_s):
     """How the faces move.
 
-    Returns
-    -------
-    turns : pair
-        What an arm along the line has across it and along it.
-    moves : tuple of 6 numbers
-        Rate of penetration, rate of slip and slip of this step, each as a0 + a1·s.
+    What an arm along the line has across it and along it; rate of penetration, rate of slip and
+    slip of this step, each as a0, a1.
     """
     (a, b, j), (near, far), (ny, nz), (ey, ez) = ends, arms, normal, along
     supports, (ty, tz) = parts.supports, (-nz, ny)

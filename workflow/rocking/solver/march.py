@@ -154,8 +154,9 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
         if chained:
             for j in range(len(supports.fy)):
                 put(supports.fy, j, 0.0)
-                put(supports.fz, j, 0.0)
-                put(supports.moment, j, 0.0)
+                if bodies.lift.size > 0:
+                    put(supports.fz, j, 0.0)
+                    put(supports.moment, j, 0.0)
             substructure.carry(bodies, ride, half, past, supports)
         else:
             drive(table, at, factor, take(state, LAST) < float(k), k, past, supports)

@@ -24,10 +24,13 @@ class Bodies(NamedTuple):
     ground: np.ndarray  # (n,) r: motion when everything moves by one with the ground
     moves: tuple  # hang, lift and roll transposed: a loop over the supports runs along them
     band: int  # how far from the diagonal the matrices have entries: modes have none beside it
+    carriers: np.ndarray  # (supports, 2), int: from which to before which coordinate H has entries
+    carried: np.ndarray  # (n, 2), int: the same by coordinates
 
 
-_NONE = np.zeros((0, 0))
-NO_BODIES = Bodies(np.zeros(0), *(_NONE,) * 5, np.zeros(0), (_NONE,) * 3, 0)
+CHAIN = 5  # a chain has no more masses; modes are more
+_NONE, _NO_ENDS = np.zeros((0, 0)), np.zeros((0, 2), np.int64)
+NO_BODIES = Bodies(np.zeros(0), *(_NONE,) * 5, np.zeros(0), (_NONE,) * 3, 0, _NO_ENDS, _NO_ENDS)
 
 
 def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, roll=None, ground=None):
@@ -67,7 +70,17 @@ def bodies(mass_kg, stiffness_n_m, damping_n_s_m, hang=None, lift=None, roll=Non
         )
     moves = tuple(np.ascontiguousarray(rows.T) for rows in (hang, lift, roll))
     i, j = np.nonzero((k != 0.0) | (c != 0.0))
-    return Bodies(m, k, c, hang, lift, roll, ground, moves, int(abs(i - j).max(initial=0)))
+    band, has = int(abs(i - j).max(initial=0)), hang != 0.0
+    for rows in (lift, roll):
+        has |= (rows != 0.0) if len(rows) else False
+    ends = _ends(has), _ends(has.T)
+    return Bodies(m, k, c, hang, lift, roll, ground, moves, band, *ends)
+
+
+def _ends(rows):
+    """From which to before which column each row is true, shape (rows, 2)."""
+    found = [np.flatnonzero(row) for row in rows]
+    return np.array([(at[0], at[-1] + 1) if at.size else (0, 0) for at in found]).reshape(-1, 2)
 
 
 class Ride(NamedTuple):
@@ -90,19 +103,29 @@ def riding(rows):
 
 
 @inlined
-def _move(shape, ride, past_s, place, speed, way):
-    """Supports by H u along or about one axis."""
-    for j in range(shape.shape[1]):
-        put(place, j, 0.0)
-        put(speed, j, 0.0)
-        put(way, j, 0.0)
-    for i in range(shape.shape[0]):
-        u, w, du = take(ride.u, i), take(ride.w, i), past_s * take(ride.v, i)
-        for j in range(shape.shape[1]):
-            if alone(u) or shape[i, j] != 0.0:  # without a branch a compiler makes vectors of it
-                put(place, j, take(place, j) + shape[i, j] * u)
-                put(speed, j, take(speed, j) + shape[i, j] * w)
-                put(way, j, take(way, j) + shape[i, j] * du)
+def _move(shape, moves, carriers, ride, past_s, place, speed, way):
+    """Supports by H u along or about one axis; `moves` is H transposed, `carriers` of `Bodies`."""
+    if alone(take(ride.u, 0)) and shape.shape[1] > CHAIN:  # along the supports, as vectors
+        for j in range(shape.shape[0]):
+            put(place, j, 0.0)
+            put(speed, j, 0.0)
+            put(way, j, 0.0)
+        for i in range(shape.shape[1]):
+            u, w, du = take(ride.u, i), take(ride.w, i), past_s * take(ride.v, i)
+            for j in range(shape.shape[0]):
+                put(place, j, take(place, j) + moves[i, j] * u)
+                put(speed, j, take(speed, j) + moves[i, j] * w)
+                put(way, j, take(way, j) + moves[i, j] * du)
+        return
+    for j in range(shape.shape[0]):
+        y = v = dy = like(0.0, take(ride.u, 0))
+        for i in range(carriers[j, 0], carriers[j, 1]):
+            y += shape[j, i] * take(ride.u, i)
+            v += shape[j, i] * take(ride.w, i)
+            dy += shape[j, i] * (past_s * take(ride.v, i))
+        put(place, j, y)
+        put(speed, j, v)
+        put(way, j, dy)
 
 
 @inlined
@@ -110,20 +133,20 @@ def carry(bodies, ride, half_s, past_s, supports):
     """Move the supports with what carries them, velocities predicted for this step."""
     for i in range(bodies.mass_kg.size):
         put(ride.w, i, take(ride.v, i) + half_s * take(ride.a, i))
-    hang, lift, roll = bodies.moves
-    _move(hang, ride, past_s, supports.y, supports.vy, supports.dy)
+    (hang, lift, roll), ends = bodies.moves, bodies.carriers
+    _move(bodies.hang, hang, ends, ride, past_s, supports.y, supports.vy, supports.dy)
     if lift.size > 0:
-        _move(lift, ride, past_s, supports.z, supports.vz, supports.dz)
+        _move(bodies.lift, lift, ends, ride, past_s, supports.z, supports.vz, supports.dz)
     if roll.size > 0:
-        _move(roll, ride, past_s, supports.turn, supports.spin, supports.dturn)
+        turns = supports.turn, supports.spin, supports.dturn
+        _move(bodies.roll, roll, ends, ride, past_s, *turns)
 
 
 @inlined
 def _collect(shape, force, onto):
     """Forces of the coordinates by Hᵀ·force of one support."""
     for j in range(shape.size):
-        if alone(force) or shape[j] != 0.0:
-            put(onto, j, take(onto, j) + shape[j] * force)
+        put(onto, j, take(onto, j) + shape[j] * force)
 
 
 @inlined
@@ -132,13 +155,16 @@ def accelerate(bodies, ride, supports, ground_m_s2, quiet_m_s2):
     n, lifted, turned = bodies.mass_kg.size, bodies.lift.size > 0, bodies.roll.size > 0
     shaken = like(False, quiet_m_s2)
     for j in range(n):
-        put(ride.force, j, 0.0)
-    for i in range(bodies.hang.shape[0]):
+        force = like(0.0, quiet_m_s2)
+        if not lifted:
+            for i in range(bodies.carried[j, 0], bodies.carried[j, 1]):
+                force += bodies.hang[i, j] * take(supports.fy, i)
+        put(ride.force, j, force)
+    for i in range(bodies.hang.shape[0] if lifted else 0):
         fy, fz, moment = take(supports.fy, i), take(supports.fz, i), take(supports.moment, i)
-        if some((abs(fy) > 0.0) | (abs(fz) > 0.0)):
+        if some((abs(fy) > 0.0) | (abs(fz) > 0.0)):  # few ends of a building touch
             _collect(bodies.hang[i], fy, ride.force)
-            if lifted:
-                _collect(bodies.lift[i], fz, ride.force)
+            _collect(bodies.lift[i], fz, ride.force)
             if turned:
                 _collect(bodies.roll[i], moment, ride.force)
     for j in range(n):
