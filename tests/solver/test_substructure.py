@@ -44,17 +44,35 @@ def test_supports_move_by_what_each_coordinate_adds():
             assert value[-1] == 0.0  # what stands still
 
 
-def test_forces_reach_the_carriers_by_virtual_work():
+@pytest.mark.parametrize("turning", [True, False])
+def test_forces_reach_the_carriers_by_virtual_work(turning):
     """M a = Hᵀ f − K u − C w − M r a_g, at the velocity of the step."""
-    carried = chain()
+    carried = chain(turning=turning)
     draw = np.random.default_rng(8)
     ride, supports = moving(carried, draw)
     supports.fy[:2], supports.fz[:2], supports.moment[:2] = draw.normal(size=(3, 2))
-    given = carried.hang.T @ supports.fy[:2] + carried.lift.T @ supports.fz[:2]
-    given += carried.roll.T @ supports.moment[:2]
+    given = carried.hang.T @ supports.fy[:-1]
+    if turning:
+        given += carried.lift.T @ supports.fz[:2] + carried.roll.T @ supports.moment[:2]
     given -= carried.k_n_m @ ride.u + carried.c_n_s_m @ ride.w
     substructure.accelerate(carried, ride, supports, 1.7, 1.0)
     assert ride.a == pytest.approx(given / carried.mass_kg - 1.7 * carried.ground)
+
+
+@pytest.mark.parametrize("count", [2, 4, 9])
+def test_only_entries_that_there_are_are_visited(count):
+    """Supports between two masses, one that stands still and a mass without any: all of H."""
+    draw = np.random.default_rng(count)
+    hang = np.zeros((4, count))
+    hang[0, 0], hang[1, -2:], hang[3] = 1.0, (0.3, 0.7), draw.normal(size=count)
+    carried = bodies(np.ones(count), np.eye(count), np.eye(count), hang)
+    ride, supports = still(carried)
+    ride.u[:] = draw.normal(size=count)
+    substructure.carry(carried, ride, 0.05, 0.1, supports)
+    assert supports.y[:-1] == pytest.approx(hang @ ride.u)
+    supports.fy[:-1] = draw.normal(size=4)
+    substructure.accelerate(carried, ride, supports, 0.0, 1.0)
+    assert ride.a == pytest.approx(hang.T @ supports.fy[:-1] - ride.u)
 
 
 def test_quiet_is_said_of_absolute_accelerations():
