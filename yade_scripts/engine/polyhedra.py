@@ -8,6 +8,7 @@ not use it.
 
 import itertools
 import time
+from typing import Any
 
 import numpy as np
 
@@ -68,7 +69,7 @@ def run(scene, motion, dt_s):
     start = (block.state.pos[1], supports[0].state.pos[1])
     arm = np.subtract(scene.monitor_point_m, facade.centre_m)
     frame = block.state.ori
-    seen = {"peak": 0.0, "status": "ok"}
+    seen: dict[str, Any] = {"peak": 0.0, "status": "ok"}
 
     def sample():
         turn = block.state.ori * frame.inverse()
