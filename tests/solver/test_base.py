@@ -282,3 +282,13 @@ def test_impossible_bases(facade, models, message):
     """One line with key, value and what was expected."""
     with pytest.raises(ConfigError, match=message):
         configuration.resolve({"facade": facade, "models": models})
+
+
+def test_a_gap_behind_courses_is_open_by_as_much():
+    """The plane of the wall stands back by it: the courses' joints with it are less deep."""
+    levels = []
+    for gap in (0.0, 0.002):
+        case = Case.configured("W1", {"facade.courses": 4, "facade.gap_m": gap})
+        levels.append(to_plane(build_scene(case.sections)).lines.level_m)
+    assert (levels[1] - levels[0]).min() == pytest.approx(-0.002)
+    assert (levels[1] - levels[0]).max() < 1e-9
