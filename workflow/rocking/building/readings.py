@@ -13,10 +13,28 @@ import numpy as np
 
 import smdof
 
+from .case import translation_mode
 from .comparison import N_DOF, top_motion
 
 ARIAS = (0.05, 0.95)
 STUDY_PERIOD_S = 0.27
+SIGNIFICANT = 0.05  # share of the mass along y from which a mode counts: EN 1998-1, 4.3.3.3.1
+
+
+def first_mode(modes, reading):
+    """Index of the mode that the study calls the first along y.
+
+    Parameters
+    ----------
+    modes : Modes
+    reading : {"mass", "order"}
+        The mode with the largest effective mass along y; or, by the study's own words ("only the
+        modes of vibration with significant effective modal mass in the Y axis were considered"),
+        the longest with at least SIGNIFICANT of it.
+    """
+    if reading == "mass":
+        return translation_mode(modes)
+    return int(np.argmax(modes.effective_ratio[:, 1] >= SIGNIFICANT))
 
 
 @dataclass(frozen=True)
@@ -38,7 +56,7 @@ class Reading:
     study_period : bool
         Chains tuned to the study's 0.27 s, not to SBDEM's own period.
     period_of : {"mass", "order"}
-        SBDEM's own period: as in `search.modes_of_study`.
+        SBDEM's own period, see `first_mode`.
     period_factor : float
         Of the chains' period: what the rounding of 0.27 s to two digits hides is 2 %.
     rayleigh : bool

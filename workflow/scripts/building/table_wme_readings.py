@@ -6,8 +6,7 @@ from rocking.building.case import fitted_model, read_plan, translation_mode
 from rocking.building.comparison import PAPER_WME, QUANTITIES
 from rocking.building.history import mass_damping_rate, modal_history
 from rocking.building.modes import Modes
-from rocking.building.readings import errors, highest_brick, readings
-from rocking.building.search import first_mode
+from rocking.building.readings import errors, first_mode, highest_brick, readings
 from rocking.records import read_csv
 from rocking.runtime.script import run
 from rocking.tables import write_table
