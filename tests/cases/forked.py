@@ -145,7 +145,6 @@ def _plan_ahead():
             r"(?m)^from ((?:rocking|smdof|yade_scripts)[\w.]*) import", path.read_text("utf-8")
         ):
             importlib.import_module(name)
-    importlib.import_module("rocking.configuration.renamed").current({})
     sources = importlib.import_module("yade_scripts.sources").sources
     for path in ROOT.glob("workflow/scripts/*/*.py"):
         for drawn in (False, True):

@@ -19,7 +19,7 @@ except ModuleNotFoundError as error:
     )
 from rocking.collapse.case import SECTIONS
 from rocking.configuration import config as configuration
-from rocking.configuration import unlikely, renamed
+from rocking.configuration import unlikely
 from rocking.configuration.chosen import chosen
 from rocking.records.intensity_measures import MEASURES
 from rocking.studies.pushover import DRAWN, VARIANTS, laid
@@ -82,7 +82,7 @@ RUNS.refuse(FINDINGS)
 if workflow.is_main_process and "check" not in sys.argv:  # that target says so itself
     terminal.warn([str(f) for f in FINDINGS if f.status == "warning"])
 if workflow.is_main_process:
-    terminal.warn([*renamed.lines(config), *unlikely.lines(RUNS.settings)])
+    terminal.warn(unlikely.lines(RUNS.settings))
 
 SHARED = RUNS.shared
 

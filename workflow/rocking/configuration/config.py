@@ -11,7 +11,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from rocking.configuration import refusals, renamed
+from rocking.configuration import refusals
 from rocking.configuration import schema as config_schema
 from rocking.configuration.differences import by_path
 from rocking.configuration.facade import check_facade
@@ -50,7 +50,7 @@ def resolve(config: Mapping) -> dict[str, Any]:
     """
     if not isinstance(config, Mapping):
         raise ConfigError("expected keys and values at the top level")
-    values = renamed.current(config_schema.plain(config))
+    values = config_schema.plain(config)
     for key in STUDY_KEYS:
         if values.pop(key, None):
             raise ConfigError(f"'{key}' describes several runs; use expand_scenarios")
@@ -194,8 +194,7 @@ def expanded(config: Mapping) -> dict[str, tuple[dict[str, Any], dict[str, Any]]
         raise ConfigError("expected keys and values at the top level")
     common = config_schema.plain(config)
     wanted, scenarios, grid = (common.pop(key, None) for key in STUDY_KEYS)
-    common = renamed.current(common)
-    cells = _grid(renamed.current(grid))
+    cells = _grid(grid)
     named = _scenarios(scenarios)
     chosen = _chosen(wanted, named)
     named = {name: overrides for name, overrides in named.items() if name in chosen}
@@ -238,7 +237,7 @@ def _scenarios(given: Any) -> dict[str, dict]:
     for name, overrides in given.items():
         if overrides is not None and not isinstance(overrides, dict):
             raise ConfigError(f"scenarios.{name} = {show(overrides)}: expected keys and values")
-        out[name] = renamed.current(_nest(overrides or {}, f"scenarios.{name}"))
+        out[name] = _nest(overrides or {}, f"scenarios.{name}")
         for key in ("run", *STUDY_KEYS):
             if key in out[name]:
                 raise ConfigError(f"scenarios.{name}.{key}: a scenario cannot set '{key}'")

@@ -12,7 +12,6 @@ Schema's own keywords (draft 2020-12) these are understood:
 `measures`       the value is the name of an intensity measure; a list without default has all
 `usual`          lowest and highest common value, beyond which a run warns, see `units`
 `pattern_words`  what `pattern` means, for messages
-`formerly`, `former_values`  names of one version ago, see `renamed`
 """
 
 import copy
