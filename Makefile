@@ -58,7 +58,7 @@ predictions: setup
 
 predicted-sin01: YADE = --yade $(if $(MOTIONS),--motions $(MOTIONS))
 predicted-%:
-	.venv/bin/python -m rocking.studies.predictions run build/predictions/$* $(YADE)
+	.venv/bin/python -m studies.validation.predictions run build/predictions/$* $(YADE)
 
 REVISION ?= main
 freeze: setup

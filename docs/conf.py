@@ -4,6 +4,8 @@ The source folder is the repository, so a relative link means the same here and 
 Nothing is loaded from a network: the site opens from a folder.
 """
 
+import os
+import re
 import sys
 from pathlib import Path
 
@@ -15,10 +17,12 @@ author = "the contributors"
 root_doc = "docs/index"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 
-include_patterns = ["*.md", "docs/**", "config/README.md"]
+include_patterns = ["*.md", "docs/**", "config/README.md", "workflow/studies/**/*.md"]
 exclude_patterns = ["results", "build", ".*", "docs/examples"]  # a page to copy is none of the site
 myst_heading_anchors = 3
 OFF_NAVIGATION = ("docs/log/", "docs/keys/")  # reached from one page that lists them, and by search
+STUDIES = ROOT / "workflow" / "studies"
+LINK = re.compile(r"!?\[([^\]]*)\]\(([^)\s#]+)[^)\s]*\)")
 
 autodoc_mock_imports = ["yade", "minieigen"]  # built for the system's Python alone
 autodoc_member_order = "bysource"
@@ -42,7 +46,7 @@ def setup(app):
         lines[:] = [line if "``" in line else line.replace("|", r"\|") for line in lines]
 
     def beside(app, doctree):
-        if app.env.docname.startswith(OFF_NAVIGATION):
+        if app.env.docname.startswith(OFF_NAVIGATION) or app.env.docname.endswith("/keys"):
             app.env.metadata[app.env.docname]["orphan"] = True
 
     def formula_page(app, error):
@@ -53,6 +57,20 @@ def setup(app):
 
             (Path(app.outdir) / "formula.html").write_text(page(read()), encoding="utf-8")
 
+    def without_studies(app, docname, source):
+        """A study whose folder is deleted leaves the words of its links, and no picture."""
+        here = (ROOT / docname).parent
+
+        def kept(link):
+            to = Path(os.path.normpath(here / link[2]))
+            if STUDIES not in to.parents:
+                return link[0]
+            study = STUDIES / to.relative_to(STUDIES).parts[0]
+            return link[0] if study.is_dir() else link[1]
+
+        source[0] = LINK.sub(kept, source[0])
+
+    app.connect("source-read", without_studies)
     app.connect("autodoc-process-docstring", bars)
     app.connect("doctree-read", beside)
     app.connect("build-finished", formula_page)

@@ -5,15 +5,16 @@
     python tools/gallery.py --no-run           # from the results there are
     python tools/gallery.py --results /tmp/x   # from those of a run with `--directory /tmp/x`
     python tools/gallery.py --drawn sequence   # a picture of another page was put there by hand
-    python tools/gallery.py --drawn own=workflow/rocking/studies/own.py  # a new one, by this file
+    python tools/gallery.py --drawn own=workflow/studies/own/figure.py  # a new one, by this file
     python tools/gallery.py --study results/study/figures  # those of docs/study.md; `make study`
     python tools/gallery.py --old              # which pictures are older than what draws them
 
 A picture is named after the last file its command asks for; the page is the only list of both.
-`docs/pictures/drawn_by.json` holds what draws each picture, and the digest of that when it was
-drawn: of its script, and of the drawing modules that the script imports. What computes is not in
-it, nor what all figures share, else every change would make every picture old. `make docs` prints
-the list and goes on: some pictures take an hour to draw, so a change lands before they are renewed.
+`drawn_by.json` beside the pictures, in `docs/pictures` and in a study's `pictures`, holds what
+draws each of them, and the digest of that when it was drawn: of its script, and of the drawing
+modules that the script imports. What computes is not in it, nor what all figures share, else every
+change would make every picture old. `make docs` prints the list and goes on: some pictures take an
+hour to draw, so a change lands before they are renewed.
 """
 
 import argparse
@@ -35,6 +36,7 @@ from yade_scripts.sources import imports  # noqa: E402
 PAGE = ROOT / "docs" / "gallery.md"
 STUDY = ROOT / "docs" / "study.md"
 DRAWN_BY = ROOT / "docs" / "pictures" / "drawn_by.json"
+OF_STUDIES = sorted(ROOT.glob("workflow/studies/*/pictures/drawn_by.json"))
 ENTRY = re.compile(r"^```sh\n(?P<command>.*?)^```\n+!\[[^\]]*\]\((?P<picture>[^)]+)\)", re.M | re.S)
 WIDTH_PX = 900
 LIMIT_BYTES = 6_000_000  # of all pictures together: they live in the repository
@@ -89,15 +91,16 @@ def old(drawn_by=DRAWN_BY):
 
 def note(picture, script=None):
     """Keep that a picture was drawn by today's script, the one it had unless one is given."""
-    known = json.loads(DRAWN_BY.read_text("utf-8"))
+    drawn_by = picture.with_name(DRAWN_BY.name)
+    known = json.loads(drawn_by.read_text("utf-8")) if drawn_by.is_file() else {}
     script = script or known.get(picture.name, {}).get("script")
     if script is None:
         stem = picture.stem
-        sys.exit(f"error: {DRAWN_BY.name} has no script for {stem}: --drawn {stem}=<script>")
+        sys.exit(f"error: {drawn_by.name} has no script for {stem}: --drawn {stem}=<script>")
     if not (ROOT / script).is_file():
         sys.exit(f"error: {picture.stem}={script}: no such file in the project")
     known[picture.name] = {"digest": digest(ROOT / script), "script": script}
-    DRAWN_BY.write_text(json.dumps(known, indent=1, sort_keys=True) + "\n", "utf-8")
+    drawn_by.write_text(json.dumps(known, indent=1, sort_keys=True) + "\n", "utf-8")
 
 
 def shrink(source, picture):
@@ -132,19 +135,21 @@ def main():
         return
     if args.old:
         commands = {picture.name for _, _, picture in entries()}
-        for name in old():
+        for drawn_by, name in [(d, n) for d in (DRAWN_BY, *OF_STUDIES) for n in old(d)]:
             stem = Path(name).stem
             how = f"make gallery ARGS='--only {stem}'"
             if name not in commands:
                 how = f"the command on its page, then tools/gallery.py --drawn {stem}"
             if name not in commands and name.startswith("study_"):
                 how = "make study"
-            print(f"docs/pictures/{name} is older than what draws it; renew it: {how}")
+            folder = drawn_by.parent.relative_to(ROOT)
+            print(f"{folder}/{name} is older than what draws it; renew it: {how}")
         return
     for name, _, script in (word.partition("=") for word in args.drawn or ()):
-        picture = next(DRAWN_BY.parent.glob(f"{name}.*"), None)
+        folders = [d.parent for d in (DRAWN_BY, *OF_STUDIES)]
+        picture = next((p for folder in folders for p in folder.glob(f"{name}.*")), None)
         if picture is None:
-            sys.exit(f"error: no picture {name} in docs/{DRAWN_BY.parent.name}")
+            sys.exit(f"error: no picture {name} in docs/{DRAWN_BY.parent.name} or in a study's")
         note(picture, script)
     for command, source, picture in [] if args.drawn else entries():
         if args.only and picture.stem not in args.only:

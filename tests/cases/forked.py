@@ -35,7 +35,7 @@ LIBRARIES = (
     "rocking.records.check",
     "rocking.runs",
     "rocking.runtime.warm",
-    "rocking.studies.pushover",
+    "rocking.pushover",
     "scipy.optimize",
     "scipy.signal",
     "smart_open",
@@ -140,15 +140,14 @@ def _serve():
 def _plan_ahead():
     """Do what every plan begins with and keeps: plugins, imports of rules and of scripts."""
     importlib.import_module("snakemake.cli").get_argument_parser()
-    for path in ROOT.glob("workflow/rules/**/*.smk"):
+    for path in (*ROOT.glob("workflow/rules/*.smk"), *ROOT.glob("workflow/studies/*/rules.smk")):
         for name in re.findall(
             r"(?m)^from ((?:rocking|smdof|yade_scripts)[\w.]*) import", path.read_text("utf-8")
         ):
             importlib.import_module(name)
     sources = importlib.import_module("yade_scripts.sources").sources
-    for path in ROOT.glob("workflow/scripts/*/*.py"):
-        for drawn in (False, True):
-            sources(path, drawn)
+    for path in (*ROOT.glob("workflow/scripts/*/*.py"), *ROOT.glob("workflow/studies/*/*.py")):
+        sources(path)
 
 
 def _obey(order):

@@ -111,8 +111,10 @@ def test_the_page_follows_the_schemas(capsys):
     overview = docs.README.read_text("utf-8")
     for path, _ in LEAVES:
         name, _, key = path.partition(".") if "." in path else ("top_level", "", path)
-        assert f"| `{key}` |" in (docs.KEYS / f"{name}.md").read_text("utf-8")
-        assert f"`{key}`" in overview
+        study = None if name == "top_level" else docs.study_of(name)
+        page = study / "keys.md" if study else docs.KEYS / f"{name}.md"
+        assert f"| `{key}` |" in page.read_text("utf-8")
+        assert study or f"`{key}`" in overview
 
 
 def test_drift_of_the_page_is_found(tmp_path, monkeypatch, capsys):
@@ -131,10 +133,14 @@ def test_drift_of_the_page_is_found(tmp_path, monkeypatch, capsys):
     assert docs.main(["--check"]) == 1
 
 
-SHIPPED = [ROOT / "config" / "config.yaml", *sorted((ROOT / "config" / "scenarios").glob("*.yaml"))]
+SHIPPED = [
+    ROOT / "config" / "config.yaml",
+    *sorted((ROOT / "config" / "scenarios").glob("*.yaml")),
+    *sorted(ROOT.glob("workflow/studies/*/scenario.yaml")),
+]
 
 
-@pytest.mark.parametrize("path", SHIPPED, ids=lambda p: p.name)
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda p: f"{p.parent.name}/{p.name}")
 def test_shipped_files_resolve(path):
     check_files([path])
     assert expand_scenarios(yaml.safe_load(path.read_text("utf-8")))

@@ -23,7 +23,10 @@ def test_the_targets_are_those_of_snakemake(tmp_path):
 def test_every_target_is_on_the_page_with_what_its_docstring_says():
     page = PAGE.read_text("utf-8")
     assert render(page) == page, "run python -m rocking.configuration.docs"
-    for name, target in targets().items():
+    for path, text in docs.studies().items():
+        for name, target in targets(study=path.parent.name).items():
+            assert f"| `{name}` | {target.makes} | {target.costs} |" in text
+    for name, target in targets(study=None).items():
         rows = re.findall(rf"^\| `{name}` \| (.+) \| (.+) \|$", page, re.M)
         assert rows == [(rows[0][0], target.costs)]
         assert rows[0][0].startswith(target.makes)
@@ -31,33 +34,37 @@ def test_every_target_is_on_the_page_with_what_its_docstring_says():
 
 @pytest.fixture
 def tree(tmp_path):
-    """A checkout of two studies, a main job under two names and a rule that makes a file."""
-    rules = tmp_path / "workflow" / "rules" / "studies"
-    rules.mkdir(parents=True)
-    (tmp_path / "docs" / "studies").mkdir(parents=True)
+    """A checkout of a study, a target of the core, a main job under two names, a rule of a file."""
+    for folder in ("rules", "studies/friction"):
+        (tmp_path / "workflow" / folder).mkdir(parents=True)
+    (tmp_path / "docs").mkdir()
     (tmp_path / "workflow" / "Snakefile").write_text(
         'rule all:\n    """The main job. Costs: minutes."""\n    input:\n        "a.csv",\n\n\n'
         "rule main:\n    default_target: True\n    input:\n        rules.all.input,\n"
     )
-    (rules / "friction.smk").write_text(
+    text = (
         'rule table:\n    input:\n        "b",\n    output:\n        "a.csv",\n\n\n'
         'rule friction:\n    """\n    What friction\n    changes.\n'
         '    Costs: seconds; by records.\n    """\n    input:\n        "a.csv",\n'
+    )
+    (tmp_path / "workflow" / "rules" / "friction.smk").write_text(text)
+    (tmp_path / "workflow" / "studies" / "friction" / "rules.smk").write_text(
+        text.replace("rule friction", "rule gap").replace("rule table", "rule gaps")
     )
     return tmp_path
 
 
 def test_a_new_target_needs_no_line_on_the_page(tree):
-    assert targets(tree) == {
-        "all": Target("The main job", "minutes"),
-        "friction": Target("What friction changes", "seconds; by records"),
-    }
+    what = Target("What friction changes", "seconds; by records")
+    core = {"all": Target("The main job", "minutes"), "friction": what}
+    assert targets(tree) == {**core, "gap": what}
+    assert targets(tree, None) == core
+    assert targets(tree, "friction") == {"gap": what}
     page = MARKS.format("all") + MARKS.format("the others")
-    assert "| `friction` | What friction changes | seconds; by records |" in render(page, tree)
-    (tree / "docs" / "studies" / "friction.md").touch()
-    row = "| `friction` | What friction changes ([page](studies/friction.md)) |"
+    row = "| `friction` | What friction changes | seconds; by records |"
     written = render(page, tree)
     assert row in written
+    assert "gap" not in written
     assert render(written, tree) == written
     assert row not in written.partition("the others")[0]
 
@@ -75,7 +82,7 @@ def test_a_new_target_needs_no_line_on_the_page(tree):
     ],
 )
 def test_faults_of_a_docstring_are_named(tree, old, new, message):
-    rule = tree / "workflow" / "rules" / "studies" / "friction.smk"
+    rule = tree / "workflow" / "rules" / "friction.smk"
     rule.write_text(rule.read_text().replace(old, new))
     with pytest.raises(ValueError, match=re.escape(message)):
         render(MARKS.format("friction") + MARKS.format("the others"), tree)

@@ -12,8 +12,8 @@ from rocking.building.comparison import PAPER_WME
 from rocking.calibration import claims as damping_claims
 from rocking.calibration.restitution import TARGETS
 from rocking.mechanics import closed_forms
+from rocking.paper import page as paper
 from rocking.statements import COLUMNS, statement
-from rocking.studies import paper
 
 DOCS = Path(__file__).parents[2] / "docs"
 DATA = yaml.safe_load((DOCS / "study.yaml").read_text(encoding="utf-8"))

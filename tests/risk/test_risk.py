@@ -8,11 +8,10 @@ import pandas as pd
 import pytest
 from rocking.collapse.equivalent import equivalent
 from rocking.collapse.probability import KEY
-from rocking.risk import nrml, rates
+from rocking.risk import fragility_tables, nrml, rates
 from rocking.risk.collapse import risk_of
 from rocking.risk.fragility import Fragility
 from rocking.risk.hazard import Hazard, HazardError, imt_of, read_hazard
-from rocking.studies import fragility_tables
 from run_script import script
 from scipy import stats
 from scipy.integrate import quad

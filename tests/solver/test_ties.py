@@ -7,11 +7,10 @@ import numpy as np
 import pandas as pd
 import pytest
 from both_solvers import BETA_S, FEW, agreed, pulses
-from rocking import Case, Motion
+from rocking import Case, Motion, strengthening
 from rocking.configuration.config import ConfigError
 from rocking.solver.plane import to_plane
 from rocking.solver.runs import Motions, history
-from rocking.studies import strengthening
 from scipy.stats import binomtest
 from yade_process import resolved
 

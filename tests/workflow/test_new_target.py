@@ -1,6 +1,7 @@
-"""A target is made by five files and no line elsewhere: docs/examples/friction adds one."""
+"""A study is one folder and no line elsewhere: docs/examples/friction, laid where it goes."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -11,7 +12,8 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = ROOT / "docs" / "examples" / "friction"
-FILES = sorted(path.relative_to(EXAMPLE) for path in EXAMPLE.rglob("*.*") if path.is_file())
+STUDY = Path("workflow") / "studies" / "friction"
+FILES = [STUDY / path.name for path in sorted(EXAMPLE.iterdir()) if path.is_file()]
 PARTS = ("Snakefile", "config", "docs", "profiles", "pyproject.toml", "smdof", "tests", "workflow")
 PARTS += ("yade_scripts",)
 COARSE = "numerics={nodes_thickness: 5, nodes_height: 5, step_fraction: 0.4, after_motion_s: 0.5}"
@@ -20,15 +22,13 @@ LIMIT_S = 300.0
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory):
-    """A copy of the project, compiled loops and all, with the example's files beside its own."""
+    """A copy of the project, compiled loops and all, with the example among its studies."""
     top = tmp_path_factory.mktemp("new")
     for name in PARTS:
         copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
         copy(ROOT / name, top / name)
-    for path in FILES:
-        assert not (top / path).exists()
-        (top / path.parent).mkdir(exist_ok=True)
-        shutil.copy(EXAMPLE / path, top / path)
+    assert not (top / STUDY).exists()
+    shutil.copytree(EXAMPLE, top / STUDY, ignore=shutil.ignore_patterns("__pycache__"))
     return top
 
 
@@ -46,8 +46,13 @@ def called(project, *words):
     )
 
 
-def test_they_are_five():
-    assert len(FILES) == 5
+def test_it_is_what_the_recipe_lists():
+    """CONTRIBUTING.md names every file of the folder."""
+    recipe = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
+    recipe = recipe.partition("**A study**")[2].partition("**A search")[0]
+    assert {path.name for path in FILES} - {"__init__.py"} == set(
+        re.findall(r"(?m)^\d\. `([\w.]+)`", recipe)
+    )
 
 
 def test_they_are_in_order_where_they_are_laid(project):
@@ -58,7 +63,7 @@ def test_they_are_in_order_where_they_are_laid(project):
 
 
 @pytest.mark.slow
-def test_a_target_of_five_files_runs_and_stands_on_the_generated_pages(project):
+def test_the_study_runs_and_its_page_of_keys_is_written(project):
     """Its keys are checked, its rows and its figure are made, and its test passes."""
     given = ["--config", "run=new", "records=RRS228", "directions=neg", "models=W1", COARSE]
     wrong = called(
@@ -73,11 +78,12 @@ def test_a_target_of_five_files_runs_and_stands_on_the_generated_pages(project):
     assert (project / "results/new/figures/friction.png").stat().st_size > 5000
     assert called(project, "rocking.configuration.docs", "--check").returncode == 1
     assert called(project, "rocking.configuration.docs").returncode == 0
-    assert "| `angles_deg` |" in (project / "docs/keys/friction.md").read_text("utf-8")
-    assert "| `friction` |" in (project / "docs/targets.md").read_text("utf-8")
+    keys = (project / STUDY / "keys.md").read_text("utf-8")
+    assert "| `angles_deg` |" in keys
+    assert "| `friction` | What friction is worth | a minute |" in keys
 
 
 @pytest.mark.slow
 def test_the_example_s_own_test_passes(project):
-    done = called(project, "pytest", "-n0", "tests/studies/test_friction.py")
+    done = called(project, "pytest", "-n0", f"{STUDY}/test_friction.py")
     assert done.returncode == 0, done.stdout

@@ -13,6 +13,7 @@ IN_WHEEL = (
     "config/suites/*.yaml",
     "config/suites/*.motions",
     "workflow/schemas/*.yaml",
+    "workflow/studies/*/*.schema.yaml",
 )
 
 

@@ -4,9 +4,9 @@
 
 def add_code_and_log(own):
     """Give a rule the input `modules`, and a log named by the rule and its wildcards."""
-    folder, script = Path(own.script).with_suffix("").parts[-2:]
     if "modules" not in own.input.keys():
-        own.set_input(modules=code(f"{folder}/{script}", own.params.get("study")))
+        script = (Path(own.snakefile).parent / own.script).resolve()
+        own.set_input(modules=code(script, own.params.get("study")))
     if not own.log:
         wildcards = [name for name in re.findall(r"{(\w+)", own.output[0]) if name != "run"]
         own.log_modifier = own.output_modifier

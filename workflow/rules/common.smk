@@ -22,7 +22,7 @@ from rocking.configuration import config as configuration
 from rocking.configuration import unlikely
 from rocking.configuration.chosen import chosen
 from rocking.records.intensity_measures import MEASURES
-from rocking.studies.pushover import DRAWN, VARIANTS, laid
+from rocking.pushover import DRAWN, VARIANTS, laid
 from rocking.records import RecordError, read_table
 from rocking.records.check import check_runs, reach_g
 from rocking.runtime import cluster, command_line, file_times, first_page, interrupts, progress
@@ -37,6 +37,7 @@ from yade_scripts.model.registry import COMPLETE, MODELS, REFERENCE_MODELS, PUSH
 BASE = Path(workflow.source_path("common.smk")).resolve().parents[2]
 if not (BASE / "yade_scripts").is_dir():
     BASE = Path(rocking.__file__).resolve().parents[2]
+STUDIES = BASE / "workflow" / "studies"  # one folder a study; none needs another, the core none
 NAMES_OF_RUNS: list[str] = []
 if workflow.modifier.is_main_snakefile():  # as a module it leaves the terminal to others
     with left_out_if_unknown("a quiet terminal"):
@@ -87,24 +88,26 @@ if workflow.is_main_process:
 SHARED = RUNS.shared
 
 
-def stamped(path, drawn=False):
+def stamped(path):
     """Path of the stamp of a script; where it cannot be written, the end in one line."""
     try:
-        return str(stamps.stamp(path, drawn=drawn))
+        return str(stamps.stamp(path))
     except OSError as error:
         stop(error)
 
 
 def code(script, study=None):
-    """Input function: a script of `workflow/scripts` and all it imports, as one stamp.
+    """Input function: a script and all it imports, as one stamp.
 
-    One more for the module of `rocking.studies` that the script is told to call.
+    One more for the module of a study that one of the three scripts of `workflow/scripts/studies`
+    calls: `figure.py` what the study draws, the others what it computes.
     """
-    folder = BASE / "workflow"
-    own = folder / "scripts" / f"{script}.py"
-    called = [folder / "rocking" / "studies" / f"{study}.py"] if study else []
-    drawn = script == "studies/figure"
-    return lambda w: [stamped(own), *(stamped(path, drawn) for path in called)]
+    called = (
+        STUDIES / study / ("figure.py" if script.stem == "figure" else "study.py")
+        if study
+        else None
+    )
+    return lambda w: [stamped(path) for path in (script, called) if path]
 
 
 def command_code(name):
@@ -142,8 +145,9 @@ def plan_option(wildcards, input):
 
 
 def caption(name):
-    """Path of a figure's caption template."""
-    return str(BASE / "workflow" / "report" / f"{name}.rst")
+    """Path of a caption's template, of the core or of a study."""
+    places = [BASE / "workflow" / "report" / f"{name}.rst", *STUDIES.glob(f"*/captions/{name}.rst")]
+    return str(next(filter(Path.is_file, places)))
 
 
 def shown(path, about, category, result, **labels):

@@ -7,7 +7,8 @@ def figure_by(source, title, category, result, about=None, params=None, **inputs
     Parameters
     ----------
     source : str
-        Folder and name of the script, without `.py`. A job calls Snakemake's `script` here: no
+        Folder of `workflow/scripts` and name of the script, or `studies/` with the study's folder and
+        name, without `.py`. A job calls Snakemake's `script` here: no
         argument may have that name.
     title : str
         Name of the picture, with the wildcards that the rule has.
@@ -18,7 +19,8 @@ def figure_by(source, title, category, result, about=None, params=None, **inputs
     **inputs
         Tables and facts that it takes.
     """
-    own = source.partition("/")[2]
+    own = source.rpartition("/")[2]
+    folder = BASE / "workflow" if source.startswith("studies/") else BASE / "workflow" / "scripts"
 
     rule:
         name:
@@ -30,7 +32,7 @@ def figure_by(source, title, category, result, about=None, params=None, **inputs
         params:
             **(params or {}),
         script:
-            str(BASE / f"workflow/scripts/{source}.py")
+            str(folder / f"{source}.py")
 
 
 def table_of(study, rule_name, tables=None, **outputs):
@@ -39,7 +41,7 @@ def table_of(study, rule_name, tables=None, **outputs):
     Parameters
     ----------
     study : str
-        Module of `rocking.studies`.
+        Its folder of `workflow/studies`.
     rule_name : str
         Also the name of its log.
     tables : callable, optional
@@ -61,13 +63,76 @@ def table_of(study, rule_name, tables=None, **outputs):
             str(BASE / "workflow/scripts/studies/table.py")
 
 
+def with_planar_models(target):
+    """Decorator: a function of a run's name, its models with a planar counterpart.
+
+    What is decorated takes a run's configuration and returns the variants that the target tries
+    first; a façade that cannot have one of them ends the workflow in one line.
+    """
+
+    def decorate(trials):
+        @cache
+        def models(run):
+            from rocking.collapse.additions import planar_models  # slow to load
+
+            try:
+                return planar_models(RUNS.settings[run], trials(RUNS.settings[run]))
+            except configuration.ConfigError as error:
+                stop(f"{target}: {error.detail}")
+
+        return models
+
+    return decorate
+
+
+def yade_runs_of(study, rule_name, plan, path, first=None):
+    """Rule `rule_name`: what YADE says of the runs that a study's plan lists for one curve.
+
+    Parameters
+    ----------
+    study : str
+        Folder of its journals.
+    plan : str
+        What the rule that finds collapse wrote: runs for YADE's command `runs`.
+    path : str
+        Its table; its wildcards are model, record and direction.
+    first : callable, optional
+        Input function: floor motions of a shock before.
+    """
+    curve = "{model}_{record}_{direction}"
+
+    rule:
+        name:
+            rule_name
+        input:
+            **({"first": first} if first else {}),
+            case=rules.facade_case.output[0],
+            motion=of_run(rules.floor_motions.output[0]),
+            plan=plan,
+            yade=rules.yade_check.output[0],
+            modules=command_code("runs"),
+        output:
+            path,
+        log:
+            logs(f"{rule_name}_{curve}"),
+        benchmark:
+            benchmarks(f"{rule_name}_{curve}")
+        params:
+            yade=YADE,
+            journal=results(f"cache/{study}/{curve}.jsonl"),
+        shell:
+            "{params.yade} runs --scene {input.case:q} --motion {input.motion:q}"
+            " --record {wildcards.record:q} --direction {wildcards.direction}"
+            " --list {input.plan:q} --journal {params.journal:q} --output {output:q} 2> {log:q}"
+
+
 def figure_of(study, title, category, result, caption, facts=None, draw="draw", **inputs):
     """Rule `figure_<title>`: a figure that the module of a study draws from tables.
 
     Parameters
     ----------
     study : str
-        Module of `rocking.studies`.
+        Its folder of `workflow/studies`.
     title : str
         Name of the picture.
     category, result, caption : str

@@ -20,7 +20,7 @@ rule planar_ida:
     params:
         record=lambda w: w.record,
     script:
-        "../scripts/ida/planar_ida.py"
+        str(BASE / "workflow/scripts/ida/planar_ida.py")
 
 
 rule ida:

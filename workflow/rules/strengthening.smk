@@ -1,19 +1,14 @@
 # The least tie that keeps the façade standing at a stated intensity: planar search, YADE confirms.
 
 
-def models_for(target):
-    """Function of a run's name: models that a target searches with, if the façade allows it."""
+@with_planar_models("strengthening")
+def strengthened_models(resolved):
+    """The façade with a tie of the least force, at every height that is tried."""
+    from rocking.strengthening import tie, trial_heights  # slow to load
 
-    @cache
-    def models(run):
-        from rocking.studies.additions import planar_models  # slow to load
-
-        try:
-            return planar_models(RUNS.settings[run], target)
-        except configuration.ConfigError as error:
-            stop(f"{target}: {error.detail}")
-
-    return models
+    settings = resolved["strengthening"]
+    heights = trial_heights(settings, resolved["facade"]["height_m"])
+    return [tie(settings, z, settings["forces_kn"][0]) for z in heights]
 
 
 rule strengthen:
@@ -34,26 +29,12 @@ rule strengthen:
         "../scripts/strengthening/strengthen.py"
 
 
-rule strengthen_yade:
-    input:
-        case=rules.facade_case.output[0],
-        motion=of_run(rules.floor_motions.output[0]),
-        plan=rules.strengthen.output.plan,
-        yade=rules.yade_check.output[0],
-        modules=command_code("runs"),
-    output:
-        results("strengthening/{model}/{record}_{direction}_yade.csv"),
-    log:
-        logs("strengthen_yade_{model}_{record}_{direction}"),
-    benchmark:
-        benchmarks("strengthen_yade_{model}_{record}_{direction}")
-    params:
-        yade=YADE,
-        journal=results("cache/strengthening/{model}_{record}_{direction}.jsonl"),
-    shell:
-        "{params.yade} runs --scene {input.case:q} --motion {input.motion:q}"
-        " --record {wildcards.record:q} --direction {wildcards.direction}"
-        " --list {input.plan:q} --journal {params.journal:q} --output {output:q} 2> {log:q}"
+yade_runs_of(
+    "strengthening",
+    "strengthen_yade",
+    plan=rules.strengthen.output.plan,
+    path=results("strengthening/{model}/{record}_{direction}_yade.csv"),
+)
 
 
 rule figure_strengthening:
@@ -80,8 +61,8 @@ rule figure_strengthening:
 
 rule table_strengthening:
     input:
-        least=of_run(rules.strengthen.output.least, model=models_for("strengthening")),
-        yade=of_run(rules.strengthen_yade.output[0], model=models_for("strengthening")),
+        least=of_run(rules.strengthen.output.least, model=strengthened_models),
+        yade=of_run(rules.strengthen_yade.output[0], model=strengthened_models),
     output:
         table=results("tables/strengthening.csv"),
         share=results("tables/strengthening_share.csv"),
@@ -102,6 +83,6 @@ rule strengthening:
             rules.table_strengthening.output,
             of_run(
                 rules.figure_strengthening.output.png,
-                model=models_for("strengthening"),
+                model=strengthened_models,
             ),
         ),

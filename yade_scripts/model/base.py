@@ -11,8 +11,8 @@ that yields shrinks, so that its base seems to stiffen: stiffness at its edges s
 
 The first of the two follows from the second, by the stiffness of the uncracked column: its top
 moves by a quarter of what the block on E/h does, Σ k y² = 4 (E/h) b³/12, so 4 − 6·0.3 = 2.2. The
-other was chosen for its static curve; how far it holds is said in docs/studies/base_compliance.md.
-Being linear and without tension, the joint scales with the load on it, as the column does.
+other was chosen for its static curve; the study base_compliance says how far it holds. Being linear
+and without tension, the joint scales with the load on it, as the column does.
 """
 
 import itertools

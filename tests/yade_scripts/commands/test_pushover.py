@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 from rocking.mechanics import closed_forms
 from rocking.mechanics.smoothing import smoothed
-from rocking.studies.pushover import (
+from rocking.pushover import (
     VARIANTS,
     closed_form,
     complete_curve,

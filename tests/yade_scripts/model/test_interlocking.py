@@ -6,7 +6,7 @@ import io
 import numpy as np
 import pandas as pd
 import pytest
-from rocking.studies.pushover import closed_form, friction_moment_ratio, joint_forces, theta_of
+from rocking.pushover import closed_form, friction_moment_ratio, joint_forces, theta_of
 from yade_process import in_yade, resolved
 
 from yade_scripts.engine.faces import BITS, Faces

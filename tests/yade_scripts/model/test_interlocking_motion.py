@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from rocking.collapse.scan import driving
+from rocking.pushover import closed_form
 from rocking.solver import peaks, to_plane
-from rocking.studies.pushover import closed_form
 from scipy.integrate import solve_ivp
 from yade_process import in_yade, resolved
 

@@ -36,7 +36,7 @@ from rocking.assessment.ties_grown import (
     lowered,
     with_force,
 )
-from rocking.studies.strengthening import row_of_rods
+from rocking.strengthening import row_of_rods
 
 CLOSE = 0.005  # relative, of a row's least force
 SAME_M = 1e-6  # heights

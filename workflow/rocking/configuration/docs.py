@@ -1,6 +1,7 @@
 """Writes the pages of the configuration from the schemas, docs/targets.md from the rules.
 
-config/README.md says how to give values and names every key; docs/keys/ has a page a section.
+config/README.md says how to give values and names every key of the core; docs/keys/ has a page a
+section. A study's targets and keys stand in keys.md of its folder.
 `python -m rocking.configuration.docs --check` finds drift.
 """
 
@@ -83,7 +84,8 @@ snakemake --cores 2 --config run=walls 'grid={facade.thickness_m: [0.25, 0.375, 
 
 ## Every key, by section
 
-A section's page has unit, default, allowed values and meaning of each key.
+A section's page has unit, default, allowed values and meaning of each key. The keys of a study
+stand in its folder, `workflow/studies/<study>/keys.md`.
 
 | section | what | keys |
 |---|---|---|
@@ -95,6 +97,8 @@ def render() -> str:
     example = EXAMPLES / "heights_and_damping.yaml"
     text = INTRO.replace("{example}", example.read_text("utf-8"))
     for name, schema in config_schema.sections().items():
+        if study_of(name):
+            continue
         keys = ", ".join(f"`{path}`" for path, _ in config_schema.leaves(schema))
         title = schema.get("title", name)
         title = title[0].upper() + title[1:]
@@ -102,21 +106,54 @@ def render() -> str:
     return text
 
 
+def study_of(section: str) -> Path | None:
+    """Folder of the study whose section it is; None of the core's."""
+    folder = config_schema.files()[section].parent
+    return folder if folder.parent == config_schema.STUDIES else None
+
+
 def sections() -> dict[str, str]:
     """Return the text of docs/keys/{section}.md by the file's name, a table of its keys."""
     pages = {}
     for name, schema in config_schema.sections().items():
-        lines = [f"# {_heading(name)}: {schema.get('title', name).lower()}", "", WRITTEN, ""]
-        lines += [" ".join(schema.get("description", "").split()), ""]
-        lines += ['Units are SI unless the key\'s name says otherwise; "-" is dimensionless.']
-        lines += ["[How to give values](../../config/README.md).", ""]
-        lines += ["| key | unit | default | allowed | meaning |", "|---|---|---|---|---|"]
-        for path, part in config_schema.leaves(schema):
-            lines.append(_row(path, part))
-            entries = part.get("items", {})
-            lines += [_row(f"{path}[].{key}", one) for key, one in config_schema.leaves(entries)]
-        pages[f"{_stem(name)}.md"] = "\n".join(lines) + "\n"
+        if not study_of(name):
+            lines = [f"# {_heading(name)}: {schema.get('title', name).lower()}", "", WRITTEN, ""]
+            pages[f"{_stem(name)}.md"] = "\n".join([*lines, *_keys(schema, HOW)]) + "\n"
     return pages
+
+
+def studies() -> dict[Path, str]:
+    """Return the text of keys.md of every study's folder: its targets, then its keys."""
+    pages = {}
+    for rules in sorted(config_schema.STUDIES.glob("*/rules.smk")):
+        folder = rules.parent
+        lines = [f"# `{folder.name}`: targets and keys", "", WRITTEN, ""]
+        lines += ["| target | what it makes | costs |", "|---|---|---|"]
+        own = targets.targets(study=folder.name)
+        lines += [f"| `{name}` | {one.makes} | {one.costs} |" for name, one in own.items()]
+        for name, schema in config_schema.sections().items():
+            if study_of(name) == folder:
+                title = schema.get("title", name).lower()
+                lines += ["", f"## `{name}`: {title}", "", *_keys(schema, HOW_STUDY)]
+        pages[folder / "keys.md"] = "\n".join(lines) + "\n"
+    return pages
+
+
+HOW = "../../config/README.md"  # from a section's page
+HOW_STUDY = "../../../config/README.md"
+
+
+def _keys(schema: dict, how: str) -> list[str]:
+    """Lines of a section: what it is, and a table of its keys."""
+    lines = [" ".join(schema.get("description", "").split()), ""]
+    lines += ['Units are SI unless the key\'s name says otherwise; "-" is dimensionless.']
+    lines += [f"[How to give values]({how}).", ""]
+    lines += ["| key | unit | default | allowed | meaning |", "|---|---|---|---|---|"]
+    for path, part in config_schema.leaves(schema):
+        lines.append(_row(path, part))
+        entries = part.get("items", {})
+        lines += [_row(f"{path}[].{key}", one) for key, one in config_schema.leaves(entries)]
+    return lines
 
 
 def _heading(name: str) -> str:
@@ -159,7 +196,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"error: {error}", file=sys.stderr)
         return 1
     pages = {README: render(), targets.PAGE: tables}
-    pages |= {KEYS / name: text for name, text in sections().items()}
+    pages |= {KEYS / name: text for name, text in sections().items()} | studies()
     wrong = [p for p, text in pages.items() if not p.is_file() or p.read_text("utf-8") != text]
     gone = [page for page in sorted(KEYS.glob("*.md")) if page not in pages]
     if not given.check:

@@ -1,8 +1,9 @@
 """Schemas of the configuration: loading them, completing values, wording what is allowed.
 
-One file `workflow/schemas/<section>.schema.yaml` describes one section; `run` holds the keys at
-the top level. A file added to the folder is a section added to the configuration. Beside JSON
-Schema's own keywords (draft 2020-12) these are understood:
+One file `<section>.schema.yaml` describes one section, of the core in `workflow/schemas`, of a
+study in its folder of `workflow/studies`; `run` holds the keys at the top level. A file added is a
+section added to the configuration. Beside JSON Schema's own keywords (draft 2020-12) these are
+understood:
 
 `unit`           unit of the value, "-" for dimensionless
 `below`, `at_most`  path of another key whose value is an upper limit, exclusive or inclusive
@@ -33,6 +34,8 @@ from rocking.shipped import shipped
 from yade_scripts.model import registry
 
 FOLDER = shipped("workflow/schemas")
+STUDIES = shipped("workflow/studies")
+ENDING = ".schema.yaml"
 LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # libyaml, where PyYAML has it
 TOP = "run"  # the schema whose keys stand at the top level
 STUDY_KEYS = ("scenario", "scenarios", "grid")  # of a study, not of one run
@@ -55,15 +58,24 @@ class ConfigError(ValueError):
         super().__init__(f"config: {self.detail}")
 
 
+def files(folder: Path = FOLDER) -> dict[str, Path]:
+    """Schema file of every section by name: those of a folder; of the core's, the studies' too."""
+    found = [
+        *folder.glob(f"*{ENDING}"),
+        *(STUDIES.glob(f"*/*{ENDING}") if folder == FOLDER else ()),
+    ]
+    return {path.name.removesuffix(ENDING): path for path in sorted(found)}
+
+
 @functools.lru_cache(maxsize=4)
 def sections(folder: Path = FOLDER) -> dict[str, dict]:
     """Schema of every section by name, the top level first, then in alphabetical order."""
-    names = sorted(p.name.removesuffix(".schema.yaml") for p in folder.glob("*.schema.yaml"))
+    paths = files(folder)
+    names = sorted(paths)
     if TOP not in names:
         raise FileNotFoundError(f"{folder}: no {TOP}.schema.yaml")
     names.sort(key=lambda name: name != TOP)
-    files = {name: folder / f"{name}.schema.yaml" for name in names}
-    loaded = {name: yaml.load(path.read_text("utf-8"), LOADER) for name, path in files.items()}
+    loaded = {name: yaml.load(paths[name].read_text("utf-8"), LOADER) for name in names}
     for section in loaded.values():
         for _, leaf in leaves(section):
             _name_all(leaf)

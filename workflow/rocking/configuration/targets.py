@@ -1,14 +1,15 @@
 """Targets of the workflow, read off its rule files, and their tables in docs/targets.md.
 
 A target is a rule without output, which a user asks for by name. Its docstring says what it makes,
-what that costs and, where that is not docs/studies/<target>.md, its page:
+what that costs, and its page:
 
     Annual rate and 50-year probability of collapse, with a hazard curve.
     Costs: as `fragility`.
     Page: docs/risk.md
 
-`snakemake --list-target-rules` prints it. In docs/targets.md a marker before each table names the
-targets that stand in it; those that no marker names stand in the table of `the others`.
+`snakemake --list-target-rules` prints it. A study's targets stand in its keys.md (`docs`), those of
+the core in docs/targets.md, where a marker before each table names the targets that stand in it;
+those that no marker names stand in the table of `the others`.
 """
 
 import re
@@ -33,13 +34,16 @@ class Target:
     page: str = ""
 
 
-def targets(root: Path = ROOT) -> dict[str, Target]:
+def targets(root: Path = ROOT, study: str | None = "*") -> dict[str, Target]:
     """Targets of a checkout by name, sorted, without those that are another name of one.
 
-    A docstring of another form than above leaves what it should say empty.
+    Those of the core and of all studies; with the name of a study its own, with None the core's. A
+    docstring of another form than above leaves what it should say empty.
     """
     found = {}
-    for path in (root / "workflow" / "Snakefile", *root.glob("workflow/rules/**/*.smk")):
+    core = (root / "workflow" / "Snakefile", *root.glob("workflow/rules/**/*.smk"))
+    studies = root.glob(f"workflow/studies/{study}/rules.smk") if study else ()
+    for path in (*(core if study in (None, "*") else ()), *studies):
         for name, docstring, body in RULE.findall(path.read_text("utf-8")):
             if re.search("^    output:", body, re.M) or ANOTHER_NAME.fullmatch(body):
                 continue
@@ -54,7 +58,7 @@ def render(page: str, root: Path = ROOT) -> str:
     A ValueError where a target has no docstring of the form above or names a page that is not
     there, where a marker names no target, or where none stands for `the others`.
     """
-    there = targets(root)
+    there = targets(root, None)
     kept = [names for _, names, _ in TABLE.findall(page)]
     if kept.count(OTHERS) != 1:
         raise ValueError(f"docs/targets.md: expected one marker 'targets: {OTHERS};'")
@@ -77,8 +81,7 @@ def _row(name: str, there: dict[str, Target], root: Path) -> str:
         raise ValueError(f"docs/targets.md: {name}: expected a target of {', '.join(there)}")
     if not target.makes:
         raise ValueError(f"rule {name}: expected a docstring: what it makes. Costs: … Page: docs/…")
-    own = f"docs/studies/{name}.md"
-    page = target.page or (own if (root / own).is_file() else "")
+    page = target.page
     if page and not (page.startswith("docs/") and (root / page).is_file()):
         raise ValueError(f"rule {name}: {page}: expected a page docs/….md")
     link = f" ([page]({page.removeprefix('docs/')}))" if page else ""

@@ -14,7 +14,7 @@ from rocking import stations as by_station
 from rocking.formula import groups
 from rocking.formula.law import MEASURES
 
-TERMS = {  # as few as the error of left-out façades allows; docs/studies/atlas.md has the reasons
+TERMS = {  # as few as the error of left-out façades allows; the study atlas has the reasons
     "W1": ("1", "ln p", "ln z"),
     "W2": ("1", "ln p", "ln z", "G", "ln T1"),
     "W2m": ("1", "ln p", "ln z", "G", "ln T1", "m/M", "m/M ln T1"),

@@ -45,7 +45,7 @@ def of_run(name, resolved):
     factor = math.exp(max(one.dispersion for one in found))
     return (
         f"{name}: by the formula half of the motions fell it at a PGA of {said} "
-        f"(two thirds of them within a factor of {factor:.2g}; docs/studies/atlas.md)"
+        f"(two thirds of them within a factor of {factor:.2g}; workflow/studies/atlas/page.md)"
     )
 
 

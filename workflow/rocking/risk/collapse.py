@@ -20,7 +20,7 @@ def risk_of(model, curves, stations_of, brackets, hazard, risk, settings):
     that a façade which stands again above a collapse counts as it is. Beside it stands that of the
     lognormal fragility. Intervals come from stations drawn with replacement.
 
-    `curves` (`studies.fragility_tables.shares`) have intensity and share in the hazard's measure by
+    `curves` (`fragility_tables.shares`) have intensity and share in the hazard's measure by
     model, record and direction, `brackets` (of the same module) the share that falls; `risk` and
     `settings` are sections risk (years, bins) and fragility (confidence, resamples, min_stations;
     seed). Returns a row of COLUMNS, NaN where nothing falls, and rows of PARTS.

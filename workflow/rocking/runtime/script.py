@@ -18,7 +18,6 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from types import SimpleNamespace
 
-from rocking.runtime import drawing
 from yade_scripts.engine import parent_process
 
 NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EIO)
@@ -88,11 +87,10 @@ def pool_of(job):
     return ProcessPoolExecutor(threads, fork, initializer=parent_process.follow)
 
 
-def run(main, namespace, draws=False):
+def run(main, namespace):
     """Call `main` with the job's description; foreseen errors end in one line and status 1.
 
-    The files it names as output are then dated alike. Unless it `draws`, what is marked as drawing
-    is refused: a change there would not run it again (`rocking.runtime.drawing`).
+    The files it names as output are then dated alike.
     """
     parent_process.follow()
     job = namespace.get("snakemake") or _from_command_line(namespace.get("__doc__"))
@@ -100,8 +98,7 @@ def run(main, namespace, draws=False):
     outputs = job.output if namespace.get("snakemake") else vars(job.output).values()
     outputs = [str(path) for path in outputs]
     try:
-        with contextlib.nullcontext() if draws else drawing.refused():
-            main(job)
+        main(job)
     except (ValueError, OSError) as error:
         line = _line(error, outputs)
         print(line, file=sys.stderr)

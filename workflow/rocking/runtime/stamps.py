@@ -14,18 +14,18 @@ FOLDER = Path(".snakemake") / "code"
 
 
 @cache
-def stamp(script, folder=FOLDER, drawn=False):
+def stamp(script, folder=FOLDER):
     """Return the stamp of a script, written anew if what it stands for has changed.
 
     Each has a folder of its own, for Snakemake remembers what a folder held when it first looked.
     It is dated like the newest of the files when it is first made, so that it can be deleted
     without harm, and to the present when their content differs from what it says. Its lines are
-    the digest of the content, then the files; with `drawn` what studies draw, and draw with,
-    counts too. OSError with the stamp's name if it cannot be written.
+    the digest of the content, then the files. OSError with the stamp's name if it cannot be
+    written.
     """
-    files, content = sources.sources(script, drawn), sources.digest(script, drawn)
+    files, content = sources.sources(script), sources.digest(script)
     text = "\n".join([content, *map(str, files)]) + "\n"
-    name = f"{script.parent.name}-{script.stem}{'-drawn' if drawn else ''}"
+    name = "-".join(script.with_suffix("").parts[-3:])
     target = Path(folder) / name / "stamp"
     before = target.read_text("utf-8") if target.is_file() else ""
     if before == text:

@@ -4,8 +4,8 @@ import json
 
 from rocking.assessment.code_checks import failing_pga, mechanism_of, pulse_share
 from rocking.records import load_as
+from rocking.risk.sufficiency import properties
 from rocking.runtime.script import run
-from rocking.studies.sufficiency import properties
 from rocking.tables import write_table
 
 

@@ -4,9 +4,9 @@ import json
 from pathlib import Path
 
 import pandas as pd
+from rocking.paper.claims import table
+from rocking.pushover import summary
 from rocking.runtime.script import run
-from rocking.studies.claims import table
-from rocking.studies.pushover import summary
 from rocking.tables import read_json, write_table
 
 

@@ -6,9 +6,9 @@ import pandas as pd
 from rocking.figures import style
 from rocking.figures.panels import intervals
 from rocking.records.intensity_measures import MEASURES
+from rocking.risk.sufficiency import PROPERTIES
 from rocking.runtime.script import run
 from rocking.stations import heading
-from rocking.studies.sufficiency import PROPERTIES
 
 from yade_scripts.model.registry import MODELS
 

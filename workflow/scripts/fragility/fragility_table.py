@@ -11,9 +11,9 @@ import pandas as pd
 from rocking.mechanics.closed_forms import block
 from rocking.records import read_csv
 from rocking.records.intensity_measures import per_pga, record_measures
+from rocking.risk import fragility_tables, sufficiency
+from rocking.risk.fragility_tables import CURVES, FACTORS, share_at, shares
 from rocking.runtime.script import run
-from rocking.studies import fragility_tables, sufficiency
-from rocking.studies.fragility_tables import CURVES, FACTORS, share_at, shares
 from rocking.tables import write_table
 
 

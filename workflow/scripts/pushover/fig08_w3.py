@@ -7,8 +7,7 @@ from matplotlib.patches import Patch
 from rocking.figures import style
 from rocking.figures.pictures import FILLS, side_view
 from rocking.mechanics.smoothing import smoothed
-from rocking.runtime.script import run
-from rocking.studies.pushover import (
+from rocking.pushover import (
     DRAWN,
     closed_form,
     complete_curve,
@@ -16,6 +15,7 @@ from rocking.studies.pushover import (
     joint_forces,
     theta_of,
 )
+from rocking.runtime.script import run
 from rocking.tables import read_json
 
 from yade_scripts.model.interlocking import interlocking_scene

@@ -4,8 +4,8 @@ import json
 import warnings
 
 from rocking.mechanics.beta import RangeWarning, beta_for
+from rocking.pushover import variant
 from rocking.runtime.script import run
-from rocking.studies.pushover import variant
 from rocking.tables import write_json
 
 

@@ -1,8 +1,8 @@
 """Curve of a pushover with the closed forms beside it (contract: pushover/{model}.csv)."""
 
 import pandas as pd
+from rocking.pushover import complete_curve
 from rocking.runtime.script import run
-from rocking.studies.pushover import complete_curve
 from rocking.tables import read_json, write_table
 
 

@@ -3,8 +3,8 @@
 from pathlib import Path
 
 import pandas as pd
+from rocking.pushover import complete_curve, friction_moment_ratio, joint_forces, summary
 from rocking.runtime.script import run
-from rocking.studies.pushover import complete_curve, friction_moment_ratio, joint_forces, summary
 from rocking.tables import read_json, write_table
 
 from yade_scripts.model import registry

@@ -5,9 +5,9 @@ Writes tables/risk.csv and risk/deaggregation.csv.
 
 import pandas as pd
 from rocking.risk.collapse import COLUMNS, PARTS, risk_of
+from rocking.risk.fragility_tables import SHARE, shares
 from rocking.risk.hazard import read_hazard
 from rocking.runtime.script import run
-from rocking.studies.fragility_tables import SHARE, shares
 from rocking.tables import write_table
 
 

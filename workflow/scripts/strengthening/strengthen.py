@@ -4,9 +4,8 @@ import json
 import time
 from pathlib import Path
 
-from rocking import Case, Motion
+from rocking import Case, Motion, strengthening
 from rocking.runtime.script import run
-from rocking.studies import strengthening
 from rocking.tables import headed, write_json, write_table
 
 

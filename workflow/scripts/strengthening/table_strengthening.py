@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pandas as pd
 from rocking.runtime.script import run
-from rocking.studies.strengthening import together
+from rocking.strengthening import together
 from rocking.tables import write_table
 
 

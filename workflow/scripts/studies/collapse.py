@@ -1,6 +1,6 @@
 """Collapse as a study's module finds it, and what YADE is to confirm of it.
 
-`params.study` names the module of `rocking.studies`, `params.given` holds what its `collapse` takes
+`params.study` names the folder of the study, `params.given` holds what its `collapse` takes
 beside case, motion and direction: of one curve, or with the input `cases` of all of them in all
 `params.directions`. The motion is that of `input.record`, or the floor motions `input.motion`. A
 motion before or beside it, `input.first` or `input.second`, is handed over too; a parameter of the
@@ -18,7 +18,7 @@ OTHERS = ("first", "second")
 
 
 def main(job):
-    study = import_module(f"rocking.studies.{job.params.study}")
+    study = import_module(f"studies.{job.params.study}.study")
     given, w = dict(job.params.get("given", {})), job.wildcards
     if record := job.input.get("record"):
         motion = Motion(read_csv(record))

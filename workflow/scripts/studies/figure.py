@@ -1,6 +1,6 @@
-"""A figure of a study, as its module draws it from tables.
+"""A figure of a study, as its `figure.py` draws it from tables.
 
-`params.study` names the module of `rocking.studies`, `params.draw` its function, which takes what
+`params.study` names the folder of the study, `params.draw` the function there, which takes what
 the rule's inputs hold, under their names: a table (CSV) or values (JSON), of several files a list.
 """
 
@@ -21,10 +21,10 @@ def read(given):
 
 
 def main(job):
-    study = import_module(f"rocking.studies.{job.params.study}")
+    study = import_module(f"studies.{job.params.study}.figure")
     draw = getattr(study, job.params.get("draw", "draw"))
     found = {name: read(given) for name, given in job.input.items() if name not in NOT_DRAWN}
     style.save(draw(**found), job.output, job.input.facts)
 
 
-run(main, globals(), draws=True)
+run(main, globals())

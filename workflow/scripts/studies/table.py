@@ -1,6 +1,6 @@
 """All curves of a study in one table, and what its module makes of them.
 
-`params.study` names the module of `rocking.studies`. An output beside `table` is named like the
+`params.study` names the folder of the study. An output beside `table` is named like the
 function of the module that makes it, such as `summary`: of the table, or without one of nothing.
 """
 
@@ -11,7 +11,7 @@ from rocking.tables import read_tables, write_table
 
 
 def main(job):
-    study = import_module(f"rocking.studies.{job.params.study}")
+    study = import_module(f"studies.{job.params.study}.study")
     given = [read_tables(tables)] if (tables := job.input.get("tables")) else []
     for name, path in job.output.items():
         write_table(given[0] if name == "table" else getattr(study, name)(*given), path)

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pandas as pd
 import yaml
+from rocking.paper.page import page
 from rocking.runtime.script import run
-from rocking.studies.paper import page
 
 ABOUT = """\
 The study is *Using DEM to investigate boundary conditions for rocking URM façades subjected to

@@ -1,1 +1,0 @@
-"""One module a study: what is varied, what the collapse intensities are reduced to."""

@@ -1,0 +1,24 @@
+"""Collapse of a model under one record, one assumption after the other at another level."""
+
+from rocking import Case, Motion
+from rocking.records import read_csv
+from rocking.records.table import read_table
+from rocking.runtime.script import run
+from rocking.tables import read_json, write_table
+from studies.assumptions.study import CAPACITY, collapse
+
+COLUMNS = ["model", "record", "direction", "assumption", "level", *CAPACITY, "runs_planar"]
+
+
+def main(job):
+    p, record = job.params, read_csv(job.input.record)
+    stage = read_json(job.input.stage)
+    row = read_table(p.surrogates_table).get(record.name)
+    known = record.source != "surrogate" and row is not None and row.path is None
+    surrogate = {"table": p.surrogates_table, "seed": p.seed} if known else None
+    given = Case.read(job.input.case), Motion(record), p.directions, stage
+    found = collapse(*given, job.input.law, surrogate, p.hazard_slope)
+    write_table(found, job.output[0], COLUMNS)
+
+
+run(main, globals())

@@ -1,0 +1,71 @@
+"""Models side by side: collapse intensities, cost, ratios to the reference, and the losses."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from rocking.collapse import probability
+from rocking.collapse.ida import curve_key, read_curve
+from rocking.runtime.script import run
+from rocking.tables import read_json, write_table
+from studies.assumptions import study as assumptions
+
+SIDE = [f"pga_{name}_g" for name in assumptions.SIDE]
+RATIOS = [f"ratio_{name}" for name in assumptions.SIDE]
+COLUMNS = ["model", "record", "source", "direction", "method", "runs", "cpu_s", *SIDE]
+COLUMNS += ["reference", *RATIOS, "side"]
+
+
+def cpu_s(folder, rule, key):
+    """Processor time of a curve's job; blank where results came from another place."""
+    measured = Path(folder, f"{rule}_{'_'.join(key)}.tsv")
+    if not measured.is_file():
+        return np.nan
+    return pd.to_numeric(pd.read_csv(measured, sep="\t")["cpu_time"], errors="coerce").iloc[0]
+
+
+def curves(job, records):
+    """Key, method, runs, cost, intensities and probability of every curve of these records."""
+    p = job.params
+    how, folder = {"spread": p.spread, "slope": p.hazard_slope}, p.benchmarks
+    for scan in map(pd.read_csv, job.input.scans):
+        key, (found, dense) = curve_key(scan), assumptions.measured(scan, **how, planar=True)
+        yield key, "planar", len(scan), cpu_s(folder, "planar_ida", key), found, dense
+    for curve in map(read_curve, job.input.bricks):
+        key, (found, dense) = curve_key(curve), assumptions.measured(curve, **how, planar=False)
+        yield key, "YADE", len(curve), cpu_s(folder, "ida", key), found, dense
+    for path in job.input.others:
+        whole = pd.read_csv(path)
+        missing = {*probability.KEY, "pga_g", "probability", "realisations"} - set(whole.columns)
+        if missing:
+            raise ValueError(f"{path}: missing column(s) {', '.join(sorted(missing))}")
+        measured = Path(path).parent.parent / "benchmarks"
+        for key, table in whole[whole["record"].isin(records)].groupby(probability.KEY):
+            found = assumptions.from_probabilities(table, p.hazard_slope)
+            cost = cpu_s(measured, "complete_scan", key)
+            yield key, "given", found["runs"], cost, found, table
+
+
+def main(job):
+    facts = [read_json(path) for path in job.input.facts]
+    source = {fact["name"]: fact["source"] for fact in facts}
+    rows, parts = [], []
+    for key, method, runs, cost, found, dense in curves(job, source):
+        named = dict(zip(probability.KEY, key, strict=True))
+        own = {name: found[name] for name in SIDE}
+        how = {"method": method, "runs": runs, "cpu_s": cost}
+        rows.append({**named, "source": source[named["record"]], **how, **own})
+        columns = [c for c in probability.PROBABILITY_COLUMNS if c in dense or c in named]
+        parts.append(dense.assign(**named)[columns])
+    table = pd.DataFrame(rows)
+    beside = assumptions.compared(table, job.params.reference)
+    write_table(beside[COLUMNS], job.output.table, digits="%.4f")
+    dense = pd.concat(parts).reindex(columns=probability.PROBABILITY_COLUMNS)
+    write_table(dense, job.output.probability, digits="%.4f")
+    write_table(assumptions.losses(table), job.output.losses, digits="%.4f")
+    whole = assumptions.pairs(table, job.params.reference)
+    ratios = assumptions.spread_of(whole, RATIOS, ["model", "reference"])
+    write_table(ratios, job.output.ratios, digits="%.4f")
+
+
+run(main, globals())

@@ -1,0 +1,39 @@
+"""The formula that is fitted to an atlas, as its file, and the façades of the design.
+
+Writes formula.json, which `rocking.estimate` and the page read, tables/atlas_facades.csv,
+tables/atlas_formula.csv (coefficients with their intervals) and tables/atlas_errors.csv.
+"""
+
+import pandas as pd
+from rocking import Case
+from rocking.formula import fit, report
+from rocking.formula.measures import factors
+from rocking.records import read_csv
+from rocking.runtime.script import run
+from rocking.tables import write_json, write_table
+from studies.atlas.study import described, design
+
+
+def main(job):
+    settings, table = job.params.settings, pd.read_csv(job.input.table)
+    facades = described(Case.read(job.input.case), design(settings), job.input.law)
+    table = table[table["facade"].isin(facades.index)]
+    records = [read_csv(path) for path in job.input.records]
+    made_of = {
+        "base": job.params.base,
+        "seed": settings["seed"],
+        "ranges": settings["ranges"],
+        "others": settings["others"],
+        "records": [record.name for record in records],
+        "directions": job.params.directions,
+        "damping_ratio": job.params.damping_ratio,
+    }
+    given = factors(records, facades, job.params.damping_ratio)
+    found = fit.law(table, facades, given, job.params.stations, made_of)
+    write_json(job.output.formula, found)
+    write_table(facades.reset_index(), job.output.facades)
+    write_table(report.coefficients(found), job.output.coefficients)
+    write_table(report.errors(found), job.output.errors)
+
+
+run(main, globals())

@@ -1,0 +1,69 @@
+# What a roof's load and friction are worth: collapse PGA by planar scans, YADE's realisations on them.
+
+
+@with_planar_models("restraint")
+def roofed_models(resolved):
+    """The façade with the lightest roof, without friction."""
+    from studies.restraint.study import roof  # slow to load
+
+    height, loads = resolved["facade"]["height_m"], resolved["restraint"]["loads_kn"]
+    return [roof(height, loads[0], 0.0)]
+
+
+rule restrain:
+    input:
+        case=rules.facade_case.output[0],
+        motion=of_run(rules.floor_motions.output[0]),
+    output:
+        table=results("restraint/{model}/{record}_{direction}.csv"),
+        plan=results("restraint/{model}/{record}_{direction}.json"),
+    log:
+        logs("restraint_{model}_{record}_{direction}"),
+    params:
+        study="restraint",
+        given=lambda w: {"settings": RUNS.cfg(w)["restraint"]},
+    script:
+        "../../scripts/studies/collapse.py"
+
+
+yade_runs_of(
+    "restraint",
+    "restrain_yade",
+    plan=rules.restrain.output.plan,
+    path=results("restraint/{model}/{record}_{direction}_yade.csv"),
+)
+
+
+rule figure_restraint:
+    input:
+        tables=of_run(rules.restrain.output.table, model=roofed_models),
+        yade=of_run(rules.restrain_yade.output[0], model=roofed_models),
+        record=rules.own_record.output.facts,
+        facts=rules.own_record.output.facts,
+    output:
+        png=shown(
+            results("restraint/{record}_{direction}.png"),
+            "study",
+            "Strengthening",
+            "roof, {record} {direction}",
+        ),
+        pdf=results("restraint/{record}_{direction}.pdf"),
+    params:
+        study="restraint",
+        caption="Collapse PGA (half of the perturbed histories of the planar solver fall; band: 10"
+        " to 90 %) against the friction of a roof at the top, for several loads of it, compared with"
+        " the façade without. Stars: realisations in YADE, below and above collapse under the"
+        " largest load; filled where all fell, with their share where some did. No point: not felled"
+        " up to `ida.max_pga_g`. Numerical scatter of one façade under one motion.",
+    script:
+        "../../scripts/studies/figure.py"
+
+
+rule restraint:
+    """
+    Collapse against load and friction of a roof.
+    Costs: minutes; by loads and frictions.
+    Page: docs/floors.md
+    """
+    input:
+        every_run(rules.figure_restraint.output.png),

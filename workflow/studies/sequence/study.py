@@ -1,0 +1,127 @@
+"""What a first shock leaves for the second: collapse PGA of a motion after another one.
+
+The first shock has a stated PGA, the second is searched for collapse, on the same façade and in the
+same direction, after a pause in which the façade comes to rest. What the first leaves is what
+the model remembers: bonds and headers that broke, bricks that slid, and where the façade stands.
+"""
+
+import math
+
+import pandas as pd
+from rocking.collapse.case import Variant
+from rocking.collapse.curve import collapse_curve, history
+from rocking.collapse.quick import ENDS, crossings, over_first
+from rocking.collapse.ratios import spread
+from rocking.collapse.scan import STEPS
+from rocking.collapse.varied import collapses
+
+from yade_scripts.commands.perturb import NODE_CHOICES
+
+KEY = ["model", "record", "first", "direction"]
+COLUMNS = [*KEY, "first_pga_g", "fell_first", "left_d_over_b", "left_broken"]
+COLUMNS += ["pga_p10_g", "pga_median_g", "ratio", "runs_planar", "first_probability"]
+COLUMNS += [*ENDS, "ratio_low", "ratio_high"]
+BY = ["model", "first_pga_g"]
+SPREAD = {"n": "n", "n_censored": "n_censored", "median": 50, "least": 0, "most": 100}
+SPREAD |= {"below_095": lambda found: found.share(high=0.95)}
+REALISATIONS = math.lcm(NODE_CHOICES, STEPS)  # of the first shock: every layout and step once
+OFTEN = 0.1  # share of them that falls, above which the second's would be the first's collapse
+BELOW, ABOVE = 0.9, 1.1  # of the PGA of 10 and of 50 % collapse, where YADE confirms
+AHEAD = {"first_pga_g": ".6g"}  # columns of YADE's table
+BESIDE = {"d_over_b_planar": ".6f", "status_planar": ""}
+
+
+def variants(settings, first):
+    """The façade as it is, then after the first shock at every PGA of section sequence."""
+    levels = [0.0, *settings["first_pga_g"]]
+    pause = {"first": first, "pause_s": settings["pause_s"]}
+    return [
+        Variant(
+            f"after {g:g} g",
+            motion={**pause, "first_pga_g": g},
+            about={"first": first.name, "first_pga_g": g},
+        )
+        for g in levels
+    ]
+
+
+def alone(case, first, direction, pga_g):
+    """Share of the first shock's realisations that overturn the façade, by their nodes and steps.
+
+    The second's realisations each begin with one of them.
+    """
+    how = {"pga_g": [pga_g] * REALISATIONS, "scatter": True}
+    found = collapse_curve(case, first, direction, search="list", settings=how)
+    return float(found.table["collapsed"].mean())
+
+
+def left_by(case, first, direction, pga_g):
+    """What the first shock leaves: whether the façade fell, d/b at rest, joints that broke."""
+    if not pga_g:
+        return {"fell_first": 0, "left_d_over_b": 0.0, "left_broken": 0, "first_probability": 0.0}
+    found = history(case, first, direction, pga_g)
+    share = alone(case, first, direction, pga_g)
+    if found.status == "overturned" or share > OFTEN:
+        return {"fell_first": 1, "first_probability": share}
+    rest = float(found.table["d_over_b"].iloc[-1])
+    left = {"left_d_over_b": rest, "left_broken": found.broken, "first_probability": share}
+    return {"fell_first": 0, **left}
+
+
+def after_first(case, motion, direction):
+    """What the first shock of a motion leaves, and of the second where 10 and 50 % collapse."""
+    left = left_by(case, motion.first, direction, motion.first_pga_g)
+    if left["fell_first"]:
+        return left
+    return left | crossings(case, motion, direction, step=None, ends=True)
+
+
+def collapse(case, second, direction, first, settings):
+    """Collapse of the second shock after the first, by the first one's PGA: COLUMNS.
+
+    ratio is of pga_median_g to that of the façade as it is, blank where the first shock alone
+    overturns it or nothing falls up to ida.max_pga_g; ratio_low and ratio_high with each of the two
+    where its own realisations leave it, blank where they leave it open.
+    """
+    rows = collapses([case], second, [direction], after_first, variants(settings, first))
+    table = pd.DataFrame(rows).reindex(columns=COLUMNS)
+    return over_first(table)
+
+
+def to_confirm(case, second, table, first, settings):
+    """For YADE's command `runs`: undamaged, and after the strongest shock that it survived.
+
+    Each below and above the second's collapse, with the planar solver's answer.
+    """
+    stood = table[(table["fell_first"] == 0) & table["pga_median_g"].notna()]
+    chosen = stood.iloc[sorted({0, len(stood) - 1})] if len(stood) else stood
+    cases: list[dict] = []
+    for row in chosen.to_dict("records"):
+        pause_s = settings["pause_s"]
+        shock = {"first": first, "first_pga_g": row["first_pga_g"], "pause_s": pause_s}
+        levels = [BELOW * row["pga_p10_g"], ABOVE * row["pga_median_g"]]
+        shaken = second.varied(Variant(motion=shock))
+        how = {"pga_g": [round(g, 4) for g in levels]}
+        planar = collapse_curve(case, shaken, row["direction"], search="list", settings=how).table
+        about: list[dict] = [
+            {"first_pga_g": row["first_pga_g"], "d_over_b_planar": d, "status_planar": status}
+            for d, status in zip(planar["d_over_b"], planar["status"], strict=True)
+        ]
+        cases.append({"pga_g": how["pga_g"], "about": about})
+        if row["first_pga_g"]:
+            before = {"pga_g": row["first_pga_g"], "pause_s": pause_s, "motion": first.file}
+            cases[-1]["before"] = before
+    return {"ahead": AHEAD, "beside": BESIDE, "cases": cases}
+
+
+def summary(table):
+    """Spread of the ratios by model and the first shock's PGA: BY, then SPREAD.
+
+    below_095 is the share that loses over 5 %. Where the first shock alone overturns the façade it
+    counts in n_fell_first.
+    """
+    damaged = table[table["first_pga_g"] > 0.0]
+    found = spread(damaged, BY, SPREAD)
+    fell = damaged.groupby(BY, sort=False)["fell_first"].sum().to_numpy()
+    found.insert(3, "n_fell_first", fell)
+    return found.assign(n_censored=found["n_censored"] - fell)

@@ -1,0 +1,138 @@
+# Uncertainty of material and model compared with that of the motion: ask for `uncertainty`.
+
+
+wildcard_constraints:
+    cell=r"cell\d+",
+
+
+@cache
+def design(run):
+    """Direction of every motion of the design, by record."""
+    from studies.uncertainty.design import sampled_motions  # slow to load
+
+    try:
+        return sampled_motions(RUNS, run)
+    except ValueError as error:
+        stop(error)
+
+
+def sampled(run):
+    """Records of the design."""
+    return list(design(run))
+
+
+def cells(run):
+    """Names of the cells that YADE runs."""
+    return [f"cell{k}" for k in range(1, RUNS.settings[run]["uncertainty"]["confirm"] + 1)]
+
+
+def sample_settings(*more):
+    """Params function: what the sample depends on and the keys of `more`, as JSON."""
+    keys = ("samples", "sampling", "seed", "replicates", "bases", "parameters", *more)
+
+    def text(wildcards):
+        own, limit = (RUNS.cfg(wildcards)[key] for key in ("uncertainty", "ida"))
+        found = {key: own[key] for key in keys}
+        return json.dumps({**found, "max_pga_g": limit["max_pga_g"]}, sort_keys=True)
+
+    return text
+
+
+rule uncertainty_collapse:
+    input:
+        record=rules.own_record.output.record,
+        cases=of_run(rules.facade_case.output[0], model=RUNS.key("uncertainty.models")),
+        law=LAW_FILE,
+    output:
+        results("uncertainty/{record}.csv"),
+    log:
+        logs("uncertainty_{record}"),
+    benchmark:
+        benchmarks("uncertainty_{record}")
+    params:
+        settings=sample_settings(),
+        direction=lambda w: design(w.run)[w.record],
+    script:
+        "scripts/uncertainty_collapse.py"
+
+
+rule uncertainty_cells:
+    input:
+        tables=of_run(rules.uncertainty_collapse.output[0], record=sampled),
+        records=of_run(rules.own_record.output.record, record=sampled),
+        cases=of_run(rules.facade_case.output[0], model=RUNS.key("uncertainty.models")),
+        law=LAW_FILE,
+    output:
+        results("uncertainty/cells.json"),
+    params:
+        settings=sample_settings("confirm"),
+    script:
+        "scripts/uncertainty_cells.py"
+
+
+rule uncertainty_yade:
+    input:
+        cells=rules.uncertainty_cells.output[0],
+        yade=rules.yade_check.output[0],
+        modules=command_code("runs"),
+    output:
+        results("uncertainty/yade/{cell}.csv"),
+    log:
+        logs("uncertainty_yade_{cell}"),
+    params:
+        yade=YADE,
+        journal=results("cache/uncertainty/{cell}.jsonl"),
+    shell:
+        "{params.yade} runs --list {input.cells:q} --case {wildcards.cell:q}"
+        " --journal {params.journal:q} --output {output:q} 2> {log:q}"
+
+
+rule uncertainty_confirm:
+    input:
+        cells=rules.uncertainty_cells.output[0],
+        yade=of_run(rules.uncertainty_yade.output[0], cell=cells),
+    output:
+        results("tables/uncertainty_confirm.csv"),
+    script:
+        "scripts/uncertainty_confirm.py"
+
+
+rule uncertainty_tables:
+    input:
+        tables=of_run(rules.uncertainty_collapse.output[0], record=sampled),
+    output:
+        samples=results("uncertainty/samples.csv"),
+        parts=results("tables/uncertainty_parts.csv"),
+        sensitivity=results("tables/uncertainty_sensitivity.csv"),
+        fragility=results("tables/uncertainty_fragility.csv"),
+    params:
+        settings=sample_settings("confidence"),
+    script:
+        "scripts/uncertainty_tables.py"
+
+
+figure_by(
+    "studies/uncertainty/scripts/figure_uncertainty",
+    "uncertainty",
+    "Fragility",
+    "motion, material and model form",
+    parts=rules.uncertainty_tables.output.parts,
+    sensitivity=rules.uncertainty_tables.output.sensitivity,
+    fragility=rules.uncertainty_tables.output.fragility,
+    facts=of_run(rules.own_record.output.facts, record=sampled),
+)
+
+
+rule uncertainty:
+    """
+    Scatter by motion, material and model form.
+    Costs: 6 min for 70,000 histories.
+    """
+    input:
+        every_run(
+            rules.uncertainty_tables.output.parts,
+            rules.uncertainty_tables.output.sensitivity,
+            rules.uncertainty_tables.output.fragility,
+            where(cells, rules.uncertainty_confirm.output),
+            rules.figure_uncertainty.output.png,
+        ),
