@@ -21,6 +21,7 @@ from rocking.configuration.config import resolve
 from rocking.mechanics import column, rocking_block
 from rocking.reference import Motion, simulate, simulate_batch
 from rocking.reference.facade import wall_of
+from rocking.reference.stack import StackSolver
 from rocking.runtime import warm
 from yade_scripts.model.models import build_scene
 
@@ -48,13 +49,16 @@ def planar(model, motions=0):
 
 
 def others():
-    """The reference solver, the rigid block and the column."""
+    """The reference solvers, the rigid block and the column."""
     wall = wall_of(case("W1")[0], 3)
     motion = Motion(1.0, STILL)
     simulate(wall, motion)
     simulate_batch(wall, motion, dt_s=1e-2)
     rocking_block.peak_rotation(STILL, 1.0, 6.48, 0.375)
     column.capacity(0.5, 0.05, 0.06)
+    own, numerics = case("W2m")
+    own = {**own, "return_wall": {**own["return_wall"], "building_mass_kg": 1.0}}
+    StackSolver(build_scene(own), TIME_S, {"ground": STILL}).peaks([1.0], step_s=1e-2)
 
 
 def imports():

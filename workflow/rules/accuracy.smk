@@ -15,7 +15,7 @@ ENERGY_RUNS = {
 def accuracy_cases(wildcards):
     """Scenes of its models, which the reference solver must know if it is the reference."""
     if RUNS.cfg(wildcards)["accuracy"]["reference"] == "adaptive":
-        RUNS.needs_plain(wildcards.run, "the reference solver", held=True)
+        RUNS.needs_dry(wildcards.run)
     return of_run(rules.facade_case.output[0], model=RUNS.key("accuracy.models"))(wildcards)
 
 

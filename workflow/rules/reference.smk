@@ -4,7 +4,7 @@
 def describable(wildcards):
     """Dense scans by the independent planar solver, of the models that it can describe."""
     run = wildcards.run
-    RUNS.needs_plain(run, "the reference solver", held=True)
+    RUNS.needs_dry(run)
     models = [model for model in RUNS.settings[run]["models"] if model in REFERENCE_MODELS]
     return of_run(rules.reference_scan.output[0], model=models)(wildcards)
 

@@ -122,7 +122,9 @@ COMPLETE = {
     )
 }
 WITH_WALLS = tuple(name for name, model in MODELS.items() if model.walls != "none")
-REFERENCE_MODELS = tuple(n for n in WITH_WALLS if MODELS[n].single_block and MODELS[n].plain == n)
+REFERENCE_MODELS = tuple(
+    n for n in WITH_WALLS if MODELS[n].single_block and not MODELS[n].bonded
+)  # of dry joints
 PUSHED = tuple(name for name, model in MODELS.items() if model.static)
 
 

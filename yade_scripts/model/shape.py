@@ -175,6 +175,15 @@ def refuse(facade, what, held=False):
         )
 
 
+def refuse_bonds(facade, what):
+    """Raise a ValueError of one line if a façade's own joints are bonded."""
+    for key in ("bond_tension_mpa", "bond_cohesion_mpa"):
+        if facade.get(key):
+            raise ValueError(
+                f"facade.{key} = {facade[key]:g}: {what} knows dry joints alone; expected 0 (MPa)"
+            )
+
+
 def shape_of(facade):
     """`Shape` of a section facade of the configuration.
 

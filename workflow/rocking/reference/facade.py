@@ -1,24 +1,58 @@
-"""Reference answers for façade scenes from the independent planar solver."""
+"""Reference answers for façade scenes from the independent planar solvers.
+
+A plain façade in one piece before walls that it cannot push takes the adaptive solver of one block
+(`wall`). All others, W2m, courses, pieces, ties and floors, take that of a stack (`stack`).
+"""
 
 from typing import NamedTuple
 
 import numpy as np
 
 from rocking.reference import SupportTable, Wall, simulate_batch
+from rocking.reference.stack import StackSolver
 from yade_scripts.model import base, floor_motions, registry
+from yade_scripts.model.models import build_scene
 from yade_scripts.model.motion import amplitude
-from yade_scripts.model.shape import refuse
+from yade_scripts.model.registry import REFERENCE_MODELS
+from yade_scripts.model.shape import refuse, refuse_bonds
+
+WHAT = "the reference solver of one block"
+
+
+def one_block(case):
+    """Whether the adaptive solver of one block has a case; else it is a stack's."""
+    kind = registry.model(case["model"])
+    if kind.two_way:
+        return False
+    try:
+        refuse(case["facade"], WHAT, held=True)
+    except ValueError:
+        return False
+    return True
+
+
+def refuse_unknown(case):
+    """Raise a ValueError of one line for a case that no reference solver has: bonds, bricks."""
+    kind = registry.model(case["model"])
+    if kind.walls not in ("none", "one", "floors") or kind.bonded:
+        known = ", ".join(("free", *REFERENCE_MODELS))
+        raise ValueError(f"the reference solver has no model {kind.name}: expected one of {known}")
+    refuse_bonds(case["facade"], "the reference solver")
 
 
 def wall_of(case, nodes):
     """Planar wall of a case file with so many nodes along every edge.
 
-    A ValueError of one line for return walls that it does not have: those of free, W1 and W2 alone.
+    A ValueError of one line for what is a stack's, or no reference solver's at all.
     """
+    refuse_unknown(case)
     facade, wall, kind = case["facade"], case["return_wall"], registry.model(case["model"])
-    if kind.walls not in ("none", "one", "floors") or kind.bonded or kind.two_way:
-        raise ValueError(f"the reference solver has no model {kind.name}: expected free, W1 or W2")
-    refuse(facade, "the reference solver", held=True)
+    if kind.two_way:
+        raise ValueError(
+            f"the reference solver has no model {kind.name} in its form of one block: expected "
+            "walls that cannot be pushed"
+        )
+    refuse(facade, WHAT, held=True)
     e_pa = facade["e_mpa"] * 1e6
     jkn, edge_pa = base.parts(facade)
     return Wall(
@@ -40,6 +74,18 @@ def wall_of(case, nodes):
         segments=case["smdof"]["n_dof"] if kind.chain else 1,
         gap_m=facade["gap_m"],
     )
+
+
+def stack_of(case, nodes, time_s, columns, *, bounded=True):
+    """`StackSolver` of a case with so many nodes along every edge, under floor motions.
+
+    Times and columns are as `floor_motions.read` gives them. A ValueError of one line for what no
+    reference solver has.
+    """
+    refuse_unknown(case)
+    own = dict.fromkeys(("nodes_thickness", "nodes_height", "nodes_per_block"), nodes)
+    scene = build_scene({**case, "numerics": {**case["numerics"], **own}})
+    return StackSolver(scene, time_s, columns, bounded=bounded)
 
 
 def read_motion(path, model):
@@ -77,25 +123,42 @@ class Outcomes(NamedTuple):
 
 def outcomes(case, motion_path, direction, pga_g, *, nodes, tolerance):
     """`Outcomes` of one scene and a file of floor motions at some amplitudes."""
-    motion = read_motion(motion_path, case["model"])
+    motion = floor_motions.read(motion_path)
     return answers(case, motion, direction, pga_g, nodes=nodes, tolerance=tolerance)
 
 
 def answers(case, motion, direction, pga_g, *, nodes, tolerance):
-    """`Outcomes` of one scene and `SupportTable` at some amplitudes."""
-    scales = [amplitude(motion.base_m_s2, direction, g) for g in pga_g]
-    found = simulate_batch(
-        wall_of(case, nodes), motion, scales, tolerance=tolerance, stop_d_over_b=1.0
-    )
-    peaks = np.minimum(found.peak_d_over_b, 1.0)
-    peaks[[status == "failed" for status in found.status]] = np.nan
-    status = [{"finished": "ok"}.get(word, word) for word in found.status]
-    return Outcomes(peaks, status, found.end_time_s)
+    """`Outcomes` of one scene and its floor motions at some amplitudes.
+
+    `motion` is (time_s, columns), as `floor_motions.read` gives it. The tolerance is that of one
+    block; a stack takes the step of its solver.
+    """
+    time_s, columns = motion
+    ground = columns[floor_motions.GROUND]
+    scales = [amplitude(ground, direction, g) for g in pga_g]
+    if one_block(case):
+        moving, wall = motion_of(time_s, columns, case["model"]), wall_of(case, nodes)
+        found = simulate_batch(wall, moving, scales, tolerance=tolerance, stop_d_over_b=1.0)
+        peaks = np.minimum(found.peak_d_over_b, 1.0)
+        status = [{"finished": "ok"}.get(word, word) for word in found.status]
+        end_s = found.end_time_s
+    else:
+        found = stack_of(case, nodes, time_s, columns).peaks(scales)
+        peaks, status, end_s = found.d_over_b.copy(), found.status, found.end_s
+    peaks[[word == "failed" for word in status]] = np.nan
+    return Outcomes(peaks, status, end_s)
 
 
 def ensemble_peaks(case, motion_path, direction, pga_g, factors, *, nodes=17, dt_s=4e-4):
-    """Largest d/b by factor of an ensemble of amplitudes, 1 where the façade overturns."""
-    motion = read_motion(motion_path, case["model"])
-    scales = amplitude(motion.base_m_s2, direction, pga_g) * np.asarray(factors, float)
+    """Largest d/b by factor of an ensemble of amplitudes, 1 where the façade overturns.
+
+    `dt_s` is the step of one block; a stack takes that of its solver.
+    """
+    time_s, columns = floor_motions.read(motion_path)
+    ground = columns[floor_motions.GROUND]
+    scales = amplitude(ground, direction, pga_g) * np.asarray(factors, float)
+    if not one_block(case):
+        return stack_of(case, nodes, time_s, columns).peaks(scales).d_over_b
+    motion = motion_of(time_s, columns, case["model"])
     result = simulate_batch(wall_of(case, nodes), motion, scales, dt_s=dt_s, stop_d_over_b=1.0)
     return np.minimum(result.peak_d_over_b, 1.0)

@@ -10,7 +10,7 @@ from rocking.records import read_table, surrogates_for
 from rocking.runs.shared import Shared
 from rocking.stations import unnamed
 from yade_scripts.model.registry import MODELS, PUSHED
-from yade_scripts.model.shape import is_plain, refuse
+from yade_scripts.model.shape import is_plain, refuse, refuse_bonds
 
 
 class CurveKey(NamedTuple):
@@ -113,6 +113,13 @@ class Runs:
         """End the workflow in one line where `shape.refuse` would end a job of it."""
         try:
             refuse(self.settings[run]["facade"], what, held)
+        except ValueError as error:
+            raise SystemExit(f"error: {error}") from None
+
+    def needs_dry(self, run):
+        """End the workflow in one line where the reference solver would end a job of it."""
+        try:
+            refuse_bonds(self.settings[run]["facade"], "the reference solver")
         except ValueError as error:
             raise SystemExit(f"error: {error}") from None
 

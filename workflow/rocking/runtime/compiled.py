@@ -83,10 +83,11 @@ def looped(function):
     return compiled(function, **UNCOUNTED)
 
 
-def inlined(function):
+def inlined(function, **more):
     """Compile into whatever calls it, so that cutting a loop into named steps costs nothing.
 
-    It does not count who refers to an array, which in a loop may take longer than all the rest: so
-    it may neither make nor return any. Called from Python it runs as Python.
+    `more` are numba's options. It does not count who refers to an array, which in a loop may take
+    longer than all the rest: so it may neither make nor return any. Called from Python it runs as
+    Python.
     """
-    return register_jitable(**WITHIN)(function)
+    return register_jitable(**WITHIN, **more)(function)

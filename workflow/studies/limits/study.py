@@ -24,7 +24,7 @@ from rocking.collapse.case import Case
 from rocking.collapse.curve import run_by
 from rocking.collapse.motion import Motion
 from rocking.configuration.schema import ConfigError
-from rocking.reference.facade import answers, motion_of
+from rocking.reference.facade import answers
 from rocking.solver.runs import STEP_FRACTION
 
 from yade_scripts.model.registry import REFERENCE_MODELS
@@ -104,8 +104,7 @@ def verdict_of(model, changes, record, direction):
     found["pga_collapse_g"] = lowest
     worst = {"verdict": "agree", "why": "", "error": 0.0}
     for share in SHARES:
-        moving = motion_of(time_s, columns, model)
-        at = _at(share * lowest, case, moving, own, half, direction)
+        at = _at(share * lowest, case, (time_s, columns), own, half, direction)
         if ORDER.index(at["verdict"]) > ORDER.index(worst["verdict"]) or not worst.get("d_over_b"):
             worst = at
     return {**found, **worst}

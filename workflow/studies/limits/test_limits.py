@@ -54,10 +54,10 @@ def test_every_cell_is_asked_once():
 
 @pytest.mark.slow
 def test_light_walls_get_a_step_that_suits_their_mass(monkeypatch):
-    """A history before walls of half a tonne repeats: half the step, other nodes, 1 %."""
+    """Before walls of half a tonne a history repeats, and the reference solver of stacks agrees."""
     light = {"return_wall": {"building_mass_kg": 500.0}}
     found = limits.verdict_of("W2m", light, burst(), "pos")
     monkeypatch.setattr(limits, "LIMIT_S", 0.0)  # of the heavy ones the step is enough
     heavy = limits.verdict_of("W2m", {"return_wall": {"building_mass_kg": 66e3}}, burst(), "pos")
-    assert found["verdict"] == "one solver", found
+    assert found["verdict"] == "agree", found
     assert found["step_s"] < 0.2 * heavy["step_s"]

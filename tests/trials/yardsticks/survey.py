@@ -1,0 +1,250 @@
+"""Peaks of the compiled solver and of YADE beside a solver written apart: courses, W1, W2, W2m.
+
+    .venv/bin/python tests/trials/yardsticks/survey.py --output survey.csv --seed 65 --histories 60
+    .venv/bin/python tests/trials/yardsticks/survey.py --output survey.csv --yade 20
+    .venv/bin/python tests/trials/yardsticks/survey.py --output after.csv --again survey.csv
+
+What is drawn: in a third of the histories the study's façade before a building of 64 t and 0.27 s;
+in the others height, thickness, E, friction, β by eq. 5, mass and period of the building. Four
+courses, each 1.5 times as high as the one below. Motions of stations that chose neither nodes nor
+step (`MOTIONS`), cut to their strong part, in both directions. Amplitude: a share drawn from 0.3 to
+0.97 of the lowest collapse that a climb of the compiled solver finds.
+
+The yardstick is `rocking.reference.stack` with 65 nodes a joint, which stand for even springs. A
+history repeats where its peak stands below b and neither 1e-6 of amplitude nor half its step moves
+that by 0.2 %; the compiled solver has no say. Of those that repeat the compiled solver runs at its
+own step, at a half, a quarter and a sixteenth of it. `--models` may run side by side, each with a
+table of its own. `--again TABLE` takes histories and yardstick from another table and runs the
+compiled solver alone: so two states of the code meet the same histories. `--yade` runs so many of
+the repeating ones in YADE, at the step as shipped and at a third of it. A row is written as soon as
+it is known; what the table holds is not run again. 60 of each model take some 25 minutes of
+processor time, YADE half a minute a history.
+"""
+
+import argparse
+import math
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from rocking import Case, Motion
+from rocking.collapse import search
+from rocking.collapse.curve import run_by
+from rocking.configuration.schema import ConfigError
+from rocking.reference.stack import StackSolver
+from rocking.solver import peaks
+from rocking.tables import write_table
+
+from yade_scripts.model.models import build_scene
+from yade_scripts.model.motion import amplitude
+
+SUITE = Path(__file__).resolve().parents[3] / "config/suites/recorded_suite.tsv"
+MODELS = ("W1", "W2", "W2m")
+MOTIONS = ("AQG_NS", "AQG_WE", "AQV_NS", "IS105_Lo", "IS105_Tr", "IS108_Lo", "IS108_Tr")
+MOTIONS += ("NRC_EW", "NRC_NS")
+DIRECTIONS = ("pos", "neg")
+SHARES = (0.3, 0.97)  # of the lowest collapse
+CLIMB = {"level_ratio": 0.05, "beyond": 1.0, "max_pga_g": 3.0}
+ARIAS, TAPER_S = (2e-3, 0.95), 0.5  # what of a motion is kept
+NODES, STEP_S, MOVED = 65, 8e-5, 2e-3  # of the yardstick; it counts at half that step
+AMPLITUDE = 1e-6
+FRACTIONS = {"own": 1.0, "half": 0.5, "quarter": 0.25, "sixteenth": 1.0 / 16.0}
+YADE = {"yade_own": 1.0, "yade_fine": 1.0 / 3.0}
+WITHIN = 0.01
+COLUMNS = ["number", "model", "record", "direction", "drawn", "height_m", "thickness_m", "e_mpa"]
+COLUMNS += ["friction_deg", "beta_s", "mass_kg", "period_s", "share", "pga_g", "repeats"]
+COLUMNS += ["yardstick", "moved_step", "moved_amplitude", *FRACTIONS, *YADE, "yade_s"]
+NODE_KEYS = ("nodes_thickness", "nodes_height", "nodes_per_block")
+
+
+def drawn(draw, model, number):
+    """Case of courses: every third the study's façade, else one that the configuration allows."""
+    fixed = {"facade.courses": 4, "facade.courses_growth": 1.5}
+    if number % 3 == 0:
+        return Case.configured(model, fixed | {"return_wall.building_mass_kg": 64e3})
+    while True:
+        height = float(draw.uniform(3.5, 9.0))
+        friction = float(draw.uniform(20.0, 40.0))
+        facade = {
+            "facade.height_m": height,
+            "facade.thickness_m": height / float(draw.uniform(11.0, 20.0)),
+            "facade.e_mpa": float(10.0 ** draw.uniform(2.8, 3.5)),
+            "facade.friction_deg": friction,
+            "return_wall.friction_deg": friction,
+            "return_wall.building_mass_kg": float(draw.uniform(40e3, 120e3)),
+            "smdof.period_s": float(draw.uniform(0.15, 0.5)),
+            "damping.law": "eq5",
+        }
+        try:
+            return Case.configured(model, fixed | {k: _short(v) for k, v in facade.items()})
+        except (ConfigError, ValueError):  # outside the law's range, or too slender to stand
+            continue
+
+
+def _short(value):
+    return value if isinstance(value, str) else float(f"{value:.4g}")
+
+
+def strong(name):
+    """Motion of a record between two shares of its Arias intensity, tapered at both ends."""
+    record = Motion.named(name, SUITE).record
+    a, dt = np.asarray(record.acceleration_m_s2, float), record.dt_s
+    share = np.cumsum(a**2) / np.sum(a**2)
+    first, last = np.searchsorted(share, ARIAS)
+    n = round(TAPER_S / dt)
+    part = a[max(0, first - n) : last + n].copy()
+    ramp = 0.5 - 0.5 * np.cos(np.pi * np.arange(n) / n)
+    part[:n] *= ramp
+    part[-n:] *= ramp[::-1]
+    return Motion.sampled(part, dt, "m/s2", name=name)
+
+
+def yardstick(case, motion, factor):
+    """Peak at half the step, and how far step and amplitude move it, relative."""
+    time_s, columns = motion.columns(case)
+    own = dict.fromkeys(NODE_KEYS, NODES)
+    numerics = {**case["numerics"], **own}
+    solver = StackSolver(build_scene({**case.sections, "numerics": numerics}), time_s, columns)
+    step_s = min(STEP_S, 1.5 * solver.step_s)
+    factors = [factor, factor * (1.0 + AMPLITUDE)]
+    first, other = solver.peaks(factors, step_s=step_s).d_over_b
+    if not abs(other / first - 1.0) < MOVED or first >= 1.0:
+        return first, math.nan, other / first - 1.0
+    value = solver.peaks([factor], step_s=0.5 * step_s).d_over_b[0]
+    return value, value / first - 1.0, other / first - 1.0
+
+
+def shaken(number, seed, motions):
+    """Case, motion, direction and share of the lowest collapse of one history."""
+    draw = np.random.default_rng([seed, number])
+    case = drawn(draw, MODELS[number % len(MODELS)], number // len(MODELS))
+    name, direction = str(draw.choice(MOTIONS)), str(draw.choice(DIRECTIONS))
+    share = float(draw.uniform(*SHARES))
+    if name not in motions:
+        motions[name] = strong(name)
+    return case, motions[name], direction, share
+
+
+def compiled(scan, factor):
+    """Peaks of the compiled solver by share of its step."""
+    found = {}
+    for key, part in FRACTIONS.items():
+        how = {"carried": scan.carried, "step_s": part * scan.steps_s[0]}
+        at = peaks(scan.planes[0], scan.motions, scan.numerics, [factor], **how)
+        found[key] = at.d_over_b[0]
+    return found
+
+
+def again(row, seed, motions):
+    """The row with the compiled solver's peaks anew."""
+    case, motion, direction, _ = shaken(int(row["number"]), seed, motions)
+    scan = run_by("planar", case, motion, direction)
+    return row | compiled(scan, float(amplitude(scan.ground, direction, row["pga_g"])))
+
+
+def history(number, seed, motions):
+    """One row; without the compiled solver's peaks where the history does not repeat."""
+    case, motion, direction, share = shaken(number, seed, motions)
+    scan = run_by("planar", case, motion, direction)
+    levels, _ = scan.seen(search.climb(0.5 * scan.static_g, CLIMB))
+    fell = levels.loc[levels["collapsed"] == 1, "pga_g"]
+    pga_g = float(f"{share * (fell.min() if len(fell) else CLIMB['max_pga_g']):.5g}")
+    factor = float(amplitude(scan.ground, direction, pga_g))
+    value, by_step, by_amplitude = yardstick(case, motion, factor)
+    repeats = value < 1.0 and abs(by_step) < MOVED and abs(by_amplitude) < MOVED
+    facade = case["facade"]
+    row = {
+        **{"number": number, "model": case.model, "record": motion.name, "direction": direction},
+        "drawn": int((number // len(MODELS)) % 3 != 0),
+        **{key: facade[key] for key in ("height_m", "thickness_m", "e_mpa", "friction_deg")},
+        "beta_s": case["beta_s"],
+        "mass_kg": case["return_wall"]["building_mass_kg"],
+        "period_s": case["smdof"]["period_s"],
+        **{"share": share, "pga_g": pga_g, "repeats": int(repeats), "yardstick": value},
+        **{"moved_step": by_step, "moved_amplitude": by_amplitude},
+    }
+    return row | (compiled(scan, factor) if repeats else {})
+
+
+def in_yade(row, seed, motions, limit_s):
+    """Peaks of YADE of one row at its steps, NaN where it failed, and the time that they took."""
+    case, motion, _, _ = shaken(int(row["number"]), seed, motions)
+    found = {"yade_s": 0.0}
+    for key, part in YADE.items():
+        sections = case.sections
+        numerics = {**sections["numerics"]}
+        numerics["step_fraction"] = part * numerics["step_fraction"]
+        try:
+            runs = run_by(
+                "yade", Case({**sections, "numerics": numerics}), motion, row["direction"],
+                limit_s=limit_s,
+            )  # fmt: skip
+            table = runs.run([row["pga_g"]])
+            found[key] = float(table["d_over_b"].iloc[0])
+            found["yade_s"] += float(table["wall_s"].iloc[0])
+        except ValueError as error:
+            print(f"{row['number']}: {error}", flush=True)
+            break
+    return found
+
+
+def summary(table):
+    """Lines by model: how many of the repeating histories are within 1 %, how far others are."""
+    repeating = table[table["repeats"] == 1]
+    lines = []
+    for model, part in repeating.groupby("model"):
+        everyone = table[table["model"] == model]
+        lines.append(f"{model}: {len(part)} of {len(everyone)} histories repeat")
+        for key in (*FRACTIONS, *YADE):
+            error = (part[key] / part["yardstick"] - 1.0).dropna()
+            if not len(error):
+                continue
+            size, rank = error.abs(), {"interpolation": "higher"}
+            lines.append(
+                f"  {key:10s} {int((size <= WITHIN).sum())} of {len(size)} within 1 %, "
+                f"{int((size <= 0.5 * WITHIN).sum())} within 0.5 %; "
+                f"median {100 * size.median():.2f}, 95 % {100 * size.quantile(0.95, **rank):.2f}, "
+                f"worst {100 * error[size.idxmax()]:+.2f} %, mean {100 * error.mean():+.2f} %"
+            )
+    return "\n".join(lines)
+
+
+def main():
+    """Command line."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--output", type=Path, required=True)
+    parser.add_argument("--seed", type=int, default=65)
+    parser.add_argument("--histories", type=int, default=0, help="repeating ones of each model")
+    parser.add_argument("--models", nargs="+", choices=MODELS, default=MODELS)
+    parser.add_argument("--yade", type=int, default=0, help="of all repeating ones")
+    parser.add_argument("--limit", type=float, default=1800.0, help="of a history in YADE [s]")
+    parser.add_argument("--again", type=Path, help="table whose histories are run again")
+    args = parser.parse_args()
+    table = pd.DataFrame(columns=COLUMNS)
+    if args.output.exists():
+        table = pd.read_csv(args.output)
+    rows, motions, number = table.to_dict("records"), {}, 0
+    known = {row["number"] for row in rows}
+    if args.again:
+        for row in pd.read_csv(args.again).to_dict("records"):
+            if row["repeats"] and row["number"] not in known:
+                rows.append(again(row, args.seed, motions))
+                write_table(rows, args.output, COLUMNS)
+    while True:
+        count = {m: sum(r["repeats"] for r in rows if r["model"] == m) for m in args.models}
+        if min(count.values()) >= args.histories:
+            break
+        if number not in known and count.get(MODELS[number % 3], math.inf) < args.histories:
+            rows.append(history(number, args.seed, motions))
+            write_table(rows, args.output, COLUMNS)
+        number += 1
+    wanted = [row for row in sorted(rows, key=lambda r: r["number"]) if row["repeats"]]
+    for row in wanted[: args.yade]:
+        if not row.get("yade_s", math.nan) > 0.0:
+            row |= in_yade(row, args.seed, motions, args.limit)
+            write_table(rows, args.output, COLUMNS)
+    print(summary(pd.DataFrame(rows, columns=COLUMNS)))
+
+
+if __name__ == "__main__":
+    main()
