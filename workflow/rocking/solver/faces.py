@@ -110,6 +110,20 @@ def _coupled(between, low, directions, sums, size):
 
 
 @inlined
+def answered(held, row, joint, turns, sums, dashpots):
+    """Write what rates of the block do to the force along y, of a joint with a support."""
+    (a, _, _), arms, (ny, nz), _ = joint
+    (u0, u1, _), (w0, w1, _) = sums
+    (ty, tz), (beta, ratio) = (-nz, ny), dashpots
+    ry, rz = arms[0] if a >= 0 else arms[1]
+    um = (nz * ry - ny * rz) * u0 + turns[0] * u1
+    wm = (tz * ry - ty * rz) * w0 + turns[1] * w1
+    put(held, row, beta * (ny * ny * u0 + ratio * ty * ty * w0))
+    put(held, row + 1, beta * (ny * nz * u0 + ratio * ty * tz * w0))
+    put(held, row + 2, beta * (ny * um + ratio * ty * wm))
+
+
+@inlined
 def resist(parts, joint, turns, sums, dashpots):
     """Add the dashpots of a joint to those of its blocks and between them.
 

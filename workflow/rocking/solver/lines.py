@@ -18,7 +18,7 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined
 
-from .faces import act, met, moving, resist
+from .faces import act, answered, met, moving, resist
 from .groups import law_of
 from .law import bounded, rub
 from .vectors import choose, every, like, lone, put, some, take
@@ -173,7 +173,7 @@ def _rubbed(rows, first, half, reach, moves, law, acts, counts, spent):
 
 
 @inlined
-def press(p, parts, rows, time, alive, counts):
+def press(p, parts, rows, back, time, alive, counts):
     """What the lines do to their blocks; energy stored, and taken in this step [J]; see `march`.
 
     `rows`: from where to where each was pressed at the last step, and the slip of each part.
@@ -196,6 +196,8 @@ def press(p, parts, rows, time, alive, counts):
         put(rows, first + 1, high)
         acts = length > 0.0
         if not counts and not some(acts):
+            for m in range(3):
+                put(back, 3 * i + m, like(0.0, d0))
             continue
         middle, whole = 0.5 * (low + high), k * length
         mean = max(h0 + h1 * middle, 0.0)
@@ -212,6 +214,8 @@ def press(p, parts, rows, time, alive, counts):
         pressed = whole, whole * middle, whole * (middle * middle + length * length / 12.0)
         sticking = k * stuck, 0.0 * stuck, 0.0 * stuck
         resist(parts, joint, turns, (pressed, sticking), (ahead, ratio))
+        if ends[0] < 0 or ends[1] < 0:
+            answered(back, 3 * i, joint, turns, (pressed, sticking), (ahead, ratio))
         if counts:
             kept, held = _stored(k, (d0, d1), shut)
             gripped = 0.5 * k * ratio * grip

@@ -29,6 +29,7 @@ class StackMemory(NamedTuple):
     state: np.ndarray  # a row a node
     goes: np.ndarray  # a row a block: 0 where it came out of its slot and takes no part any more
     lines: np.ndarray  # `lines.MEMORY` rows a line, see `lines.press`
+    held: np.ndarray  # three rows a line and a group: what its block's rates do along y
     groups: np.ndarray  # rows of `groups.touched`
 
 
@@ -37,16 +38,19 @@ def _nodes(p, rows):
     """`StackMemory` in the rows of `_start`."""
     count, goes = p.kn_n_m.size, 2 * p.kn_n_m.size + p.mass_kg.size
     even = goes + lines.MEMORY * p.lines.half_m.size
+    held = even + 3 * (p.lines.half_m.size + p.groups.level_m.size)
     of_nodes = rows[:count], rows[count : 2 * count]
-    return StackMemory(*of_nodes, rows[2 * count : goes], rows[goes:even], rows[even:])
+    of_lines = rows[2 * count : goes], rows[goes:even], rows[even:held]
+    return StackMemory(*of_nodes, *of_lines, rows[held:])
 
 
 def _start(p):
     """Rows of nodes that have not met their planes yet, and of blocks that all go; see `Loop`."""
     slip, state = np.zeros(p.kn_n_m.size), np.where(p.bonded, HOLDS, OPEN)
     even = np.zeros(lines.MEMORY * p.lines.half_m.size)
+    held = np.zeros(3 * (p.lines.half_m.size + p.groups.level_m.size))
     groups, whole = untouched(p.groups)
-    rows = np.concatenate((slip, state, np.ones(p.mass_kg.size), even, groups))
+    rows = np.concatenate((slip, state, np.ones(p.mass_kg.size), even, held, groups))
     return rows, whole, (0.0, 0.0, 0.0)
 
 
@@ -181,7 +185,7 @@ def contact(p, whole, parts, turning, time, alive, counts, spent):
     """Forces of all nodes and links, and dashpots; see `march`."""
     _predict(p, parts, time, alive)
     nodes, supports = _nodes(p, parts.nodes), parts.supports
-    elastic, taken = lines.press(p, parts, nodes.lines, time, alive, counts)
+    elastic, taken = lines.press(p, parts, nodes.lines, nodes.held, time, alive, counts)
     stored, lost, broken = pieces.press(p, whole, parts, nodes.groups, time, alive, counts)
     elastic, spent = elastic + stored, spent + taken + lost
     for i in range(p.kn_n_m.size):
@@ -243,6 +247,21 @@ def contact(p, whole, parts, turning, time, alive, counts, spent):
 
 
 @inlined
+def _answer(p, parts, held, share):
+    """Let supports feel what accelerations do to the forces on their blocks."""
+    lines = p.lines
+    for i in range(lines.half_m.size):
+        a, b, j = lines.body_a[i], lines.body_b[i], lines.support[i]
+        if (a >= 0 and b >= 0) or j < 0:
+            continue
+        at = 3 * max(a, b)
+        back = take(held, 3 * i) * take(parts.rise, at)
+        back += take(held, 3 * i + 1) * take(parts.rise, at + 1)
+        back += take(held, 3 * i + 2) * take(parts.rise, at + 2)
+        put(parts.supports.fy, j, take(parts.supports.fy, j) + share * back)
+
+
+@inlined
 def accelerate(p, parts, half, ag, gravity):
     """Accelerations of all blocks, with a block's own dashpots at the velocity of this step.
 
@@ -254,6 +273,9 @@ def accelerate(p, parts, half, ag, gravity):
     before = 1.0  # the dashpots' part of what stands in `own`
     if p.lead > 0.0 and half > 0.0:
         before = (1.0 - p.lead) * p.beta / (p.beta + 2.0 * p.lead * half)
+    chained = len(parts.ride.u) > 0
+    if chained:
+        _answer(p, parts, nodes.held, -half * before)
     for row in range(len(own)):
         put(own, row, take(own, row) * half)
     for i in range(p.mass_kg.size):
@@ -291,6 +313,8 @@ def accelerate(p, parts, half, ag, gravity):
         solve_row(own, parts.between, parts.inverse, p.mass_kg, p.inertia_kg_m2, force)
         for row in range(len(force)):
             put(rise, row, take(force, row))
+    if chained:
+        _answer(p, parts, nodes.held, half)
 
 
 @inlined
