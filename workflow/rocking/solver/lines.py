@@ -21,11 +21,16 @@ from rocking.runtime.compiled import inlined
 from .faces import act, answered, met, moving, resist
 from .groups import law_of
 from .law import bounded, rub
-from .vectors import choose, every, like, lone, put, some, take
+from .vectors import choose, every, like, put, some, take
 
+import os
+V_SHARE = int(os.environ.get('V_SHARE','0'))
 BINS = 8
 ENDS = tuple(-math.cos(math.pi * k / BINS) for k in range(BINS + 1))  # of the parts, over half
-MEMORY = BINS + 2  # rows a line
+# Rows a line: from where to where it presses, its penetration d0 + d1·s, both as at the last step,
+# what its dashpots along it did, slip of each part
+LOW, HIGH, DEPTH, STUCK, BOUND, SLIP = 0, 1, 2, 4, 5, 6
+MEMORY = SLIP + BINS
 SIDE = 0.5 / math.sqrt(3.0)  # two springs there have the moments of an even line of length 1
 
 
@@ -115,13 +120,13 @@ def _reach(f0, f1, low, high):
 
 
 @inlined
-def _rubbed(rows, first, half, reach, moves, law, acts, counts, spent):
+def _rubbed(rows, first, half, reach, moves, law, acts, counts):
     """Friction along a line, part by part.
 
     Parameters
     ----------
     rows, first
-        The slip of each part from that row on.
+        Rows of the line from that one on.
     reach : tuple of 4 numbers
         From where to where it is pressed, now and at the last step.
     moves : tuple of 4 numbers
@@ -130,22 +135,21 @@ def _rubbed(rows, first, half, reach, moves, law, acts, counts, spent):
         Stiffness over length, ks/kn, tan φ, β.
     acts : mask
         Where it is pressed at all.
-    spent : number
-        Energy taken so far [J]; what parts lose that open is added, of one history.
 
     Returns
     -------
-    shear, stuck, grip, spent : number
-        Force over k, length whose dashpot acts, Σ length·slip², and that energy.
+    shear, stuck, grip, taken : number
+        Force over k, length whose dashpot acts, Σ length·slip², and the energy that sliding took
+        and opening parts lost, over k; the last two of one history.
     """
     (low, high, low_then, high_then), (h0, h1, speed, step) = reach, moves
-    k, ratio, friction, beta = law
-    shear = stuck = grip = like(0.0, h0)
+    _, ratio, friction, beta = law
+    shear = stuck = grip = loss = extra = like(0.0, h0)
     # pressed over all its length, now and at the last step: each part keeps its slip as it is
     throughout = (max(low, low_then) <= -half) & (min(high, high_then) >= half)
     even = not counts and every(throughout | ~acts)
     for part in range(BINS):
-        at = first + part
+        at = first + SLIP + part
         one, two = half * ENDS[part], half * ENDS[part + 1]
         had = take(rows, at)
         if even:
@@ -157,26 +161,85 @@ def _rubbed(rows, first, half, reach, moves, law, acts, counts, spent):
             shut = share > 0.0
             before = max(min(high_then, two) - max(low_then, one), 0.0)
             if counts:
-                spent += 0.5 * k * ratio * lone(before) * (lone(had) * lone(had))
+                loss += 0.5 * ratio * before * had * had
             if not some(shut):
                 put(rows, at, 0.0)
                 continue
             had = had * (min(before, share) / choose(shut, share, 1.0))
+            if counts:
+                loss -= 0.5 * ratio * share * had * had
         limit = max(h0 + h1 * (0.5 * (start + stop)), 0.0)
-        spring, slip, _, sticks = rub(had + step, limit, ratio, friction, had)
+        spring, slip, slid, sticks = rub(had + step, limit, ratio, friction, had)
         bound, within = bounded(spring + ratio * beta * speed, friction * limit)
         shear += share * choose(sticks, bound, spring)
         stuck += choose(sticks & within, share, 0.0)
         put(rows, at, choose(shut, slip, 0.0))
-        grip += share * slip * slip
-    return shear, stuck, grip, spent
+        if counts:
+            grip += share * slip * slip
+            loss += share * slid
+            extra += choose(sticks & ~within, share * (bound - spring), 0.0)
+    if counts:
+        put(rows, first + STUCK, stuck)
+        put(rows, first + BOUND, extra)
+    return shear, stuck, grip, loss
+
+
+@inlined
+def _closing(depths, before, shut, press, half):
+    """What a line presses beyond the force now, whose end has closed within this step; over k.
+
+    A force stands for half a step on either side of now. What closed a share of the step ago has
+    pressed for that share and the half that follows, so it counts 1/2 + share. Along what rolls
+    shut the shares have a mean of one half; an end that shuts cuts them off.
+
+    Parameters
+    ----------
+    depths, before : tuple of 2 numbers
+        Penetration along the line, now and at the last step, as a0 + a1·s.
+    shut : tuple of 2 numbers
+        From where to where it touches now.
+    press : tuple of 2 numbers
+        Normal force over k along the line.
+    half : float
+        Half its length.
+
+    Returns
+    -------
+    normal, moment : number
+    """
+    (d0, d1), (p0, p1), (h0, h1) = depths, before, press
+    lower = (d0 - d1 * half > 0.0) & ~(p0 - p1 * half > 0.0)
+    upper = (d0 + d1 * half > 0.0) & ~(p0 + p1 * half > 0.0)
+    ends = lower | upper
+    none = like(0.0, d0)
+    if not some(ends):
+        return none, none
+    was = _reach(p0, p1, like(-half, d0), like(half, d0))
+    open_before = ~(was[1] > was[0])
+    low = choose(lower, -half, max(shut[0], choose(open_before, -half, was[1])))
+    high = choose(lower, min(shut[1], choose(open_before, half, was[0])), half)
+    at_low, at_high = d0 + d1 * low, d0 + d1 * high
+    gain_low, gain_high = at_low - (p0 + p1 * low), at_high - (p0 + p1 * high)
+    more_low = choose(gain_low > 0.0, at_low / choose(gain_low > 0.0, gain_low, 1.0), 0.5) - 0.5
+    more_high = choose(gain_high > 0.0, at_high / choose(gain_high > 0.0, gain_high, 1.0), 0.5)
+    more_high = more_high - 0.5
+    of_low, of_high = max(h0 + h1 * low, 0.0), max(h0 + h1 * high, 0.0)
+    length = choose(ends, max(high - low, 0.0), 0.0)
+    one, both, other = (
+        more_low * of_low,
+        more_low * of_high + more_high * of_low,
+        more_high * of_high,
+    )
+    normal = length * (2.0 * one + both + 2.0 * other) / 6.0
+    first = length * length * (one + both + 3.0 * other) / 12.0
+    return normal, low * normal + first
 
 
 @inlined
 def press(p, parts, rows, back, time, alive, counts):
-    """What the lines do to their blocks; energy stored, and taken in this step [J]; see `march`.
+    """What the lines do to their blocks; energy stored, and taken by friction [J]; see `march`.
 
-    `rows`: from where to where each was pressed at the last step, and the slip of each part.
+    `rows`: `MEMORY` of them a line. `back` gets three a line, see `faces.answered`.
     """
     _, past, dt = time
     lines = p.lines
@@ -191,9 +254,12 @@ def press(p, parts, rows, back, time, alive, counts):
         shut = _reach(d0, d1, like(-half, d0), like(half, d0))
         low, high = _reach(h0, h1, *shut)
         length, first = max(high - low, 0.0), MEMORY * i
-        was = take(rows, first), take(rows, first + 1)
-        put(rows, first, low)
-        put(rows, first + 1, high)
+        was = take(rows, first + LOW), take(rows, first + HIGH)
+        before = take(rows, first + DEPTH), take(rows, first + DEPTH + 1)
+        if past == 0.0:  # what touches at first has not just closed
+            before = d0, d1
+        for m, value in enumerate((low, high, d0, d1)):
+            put(rows, first + m, value)
         acts = length > 0.0
         if not counts and not some(acts):
             for m in range(3):
@@ -205,24 +271,47 @@ def press(p, parts, rows, back, time, alive, counts):
         moment = whole * (mean * middle + h1 * (length * length / 12.0))
         law, reach = (k, ratio, friction, beta), (low, high, was[0], was[1])
         slides = h0, h1, speed, step
-        shear, stuck, grip, spent = _rubbed(
-            rows, first + 2, half, reach, slides, law, acts, counts, spent
-        )
-        shear = k * shear
+        shear, stuck, grip, loss = _rubbed(rows, first, half, reach, slides, law, acts, counts)
+        shear, counted = k * shear, 1.0
+        if V_SHARE:
+            more = _closing((d0, d1), before, shut, (h0, h1), half)
+            normal, moment = normal + k * more[0], moment + k * more[1]
+            counted = choose(normal > 0.0, normal / choose(normal > 0.0, normal - k * more[0], 1.0), 1.0)
         act(parts, ends, arms, direction, (normal, shear), turns[0] * moment)
         ahead, joint = p.late * beta + p.lead * dt, (ends, arms, direction, along)
         pressed = whole, whole * middle, whole * (middle * middle + length * length / 12.0)
+        if V_SHARE:
+            pressed = counted * pressed[0], counted * pressed[1], counted * pressed[2]
         sticking = k * stuck, 0.0 * stuck, 0.0 * stuck
         resist(parts, joint, turns, (pressed, sticking), (ahead, ratio))
         if ends[0] < 0 or ends[1] < 0:
             answered(back, 3 * i, joint, turns, (pressed, sticking), (ahead, ratio))
         if counts:
-            kept, held = _stored(k, (d0, d1), shut)
-            gripped = 0.5 * k * ratio * grip
-            elastic += kept + gripped
-            spent += dt * ((normal - held[0]) * q0 + (moment - held[1]) * q1)
-            spent += shear * step - gripped
+            elastic += _stored(k, (d0, d1), shut)[0] + 0.5 * k * ratio * grip
+            spent += k * loss
     return elastic, spent
+
+
+@inlined
+def taken(p, parts, rows):
+    """Power [W] that the dashpots of the lines take at the rates `parts.now`; of one history.
+
+    What is shut but no longer presses, since it opens fast, gives its springs' energy to them.
+    """
+    lines, total = p.lines, 0.0
+    for i in range(lines.half_m.size):
+        ends, arms, direction, along, depths = met(p, lines, i, parts, True)
+        _, (q0, q1, speed, _, _, _) = moving(parts, ends, arms, direction, along, 0.0)
+        half, k, beta, first = lines.half_m[i], lines.k_n_m2[i], lines.beta_s[i], MEMORY * i
+        shut = _reach(*depths, -half, half)
+        pressed = take(rows, first + LOW), take(rows, first + HIGH)
+        _, (force, moment) = _stored(k, depths, pressed)
+        _, (held, turned) = _stored(k, depths, shut)
+        of_dashpots, _ = _stored(k, (q0, q1), pressed)
+        total += 2.0 * beta * of_dashpots + (force - held) * q0 + (moment - turned) * q1
+        stuck, bound = take(rows, first + STUCK), take(rows, first + BOUND)
+        total += k * (lines.shear_ratio[i] * beta * stuck * speed + bound) * speed
+    return total
 
 
 @inlined

@@ -38,6 +38,11 @@ class Series:
         friction, yielding and what broke so far.
     contact : ndarray, shape (n, 3)
         Force along y, z [N] and moment about x [N·m] of the nodes on the block.
+    kinetic_j, potential_j, input_j : ndarray
+        Of blocks and of masses that carry supports; of the weight of blocks, from their reference
+        places, and of the springs between these masses; work of the inertia forces and of driven
+        supports so far. Kinetic + potential + elastic energy from the start, and what was spent,
+        are the input but for the error of the step.
     supports_m, supports_m_s : ndarray, shape (n, m)
         Of the supports, or of the masses that carry them, relative to the ground.
     peak_d_over_b : float
@@ -56,6 +61,9 @@ class Series:
     elastic_j: np.ndarray
     spent_j: np.ndarray
     contact: np.ndarray
+    kinetic_j: np.ndarray
+    potential_j: np.ndarray
+    input_j: np.ndarray
     supports_m: np.ndarray
     supports_m_s: np.ndarray
     peak_d_over_b: float
@@ -229,6 +237,9 @@ def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None,
         rows[:, 9],
         rows[:, 10],
         rows[:, 11:14],
+        rows[:, 14],
+        rows[:, 15],
+        rows[:, 16],
         rows[:, COLUMNS : COLUMNS + supports],
         rows[:, COLUMNS + supports :],
         math.nan if status == FAILED else peak / planar.thickness_m,

@@ -14,7 +14,8 @@ from .lines import elements as of_lines
 from .pieces import Groups, groups_of, nodes_of
 
 FREEDOMS = "yzX"
-LEAD = 1.0  # of courses: their springs as by Newmark's β of 1/2, at any step
+import os
+LEAD = float(os.environ.get('V_LEAD','1'))  # of courses: their springs as by Newmark's β of 1/2, at any step
 MANY = 9  # height over the thinnest course beyond which their dashpots are taken at a step's end
 
 

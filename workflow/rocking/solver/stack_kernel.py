@@ -17,8 +17,11 @@ from .groups import untouched
 from .law import bond_breaks, node, released
 from .march import TO_THE_END, Loop, advance, march_many
 from .sines import cos_sin
-from .vectors import alone, choose, like, put, put_where, some, take
+from .vectors import alone, choose, like, lone, put, put_where, some, take
 
+import os
+
+V_RATES = int(os.environ.get("V_RATES", "0"))
 OPEN, CLOSED, HOLDS, GONE = 0.0, 1.0, 2.0, 3.0  # states of a node
 
 
@@ -58,7 +61,7 @@ def _start(p):
 def _predict(p, parts, time, alive):
     """Rates at the whole step, cosines and sines of all blocks; forces and dashpots at nothing."""
     half, _, dt = time
-    ahead = half * (1.0 - p.lead)  # led, rates that swing from step to step would open joints
+    ahead = half * (1.0 - p.lead) if V_RATES == 0 else half
     for m in range(len(parts.place)):
         put(parts.now, m, take(parts.rate, m) + ahead * take(parts.rise, m))
         put(parts.force, m, 0.0)
@@ -273,6 +276,8 @@ def accelerate(p, parts, half, ag, gravity):
     before = 1.0  # the dashpots' part of what stands in `own`
     if p.lead > 0.0 and half > 0.0:
         before = (1.0 - p.lead) * p.beta / (p.beta + 2.0 * p.lead * half)
+        if V_RATES == 1:
+            before = p.beta / (p.beta + 2.0 * p.lead * half)
     chained = len(parts.ride.u) > 0
     if chained:
         _answer(p, parts, nodes.held, -half * before)
@@ -334,17 +339,38 @@ def monitor(p, parts):
     return d, v
 
 
+@inlined
+def energies(p, parts, half, ag, gravity):
+    """Of one history, see `march`; dashpots of nodes have been counted with their forces.
+
+    A guide moves its block along y against what its nodes push.
+    """
+    kinetic = raised = power = 0.0
+    lift = lone(gravity) - p.gravity_m_s2
+    for i in range(p.mass_kg.size):
+        mass, at = p.mass_kg[i], 3 * i
+        for m in range(3):
+            put(parts.now, at + m, take(parts.rate, at + m) + half * take(parts.rise, at + m))
+        y, z = lone(take(parts.now, at)), lone(take(parts.now, at + 1))
+        turn = lone(take(parts.now, at + 2))
+        kinetic += 0.5 * mass * (y * y + z * z) + 0.5 * p.inertia_kg_m2[i] * turn * turn
+        raised += mass * p.gravity_m_s2 * lone(take(parts.place, at + 1))
+        power -= mass * (lone(ag) * y + lift * z)
+    return kinetic, raised, power, lines.taken(p, parts, _nodes(p, parts.nodes).lines)
+
+
 @looped
 def march_stack(given, rows, scratch, every, series, weight):
     """One history of a `Stack`, see `march.advance`; its samples are of the first block."""
-    what = contact, accelerate, monitor
+    what = contact, accelerate, monitor, energies
     return advance(what, given, rows, scratch, TO_THE_END, 0, every, series, weight)
 
 
 @looped
 def march_stacks(given, memory, scratch, case, motion, found):
     """Histories of a `Stack` side by side, see `march.march_many`."""
-    march_many((contact, accelerate, monitor), given, memory, scratch, case, motion, found)
+    what = contact, accelerate, monitor, energies
+    march_many(what, given, memory, scratch, case, motion, found)
 
 
 STACK = Loop(march_stack, march_stacks, _start, 1)
