@@ -10,7 +10,7 @@ from rocking.collapse import search
 from rocking.collapse.search import Answer
 from rocking.solver.motions import Motions
 from rocking.solver.plane import moving_supports, to_plane
-from rocking.solver.runs import STEP_FRACTION, peaks, stable_step
+from rocking.solver.runs import STEP_FRACTION, fitted, peaks, stable_step
 from rocking.solver.substructure import Bodies, bodies
 from smdof.chain import shear_chain
 from yade_scripts.commands.perturb import (
@@ -189,6 +189,7 @@ def _layouts_of(text, fraction):
             for plane, lead in zip(planes, ahead, strict=True)
         ]
         steps_s = list(map(min, steps_s, most))
+    planes = [fitted(plane, carried, step) for plane, step in zip(planes, steps_s, strict=True)]
     return scene, planes, steps_s, shorter, carried
 
 

@@ -110,17 +110,45 @@ def _coupled(between, low, directions, sums, size):
 
 
 @inlined
-def answered(held, row, joint, turns, sums, dashpots):
-    """Write what rates of the block do to the force along y, of a joint with a support."""
-    (a, _, _), arms, (ny, nz), _ = joint
-    (u0, u1, _), (w0, w1, _) = sums
-    (ty, tz), (beta, ratio) = (-nz, ny), dashpots
-    ry, rz = arms[0] if a >= 0 else arms[1]
-    um = (nz * ry - ny * rz) * u0 + turns[0] * u1
-    wm = (tz * ry - ty * rz) * w0 + turns[1] * w1
-    put(held, row, beta * (ny * ny * u0 + ratio * ty * ty * w0))
-    put(held, row + 1, beta * (ny * nz * u0 + ratio * ty * tz * w0))
-    put(held, row + 2, beta * (ny * um + ratio * ty * wm))
+def withstand(parts, ends, arms, direction, more, sums, back, row, also=False):
+    """Add what resists rates of the faces along one direction to blocks and between them.
+
+    Parameters
+    ----------
+    ends, arms
+        Of `met`.
+    direction : tuple of 2 numbers
+        (y, z).
+    more : number
+        What an arm along the line has along it, of `moving`.
+    sums : tuple of 3 numbers
+        Σ dashpot·(1, s, s²) along the line.
+    back, row, also
+        Of a joint with a support three rows from that one on get, or are added, what rates of its
+        block do to the force along y.
+    """
+    (a, b, _), (y, z), (k0, k1, k2) = ends, direction, sums
+    lever_a, lever_b = z * arms[0][0] - y * arms[0][1], z * arms[1][0] - y * arms[1][1]
+    of_a, of_b = lever_a * k0 + more * k1, lever_b * k0 + more * k1
+    spread = more * (k1 * lever_a + more * k2), more * (k1 * lever_b + more * k2)
+    yy, yz, zz = y * y * k0, y * z * k0, z * z * k0
+    for end in range(2):
+        block, mine = (a, b)[end], (of_a, of_b)[end]
+        if block >= 0:
+            turning = (lever_a, lever_b)[end] * mine + spread[end]
+            entries = yy, yz, y * mine, zz, z * mine, turning
+            for m, value in enumerate(entries):
+                put(parts.own, 6 * block + m, take(parts.own, 6 * block + m) + value)
+    if a >= 0 and b >= 0:
+        low, of_low, of_high = (a, of_a, of_b) if a < b else (b, of_b, of_a)
+        both = lever_b * of_a + spread[0]
+        entries = yy, yz, y * of_high, yz, zz, z * of_high, of_low * y, of_low * z, both
+        for m, value in enumerate(entries):
+            put(parts.between, 9 * low + m, take(parts.between, 9 * low + m) - value)
+    else:
+        mine = of_a if a >= 0 else of_b
+        for m, value in enumerate((yy, yz, y * mine)):
+            put(back, row + m, take(back, row + m) + value if also else value)
 
 
 @inlined

@@ -18,18 +18,18 @@ import numpy as np
 
 from rocking.runtime.compiled import inlined
 
-from .faces import act, answered, met, moving, resist
+from .faces import act, met, moving, withstand
 from .groups import law_of
-from .law import bounded, rub
 from .vectors import choose, every, like, put, some, take
 
 import os
 V_SHARE = int(os.environ.get('V_SHARE','0'))
-BINS = 8
-ENDS = tuple(-math.cos(math.pi * k / BINS) for k in range(BINS + 1))  # of the parts, over half
-# Rows a line: from where to where it presses, its penetration d0 + d1·s, both as at the last step,
-# what its dashpots along it did, slip of each part
-LOW, HIGH, DEPTH, STUCK, BOUND, SLIP = 0, 1, 2, 4, 5, 6
+BINS = int(os.environ.get('V_BINS','8'))
+V_POW = float(os.environ.get('V_POW','0'))
+ENDS = tuple(-math.cos(math.pi * k / BINS) if V_POW == 0 else math.copysign(1.0 - (1.0 - abs(2.0 * k / BINS - 1.0)) ** V_POW, 2.0 * k / BINS - 1.0) for k in range(BINS + 1))  # of the parts, over half
+# Rows a line: from where to where it pressed at the last step, its penetration then, d0 + d1·s, the
+# share of that step for which it did, and the slip of each part
+LOW, HIGH, DEPTH, COUNTED, SLIP = 0, 1, 2, 4, 5
 MEMORY = SLIP + BINS
 SIDE = 0.5 / math.sqrt(3.0)  # two springs there have the moments of an even line of length 1
 
@@ -58,7 +58,7 @@ def lines_of(scene, even, number, column):
     ----------
     scene : Scene
     even : collection of str
-        Names of the joints; a bonded one stays with its nodes.
+        Names of the joints; one that is bonded, or has dashpots along it, stays with its nodes.
     number : ndarray of int
         Of every block of the scene among those that are free; −1: a support.
     column : dict of str to int
@@ -69,7 +69,8 @@ def lines_of(scene, even, number, column):
     taken = np.zeros(len(nodes), bool)
     for j, name in enumerate(scene.joints):
         at = np.flatnonzero(nodes.joint == j)
-        if name not in even or not at.size or nodes.bonded[at].any():
+        alike = at.size and not (nodes.bonded[at].any() or nodes.drag[at].any())
+        if name not in even or not alike:
             continue
         taken[at] = True
         kn, first, places = nodes.kn_n_m[at], at[0], nodes.position_m[at, 1:]
@@ -121,7 +122,7 @@ def _reach(f0, f1, low, high):
 
 @inlined
 def _rubbed(rows, first, half, reach, moves, law, acts, counts):
-    """Friction along a line, part by part.
+    """Friction along a line, part by part; forces and energies over k.
 
     Parameters
     ----------
@@ -129,22 +130,22 @@ def _rubbed(rows, first, half, reach, moves, law, acts, counts):
         Rows of the line from that one on.
     reach : tuple of 4 numbers
         From where to where it is pressed, now and at the last step.
-    moves : tuple of 4 numbers
-        Normal force over k along the line, h0 + h1·s; rate of slip, and slip of this step.
-    law : tuple of 4 floats
-        Stiffness over length, ks/kn, tan φ, β.
+    moves : tuple of 3 numbers
+        Normal force over k along the line, h0 + h1·s; slip of this step.
+    law : tuple of 3
+        ks/kn, tan φ; whether the length that sticks is wanted.
     acts : mask
         Where it is pressed at all.
 
     Returns
     -------
-    shear, stuck, grip, taken : number
-        Force over k, length whose dashpot acts, Σ length·slip², and the energy that sliding took
-        and opening parts lost, over k; the last two of one history.
+    shear, stuck, grip, loss : number
+        Force, length that sticks, Σ length·slip², and the energy that sliding took and opening
+        parts lost; the last two of one history.
     """
-    (low, high, low_then, high_then), (h0, h1, speed, step) = reach, moves
-    _, ratio, friction, beta = law
-    shear = stuck = grip = loss = extra = like(0.0, h0)
+    (low, high, low_then, high_then), (h0, h1, step) = reach, moves
+    ratio, friction, wanted = law
+    shear = stuck = grip = loss = like(0.0, h0)
     # pressed over all its length, now and at the last step: each part keeps its slip as it is
     throughout = (max(low, low_then) <= -half) & (min(high, high_then) >= half)
     even = not counts and every(throughout | ~acts)
@@ -168,19 +169,20 @@ def _rubbed(rows, first, half, reach, moves, law, acts, counts):
             had = had * (min(before, share) / choose(shut, share, 1.0))
             if counts:
                 loss -= 0.5 * ratio * share * had * had
-        limit = max(h0 + h1 * (0.5 * (start + stop)), 0.0)
-        spring, slip, slid, sticks = rub(had + step, limit, ratio, friction, had)
-        bound, within = bounded(spring + ratio * beta * speed, friction * limit)
-        shear += share * choose(sticks, bound, spring)
-        stuck += choose(sticks & within, share, 0.0)
+        most = friction * max(h0 + h1 * (0.5 * (start + stop)), 0.0)
+        slip = had + step
+        held = ratio * slip
+        force = min(max(held, -most), most)
+        sticks = abs(held) <= most
+        slip = choose(sticks, slip, force / ratio)
+        shear += share * force
+        if wanted:
+            stuck += choose(sticks, share, 0.0)
         put(rows, at, choose(shut, slip, 0.0))
         if counts:
             grip += share * slip * slip
-            loss += share * slid
-            extra += choose(sticks & ~within, share * (bound - spring), 0.0)
-    if counts:
-        put(rows, first + STUCK, stuck)
-        put(rows, first + BOUND, extra)
+            mean = 0.5 * (most + min(ratio * abs(had), abs(held)))
+            loss += choose(sticks, 0.0, share * mean * abs(held - force) / ratio)
     return shear, stuck, grip, loss
 
 
@@ -239,15 +241,14 @@ def _closing(depths, before, shut, press, half):
 def press(p, parts, rows, back, time, alive, counts):
     """What the lines do to their blocks; energy stored, and taken by friction [J]; see `march`.
 
-    `rows`: `MEMORY` of them a line. `back` gets three a line, see `faces.answered`.
+    `rows`: `MEMORY` of them a line. `back` gets three a line, see `faces.withstand`.
     """
     _, past, dt = time
     lines = p.lines
     elastic = spent = like(0.0, take(parts.place, 0))
     for i in range(lines.half_m.size):
         ends, arms, direction, along, (d0, d1) = met(p, lines, i, parts, alive)
-        turns, moves = moving(parts, ends, arms, direction, along, past)
-        q0, q1, speed, _, step, _ = moves
+        turns, (q0, q1, _, _, step, _) = moving(parts, ends, arms, direction, along, past)
         half, k, beta = lines.half_m[i], lines.k_n_m2[i], lines.beta_s[i]
         ratio, friction = lines.shear_ratio[i], lines.friction[i]
         h0, h1 = d0 + beta * q0, d1 + beta * q1
@@ -265,28 +266,28 @@ def press(p, parts, rows, back, time, alive, counts):
             for m in range(3):
                 put(back, 3 * i + m, like(0.0, d0))
             continue
-        middle, whole = 0.5 * (low + high), k * length
+        middle, second = 0.5 * (low + high), length * length / 12.0
         mean = max(h0 + h1 * middle, 0.0)
-        normal = whole * mean
-        moment = whole * (mean * middle + h1 * (length * length / 12.0))
-        law, reach = (k, ratio, friction, beta), (low, high, was[0], was[1])
-        slides = h0, h1, speed, step
-        shear, stuck, grip, loss = _rubbed(rows, first, half, reach, slides, law, acts, counts)
-        shear, counted = k * shear, 1.0
-        if V_SHARE:
-            more = _closing((d0, d1), before, shut, (h0, h1), half)
-            normal, moment = normal + k * more[0], moment + k * more[1]
-            counted = choose(normal > 0.0, normal / choose(normal > 0.0, normal - k * more[0], 1.0), 1.0)
-        act(parts, ends, arms, direction, (normal, shear), turns[0] * moment)
-        ahead, joint = p.late * beta + p.lead * dt, (ends, arms, direction, along)
-        pressed = whole, whole * middle, whole * (middle * middle + length * length / 12.0)
-        if V_SHARE:
-            pressed = counted * pressed[0], counted * pressed[1], counted * pressed[2]
-        sticking = k * stuck, 0.0 * stuck, 0.0 * stuck
-        resist(parts, joint, turns, (pressed, sticking), (ahead, ratio))
-        if ends[0] < 0 or ends[1] < 0:
-            answered(back, 3 * i, joint, turns, (pressed, sticking), (ahead, ratio))
+        normal = length * mean
+        moment = length * (mean * middle + h1 * second)
+        law, reach = (ratio, friction, p.lead > 0.0), (low, high, was[0], was[1])
+        shear, stuck, grip, loss = _rubbed(
+            rows, first, half, reach, (h0, h1, step), law, acts, counts
+        )
+        more, more_moment = _closing((d0, d1), before, shut, (h0, h1), half)
+        whole = normal + more
+        counted = choose(normal > 0.0, whole / choose(normal > 0.0, normal, 1.0), 1.0)
+        force = k * whole, k * shear
+        act(parts, ends, arms, direction, force, turns[0] * (k * (moment + more_moment)))
+        dashpot = (p.late * beta + p.lead * dt) * k * counted * length
+        sums = dashpot, dashpot * middle, dashpot * (middle * middle + second)
+        withstand(parts, ends, arms, direction, turns[0], sums, back, 3 * i)
+        if p.lead > 0.0:
+            spring, (ny, nz) = p.lead * dt * k * ratio * stuck, direction
+            sums = spring, 0.0 * spring, 0.0 * spring
+            withstand(parts, ends, arms, (-nz, ny), turns[1], sums, back, 3 * i, True)
         if counts:
+            put(rows, first + COUNTED, counted)
             elastic += _stored(k, (d0, d1), shut)[0] + 0.5 * k * ratio * grip
             spent += k * loss
     return elastic, spent
@@ -301,16 +302,15 @@ def taken(p, parts, rows):
     lines, total = p.lines, 0.0
     for i in range(lines.half_m.size):
         ends, arms, direction, along, depths = met(p, lines, i, parts, True)
-        _, (q0, q1, speed, _, _, _) = moving(parts, ends, arms, direction, along, 0.0)
+        _, (q0, q1, _, _, _, _) = moving(parts, ends, arms, direction, along, 0.0)
         half, k, beta, first = lines.half_m[i], lines.k_n_m2[i], lines.beta_s[i], MEMORY * i
         shut = _reach(*depths, -half, half)
         pressed = take(rows, first + LOW), take(rows, first + HIGH)
         _, (force, moment) = _stored(k, depths, pressed)
         _, (held, turned) = _stored(k, depths, shut)
-        of_dashpots, _ = _stored(k, (q0, q1), pressed)
-        total += 2.0 * beta * of_dashpots + (force - held) * q0 + (moment - turned) * q1
-        stuck, bound = take(rows, first + STUCK), take(rows, first + BOUND)
-        total += k * (lines.shear_ratio[i] * beta * stuck * speed + bound) * speed
+        dashpots, _ = _stored(k, (q0, q1), pressed)
+        total += 2.0 * beta * take(rows, first + COUNTED) * dashpots
+        total += (force - held) * q0 + (moment - turned) * q1
     return total
 
 

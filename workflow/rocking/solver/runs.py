@@ -11,13 +11,14 @@ from .block import BLOCK
 from .inputs import COLUMNS, FAILED, OVERTURNED, REST_RATIO, Rules
 from .motions import Motions, last_step
 from .plane import matrices
-from .stack import Stack, stack_matrices
+from .stack import LEAD, Stack, stack_matrices
 from .stack_kernel import STACK
 from .substructure import NO_BODIES
 
 STATUS = ("ok", "overturned", "failed")
 STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
 FARTHER = 1e3  # than the explicit stable step, where springs are taken ahead
+AS_THEY_ARE = 0.6  # of the explicit stable step: up to there no spring is taken ahead
 AT_ONCE = 64  # side by side, between two chances to stop; their memory fits into the cache
 
 
@@ -104,6 +105,18 @@ def stable_step(planar, carried=NO_BODIES, lead=0.0):
     alone = np.zeros(k.shape, bool)
     alone[:free, :free] = own[:free, :free]
     return _largest_step(mass, k, c, alone, lead)
+
+
+def fitted(planar, carried, step_s):
+    """Plane of courses whose springs are taken ahead by no more than a step asks for.
+
+    Newmark's scheme with γ = 1/2 and β = lead/2 is stable up to h₀/√(1 − 2·lead), with h₀ the
+    stable step of springs that are taken as they are; of h₀ itself it takes `AS_THEY_ARE`.
+    """
+    if not isinstance(planar, Stack) or planar.lead <= 0.0:
+        return planar
+    ratio = AS_THEY_ARE * stable_step(planar, carried or NO_BODIES) / step_s
+    return planar._replace(lead=LEAD * max(0.0, 1.0 - ratio * ratio))
 
 
 def _largest_step(mass, k, c, alone, lead=0.0):

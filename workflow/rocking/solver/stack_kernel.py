@@ -19,9 +19,6 @@ from .march import TO_THE_END, Loop, advance, march_many
 from .sines import cos_sin
 from .vectors import alone, choose, like, lone, put, put_where, some, take
 
-import os
-
-V_RATES = int(os.environ.get("V_RATES", "0"))
 OPEN, CLOSED, HOLDS, GONE = 0.0, 1.0, 2.0, 3.0  # states of a node
 
 
@@ -61,7 +58,7 @@ def _start(p):
 def _predict(p, parts, time, alive):
     """Rates at the whole step, cosines and sines of all blocks; forces and dashpots at nothing."""
     half, _, dt = time
-    ahead = half * (1.0 - p.lead) if V_RATES == 0 else half
+    ahead = half * (1.0 - 2.0 * p.lead)  # led, rates that swing from step to step open joints
     for m in range(len(parts.place)):
         put(parts.now, m, take(parts.rate, m) + ahead * take(parts.rise, m))
         put(parts.force, m, 0.0)
@@ -275,9 +272,8 @@ def accelerate(p, parts, half, ag, gravity):
     own, rise, force, nodes = parts.own, parts.rise, parts.force, _nodes(p, parts.nodes)
     before = 1.0  # the dashpots' part of what stands in `own`
     if p.lead > 0.0 and half > 0.0:
-        before = (1.0 - p.lead) * p.beta / (p.beta + 2.0 * p.lead * half)
-        if V_RATES == 1:
-            before = p.beta / (p.beta + 2.0 * p.lead * half)
+        known = p.late - 2.0 * p.lead  # of the last acceleration in the rate at which they act
+        before = known * p.beta / (p.late * p.beta + 2.0 * p.lead * half)
     chained = len(parts.ride.u) > 0
     if chained:
         _answer(p, parts, nodes.held, -half * before)
