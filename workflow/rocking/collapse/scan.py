@@ -32,7 +32,7 @@ LAYOUTS_SHORTER = tuple(1.0 - 0.03 * k for k in range(NODE_CHOICES))  # of long 
 BRICKS_STEP = 0.4  # of W3's stable step, which its bricks decide: 0.20 ms
 COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}  # beds need none
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
-COURSES_STEP = 0.08  # of the stable step of the same façade in one block
+COURSES_STEP = 0.072  # of the stable step of the same façade in one block
 # The light one of pieces makes their stable step short: of it they take so many times the share
 # of one block, up to the second (docs/log/accuracy.md has the errors)
 PIECES_STEPS, PIECES_MOST = 4.0 / 3.0, 0.4

@@ -168,7 +168,9 @@ def march_block(given, rows, scratch, every, series, weight):
 @looped
 def march_blocks(given, memory, scratch, case, motion, found):
     """Histories of a `Planar` side by side, see `march.march_many`."""
-    march_many((contact, accelerate, monitor, energies), given, memory, scratch, case, motion, found)
+    march_many(
+        (contact, accelerate, monitor, energies), given, memory, scratch, case, motion, found
+    )
 
 
 def _start(p):

@@ -6,9 +6,11 @@ q₀ + q₁ s. So it presses where both δ and δ + β δ̇ are above nothing, f
     N = k ∫ (δ + β δ̇) ds,   M = k ∫ s (δ + β δ̇) ds
 
 follow from the two places: what nodes across the joint converge to, without their steps. Along the
-joint it is `BINS` parts, shorter towards its ends. Each has a slip of its own, the mean of what is
+joint it is parts, shorter towards its ends, each with a spring that slides at μN and no dashpot
+(YADE's law would not bound one by friction). Each has a slip of its own, the mean of what is
 pressed of it: what closes anew starts without any. With one slip for all a wall that rocks would
-creep along its beds, since what opens last has borne longest.
+creep along its beds, since what opens last has borne longest; with eight parts a bed that rocks on
+its last hundredth is still 1.4 % off.
 """
 
 import math
@@ -20,17 +22,15 @@ from rocking.runtime.compiled import inlined
 
 from .faces import act, met, moving, withstand
 from .groups import law_of
-from .vectors import choose, every, like, put, some, take
+from .vectors import choose, every, like, put, put_where, some, take
 
-import os
-V_SHARE = int(os.environ.get('V_SHARE','0'))
-BINS = int(os.environ.get('V_BINS','8'))
-V_POW = float(os.environ.get('V_POW','0'))
-ENDS = tuple(-math.cos(math.pi * k / BINS) if V_POW == 0 else math.copysign(1.0 - (1.0 - abs(2.0 * k / BINS - 1.0)) ** V_POW, 2.0 * k / BINS - 1.0) for k in range(BINS + 1))  # of the parts, over half
+PARTS, BEHIND = 32, 16  # in so many parts friction is told along beds, and along walls
 # Rows a line: from where to where it pressed at the last step, its penetration then, d0 + d1·s, the
-# share of that step for which it did, and the slip of each part
-LOW, HIGH, DEPTH, COUNTED, SLIP = 0, 1, 2, 4, 5
-MEMORY = SLIP + BINS
+# share of that step for which it did; whether its parts go together: 1, then slip that all of them
+# have had since, and of the stored slips Σ length·slip, Σ length·slip², the largest; slip of each part
+LOW, HIGH, DEPTH, COUNTED, WHOLE, SINCE, SUM, SQUARES, MOST, SLIP = 0, 1, 2, 4, 5, 6, 7, 8, 9, 10
+MEMORY = SLIP + PARTS
+SOME = 8  # parts that are passed over at once where none is pressed
 SIDE = 0.5 / math.sqrt(3.0)  # two springs there have the moments of an even line of length 1
 
 
@@ -49,6 +49,8 @@ class Lines(NamedTuple):
     shear_ratio: np.ndarray
     beta_s: np.ndarray
     friction: np.ndarray
+    parts: np.ndarray  # (lines,), int: in so many friction is told
+    edge_m: np.ndarray  # (lines, PARTS + 1) their ends from the middle
 
 
 def lines_of(scene, even, number, column):
@@ -91,14 +93,24 @@ def lines_of(scene, even, number, column):
             "half_m": 0.5 * length,
             "k_n_m2": kn.sum() / length,
             **law_of(nodes, first),
+            "parts": (parts := PARTS if abs(normal[1]) > abs(normal[0]) else BEHIND),
+            "edge_m": _edges(0.5 * length, parts),
         }
         for key, values in found.items():
             values.append(row[key])
-    whole = ("body_a", "body_b", "support")
+    whole = ("body_a", "body_b", "support", "parts")
     columns = {key: np.array(v, np.int64 if key in whole else float) for key, v in found.items()}
     for key in ("origin_m", "along", "normal"):
         columns[key] = columns[key].reshape(-1, 2)
+    columns["edge_m"] = columns["edge_m"].reshape(-1, PARTS + 1)
     return Lines(**columns), taken
+
+
+def _edges(half_m, parts):
+    """Ends of the parts of a line from its middle [m], shorter towards its ends; then nothing."""
+    edges = np.zeros(PARTS + 1)
+    edges[: parts + 1] = -half_m * np.cos(math.pi * np.arange(parts + 1) / parts)
+    return edges
 
 
 def elements(lines, centre):
@@ -121,13 +133,25 @@ def _reach(f0, f1, low, high):
 
 
 @inlined
-def _rubbed(rows, first, half, reach, moves, law, acts, counts):
-    """Friction along a line, part by part; forces and energies over k.
+def _apart(rows, first, parts, mask):
+    """Give the parts of a line that went together their own slips."""
+    since = take(rows, first + SINCE)
+    for part in range(parts):
+        had = take(rows, first + SLIP + part)
+        put(rows, first + SLIP + part, choose(mask, had + since, had))
+    put_where(rows, first + WHOLE, mask, 0.0)
+
+
+@inlined
+def _rubbed(lines, i, rows, first, reach, moves, law, acts, counts):
+    """Friction along a line; forces and energies over k.
+
+    Where all of it is pressed, now and at the last step, and no part slides, the parts go together.
 
     Parameters
     ----------
-    rows, first
-        Rows of the line from that one on.
+    lines, i, rows, first
+        The line, and its rows from that one on.
     reach : tuple of 4 numbers
         From where to where it is pressed, now and at the last step.
     moves : tuple of 3 numbers
@@ -144,45 +168,91 @@ def _rubbed(rows, first, half, reach, moves, law, acts, counts):
         parts lost; the last two of one history.
     """
     (low, high, low_then, high_then), (h0, h1, step) = reach, moves
-    ratio, friction, wanted = law
-    shear = stuck = grip = loss = like(0.0, h0)
-    # pressed over all its length, now and at the last step: each part keeps its slip as it is
-    throughout = (max(low, low_then) <= -half) & (min(high, high_then) >= half)
-    even = not counts and every(throughout | ~acts)
-    for part in range(BINS):
-        at = first + SLIP + part
-        one, two = half * ENDS[part], half * ENDS[part + 1]
-        had = take(rows, at)
-        if even:
-            start, stop = like(one, h0), like(two, h0)
-            shut, share = acts, choose(acts, two - one, 0.0)
-        else:
-            start, stop = max(low, one), min(high, two)
-            share = max(stop - start, 0.0)
-            shut = share > 0.0
-            before = max(min(high_then, two) - max(low_then, one), 0.0)
-            if counts:
-                loss += 0.5 * ratio * before * had * had
-            if not some(shut):
-                put(rows, at, 0.0)
-                continue
-            had = had * (min(before, share) / choose(shut, share, 1.0))
-            if counts:
-                loss -= 0.5 * ratio * share * had * had
-        most = friction * max(h0 + h1 * (0.5 * (start + stop)), 0.0)
-        slip = had + step
-        held = ratio * slip
-        force = min(max(held, -most), most)
-        sticks = abs(held) <= most
-        slip = choose(sticks, slip, force / ratio)
-        shear += share * force
-        if wanted:
-            stuck += choose(sticks, share, 0.0)
-        put(rows, at, choose(shut, slip, 0.0))
+    (ratio, friction, _), half = law, lines.half_m[i]
+    throughout = (max(low, low_then) <= -half) & (min(high, high_then) >= half) & acts
+    least = friction * max(min(h0 - h1 * half, h0 + h1 * half), 0.0)
+    together = take(rows, first + WHOLE) > 0.0
+    since = take(rows, first + SINCE) + step
+    holds = together & throughout
+    holds = holds & (ratio * (take(rows, first + MOST) + abs(since)) <= least)
+    if some(together & ~holds):
+        _apart(rows, first, lines.parts[i], together & ~holds)
+    none = like(0.0, h0)
+    shear = stuck = grip = none
+    if some(holds):
+        put_where(rows, first + SINCE, holds, since)
+        length, sum_ = 2.0 * half, take(rows, first + SUM)
+        shear = choose(holds, ratio * (sum_ + since * length), none)
+        stuck = choose(holds, length, none)
         if counts:
-            grip += share * slip * slip
-            mean = 0.5 * (most + min(ratio * abs(had), abs(held)))
-            loss += choose(sticks, 0.0, share * mean * abs(held - force) / ratio)
+            grip = take(rows, first + SQUARES) + since * (2.0 * sum_ + since * length)
+    each = acts & ~holds
+    if not (counts or some(each)):
+        return shear, stuck, grip, none
+    if counts and some(holds):
+        return shear, stuck, grip, none
+    t, s, g, loss = _part_by_part(
+        lines, i, rows, first, reach, moves, law, (each, throughout), counts
+    )
+    return choose(each, t, shear), choose(each, s, stuck), grip + g, loss
+
+
+@inlined
+def _part_by_part(lines, i, rows, first, reach, moves, law, acts, counts):
+    """As `_rubbed`, part by part, where `acts` says so; beside it where it is pressed throughout."""
+    (low, high, low_then, high_then), (h0, h1, step) = reach, moves
+    (ratio, friction, wanted), (each, throughout), half = law, acts, lines.half_m[i]
+    shear = stuck = grip = loss = stored = top = like(0.0, h0)
+    glides = each & ~each
+    even = not counts and every(throughout | ~each)
+    for begin in range(0, lines.parts[i], SOME):
+        low_edge, high_edge = lines.edge_m[i, begin], lines.edge_m[i, begin + SOME]
+        if not (even or counts or some(each & (min(high, high_edge) > max(low, low_edge)))):
+            continue
+        for part in range(begin, begin + SOME):
+            at = first + SLIP + part
+            one, two = lines.edge_m[i, part], lines.edge_m[i, part + 1]
+            if even:  # each part keeps its slip as it is
+                start, stop = like(one, h0), like(two, h0)
+                had = take(rows, at)
+                shut, share = each, choose(each, two - one, 0.0)
+            else:
+                # what is not pressed keeps a slip that counts for nothing once it is again
+                start, stop = max(low, one), min(high, two)
+                shut = each & (stop > start)
+                if not (counts or some(shut)):
+                    continue
+                had, share = take(rows, at), choose(shut, stop - start, 0.0)
+                before = max(min(high_then, two) - max(low_then, one), 0.0)
+                if counts:
+                    loss += 0.5 * ratio * before * had * had
+                had = had * (min(before, share) / choose(shut, share, 1.0))
+                if counts:
+                    loss -= 0.5 * ratio * share * had * had
+            most = friction * max(h0 + h1 * (0.5 * (start + stop)), 0.0)
+            slip = had + step
+            held = ratio * slip
+            force = min(max(held, -most), most)
+            sticks = abs(held) <= most
+            slip = choose(shut, choose(sticks, slip, force / ratio), 0.0)
+            shear += share * force
+            glides = glides | (shut & ~sticks)
+            top, stored = max(top, abs(slip)), stored + share * slip
+            if wanted:
+                stuck += choose(sticks, share, 0.0)
+            put_where(rows, at, each, slip)
+            if counts:
+                grip += share * slip * slip
+                mean = 0.5 * (most + min(ratio * abs(had), abs(held)))
+                loss += choose(sticks, 0.0, share * mean * abs(held - force) / ratio)
+    least = friction * max(min(h0 - h1 * half, h0 + h1 * half), 0.0)
+    joins = each & throughout & ~glides & (2.0 * ratio * top < least)
+    if some(joins):
+        put_where(rows, first + WHOLE, joins, 1.0)
+        put_where(rows, first + SINCE, joins, 0.0)
+        put_where(rows, first + SUM, joins, stored)
+        put_where(rows, first + SQUARES, joins, grip)
+        put_where(rows, first + MOST, joins, top)
     return shear, stuck, grip, loss
 
 
@@ -238,6 +308,16 @@ def _closing(depths, before, shut, press, half):
 
 
 @inlined
+def _open(rows, first, reach, depths, back, row):
+    """What a line remembers of a step in which it does not press."""
+    for m, value in enumerate((*reach, *depths)):
+        put(rows, first + m, value)
+    put(rows, first + WHOLE, like(0.0, depths[0]))
+    for m in range(3):
+        put(back, row + m, like(0.0, depths[0]))
+
+
+@inlined
 def press(p, parts, rows, back, time, alive, counts):
     """What the lines do to their blocks; energy stored, and taken by friction [J]; see `march`.
 
@@ -248,31 +328,33 @@ def press(p, parts, rows, back, time, alive, counts):
     elastic = spent = like(0.0, take(parts.place, 0))
     for i in range(lines.half_m.size):
         ends, arms, direction, along, (d0, d1) = met(p, lines, i, parts, alive)
-        turns, (q0, q1, _, _, step, _) = moving(parts, ends, arms, direction, along, past)
-        half, k, beta = lines.half_m[i], lines.k_n_m2[i], lines.beta_s[i]
+        half, k, beta, first = lines.half_m[i], lines.k_n_m2[i], lines.beta_s[i], MEMORY * i
         ratio, friction = lines.shear_ratio[i], lines.friction[i]
-        h0, h1 = d0 + beta * q0, d1 + beta * q1
         shut = _reach(d0, d1, like(-half, d0), like(half, d0))
+        if not counts and not some(shut[1] > shut[0]):
+            _open(rows, first, shut, (d0, d1), back, 3 * i)
+            continue
+        turns, (q0, q1, _, _, step, _) = moving(parts, ends, arms, direction, along, past)
+        h0, h1 = d0 + beta * q0, d1 + beta * q1
         low, high = _reach(h0, h1, *shut)
-        length, first = max(high - low, 0.0), MEMORY * i
+        length = max(high - low, 0.0)
         was = take(rows, first + LOW), take(rows, first + HIGH)
         before = take(rows, first + DEPTH), take(rows, first + DEPTH + 1)
         if past == 0.0:  # what touches at first has not just closed
             before = d0, d1
-        for m, value in enumerate((low, high, d0, d1)):
-            put(rows, first + m, value)
         acts = length > 0.0
         if not counts and not some(acts):
-            for m in range(3):
-                put(back, 3 * i + m, like(0.0, d0))
+            _open(rows, first, (low, high), (d0, d1), back, 3 * i)
             continue
+        for m, value in enumerate((low, high, d0, d1)):
+            put(rows, first + m, value)
         middle, second = 0.5 * (low + high), length * length / 12.0
         mean = max(h0 + h1 * middle, 0.0)
         normal = length * mean
         moment = length * (mean * middle + h1 * second)
         law, reach = (ratio, friction, p.lead > 0.0), (low, high, was[0], was[1])
         shear, stuck, grip, loss = _rubbed(
-            rows, first, half, reach, (h0, h1, step), law, acts, counts
+            lines, i, rows, first, reach, (h0, h1, step), law, acts, counts
         )
         more, more_moment = _closing((d0, d1), before, shut, (h0, h1), half)
         whole = normal + more

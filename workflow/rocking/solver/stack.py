@@ -57,7 +57,7 @@ class Stack(NamedTuple):
     groups: Groups  # of blocks in a row all other nodes; the nodes above are then none
     lead: float  # steps by which springs of pieces are taken ahead, as dashpots; 0: as they are
     beta: float  # β of all of them
-    late: float  # where in a step the dashpots of `lines` act: 1, in its middle; 2, at its end
+    late: float  # where dashpots of `lines` act in a step: 1, in its middle; 2, at its end
     gravity_m_s2: float
     thickness_m: float
     height_m: float
