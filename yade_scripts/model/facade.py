@@ -40,7 +40,7 @@ from yade_scripts.model.panels import base_block, hang_base
 from yade_scripts.model.quadrature import MIDDLE, gauss_lobatto, over_columns
 from yade_scripts.model.rest import at_rest
 from yade_scripts.model.return_walls import WALL, add_return_walls, back_jkn
-from yade_scripts.model.scene import DOFS, Block, NodeList, Scene, box_inertia, held
+from yade_scripts.model.scene import DOFS, DRY, NO_DRAG, Block, NodeList, Scene, box_inertia, held
 from yade_scripts.model.shape import is_plain, shape_of
 from yade_scripts.model.ties import anchor_ties, facade_ties
 from yade_scripts.model.wall_motion import building_height, motion_of
@@ -141,12 +141,14 @@ def facade_scene(
     floors, springs = facade_floors(
         facade.get("floors", ()), *behind, config["smdof"]["damping_ratio"]
     )
-    even = _even(nodes.joints, tops) if facade.get("courses") else []
+    even, found = _even(nodes.joints, tops) if facade.get("courses") else [], nodes.done()
+    of_courses = np.isin(found.joint, [nodes.joints.index(name) for name in even])
+    found.drag[of_courses & (found.kind == DRY)] = NO_DRAG
     notes = {"motions": motions, "watched": tops, "even": even}
     return Scene(
         blocks,
         nodes.joints,
-        nodes.done(),
+        found,
         monitor=blocks[1 + len(tops)].name,
         monitor_point_m=(0.0, 0.5 * sum(shape.storeys[-1][2:]), shape.top_m),
         reference=BASE,

@@ -46,13 +46,12 @@ from yade_scripts.model.facade import BASE, FACADE, Beds, ground_block, plain_bl
 from yade_scripts.model.floor_motions import GROUND
 from yade_scripts.model.panels import Hanging
 from yade_scripts.model.quadrature import GAUSS
-from yade_scripts.model.scene import Block, NodeList, Scene, box_inertia, held
+from yade_scripts.model.scene import NO_DRAG, Block, NodeList, Scene, box_inertia, held
 from yade_scripts.model.split_bricks import DOWN, ONTO_BRICK, UP
 from yade_scripts.model.wall_motion import motion_of
 
 HEADER_JOINTS = ("rigid", "bonded", "sliding", "hinged", "study")
 BACK = (0.0, -1.0, 0.0)
-NO_DRAG = 0.0  # no dashpots along dry joints
 
 
 def interlocking_scene(config, beta_s, *, two_way=False):

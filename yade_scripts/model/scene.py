@@ -204,6 +204,7 @@ def held(tension_pa, cohesion_pa, friction_rad):
     }
 
 
+NO_DRAG = 0.0  # no dashpots along dry joints: YADE's law would not bound them by friction
 INTEGERS, VECTORS = ("a", "b", "joint", "kind"), ("position_m", "normal")  # columns of nodes
 
 

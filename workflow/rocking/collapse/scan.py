@@ -10,7 +10,7 @@ from rocking.collapse import search
 from rocking.collapse.search import Answer
 from rocking.solver.motions import Motions
 from rocking.solver.plane import moving_supports, to_plane
-from rocking.solver.runs import STEP_FRACTION, peaks, stable_step
+from rocking.solver.runs import STEP_FRACTION, fitted, peaks, stable_step
 from rocking.solver.substructure import Bodies, bodies
 from smdof.chain import shear_chain
 from yade_scripts.commands.perturb import (
@@ -32,7 +32,7 @@ LAYOUTS_SHORTER = tuple(1.0 - 0.03 * k for k in range(NODE_CHOICES))  # of long 
 BRICKS_STEP = 0.4  # of W3's stable step, which its bricks decide: 0.20 ms
 COURSES_NODES = {"nodes_thickness": 5, "nodes_height": 9, "nodes_per_block": 5}  # beds need none
 LIGHT_STEP = 0.5  # of the stable step with the masses that carry the walls
-COURSES_STEP = 0.08  # of the stable step of the same façade in one block
+COURSES_STEP = 0.072  # of the stable step of the same façade in one block
 # The light one of pieces makes their stable step short: of it they take so many times the share
 # of one block, up to the second (docs/log/accuracy.md has the errors)
 PIECES_STEPS, PIECES_MOST = 4.0 / 3.0, 0.4
@@ -189,6 +189,7 @@ def _layouts_of(text, fraction):
             for plane, lead in zip(planes, ahead, strict=True)
         ]
         steps_s = list(map(min, steps_s, most))
+    planes = [fitted(plane, carried, step) for plane, step in zip(planes, steps_s, strict=True)]
     return scene, planes, steps_s, shorter, carried
 
 

@@ -6,7 +6,7 @@ from .groups import touched, untouched
 from .joints import added, reached, resultants
 from .march import TO_THE_END, Loop, advance, march_many
 from .sines import cos_sin
-from .vectors import alone, choose, like, put, some, take
+from .vectors import alone, choose, like, lone, put, some, take
 
 
 @inlined
@@ -147,17 +147,30 @@ def accelerate(p, parts, half, ag, gravity):
     put(rise, 2, at)
 
 
+@inlined
+def energies(p, parts, half, ag, gravity):
+    """Of one history, see `march`; dashpots have been counted with their forces."""
+    y = lone(take(parts.rate, 0) + half * take(parts.rise, 0))
+    z = lone(take(parts.rate, 1) + half * take(parts.rise, 1))
+    turn = lone(take(parts.rate, 2) + half * take(parts.rise, 2))
+    kinetic = 0.5 * p.mass_kg * (y * y + z * z) + 0.5 * p.inertia_kg_m2 * turn * turn
+    raised = p.mass_kg * p.gravity_m_s2 * lone(take(parts.place, 1))
+    return kinetic, raised, -p.mass_kg * (lone(ag) * y + (lone(gravity) - p.gravity_m_s2) * z), 0.0
+
+
 @looped
 def march_block(given, rows, scratch, every, series, weight):
     """One history of a `Planar`, see `march.advance`."""
-    what = contact, accelerate, monitor
+    what = contact, accelerate, monitor, energies
     return advance(what, given, rows, scratch, TO_THE_END, 0, every, series, weight)
 
 
 @looped
 def march_blocks(given, memory, scratch, case, motion, found):
     """Histories of a `Planar` side by side, see `march.march_many`."""
-    march_many((contact, accelerate, monitor), given, memory, scratch, case, motion, found)
+    march_many(
+        (contact, accelerate, monitor, energies), given, memory, scratch, case, motion, found
+    )
 
 
 def _start(p):

@@ -110,6 +110,48 @@ def _coupled(between, low, directions, sums, size):
 
 
 @inlined
+def withstand(parts, ends, arms, direction, more, sums, back, row, also=False):
+    """Add what resists rates of the faces along one direction to blocks and between them.
+
+    Parameters
+    ----------
+    ends, arms
+        Of `met`.
+    direction : tuple of 2 numbers
+        (y, z).
+    more : number
+        What an arm along the line has along it, of `moving`.
+    sums : tuple of 3 numbers
+        Σ dashpot·(1, s, s²) along the line.
+    back, row, also
+        Of a joint with a support three rows from that one on get, or are added, what rates of its
+        block do to the force along y.
+    """
+    (a, b, _), (y, z), (k0, k1, k2) = ends, direction, sums
+    lever_a, lever_b = z * arms[0][0] - y * arms[0][1], z * arms[1][0] - y * arms[1][1]
+    of_a, of_b = lever_a * k0 + more * k1, lever_b * k0 + more * k1
+    spread = more * (k1 * lever_a + more * k2), more * (k1 * lever_b + more * k2)
+    yy, yz, zz = y * y * k0, y * z * k0, z * z * k0
+    for end in range(2):
+        block, mine = (a, b)[end], (of_a, of_b)[end]
+        if block >= 0:
+            turning = (lever_a, lever_b)[end] * mine + spread[end]
+            entries = yy, yz, y * mine, zz, z * mine, turning
+            for m, value in enumerate(entries):
+                put(parts.own, 6 * block + m, take(parts.own, 6 * block + m) + value)
+    if a >= 0 and b >= 0:
+        low, of_low, of_high = (a, of_a, of_b) if a < b else (b, of_b, of_a)
+        both = lever_b * of_a + spread[0]
+        entries = yy, yz, y * of_high, yz, zz, z * of_high, of_low * y, of_low * z, both
+        for m, value in enumerate(entries):
+            put(parts.between, 9 * low + m, take(parts.between, 9 * low + m) - value)
+    else:
+        mine = of_a if a >= 0 else of_b
+        for m, value in enumerate((yy, yz, y * mine)):
+            put(back, row + m, take(back, row + m) + value if also else value)
+
+
+@inlined
 def resist(parts, joint, turns, sums, dashpots):
     """Add the dashpots of a joint to those of its blocks and between them.
 

@@ -11,7 +11,7 @@ from .vectors import choose
 
 OK, OVERTURNED, FAILED = 0.0, 1.0, 2.0
 REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
-COLUMNS = 14  # of a history before the supports' own
+COLUMNS = 17  # of a history before the supports' own
 
 
 class Rules(NamedTuple):

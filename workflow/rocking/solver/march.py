@@ -17,6 +17,9 @@ that last fit into fewer chunks. What marches, one block or several, gives three
         Accelerations by them.
     monitor(p, parts)
         Place and speed of the watched point.
+    energies(p, parts, half, ag, gravity)
+        Of one history, after its accelerations: kinetic energy, that of its weight, the power of
+        the inertia forces, and what dashpots take that `contact` has not counted.
 """
 
 from typing import Any, NamedTuple
@@ -95,6 +98,7 @@ def _parts(p, bodies, samples, rows, scratch):
 def _write(out, time, d, v, parts, half, energy, field, weight, chained):
     """One row of a history's series, see `runs.Series`."""
     out[0], out[1], out[2], out[9], out[10] = time, lone(d), lone(v), energy[0], energy[1]
+    out[14], out[15], out[16] = energy[2], energy[3], energy[4]
     for m in range(3):
         rise = take(parts.rise, m)
         out[3 + m], out[6 + m] = lone(take(parts.place, m)), lone(take(parts.rate, m) + half * rise)
@@ -107,13 +111,39 @@ def _write(out, time, d, v, parts, half, energy, field, weight, chained):
 
 
 @inlined
+def _works(bodies, parts, memory, bars, ag, half):
+    """Energies of one history beside its blocks: those of carriers and floors, see `energies`.
+
+    Power of the inertia forces on them and of driven supports; what their dashpots take.
+    """
+    ride, supports = parts.ride, parts.supports
+    kinetic = held = power = taken = 0.0
+    n = bodies.mass_kg.size
+    for j in range(n):
+        speed = lone(take(ride.v, j)) + half * lone(take(ride.a, j))
+        kinetic += 0.5 * bodies.mass_kg[j] * speed * speed
+        power -= bodies.mass_kg[j] * bodies.ground[j] * ag * speed
+        for i in range(n):
+            other = lone(take(ride.v, i)) + half * lone(take(ride.a, i))
+            held += 0.5 * bodies.k_n_m[j, i] * lone(take(ride.u, j)) * lone(take(ride.u, i))
+            taken += bodies.c_n_s_m[j, i] * speed * other
+    for i in range(bars.mass_kg.size):
+        if bars.mass_kg[i] > 0.0:
+            speed = lone(take(memory.speed_m_s, i)) + half * lone(take(memory.rate_m_s2, i))
+            power -= bars.mass_kg[i] * ag * speed
+    for j in range(len(supports.fy) - 1 if n == 0 else 0):
+        power -= lone(take(supports.fy, j)) * lone(take(supports.vy, j))
+    return kinetic, held, power, taken
+
+
+@inlined
 def advance(what, given, state, scratch, span, base, every, series, weight):
     """March a history, or a chunk, from a step up to another, or until all have ended.
 
     Parameters
     ----------
     what : tuple of functions
-        `contact`, `accelerate`, `monitor`, see above.
+        `contact`, `accelerate`, `monitor`, `energies`, see above.
     given : tuple
         The plane, what stays of its nodes, `Bodies`, `SteppedMotions`, `Rules`.
     state, scratch : ndarray, shape (rows,) or (rows, WIDTH)
@@ -132,7 +162,7 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
     int, number
         Rows written; bonds and ties that broke.
     """
-    contact, accelerate, monitor = what
+    contact, accelerate, monitor, energies = what
     p, whole, bodies, table, rules = given
     dt, each = table.step_s, columns(table.samples)
     steps = len(table.rows) // each
@@ -145,18 +175,19 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
     shaken, broken = like(False, peak), like(0.0, peak)
     spent = elastic = broken
     counts = alone(peak) and series.shape[0] > 0
-    written = 0
+    written, done = 0, 0.0
     for k in range(span[0], span[1]):
         half, past, ahead = (0.5 * dt, dt, dt) if k > 0 else (0.0, 0.0, 0.5 * dt)
         at = each * min(k - base, steps - 1)
         ag = factor * take(table.rows, at)
         gravity = p.gravity_m_s2 + size * take(table.rows, at + 1)
-        if chained:
+        if chained or counts:
             for j in range(len(supports.fy)):
                 put(supports.fy, j, 0.0)
                 if bodies.lift.size > 0:
                     put(supports.fz, j, 0.0)
                     put(supports.moment, j, 0.0)
+        if chained:
             substructure.carry(bodies, ride, half, past, supports)
         else:
             drive(table, at, factor, take(state, LAST) < float(k), k, past, supports)
@@ -176,11 +207,20 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
         accelerate(p, parts, half, ag, gravity)
         if chained:
             shaken = substructure.accelerate(bodies, ride, supports, ag, take(state, QUIET))
-        if counts and k % every == 0 and written < series.shape[0]:
-            field, energy = (ag, gravity, like(0.0, ag)), (lone(elastic), lone(spent))
-            out = series[written]
-            _write(out, k * dt, d, v, parts, half, energy, field, weight, chained)
-            written += 1
+        if counts:
+            kinetic, raised, power, taken = energies(p, parts, half, ag, gravity)
+            works = _works(bodies, parts, memory, p.bars, lone(ag), half)
+            kinetic, raised = kinetic + works[0], raised + works[1]
+            power, taken = power + works[2], taken + works[3]
+            # a step's work counts half up to now, half from now on
+            done, spent = done + half * power, spent + half * taken
+            if k % every == 0 and written < series.shape[0]:
+                field = ag, gravity, like(0.0, ag)
+                energy = lone(elastic), lone(spent), kinetic, raised, done
+                out = series[written]
+                _write(out, k * dt, d, v, parts, half, energy, field, weight, chained)
+                written += 1
+            done, spent = done + 0.5 * dt * power, spent + 0.5 * dt * taken
         ends = take(state, MOTION), take(state, FASTEST), take(state, LIMIT)
         over, status, moved = verdict(rules, *ends, k, dt, d, v, shaken, moved)
         over = over & alive

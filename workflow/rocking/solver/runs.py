@@ -11,13 +11,14 @@ from .block import BLOCK
 from .inputs import COLUMNS, FAILED, OVERTURNED, REST_RATIO, Rules
 from .motions import Motions, last_step
 from .plane import matrices
-from .stack import Stack, stack_matrices
+from .stack import LEAD, Stack, stack_matrices
 from .stack_kernel import STACK
 from .substructure import NO_BODIES
 
 STATUS = ("ok", "overturned", "failed")
 STEP_FRACTION = 0.08  # of the stable step: 0.39 ms for the default façade
 FARTHER = 1e3  # than the explicit stable step, where springs are taken ahead
+AS_THEY_ARE = 0.6  # of the explicit stable step: up to there no spring is taken ahead
 AT_ONCE = 64  # side by side, between two chances to stop; their memory fits into the cache
 
 
@@ -38,6 +39,11 @@ class Series:
         friction, yielding and what broke so far.
     contact : ndarray, shape (n, 3)
         Force along y, z [N] and moment about x [N·m] of the nodes on the block.
+    kinetic_j, potential_j, input_j : ndarray
+        Of blocks and of masses that carry supports; of the weight of blocks, from their reference
+        places, and of the springs between these masses; work of the inertia forces and of driven
+        supports so far. Kinetic + potential + elastic energy from the start, and what was spent,
+        are the input but for the error of the step.
     supports_m, supports_m_s : ndarray, shape (n, m)
         Of the supports, or of the masses that carry them, relative to the ground.
     peak_d_over_b : float
@@ -56,6 +62,9 @@ class Series:
     elastic_j: np.ndarray
     spent_j: np.ndarray
     contact: np.ndarray
+    kinetic_j: np.ndarray
+    potential_j: np.ndarray
+    input_j: np.ndarray
     supports_m: np.ndarray
     supports_m_s: np.ndarray
     peak_d_over_b: float
@@ -96,6 +105,18 @@ def stable_step(planar, carried=NO_BODIES, lead=0.0):
     alone = np.zeros(k.shape, bool)
     alone[:free, :free] = own[:free, :free]
     return _largest_step(mass, k, c, alone, lead)
+
+
+def fitted(planar, carried, step_s):
+    """Plane of courses whose springs are taken ahead by no more than a step asks for.
+
+    Newmark's scheme with γ = 1/2 and β = lead/2 is stable up to h₀/√(1 − 2·lead), with h₀ the
+    stable step of springs that are taken as they are; of h₀ itself it takes `AS_THEY_ARE`.
+    """
+    if not isinstance(planar, Stack) or planar.lead <= 0.0:
+        return planar
+    ratio = AS_THEY_ARE * stable_step(planar, carried or NO_BODIES) / step_s
+    return planar._replace(lead=LEAD * max(0.0, 1.0 - ratio * ratio))
 
 
 def _largest_step(mass, k, c, alone, lead=0.0):
@@ -229,6 +250,9 @@ def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None,
         rows[:, 9],
         rows[:, 10],
         rows[:, 11:14],
+        rows[:, 14],
+        rows[:, 15],
+        rows[:, 16],
         rows[:, COLUMNS : COLUMNS + supports],
         rows[:, COLUMNS + supports :],
         math.nan if status == FAILED else peak / planar.thickness_m,

@@ -14,7 +14,7 @@ from .lines import elements as of_lines
 from .pieces import Groups, groups_of, nodes_of
 
 FREEDOMS = "yzX"
-LEAD = 1.0  # of courses: their springs as by Newmark's β of 1/2, at any step
+LEAD = 0.5  # of courses, at most: their springs as by Newmark's β of 1/4, at any step
 MANY = 9  # height over the thinnest course beyond which their dashpots are taken at a step's end
 
 
@@ -57,7 +57,7 @@ class Stack(NamedTuple):
     groups: Groups  # of blocks in a row all other nodes; the nodes above are then none
     lead: float  # steps by which springs of pieces are taken ahead, as dashpots; 0: as they are
     beta: float  # β of all of them
-    late: float  # where in a step the dashpots of `lines` act: 1, in its middle; 2, at its end
+    late: float  # where dashpots of `lines` act in a step: 1, in its middle; 2, at its end
     gravity_m_s2: float
     thickness_m: float
     height_m: float
@@ -94,7 +94,8 @@ def stacked(scene, own, column, bars):
     even = in_row and np.all(nodes.beta_s == beta) and scene.notes.get("even", ())
     heights = [blocks[i].size_m[2] for i in own]
     lines, summed = lines_of(scene, even or (), number, column)
-    grouped = in_row & ~summed & np.all(nodes.drag == 1.0)
+    grouped = in_row & ~summed
+    grouped &= np.all(nodes.drag[grouped] == 1.0)
     return Stack(
         **_of_blocks(scene, own, number, column),
         **_of_nodes(scene, nodes.select(~summed & ~grouped), number, column),
@@ -208,7 +209,7 @@ def stack_matrices(stack, supports=0):
         for i, kn in enumerate(p.kn_n_m):
             yield from between(p, i, node[i], kn, 1.0 if p.bonded[i] else p.drag[i])
         for i, place, kn in of_lines(p.lines, p.centre_m):
-            yield from between(p.lines, i, place, kn, 1.0)
+            yield from between(p.lines, i, place, kn, 0.0)
         for g, place, kn in nodes_of(p.groups, p.centre_m):
             yield from between(p.groups, g, place, kn, 1.0)
         for stiffness, dashpot, row in elements(p.bars, supports, n):

@@ -17,7 +17,7 @@ from .groups import untouched
 from .law import bond_breaks, node, released
 from .march import TO_THE_END, Loop, advance, march_many
 from .sines import cos_sin
-from .vectors import alone, choose, like, put, put_where, some, take
+from .vectors import alone, choose, like, lone, put, put_where, some, take
 
 OPEN, CLOSED, HOLDS, GONE = 0.0, 1.0, 2.0, 3.0  # states of a node
 
@@ -29,6 +29,7 @@ class StackMemory(NamedTuple):
     state: np.ndarray  # a row a node
     goes: np.ndarray  # a row a block: 0 where it came out of its slot and takes no part any more
     lines: np.ndarray  # `lines.MEMORY` rows a line, see `lines.press`
+    held: np.ndarray  # three rows a line and a group: what its block's rates do along y
     groups: np.ndarray  # rows of `groups.touched`
 
 
@@ -37,16 +38,19 @@ def _nodes(p, rows):
     """`StackMemory` in the rows of `_start`."""
     count, goes = p.kn_n_m.size, 2 * p.kn_n_m.size + p.mass_kg.size
     even = goes + lines.MEMORY * p.lines.half_m.size
+    held = even + 3 * (p.lines.half_m.size + p.groups.level_m.size)
     of_nodes = rows[:count], rows[count : 2 * count]
-    return StackMemory(*of_nodes, rows[2 * count : goes], rows[goes:even], rows[even:])
+    of_lines = rows[2 * count : goes], rows[goes:even], rows[even:held]
+    return StackMemory(*of_nodes, *of_lines, rows[held:])
 
 
 def _start(p):
     """Rows of nodes that have not met their planes yet, and of blocks that all go; see `Loop`."""
     slip, state = np.zeros(p.kn_n_m.size), np.where(p.bonded, HOLDS, OPEN)
     even = np.zeros(lines.MEMORY * p.lines.half_m.size)
+    held = np.zeros(3 * (p.lines.half_m.size + p.groups.level_m.size))
     groups, whole = untouched(p.groups)
-    rows = np.concatenate((slip, state, np.ones(p.mass_kg.size), even, groups))
+    rows = np.concatenate((slip, state, np.ones(p.mass_kg.size), even, held, groups))
     return rows, whole, (0.0, 0.0, 0.0)
 
 
@@ -54,7 +58,7 @@ def _start(p):
 def _predict(p, parts, time, alive):
     """Rates at the whole step, cosines and sines of all blocks; forces and dashpots at nothing."""
     half, _, dt = time
-    ahead = half * (1.0 - p.lead)  # led, rates that swing from step to step would open joints
+    ahead = half * (1.0 - 2.0 * p.lead)  # led, rates that swing from step to step open joints
     for m in range(len(parts.place)):
         put(parts.now, m, take(parts.rate, m) + ahead * take(parts.rise, m))
         put(parts.force, m, 0.0)
@@ -181,7 +185,7 @@ def contact(p, whole, parts, turning, time, alive, counts, spent):
     """Forces of all nodes and links, and dashpots; see `march`."""
     _predict(p, parts, time, alive)
     nodes, supports = _nodes(p, parts.nodes), parts.supports
-    elastic, taken = lines.press(p, parts, nodes.lines, time, alive, counts)
+    elastic, taken = lines.press(p, parts, nodes.lines, nodes.held, time, alive, counts)
     stored, lost, broken = pieces.press(p, whole, parts, nodes.groups, time, alive, counts)
     elastic, spent = elastic + stored, spent + taken + lost
     for i in range(p.kn_n_m.size):
@@ -243,17 +247,38 @@ def contact(p, whole, parts, turning, time, alive, counts, spent):
 
 
 @inlined
+def _answer(p, parts, held, share):
+    """Let supports feel what accelerations do to the forces on their blocks."""
+    lines = p.lines
+    for i in range(lines.half_m.size):
+        a, b, j = lines.body_a[i], lines.body_b[i], lines.support[i]
+        if (a >= 0 and b >= 0) or j < 0:
+            continue
+        at = 3 * max(a, b)
+        back = take(held, 3 * i) * take(parts.rise, at)
+        back += take(held, 3 * i + 1) * take(parts.rise, at + 1)
+        back += take(held, 3 * i + 2) * take(parts.rise, at + 2)
+        put(parts.supports.fy, j, take(parts.supports.fy, j) + share * back)
+
+
+@inlined
 def accelerate(p, parts, half, ag, gravity):
     """Accelerations of all blocks, with a block's own dashpots at the velocity of this step.
 
-    With `p.lead` the springs between and behind pieces act as far ahead: with K beside C in the
-    matrix, (M + ½hC + ½·lead·h²K)·a = F(x, v⁻) + ½hC·a⁻, at twice the lead Newmark's β. Dashpots
-    of `lines` stand there `p.late` times, once more where they would ring: docs/solver.md.
+    Dashpots of `lines` act at v⁻ + ½h (late·a − (late − 1)·a⁻): in the middle of the step, or, where
+    they would ring, at its end less what the last acceleration says of half of it, which keeps the
+    second order. With `p.lead` springs of pieces act as far ahead: with K beside C in the matrix,
+    (M + ½h late C + ½·lead·h²K)·a = F(x, v*) + ½h (late − 2 lead) C·a⁻, v* = v⁻ + (½ − lead)h a⁻,
+    at twice the lead Newmark's β. Supports feel the forces that blocks feel.
     """
     own, rise, force, nodes = parts.own, parts.rise, parts.force, _nodes(p, parts.nodes)
     before = 1.0  # the dashpots' part of what stands in `own`
     if p.lead > 0.0 and half > 0.0:
-        before = (1.0 - p.lead) * p.beta / (p.beta + 2.0 * p.lead * half)
+        known = p.late - 2.0 * p.lead  # of the last acceleration in the rate at which they act
+        before = known * p.beta / (p.late * p.beta + 2.0 * p.lead * half)
+    chained = len(parts.ride.u) > 0
+    if chained:
+        _answer(p, parts, nodes.held, -half * before)
     for row in range(len(own)):
         put(own, row, take(own, row) * half)
     for i in range(p.mass_kg.size):
@@ -291,6 +316,8 @@ def accelerate(p, parts, half, ag, gravity):
         solve_row(own, parts.between, parts.inverse, p.mass_kg, p.inertia_kg_m2, force)
         for row in range(len(force)):
             put(rise, row, take(force, row))
+    if chained:
+        _answer(p, parts, nodes.held, half)
 
 
 @inlined
@@ -310,17 +337,38 @@ def monitor(p, parts):
     return d, v
 
 
+@inlined
+def energies(p, parts, half, ag, gravity):
+    """Of one history, see `march`; dashpots of nodes have been counted with their forces.
+
+    A guide moves its block along y against what its nodes push.
+    """
+    kinetic = raised = power = 0.0
+    lift = lone(gravity) - p.gravity_m_s2
+    for i in range(p.mass_kg.size):
+        mass, at = p.mass_kg[i], 3 * i
+        for m in range(3):
+            put(parts.now, at + m, take(parts.rate, at + m) + half * take(parts.rise, at + m))
+        y, z = lone(take(parts.now, at)), lone(take(parts.now, at + 1))
+        turn = lone(take(parts.now, at + 2))
+        kinetic += 0.5 * mass * (y * y + z * z) + 0.5 * p.inertia_kg_m2[i] * turn * turn
+        raised += mass * p.gravity_m_s2 * lone(take(parts.place, at + 1))
+        power -= mass * (lone(ag) * y + lift * z)
+    return kinetic, raised, power, lines.taken(p, parts, _nodes(p, parts.nodes).lines)
+
+
 @looped
 def march_stack(given, rows, scratch, every, series, weight):
     """One history of a `Stack`, see `march.advance`; its samples are of the first block."""
-    what = contact, accelerate, monitor
+    what = contact, accelerate, monitor, energies
     return advance(what, given, rows, scratch, TO_THE_END, 0, every, series, weight)
 
 
 @looped
 def march_stacks(given, memory, scratch, case, motion, found):
     """Histories of a `Stack` side by side, see `march.march_many`."""
-    march_many((contact, accelerate, monitor), given, memory, scratch, case, motion, found)
+    what = contact, accelerate, monitor, energies
+    march_many(what, given, memory, scratch, case, motion, found)
 
 
 STACK = Loop(march_stack, march_stacks, _start, 1)
