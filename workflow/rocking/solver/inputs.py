@@ -12,6 +12,7 @@ from .vectors import choose
 OK, OVERTURNED, FAILED = 0.0, 1.0, 2.0
 REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
 COLUMNS = 14  # of a history before the supports' own
+SPAN_S = 1.0  # of which the largest |d| is kept one by one: less than a swing that nearly falls
 
 
 class Rules(NamedTuple):
@@ -21,6 +22,7 @@ class Rules(NamedTuple):
     rest_m: float
     rest_velocity_m_s: float
     rest_time_s: float
+    spans: int  # of `SPAN_S`, as many as the longest history has
 
 
 class Supports(NamedTuple):

@@ -26,7 +26,7 @@ import numpy as np
 from rocking.runtime.compiled import inlined
 
 from . import bars, substructure
-from .inputs import COLUMNS, Supports, standing, verdict
+from .inputs import COLUMNS, SPAN_S, Supports, standing, verdict
 from .motions import STRIDE, SteppedMotions, columns, drive, samples_of, to_lanes
 from .vectors import WIDTH, alone, choose, like, lone, put, put_where, rows_of_lanes, some, take
 
@@ -54,6 +54,7 @@ class Parts(NamedTuple):
     push: np.ndarray  # three: what ties and floors do
     between: np.ndarray  # nine: dashpots between it and the next
     inverse: np.ndarray  # nine: inverse of its matrix
+    most: np.ndarray  # largest |d| of each span
 
 
 @inlined
@@ -66,7 +67,7 @@ def _shape(p, bodies, samples):
 
 
 @inlined
-def _parts(p, bodies, samples, rows, scratch):
+def _parts(p, bodies, samples, rows, scratch, spans):
     """Cut the rows of a history into what they stand for."""
     supports, ride, barred = _shape(p, bodies, samples)
     n = len(scratch) // SCRATCH
@@ -80,7 +81,7 @@ def _parts(p, bodies, samples, rows, scratch):
         rows[first : first + 3 * n],
         rows[first + 3 * n : first + 6 * n],
         rows[first + 6 * n : first + 9 * n],
-        rows[first + 9 * n :],
+        rows[first + 9 * n : len(rows) - spans],
         scratch[: 2 * n],
         scratch[2 * n : 5 * n],
         scratch[5 * n : 8 * n],
@@ -88,6 +89,7 @@ def _parts(p, bodies, samples, rows, scratch):
         scratch[14 * n : 17 * n],
         scratch[17 * n : 26 * n],
         scratch[26 * n :],
+        rows[len(rows) - spans :],
     )
 
 
@@ -136,7 +138,7 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
     p, whole, bodies, table, rules = given
     dt, each = table.step_s, columns(table.samples)
     steps = len(table.rows) // each
-    parts = _parts(p, bodies, table.samples, state, scratch)
+    parts = _parts(p, bodies, table.samples, state, scratch, rules.spans)
     supports, ride, memory = parts.supports, parts.ride, parts.memory
     chained, barred = bodies.mass_kg.size > 0, len(memory.snapped) + len(memory.slid_m) > 0
     peak, moved, factor = take(state, PEAK), take(state, MOVED), take(state, FACTOR)
@@ -173,6 +175,8 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
         if p.foot >= 0:
             d, v = d - take(supports.y, p.foot), v - take(supports.vy, p.foot)
         peak = choose(alive & (abs(d) > peak), abs(d), peak)
+        here = min(int(k * dt / SPAN_S), rules.spans - 1)
+        put_where(parts.most, here, alive & (abs(d) > take(parts.most, here)), abs(d))
         accelerate(p, parts, half, ag, gravity)
         if chained:
             shaken = substructure.accelerate(bodies, ride, supports, ag, take(state, QUIET))
@@ -213,6 +217,8 @@ def _gathered(memory, case, chunks, found):
             if i >= 0 and memory[c, ALIVE, lane] == 0.0:
                 found[i, 0], found[i, 1] = memory[c, PEAK, lane], memory[c, STATUS, lane]
                 found[i, 2] = memory[c, END, lane]
+                for row in range(3, found.shape[1]):
+                    found[i, row] = memory[c, memory.shape[1] - found.shape[1] + row, lane]
                 case[c, lane] = -1
             left += case[c, lane] >= 0
     fewer = (left + WIDTH - 1) // WIDTH
@@ -243,8 +249,8 @@ def march_many(what, given, memory, scratch, case, motion, found):
         Which history a lane has; −1: none.
     motion : ndarray of int, shape (histories,)
         Which of the samples drive each.
-    found : ndarray, shape (histories, 3)
-        Gets peak [m], status, end [s].
+    found : ndarray, shape (histories, 3 + spans)
+        Gets peak [m], status, end [s], and the largest |d| of each span [m].
     """
     table = given[3]
     own = table.samples.begin.size > 2
@@ -279,13 +285,14 @@ class Loop(NamedTuple):
     few: int
 
 
-def _begun(p, state, bodies, samples):
+def _begun(p, state, bodies, samples, spans):
     """Rows of a history before its first step, and room for a step; the case is still missing."""
     start = p.start.reshape(-1, 6)
     own = np.zeros(HISTORY + sum(_shape(p, bodies, samples)))
     own[ALIVE] = 1.0
     places, rates, rises = start[:, :3].ravel(), start[:, 3:].ravel(), np.zeros(3 * len(start))
-    return np.concatenate((own, places, rates, rises, state)), SCRATCH * len(start)
+    rows = np.concatenate((own, places, rates, rises, state, np.zeros(spans)))
+    return rows, SCRATCH * len(start)
 
 
 class Driven(NamedTuple):
@@ -334,21 +341,23 @@ def one(loop, p, shaken, i, every, series):
 
     Returns
     -------
-    ndarray of 3, int, float
-        Peak [m], status, end [s]; rows written; bonds and ties that broke.
+    ndarray of 3 + spans, int, float
+        Peak [m], status, end [s], largest |d| of each span [m]; rows written; bonds and ties that
+        broke.
     """
     (state, whole, weight), table = loop.start(p), shaken.some([i]).table()
-    rows, room = _begun(p, state, shaken.bodies, table.samples)
+    rows, room = _begun(p, state, shaken.bodies, table.samples, shaken.rules.spans)
     rows[FACTOR : LAST + 1] = shaken.cases[i]
     given = p, whole, shaken.bodies, table, shaken.rules
     written, broken = loop.one(given, rows, np.zeros(room), every, series, weight)
-    return rows[[PEAK, STATUS, END]], written, broken
+    found = np.concatenate((rows[[PEAK, STATUS, END]], rows[rows.size - shaken.rules.spans :]))
+    return found, written, broken
 
 
 def many(loop, p, shaken):
-    """Peak, status and end of all histories, shape (n, 3), as of `one`; they march side by side."""
+    """What `one` finds of all histories, shape (n, 3 + spans); they march side by side."""
     (state, whole, _), table = loop.start(p), shaken.table()
-    rows, room = _begun(p, state, shaken.bodies, table.samples)
+    rows, room = _begun(p, state, shaken.bodies, table.samples, shaken.rules.spans)
     cases = shaken.cases
     count, chunks = len(cases), -(-len(cases) // WIDTH)
     memory = rows_of_lanes(chunks * len(rows)).reshape(chunks, len(rows), WIDTH)
@@ -358,7 +367,8 @@ def many(loop, p, shaken):
     filled = np.concatenate((cases, np.zeros((chunks * WIDTH - count, cases.shape[1]))))
     filled = filled.reshape(chunks, WIDTH, -1)
     memory[:, FACTOR : LAST + 1] = filled.transpose(0, 2, 1)
-    found, case = np.zeros((count, 3)), np.where(places < count, places, -1)
+    found = np.zeros((count, 3 + shaken.rules.spans))
+    case = np.where(places < count, places, -1)
     given = p, whole, shaken.bodies, table, shaken.rules
     loop.many(given, memory, rows_of_lanes(room), case, shaken.which, found)
     return found
