@@ -200,8 +200,7 @@ def _layouts_of(text, fraction):
     if fraction:
         shorter = LAYOUTS_SHORTER
     steps_s = [share * stable_step(plane) for plane in planes]
-    if courses:  # realisations differ by amplitude alone: those of one step march side by side
-        shorter = SHORTER[:1]
+    if courses:
         share = min(share, COURSES_STEP) * (LATE_STEP if planes[0].late > 1.0 else 1.0)
         steps_s = [share * one_block_step(case)] * len(planes)
     carried = carried_masses(case, scene) if kind.two_way and not bricks else None

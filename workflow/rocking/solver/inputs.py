@@ -12,7 +12,7 @@ from .vectors import choose
 OK, OVERTURNED, FAILED = 0.0, 1.0, 2.0
 REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
 COLUMNS = 14  # of a history before the supports' own
-SPAN_S = 1.0  # of which the largest |d| is kept one by one: less than a swing that nearly falls
+SPAN_S = 1.0  # of which each has its largest |d|: less than a swing that nearly falls takes
 
 
 class Rules(NamedTuple):
@@ -43,6 +43,12 @@ class Supports(NamedTuple):
     fy: np.ndarray
     fz: np.ndarray
     moment: np.ndarray
+
+
+@inlined
+def steps_of(dt_s):
+    """Steps of a `SPAN_S`."""
+    return max(1, int(SPAN_S / dt_s))
 
 
 @inlined

@@ -26,13 +26,13 @@ import numpy as np
 from rocking.runtime.compiled import inlined
 
 from . import bars, substructure
-from .inputs import COLUMNS, SPAN_S, Supports, standing, verdict
+from .inputs import COLUMNS, Supports, standing, steps_of, verdict
 from .motions import STRIDE, SteppedMotions, columns, drive, samples_of, to_lanes
 from .vectors import WIDTH, alone, choose, like, lone, put, put_where, rows_of_lanes, some, take
 
-# Largest |d|, when it last moved; factor, end of the motion that matters, quiet, failing speed,
+# When it last moved; factor, end of the motion that matters, quiet, failing speed,
 # step at which the history ends and after which its motion has; whether it goes on, outcome, end
-PEAK, MOVED, FACTOR, MOTION, QUIET, FASTEST, LIMIT, LAST, ALIVE, STATUS, END, HISTORY = range(12)
+MOVED, FACTOR, MOTION, QUIET, FASTEST, LIMIT, LAST, ALIVE, STATUS, END, HISTORY = range(11)
 TO_THE_END = 0, np.iinfo(np.int64).max
 SCRATCH = 35  # rows a block
 
@@ -141,13 +141,15 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
     parts = _parts(p, bodies, table.samples, state, scratch, rules.spans)
     supports, ride, memory = parts.supports, parts.ride, parts.memory
     chained, barred = bodies.mass_kg.size > 0, len(memory.snapped) + len(memory.slid_m) > 0
-    peak, moved, factor = take(state, PEAK), take(state, MOVED), take(state, FACTOR)
+    moved, factor = take(state, MOVED), take(state, FACTOR)
     alive, size = take(state, ALIVE) > 0.0, abs(factor)
     turning = bodies.roll.size > 0
-    shaken, broken = like(False, peak), like(0.0, peak)
+    shaken, broken = like(False, moved), like(0.0, moved)
     spent = elastic = broken
-    counts = alone(peak) and series.shape[0] > 0
+    counts = alone(moved) and series.shape[0] > 0
     written = 0
+    many, here = steps_of(dt), min(span[0] // steps_of(dt), rules.spans - 1)
+    most = take(parts.most, here)
     for k in range(span[0], span[1]):
         half, past, ahead = (0.5 * dt, dt, dt) if k > 0 else (0.0, 0.0, 0.5 * dt)
         at = each * min(k - base, steps - 1)
@@ -174,9 +176,11 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
         d, v = monitor(p, parts)
         if p.foot >= 0:
             d, v = d - take(supports.y, p.foot), v - take(supports.vy, p.foot)
-        peak = choose(alive & (abs(d) > peak), abs(d), peak)
-        here = min(int(k * dt / SPAN_S), rules.spans - 1)
-        put_where(parts.most, here, alive & (abs(d) > take(parts.most, here)), abs(d))
+        if k >= many * (here + 1) and here + 1 < rules.spans:
+            put(parts.most, here, most)
+            here += 1
+            most = take(parts.most, here)
+        most = choose(alive & (abs(d) > most), abs(d), most)
         accelerate(p, parts, half, ag, gravity)
         if chained:
             shaken = substructure.accelerate(bodies, ride, supports, ag, take(state, QUIET))
@@ -192,7 +196,7 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
             put_where(state, END, over, k * dt)
             put_where(state, STATUS, over, status)
             alive = alive & ~over
-            put(state, ALIVE, choose(alive, 1.0, like(0.0, peak)))
+            put(state, ALIVE, choose(alive, 1.0, like(0.0, moved)))
             if not some(alive):
                 break
         for m in range(len(parts.place)):
@@ -202,23 +206,23 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
         if barred:
             bars.advance(p.bars, memory, ahead, dt)
         substructure.travel(ride, ahead, dt)
-    put(state, PEAK, peak)
+    put(parts.most, here, most)
     put(state, MOVED, moved)
     return written, broken
 
 
 @inlined
 def _gathered(memory, case, chunks, found):
-    """Take over what ended, peak, status and end; fit what goes on into fewer chunks: how many."""
+    """Take over what ended, see `march_many`; fit what goes on into fewer chunks: how many."""
     left = 0
     for c in range(chunks):
         for lane in range(WIDTH):
             i = case[c, lane]
             if i >= 0 and memory[c, ALIVE, lane] == 0.0:
-                found[i, 0], found[i, 1] = memory[c, PEAK, lane], memory[c, STATUS, lane]
-                found[i, 2] = memory[c, END, lane]
-                for row in range(3, found.shape[1]):
-                    found[i, row] = memory[c, memory.shape[1] - found.shape[1] + row, lane]
+                found[i, 0], found[i, 1] = memory[c, STATUS, lane], memory[c, END, lane]
+                spans = memory.shape[1] - found.shape[1]
+                for row in range(2, found.shape[1]):
+                    found[i, row] = memory[c, spans + row, lane]
                 case[c, lane] = -1
             left += case[c, lane] >= 0
     fewer = (left + WIDTH - 1) // WIDTH
@@ -249,8 +253,8 @@ def march_many(what, given, memory, scratch, case, motion, found):
         Which history a lane has; −1: none.
     motion : ndarray of int, shape (histories,)
         Which of the samples drive each.
-    found : ndarray, shape (histories, 3 + spans)
-        Gets peak [m], status, end [s], and the largest |d| of each span [m].
+    found : ndarray, shape (histories, 2 + spans)
+        Gets status, end [s], and the largest |d| of each span [m].
     """
     table = given[3]
     own = table.samples.begin.size > 2
@@ -341,21 +345,20 @@ def one(loop, p, shaken, i, every, series):
 
     Returns
     -------
-    ndarray of 3 + spans, int, float
-        Peak [m], status, end [s], largest |d| of each span [m]; rows written; bonds and ties that
-        broke.
+    ndarray of 2 + spans, int, float
+        Status, end [s], largest |d| of each span [m]; rows written; bonds and ties that broke.
     """
     (state, whole, weight), table = loop.start(p), shaken.some([i]).table()
     rows, room = _begun(p, state, shaken.bodies, table.samples, shaken.rules.spans)
     rows[FACTOR : LAST + 1] = shaken.cases[i]
     given = p, whole, shaken.bodies, table, shaken.rules
     written, broken = loop.one(given, rows, np.zeros(room), every, series, weight)
-    found = np.concatenate((rows[[PEAK, STATUS, END]], rows[rows.size - shaken.rules.spans :]))
+    found = np.concatenate((rows[[STATUS, END]], rows[rows.size - shaken.rules.spans :]))
     return found, written, broken
 
 
 def many(loop, p, shaken):
-    """What `one` finds of all histories, shape (n, 3 + spans); they march side by side."""
+    """What `one` finds of all histories, shape (n, 2 + spans); they march side by side."""
     (state, whole, _), table = loop.start(p), shaken.table()
     rows, room = _begun(p, state, shaken.bodies, table.samples, shaken.rules.spans)
     cases = shaken.cases
@@ -367,7 +370,7 @@ def many(loop, p, shaken):
     filled = np.concatenate((cases, np.zeros((chunks * WIDTH - count, cases.shape[1]))))
     filled = filled.reshape(chunks, WIDTH, -1)
     memory[:, FACTOR : LAST + 1] = filled.transpose(0, 2, 1)
-    found = np.zeros((count, 3 + shaken.rules.spans))
+    found = np.zeros((count, 2 + shaken.rules.spans))
     case = np.where(places < count, places, -1)
     given = p, whole, shaken.bodies, table, shaken.rules
     loop.many(given, memory, rows_of_lanes(room), case, shaken.which, found)
