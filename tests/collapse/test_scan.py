@@ -1,9 +1,10 @@
-"""Steps of the dense scan: short enough for what it marches."""
+"""Steps of the dense scan: short enough for what it marches, and different for realisations."""
 
 import numpy as np
 import pytest
 from rocking import Case, Motion
 from rocking.collapse.curve import run_by
+from rocking.collapse.scan import SHORTER
 from rocking.records import Record
 from rocking.solver import peaks
 
@@ -28,3 +29,17 @@ def test_light_masses_that_carry_the_walls_get_the_steps_that_they_need(mass_kg)
         )
         assert np.all(usual > 0.2)
         assert usual == pytest.approx(finer, rel=1e-3)
+
+
+def test_realisations_of_courses_differ_in_step():
+    """Their joints have no nodes that could: four steps, four answers, within a hundredth."""
+    t = 0.01 * np.arange(160)
+    pulse = Motion(Record("pulse", -np.sin(2.5 * np.pi * t) * (t < 0.8), 0.01, source="file"))
+    courses = {"facade.courses": 3, "facade.courses_growth": 1.5, "numerics.after_motion_s": 3.0}
+    screen = run_by("planar", Case.configured("W2", courses), pulse, "pos")
+    same = screen.run([0.12] * 8, scatter=True)
+    assert same["step_factor"].tolist() == 2 * list(SHORTER)
+    peak = same["d_over_b"].to_numpy()
+    assert np.unique(peak).size == len(SHORTER)
+    assert peak == pytest.approx(peak.mean(), rel=0.01)
+    assert screen.run([0.12] * 4, scatter=False)["d_over_b"].nunique() == 1

@@ -4,12 +4,14 @@
 
 For every curve the dense scan with its power, then `--each` histories in every 1 % of amplitude
 below its `pga_safe_g`, down to `--down` of it: how many fall, and in which windows more than the
-bound. Above it `--above` of them in 1 %, up to where 90 % fall for sure: first crossings from those
-alone, beside the scan's and the short climb's. `--beside 0.3 0.1` judges another search by the same
-histories: that with those limits of d/b and of the share (formerly these). Motions by the names of
-the recorded suite, or of `--records`; with a seed surrogates of `--surrogates`. Curves that
-`--output` holds are not run again; `--keep` is a folder for the scans and the dense histories. A
-curve takes half a minute to some minutes.
+bound. `--courses` takes the wall in four courses; `--finer 0.25 60` runs so many more in every 1 %
+at a quarter of the step. `--former` judges the search that doubts by the largest peak alone, by the
+same histories. Above the safe amplitude `--above` of them in 1 %, up to where 90 % fall for sure:
+first crossings from those alone, beside the scan's and the short climb's; 0: none. Motions by the
+names of the recorded suite, or of `--records`; with a seed surrogates of `--surrogates`. Curves
+that `--output` holds are not run again; `--keep` is a folder for the scans and the dense histories.
+A curve takes half a minute to some minutes; a line says what all of them come to. What stands in
+docs/log/collapse.md: `tests/trials/safe_amplitudes.sh`.
 """
 
 import argparse
@@ -20,7 +22,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 from rocking import Case, Motion, collapse_curve
-from rocking.collapse import hidden
+from rocking.collapse import hidden, search
 from rocking.collapse.crossing import first_crossing
 from rocking.collapse.curve import run_by
 from rocking.collapse.hidden import WINDOW
@@ -30,10 +32,11 @@ from rocking.tables import write_table
 
 SUITE = "config/suites/recorded_suite.tsv"
 SURROGATES = "config/suites/surrogate_suite.tsv"
+COURSES = {"facade.courses": 4, "facade.courses_growth": 1.5}
 BUILDING_KG = 66000.0  # behind the façade of a model that pushes it
 SPREAD = 0.01
 MOST = 4000  # histories above the safe amplitude
-KEY = ["model", "record", "direction"]
+KEY = ["wall", "model", "record", "direction"]
 
 
 def dense(screen, low_g, high_g, each):
@@ -59,29 +62,49 @@ def beneath(table, each, bound):
     }
 
 
-def beside(case, motion, direction, screen, found, low, args):
-    """Another search of the same curve: its cost, and what falls below its safe amplitude."""
-    usual = hidden.NEAR
+def by_largest_peak(pga_g, d_over_b, _, low_g):
+    """Windows in doubt by the former rule: peaks from 0.45 on that leave a line by 0.03 of d/b."""
+    at, d_over_b, low = np.log(pga_g), np.asarray(d_over_b, float), np.log(low_g)
+    ends = np.searchsorted(at, low - WINDOW), np.searchsorted(at, low + 2.0 * WINDOW)
+    found = np.zeros(low.size, bool)
+    for k, (i, j) in enumerate(zip(*ends, strict=True)):
+        near = d_over_b[max(i - 1, 0) : j + 1]
+        if near.size and near.max() < hidden.NEAR:
+            continue
+        x, y = at[i:j], d_over_b[i:j]
+        found[k] = y.size < hidden.FEW or np.isnan(y).any()
+        if not found[k]:
+            x = x - x.mean()
+            found[k] = np.abs(y - y.mean() - x * (x @ y) / max(x @ x, 1e-30)).max() > 0.03
+    return found
+
+
+def former(case, motion, direction, screen, found, low, args):
+    """The former search of the same curve: its cost, and what falls below its safe amplitude.
+
+    Its realisations are today's; of courses they were of one step.
+    """
+    usual = search.doubtful
     try:
-        hidden.NEAR, share = args.beside
+        search.doubtful = by_largest_peak
         began = time.process_time()
-        other = collapse_curve(case, motion, direction, settings={"safe_share": share})
+        other = collapse_curve(case, motion, direction)
         took, safe_g = time.process_time() - began, other.summary()["pga_safe_g"]
     finally:
-        hidden.NEAR = usual
+        search.doubtful = usual
     under = low[low["pga_g"] < safe_g]
     if safe_g > found * (1.0 + 1e-4):  # what lies between is not run yet
         under = pd.concat([under, dense(screen, found, safe_g, args.each)])
     fell = under["collapsed"].to_numpy()
     whole = fell[: fell.size // args.each * args.each].reshape(-1, args.each).mean(axis=1)
     return {
-        "other_safe_g": safe_g,
-        "other_runs": other.runs,
-        "other_cpu_s": took,
-        "other_histories_below": fell.size,
-        "other_fell_below": int(fell.sum()),
-        "other_windows_over": int((whole > args.bound).sum()),
-        "other_largest_share": whole.max(),
+        "former_safe_g": safe_g,
+        "former_runs": other.runs,
+        "former_cpu_s": took,
+        "former_histories_below": fell.size,
+        "former_fell_below": int(fell.sum()),
+        "former_windows_over": int((whole > args.bound).sum()),
+        "former_largest_share": whole.max(),
     }
 
 
@@ -97,33 +120,68 @@ def climbs(case, motion, direction):
     return out
 
 
+def wall(args):
+    """What stands for the façade."""
+    return "courses" if args.courses else "E/h"
+
+
+def told(table):
+    """One line on all curves of a table."""
+    fell, over = (table["fell_below"] > 0).sum(), (table["windows_over"] > 0).sum()
+    line = f"{len(table)} curves, {(table['peak_below'] >= 0.6).sum()} with peaks from 0.6 on: "
+    line += f"{over} with a window over the bound, {fell} in which any falls "
+    line += f"({table['fell_below'].sum()} of {table['histories_below'].sum()} histories)"
+    if "former_runs" in table and (old := table.dropna(subset="former_runs")).size:
+        line += f"; formerly {(old['former_windows_over'] > 0).sum()} and "
+        line += f"{(old['former_fell_below'] > 0).sum()} of {len(old)}, histories "
+        line += f"× {old['runs_planar'].sum() / old['former_runs'].sum():.2f}, seconds "
+        line += f"× {old['cpu_s'].sum() / old['former_cpu_s'].sum():.2f}, safe amplitude "
+        line += f"× {(old['pga_safe_g'] / old['former_safe_g']).median():.3f} in the median"
+    if "finer_fell_below" in table and (fine := table.dropna(subset="finer_fell_below")).size:
+        line += f"; at the finer step {(fine['finer_windows_over'] > 0).sum()} over the bound, "
+        line += f"{(fine['finer_fell_below'] > 0).sum()} with any of {len(fine)}"
+    return line
+
+
 def row(curve, args):
     """One curve, and the tables behind it."""
     record, model, direction, *seed = curve.split(":")
     mass = {"return_wall.building_mass_kg": BUILDING_KG} if model.endswith("m") else None
-    case = Case.configured(model, mass)
+    walls = COURSES if args.courses else {}
+    case = Case.configured(model, {**(mass or {}), **walls} or None)
     how = {"seed": int(seed[0])} if seed else {}
     motion = Motion.named(record, args.surrogates if seed else args.records, **how)
+    # no curve pays for machine code that is made or loaded once
+    few = {"pga_g": np.geomspace(0.01, 0.02, 32), "scatter": True}
+    collapse_curve(case, motion, direction, search="list", settings=few)
     began = time.process_time()
     scan = collapse_curve(case, motion, direction)
     took, found = time.process_time() - began, scan.summary()
     record = "@".join((record, *seed))
-    out = dict(zip(KEY, (model, record, direction), strict=True))
+    out = dict(zip(KEY, (wall(args), model, record, direction), strict=True))
     names = ("safe", "collapse", "p10", "median", "p90", "equivalent", "max")
     names += tuple(f"{of}_{end}" for of in ("p10", "median", "p90") for end in ("low", "high"))
     out |= {f"pga_{name}_g": found[f"pga_{name}_g"] for name in names}
     out |= {name: found[name] for name in ("safe_bound", "runs_planar")} | {"cpu_s": took}
-    out |= climbs(case, motion, direction)
+    out |= climbs(case, motion, direction) if args.above or not args.each else {}
     if not args.each:
         return out, {"scan": scan.table}
     safe_g, screen = found["pga_safe_g"], run_by("planar", case, motion, direction)
     low = dense(screen, safe_g * math.exp(-WINDOW * round(-math.log(args.down) / WINDOW)), safe_g,
                 args.each)  # fmt: skip
     out |= beneath(low, args.each, args.bound)
-    if args.beside:
-        out |= beside(case, motion, direction, screen, safe_g, low, args)
+    if args.former:
+        out |= former(case, motion, direction, screen, safe_g, low, args)
     tables = {"scan": scan.table, "below": low}
-    if math.isfinite(found["pga_p90_g"]):
+    stood = scan.table[(scan.table["pga_g"] < safe_g) & (scan.table["collapsed"] == 0)]
+    out["peak_below"] = stood.loc[stood["pga_g"] > args.down * safe_g, "d_over_b"].max()
+    if args.finer:
+        step, each = args.finer[0], int(args.finer[1])
+        screen.steps_s = [step * step_s for step_s in screen.steps_s]
+        finer = dense(screen, low["pga_g"].min(), safe_g, each)
+        out |= {f"finer_{k}": v for k, v in beneath(finer, each, args.bound).items()}
+        tables["finer"] = finer
+    if args.above and math.isfinite(found["pga_p90_g"]):
         high_g = 1.03 * np.nanmax([found["pga_p90_g"], found["pga_p90_high_g"]])
         few = max(10, int(MOST * WINDOW / math.log(high_g / safe_g)))
         high = dense(screen, safe_g, high_g, min(args.above, few))
@@ -146,7 +204,9 @@ def main():
     )
     parser.add_argument("--above", type=int, default=40, help="histories in 1 %% above")
     parser.add_argument("--down", type=float, default=0.8, help="of the safe amplitude")
-    parser.add_argument("--beside", type=float, nargs=2, metavar=("NEAR", "SHARE"))
+    parser.add_argument("--courses", action="store_true", help="the wall in four courses")
+    parser.add_argument("--former", action="store_true", help="judge the former search too")
+    parser.add_argument("--finer", type=float, nargs=2, metavar=("STEP", "EACH"))
     parser.add_argument("--bound", type=float, default=0.03, help="share that may fall")
     parser.add_argument("--keep", help="folder of the tables behind a row")
     parser.add_argument("--output", required=True)
@@ -158,16 +218,18 @@ def main():
     known = {tuple(row[name] for name in KEY) for row in rows}
     for curve in args.curves:
         record, model, direction, *seed = curve.split(":")
-        if (model, "@".join((record, *seed)), direction) in known:
+        if (wall(args), model, "@".join((record, *seed)), direction) in known:
             continue
         one, tables = row(curve, args)
         rows.append(one)
         if args.keep:
             for name, table in tables.items():
                 stem = "_".join(str(one[k]) for k in KEY)
-                write_table(table, Path(args.keep) / f"{stem}_{name}.csv", digits="%.8g")
+                path = Path(args.keep) / f"{stem.replace('/', '')}_{name}.csv"
+                write_table(table, path, digits="%.8g")
         write_table(rows, args.output, digits="%.5g")  # nothing is lost when it is stopped
         print(one, flush=True)
+    print(told(pd.DataFrame(rows)))
 
 
 if __name__ == "__main__":

@@ -252,13 +252,13 @@ def one_number(table):
 
 
 def outcomes(*tables):
-    """Amplitude, outcome and d/b of every run that did not fail, by ascending amplitude."""
+    """Amplitude, outcome, d/b and `reach` of every run that did not fail, by amplitude."""
     parts = []
     for table in tables:
         valid = table[table["status"] != "failed"]
         pga_g = valid["pga_g"] * valid.get("amplitude_factor", 1.0)
         part = pd.DataFrame({"pga_g": pga_g, "collapsed": valid["collapsed"].astype(int)})
-        parts.append(part.assign(d_over_b=valid.get("d_over_b", np.nan)))
+        parts.append(part.assign(**{k: valid.get(k, np.nan) for k in ("d_over_b", "reach")}))
     return pd.concat(parts).sort_values("pga_g", ignore_index=True)
 
 

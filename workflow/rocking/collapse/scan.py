@@ -6,7 +6,7 @@ import json
 import numpy as np
 import pandas as pd
 
-from rocking.collapse import search
+from rocking.collapse import hidden, search
 from rocking.collapse.search import Answer
 from rocking.solver.motions import Motions
 from rocking.solver.plane import moving_supports, to_plane
@@ -74,7 +74,7 @@ class Scan:
 
     def seen(self, strategy):
         """Outcomes of all that a search asks for, by ascending amplitude, and what it found."""
-        return seen_together([(self, strategy)], _one_by_one)[0]
+        return seen_together([(self, strategy)])[0]
 
 
 def together(asks):
@@ -89,6 +89,11 @@ def together(asks):
     -------
     list of DataFrame
     """
+    return [table for table, _ in marched(asks)]
+
+
+def marched(asks):
+    """Outcomes as of `together`, each with the largest d/b of every second, shape (n, seconds)."""
     alike: dict[tuple, tuple] = {}
     parts, count = [], 0
     for scan, levels, scatter in asks:
@@ -103,12 +108,16 @@ def together(asks):
         parts.append({"pga_g": pga_g, "extra_nodes": extra, "step_factor": step})
         count += pga_g.size
     d_over_b, status = np.full(count, np.nan), np.full(count, "failed", object)
+    swings = np.full((count, 1), np.nan)
     for (_, step_s), (scan, plane, histories) in alike.items():
         motions, factors, rows = zip(*histories, strict=True)
         how = {"carried": scan.carried, "step_s": step_s}
         found = peaks(plane, motions, scan.numerics, factors, **how)
         here = np.array(rows)
         d_over_b[here] = np.minimum(found.d_over_b, 1.0)
+        wider = max(found.spans.shape[1] - swings.shape[1], 0)
+        swings = np.pad(swings, ((0, 0), (0, wider)))
+        swings[here, : found.spans.shape[1]] = found.spans
         status[here[~found.failed]] = "ok"
         status[here[found.overturned]] = "overturned"
     tables, first = [], 0
@@ -116,26 +125,28 @@ def together(asks):
         mine = slice(first, first := first + part["pga_g"].size)
         fell = (status[mine] == "overturned").astype(int)
         said = {"d_over_b": d_over_b[mine], "status": status[mine], "collapsed": fell}
-        tables.append(pd.DataFrame({**part, **said}))
+        tables.append((pd.DataFrame({**part, **said}), swings[mine]))
     return tables
 
 
-def _one_by_one(asks):
-    return [scan.run(*what) for scan, *what in asks]
+def one_by_one(asks):
+    """Outcomes of what runs by itself, each without its seconds."""
+    return [(scan.run(*what), None) for scan, *what in asks]
 
 
-def seen_together(searches, run=together):
+def seen_together(searches, run=marched):
     """What `seen` of some scans gives: what they ask for at a time is run at once.
 
     Parameters
     ----------
     searches : list of (Scan, strategy)
     run : callable
-        As `together`.
+        As `marched`.
 
     Returns
     -------
     list of (DataFrame, found)
+        Of histories by a solver that tells their seconds, what `hidden.reach` says is a column.
     """
     parts: list[list] = [[] for _ in searches]
     found, answers = [None] * len(searches), dict.fromkeys(range(len(searches)))
@@ -148,13 +159,25 @@ def seen_together(searches, run=together):
                 found[k] = end.value
         tables = run([(searches[k][0], a.pga_g, a.realisations) for k, a in asked.items()])
         answers = {}
-        for k, table in zip(asked, tables, strict=True):
-            parts[k].append(table)
-            answers[k] = Answer(table["status"].to_numpy(), table["d_over_b"].to_numpy(float))
+        for k, (table, swings) in zip(asked, tables, strict=True):
+            parts[k].append((table, swings))
+            status, d_over_b = table["status"].to_numpy(), table["d_over_b"].to_numpy(float)
+            answers[k] = Answer(status, d_over_b, swings)
     for (scan, _), part in zip(searches, parts, strict=True):
         part += [] if part else run([(scan, [], False)])  # it asked for nothing
-    tables = [pd.concat(part).sort_values("pga_g", ignore_index=True) for part in parts]
-    return list(zip(tables, found, strict=True))
+    return list(zip(map(_whole, parts), found, strict=True))
+
+
+def _whole(parts):
+    """One table of some, by ascending amplitude, with what each history's swings could come to."""
+    tables, swings = zip(*parts, strict=True)
+    table = pd.concat(tables, ignore_index=True).sort_values("pga_g")
+    if all(one is not None for one in swings):
+        rows = search.stacked(swings)[table.index]
+        stood, pga_g = (table["status"] == "ok").to_numpy(), table["pga_g"].to_numpy()
+        table["reach"] = np.nan
+        table.loc[stood, "reach"] = hidden.reach(pga_g[stood], rows[stood], pga_g.min(initial=1.0))
+    return table.reset_index(drop=True)
 
 
 @functools.lru_cache(maxsize=KEPT)
@@ -177,8 +200,7 @@ def _layouts_of(text, fraction):
     if fraction:
         shorter = LAYOUTS_SHORTER
     steps_s = [share * stable_step(plane) for plane in planes]
-    if courses:  # realisations differ by amplitude alone: those of one step march side by side
-        shorter = SHORTER[:1]
+    if courses:
         share = min(share, COURSES_STEP) * (LATE_STEP if planes[0].late > 1.0 else 1.0)
         steps_s = [share * one_block_step(case)] * len(planes)
     carried = carried_masses(case, scene) if kind.two_way and not bricks else None

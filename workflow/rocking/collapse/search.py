@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rocking.collapse.crossing import first_crossing
-from rocking.collapse.hidden import SHARE, WINDOW, doubtful, needed, windows
+from rocking.collapse.hidden import SHARE, WINDOW, doubtful, needed, reach, windows
 from rocking.collapse.probability import probability
 from yade_scripts.commands.search import Ask
 
@@ -39,17 +39,20 @@ LEVELS = (0.10, 0.50)
 
 
 class Answer(NamedTuple):
-    """What a search may be sent in place of a status each: that, and peak d/b.
+    """What a search may be sent in place of a status each: that, peak d/b, and swings.
 
     Attributes
     ----------
     status : sequence of str
     d_over_b : sequence of float
         At most 1; NaN where a history failed.
+    swings : ndarray, shape (n, seconds), optional
+        Largest d/b of each second; without it the largest of all counts as the only swing.
     """
 
     status: Any
     d_over_b: Any
+    swings: Any = None
 
 
 class Seen:
@@ -59,6 +62,7 @@ class Seen:
         """Nothing is known."""
         self.pga_g, self.status = np.zeros(0), np.zeros(0, object)
         self.d_over_b = np.zeros(0)
+        self.swings = np.zeros((0, 1))
 
     def ask(self, pga_g, realisations=False):
         """Ask for amplitudes and remember what they did; for `yield from`."""
@@ -68,6 +72,19 @@ class Seen:
         self.pga_g = np.append(self.pga_g, pga_g)
         self.status = np.append(self.status, np.asarray(answer.status, object))
         self.d_over_b = np.append(self.d_over_b, answer.d_over_b)
+        swings = answer.d_over_b if answer.swings is None else answer.swings
+        self.swings = stacked(
+            (self.swings, np.reshape(np.asarray(swings, float), (len(pga_g), -1)))
+        )
+
+    @property
+    def reach(self):
+        """Of each what `hidden.reach` says; NaN of what did not stand."""
+        found, stood = np.full(self.pga_g.size, np.nan), np.flatnonzero(self.status == "ok")
+        stood = stood[np.argsort(self.pga_g[stood], kind="stable")]
+        low_g = self.pga_g.min(initial=math.inf)
+        found[stood] = reach(self.pga_g[stood], self.swings[stood], low_g)
+        return found
 
     def reaches(self, d_over_b):
         """Mask of the amplitudes that fell or came so far."""
@@ -77,6 +94,12 @@ class Seen:
     def fell(self):
         """Mask of those that overturned."""
         return self.status == "overturned"
+
+
+def stacked(tables):
+    """Rows below each other, shorter ones filled up with zeros."""
+    columns = max(table.shape[1] for table in tables)
+    return np.concatenate([np.pad(t, ((0, 0), (0, columns - t.shape[1]))) for t in tables])
 
 
 def listed(pga_g, realisations=False):
@@ -212,12 +235,15 @@ def below(seen, wanted):
         there = np.diff(np.searchsorted(np.sort(seen.pga_g), edges))
         stood = np.flatnonzero(seen.status == "ok")
         stood = stood[np.argsort(seen.pga_g[stood], kind="stable")]
-        doubt = doubtful(seen.pga_g[stood], seen.d_over_b[stood], low)
+        doubt = doubtful(seen.pga_g[stood], seen.d_over_b[stood], seen.reach[stood], low)
         doubt[-EDGE:] |= seen.fell.any()
         few = np.flatnonzero(doubt & (there < wanted))[:AT_ONCE]
         if not few.size:
             return
-        places = [(np.arange(n) + 0.5) / n for n in wanted - there[few]]
+        # a third of them may tell already that nothing hides there
+        third = math.ceil(wanted / 3)
+        aim = np.where(there[few] < third, third, wanted)
+        places = [(np.arange(n) + 0.5) / n for n in aim - there[few]]
         realisations = [low[k] * np.exp(WINDOW * part) for k, part in zip(few, places, strict=True)]
         yield from seen.ask(np.concatenate(realisations), realisations=True)
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import pandas as pd
 
 from rocking.collapse.history import History
-from rocking.collapse.scan import Scan
+from rocking.collapse.scan import one_by_one, seen_together
 from yade_scripts.model import models
 from yade_scripts.model.floor_motions import write_columns
 
@@ -84,7 +84,9 @@ class YadeRuns:
         table = pd.read_csv(self.folder / "runs.csv")
         return table.assign(collapsed=(table["status"] == "overturned").astype(int))[self.columns]
 
-    seen = Scan.seen
+    def seen(self, strategy):
+        """Outcomes of all that a search asks for, by ascending amplitude, and what it found."""
+        return seen_together([(self, strategy)], one_by_one)[0]
 
 
 def yade_history(case, motion, direction, pga_g):

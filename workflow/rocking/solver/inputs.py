@@ -12,6 +12,7 @@ from .vectors import choose
 OK, OVERTURNED, FAILED = 0.0, 1.0, 2.0
 REST_RATIO = 0.5  # of d/b: a façade that lingers near its unstable balance is not at rest
 COLUMNS = 17  # of a history before the supports' own
+SPAN_S = 1.0  # of which each has its largest |d|: less than a swing that nearly falls takes
 
 
 class Rules(NamedTuple):
@@ -21,6 +22,7 @@ class Rules(NamedTuple):
     rest_m: float
     rest_velocity_m_s: float
     rest_time_s: float
+    spans: int  # of `SPAN_S`, as many as the longest history has
 
 
 class Supports(NamedTuple):
@@ -41,6 +43,12 @@ class Supports(NamedTuple):
     fy: np.ndarray
     fz: np.ndarray
     moment: np.ndarray
+
+
+@inlined
+def steps_of(dt_s):
+    """Steps of a `SPAN_S`."""
+    return max(1, int(SPAN_S / dt_s))
 
 
 @inlined

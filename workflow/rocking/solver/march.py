@@ -29,13 +29,13 @@ import numpy as np
 from rocking.runtime.compiled import inlined
 
 from . import bars, substructure
-from .inputs import COLUMNS, Supports, standing, verdict
+from .inputs import COLUMNS, Supports, standing, steps_of, verdict
 from .motions import STRIDE, SteppedMotions, columns, drive, samples_of, to_lanes
 from .vectors import WIDTH, alone, choose, like, lone, put, put_where, rows_of_lanes, some, take
 
-# Largest |d|, when it last moved; factor, end of the motion that matters, quiet, failing speed,
+# When it last moved; factor, end of the motion that matters, quiet, failing speed,
 # step at which the history ends and after which its motion has; whether it goes on, outcome, end
-PEAK, MOVED, FACTOR, MOTION, QUIET, FASTEST, LIMIT, LAST, ALIVE, STATUS, END, HISTORY = range(12)
+MOVED, FACTOR, MOTION, QUIET, FASTEST, LIMIT, LAST, ALIVE, STATUS, END, HISTORY = range(11)
 TO_THE_END = 0, np.iinfo(np.int64).max
 SCRATCH = 35  # rows a block
 
@@ -57,6 +57,7 @@ class Parts(NamedTuple):
     push: np.ndarray  # three: what ties and floors do
     between: np.ndarray  # nine: dashpots between it and the next
     inverse: np.ndarray  # nine: inverse of its matrix
+    most: np.ndarray  # largest |d| of each span
 
 
 @inlined
@@ -69,7 +70,7 @@ def _shape(p, bodies, samples):
 
 
 @inlined
-def _parts(p, bodies, samples, rows, scratch):
+def _parts(p, bodies, samples, rows, scratch, spans):
     """Cut the rows of a history into what they stand for."""
     supports, ride, barred = _shape(p, bodies, samples)
     n = len(scratch) // SCRATCH
@@ -83,7 +84,7 @@ def _parts(p, bodies, samples, rows, scratch):
         rows[first : first + 3 * n],
         rows[first + 3 * n : first + 6 * n],
         rows[first + 6 * n : first + 9 * n],
-        rows[first + 9 * n :],
+        rows[first + 9 * n : len(rows) - spans],
         scratch[: 2 * n],
         scratch[2 * n : 5 * n],
         scratch[5 * n : 8 * n],
@@ -91,6 +92,7 @@ def _parts(p, bodies, samples, rows, scratch):
         scratch[14 * n : 17 * n],
         scratch[17 * n : 26 * n],
         scratch[26 * n :],
+        rows[len(rows) - spans :],
     )
 
 
@@ -166,16 +168,18 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
     p, whole, bodies, table, rules = given
     dt, each = table.step_s, columns(table.samples)
     steps = len(table.rows) // each
-    parts = _parts(p, bodies, table.samples, state, scratch)
+    parts = _parts(p, bodies, table.samples, state, scratch, rules.spans)
     supports, ride, memory = parts.supports, parts.ride, parts.memory
     chained, barred = bodies.mass_kg.size > 0, len(memory.snapped) + len(memory.slid_m) > 0
-    peak, moved, factor = take(state, PEAK), take(state, MOVED), take(state, FACTOR)
+    moved, factor = take(state, MOVED), take(state, FACTOR)
     alive, size = take(state, ALIVE) > 0.0, abs(factor)
     turning = bodies.roll.size > 0
-    shaken, broken = like(False, peak), like(0.0, peak)
+    shaken, broken = like(False, moved), like(0.0, moved)
     spent = elastic = broken
-    counts = alone(peak) and series.shape[0] > 0
+    counts = alone(moved) and series.shape[0] > 0
     written, done = 0, 0.0
+    many, here = steps_of(dt), min(span[0] // steps_of(dt), rules.spans - 1)
+    most = take(parts.most, here)
     for k in range(span[0], span[1]):
         half, past, ahead = (0.5 * dt, dt, dt) if k > 0 else (0.0, 0.0, 0.5 * dt)
         at = each * min(k - base, steps - 1)
@@ -203,7 +207,11 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
         d, v = monitor(p, parts)
         if p.foot >= 0:
             d, v = d - take(supports.y, p.foot), v - take(supports.vy, p.foot)
-        peak = choose(alive & (abs(d) > peak), abs(d), peak)
+        if k >= many * (here + 1) and here + 1 < rules.spans:
+            put(parts.most, here, most)
+            here += 1
+            most = take(parts.most, here)
+        most = choose(alive & (abs(d) > most), abs(d), most)
         accelerate(p, parts, half, ag, gravity)
         if chained:
             shaken = substructure.accelerate(bodies, ride, supports, ag, take(state, QUIET))
@@ -228,7 +236,7 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
             put_where(state, END, over, k * dt)
             put_where(state, STATUS, over, status)
             alive = alive & ~over
-            put(state, ALIVE, choose(alive, 1.0, like(0.0, peak)))
+            put(state, ALIVE, choose(alive, 1.0, like(0.0, moved)))
             if not some(alive):
                 break
         for m in range(len(parts.place)):
@@ -238,21 +246,23 @@ def advance(what, given, state, scratch, span, base, every, series, weight):
         if barred:
             bars.advance(p.bars, memory, ahead, dt)
         substructure.travel(ride, ahead, dt)
-    put(state, PEAK, peak)
+    put(parts.most, here, most)
     put(state, MOVED, moved)
     return written, broken
 
 
 @inlined
 def _gathered(memory, case, chunks, found):
-    """Take over what ended, peak, status and end; fit what goes on into fewer chunks: how many."""
+    """Take over what ended, see `march_many`; fit what goes on into fewer chunks: how many."""
     left = 0
     for c in range(chunks):
         for lane in range(WIDTH):
             i = case[c, lane]
             if i >= 0 and memory[c, ALIVE, lane] == 0.0:
-                found[i, 0], found[i, 1] = memory[c, PEAK, lane], memory[c, STATUS, lane]
-                found[i, 2] = memory[c, END, lane]
+                found[i, 0], found[i, 1] = memory[c, STATUS, lane], memory[c, END, lane]
+                spans = memory.shape[1] - found.shape[1]
+                for row in range(2, found.shape[1]):
+                    found[i, row] = memory[c, spans + row, lane]
                 case[c, lane] = -1
             left += case[c, lane] >= 0
     fewer = (left + WIDTH - 1) // WIDTH
@@ -283,8 +293,8 @@ def march_many(what, given, memory, scratch, case, motion, found):
         Which history a lane has; −1: none.
     motion : ndarray of int, shape (histories,)
         Which of the samples drive each.
-    found : ndarray, shape (histories, 3)
-        Gets peak [m], status, end [s].
+    found : ndarray, shape (histories, 2 + spans)
+        Gets status, end [s], and the largest |d| of each span [m].
     """
     table = given[3]
     own = table.samples.begin.size > 2
@@ -319,13 +329,14 @@ class Loop(NamedTuple):
     few: int
 
 
-def _begun(p, state, bodies, samples):
+def _begun(p, state, bodies, samples, spans):
     """Rows of a history before its first step, and room for a step; the case is still missing."""
     start = p.start.reshape(-1, 6)
     own = np.zeros(HISTORY + sum(_shape(p, bodies, samples)))
     own[ALIVE] = 1.0
     places, rates, rises = start[:, :3].ravel(), start[:, 3:].ravel(), np.zeros(3 * len(start))
-    return np.concatenate((own, places, rates, rises, state)), SCRATCH * len(start)
+    rows = np.concatenate((own, places, rates, rises, state, np.zeros(spans)))
+    return rows, SCRATCH * len(start)
 
 
 class Driven(NamedTuple):
@@ -374,21 +385,22 @@ def one(loop, p, shaken, i, every, series):
 
     Returns
     -------
-    ndarray of 3, int, float
-        Peak [m], status, end [s]; rows written; bonds and ties that broke.
+    ndarray of 2 + spans, int, float
+        Status, end [s], largest |d| of each span [m]; rows written; bonds and ties that broke.
     """
     (state, whole, weight), table = loop.start(p), shaken.some([i]).table()
-    rows, room = _begun(p, state, shaken.bodies, table.samples)
+    rows, room = _begun(p, state, shaken.bodies, table.samples, shaken.rules.spans)
     rows[FACTOR : LAST + 1] = shaken.cases[i]
     given = p, whole, shaken.bodies, table, shaken.rules
     written, broken = loop.one(given, rows, np.zeros(room), every, series, weight)
-    return rows[[PEAK, STATUS, END]], written, broken
+    found = np.concatenate((rows[[STATUS, END]], rows[rows.size - shaken.rules.spans :]))
+    return found, written, broken
 
 
 def many(loop, p, shaken):
-    """Peak, status and end of all histories, shape (n, 3), as of `one`; they march side by side."""
+    """What `one` finds of all histories, shape (n, 2 + spans); they march side by side."""
     (state, whole, _), table = loop.start(p), shaken.table()
-    rows, room = _begun(p, state, shaken.bodies, table.samples)
+    rows, room = _begun(p, state, shaken.bodies, table.samples, shaken.rules.spans)
     cases = shaken.cases
     count, chunks = len(cases), -(-len(cases) // WIDTH)
     memory = rows_of_lanes(chunks * len(rows)).reshape(chunks, len(rows), WIDTH)
@@ -398,7 +410,8 @@ def many(loop, p, shaken):
     filled = np.concatenate((cases, np.zeros((chunks * WIDTH - count, cases.shape[1]))))
     filled = filled.reshape(chunks, WIDTH, -1)
     memory[:, FACTOR : LAST + 1] = filled.transpose(0, 2, 1)
-    found, case = np.zeros((count, 3)), np.where(places < count, places, -1)
+    found = np.zeros((count, 2 + shaken.rules.spans))
+    case = np.where(places < count, places, -1)
     given = p, whole, shaken.bodies, table, shaken.rules
     loop.many(given, memory, rows_of_lanes(room), case, shaken.which, found)
     return found

@@ -8,7 +8,7 @@ from scipy.linalg import block_diag
 
 from . import march
 from .block import BLOCK
-from .inputs import COLUMNS, FAILED, OVERTURNED, REST_RATIO, Rules
+from .inputs import COLUMNS, FAILED, OVERTURNED, REST_RATIO, Rules, steps_of
 from .motions import Motions, last_step
 from .plane import matrices
 from .stack import LEAD, Stack, stack_matrices
@@ -197,6 +197,7 @@ def _set_up(planar, motions, numerics, factors, carried, step_s):
         REST_RATIO * planar.thickness_m,
         float(numerics["rest_velocity_m_s"]),
         float(numerics["rest_time_s"]),
+        1 + int(cases[:, march.LIMIT - march.FACTOR].max(initial=0.0)) // steps_of(step),
     )
     return march.Driven(carried, list(known.values()), which, cases, rules, step)
 
@@ -239,7 +240,8 @@ def history(planar, motions, numerics, factor=1.0, *, carried=None, step_s=None,
     supports = shaken.bodies.mass_kg.size or len(motions.supports_m_s2)
     count = int(shaken.cases[0, march.LIMIT - march.FACTOR]) // every + 1
     rows = np.zeros((count, COLUMNS + 2 * supports))
-    (peak, status, end), written, broken = march.one(_loop(planar), planar, shaken, 0, every, rows)
+    found, written, broken = march.one(_loop(planar), planar, shaken, 0, every, rows)
+    (status, end), peak = found[:2], found[2:].max()
     rows = rows[:written]
     return Series(
         rows[:, 0],
@@ -277,6 +279,8 @@ class Peaks:
     end_s : ndarray
         Simulated time.
     step_s : float
+    spans : ndarray, shape (cases, n)
+        Largest |d|/b of each second (`SPAN_S`).
     """
 
     factor: np.ndarray
@@ -285,6 +289,7 @@ class Peaks:
     failed: np.ndarray
     end_s: np.ndarray
     step_s: float
+    spans: np.ndarray
 
 
 def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
@@ -301,7 +306,7 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
     """
     shaken = _set_up(planar, motions, numerics, factors, carried, step_s)
     loop, count = _loop(planar), len(shaken.cases)
-    found = np.zeros((count, 3))
+    found = np.zeros((count, 2 + shaken.rules.spans))
     # those that last as long go together: a vector takes as long as its longest
     turns = np.argsort(shaken.cases[:, march.LIMIT - march.FACTOR], kind="stable")
     for first in range(0, count, AT_ONCE):
@@ -311,7 +316,7 @@ def peaks(planar, motions, numerics, factors, *, carried=None, step_s=None):
         else:
             none = np.zeros((0, COLUMNS))
             found[some] = [march.one(loop, planar, shaken, i, 1, none)[0] for i in some]
-    peak, status, end = found.T
+    status, end, spans = found[:, 0], found[:, 1], found[:, 2:] / planar.thickness_m
     failed = status == FAILED
-    ratio = np.where(failed, np.nan, peak / planar.thickness_m)
-    return Peaks(shaken.cases[:, 0], ratio, status == OVERTURNED, failed, end, shaken.step_s)
+    ratio = np.where(failed, np.nan, spans.max(axis=1))
+    return Peaks(shaken.cases[:, 0], ratio, status == OVERTURNED, failed, end, shaken.step_s, spans)
