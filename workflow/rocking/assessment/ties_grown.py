@@ -99,7 +99,8 @@ def raised(shaken, rows, which, failing, most_n=math.inf):
     In coarse steps up, then the steps between are halved: one step less does not hold. Rows whose
     forces come to `most_n` in sum are not tried.
     """
-    strongest_n = MOST_SHARE * shaken.tied.weight_n
+    heaviest_n = MOST_SHARE * shaken.tied.weight_n
+    strongest_n = {k: min(heaviest_n, shaken.tied.most_n(rows[k].height_m)) for k in which}
 
     def at(steps):
         return [
@@ -111,7 +112,7 @@ def raised(shaken, rows, which, failing, most_n=math.inf):
 
     def allowed(steps):
         own = at(steps)
-        return _sum_n(own) < most_n and all(own[k].force_n <= strongest_n for k in which)
+        return _sum_n(own) < most_n and all(own[k].force_n <= strongest_n[k] for k in which)
 
     low, high = 0, COARSE
     while True:
