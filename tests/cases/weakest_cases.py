@@ -29,7 +29,8 @@ def dense_mechanisms(family, foot_m, hinge_m, near=None):
     """Every part above a foot, both corners and bending to every level, by so many metres.
 
     Bending below a level whose onset alone, which the check never falls short of, lies above the
-    least PGA of `near` (by kind) is left out: it is not the weakest.
+    least PGA of `near` (by kind) is left out: it is not the weakest. An infinite `hinge_m` leaves
+    bending out.
     """
     top = family.masonry.top_m - LEAST_PART_M
     for z in np.arange(0.0, top + 1e-9, foot_m):
@@ -37,7 +38,7 @@ def dense_mechanisms(family, foot_m, hinge_m, near=None):
     for side in CORNERS if family.wall["count"] else ():
         for z in np.arange(0.0, family.height_m - LEAST_PART_M + 1e-9, foot_m):
             yield family.corner(side, float(z))
-    levels = family.levels()
+    levels = family.levels() if math.isfinite(hinge_m) else []
     for k, low in enumerate(levels[:-1]):
         for high in levels[k + 1 :]:
             known = (near or {}).get(f"bending from {low:g} to {high:g}", math.inf)

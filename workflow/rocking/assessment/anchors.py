@@ -1,6 +1,7 @@
 """What one anchor plate of a tie holds before it punches through the wall or crushes it.
 
-A square plate of side a on a wall of thickness t. Punching shears the masonry off along a truncated
+A square plate of side a on a wall of thickness t, that below
+the row. Punching shears the masonry off along a truncated
 pyramid that opens at 45° through the wall; its lateral area is taken at mid-thickness, and the
 vertical stress that would add friction is left out:
 
@@ -43,11 +44,10 @@ def anchor(own, thickness_m):
 
 
 def thickness_at(facade, height_m):
-    """Thickness of a façade at a row of ties: of the wall above or below it the thinner [m]."""
+    """Thickness of the wall below a row of ties [m]."""
     shape = shape_of({**facade, "courses": 0})
-    top = shape.storeys[-1][1]
-    sides = (min(max(height_m + side, 0.0), top) for side in (-SIDE_M, SIDE_M))
-    return min(front - back for back, front in map(shape.faces_at, sides))
+    back, front = shape.faces_at(min(max(height_m - SIDE_M, 0.0), shape.storeys[-1][1]))
+    return front - back
 
 
 def most_in_a_row(own, facade, height_m):

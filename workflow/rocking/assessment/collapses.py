@@ -1,18 +1,26 @@
 """Where the mechanisms of a façade collapse under each motion, no further than it tells.
 
-A motion fells the façade where it fells one of its mechanisms. So once one has fallen, another is
-followed under that motion only up to there, and a little further.
+A motion fells the façade where it fells one of its mechanisms. So once one has fallen under a
+motion, another is asked only whether it falls below that: at amplitudes `RATIO` apart, all at once.
+Where it does, a short climb about the lowest of them finds where. A range of collapse that is
+narrower than a step may be missed below the other mechanism's, as in the short climb itself.
 """
+
+import math
 
 import numpy as np
 
-from rocking.collapse.quick import crossings_of
+from rocking.collapse.curve import collapse_curves
+from rocking.collapse.quick import LONG_STEP, crossings_of
 
-FURTHER = 1.15  # beyond the first collapse of a motion: no step of a climb is longer
+RATIO = 1.1  # from one amplitude to the next
+DEEP = 0.25  # of the known collapse: no lower amplitude is tried
+BELOW = 1.25  # times below the lowest that falls, where the climb begins; as far above it ends
+NOTHING = {"pga_p10_g": math.nan, "pga_median_g": math.nan}
 
 
 def by_part(parts, turns, most_g, known_g=None):
-    """Short climbs of some mechanisms, in their order: by part a list of rows, one a turn.
+    """Collapse of some mechanisms, in their order: by part a list of rows, one a turn.
 
     Parameters
     ----------
@@ -22,22 +30,60 @@ def by_part(parts, turns, most_g, known_g=None):
         PGA up to which all are followed.
     known_g : sequence of float, optional
         Half collapse that is known already by turn, NaN where nothing fell: where it is given,
-        parts are followed no further than `FURTHER` times the least.
+        parts are followed up to the least of it and of the parts before.
 
     Returns
     -------
     dict of str to list of dict
-        As of `quick.crossings_of`, with pga_max_g.
+        As of `quick.crossings_of`, with pga_max_g: up to where the part was followed.
     """
     found, least = {}, np.full(len(turns), np.inf)
     if known_g is not None:
         least = np.fmin(least, np.asarray(known_g, float))
     for part, case in parts.items():
-        ends = np.full(len(turns), most_g)
-        if known_g is not None:
-            ends = np.minimum(most_g, FURTHER * least)
-        rows = crossings_of(case, turns, [{"max_pga_g": float(end)} for end in ends])
+        short = np.isfinite(least) & (known_g is not None)
+        rows: list = [None] * len(turns)
+        for own, follow in ((~short, _climbed), (short, _asked)):
+            which = np.flatnonzero(own)
+            if which.size:
+                some = [turns[k] for k in which]
+                for k, row in zip(which, follow(case, some, most_g, least[which]), strict=True):
+                    rows[k] = row
         least = np.fmin(least, np.array([row["pga_median_g"] for row in rows], float))
-        both = zip(rows, ends, strict=True)
-        found[part] = [{**row, "pga_max_g": float(end)} for row, end in both]
+        found[part] = rows
     return found
+
+
+def _climbed(case, turns, most_g, _):
+    """Short climbs from where they begin by themselves."""
+    rows = crossings_of(case, turns, [{"max_pga_g": float(most_g)}] * len(turns))
+    return [{**row, "pga_max_g": float(most_g)} for row in rows]
+
+
+def _asked(case, turns, most_g, least_g):
+    """Whether and where a part falls below what is known by turn [g]."""
+    ends = np.minimum(least_g, most_g)
+    count = 1 + math.ceil(math.log(1.0 / DEEP) / math.log(RATIO))
+    levels = [end * RATIO ** np.arange(1.0 - count, 0.5) for end in ends]
+    asked = collapse_curves(
+        case,
+        turns,
+        search="list",
+        settings=[{"pga_g": own.tolist()} for own in levels],
+        fraction=LONG_STEP,
+    )
+    rows, again = [], []
+    for k, (curve, end) in enumerate(zip(asked, ends, strict=True)):
+        fell = curve.table.loc[curve.table["status"] == "overturned", "pga_g"]
+        rows.append({**NOTHING, "runs_planar": curve.runs, "pga_max_g": float(end)})
+        if len(fell):
+            again.append((k, float(fell.min())))
+    if again:
+        limits = [{"from_g": at / BELOW, "max_pga_g": at * BELOW} for _, at in again]
+        climbs = crossings_of(case, [turns[k] for k, _ in again], limits)
+        for (k, at), climb in zip(again, climbs, strict=True):
+            runs = rows[k]["runs_planar"] + climb["runs_planar"]
+            half = climb["pga_median_g"]
+            climb["pga_median_g"] = at if math.isnan(half) else half
+            rows[k] = {**climb, "runs_planar": runs, "pga_max_g": rows[k]["pga_max_g"]}
+    return rows

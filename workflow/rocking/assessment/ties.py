@@ -298,7 +298,7 @@ def _alone(shaken, rows, say):
     found = {}
     for model in shaken.models[1:]:
         shaken.care, shaken.left = ROUGH, set(shaken.beyond)
-        own, _ = grown(shaken, rows, [model], say)
+        own, _ = grown(shaken, rows, [model], say, every=False)
         lost = shaken.left - shaken.beyond
         found[model] = None if lost else [row.force_n for row in own]
     shaken.care = FINE

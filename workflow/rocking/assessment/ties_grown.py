@@ -22,13 +22,14 @@ class Growth(NamedTuple):
     why: Failing
 
 
-def grown(shaken, rows, models, say=lambda text: None):
+def grown(shaken, rows, models, say=lambda text: None, every=True):
     """Rows with which every mechanism holds but those that are left out.
 
     Model by model, until all hold with the same rows. As long as a mechanism fails, the rows that
     pull on it grow until it holds: all of them by one factor, or one of them alone, whichever
     takes the least force in sum; where none does, a level that has no row yet gets one. What none
-    makes hold is left out (`Shaken.left`).
+    makes hold is left out (`Shaken.left`); where not `every` mechanism is asked for, the search
+    ends there.
 
     Rows are one at each level, ascending, of 0 N where none is yet. `say` receives a line a
     mechanism. Returns the rows, and every `Growth` in turn.
@@ -44,6 +45,8 @@ def grown(shaken, rows, models, say=lambda text: None):
                 if not which:
                     say(f"{model}, {failing.mechanism}: no row makes it hold")
                     shaken.left.add(failing.part)
+                    if not every:
+                        return rows, governs
                     continue
                 governs.append(Growth(which, failing))
                 rows = found

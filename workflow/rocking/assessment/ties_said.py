@@ -5,7 +5,7 @@ import math
 from rocking.assessment.anchors import CRUSHING, PUNCHING
 from rocking.assessment.paper import Table
 from rocking.assessment.shaken import CORNER, FAR, STOCKY
-from rocking.assessment.verdict import g3, per_cent, the, words_of
+from rocking.assessment.verdict import g3, per_cent, short, the, words_of
 
 BY = {PUNCHING: "it punches through the wall", CRUSHING: "the wall crushes under it"}
 REASONS = {
@@ -26,14 +26,16 @@ def answer(data):
         return _none(data, beyond) + alone(data)
     said = words_of([_row(r) for r in rows.itertuples()])
     model, made = rows["relied"].iloc[0], len(tried) > 0
-    what = "by hand every mechanism passes"
+    every = after.drop_duplicates("part")
+    what = f"{counted(every['ratio'] >= 1.0)} mechanisms pass by hand"
     if made:
         shaken = after[after["model"] == model]
-        what += f", and shaken with {model} all {len(shaken)} that were shaken pass"
-    if len(beyond):
-        left = words_of([the(one) for one in beyond.itertuples()])
-        what += f", but for {left}, which no row at these levels holds"
+        held = counted(shaken["holds"].astype(float) == 1.0)
+        what += f", and {held} that were shaken with {model}"
     words = f"{said}: with {'these rows' if len(rows) > 1 else 'this row'} {what}."
+    if len(beyond):
+        left = words_of([short(one) for one in beyond.itertuples()])
+        words += f" No row at these levels holds {left}."
     if not rows["built_holds"].all():
         words += " No rods that are sold, on anchors that hold them, give the margin: these do not."
     if not made:
@@ -45,10 +47,16 @@ def answer(data):
     return words + not_shaken(after) + beside(after, model) + alone(data)
 
 
+def counted(flags):
+    """How many of some are true: all of them, or so many of so many."""
+    count = int(flags.sum())
+    return f"all {len(flags)}" if count == len(flags) else f"{count} of {len(flags)}"
+
+
 def _none(data, beyond):
     """What is said where no row is recommended."""
     if len(beyond):
-        names = words_of([the(one) for one in beyond.itertuples()])
+        names = words_of([short(one) for one in beyond.itertuples()])
         return f"No row at floors or eaves makes the façade pass; {names} fails with the strongest."
     standing = " besides those that are there" if data.config["facade"]["ties"] else ""
     if not len(data.tables["ties_tried"]):
@@ -79,7 +87,7 @@ def not_shaken(after):
         return ""
     said = []
     for why, part in left.groupby("why_not", sort=False):
-        names = words_of([the(one) for one in part.itertuples()])
+        names = words_of([short(one) for one in part.itertuples()])
         said.append(f"{names} ({REASONS.get(why, part['why_words'].iloc[0])})")
     return f" Judged by hand alone: {'; '.join(said)}."
 

@@ -52,6 +52,11 @@ def the(row):
     return row.mechanism if bends(row) else f"the {row.mechanism}"
 
 
+def short(row):
+    """A mechanism's name within a list, without what stands at its foot."""
+    return the(row).split(" (", 1)[0]
+
+
 def powered(value):
     """Two figures of a rate: 0.0014, 8.8·10⁻⁵."""
     if not 0.0 < value < 1e-3:
@@ -143,7 +148,7 @@ def early(stated):
     if own.empty:
         return ""
     said = "; ".join(
-        f"{the(r)} {g3(r.pga_letter_g)} g by the letter, {g3(r.pga_fails_g)} g without them"
+        f"{short(r)} {g3(r.pga_letter_g)} g by the letter, {g3(r.pga_fails_g)} g without them"
         for r in own.itertuples()
     )
     return (
@@ -244,7 +249,7 @@ def by_hand_alone(shaken):
         return ""
     said = []
     for why, part in left.groupby("why_not", sort=False):
-        names = [f"{the(r)} ({g3(r.pga_fails_g)} g)" for r in part.itertuples()]
+        names = [f"{short(r)} ({g3(r.pga_fails_g)} g)" for r in part.itertuples()]
         reason = NOT_SHAKEN.get(why, part["why_words"].iloc[0])
         said.append(f"{words_of(names)}, {reason}")
     return f" Not shaken, judged by hand alone: {'; '.join(said)}."
@@ -372,7 +377,7 @@ def next_steps(checks, mechanisms, verdicts, shaken, *more):
 def _by_hand_next(checks, weak):
     """Lines on the checks by hand; `weak` are the mechanisms that fail by them."""
     if len(weak):
-        listed = [f"{the(r)} ({g3(r.pga_fails_g)} g)" for r in weak.itertuples()]
+        listed = [f"{short(r)} ({g3(r.pga_fails_g)} g)" for r in weak.itertuples()]
         return [
             f"Tie or hold the façade against: {'; '.join(listed)}. Which rows of ties do so stands "
             "on page 1.",

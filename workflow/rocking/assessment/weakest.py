@@ -16,11 +16,13 @@ from rocking.assessment import family as families
 
 BESIDE_M = 0.02  # of a change: what lies just above it or below
 BLOCK_M = 0.1  # least height of a block of vertical bending
-SHARES = (0.17, 0.5, 0.83)  # of an interval between two changes, at which it is sampled
-HINGES = 9  # samples of a hinge over a span, closer towards its ends
+APART_M, FEET_APART_M = 0.3, 0.6  # of samples between two changes; of feet that bend
+HINGES = 11  # samples of a hinge over a span, closer towards its ends
 CORNERS = 12  # samples of a corner's foot
 NEAR_M = 0.03  # to which a height is found
 EVALUATIONS = 10  # of following one height down
+ROUNDS, SETTLED = 5, 0.995  # of following foot and hinge; a round gains more, or is the last
+STARTS = 4  # feet from which bending is followed
 NEVER = 1e6  # of what never fails, for arithmetic
 WORTH = 0.985  # of the feet either side: a foot between them counts from there on
 
@@ -38,12 +40,16 @@ def _least(measure, low_m, high_m, start, best):
     return (float(found.x), float(found.fun)) if found.fun < best else (start, best)
 
 
-def _sampled(low_m, high_m):
-    """Samples of an interval between two changes: beside its ends, and between."""
+def _sampled(low_m, high_m, apart_m=APART_M):
+    """Samples of an interval between two changes: beside its ends, and between.
+
+    A link that gives way early sets d_SLV for some feet and not for others: there what a site is
+    ranked by jumps too, so that samples are close.
+    """
     if high_m - low_m < 3.0 * BESIDE_M:
         return []
-    inside = [low_m + share * (high_m - low_m) for share in SHARES]
-    return [low_m + BESIDE_M, *inside, high_m - BESIDE_M]
+    count = 2 + max(1, math.ceil((high_m - low_m) / apart_m))
+    return np.linspace(low_m + BESIDE_M, high_m - BESIDE_M, count).tolist()
 
 
 def parts(family):
@@ -87,8 +93,8 @@ def spans(family):
     for k, low in enumerate(levels[:-1]):
         own = [low, *(z for z in feet if low < z < levels[k + 1])]
         if family.slv is not None:
-            for a, b in itertools.pairwise([*own, levels[k + 1]]):
-                own = [*own, *(z for z in _sampled(a, b)[1:-1])]
+            for a, b in itertools.pairwise([*own, levels[k + 1]]):  # as listed
+                own = [*own, *_sampled(a, b, FEET_APART_M)]
         for high in levels[k + 1 :]:
             moves = None if family.slv is None else levels[k + 1]
             site = span(family, own, low, high, moves)
@@ -115,13 +121,27 @@ def span(family, feet, low_m, high_m, next_m=None):
         for foot in feet
         for hinge in _hinges(family, foot, high_m)
     ]
-    best, foot, hinge = min(samples, default=(math.inf, 0.0, 0.0))
-    if not math.isfinite(best):
+    firsts = {}  # of every foot its weakest hinge
+    for value, foot, hinge in sorted(samples):
+        firsts.setdefault(foot, (value, foot, hinge))
+    starts = [one for one in list(firsts.values())[:STARTS] if math.isfinite(one[0])]
+    if not starts:
         return None
-    for _ in range(1 if next_m is None else 2):
-        near = sorted({foot, high_m, *_hinges(family, foot, high_m), hinge})
+    best = min(_followed(family, measure, (low_m, high_m, next_m), feet, one) for one in starts)
+    return families.Site(part, best[1], best[2], high_m)
+
+
+def _followed(family, measure, ends_m, feet, start):
+    """Measure, foot and hinge, each followed down in turn from a start (measure, foot, hinge).
+
+    `ends_m` are the levels that hold and the height up to which the foot moves, or None.
+    """
+    (low_m, high_m, next_m), (best, foot, hinge) = ends_m, start
+    for _ in range(1 if next_m is None else ROUNDS):
+        before, near = best, sorted({foot, high_m, *_hinges(family, foot, high_m), hinge})
         k = near.index(hinge)
-        ends = max(near[k - 1], foot + BLOCK_M), min(near[k + 1], high_m - BLOCK_M)
+        ends = near[max(k - 2, 0)], near[min(k + 2, len(near) - 1)]
+        ends = max(ends[0], foot + BLOCK_M), min(ends[1], high_m - BLOCK_M)
         hinge, best = _least(lambda z, foot=foot: measure(foot, z), *ends, hinge, best)
         if next_m is not None:
             last = min(next_m, hinge - BLOCK_M)
@@ -129,7 +149,9 @@ def span(family, feet, low_m, high_m, next_m=None):
             above = min((z for z in feet if z > foot), default=last)
             ends = max(below, low_m), min(above, last)
             foot, best = _least(lambda z, hinge=hinge: measure(z, hinge), *ends, foot, best)
-    return families.Site(part, foot, hinge, high_m)
+        if best > SETTLED * before:
+            break
+    return best, foot, hinge
 
 
 def _hinges(family, foot_m, high_m):
