@@ -280,7 +280,7 @@ def test_what_is_built_has_the_margin_and_is_the_next_size_with_which_it_holds()
     first, holds = ties.built(tied, rows, [], shaken)
     assert holds
     for row, made in zip(rows, first, strict=True):
-        assert 1.25 * row.force_n <= made.force_n <= made.count * tied.anchor(6.0).force_n
+        assert 1.25 * row.force_n <= made.force_n <= made.rods * tied.anchor(6.0).force_n
     least_n = first[1].force_n
     shaken.holds = lambda rows, failing: not math.isclose(rows[1].force_n, least_n)
     second, holds = ties.built(tied, rows, [], shaken)

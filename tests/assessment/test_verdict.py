@@ -3,15 +3,14 @@
 import numpy as np
 import pandas as pd
 import pytest
+from rocking.assessment.advice import damage, next_steps
 from rocking.assessment.verdict import (
     capacity,
-    damage,
     decided_by,
     dynamic_check,
     headline,
     held_or_not,
     kinematic,
-    next_steps,
     passes,
     powered,
     suite,

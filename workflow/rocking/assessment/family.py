@@ -94,10 +94,15 @@ class Site(NamedTuple):
 
 def site_of(candidate):
     """`Site` of a `Candidate`, or of a row of a table with its columns."""
-    given = candidate.hinge_m, candidate.held_m
-    held = (None if v is None or v != v else float(v) for v in given)
     words = getattr(candidate, "words", "")
-    return Site(candidate.part, float(candidate.foot_m), *held, int(candidate.side), words)
+    hinge_m, held_m = map(_known, (candidate.hinge_m, candidate.held_m))
+    foot_m, side = float(candidate.foot_m), int(candidate.side)
+    return Site(candidate.part, foot_m, hinge_m, held_m, side, words)
+
+
+def _known(value):
+    """A height as a number; None where a table has none."""
+    return None if value is None or value != value else float(value)
 
 
 def pulls_of(section, added_n=0.0):

@@ -3,6 +3,7 @@
 from functools import partial
 
 from rocking.assessment import (
+    advice,
     appendix,
     content,
     drawings,
@@ -236,7 +237,7 @@ def moved(name, names):
 def next_steps(data):
     """Lines of what is recommended next."""
     t, own = data.tables, data.config["assessment"]
-    worse = verdict.damage(t["code_sensitivity"], t["mechanisms"], data.demand_g)
+    worse = advice.damage(t["code_sensitivity"], t["mechanisms"], data.demand_g)
     known = ""
     if data.factor != own["confidence_factor"]:
         known = (
@@ -250,7 +251,7 @@ def next_steps(data):
             "fit the demand within the code's bounds, so their check is not yet that of the code."
         )
     given = t["code_checks"], t["mechanisms"], t["verdicts"], t["shaken"]
-    return verdict.next_steps(*given, worse, known, misfit)
+    return advice.next_steps(*given, worse, known, misfit)
 
 
 def fragility(data):

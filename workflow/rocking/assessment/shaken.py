@@ -22,8 +22,10 @@ from rocking.configuration.facade import TooStockyError
 
 COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "side", "pga_fails_g"]
 COLUMNS += ["d0_m", "d_slv_m", "d_slc_m", "shaken", "why_not", "why_words"]
-SETTLED = ("floor_friction", "anchor_plate_m", "masonry_shear_mpa", "masonry_compression_mpa")
-SETTLED += ("confidence_factor",)  # keys that say what holds a façade while it is shaken
+SETTLED = (  # keys that say what holds a façade while it is shaken
+    *("floor_friction", "anchor_plate_m", "masonry_shear_mpa", "masonry_compression_mpa"),
+    "confidence_factor",
+)
 CORNER, FAR, STOCKY, REFUSED = "corner", "far", "stocky", "refused"  # why one is not shaken
 WORDS = {
     CORNER: "turns about a corner, not over the whole width",

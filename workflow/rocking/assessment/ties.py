@@ -42,10 +42,10 @@ from rocking.studies.strengthening import row_of_rods
 
 CLOSE = 0.005  # relative, of a row's least force
 SAME_M = 1e-6  # heights
-COMMERCIAL_MM = (8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 36, 40, 45, 50, 60, 70, 80)
+COMMERCIAL_MM = (6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 36, 40, 45, 50, 60, 70, 80)
 FULL = 0.999  # of what an anchor holds that a rod may take: the rod yields first
 WEAKER = 0.99  # a place is weaker than those that are known from here on
-ROUNDS = 4  # in which weaker places are looked for
+ROUNDS = 8  # in which weaker places are looked for
 
 
 class TieRow(NamedTuple):
@@ -56,7 +56,7 @@ class TieRow(NamedTuple):
 
     height_m: float
     force_n: float
-    count: int = 0
+    rods: int = 0
 
 
 class Tied:
@@ -95,8 +95,8 @@ class Tied:
 
     def count(self, row):
         """Rods of a row: as stated, or as many as the anchors ask for."""
-        if row.count:
-            return row.count
+        if row.rods:
+            return row.rods
         needed = math.ceil(row.force_n / (FULL * self.anchor(row.height_m).force_n) - 1e-9)
         return max(min(self.sections["strengthening"]["count"], self.most(row.height_m)), needed, 1)
 
@@ -128,7 +128,7 @@ class Tied:
         known, weaker = self.mechanisms(rows)[1], False
         for site in self.family(rows, self.slv).sites():
             own, before = self._pga_g([site], rows), known.get(site.part, math.inf)
-            if own < WEAKER * before or own < self.demand.pga_g <= before:
+            if own < WEAKER * before or own < WEAKER * self.demand.pga_g <= before:
                 self._places(rows).append(site)
                 weaker = True
         return weaker
@@ -142,7 +142,8 @@ class Tied:
 
         Of several known places of one the weakest; what never loses its multiplier is left out.
         """
-        family, known, pga_g = self.family(rows), {}, {}
+        family, known = self.family(rows), {}
+        pga_g: dict[str, float] = {}
         for site in self._places(rows):
             one = family.at(site)
             read = self.slv.reading(one)
@@ -283,7 +284,7 @@ def found(tied, shaken, say=lambda text: None):
         shaken.beyond = set(beyond)  # no force helps these by hand
         for _ in range(ROUNDS):
             rows, why = _shaken(shaken, rows, shaken.models[:1], say)
-            if not tied.looked_again(rows):
+            if not tied.looked_again(rows) or tied.passes(rows, shaken.beyond):
                 break
             say("weaker places found: once more")
         beyond = sorted({*tied.failing(rows), *shaken.left})
@@ -324,13 +325,13 @@ def in_steel(tied, row, least_n):
     Of all numbers of rods that fit, the least with which each takes less than its anchor holds.
     """
     own, one_n = tied.rods(), FULL * tied.anchor(row.height_m).force_n
-    first = tied.count(row._replace(force_n=least_n, count=0))
+    first = tied.count(row._replace(force_n=least_n, rods=0))
     for count in range(first, tied.most(row.height_m) + 1):
         rod = row_of_rods({**own, "count": count}, row.height_m, 1e-3 * least_n)
         size = commercial(rod["diameter_mm"])
         force_n = least_n * (size / rod["diameter_mm"]) ** 2
         if force_n <= count * one_n:
-            return row._replace(force_n=force_n, count=count)
+            return row._replace(force_n=force_n, rods=count)
     return None
 
 
@@ -354,12 +355,13 @@ def built(tied, rows, beyond, shaken, say=lambda text: None):
         if which is None:
             say(f"as built: {said}: hold")
             return found, whole
-        k = which[0] if which else None
-        larger = None if k is None else in_steel(tied, found[k], 1.02 * found[k].force_n)
+        larger = None
+        if which:
+            larger = in_steel(tied, found[which[0]], 1.02 * found[which[0]].force_n)
         if larger is None:
             say(f"as built: {said}: do not hold")
             return found, False
-        found[k] = larger
+        found[which[0]] = larger
 
 
 def held_by(mechanism, rows):

@@ -16,15 +16,15 @@ from rocking.assessment import family as families
 
 BESIDE_M = 0.02  # of a change: what lies just above it or below
 BLOCK_M = 0.1  # least height of a block of vertical bending
-APART_M, FEET_APART_M = 0.3, 0.6  # of samples between two changes; of feet that bend
-HINGES = 11  # samples of a hinge over a span, closer towards its ends
+APART_M, FEET_APART_M = 0.25, 0.5  # of samples between two changes; of feet that bend
+HINGES = 13  # samples of a hinge over a span, closer towards its ends
 CORNERS = 12  # samples of a corner's foot
 NEAR_M = 0.03  # to which a height is found
 EVALUATIONS = 10  # of following one height down
 ROUNDS, SETTLED = 5, 0.995  # of following foot and hinge; a round gains more, or is the last
-STARTS = 4  # feet from which bending is followed
+STARTS = 6  # feet from which bending is followed
 NEVER = 1e6  # of what never fails, for arithmetic
-WORTH = 0.985  # of the feet either side: a foot between them counts from there on
+WORTH = 0.99  # of the feet either side: a foot between them counts from there on
 
 
 def _least(measure, low_m, high_m, start, best):
@@ -121,7 +121,7 @@ def span(family, feet, low_m, high_m, next_m=None):
         for foot in feet
         for hinge in _hinges(family, foot, high_m)
     ]
-    firsts = {}  # of every foot its weakest hinge
+    firsts: dict[float, tuple] = {}  # of every foot its weakest hinge
     for value, foot, hinge in sorted(samples):
         firsts.setdefault(foot, (value, foot, hinge))
     starts = [one for one in list(firsts.values())[:STARTS] if math.isfinite(one[0])]
