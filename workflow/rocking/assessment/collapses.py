@@ -9,12 +9,14 @@ narrower than a step may be missed below the other mechanism's, as in the short 
 import math
 
 import numpy as np
+import pandas as pd
 
 from rocking.collapse.curve import collapse_curves
 from rocking.collapse.quick import LONG_STEP, crossings_of
 
 RATIO = 1.1  # from one amplitude to the next
-DEEP = 0.25  # of the known collapse: no lower amplitude is tried
+DEEP = 0.5  # of the known collapse, where they begin: what falls there climbs from far below
+FIRST, CALM = 2, 0.4  # amplitudes that are run first; d/b below which none below them falls
 BELOW = 1.25  # times below the lowest that falls, where the climb begins; as far above it ends
 NOTHING = {"pga_p10_g": math.nan, "pga_median_g": math.nan}
 
@@ -61,29 +63,42 @@ def _climbed(case, turns, most_g, _):
 
 
 def _asked(case, turns, most_g, least_g):
-    """Whether and where a part falls below what is known by turn [g]."""
+    """Whether and where a part falls below what is known by turn [g].
+
+    The highest amplitudes first: where the part stays below `CALM` at them, none below is run.
+    """
     ends = np.minimum(least_g, most_g)
     count = 1 + math.ceil(math.log(1.0 / DEEP) / math.log(RATIO))
     levels = [end * RATIO ** np.arange(1.0 - count, 0.5) for end in ends]
-    asked = collapse_curves(
-        case,
-        turns,
-        search="list",
-        settings=[{"pga_g": own.tolist()} for own in levels],
-        fraction=LONG_STEP,
-    )
+    first = _listed(case, turns, [own[-FIRST:] for own in levels])
+    moved = [k for k, table in enumerate(first) if not table["d_over_b"].max() < CALM]
+    rest = _listed(case, [turns[k] for k in moved], [levels[k][:-FIRST] for k in moved])
+    for k, table in zip(moved, rest, strict=True):
+        first[k] = pd.concat([table, first[k]], ignore_index=True)
     rows, again = [], []
-    for k, (curve, end) in enumerate(zip(asked, ends, strict=True)):
-        fell = curve.table.loc[curve.table["status"] == "overturned", "pga_g"]
-        rows.append({**NOTHING, "runs_planar": curve.runs, "pga_max_g": float(end)})
+    for k, (table, end) in enumerate(zip(first, ends, strict=True)):
+        fell = table.loc[table["status"] == "overturned", "pga_g"]
+        rows.append({**NOTHING, "runs_planar": len(table), "pga_max_g": float(end)})
         if len(fell):
-            again.append((k, float(fell.min())))
+            again.append((k, float(fell.min()), fell.min() <= levels[k][0] * RATIO))
     if again:
-        limits = [{"from_g": at / BELOW, "max_pga_g": at * BELOW} for _, at in again]
-        climbs = crossings_of(case, [turns[k] for k, _ in again], limits)
-        for (k, at), climb in zip(again, climbs, strict=True):
+        limits = [
+            {"max_pga_g": at * BELOW} | ({} if deep else {"from_g": at / BELOW})
+            for _, at, deep in again
+        ]
+        climbs = crossings_of(case, [turns[k] for k, *_ in again], limits)
+        for (k, at, _), climb in zip(again, climbs, strict=True):
             runs = rows[k]["runs_planar"] + climb["runs_planar"]
             half = climb["pga_median_g"]
             climb["pga_median_g"] = at if math.isnan(half) else half
             rows[k] = {**climb, "runs_planar": runs, "pga_max_g": rows[k]["pga_max_g"]}
     return rows
+
+
+def _listed(case, turns, levels):
+    """Outcomes of a case at stated amplitudes by turn, a table each."""
+    if not turns:
+        return []
+    settings = [{"pga_g": own.tolist()} for own in levels]
+    how = {"search": "list", "settings": settings, "fraction": LONG_STEP}
+    return [curve.table for curve in collapse_curves(case, turns, **how)]

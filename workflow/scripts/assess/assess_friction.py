@@ -51,10 +51,18 @@ def _checked(job, parts, records, settings):
     return {"checked": len(rows), "not_held": len(rows) - int(held)}
 
 
+def _one_a_station(p):
+    """The first curve of each station: half of them tell what friction changes."""
+    first: dict[str, tuple] = {}
+    for name, direction in p.curves:
+        first.setdefault(p.stations[name], (name, direction))
+    return list(first.values())
+
+
 def _collapse(job, parts, records, settings):
-    """Collapse under all motions, as a row of dynamic.csv."""
+    """Collapse under one component a station, as a row of dynamic.csv."""
     p, file = job.params, str(job.input.hazard)
-    turns = [(Motion(records[name]), direction) for name, direction in p.curves]
+    turns = [(Motion(records[name]), direction) for name, direction in _one_a_station(p)]
     found = by_part(parts, turns, settings["ida.max_pga_g"], [float("nan")] * len(turns))
     rows = []
     for k, (motion, direction) in enumerate(turns):
