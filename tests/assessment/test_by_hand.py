@@ -22,7 +22,7 @@ FACADE = {
 }
 CONFIG = configuration.resolve({"facade": FACADE, "assessment": {"interlocking_course_m": None}})
 FAMILY = Family(CONFIG)
-PLANE = {one.name: one for one in FAMILY.plane()}
+PLANE = {one.name: one for one in FAMILY.all() if one.plane}
 
 
 def cells(table, column):

@@ -126,7 +126,7 @@ def test_a_motion_that_always_exceeds_d0_settles_what_all_realisations_would_say
     monkeypatch, own, again, wanted
 ):
     """The verdict's agreement is that of all realisations of all motions, to the last draw."""
-    d = {name: own.get(name, 0.1) for name in ("m0", "m1", "m2")}
+    d = {name: own.get(name, 0.13) for name in ("m0", "m1", "m2")}
     limits, asked = Limits(0.40, 0.16, 0.24), []
 
     def rows(name, values, first):

@@ -118,8 +118,9 @@ def test_the_part_above_the_sills_governs_and_the_sentence_says_so():
     four(found["slv_height"].failing_pga_g, 0.22004)
     assert "slv_ground" not in found
     ranked = governing(Family(CONFIG).all(), CONFIG, DEMAND)
-    rows = [(one.name, "as stated", pga_g) for pga_g, one, _ in ranked]
-    table = pd.DataFrame(rows, columns=["mechanism", "kind", "pga_fails_g"])
+    rows = [(one.name, "as stated", pga_g, one.held_m, 0) for pga_g, one, _ in ranked]
+    columns = ["mechanism", "kind", "pga_fails_g", "held_m", "links_left_out"]
+    table = pd.DataFrame(rows, columns=columns)
     said = verdict.kinematic(table, 0.18)
     assert "façade passes" in said
     assert f"{name}, holds up to a PGA of 0.22 g, 122 % of the demand's 0.18 g" in said

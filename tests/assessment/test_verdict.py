@@ -3,13 +3,14 @@
 import numpy as np
 import pandas as pd
 import pytest
+from rocking.assessment.advice import damage, next_steps
 from rocking.assessment.verdict import (
-    damage,
+    capacity,
     decided_by,
     dynamic_check,
     headline,
     held_or_not,
-    next_steps,
+    kinematic,
     passes,
     powered,
     suite,
@@ -18,20 +19,23 @@ from rocking.mechanics.mechanism import WHOLE
 
 CHECKS = pd.DataFrame({"check": ["linear_ground"], "pga_demand_g": [0.2], "ratio": [1.2]})
 SHAKEN = pd.DataFrame({"part": ["whole"], "mechanism": [WHOLE], "shaken": [1], "why_not": [""]})
+SHAKEN = SHAKEN.assign(held_m=np.nan, pga_fails_g=0.25, why_words="")
+FACADE = {"courses": 4, "base": "study", "base_stiffness_pa_m": None}
 
 
 def mechanisms(**pga_fails_g):
     rows = [
-        (WHOLE if name == "whole" else name, "as stated", 0.0, pga_g)
+        (name, WHOLE if name == "whole" else name, "as stated", 0.0, pga_g, pga_g)
         for name, pga_g in pga_fails_g.items()
     ]
-    return pd.DataFrame(rows, columns=["mechanism", "kind", "foot_m", "pga_fails_g"])
+    columns = ["part", "mechanism", "kind", "foot_m", "pga_fails_g", "pga_letter_g"]
+    return pd.DataFrame(rows, columns=columns).assign(held_m=np.nan, links_left_out=0)
 
 
 def verdicts(*slv, agree=1.0):
     rows = [(f"W{i}", 11, 0 if one else 2, 0.05, 0.1, one, agree) for i, one in enumerate(slv, 1)]
     names = ["model", "motions", "exceed_d0", "mean_d_m", "d_slv_m", "slv", "agree"]
-    return pd.DataFrame(rows, columns=names).assign(d0_m=0.25)
+    return pd.DataFrame(rows, columns=names).assign(d0_m=0.25, part="whole")
 
 
 def dynamic(stations):
@@ -71,7 +75,7 @@ def test_a_facade_passes_where_every_model_holds_and_the_worst_of_them_governs()
 def test_a_check_that_holds_in_too_few_draws_counts_as_not_passed_and_says_so():
     doubt = verdicts(True, True, agree=0.94).assign(part="whole")
     assert passes(CHECKS, mechanisms(whole=0.25), doubt) == (True, False)
-    said = headline(CHECKS, mechanisms(whole=0.25), doubt, SHAKEN, "In 475 years", 1.35)
+    said = headline(CHECKS, mechanisms(whole=0.25), doubt, SHAKEN, "In 475 years", 1.35, FACADE)
     assert "does not pass: life safety (SLV) is lost under recorded motions" in said[0]
     assert "only in 94 % of draws of perturbed ones" in said[2]
     assert list(held_or_not(doubt)) == ["in doubt", "in doubt"]
@@ -94,7 +98,7 @@ def test_a_check_that_holds_in_too_few_draws_counts_as_not_passed_and_says_so():
 )
 def test_the_first_sentence_says_by_which_check_life_safety_is_lost(pga_g, slv, words):
     found = verdicts(slv).assign(part="whole")
-    said = headline(CHECKS, mechanisms(whole=pga_g), found, SHAKEN, "In 475 years", 1.35)
+    said = headline(CHECKS, mechanisms(whole=pga_g), found, SHAKEN, "In 475 years", 1.35, FACADE)
     assert words in said[0]
 
 
@@ -145,7 +149,8 @@ def test_what_is_recommended_hangs_on_what_fails():
     weak = next_steps(CHECKS, mechanisms(whole=0.15, corner=0.3), verdicts(True), SHAKEN)
     assert weak[0].startswith(f"Tie or hold the façade against: the {WHOLE} (0.15 g).")
     for other in ("vertical bending from 0.00 to 3.50 m", "left corner above 0.00 m"):  # feet at 0
-        said = next_steps(CHECKS, mechanisms(whole=0.3, **{other: 0.25}), verdicts(True), SHAKEN)
+        weak = mechanisms(whole=0.3, **{other: 0.25})
+        said = next_steps(CHECKS, weak, verdicts(True), SHAKEN)
         assert f"{other}, was not shaken: it is judged by the kinematic checks alone" in said[-1]
     second = CHECKS.assign(ratio=0.62)
     worse = second.assign(ratio=0.15)
@@ -164,18 +169,18 @@ def test_the_verdict_says_what_moves_and_when_it_rests_on_motions_that_do_not_fi
     bent = "vertical bending from 0.00 to 6.00 m, open at 4.50 m"
     found = verdicts(True).assign(part="whole", mean_d_m=0.05)
     given = CHECKS, mechanisms(whole=0.25)
-    said = headline(*given, found, SHAKEN, "In 475 years", 1.35, (-0.05, 0.2, True))
+    said = headline(*given, found, SHAKEN, "In 475 years", 1.35, FACADE, (-0.05, 0.2, True))
     assert f"the weakest of 1 mechanisms, the {WHOLE}, holds" in said[1]
     assert f"the top of the {WHOLE} moves 50 mm in the mean of 11 histories" in said[2]
     assert "bounds" not in said[2]
     assert "draws" not in said[2]
-    bending = SHAKEN.assign(mechanism=bent)
+    bending = SHAKEN.assign(mechanism=bent, held_m=6.0)
     unsure = found.assign(agree=0.8, slv=False)
-    said = headline(*given, unsure, bending, "In 475 years", 1.35, (-0.1, 1.0, False))
+    said = headline(*given, unsure, bending, "In 475 years", 1.35, FACADE, (-0.1, 1.0, False))
     assert f"the joint of {bent}, moves 50 mm" in said[2]
     assert "; 80 % of draws of single histories say the same." in said[2]
     assert said[2].endswith("does not fit the demand within the code's bounds.")
-    said = headline(*given, pd.DataFrame(), SHAKEN, "In 475 years", 1.35)
+    said = headline(*given, pd.DataFrame(), SHAKEN, "In 475 years", 1.35, FACADE)
     assert "the façade passes by hand: life safety" in said[0]
 
 
@@ -191,3 +196,39 @@ def test_the_verdict_says_what_moves_and_when_it_rests_on_motions_that_do_not_fi
 )
 def test_small_rates_are_said_in_powers_of_ten(value, words):
     assert powered(value) == words
+
+
+def test_page_1_names_the_wall_and_what_was_not_shaken_with_the_reason():
+    rows = [("corner", "left corner above 5.00 m", np.nan, "corner", 0.31)]
+    rows += [
+        ("low", "part above 5.70 m (tie)", np.nan, "stocky", 0.5),
+        ("bent", "vertical bending", 3.0, "far", 0.9),
+    ]
+    left = pd.DataFrame(rows, columns=["part", "mechanism", "held_m", "why_not", "pga_fails_g"])
+    shaken = pd.concat([SHAKEN, left.assign(shaken=0, why_words="")], ignore_index=True)
+    given = CHECKS, mechanisms(whole=0.25), verdicts(True), shaken, "In 475 years", 1.35
+    said = headline(*given, FACADE)
+    assert said[0].endswith("The wall that is shaken is an elastic wall in 4 courses.")
+    block = headline(*given, {**FACADE, "courses": 0})[0]
+    assert block.endswith("is one rigid block on even springs of E/h.")
+    assert said[2].endswith(
+        "Not shaken, judged by hand alone: the left corner above 5.00 m (0.31 g), which turn about "
+        "a corner and not over the whole width; the part above 5.70 m (0.5 g), lower than "
+        "twice its thickness, so that it slides before it rocks; vertical bending (0.9 g), by hand "
+        "far from the demand."
+    )
+    assert "of the 1 mechanism that was shaken is fulfilled" in said[2]
+
+
+def test_a_brittle_link_is_told_by_both_numbers():
+    early = mechanisms(whole=0.217).assign(links_left_out=1, pga_letter_g=0.0564)
+    said = kinematic(early, 0.2336)
+    assert f"the {WHOLE} 0.0564 g by the letter, 0.217 g without them" in said
+    assert "C8.7.1.2.1.6" in said
+    assert "give way early" not in kinematic(mechanisms(whole=0.217), 0.2336)
+
+
+def test_the_capacity_has_a_ratio_and_a_return_period():
+    stated = mechanisms(whole=0.1)
+    assert capacity(stated, 0.2, "123").endswith("a return period of 123 years.")
+    assert "ζE = 0.50" in capacity(stated, 0.2, None)

@@ -1,6 +1,7 @@
 # The answer of codes of practice compared with the dynamic one: a report for one façade. Over many façades:
 # code_against_dynamics.smk.
 from rocking.assessment import inputs as assessed
+from rocking.assessment.shaken import SETTLED
 from rocking.assessment.verdict import GOVERNS
 from rocking.stations import turns
 
@@ -48,6 +49,7 @@ def stated(wildcards):
 
 CHECKED = ("facade", "return_wall", "smdof", "assessment")  # what a code's checks read
 OF_CODE = RUNS.params_of(*CHECKED, "baseline", "seed", "risk.site")
+HELD_BY = [f"assessment.{key}" for key in SETTLED]
 MOTIONS = {  # the records table and its files, as inputs
     "table": lambda w: RUNS.table_path(w.run),
     "records": RUNS.record_files,
@@ -83,7 +85,9 @@ rule assess_collapse:
     params:
         table=lambda w: RUNS.table_path(w.run),
         curves=curves,
-        settings=RUNS.params_of("baseline", "seed", "vertical_motion", "ida.max_pga_g"),
+        settings=RUNS.params_of(
+            "baseline", "seed", "vertical_motion", "ida.max_pga_g", *HELD_BY
+        ),
     script:
         "../scripts/assess/assess_collapse.py"
 
@@ -123,6 +127,7 @@ use rule assess_collapse as assess_parts_collapse with:
         **MOTIONS,
         case=rules.facade_case.output[0],
         shaken=rules.assess_code.output.shaken,
+        whole=rules.assess_collapse.output[0],  # parts are followed no further than it stood
     output:
         results("assessment/parts_collapse_{model}.csv"),
     benchmark:
@@ -138,12 +143,14 @@ rule assess_dynamic:
         collapse=COLLAPSE,
         parts=PARTS_COLLAPSE,
         checks=rules.assess_code.output.checks,
+        shaken=rules.assess_code.output.shaken,
         hazard=HAZARD,
     output:
         table=results("assessment/dynamic.csv"),
         curves=results("assessment/dynamic_curves.csv"),
         rates=results("assessment/rate.csv"),
         parts=results("assessment/parts_dynamic.csv"),
+        left_out=results("assessment/rate_left_out.csv"),
     benchmark:
         benchmarks("assess_dynamic")
     params:
@@ -177,11 +184,15 @@ rule assess_selection:
         "../scripts/assess/assess_selection.py"
 
 
+OF_HISTORIES = RUNS.params_of("directions", "baseline", "seed", "vertical_motion", "assessment")
+
+
 rule assess_histories:
     input:
         **MOTIONS,
         case=rules.facade_case.output[0],
         motions=rules.assess_selection.output.motions,
+        shaken=rules.assess_code.output.shaken,
     output:
         histories=results("assessment/dynamic_check_{model}_histories.csv"),
         verdict=results("assessment/dynamic_check_{model}.csv"),
@@ -189,23 +200,23 @@ rule assess_histories:
         benchmarks("assess_histories_{model}")
     params:
         table=lambda w: RUNS.table_path(w.run),
-        settings=RUNS.params_of("directions", "baseline", "seed", "vertical_motion", "assessment"),
+        settings=OF_HISTORIES,
+        whole=True,
     script:
         "../scripts/assess/assess_histories.py"
 
 
 use rule assess_histories as assess_parts_histories with:
-    input:
-        **MOTIONS,
-        case=rules.facade_case.output[0],
-        motions=rules.assess_selection.output.motions,
-        shaken=rules.assess_code.output.shaken,
     output:
         histories=results("assessment/parts_check_{model}_histories.csv"),
         verdict=results("assessment/parts_check_{model}.csv"),
     benchmark:
         benchmarks("assess_parts_histories_{model}")
     priority: 1  # YADE waits for them
+    params:
+        table=lambda w: RUNS.table_path(w.run),
+        settings=OF_HISTORIES,
+        whole=False,
 
 
 CHECKED_PARTS = rules.assess_histories.output, rules.assess_parts_histories.output
@@ -243,9 +254,9 @@ rule assess_ties:
         hazard=HAZARD,
         cases=of_run(rules.facade_case.output[0], model=dry),
         motions=rules.assess_selection.output.motions,
-        verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),
     output:
         rows=results("assessment/ties.csv"),
+        models=results("assessment/ties_models.csv"),
         after=results("assessment/ties_mechanisms.csv"),
         tried=results("assessment/ties_tried.csv"),
         yaml=results("assessment/ties.yaml"),
@@ -263,6 +274,34 @@ rule assess_ties:
         "../scripts/assess/assess_ties.py"
 
 
+# What floors that hold by friction would change: with it where it does not count, else without it.
+rule assess_friction:
+    input:
+        **MOTIONS,
+        case=of_run(rules.facade_case.output[0], model=governing),
+        motions=rules.assess_selection.output.motions,
+        checks=rules.assess_code.output.checks,
+        shaken=rules.assess_code.output.shaken,
+        hazard=HAZARD,
+    output:
+        results("assessment/friction.csv"),
+    benchmark:
+        benchmarks("assess_friction")
+    priority: 1
+    params:
+        table=lambda w: RUNS.table_path(w.run),
+        model=lambda w: governing(w.run),
+        curves=curves,
+        stations=stations,
+        period_s=value_of("smdof.period_s"),
+        site=value_of("risk.site"),
+        settings=RUNS.params_of(
+            "directions", "baseline", "seed", "vertical_motion", "ida.max_pga_g", "assessment"
+        ),
+    script:
+        "../scripts/assess/assess_friction.py"
+
+
 rule assess_sensitivity:
     input:
         **MOTIONS,
@@ -277,7 +316,9 @@ rule assess_sensitivity:
     priority: 1  # as long as those
     params:
         table=lambda w: RUNS.table_path(w.run),
-        settings=RUNS.params_of("baseline", "seed", "vertical_motion", "ida.max_pga_g"),
+        settings=RUNS.params_of(
+            "baseline", "seed", "vertical_motion", "ida.max_pga_g", *HELD_BY
+        ),
     script:
         "../scripts/assess/assess_sensitivity.py"
 
@@ -290,8 +331,10 @@ rule assess_report:
             rules.assess_sensitivity.output,
             rules.assess_selection.output,
             rules.assess_ties.output.rows,
+            rules.assess_ties.output.models,
             rules.assess_ties.output.after,
             rules.assess_ties.output.tried,
+            rules.assess_friction.output,
         ),
         ties=rules.assess_ties.output.yaml,
         verdicts=of_run(*(one.verdict for one in CHECKED_PARTS), model=dry),

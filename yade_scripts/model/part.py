@@ -5,7 +5,8 @@ level, open at a *hinge* between the two (vertical bending). The part keeps its 
 ties and floors, counted from its foot, and has as many courses if it overturns; what is below the
 foot moves with the building, and the base of the part stands on that (`base_height_m`). The chain's
 masses stay where they are (`building_height_m`). A part above all that the return walls hold, a
-gable or a parapet, has none behind it and rocks to both sides.
+gable or a parapet, has none behind it and rocks to both sides; so has what lies above a height of
+either.
 
 What lies above a held level bears on it with its weight, and what holds it there holds the part.
 """
@@ -40,7 +41,7 @@ def part_of(section, foot_m, held_m=None, hinge_m=None):
         "courses": section.get("courses", 0) if hinge_m is None else 0,
     }
     if foot_m >= eaves - NEAR_M:
-        return found | _above_the_walls(section, shape)
+        return found | _above_the_walls(section, shape, foot_m)
     floors = _rows(section["floors"], foot_m, top)
     if held_m is not None:
         found |= {"gable_height_m": 0.0, "parapet_height_m": 0.0}
@@ -68,11 +69,6 @@ def _check(section, foot_m, held_m, hinge_m):
     highest = top if held_m is None else held_m
     if not 0.0 <= foot_m < highest - NEAR_M:
         raise ValueError(f"part.foot_m = {foot_m:g}: expected 0 to less than {highest:g} (m)")
-    if eaves + NEAR_M < foot_m:
-        raise ValueError(
-            f"part.foot_m = {foot_m:g}: expected at most facade.height_m = {eaves:g} (m), the foot "
-            "of the gable or parapet"
-        )
     if (held_m is None) != (hinge_m is None):
         raise ValueError("part.held_m, part.hinge_m: expected both (m), or none")
     if held_m is not None and not foot_m < hinge_m < held_m <= eaves + NEAR_M:
@@ -82,12 +78,19 @@ def _check(section, foot_m, held_m, hinge_m):
         )
 
 
-def _above_the_walls(section, shape):
-    """What differs of a gable or a parapet alone, from its foot up."""
+def _above_the_walls(section, shape, foot_m):
+    """What differs of a gable or a parapet alone, from its foot or a height above that up.
+
+    Its base moves with the foot of the gable or parapet. A gable narrows with height.
+    """
     back, front = shape.storeys[-1][2:]
-    gable = section["gable_height_m"]
+    gable, eaves = section["gable_height_m"], section["height_m"]
+    high = shape.top_m - max(foot_m, eaves)
+    share = high / gable if gable else 1.0
     return {
-        "height_m": _place(shape.top_m - section["height_m"]),
+        "base_height_m": _place(section["base_height_m"] + eaves),
+        "width_m": section["width_m"] * min(share, 1.0),
+        "height_m": _place(high),
         "thickness_m": _place(front - back),
         "outline": "triangle" if gable else "box",
         "courses": 0,

@@ -3,12 +3,14 @@
 from dataclasses import dataclass, field
 
 from rocking.assessment import byhand, verdict
+from rocking.assessment.anchors import completed_settings
 from rocking.assessment.checks import confidence
 from rocking.assessment.demand import eta, floor_demand
-from rocking.assessment.family import Candidate, Family
+from rocking.assessment.family import Candidate, Family, site_of
 from rocking.assessment.national import spectrum_of, stated_row
 from rocking.assessment.paper import Table
 from rocking.assessment.selection import fit_of
+from rocking.assessment.slv import readings
 from rocking.assessment.sources import FORMULAS
 from rocking.assessment.values import DEFAULT, values
 
@@ -47,12 +49,20 @@ class Data:
     def __post_init__(self):
         """Find the weakest mechanism of the tables among the façade's."""
         t = self.tables
+        self.config = completed_settings(self.config)
         self.family = Family(self.config)
-        least = verdict.as_stated(t["mechanisms"])["mechanism"].iloc[0]
-        self.weakest = next(one for one in self.family.all() if one.name == least)
+        self.weakest = self.candidate(next(verdict.as_stated(t["mechanisms"]).itertuples()))
         self.demand_g = t["code_checks"]["pga_demand_g"].iloc[0]
         self.relied = verdict.relied_on(t["dynamic"]["model"])
         self.fit, self.range_s = fit_of(t["selected_spectra"])
+
+    def candidate(self, row):
+        """Mechanism of a row of mechanisms.csv, without the links that are left out of it."""
+        one = self.family.at(site_of(row))
+        if not row.links_left_out:
+            return one
+        read = readings(one.mechanism)[int(row.links_left_out)]
+        return one._replace(mechanism=read, letter=one.mechanism)
 
     @property
     def factor(self):
@@ -122,12 +132,12 @@ def by_hand(data, candidate, whole=True):
     Where `whole` they say how each number comes about; else they stand two in a row.
     """
     if not candidate.plane:
-        return {"name": candidate.name, "tables": [_by_strips(data, candidate.name)]}
+        return {"name": candidate.name, "tables": [_by_strips(data, candidate.part)]}
     parts, holds = byhand.parts(data.family, candidate), byhand.pulled(candidate)
     total = byhand.sums(parts, holds)
     found = byhand.results(candidate, total, data.factor)
     rows = [(s, how, f"{v:.4g} {unit}".strip()) for s, how, v, unit in found]
-    rows += _demand_of(data, candidate.name)
+    rows += _demand_of(data, candidate.part)
     results = Table(
         f"Capacity, demand and verdict, with FC = {data.factor:g}.",
         ("", "how", "value"),
@@ -141,9 +151,9 @@ def by_hand(data, candidate, whole=True):
     return {"name": candidate.name, "tables": tables}
 
 
-def _by_strips(data, name):
+def _by_strips(data, part):
     """Table of a corner's capacity, demand and verdict."""
-    row = data.tables["mechanisms"].set_index("mechanism").loc[name]
+    row = verdict.as_stated(data.tables["mechanisms"]).set_index("part").loc[part]
     rows = [
         ("α0", "", f"{row['multiplier']:.4g}"),
         ("M*", "", f"{row['participating_mass_kg']:.4g} kg"),
@@ -151,7 +161,7 @@ def _by_strips(data, name):
         ("d0", "", f"{row['d0_m']:.4g} m"),
     ]
     words = "Both walls up to their cracks, turning about the bisector's normal; by strips. "
-    return _paired(rows + _demand_of(data, name), words)
+    return _paired(rows + _demand_of(data, part), words)
 
 
 def _paired(results, words=""):
@@ -167,10 +177,10 @@ def _paired(results, words=""):
     return Table(said, ("",) * 6, rows, (0.17, 0.16, 0.17, 0.17, 0.17, 0.16))
 
 
-def _demand_of(data, name):
+def _demand_of(data, part):
     """Rows of the demand on a mechanism, and where it fails."""
     steps = data.tables["code_steps"]
-    own, rows, fails = steps[steps["mechanism"] == name], [], []
+    own, rows, fails = steps[steps["part"] == part], [], []
     for key, words in (("slv_ground", "ground"), ("slv_height", "floor")):
         found = own[own["check"] == key].set_index("symbol")
         if found.empty:
@@ -223,9 +233,8 @@ def spectrum(data):
 
 def others(data):
     """Every mechanism but the weakest, by hand, the weakest of them first."""
-    order = verdict.as_stated(data.tables["mechanisms"])["mechanism"]
-    known = {one.name: one for one in data.family.all()}
-    return [by_hand(data, known[name], False) for name in order if name != data.weakest.name]
+    rows = verdict.as_stated(data.tables["mechanisms"]).itertuples()
+    return [by_hand(data, data.candidate(r), False) for r in rows if r.part != data.weakest.part]
 
 
 def motions(data):

@@ -5,6 +5,7 @@ import numpy as np
 from rocking.assessment import checks
 from rocking.assessment.demand import RecordDemand, floor_demand
 from rocking.assessment.family import Family
+from rocking.assessment.slv import Slv, read_as
 from rocking.mechanics.mechanism import WHOLE
 from rocking.mechanics.rocking_block import overturning_pga
 from rocking.records import integrate
@@ -37,33 +38,9 @@ CHECKS = {  # key of the tables: what figures and reports call it
 }
 
 
-def damaged(sections):
-    """Period factor and damping of the building at ultimate states, for `floor_demand`."""
-    own, stated = sections["assessment"], sections["smdof"]["damping_ratio"]
-    damping = own["building_damping"]
-    return own["building_period_factor"], stated if damping is None else damping
-
-
-def places_of(candidate, sections, demand):
-    """Demands that a mechanism is held to, and where each is, by "ground" and "height"."""
-    chain = sections["smdof"]
-    floor = floor_demand(demand, candidate.place, chain, damaged=damaged(sections))
-    places = {"height": (floor, f"at {candidate.place:.3g} of the height")}
-    if candidate.on_ground:
-        places = {"ground": (demand, "on the ground"), **places}
-    return places
-
-
 def slv_pga(candidate, sections, demand):
     """PGA at which the non-linear SLV check of one mechanism fails [g], as `least` has it."""
-    own = sections["assessment"]
-    fc = checks.confidence(own["confidence_factor"], own["hinge_inset_m"])
-    return min(
-        checks.nonlinear(
-            candidate.mechanism, at, where, confidence_factor=fc, t0_s=candidate.t0_s
-        ).failing_pga_g
-        for at, where in places_of(candidate, sections, demand).values()
-    )
+    return Slv(sections, demand)(candidate)
 
 
 def code_checks(candidate, sections, demand, confidence_factor=None):
@@ -77,7 +54,7 @@ def code_checks(candidate, sections, demand, confidence_factor=None):
     mechanism, place, t0 = candidate.mechanism, candidate.place, candidate.t0_s
     inset, q = settings["hinge_inset_m"], settings["behaviour_factor"]
     fc = confidence_factor or checks.confidence(settings["confidence_factor"], inset)
-    places = places_of(candidate, sections, demand)
+    places = Slv(sections, demand).places(candidate)
     found = {}
     for key, (at, where) in places.items():
         found[f"linear_{key}"] = checks.linear(
@@ -116,12 +93,21 @@ def least(found, limit="slv"):
     return min(found[key].failing_pga_g for key in keys if key in found)
 
 
+def family_of(sections, demand):
+    """`Family` of sections, whose feet, hinges and corners are the weakest under a demand."""
+    return Family(sections, slv=Slv(sections, demand))
+
+
 def governing(candidates, sections, demand):
-    """Mechanisms by the PGA at which SLV fails by hand: (pga_g, it, checks), the least first."""
-    rows = []
+    """Mechanisms by the PGA at which SLV fails by hand: (pga_g, it, checks), the least first.
+
+    Each as it counts (`slv.readings`).
+    """
+    rows, slv = [], Slv(sections, demand)
     for one in candidates:
-        found = code_checks(one, sections, demand)
-        rows.append((least(found), one, found))
+        read = read_as(one, slv.reading(one))
+        found = code_checks(read, sections, demand)
+        rows.append((least(found), read, found))
     return sorted(rows, key=lambda row: row[0])
 
 

@@ -6,18 +6,28 @@
 import numpy as np
 import pandas as pd
 
-from rocking.assessment.code_checks import code_checks, least
+from rocking.assessment.code_checks import code_checks, governing, least
 from rocking.assessment.demand import floor_demand
-from rocking.assessment.family import Family, pulls_of, stretched
-from rocking.assessment.shaken import label, of_label
+from rocking.assessment.family import Family, pulls_of, site_of, stretched
+from rocking.assessment.slv import Slv
 from rocking.collapse.case import Case, Variant
 from rocking.records import G_M_S2
 from rocking.records.floors import chain_motions
 from smdof.spectra import response_spectrum
 
-CHECKS = ["mechanism", "check", "name", "capacity", "demand", "unit", "ratio", "pga_fails_g"]
+CHECKS = [
+    "part",
+    "mechanism",
+    "check",
+    "name",
+    "capacity",
+    "demand",
+    "unit",
+    "ratio",
+    "pga_fails_g",
+]
 CHECKS += ["pga_demand_g", "source"]
-STEPS = ["mechanism", "check", "symbol", "meaning", "value", "unit"]
+STEPS = ["part", "mechanism", "check", "symbol", "meaning", "value", "unit"]
 TIE_SHARES = (0.02, 0.05, 0.10, 0.20)  # of the façade's weight
 VARIED = {  # factors by key
     "facade.height_m": (0.95, 1.05),
@@ -32,6 +42,7 @@ DAMAGED = ((1.5, 0.10), (2.0, 0.20))  # of a damaged building
 DRAWN_S = np.geomspace(0.05, 4.0, 49)  # periods of the drawn spectra
 SHOWN = ("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height")
 SECTIONS = ("facade", "return_wall", "smdof", "assessment")
+AS_STATED = "as stated"  # kind of a mechanism of the façade as it stands
 
 
 def variants(facade):
@@ -49,19 +60,20 @@ def variants(facade):
         yield Variant(name, changes=how, about={"key": name, "factor": factor})
 
 
-def sensitivity(settings, demand, place):
+def sensitivity(settings, demand, site):
     """PGA of failure over the demand's, of one mechanism, by `variants`.
 
-    `place` is which of how many: names have heights in them, which change with what is varied. A
-    façade that has others is left out.
+    `site` is where it is; its heights are stretched with the façade's. What counts of links that
+    give way (`slv.readings`) is found anew.
     """
-    rows, (which, count) = [], place
+    rows = []
     stated = Case({part: settings[part] for part in SECTIONS})
     for variant in variants(settings["facade"]):
+        factor = variant.about["factor"] if variant.about["key"] == "facade.height_m" else 1.0
         try:
             varied = stated.varied(variant).sections
-            known = Family(varied).all()
-            found = code_checks(known[which], varied, demand) if len(known) == count else {}
+            one = Family(varied).at(stretched_site(site, factor))
+            ((_, _, found),) = governing([one], varied, demand)
         except ValueError:  # no such façade, or a confidence factor below 1
             continue
         rows += [
@@ -70,15 +82,28 @@ def sensitivity(settings, demand, place):
     return pd.DataFrame(rows, columns=["key", "factor", "check", "ratio"])
 
 
-def mechanism_row(one, found, tie_kn, kind):
-    """One row of the table of mechanisms."""
+def stretched_site(site, factor):
+    """A `family.Site` with every height times a factor."""
+    hinge, held = (None if v is None else factor * v for v in (site.hinge_m, site.held_m))
+    return site._replace(foot_m=factor * site.foot_m, hinge_m=hinge, held_m=held)
+
+
+def mechanism_row(one, found, tie_kn, kind, letter_g):
+    """One row of the table of mechanisms.
+
+    `letter_g` is the PGA at which its check fails with every link, those that give way early too.
+    """
     mechanism = one.mechanism
     mass, ratio, _ = mechanism.participation()
     row = {
+        "part": one.part,
         "mechanism": one.name,
         "kind": kind,
         "tie_kn": tie_kn,
         "foot_m": one.foot_m,
+        "hinge_m": one.hinge_m,
+        "held_m": one.held_m,
+        "side": one.side,
         "place": one.place,
         "multiplier": mechanism.multiplier(),
         "participating_mass_kg": mass,
@@ -88,26 +113,32 @@ def mechanism_row(one, found, tie_kn, kind):
         "d_slv_m": mechanism.limit(0.4)[0],
         "t0_s": one.t0_s,
         "pga_fails_g": least(found),
+        "pga_letter_g": letter_g,
+        "links_left_out": 0 if one.letter is None else len(one.letter.pulls) - len(mechanism.pulls),
     }
     return row | {k: found[k].ratio for k in SHOWN if k in found}
 
 
 def mechanisms(settings, demand, ranked):
     """All mechanisms, the least first; what more ties or a held top would do to the first."""
-    family = Family(settings)
+    slv = Slv(settings, demand)
+    family = Family(settings, slv=slv)
     weight = family.masonry.weight_n
     stated = 1e-3 * sum(one.force_n for one in pulls_of(settings["facade"]))
-    rows = [mechanism_row(one, found, stated, "as stated") for _, one, found in ranked]
+    rows = [
+        mechanism_row(one, found, stated, AS_STATED, slv.letter(one)) for _, one, found in ranked
+    ]
+    weakest = site_of(ranked[0][1])
     for share in TIE_SHARES:
-        tied = of_label(Family(settings, share * weight))
-        if one := tied.get(label(ranked[0][1])):  # a new row has mechanisms of its own beside it
-            found = code_checks(one, settings, demand)
-            force = 1e-3 * share * weight
-            words = f"one more row of {force:.3g} kN, {100 * share:g} % of the weight"
-            rows.append(mechanism_row(one, found, stated + force, words))
+        ((_, one, found),) = governing(
+            [Family(settings, share * weight).at(weakest)], settings, demand
+        )
+        force = 1e-3 * share * weight
+        words = f"one more row of {force:.3g} kN, {100 * share:g} % of the weight"
+        rows.append(mechanism_row(one, found, stated + force, words, slv.letter(one)))
     if (held := family.held_top()) is not None:  # else it is held there already
         found = code_checks(held, settings, demand)
-        rows.append(mechanism_row(held, found, np.nan, "top held"))
+        rows.append(mechanism_row(held, found, np.nan, "top held", slv.letter(held)))
     return pd.DataFrame(rows)
 
 
@@ -152,13 +183,15 @@ def checks_of(ranked):
     for _, one, found in told:
         for key, check in found.items():
             values = (check.capacity, check.demand, check.unit, check.ratio, check.failing_pga_g)
-            checks.append((one.name, key, check.name, *values, check.demand_pga_g, check.source))
-            steps += [(one.name, key, *step) for step in check.steps]
+            checks.append(
+                (one.part, one.name, key, check.name, *values, check.demand_pga_g, check.source)
+            )
+            steps += [(one.part, one.name, key, *step) for step in check.steps]
         d, alpha = one.mechanism.curve()
         curves.append(pd.DataFrame({"mechanism": one.name, "d_m": d, "multiplier": alpha}))
-    names = {one.name for _, one, _ in told}
+    parts = {one.part for _, one, _ in told}
     for _, one, found in ranked:
         for key in ("slv_ground", "slv_height"):
-            if one.name not in names and key in found:
-                steps += [(one.name, key, *step) for step in found[key].steps]
+            if one.part not in parts and key in found:
+                steps += [(one.part, one.name, key, *step) for step in found[key].steps]
     return checks, steps, pd.concat(curves)

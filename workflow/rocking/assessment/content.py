@@ -6,9 +6,11 @@ import pandas as pd
 
 from rocking.assessment import pictures, verdict
 from rocking.assessment.code_checks import CHECKS
+from rocking.assessment.family import WHOLE_PART
 from rocking.assessment.paper import Picture, Table
-from rocking.assessment.shaken import WHOLE_PART, is_later
+from rocking.assessment.shaken import is_far
 from rocking.assessment.verdict import g3, per_cent, powered
+from rocking.assessment.walls import named as wall_named
 
 SHOWN = (
     *("linear_ground", "linear_height", "slv_ground", "slv_height", "slc_ground", "slc_height"),
@@ -23,12 +25,18 @@ def with_unit(value, unit):
     return g3(value) if unit == "-" else f"{g3(value)} {unit}"
 
 
-def floors_said(floors):
-    """End of the sentence on the dynamic models: what their floors hold by."""
+def floors_said(floors, counts):
+    """End of the sentence on the dynamic models: what their floors hold by, if friction counts."""
     rubbing = sorted({row["friction"] for row in floors if row["load_kn"] and row["friction"]})
     if not rubbing:
         return "."
-    return f"; floors hold it by friction of {' and '.join(f'{mu:g}' for mu in rubbing)} too."
+    said = " and ".join(f"{mu:g}" for mu in rubbing)
+    if counts:
+        return f"; floors hold it by friction of {said} too (assessment.floor_friction)."
+    return (
+        f"; the friction of floors, {said}, does not hold it, since nobody has verified that it "
+        "lasts until collapse (assessment.floor_friction)."
+    )
 
 
 def by_mechanism(data):
@@ -36,31 +44,33 @@ def by_mechanism(data):
     tables = data.tables
     shaken, own = tables["shaken"], tables["parts_dynamic"]
     verdicts, models = tables["verdicts"], list(tables["dynamic"]["model"])
-    stated = verdict.as_stated(tables["mechanisms"]).set_index("mechanism")
-    half = own.set_index(["part", "model"])["median_pga_g"].to_dict()
+    stated = verdict.as_stated(tables["mechanisms"]).set_index("part")
+    half = {(r.part, r.model): _half(r) for r in own.itertuples()}
     held = {}
     if len(verdicts):
         said = verdicts.assign(said=verdict.held_or_not(verdicts))
         held = said.set_index(["part", "model"])["said"].to_dict()
-    later, rows = is_later(shaken), []
-    for r in shaken[~later].itertuples():
-        name = r.mechanism if r.shaken else f"{r.mechanism}; not shaken: {r.why_not}"
-        known = stated.loc[r.mechanism]
+    rows = []
+    for r in shaken.itertuples():
+        name = r.mechanism if r.shaken else f"{r.mechanism}; not shaken: {r.why_words}"
+        known = stated.loc[r.part]
         cells = ["–"] * len(models)
         for k, model in enumerate(models if r.shaken else ()):
             said = [held[r.part, model]] if (r.part, model) in held else []
-            cells[k] = "; ".join([*said, g3(half[r.part, model])])
+            cells[k] = "; ".join([*said, half.get((r.part, model), "–")])
         by_hand = f"{g3(r.pga_fails_g)} ({per_cent(r.pga_fails_g / data.demand_g)})"
         rows.append((name, f"{known['multiplier']:.4f}", by_hand, *cells))
-    left = f"{later.sum()} that fail{'s' if later.sum() == 1 else ''} by hand far later"
-    more = f" Not shaken: {left}." if later.any() else ""
+    within = data.config["assessment"]["shaken_within"]
+    more = f" Shaken is what fails by hand below {within:g} times the demand's PGA"
+    more += "." if is_far(shaken).any() else ": here every one that can be."
     share = 0.42 / len(models)
     governs = verdict.decided_by(verdicts)
     heads = [f"{model} (governs)" if model == governs else model for model in models]
     return Table(
         "Every mechanism, the weakest by hand first: α0; the PGA at which its SLV check by hand "
         "fails, over the demand's in brackets; and by model whether the code's dynamic check is "
-        f"held, with the median PGA of half collapse [g]. The worst decides.{more}",
+        "held, with the median PGA of half collapse [g]; later: most motions felled another "
+        f"mechanism before. The worst decides.{more}",
         ("mechanism", "α0", "by hand [g]", *heads),
         rows,
         (0.36, 0.08, 0.14, *[share] * len(models)),
@@ -69,11 +79,16 @@ def by_mechanism(data):
     )
 
 
+def _half(row):
+    """Median PGA of half collapse; a word where most motions felled another mechanism before."""
+    return "later" if row.never_collapsed > 0.5 * row.curves else g3(row.median_pga_g)
+
+
 def checks(data):
     """Checks of the mechanism that fails first and of the whole façade, a table each."""
     tables = []
-    for name, part in data.tables["code_checks"].groupby("mechanism", sort=False):
-        own = part.set_index("check")
+    for _, part in data.tables["code_checks"].groupby("part", sort=False):
+        own, name = part.set_index("check"), part["mechanism"].iloc[0]
         rows = [
             (
                 CHECKS[key],
@@ -253,10 +268,10 @@ def rate(data):
         tuple(k for k, model in enumerate(rates["model"]) if model == data.relied),
     )
     first, last = rates["pga_first_g"].iloc[0], rates["pga_last_g"].iloc[0]
-    stands = verdict.stands_on(data.config["facade"])
+    stands = wall_named(data.config["facade"])
     lines = [
         f"The hazard of {rates['hazard'].iloc[0]} goes from {g3(first)} to {g3(last)} g of PGA on "
-        f"the ground of the site. The rate depends on the base, here with {stands} (docs/risk.md); "
+        f"the ground of the site. The rate depends on the wall, here {stands} (docs/risk.md); "
         "uncertainty of hazard, material and model is not in the intervals."
     ]
     return {"lines": lines, "tables": [table]}
@@ -266,7 +281,7 @@ def sensitivity(data):
     """Pictures and table of what changes the answers."""
     code, dynamic = data.tables["code_sensitivity"], data.tables["dynamic_sensitivity"]
     own = data.tables["code_checks"]
-    own = own[own["mechanism"] == data.weakest.name].set_index("check")["ratio"]
+    own = own[own["part"] == data.weakest.part].set_index("check")["ratio"]
     drawn, tables, before = [], [], None
     for key, words in (("slv_ground", "ground"), ("slv_height", "floor")):
         part = code[code["check"] == key].rename(columns={"ratio": "value"})

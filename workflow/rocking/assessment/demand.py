@@ -7,6 +7,7 @@ capacity/demand.
 
 import math
 from dataclasses import dataclass, field
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -151,6 +152,7 @@ class FloorDemand:
     share: tuple  # γ_k ψ_k(z)
     damping_ratio: float = REFERENCE  # ξ_k
     bounded: bool = True
+    _known: dict = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def pga_g(self):
@@ -159,6 +161,10 @@ class FloorDemand:
 
     def peaks(self):
         """a_k of every mode [g]."""
+        return self._peaks
+
+    @cached_property
+    def _peaks(self):
         root = np.sqrt(1.0 + 0.0004 * (100.0 * self.damping_ratio) ** 2)
         return tuple(
             self.ground.acceleration(t, self.damping_ratio) * abs(s) * root
@@ -167,9 +173,15 @@ class FloorDemand:
 
     def acceleration(self, period_s, damping_ratio=REFERENCE):
         """Pseudo-acceleration of an oscillator on the floor [g]."""
+        key = period_s, damping_ratio
+        if key not in self._known:  # hundreds of mechanisms ask for the same periods
+            self._known[key] = self._acceleration(period_s, damping_ratio)
+        return self._known[key]
+
+    def _acceleration(self, period_s, damping_ratio):
         r = 1.1 * self.damping_ratio**-0.5 * eta(damping_ratio)
         square = 0.0
-        for own, peak in zip(self.period_s, self.peaks(), strict=True):
+        for own, peak in zip(self.period_s, self._peaks, strict=True):
             below, above = 1.0 - period_s / (LOWER * own), period_s / (UPPER * own) - 1.0
             divisor = 1.0
             if below > 0.0:
@@ -196,11 +208,10 @@ def floor_demand(ground, height_ratio, chain, modes="first", bounded=True, damag
         gamma = 3.0 * n / (2.0 * n + 1.0)
         periods, shares = [chain["period_s"]], [gamma * height_ratio]
     else:
-        shear = shear_chain(n, chain["period_s"])
-        rows = np.vstack([np.zeros(n), shear.modes()[1]])
+        periods, rows = _modes(n, chain["period_s"])
         levels = np.arange(n + 1) / n
         count = 1 if modes == "first" else n
-        periods = shear.periods_s()[:count]
+        periods = periods[:count]
         shares = [np.interp(height_ratio, levels, rows[:, k]) for k in range(count)]
     factor, damping = damaged or (1.0, chain["damping_ratio"])
     return FloorDemand(
@@ -210,3 +221,10 @@ def floor_demand(ground, height_ratio, chain, modes="first", bounded=True, damag
         damping,
         bounded,
     )
+
+
+@lru_cache(maxsize=64)
+def _modes(n, period_s):
+    """Periods of a chain's modes [s] and participation times shape by level, the base's row 0."""
+    shear = shear_chain(n, period_s)
+    return shear.periods_s(), np.vstack([np.zeros(n), shear.modes()[1]])

@@ -13,6 +13,8 @@ CONFIDENCE = 0.95
 CURVES = ["model", "pga_g", "probability", "band_low", "band_high"]
 RATES = ["model", "hazard", "pga_first_g", "pga_last_g", "annual_rate", "rate_low", "rate_high"]
 RATES += ["outside_share"]
+LEFT_OUT = ["model", "part", "hazard", "pga_fails_g", "median_pga_g", "dispersion", "rate_bound"]
+USUAL_RATIO, USUAL_DISPERSION = 0.5, 0.6  # where no mechanism that was shaken tells
 
 
 def weakest(table):
@@ -73,3 +75,33 @@ def answer(table, stations, demand_g, hazards, resamples, seed):
         row["rate_outside"] = rates[0]["outside_share"]
     drawn = points(found, draws, CONFIDENCE, POINTS, REACH)
     return row, pd.DataFrame([(row["model"], *p) for p in drawn], columns=CURVES), rates
+
+
+def left_out(parts, shaken, hazards):
+    """Bounds on the annual rates of the mechanisms that were not shaken (LEFT_OUT).
+
+    By hand each fails at a PGA. Of the mechanisms that were shaken, and fell under half of their
+    curves or more, the least ratio of half collapse to that PGA, no more than 1, and the largest
+    dispersion are taken: so early, against its check by hand, does none of those fall.
+
+    Parameters
+    ----------
+    parts : DataFrame
+        Rows of `answer`, by part.
+    shaken : DataFrame
+        See `shaken.chosen`.
+    hazards : dict of str to Hazard
+    """
+    rows, by_hand = [], shaken.set_index("part")["pga_fails_g"]
+    for model, own in parts.groupby("model", sort=False):
+        fell = own[(own["never_collapsed"] <= 0.5 * own["curves"]) & own["dispersion"].notna()]
+        ratios = fell["median_pga_g"] / fell["part"].map(by_hand)
+        ratio = min(1.0, ratios.min()) if len(fell) else USUAL_RATIO
+        dispersion = fell["dispersion"].max() if len(fell) else USUAL_DISPERSION
+        for row in shaken[shaken["shaken"] == 0].itertuples():
+            for name, hazard in hazards.items():
+                median = ratio * row.pga_fails_g
+                (rate,), _ = collapse_rate(hazard, median, dispersion)
+                about = model, row.part, name, row.pga_fails_g, median, dispersion, rate
+                rows.append(dict(zip(LEFT_OUT, about, strict=True)))
+    return pd.DataFrame(rows, columns=LEFT_OUT)

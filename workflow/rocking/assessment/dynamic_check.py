@@ -98,19 +98,23 @@ def histories(job, turns, fraction=None, realisations=0):
     return tables
 
 
-def checked(job, motions, directions, limits, realisations):
+def checked(job, motions, directions, limits, realisations, care=FINE):
     """Histories (COLUMNS) for `verdict`: every motion as it is, and perturbed where it tells.
 
     Motions, (Motion, pga_g), that exceed d0 are perturbed first. Once one exceeds it in all its
-    realisations every draw fails, whatever the others do, and no more are run.
+    realisations every draw fails, whatever the others do, and no more are run. Of those that stood
+    the ones are perturbed that move the façade by more than `care.near` d0; by long steps alone are
+    run those that move it by less than `care.calm` d0.
     """
     turns = [(one, direction) for one in motions for direction in directions]
-    found = histories(job, turns)
+    found = _as_they_are(job, care.calm * limits.d0_m, turns)
     over = [bool(exceeds(own, limits).any()) for own in found]
-    fell = [turn for turn, far in zip(turns, over, strict=True) if far]
-    stood = [turn for turn, far in zip(turns, over, strict=True) if not far]
+    far = [not own["d_m"].max() <= care.near * limits.d0_m for own in found]
+    fell = [turn for turn, beyond in zip(turns, over, strict=True) if beyond]
+    every = zip(turns, over, far, strict=True)
+    stood = [turn for turn, beyond, moved in every if moved and not beyond]
     for some in (*([turn] for turn in fell), stood) if realisations else ():
-        again = histories(job, some, realisations=realisations)
+        again = histories(job, some, realisations=realisations) if some else []
         found += again
         if some is not stood and exceeds(again[0], limits).all():
             break

@@ -1,29 +1,29 @@
 """The mechanisms that a façade can fall by, over its real shape: they follow from what holds where.
 
-A crack may open at any height, and what stands above it turns. Its multiplier is smooth in that
-height except where the masonry changes (thickness, width, what the return walls hold) or where a
-hold or a load is passed; with one hold above, on a uniform wall, it has no minimum between two such
-heights, so each of them is a *foot* (`Family.feet`). They are read off the masonry's edges, the
-holds and the loads, and not off lists of kinds: what is added to a façade and holds it, loads it or
-changes it brings its foot along.
+A crack may open at any height, and what stands above it turns. What it takes to turn it is smooth
+in that height except where the masonry changes (thickness, width, what the return walls hold) or
+where a hold or a load is passed: each such height is a *foot* (`Family.feet`). They are read off
+the masonry's edges, the holds and the loads, and not off lists of kinds: what is added to a façade
+and holds it, loads it or changes it brings its foot along. Between two feet there may be a weaker
+one (`weakest`): what counts is the PGA at which the check fails, which has the floor's shaking and
+the displacement left in it, and not the multiplier alone.
 
 Above a foot the virtual work is linear in the rates at which the blocks turn. Its least ratio then
 lies where nothing above the foot is kept in place (*overturning*), or where one level that holds
 is (*vertical bending* between foot and level, open at the height of the least multiplier). Holds
 that are passed over pull with their capacity. So every pair of levels that hold, the base first,
-has its bending (`Family.spans`), neighbours or not: a tie between them may be the weak one.
+has its bending, neighbours or not: a tie between them may be the weak one. Foot and hinge are those
+of the least PGA.
 
 Beside these plane mechanisms stand the corners. Loads of floors move with the part that they bear
 on. What holds are ties and anchors; the friction of floors is left out, since nobody has verified
 that it lasts until collapse.
 """
 
-import itertools
 import math
 from typing import NamedTuple
 
-import numpy as np
-
+from rocking.assessment import weakest
 from rocking.assessment.checks import initial_period
 from rocking.assessment.masonry import Masonry
 from rocking.mechanics.blocks import Held, bending, interlocking, toppling
@@ -33,12 +33,13 @@ from yade_scripts.model.floors import place_of
 from yade_scripts.model.holds import FRICTION, holds
 
 ADDED_REACH_M = 0.2  # of one more row: elongation of a rod of 4 m that snaps at 5 %
-HINGES = 19  # heights at which a span may open
 FEET = 10  # heights from which a part may part with interlocked return walls
 CRACKED = 0.5  # of the modulus, in T0
 LEAST_PART_M = 0.3  # lower parts are no mechanism of a façade
 NEAR_M = 1e-6
 LAST = ("joint of courses", "change")  # said where nothing else is at that height
+WHOLE_PART = "whole"
+CORNERS = {-1: "left", 1: "right"}
 
 
 def stretched(section, factor):
@@ -65,12 +66,43 @@ class Candidate(NamedTuple):
     t0_s: float = 0.0  # period before the onset, of an element free to vibrate; else 0
     hinge_m: float | None = None  # of vertical bending: where it opens
     held_m: float | None = None  # and the level that stays in place
-    plane: bool = True  # turns over the whole width, as the dynamic models do
+    side: int = 0  # of a corner, −1 or 1; 0 turns over the whole width, as the dynamic models do
+    part: str = ""  # short name of letters, digits, `_` and `.`, unique within a façade
+    letter: Mechanism | None = None  # with the links that give way early, where these are left out
+
+    @property
+    def plane(self):
+        """Whether it turns over the whole width."""
+        return not self.side
 
     @property
     def whole(self):
         """Whether it is the whole façade about its base."""
         return self.plane and self.foot_m == 0.0 and self.held_m is None
+
+
+class Site(NamedTuple):
+    """Where a mechanism is, for `Family.at`: what is left of it when forces change."""
+
+    part: str  # see `Candidate`
+    foot_m: float
+    hinge_m: float | None = None
+    held_m: float | None = None
+    side: int = 0
+    words: str = ""  # what is at the foot
+
+
+def site_of(candidate):
+    """`Site` of a `Candidate`, or of a row of a table with its columns."""
+    words = getattr(candidate, "words", "")
+    hinge_m, held_m = map(_known, (candidate.hinge_m, candidate.held_m))
+    foot_m, side = float(candidate.foot_m), int(candidate.side)
+    return Site(candidate.part, foot_m, hinge_m, held_m, side, words)
+
+
+def _known(value):
+    """A height as a number; None where a table has none."""
+    return None if value is None or value != value else float(value)
 
 
 def pulls_of(section, added_n=0.0):
@@ -92,10 +124,14 @@ class Family:
     """All mechanisms of one façade.
 
     Of sections facade, return_wall and assessment of a configuration; `added_n` as of `pulls_of`.
+    Feet, hinges and corners are those of the least `slv`, which takes a `Candidate` and returns the
+    PGA at which its check fails (`slv.Slv`); without it those of the least α0, where no verdict is
+    asked for.
     """
 
-    def __init__(self, sections, added_n=0.0):
+    def __init__(self, sections, added_n=0.0, slv=None):
         """Read shape, loads and ties."""
+        self.slv = slv
         self.wall, self.settings = sections["return_wall"], sections["assessment"]
         self.section = {**sections["facade"], "courses": 0}  # by hand the masonry is one body
         section, settings = self.section, self.settings
@@ -135,7 +171,7 @@ class Family:
             outer = min(outer, self.masonry.faces(height_m, above=False)[1])
         return outer - inset_m
 
-    def part(self, foot_m, name):
+    def part(self, foot_m, name, part=None):
         """Overturning of what lies above a height."""
         m, inset = self.masonry, self.settings["hinge_inset_m"]
         hinge = (self._edge(foot_m, inset), foot_m)
@@ -152,7 +188,9 @@ class Family:
         if foot_m == 0.0 and stated is not None:
             place = stated
         t0 = self._period(foot_m, m.top_m) if free else 0.0
-        return Candidate(name, found, foot_m, place, self.base_m + foot_m <= 0.0, t0)
+        own = part or (f"above_{float(round(foot_m, 6))}" if foot_m else WHOLE_PART)
+        on_ground = self.base_m + foot_m <= 0.0
+        return Candidate(name, found, foot_m, place, on_ground, t0, part=own)
 
     def _period(self, foot_m, top_m):
         back, front = self.masonry.faces(foot_m)
@@ -191,10 +229,10 @@ class Family:
         return sorted((z, " and ".join(words)) for z, words in found.items())
 
     def feet(self):
-        """Heights above which a part may turn, and the mechanism's name."""
+        """Heights above which a part may turn, and what is there."""
         last = self.masonry.top_m - LEAST_PART_M
-        found = {z: f"part above {z:.2f} m ({words})" for z, words in self.changes()}
-        return {0.0: WHOLE} | {z: name for z, name in found.items() if LEAST_PART_M <= z <= last}
+        found = {z: words for z, words in self.changes() if LEAST_PART_M <= z <= last}
+        return {0.0: "base"} | found
 
     def levels(self):
         """Heights at which anchored floors or ties hold the façade, the base first.
@@ -208,46 +246,24 @@ class Family:
                 found.append(z)
         return found
 
-    def spans(self):
-        """Vertical bending between every two levels that hold, of each the least multiplier.
-
-        Its foot is the lower level, or a change of the façade between that and the next level.
-        """
-        levels, feet = self.levels(), self.feet()
-        found: list[Candidate] = []
-        for k, low in enumerate(levels[:-1]):
-            own = [low, *(z for z in feet if low < z < levels[k + 1])]
-            for high in levels[k + 1 :]:
-                bent = [self.span(z, high) for z in own if self._slender(z, high)]
-                bent.sort(key=lambda one: one.mechanism.multiplier())
-                falls = (one for one in bent if one.mechanism.falls())
-                found += itertools.islice(falls, 1)
-        return found
-
-    def _slender(self, low_m, high_m):
-        """Whether the wall between two heights is higher than thick; else it does not bend."""
-        back, front = self.masonry.faces(low_m)
-        return high_m - low_m > front - back
-
     def held_top(self):
         """Bending below a held top, where nothing holds it and it would fall so; else None."""
         low, high = self.levels()[-1], self.height_m
-        if not self._slender(low, high):
+        if high - low < LEAST_PART_M:
             return None
-        found = self.span(low, high)
-        return found if found.mechanism.falls() else None
+        site = weakest.span(self, [low], low, high)
+        return None if site is None else self.at(site)
 
-    def span(self, foot_m, high_m):
-        """Vertical bending between two heights, opening where the multiplier is least."""
-        shares = np.arange(1, HINGES + 1) / (HINGES + 1.0)
-        heights = {*(foot_m + shares * (high_m - foot_m)).tolist()}
-        heights |= {z for z, _ in self.changes() if foot_m + NEAR_M < z < high_m - NEAR_M}
-        found = [(self.bent(foot_m, z, high_m), z) for z in sorted(heights)]
-        mechanism, hinge = min(found, key=lambda item: item[0].multiplier())
-        name = f"vertical bending from {foot_m:.2f} to {high_m:.2f} m, open at {hinge:.2f} m"
-        place = self._place(foot_m, high_m)
-        on_ground = self.base_m + foot_m <= 0.0
-        return Candidate(name, mechanism, foot_m, place, on_ground, hinge_m=hinge, held_m=high_m)
+    def span(self, low_m, foot_m, hinge_m, high_m):
+        """Vertical bending of a foot to a level that holds, open at a hinge.
+
+        `low_m` is the level that holds below it, which may be the foot.
+        """
+        name = f"vertical bending from {foot_m:.2f} to {high_m:.2f} m, open at {hinge_m:.2f} m"
+        mechanism, place = self.bent(foot_m, hinge_m, high_m), self._place(foot_m, high_m)
+        on_ground, part = self.base_m + foot_m <= 0.0, f"from_{float(low_m)}_to_{float(high_m)}"
+        given = name, mechanism, foot_m, place, on_ground
+        return Candidate(*given, hinge_m=hinge_m, held_m=high_m, part=part)
 
     def bent(self, low_m, hinge_m, high_m):
         """Two blocks between two levels that hold, all above bearing on them."""
@@ -271,32 +287,32 @@ class Family:
             [p for p in self.pulls if low_m + NEAR_M < p.height_m < high_m - NEAR_M],
         )
 
-    def corner(self, side):
+    def corner(self, side, foot_m=None):
         """A corner that turns about the bisector's normal through its outer edge.
+
+        None takes the foot at which it is weakest.
 
         The crack leaves the edge at the foot and climbs at `corner_crack_deg` from the vertical
         along both walls; displacements stay parallel to the bisector's plane. Of façade and return
-        wall, the return wall without openings; the foot with the least multiplier is taken.
+        wall, the return wall without openings.
         """
+        if foot_m is None:
+            (foot_m,) = (one.foot_m for one in weakest.corners(self) if one.side == side)
         tangent = math.tan(math.radians(self.settings["corner_crack_deg"]))
         root, inset = math.sqrt(0.5), self.settings["hinge_inset_m"]
-        depth = self.wall["thickness_m"]
-        found = []
-        for share in np.arange(0, HINGES) / (HINGES + 1.0):
-            foot = float(share * self.height_m)
-            front = self.masonry.faces(foot)[1]
-            masses = [
-                (w, -root * (x + front - y), z)
-                for w, x, y, z in self.masonry.wedge(foot, tangent, side)
-            ]
-            masses += self._return_wedge(foot, tangent, depth, root)
-            hinge = (-inset, foot)
-            one = toppling("corner", masses, hinge, (hinge[0], self.height_m))
-            found.append((one, foot))
-        mechanism, foot = min(found, key=lambda item: item[0].multiplier())
-        name = f"{'left' if side < 0 else 'right'} corner above {foot:.2f} m"
-        place = self._place(foot, self.height_m)
-        return Candidate(name, mechanism, foot, place, self.base_m + foot <= 0.0, plane=False)
+        front = self.masonry.faces(foot_m)[1]
+        masses = [
+            (w, -root * (x + front - y), z)
+            for w, x, y, z in self.masonry.wedge(foot_m, tangent, side)
+        ]
+        masses += self._return_wedge(foot_m, tangent, self.wall["thickness_m"], root)
+        found = toppling("corner", masses, (-inset, foot_m), (-inset, self.height_m))
+        name, on_ground = (
+            f"{CORNERS[side]} corner above {foot_m:.2f} m",
+            self.base_m + foot_m <= 0.0,
+        )
+        given = name, found, foot_m, self._place(foot_m, self.height_m), on_ground
+        return Candidate(*given, side=side, part=f"{CORNERS[side]}_corner")
 
     def _return_wedge(self, foot_m, tangent, depth_m, root):
         """Its part of the return wall, behind the façade's thickness."""
@@ -309,18 +325,36 @@ class Family:
             found.append((weight, -root * lever, z))
         return [row for row in found if row[0] > 0.0]
 
+    def at(self, site):
+        """`Candidate` of a `Site`."""
+        if site.side:
+            return self.corner(site.side, site.foot_m)
+        if site.held_m is not None:
+            low = float(site.part.split("_")[1])
+            return self.span(low, site.foot_m, site.hinge_m, site.held_m)
+        words = site.words or self.feet().get(site.foot_m) or "between feet"
+        name = WHOLE if site.part == WHOLE_PART else f"part above {site.foot_m:.2f} m ({words})"
+        return self.part(site.foot_m, name, site.part)
+
+    def measure(self, site):
+        """What a site is ranked by: the PGA at which its check fails, or α0 without `slv`."""
+        one = self.at(site)
+        if self.slv is not None:
+            return self.slv(one)
+        return one.mechanism.multiplier() if one.mechanism.falls() else math.inf
+
+    def sites(self):
+        """`Site` of every mechanism, the whole façade first."""
+        return weakest.parts(self) + weakest.spans(self) + weakest.corners(self)
+
+    def spans(self):
+        """Vertical bending between every two levels that hold, where it falls."""
+        return [self.at(site) for site in weakest.spans(self)]
+
     def all(self):
         """Every mechanism, the whole façade first; a ValueError where one falls at rest."""
-        found = self.plane() + self.corners()
+        found = [self.at(site) for site in self.sites()]
         for one in found:
             if one.mechanism.multiplier() <= 0.0:
                 raise ValueError(f"{one.name}: does not stand under its own weight")
         return found
-
-    def plane(self):
-        """Mechanisms that turn over the whole width; those of ties and anchors."""
-        return [self.part(z, name) for z, name in self.feet().items()] + self.spans()
-
-    def corners(self):
-        """Both corners; no tie holds them."""
-        return [self.corner(side) for side in (-1, 1)] if self.wall["count"] > 0 else []

@@ -62,6 +62,23 @@ def stated_row(own):
     return None if own["ag_g"] is None else own
 
 
+def return_period_of(own, pga_g):
+    """Return period at which section assessment's hazard has a PGA on the ground, in words.
+
+    Between rows of the hazard by the curve's power law; None where there are no rows.
+    """
+    if not own["hazard"]:
+        return None
+    curve = curve_of(own["hazard"], own["soil"], own["topography"])
+    first, last = (float(f"{1.0 / rate:.6g}") for rate in curve.annual_rate[[0, -1]])
+    if pga_g < curve.intensity[0]:
+        return f"less than {first:g}"
+    if pga_g > curve.intensity[-1]:
+        return f"more than {last:g}"
+    rate = np.interp(np.log(pga_g), np.log(curve.intensity), np.log(curve.annual_rate))
+    return f"{math.exp(-float(rate)):.0f}"
+
+
 def curve_of(rows, soil, topography):
     """Hazard curve of the PGA on a subsoil: a_g S_S S_T and 1/T_R a year.
 

@@ -2,10 +2,21 @@
 
 from functools import partial
 
-from rocking.assessment import appendix, content, drawings, evidence, pictures, ties_said, verdict
+from rocking.assessment import (
+    advice,
+    appendix,
+    content,
+    drawings,
+    evidence,
+    national,
+    pictures,
+    ties_said,
+    verdict,
+    walls,
+)
 from rocking.assessment.checks import LEAST_KNOWN
+from rocking.assessment.family import WHOLE_PART
 from rocking.assessment.paper import Picture
-from rocking.assessment.shaken import WHOLE_PART
 from rocking.assessment.verdict import g3, per_cent, powered
 from rocking.formula import words
 from yade_scripts.model.registry import MODELS
@@ -37,11 +48,13 @@ def context(data, digest):
             t["shaken"],
             when(own),
             data.factor,
+            data.config["facade"],
             data.fit,
         ),
         "drawing": drawing(data),
         "answers": [
             ("Which ties?", ties_said.answer(data)),
+            ("How far?", capacity_said(data)),
             ("How often?", rate_said(data)),
             ("Not covered", NOT_COVERED),
         ],
@@ -107,6 +120,17 @@ def drawing(data):
     )
 
 
+def capacity_said(data):
+    """ζE, the return period of the capacity, and what the dynamic check says of it."""
+    t = data.tables
+    stated = verdict.as_stated(t["mechanisms"])
+    years = national.return_period_of(data.config["assessment"], stated["pga_fails_g"].iloc[0])
+    said = verdict.capacity(stated, data.demand_g, years)
+    if verdict.passes(t["code_checks"], t["mechanisms"], t["verdicts"])[1] is False:
+        said += " The dynamic check is not fulfilled at the demand, so its own capacity is less."
+    return said
+
+
 def rate_said(data):
     """The rate of collapse in one sentence."""
     every, relied = data.tables["rate"], data.relied
@@ -124,9 +148,39 @@ def rate_said(data):
     ]
     beside = f" ({verdict.words_of(others)})" if others else ""
     return (
-        f"With {relied}: {'; '.join(said)}{beside}. As it stands, without further ties, with "
-        f"{verdict.stands_on(data.config['facade'])}."
+        f"With {relied}: {'; '.join(said)}{beside}, as it stands, without further ties."
+        f"{left_out(data)}{friction_said(data)}"
     )
+
+
+def left_out(data):
+    """Sentence on the mechanisms that the rate leaves out, with a bound; nothing without any."""
+    table = data.tables["rate_left_out"]
+    own = table[table["model"] == data.relied]
+    own = own[own["hazard"] == own["hazard"].iloc[0]] if len(own) else own
+    if own.empty:
+        return ""
+    some = "one mechanism that was" if len(own) == 1 else f"{len(own)} mechanisms that were"
+    return (
+        f" It leaves out {some} not shaken. They add at most {powered(own['rate_bound'].sum())} a "
+        "year, if they fall no earlier, against their check by hand, than those that were shaken."
+    )
+
+
+def friction_said(data):
+    """Sentence on what the friction of floors would change; nothing where no floor holds by it."""
+    table = data.tables["friction"]
+    if table.empty:
+        return ""
+    row = next(table.itertuples())
+    word = "With" if row.friction else "Without"
+    share = "".join(verdict.collapses(row)) if row.probability == row.probability else ""
+    rate = getattr(row, "annual_rate", float("nan"))
+    said = [f"{powered(rate)} a year"] if rate == rate else []
+    said += [f"collapse at the demand {share}"] if share else []
+    if row.checked:
+        said.append(f"{row.not_held:.0f} of {row.checked:.0f} dynamic checks not held")
+    return f" {word} the friction of floors that is stated ({row.model}): {', '.join(said)}."
 
 
 def rests_on(data):
@@ -138,9 +192,7 @@ def rests_on(data):
     meanings = "; ".join(f"{name}: {moved(name, names)}" for name in names)
     rests = ""
     if len(names) > 1:
-        rests = (
-            f" Verdict and ties are those of the worst of them; the rate rests on {data.relied}."
-        )
+        rests = f" The verdict is that of the worst of them; ties and rate rest on {data.relied}."
     whole = t["parts_dynamic"][t["parts_dynamic"]["part"] == WHOLE_PART]
     return [
         f"The demand is {data.demand_said}, a PGA of {g3(data.demand_g)} g.",
@@ -151,11 +203,26 @@ def rests_on(data):
         "Every part turns over the whole width, but for the corners, which end at the eaves and "
         "take the return wall as one without openings.",
         f"In the dynamic models each mechanism is {stack} on the building, or two rigid parts that "
-        "bend, and leans on the return walls behind it" + content.floors_said(f["floors"]),
+        "bend, and leans on the return walls behind it"
+        + content.floors_said(f["floors"], data.config["assessment"]["floor_friction"]),
         "The Circolare was read in a public transcription with page numbers, EN 1998-3 and NZS "
         "1170.5 at second hand (appendix D).",
         f"Confidence factor FC = {data.factor:g}.",
+        *beta_said(data),
         *words.remarks(data.config, whole),
+    ]
+
+
+def beta_said(data):
+    """Line on a damping law outside of what it was fitted to, with what β does to the answer."""
+    beyond = walls.beyond_law(data.config)
+    if not beyond:
+        return []
+    found = walls.ranges_of(data.tables["dynamic_sensitivity"], walls.BETA)
+    does = "; ".join(f"{factor:g} times β, {ratio:.2f} times" for factor, ratio in found)
+    said = f" In the median half collapse moves: {does} the PGA." if does else ""
+    return [
+        f"Contact damping β is that of eq. 5, fitted to other walls: this one is {beyond}.{said}"
     ]
 
 
@@ -170,7 +237,7 @@ def moved(name, names):
 def next_steps(data):
     """Lines of what is recommended next."""
     t, own = data.tables, data.config["assessment"]
-    worse = verdict.damage(t["code_sensitivity"], t["mechanisms"], data.demand_g)
+    worse = advice.damage(t["code_sensitivity"], t["mechanisms"], data.demand_g)
     known = ""
     if data.factor != own["confidence_factor"]:
         known = (
@@ -184,7 +251,7 @@ def next_steps(data):
             "fit the demand within the code's bounds, so their check is not yet that of the code."
         )
     given = t["code_checks"], t["mechanisms"], t["verdicts"], t["shaken"]
-    return verdict.next_steps(*given, worse, known, misfit)
+    return advice.next_steps(*given, worse, known, misfit)
 
 
 def fragility(data):

@@ -1,19 +1,36 @@
 """Which mechanisms of a façade are shaken: each as a case of its own, under each model.
 
-The whole façade, the one that fails first by hand, and every other plane one that fails by hand
-within `assessment.shaken_within` times the least PGA. Corners do not turn over the whole width,
-and parts that are too stocky to rock slide first: they are judged by hand alone, and the reason is
-said. The whole façade, one mechanism above a cut, and a span of it are all cases (`Case.part`).
+The whole façade, and every other plane mechanism that fails by hand below
+`assessment.shaken_within` times the demand's PGA: what is near the demand, whatever the weakest
+does. Corners do not turn over the whole width, and parts that are too stocky to rock slide first:
+they are judged by hand alone, and the reason is said. The whole façade, one mechanism above a cut,
+and a span of it are all cases (`Case.part`).
+
+By default no friction of floors holds the façade while it is shaken (`settled`): by hand it is left
+out too, since nobody has verified that it lasts until collapse.
 """
+
+import copy
 
 import pandas as pd
 
-COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "pga_fails_g", "shaken", "why_not"]
-WHOLE_PART = "whole"
-CORNER = "turns about a corner, not over the whole width"
-LATER = "fails by hand"
-ROCKS = "for a wall that rocks"  # end of what refuses a wall lower than twice its thickness
-STOCKY = "lower than twice its thickness, so that it slides before it rocks"
+from rocking.assessment.anchors import completed
+from rocking.assessment.dynamic_check import Limits, limits_of
+from rocking.assessment.family import WHOLE_PART
+from rocking.collapse.case import Case
+from rocking.configuration.facade import TooStockyError
+
+COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "side", "pga_fails_g"]
+COLUMNS += ["d0_m", "d_slv_m", "d_slc_m", "shaken", "why_not", "why_words"]
+SETTLED = (  # keys that say what holds a façade while it is shaken
+    *("floor_friction", "anchor_plate_m", "masonry_shear_mpa", "masonry_compression_mpa"),
+    "confidence_factor",
+)
+CORNER, FAR, STOCKY, REFUSED = "corner", "far", "stocky", "refused"  # why one is not shaken
+WORDS = {
+    CORNER: "turns about a corner, not over the whole width",
+    STOCKY: "lower than twice its thickness, so that it slides before it rocks",
+}
 
 
 def heights(one):
@@ -21,55 +38,78 @@ def heights(one):
     return one.foot_m, one.held_m, one.hinge_m
 
 
-def is_later(table):
+def is_far(table):
     """Mask of the mechanisms of `chosen` that are left out since they fail far later by hand."""
-    return table["why_not"].fillna("").str.startswith(LATER)
-
-
-def of_label(family):
-    """Mechanisms of a façade by their `label`."""
-    return {label(one): one for one in family.all()}
+    return table["why_not"].fillna("") == FAR
 
 
 def label(one):
     """Short name of a mechanism, of letters, digits, `_` and `.`; unique within a façade."""
+    return one.part
+
+
+def settled(case, own):
+    """A case as it is shaken, by the keys SETTLED of section assessment.
+
+    Friction of floors holds it as stated or not at all; every anchor of a tie has a capacity.
+    """
+    facade = copy.deepcopy(completed(case["facade"], own))
+    if not own["floor_friction"]:
+        for row in facade["floors"]:
+            row["friction"] = 0.0
+    return Case({**case.sections, "facade": facade})
+
+
+def settled_by(settings):
+    """Keys SETTLED of `settings`, which has them by dotted key or in section assessment."""
+    own = settings.get("assessment") or {}
+    return {key: own.get(key, settings.get(f"assessment.{key}")) for key in SETTLED}
+
+
+def rubs(facade):
+    """Whether floors of a section facade hold it by friction."""
+    return any(row["friction"] and row["load_kn"] for row in facade["floors"])
+
+
+def why_not(one, pga_g, least_g, tried):
+    """Key of why a mechanism is not shaken, and the reason in words; both empty if it is.
+
+    `least_g` is the PGA by hand from which on it is left out; `tried` has a case of each model.
+    """
     if not one.plane:
-        return one.name.replace(" ", "_").replace("_above", "").replace("_m", "")
-    if one.whole:
-        return WHOLE_PART
-    foot = float(round(one.foot_m, 6))
-    return f"above_{foot}" if one.held_m is None else f"from_{foot}_to_{float(one.held_m)}"
+        return CORNER, WORDS[CORNER]
+    if not one.whole and pga_g > least_g:
+        return FAR, f"fails by hand at {pga_g:.3g} g"
+    try:
+        for case in tried:
+            case.part(*heights(one))
+    except TooStockyError:
+        return STOCKY, WORDS[STOCKY]
+    except ValueError as error:
+        return REFUSED, str(error).removeprefix("config: ")
+    return "", ""
 
 
-def chosen(ranked, tried, within):
+def chosen(ranked, tried, demand_g, within):
     """Which mechanisms are shaken, and why the others are not: COLUMNS, in the order of `ranked`.
 
-    One of `code_checks.governing` is shaken where it fails by hand within `within` times the least
-    PGA and is a case of each of `tried`, one of each model.
+    One of `code_checks.governing` is shaken where it fails by hand below `within` times the
+    demand's PGA and is a case of each of `tried`, one of each model.
     """
-    least, rows = ranked[0][0], []
+    rows = []
     for pga_g, one, _ in ranked:
-        why = "" if one.plane else CORNER
-        if not why and not one.whole and pga_g > within * least:
-            why = f"{LATER} beyond {within:g} times the least"
-        if not why:
-            try:
-                for case in tried:
-                    case.part(*heights(one))
-            except ValueError as error:
-                why = str(error).removeprefix("config: ")
-                if why.endswith(ROCKS):
-                    why = STOCKY
-        rows.append((label(one), one.name, *heights(one), pga_g, int(not why), why))
+        why = why_not(one, pga_g, within * demand_g, tried)
+        about = label(one), one.name, *heights(one), one.side, pga_g
+        rows.append((*about, *limits_of(one.mechanism), int(not why[0]), *why))
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
 def cases(case, table):
     """Case of each mechanism that is shaken by the table of `chosen`: (row, Case).
 
-    `case` is the façade's.
+    `case` is the façade's. Those that fail first by hand come first.
     """
-    for row in table[table["shaken"] == 1].itertuples():
+    for row in table[table["shaken"] == 1].sort_values("pga_fails_g").itertuples():
         if row.part == WHOLE_PART:
             yield row, case
         else:
@@ -83,3 +123,8 @@ def cases_of(case, path=None):
         return {WHOLE_PART: case}
     every = cases(case, pd.read_csv(path))
     return {row.part: own for row, own in every if row.part != WHOLE_PART}
+
+
+def limits_by_part(table):
+    """`Limits` by part of a table of `chosen`."""
+    return {row.part: Limits(row.d0_m, row.d_slv_m, row.d_slc_m) for row in table.itertuples()}

@@ -49,6 +49,22 @@ FORMULAS = {
         "than half of the capacity; d_SLC: 0.6 d0",
         status=OFFICIAL,
     ),
+    "lasting": Formula(
+        "C8.7.1.2.1.6",
+        "0.4 d0 is of a capacity curve with those actions alone whose presence is verified until "
+        "collapse; so a link that gives way before may be left out of it",
+        status=OFFICIAL,
+    ),
+    "punching": Formula(
+        "Master Magazine 7, p. 75",
+        "R = f_vd · 4 (a + t) t of a square plate a on a wall t, from π (D + t) t f_vd of a round "
+        "one in a worked example, f_vd = τ0/(γ_M FC), vertical stress left out",
+        "design office's example",
+        SECOND_HAND,
+    ),
+    "crushing": Formula(
+        "", "R = f_d a² under the plate, f_d = f_m/(γ_M FC), γ_M = 2", NTC, SECOND_HAND
+    ),
     "behaviour": Formula("C8.7.1.2.1.7", "a_g,SLV = q a_g,SLD, q = 2", status=OFFICIAL),
     "secant_slv": Formula("C8.7.1.10", "T_SLV = 1.68π √(d_SLV/a(d_SLV))"),
     "secant_slc": Formula("C8.7.1.11", "T_SLC = 1.56π √(d_SLC/a(d_SLC))"),

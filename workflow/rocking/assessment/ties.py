@@ -1,32 +1,34 @@
-"""The least rows of ties with which a façade passes: by hand first, then under the chosen motions.
+"""The rows of ties that a façade is recommended, for the model that its rate rests on.
 
 Rows may stand at `levels`. By hand a set of rows passes if the SLV check of every mechanism of the
-façade with these rows does (`code_checks.slv_pga`). Every row pulls with its capacity, so more
-force raises the multiplier, and the least is found by halving: first one force common to all
-levels, then each row for itself, the lowest first, since it has the least lever arm; a row that is
-not needed goes. What is left is least in each of its rows: with less in any one, a mechanism fails.
+façade with these rows does. More force raises the multiplier, and the least is found by halving:
+first one force common to all levels, then each row for itself, the lowest first, since it has the
+least lever arm; a row that is not needed goes. What is left is least in each of its rows: with less
+in any one, a mechanism fails.
 
 Mechanisms that fail under the strongest rows too (the gable above a row, bending between two of
 them) are *beyond* these levels. They are left out of the search and named.
 
-Then the façade with its rows is held to the code's dynamic check, mechanism by mechanism. For one
-that does not hold a row that pulls on it is made stronger, in steps of 1/0.95, until it does
-(`ties_grown.grown`). Last, every row gives back what the others' growth has made needless
-(`ties_grown.lowered`), so that 95 % of each row, the others as they are, has been tried and does
-not pass. What no added row makes hold is left out here too. Both are done with long steps first,
-and from there once more as finely as the report's own check.
+Then the façade with its rows is held to the code's dynamic check with the model that the rate rests
+on, mechanism by mechanism. For one that does not hold a row that pulls on it is made stronger, in
+steps of 1/0.95, until it does (`ties_grown.grown`). Last, every row gives back what the others'
+growth has made needless (`ties_grown.lowered`). What no added row makes hold is left out here too.
 
-Rods come in sizes, and under the motions a stronger row may fail where a weaker one holds. So the
-rows are tried with rods that are sold too, the next size wherever they fail (`sold`).
+No row is stronger than its anchors: as many as fit side by side, each with what a plate holds on
+that wall (`anchors`). What is recommended is the least force times `assessment.tie_margin`, in rods
+that are sold, of which each takes less than its anchor holds (`built`). Under the motions a
+stronger row may fail where a weaker one holds, so those rods are shaken again, and larger ones
+tried where they fail. What the other models ask for alone is found roughly and told beside.
 """
 
 import math
 from typing import NamedTuple
 
-from rocking.assessment.code_checks import slv_pga
+from rocking.assessment import anchors
 from rocking.assessment.dynamic_check import FINE, ROUGH
 from rocking.assessment.family import LEAST_PART_M, Family
 from rocking.assessment.shaken import label
+from rocking.assessment.slv import Slv, read_as
 from rocking.assessment.ties_grown import (
     BY_HAND,
     LEAST_SHARE,
@@ -40,56 +42,114 @@ from rocking.strengthening import row_of_rods
 
 CLOSE = 0.005  # relative, of a row's least force
 SAME_M = 1e-6  # heights
-COMMERCIAL_MM = (8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 36, 40, 45, 50, 60, 70, 80)
-ROWS = ["height_m", "force_by_hand_kn", "force_kn", "count", "diameter_mm", "commercial_mm"]
-ROWS += ["yield_mpa", "length_m", "model", "governed_by", "relied", "force_relied_kn"]
-ROWS += ["sold_holds"]
-AFTER = ["part", "mechanism", "pga_fails_g", "ratio", "exceed_d0", "mean_d_m", "d_slv_m", "holds"]
-AFTER += ["beyond"]
+COMMERCIAL_MM = (6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 36, 40, 45, 50, 60, 70, 80)
+FULL = 0.999  # of what an anchor holds that a rod may take: the rod yields first
+WEAKER = 0.99  # a place is weaker than those that are known from here on
+ROUNDS = 8  # in which weaker places are looked for
 
 
 class TieRow(NamedTuple):
-    """A row to be added: its height above the façade's base and its capacity."""
+    """A row to be added: its height above the façade's base, its capacity, its rods.
+
+    Of 0 rods there are as many as the anchors ask for.
+    """
 
     height_m: float
     force_n: float
+    rods: int = 0
 
 
 class Tied:
     """A façade that rows of ties may be added to, and what it is held to by hand.
 
     Of sections facade, return_wall, smdof, assessment and strengthening of a configuration; the
-    last says what rods the rows are of.
+    last says what rods the rows are of. Where its mechanisms are weakest is looked for once for
+    every set of levels with a row (`Family.sites`), and again for what was found (`looked_again`).
     """
 
     def __init__(self, sections, demand):
         """Keep what every trial takes."""
         self.sections, self.demand = sections, demand
-        family = Family(sections)
-        self.weight_n = family.masonry.weight_n
-        self.corners = {label(one): one for one in family.corners()}  # which no row holds
-        self.corners_pga_g = self._pga_g(self.corners)
+        self.slv = Slv(sections, demand)
+        self.weight_n = Family(sections).masonry.weight_n
+        self._sites: dict[tuple, list] = {}  # by heights of the rows
         self._first: list[str] = []  # mechanisms that failed last are tried first
 
-    def _pga_g(self, known):
-        """PGA at which mechanisms by label fail by hand [g]."""
-        return {name: slv_pga(one, self.sections, self.demand) for name, one in known.items()}
+    def anchor(self, height_m):
+        """`anchors.Anchor` of a row at a height."""
+        own, facade = self.sections["assessment"], self.sections["facade"]
+        return anchors.anchor(own, anchors.thickness_at(facade, height_m))
+
+    def most(self, height_m):
+        """Anchors that fit into a row at a height, at least one."""
+        return anchors.most_in_a_row(self.sections["assessment"], self.sections["facade"], height_m)
+
+    def most_n(self, height_m):
+        """Force of the strongest row at a height [N]: what its anchors hold."""
+        return FULL * self.most(height_m) * self.anchor(height_m).force_n
+
+    def rods(self):
+        """Section strengthening with the length of rods that are recommended."""
+        length = self.sections["assessment"]["tie_length_m"] or self.sections["facade"]["width_m"]
+        return {**self.sections["strengthening"], "length_m": length}
+
+    def count(self, row):
+        """Rods of a row: as stated, or as many as the anchors ask for."""
+        if row.rods:
+            return row.rods
+        needed = math.ceil(row.force_n / (FULL * self.anchor(row.height_m).force_n) - 1e-9)
+        return max(min(self.sections["strengthening"]["count"], self.most(row.height_m)), needed, 1)
+
+    def entry(self, row):
+        """Entry of facade.ties for a row."""
+        own = {**self.rods(), "count": self.count(row)}
+        found = row_of_rods(own, row.height_m, 1e-3 * row.force_n)
+        return {**found, "anchor_kn": 1e-3 * self.anchor(row.height_m).force_n}
 
     def entries(self, rows):
         """Entries of facade.ties for rows, those without force left out."""
-        own = self.sections["strengthening"]
-        return [row_of_rods(own, row.height_m, 1e-3 * row.force_n) for row in rows if row.force_n]
+        return [self.entry(row) for row in rows if row.force_n]
 
-    def family(self, rows):
+    def family(self, rows, slv=None):
         """Mechanisms of the façade with rows added."""
         facade = self.sections["facade"]
         ties = [*facade["ties"], *self.entries(rows)]
-        return Family({**self.sections, "facade": {**facade, "ties": ties}})
+        return Family({**self.sections, "facade": {**facade, "ties": ties}}, slv=slv)
+
+    def _places(self, rows):
+        """`Site`s of the façade with rows at these levels."""
+        key = tuple(row.height_m for row in rows if row.force_n)
+        if key not in self._sites:
+            self._sites[key] = self.family(rows, self.slv).sites()
+        return self._sites[key]
+
+    def looked_again(self, rows):
+        """Look for places that are weaker with these forces; whether there were any."""
+        known, weaker = self.mechanisms(rows)[1], False
+        for site in self.family(rows, self.slv).sites():
+            own, before = self._pga_g([site], rows), known.get(site.part, math.inf)
+            if own < WEAKER * before or own < WEAKER * self.demand.pga_g <= before:
+                self._places(rows).append(site)
+                weaker = True
+        return weaker
+
+    def _pga_g(self, sites, rows):
+        family = self.family(rows)
+        return min(self.slv(family.at(site)) for site in sites)
 
     def mechanisms(self, rows):
-        """Mechanisms of the façade with rows added, by label, with the PGA at which each fails."""
-        known = {label(one): one for one in self.family(rows).plane()}
-        return known | self.corners, self._pga_g(known) | self.corners_pga_g
+        """Mechanisms of the façade with rows added, by label, with the PGA at which each fails.
+
+        Of several known places of one the weakest; what never loses its multiplier is left out.
+        """
+        family, known = self.family(rows), {}
+        pga_g: dict[str, float] = {}
+        for site in self._places(rows):
+            one = family.at(site)
+            read = self.slv.reading(one)
+            if read.pga_g < pga_g.get(label(one), math.inf):
+                known[label(one)], pga_g[label(one)] = read_as(one, read), read.pga_g
+        return known, pga_g
 
     def failing(self, rows):
         """Labels of the mechanisms that fail by hand, and the PGA at which each does [g]."""
@@ -97,16 +157,12 @@ class Tied:
         return {name: at for name, at in pga_g.items() if at < self.demand.pga_g}
 
     def passes(self, rows, beyond=()):
-        """Whether every mechanism passes by hand but those that are beyond.
-
-        Corners, which no row holds, are beyond or pass.
-        """
-        known = {label(one): one for one in self.family(rows).plane()}
-        for name in sorted(known, key=lambda name: name not in self._first):
-            if name in beyond:
-                continue
-            if slv_pga(known[name], self.sections, self.demand) < self.demand.pga_g:
-                self._first = [name, *(n for n in self._first if n != name)]
+        """Whether every mechanism passes by hand but those that are beyond."""
+        family = self.family(rows)
+        places = [site for site in self._places(rows) if site.part not in beyond]
+        for site in sorted(places, key=lambda site: site.part not in self._first):
+            if self.slv(family.at(site)) < self.demand.pga_g:
+                self._first = [site.part, *(n for n in self._first if n != site.part)]
                 return False
         return True
 
@@ -120,9 +176,16 @@ class Tied:
         beyond : list of str
             Labels of mechanisms that fail with the strongest rows too.
         """
+        for _ in range(ROUNDS):
+            rows, beyond = self._least(levels)
+            if not rows or not self.looked_again(rows) or self.passes(rows, beyond):
+                break
+        return rows, beyond
 
+    def _least(self, levels):
         def common(share):
-            return [TieRow(z, share * self.weight_n) for z in levels]
+            most = [min(share * self.weight_n, self.most_n(z)) for z in levels]
+            return [TieRow(z, force) for z, force in zip(levels, most, strict=True)]
 
         if not self.failing([]):
             return [], []
@@ -190,23 +253,25 @@ def commercial(diameter_mm):
 
 
 class Found(NamedTuple):
-    """Rows of ties that make a façade pass: one `TieRow` at each level, 0 N for none.
+    """Rows of ties that a façade is recommended: one `TieRow` at each level, 0 N for none.
 
     There none is needed, or none helps.
     """
 
-    rows: list
+    rows: list  # least, of the model that the rate rests on
     by_hand_n: list  # least force of each by hand
-    beyond: list  # labels of the mechanisms that these rows do not make pass
+    beyond: list  # labels of the mechanisms that the rows do not make pass
     why: list  # `Failing` with 0.95 of a row's force; None where nothing was shaken
-    relied_n: list  # forces that make all hold under the model that was tried first
+    built: list  # rows as they are recommended: with margin, in rods that are sold
+    holds: bool  # whether these pass as the least rows do
+    alone: dict  # by other model the forces that it asks for by itself [N]; None where none holds
 
 
-def found(tied, shaken, stands, say=lambda text: None):
+def found(tied, shaken, say=lambda text: None):
     """Rows with which a façade passes by hand and under the chosen motions, as `Found`.
 
     `tied` is a `Tied`, `shaken` its `Shaken`, or None where no motions were chosen: by hand alone
-    then. `stands`: whether the dynamic check holds without rows. `say` receives a line a trial.
+    then. `say` receives a line a trial.
     """
     levels = levels_of(tied.sections)
     least, beyond = tied.least(levels) if levels else ([], sorted(tied.failing([])))
@@ -214,20 +279,38 @@ def found(tied, shaken, stands, say=lambda text: None):
     known = {row.height_m: row.force_n for row in least}
     by_hand = [known.get(z, 0.0) for z in levels]
     rows = [TieRow(*row) for row in zip(levels, by_hand, strict=True)]
-    if shaken is None or not levels or (stands and not least):
-        return Found(rows, by_hand, beyond, [None] * len(rows), by_hand)
-    shaken.beyond = set(beyond)  # no force helps these by hand
-    rows, _ = _shaken(shaken, rows, shaken.models[:1], say)
-    relied = [row.force_n for row in rows]
-    rows, why = _shaken(shaken, rows, shaken.models, say)
-    return Found(rows, by_hand, sorted({*tied.failing(rows), *shaken.left}), why, relied)
+    why, alone = [None] * len(rows), {}
+    if shaken is not None and levels:
+        shaken.beyond = set(beyond)  # no force helps these by hand
+        for _ in range(ROUNDS):
+            rows, why = _shaken(shaken, rows, shaken.models[:1], say)
+            if not tied.looked_again(rows) or tied.passes(rows, shaken.beyond):
+                break
+            say("weaker places found: once more")
+        beyond = sorted({*tied.failing(rows), *shaken.left})
+        alone = _alone(shaken, rows, say)
+        shaken.left = set(beyond)
+    made, holds = built(tied, rows, beyond, shaken, say)
+    return Found(rows, by_hand, beyond, why, made, holds, alone)
+
+
+def _alone(shaken, rows, say):
+    """Forces that every other model asks for, found roughly; None where no row makes it hold."""
+    found = {}
+    for model in shaken.models[1:]:
+        shaken.care, shaken.left = ROUGH, set(shaken.beyond)
+        own, _ = grown(shaken, rows, [model], say, every=False)
+        lost = shaken.left - shaken.beyond
+        found[model] = None if lost else [row.force_n for row in own]
+    shaken.care = FINE
+    return found
 
 
 def _shaken(shaken, rows, models, say):
     """Rows with which some models hold, and why none is less: found roughly, then mended."""
     likely: list = [None] * len(rows)
-    for shaken.care in (ROUGH, FINE):
-        shaken.left = set(shaken.beyond)
+    for care in (ROUGH, FINE):
+        shaken.care, shaken.left = care, set(shaken.beyond)
         rows, governs = grown(shaken, rows, models, say)
         for growth in governs:
             for k in growth.which:
@@ -236,31 +319,49 @@ def _shaken(shaken, rows, models, say):
     return rows, likely
 
 
-def sold(tied, result, shaken, say=lambda text: None):
-    """Rods that are sold with which the façade passes as with the rows found.
+def in_steel(tied, row, least_n):
+    """Row of rods that are sold whose force is no less than `least_n`; None where none is.
 
-    Of each row the next size; while a mechanism fails with them, by hand or shaken, the one after
-    that for the highest of the rows that pull on it. Returns the diameter of each row's rods [mm],
-    and whether they hold: False where no size does.
+    Of all numbers of rods that fit, the least with which each takes less than its anchor holds.
     """
-    own = tied.sections["strengthening"]
-    least = [row_of_rods(own, r.height_m, 1e-3 * r.force_n)["diameter_mm"] for r in result.rows]
-    sizes = [commercial(d) if d else 0.0 for d in least]
+    own, one_n = tied.rods(), FULL * tied.anchor(row.height_m).force_n
+    first = tied.count(row._replace(force_n=least_n, rods=0))
+    for count in range(first, tied.most(row.height_m) + 1):
+        rod = row_of_rods({**own, "count": count}, row.height_m, 1e-3 * least_n)
+        size = commercial(rod["diameter_mm"])
+        force_n = least_n * (size / rod["diameter_mm"]) ** 2
+        if force_n <= count * one_n:
+            return row._replace(force_n=force_n, rods=count)
+    return None
+
+
+def built(tied, rows, beyond, shaken, say=lambda text: None):
+    """Rows as they are recommended, and whether the façade passes with them as with the least.
+
+    Each is the least force times `assessment.tie_margin` in rods that are sold (`in_steel`); while
+    a mechanism fails with them, by hand or shaken, the highest of the rows that pull on it gets the
+    next larger. Where a row fits no such rods it is as strong as its anchors let it be.
+    """
+    margin = tied.sections["assessment"]["tie_margin"]
+    found, whole = [], True
+    for row in rows:
+        made = in_steel(tied, row, margin * row.force_n) if row.force_n else row
+        if made is None:
+            made, whole = in_steel(tied, row, row.force_n) or row, False
+        found.append(made)
     while True:
-        rows = [
-            row._replace(force_n=row.force_n * (size / d) ** 2) if d else row
-            for row, size, d in zip(result.rows, sizes, least, strict=True)
-        ]
-        which = _pulling(tied, rows, result.beyond, shaken)
-        said = " ".join(f"{d:g}" for d in sizes)
+        which = _pulling(tied, found, beyond, shaken)
+        said = ", ".join(f"{1e-3 * r.force_n:.4g} kN in {tied.count(r)}" for r in found)
         if which is None:
-            say(f"as sold: φ {said} hold")
-            return sizes, True
-        larger = commercial(sizes[which[0]] + 0.01) if which else math.inf
-        if larger > COMMERCIAL_MM[-1]:
-            say(f"as sold: φ {said} do not hold")
-            return sizes, False
-        sizes[which[0]] = larger
+            say(f"as built: {said}: hold")
+            return found, whole
+        larger = None
+        if which:
+            larger = in_steel(tied, found[which[0]], 1.02 * found[which[0]].force_n)
+        if larger is None:
+            say(f"as built: {said}: do not hold")
+            return found, False
+        found[which[0]] = larger
 
 
 def held_by(mechanism, rows):
@@ -282,49 +383,5 @@ def _pulling(tied, rows, beyond, shaken):
     by_hand = [name for name in tied.failing(rows) if name not in beyond]
     if by_hand:
         return held_by(tied.mechanisms(rows)[0][by_hand[0]].mechanism, rows)
-    failing = None if shaken is None else first_failing(shaken, rows, shaken.models)
+    failing = None if shaken is None else first_failing(shaken, rows, shaken.models[:1])
     return None if failing in (None, BY_HAND) else failing.rows
-
-
-def table_of(result, own, relied="", as_sold=None):
-    """Rows of `Found` as a table, with the rods of section strengthening that they take (ROWS).
-
-    Also a row of no force that `relied`, the model tried first, asks for; it is empty without the
-    dynamic check. `as_sold` is what `sold` returns; without it the next sizes stand there, untried.
-    """
-    rows, (sizes, holds) = [], as_sold or ([None] * len(result.rows), "")
-    every = zip(result.rows, result.by_hand_n, result.why, result.relied_n, sizes, strict=True)
-    for row, least_n, why, relied_n, tried_mm in every:
-        if not row.force_n and not relied_n:
-            continue
-        rod = row_of_rods(own, row.height_m, 1e-3 * row.force_n)
-        size = rod["diameter_mm"]
-        rods = (
-            rod["count"],
-            size,
-            tried_mm or commercial(size),
-            rod["yield_mpa"],
-            rod["length_m"],
-            *((why.model, why.mechanism) if why else ("", "")),
-            relied,
-            1e-3 * relied_n,
-            int(holds) if tried_mm else "",
-        )
-        forces = 1e-3 * least_n, 1e-3 * row.force_n
-        rows.append(dict(zip(ROWS, (row.height_m, *forces, *rods), strict=True)))
-    return rows
-
-
-def after(tied, result, shaken):
-    """What each mechanism does with the rows: by hand, and in the dynamic check (AFTER)."""
-    rows, beyond = [], set(result.beyond)
-    last = shaken.everything(result.rows) if shaken is not None and shaken.rows else {}
-    known, fails_g = tied.mechanisms(result.rows)
-    for name, one in known.items():
-        pga_g, own = fails_g[name], last.get(name, {})
-        ratio = pga_g / tied.demand.pga_g
-        shake = [own.get(key, math.nan) for key in ("exceed_d0", "mean_d_m", "d_slv_m")]
-        held = int(own["holds"]) if own else ""
-        about = name, one.name, pga_g, ratio, *shake, held, int(name in beyond)
-        rows.append(dict(zip(AFTER, about, strict=True)))
-    return sorted(rows, key=lambda row: row["pga_fails_g"])

@@ -22,13 +22,14 @@ class Growth(NamedTuple):
     why: Failing
 
 
-def grown(shaken, rows, models, say=lambda text: None):
+def grown(shaken, rows, models, say=lambda text: None, every=True):
     """Rows with which every mechanism holds but those that are left out.
 
     Model by model, until all hold with the same rows. As long as a mechanism fails, the rows that
     pull on it grow until it holds: all of them by one factor, or one of them alone, whichever
     takes the least force in sum; where none does, a level that has no row yet gets one. What none
-    makes hold is left out (`Shaken.left`).
+    makes hold is left out (`Shaken.left`); where not `every` mechanism is asked for, the search
+    ends there.
 
     Rows are one at each level, ascending, of 0 N where none is yet. `say` receives a line a
     mechanism. Returns the rows, and every `Growth` in turn.
@@ -44,6 +45,8 @@ def grown(shaken, rows, models, say=lambda text: None):
                 if not which:
                     say(f"{model}, {failing.mechanism}: no row makes it hold")
                     shaken.left.add(failing.part)
+                    if not every:
+                        return rows, governs
                     continue
                 governs.append(Growth(which, failing))
                 rows = found
@@ -99,7 +102,8 @@ def raised(shaken, rows, which, failing, most_n=math.inf):
     In coarse steps up, then the steps between are halved: one step less does not hold. Rows whose
     forces come to `most_n` in sum are not tried.
     """
-    strongest_n = MOST_SHARE * shaken.tied.weight_n
+    heaviest_n = MOST_SHARE * shaken.tied.weight_n
+    strongest_n = {k: min(heaviest_n, shaken.tied.most_n(rows[k].height_m)) for k in which}
 
     def at(steps):
         return [
@@ -111,7 +115,7 @@ def raised(shaken, rows, which, failing, most_n=math.inf):
 
     def allowed(steps):
         own = at(steps)
-        return _sum_n(own) < most_n and all(own[k].force_n <= strongest_n for k in which)
+        return _sum_n(own) < most_n and all(own[k].force_n <= strongest_n[k] for k in which)
 
     low, high = 0, COARSE
     while True:

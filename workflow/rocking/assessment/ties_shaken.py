@@ -79,18 +79,22 @@ class Shaken:
         return None
 
     def everything(self, rows):
-        """Run all mechanisms of all models, also those that are left out: the worst by part."""
+        """Run all mechanisms of all models, also those that are left out: by part and model."""
         final: dict[str, dict] = {}
         for model in self.models:
             known, parts = self._parts(rows, model)
             self._ahead([(part, known[row.part]) for row, part in parts])
             for row, part in parts:
                 about = self._run(rows, part, row.part, known[row.part])
-                final[row.part] = max(final.get(row.part, about), about, key=_worse)
+                final.setdefault(row.part, {})[model] = about
         return final
 
+    def cases_with(self, rows):
+        """Case of each model with rows added."""
+        return self._tied(rows)[1]
+
     def holds(self, rows, failing):
-        """Whether one mechanism holds, that failed with weaker rows; so too where it is no more."""
+        """Whether one mechanism holds that failed with weaker rows; one that is gone holds."""
         known, tried, _ = self._tied(rows)
         if failing.part not in known:
             return True
@@ -104,7 +108,8 @@ class Shaken:
         known, tried, pga_g = self._tied(rows)
         ranked = [(pga_g[name], one, None) for name, one in known.items()]
         ranked.sort(key=lambda row: row[0])
-        table = chosen(ranked, tried, self.tied.sections["assessment"]["shaken_within"])
+        within = self.tied.sections["assessment"]["shaken_within"]
+        table = chosen(ranked, tried, self.tied.demand.pga_g, within)
         (case,) = (one for one in tried if one.model == model)
         return known, list(cases(case, table))
 
@@ -165,11 +170,6 @@ class Shaken:
         count = own["assessment"]["dynamic_realisations"]
         given = part.sections, self.order, limits, count, own["seed"], self.care
         return decided(*given, many, at_once)
-
-
-def _worse(row):
-    """Order of rows of TRIED: those that do not hold, then by the mean over d_SLV."""
-    return not row["holds"], row["mean_d_m"] / row["d_slv_m"]
 
 
 def forces_said(rows):

@@ -5,14 +5,20 @@ import math
 import pandas as pd
 
 from rocking.assessment.dynamic_check import LEAST_DRAWS, surely
-from rocking.assessment.shaken import is_later
+from rocking.assessment.shaken import CORNER, FAR, REFUSED, STOCKY
+from rocking.assessment.walls import named as wall_named
 from rocking.stations import FEWEST
 
 GOVERNS = "W2m"  # the model that the rate rests on, where it is among a run's
 ROUNDED = 1e-4  # relative; tables have six figures
-OTHERS = {"en": "EN 1998-3", "parts": "NZS 1170.5"}  # by the first part of a check's key
 SURE = 0.005  # of a probability that rounds to 0 or 100 %
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+NOT_SHAKEN = {  # by why a mechanism was not shaken
+    CORNER: "which turn about a corner and not over the whole width",
+    STOCKY: "lower than twice its thickness, so that it slides before it rocks",
+    FAR: "by hand far from the demand",
+    REFUSED: "which the models do not take",
+}
 NOT_MADE = "The code's dynamic check was not made: too few motions of different stations."
 
 
@@ -35,9 +41,19 @@ def per_cent(value):
     return f"{100 * value:.0f} %".replace("-", "−")
 
 
-def the(name):
+def bends(row):
+    """Whether a row of a table of mechanisms is vertical bending: a level of it stays in place."""
+    return bool(pd.notna(row.held_m))
+
+
+def the(row):
     """A mechanism's name within a sentence: all but vertical bending take the article."""
-    return name if name.startswith("vertical") else f"the {name}"
+    return row.mechanism if bends(row) else f"the {row.mechanism}"
+
+
+def short(row):
+    """A mechanism's name within a list, without what stands at its foot."""
+    return the(row).split(" (", 1)[0]
 
 
 def powered(value):
@@ -87,11 +103,11 @@ def passes(checks, mechanisms, verdicts):
     return by_hand, bool(surely(verdicts).all())
 
 
-def headline(checks, mechanisms, verdicts, shaken, when, factor, fit=None):
-    """What the report says first: the verdict, the check by hand, the dynamic check.
+def headline(checks, mechanisms, verdicts, shaken, when, factor, facade, fit=None):
+    """What the report says first: the verdict, the check by hand, the dynamic check, what is left.
 
     Of the report's tables; `when` says the demand's return period, or that it is the stated one,
-    `factor` is the FC that was used, `fit` as of `selection.fit_of`.
+    `factor` is the FC that was used, `facade` a section, `fit` as of `selection.fit_of`.
     """
     by_hand, held = passes(checks, mechanisms, verdicts)
     demand, stated = checks["pga_demand_g"].iloc[0], as_stated(mechanisms)
@@ -103,9 +119,42 @@ def headline(checks, mechanisms, verdicts, shaken, when, factor, fit=None):
         outcome, state = "passes by hand" if held is None else "passes", "kept up to"
     first = (
         f"{when} (PGA {g3(demand)} g) the façade {outcome}: life safety (SLV) is {state} {share} "
-        f"of that shaking, with FC = {factor:g}."
+        f"of that shaking, with FC = {factor:g}. The wall that is shaken is {wall_named(facade)}."
     )
-    return [first, kinematic(stated, demand), _governed(verdicts, shaken, held, fit)]
+    governed = f"{_governed(verdicts, shaken, held, fit)}{by_hand_alone(shaken)}"
+    return [first, kinematic(stated, demand), governed]
+
+
+def capacity(stated, demand_g, return_years):
+    """ζE and the return period of the PGA at which the weakest mechanism's check by hand fails.
+
+    `return_years` is that of the capacity as `national.return_period_of` has it; None without rows
+    of the hazard.
+    """
+    ratio = stated["pga_fails_g"].iloc[0] / demand_g
+    said = f"By hand ζE = {ratio:.2f}, the PGA of the capacity over the demand's"
+    if return_years is None:
+        return f"{said}; its return period wants assessment.hazard, the rows of NTC 2018."
+    return f"{said}; the capacity has a return period of {return_years} years."
+
+
+def early(stated):
+    """Sentence on mechanisms whose ties or anchors give way early; nothing where there are none.
+
+    Both numbers are told: by the letter, and without these links.
+    """
+    own = stated[stated["links_left_out"] > 0]
+    if own.empty:
+        return ""
+    said = "; ".join(
+        f"{short(r)} {g3(r.pga_letter_g)} g by the letter, {g3(r.pga_fails_g)} g without them"
+        for r in own.itertuples()
+    )
+    return (
+        f" Ties or anchors give way early: {said}. The larger counts, since C8.7.1.2.1.6 asks for "
+        "0.4 d0 of a curve with those actions alone that last until collapse, and a link that "
+        "only pulls back never lowers the curve."
+    )
 
 
 def _governed(verdicts, shaken, held, fit):
@@ -113,11 +162,12 @@ def _governed(verdicts, shaken, held, fit):
     if held is None:
         return NOT_MADE
     model = decided_by(verdicts)
-    names = dict(zip(shaken["part"], shaken["mechanism"], strict=True))
+    names = {row.part: row for row in shaken.itertuples()}
     worst = deciding(verdicts).set_index("model")
-    row = worst.loc[model]
+    row, count = worst.loc[model], verdicts["part"].nunique()
     words = (
-        f"The code's dynamic check (C8.7.1.2.1.9) is {'' if held else 'not '}fulfilled. The model "
+        f"The code's dynamic check (C8.7.1.2.1.9) of the {count} mechanism{'s' * (count > 1)} that "
+        f"{'were' if count > 1 else 'was'} shaken is {'' if held else 'not '}fulfilled. The model "
         f"that governs is {model}: {moving(names[row['part']])} {1e3 * row['mean_d_m']:.0f} mm in "
         f"the mean of {row['motions']:.0f} histories, where d_SLV is {1e3 * row['d_slv_m']:.0f} mm"
     )
@@ -139,22 +189,22 @@ def _governed(verdicts, shaken, held, fit):
     return words
 
 
-def moving(name):
+def moving(row):
     """What the displacement of a mechanism is of, to begin a clause with."""
-    bends = name.startswith("vertical")
-    return f"the joint of {name}, moves" if bends else f"the top of the {name} moves"
+    name = row.mechanism
+    return f"the joint of {name}, moves" if bends(row) else f"the top of the {name} moves"
 
 
 def kinematic(stated, demand):
     """The non-linear kinematic check of the weakest mechanism."""
-    least = stated.iloc[0]
-    share = least["pga_fails_g"] / demand
+    least = next(stated.itertuples())
+    share = least.pga_fails_g / demand
     verdict = "passes" if share >= 1.0 else "fails"
     return (
         f"The façade {verdict} the non-linear kinematic check of the Circolare 7/2019 for life "
-        f"safety (SLV): the weakest of {len(stated)} mechanisms, {the(least['mechanism'])}, holds "
-        f"up to a PGA of {g3(least['pga_fails_g'])} g, {per_cent(share)} of the demand's "
-        f"{g3(demand)} g."
+        f"safety (SLV): the weakest of {len(stated)} mechanisms, {the(least)}, holds "
+        f"up to a PGA of {g3(least.pga_fails_g)} g, {per_cent(share)} of the demand's "
+        f"{g3(demand)} g.{early(stated)}"
     )
 
 
@@ -189,14 +239,19 @@ def held_or_not(verdicts):
 
 
 def by_hand_alone(shaken):
-    """End of a sentence: which mechanisms were not shaken; nothing where there are none."""
-    left, later = shaken["shaken"] == 0, is_later(shaken)
-    if not left.any():
+    """End of a paragraph: which mechanisms were not shaken, and why; nothing where there are none.
+
+    Each is named with the PGA at which it fails by hand.
+    """
+    left = shaken[shaken["shaken"] == 0]
+    if left.empty:
         return ""
-    said = shaken.loc[left & ~later, "mechanism"].tolist()
-    if later.any():
-        said.append(f"{later.sum()} that by hand fail{'s' if later.sum() == 1 else ''} far later")
-    return f" Not shaken, judged by hand alone: {words_of(said)}."
+    said = []
+    for why, part in left.groupby("why_not", sort=False):
+        names = [f"{short(r)} ({g3(r.pga_fails_g)} g)" for r in part.itertuples()]
+        reason = NOT_SHAKEN.get(why, part["why_words"].iloc[0])
+        said.append(f"{words_of(names)}, {reason}")
+    return f" Not shaken, judged by hand alone: {'; '.join(said)}."
 
 
 def dynamic_check(verdicts, fit, shaken):
@@ -208,7 +263,7 @@ def dynamic_check(verdicts, fit, shaken):
     if verdicts.empty:
         return NOT_MADE
     count = int(shaken["shaken"].sum())
-    names = dict(zip(shaken["part"], shaken["mechanism"], strict=True))
+    names = {row.part: row for row in shaken.itertuples()}
     verdicts = deciding(verdicts)
     sure = surely(verdicts)
     held, lost = (list(verdicts.loc[own, "model"]) for own in (sure, ~sure))
@@ -240,16 +295,6 @@ def dynamic_check(verdicts, fit, shaken):
     if unsure:
         words += f"; for {words_of(unsure)} the verdict hangs on the numerics"
     return f"{words}.{by_hand_alone(shaken)}"
-
-
-def stands_on(facade):
-    """What the façade of the dynamic models stands on, in words."""
-    if facade["courses"]:
-        return f"the façade in {facade['courses']} elastic courses"
-    springs = "even springs of E/h" if facade["base"] == "study" else "springs stiffer at the edges"
-    if facade["base_stiffness_pa_m"] is not None:
-        springs = "springs of the stated stiffness"
-    return f"the façade as one rigid block on {springs} (facade.base: {facade['base']})"
 
 
 def no_rate(dynamic, config):
@@ -286,98 +331,3 @@ def suite(dynamic, several=False):
         f"{'a part of it or the whole' if several else 'the whole façade'} falls with a "
         f"probability of {said}; in brackets 95 % intervals."
     )
-
-
-def damage(sensitivity, mechanisms, demand_g):
-    """A line where the check passes as stated and fails before a damaged building; else nothing.
-
-    Of the sensitivity's rows `damaged building, …`: C8.7.1.2.1.4 has the period grow by 50 to 100 %
-    at ultimate states.
-    """
-    weakest_g = as_stated(mechanisms)["pga_fails_g"].iloc[0]
-    slv = sensitivity["check"].isin(("slv_ground", "slv_height"))
-    rows = sensitivity[slv & sensitivity["key"].str.startswith("damaged building")]
-    if rows.empty or weakest_g < demand_g or rows["ratio"].min() >= 1.0:
-        return ""
-    worst = rows.sort_values("ratio").iloc[0]
-    return (
-        "The check passes as stated and fails with the building's period times "
-        f"{worst['factor']:g} ({worst['key']} damping), at {per_cent(worst['ratio'])} of the "
-        "demand's PGA. The Circolare has such damage at ultimate states: judge how far "
-        "the building's goes and state assessment.building_period_factor and building_damping."
-    )
-
-
-def next_steps(checks, mechanisms, verdicts, shaken, *more):
-    """What is recommended next, a line each; `more`: lines of others, empty ones left out.
-
-    `verdicts` and `shaken` as of `dynamic_check`.
-    """
-    fails = mechanisms["pga_fails_g"] < checks["pga_demand_g"].iloc[0]
-    weak = as_stated(mechanisms[fails])
-    lines = _by_hand_next(checks, weak) + _shaken_next(deciding(verdicts), weak.empty)
-    least = as_stated(mechanisms)["mechanism"].iloc[0]
-    if least not in set(shaken.loc[shaken["shaken"] == 1, "mechanism"]):
-        lines.append(
-            f"The weakest mechanism, {the(least)}, was not shaken: it is judged by the kinematic "
-            "checks alone."
-        )
-    lines += [line for line in more if line]
-    if not lines:
-        lines.append("Keep the assumptions below verified on site; nothing else is asked for.")
-    return lines
-
-
-def _by_hand_next(checks, weak):
-    """Lines on the checks by hand; `weak` are the mechanisms that fail by them."""
-    if len(weak):
-        listed = [f"{the(r.mechanism)} ({g3(r.pga_fails_g)} g)" for r in weak.itertuples()]
-        return [
-            f"Tie or hold the façade against: {'; '.join(listed)}. Which rows of ties do so stands "
-            "on page 1.",
-            "Verify on site what the checks leave out: the bond with the return walls, the anchors "
-            "of floors and roof, the quality of the masonry.",
-        ]
-    lines = []
-    linear = checks[checks["check"].isin(("linear_ground", "linear_height"))]
-    if (linear["ratio"] < 1.0).any():
-        lines.append(
-            "The linear check with q = 2 fails, the non-linear one passes. The Circolare takes the "
-            "first where no capacity curve is at hand, so the second stands."
-        )
-    fails = checks[checks["ratio"] < 1.0]
-    worst = fails.groupby(fails["check"].str.split("_").str[0])["ratio"].min()
-    failed = [f"{OTHERS[k]} at {per_cent(r)}" for k, r in worst.items() if k in OTHERS]
-    if failed:
-        lines.append(
-            f"Checks outside the Circolare do not pass: {', '.join(failed)} of the demand's PGA. "
-            "They were read at second hand and decide nothing here; know why before you sign."
-        )
-    return lines
-
-
-def _shaken_next(verdicts, by_hand):
-    """Lines on the dynamic check; `by_hand`: whether the façade passes by hand."""
-    if verdicts.empty:
-        return [
-            "Give motions of as many stations as the code's dynamic check wants "
-            "(assessment.motions); it was not made."
-        ]
-    lines, lost = [], list(verdicts.loc[~surely(verdicts), "model"])
-    if lost and by_hand:
-        lines.append(
-            f"The kinematic check passes and the dynamic one does not ({words_of(lost)}): do not "
-            "rest on the kinematic check alone; tie the façade or find what the building's motion "
-            "really is."
-        )
-    yields = [row["d_slv_m"] for _, row in verdicts.iterrows() if lost and gives_way(row)]
-    if yields:
-        lines.append(
-            "Anchors stronger than their rods let the rods yield: now a tie or an anchor gives way "
-            f"at {1e3 * min(yields):.3g} mm, the d_SLV of the dynamic check."
-        )
-    if (verdicts["agree"] < LEAST_DRAWS).any():
-        lines.append(
-            "Run the dynamic check with more motions: its verdict hangs on single histories."
-        )
-    return lines

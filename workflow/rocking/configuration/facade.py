@@ -14,6 +14,10 @@ from yade_scripts.model.wall_motion import building_height
 MIN_SLENDERNESS = 2.0  # h/b; a stockier block slides or crushes before it rocks
 
 
+class TooStockyError(ConfigError):
+    """A façade that slides or crushes before it rocks."""
+
+
 def check_facade(resolved: Mapping) -> None:
     """Check section facade with the models and return walls it stands before.
 
@@ -76,7 +80,7 @@ def _check_bricks(resolved: Mapping) -> None:
 def _check_geometry(facade: Mapping, wall: Mapping) -> None:
     h, b = facade["height_m"], facade["thickness_m"]
     if h < MIN_SLENDERNESS * b:
-        raise ConfigError(
+        raise TooStockyError(
             f"facade.height_m = {show(h)}: expected at least {show(MIN_SLENDERNESS)} × "
             f"facade.thickness_m = {show(MIN_SLENDERNESS * b)} (m), for a wall that rocks"
         )

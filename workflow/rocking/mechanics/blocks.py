@@ -74,11 +74,23 @@ def toppling(name, masses, hinge, top, loads=(), pulls=(), pushes=()):
     def move(point):
         return turning(point, hinge)
 
-    weights = [Weight(w, move((y, z))) for w, y, z in (*masses, *loads) if w > 0.0]
-    weights += [Weight(w, _part(move((hinge[0], z)), 0)) for w, z in pushes if w > 0.0]
+    carried = [*masses, *loads]
+    weights = [Weight(w, move((y, z))) for w, y, z in carried if w > 0.0]
+    pushing = [Weight(w, _part(move((hinge[0], z)), 0)) for w, z in pushes if w > 0.0]
     pieces = ((hinge[1], top[1], move),)
     held = _pulls(pulls, move, hinge, top)
-    return Mechanism(name, tuple(weights), move(top), held, pieces=pieces)
+    lumped = (*_lump(carried, move), *pushing)
+    given = name, (*weights, *pushing), move(top), held
+    return Mechanism(*given, pieces=pieces, lumped=lumped)
+
+
+def _lump(masses, move):
+    """Masses of one block, (weight_n, y_m, z_m), as one `Weight` at their centroid; () of none."""
+    total = sum(w for w, *_ in masses)
+    if not total > 0.0:
+        return ()
+    y, z = (sum(row[0] * row[k] for row in masses) / total for k in (1, 2))
+    return (Weight(total, move((y, z))),)
 
 
 def _pulls(rows, move, low, high):
@@ -132,7 +144,11 @@ def bending(name, lower, upper, base, joint, top, loads=(), held=(), pulls=()):
     rise = joint[1] - base[1]
     largest = math.asin(min(0.95 * length / rise, 0.95))  # the joint stays within its reach
     pieces = ((base[1], joint[1], below), (joint[1], top[1], above))
-    return Mechanism(name, tuple(weights), first, _pulls(pulls, move, base, top), largest, pieces)
+    low, high = ([row for row in loads if (row[2] > joint[1]) is up] for up in (False, True))
+    lumped = (*_lump([*lower, *low], below), *_lump([*upper, *high], above))
+    lumped += _lump(held, lambda point: _part(above(point), 1))
+    own = _pulls(pulls, move, base, top)
+    return Mechanism(name, tuple(weights), first, own, largest, pieces, lumped=lumped)
 
 
 def _part(path, which):

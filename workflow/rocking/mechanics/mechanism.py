@@ -13,7 +13,7 @@ derivatives are taken by a complex step, exact to rounding. SI units throughout.
 import cmath
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -60,12 +60,13 @@ class Mechanism:
     pulls: tuple[Pull, ...] = ()
     largest_rad: float = 0.5 * math.pi  # end of the kinematics
     pieces: tuple = ()  # rigid ones as (low_m, high_m, what makes a point's path), for drawings
+    lumped: tuple[Weight, ...] = ()  # `weights` with those of one block at their centroid
     _rotations: dict = field(default_factory=dict, repr=False, compare=False)  # by displacement
 
     def multiplier(self, theta_rad=0.0):
         """α(θ) of the module's equation [-]; of an array of rotations an array."""
         lifted = pushed = 0.0
-        for p, path in self.weights:
+        for p, path in self.lumped or self.weights:  # a block's path is linear in its points
             out, up = rate(path, theta_rad)
             pushed, lifted = pushed + p * out, lifted + p * up
         return (lifted + sum(self._pull(pull, theta_rad) for pull in self.pulls)) / pushed
@@ -142,8 +143,22 @@ class Mechanism:
         end, itself included, so α there is that of the curve before the drop. The second value
         tells whether it is a pull's end.
         """
+        found, early = self._limits(share)
+        return found, early is not None
+
+    def early(self, share):
+        """The pull whose end sets `limit`; None where that is the share of d0."""
+        return self._limits(share)[1]
+
+    def without(self, pull):
+        """The mechanism without one of its pulls."""
+        left = tuple(one for one in self.pulls if one is not pull)
+        return replace(self, pulls=left, _rotations={})
+
+    def _limits(self, share):
+        """`limit`'s displacement, and the pull that sets it or None."""
         theta0, d0 = self.ultimate()
-        found, broken = share * d0, False
+        found, early = share * d0, None
         grid, alpha = self._course
         largest = max(alpha[grid <= theta0])
         for pull in self.pulls:
@@ -154,8 +169,8 @@ class Mechanism:
                 continue
             drop = self.multiplier(end) - self.multiplier(end * (1.0 + BESIDE))
             if drop > 0.5 * largest and self.displacement(end) < found:
-                found, broken = self.displacement(end), True
-        return found, broken
+                found, early = self.displacement(end), pull
+        return found, early
 
     def participation(self, letter=False):
         """Participating mass by the virtual displacements δ = y'(0) of the weights.
@@ -173,12 +188,17 @@ class Mechanism:
         mass_kg, ratio, per_control : float
             M*, e*, d*/d_C.
         """
-        p = np.array([weight for weight, _ in self.weights])
-        delta = np.array([rate(path, 0.0)[0] for _, path in self.weights])
+        p, delta = self._moved
         one, two = p @ delta, p @ delta**2
         mass = one**2 / (GRAVITY_M_S2 * two)
         counted = p.sum() if letter else p[np.abs(delta) > 1e-12 * np.abs(delta).max()].sum()
         return mass, GRAVITY_M_S2 * mass / counted, two / (rate(self.control, 0.0)[0] * one)
+
+    @cached_property
+    def _moved(self):
+        """Weights and their virtual displacements δ at rest."""
+        p = np.array([weight for weight, _ in self.weights])
+        return p, np.array([rate(path, 0.0)[0] for _, path in self.weights])
 
     def curve(self, points=101):
         """Capacity curve up to d0: displacement of the control point [m] and multiplier [-]."""

@@ -1,13 +1,15 @@
 """PGA of 10 and 50 % collapse of one model under the motions of the run, by the planar solver.
 
-Of the whole façade; with a table of mechanisms, of the parts that are shaken instead.
+Of the whole façade; with a table of mechanisms, of the parts that are shaken instead. With the
+whole façade's table beside it a part is followed no further than tells (`collapses.by_part`).
 """
 
 import json
 
+import pandas as pd
 from rocking import Case, Motion
-from rocking.assessment.shaken import cases_of
-from rocking.collapse.quick import crossings_of
+from rocking.assessment.collapses import by_part
+from rocking.assessment.shaken import cases_of, settled, settled_by
 from rocking.records import load_as, measures
 from rocking.runtime.script import run
 from rocking.tables import write_table
@@ -17,18 +19,19 @@ COLUMNS += ["pga_max_g", "runs_planar"]
 
 
 def main(job):
-    case, settings = Case.read(job.input.case), json.loads(job.params.settings)
-    shaken = getattr(job.input, "shaken", None)
-    parts, most = cases_of(case, shaken), settings["ida.max_pga_g"]
+    settings, shaken = json.loads(job.params.settings), getattr(job.input, "shaken", None)
+    case = settled(Case.read(job.input.case), settled_by(settings))
     motions = {
         name: Motion(load_as(settings, name, job.params.table)) for name, _ in job.params.curves
     }
     turns = [(motions[name], direction) for name, direction in job.params.curves]
-    found = {part: crossings_of(own, turns, {"max_pga_g": most}) for part, own in parts.items()}
+    whole = getattr(job.input, "whole", None)
+    known = pd.read_csv(str(whole))["pga_median_g"] if whole else None
+    found = by_part(cases_of(case, shaken), turns, settings["ida.max_pga_g"], known)
     rows = []
     for k, (motion, direction) in enumerate(turns):
         about = {"model": case.model, "record": motion.name, "direction": direction}
-        about |= {"record_pga_g": measures(motion.record)["pga_g"], "pga_max_g": most}
+        about |= {"record_pga_g": measures(motion.record)["pga_g"]}
         rows += [{"part": part, **about, **own[k]} for part, own in found.items()]
     write_table(rows, job.output[0], ["part", *COLUMNS] if shaken else COLUMNS)
 

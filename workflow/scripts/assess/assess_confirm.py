@@ -11,7 +11,7 @@ from pathlib import Path
 import pandas as pd
 from rocking import Case
 from rocking.assessment.dynamic_check import width_of
-from rocking.assessment.shaken import cases
+from rocking.assessment.shaken import cases, settled
 from rocking.assessment.verdict import decided_by, deciding
 from rocking.records import load_as
 from rocking.records.floors import floor_columns
@@ -35,7 +35,8 @@ def main(job):
     verdicts, table = read_tables(job.input.verdicts), read_tables(job.input.histories)
     asked = ("nearest", "worst")[:count] if len(verdicts) else ()
     if asked:
-        case, found, table = _governing(job.input.cases, verdicts, table, job.input.shaken)
+        given = job.input.cases, verdicts, table, job.input.shaken, settings["assessment"]
+        case, found, table = _governing(*given)
         kept = folder / f"{case.model}.json"
         kept.write_text(case.to_json())
     for which in asked:
@@ -62,11 +63,11 @@ def main(job):
     write_table(rows, job.output[0], COLUMNS)
 
 
-def _governing(scenes, verdicts, histories, shaken):
+def _governing(scenes, verdicts, histories, shaken, own):
     """Case, verdict and histories of the model and mechanism that decide."""
     worst = deciding(verdicts).set_index("model")
     found = worst.loc[decided_by(verdicts)]
-    every = {case.model: case for case in map(Case.read, scenes)}
+    every = {case.model: settled(case, own) for case in map(Case.read, scenes)}
     parts = cases(every[found.name], pd.read_csv(shaken))
     own = {row.part: part for row, part in parts}[found["part"]]
     mine = (histories["part"] == found["part"]) & (histories["model"] == found.name)

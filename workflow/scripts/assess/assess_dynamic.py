@@ -8,8 +8,8 @@ import json
 from pathlib import Path
 
 import pandas as pd
-from rocking.assessment.dynamic_answer import CURVES, RATES, answer, weakest
-from rocking.assessment.shaken import WHOLE_PART
+from rocking.assessment.dynamic_answer import CURVES, LEFT_OUT, RATES, answer, left_out, weakest
+from rocking.assessment.family import WHOLE_PART
 from rocking.assessment.site import hazards_of
 from rocking.risk.hazard import read_hazard
 from rocking.risk.rates import probability_within
@@ -37,9 +37,10 @@ def main(job):
         row["probability"] = probability_within(row["annual_rate"], p.years)
     write_table(rates, job.output.rates, [*RATES, "years", "probability"])
     own = every.groupby(["part", "model"], sort=False)
-    write_table(
-        [{"part": part, **answer(rows, *given)[0]} for (part, _), rows in own], job.output.parts
-    )
+    parts = [{"part": part, **answer(rows, *given)[0]} for (part, _), rows in own]
+    write_table(parts, job.output.parts)
+    table = pd.read_csv(job.input.shaken)
+    write_table(left_out(pd.DataFrame(parts), table, hazards), job.output.left_out, LEFT_OUT)
 
 
 run(main, globals())

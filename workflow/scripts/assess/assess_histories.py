@@ -1,37 +1,39 @@
 """Histories of one model under the motions of the code's dynamic check, and its verdict.
 
-Of the whole façade; with a table of mechanisms, of the parts that are shaken instead.
+Of the whole façade, or of the other parts that are shaken.
 """
 
 import json
 
 import pandas as pd
 from rocking import Case, Motion
-from rocking.assessment.dynamic_check import COLUMNS, checked, limits_of, verdict
-from rocking.assessment.family import Family
-from rocking.assessment.shaken import cases_of, of_label
+from rocking.assessment.dynamic_check import COLUMNS, checked, verdict
+from rocking.assessment.family import WHOLE_PART
+from rocking.assessment.shaken import cases, limits_by_part, settled
 from rocking.records import load_as
 from rocking.runtime.script import run
 from rocking.tables import write_table
 
 
 def main(job):
-    case, settings = Case.read(job.input.case), json.loads(job.params.settings)
-    assessment = settings["assessment"]
-    known = of_label(Family({**case.sections, "assessment": assessment}))
+    settings = json.loads(job.params.settings)
+    assessment, table = settings["assessment"], pd.read_csv(job.input.shaken)
+    case, known = Case.read(job.input.case), limits_by_part(table)
+    case = settled(case, assessment)
     motions = [
         (Motion(load_as(settings, row.record, job.params.table)), row.pga_g)
         for row in pd.read_csv(job.input.motions).itertuples()
     ]
-    parts = cases_of(case, getattr(job.input, "shaken", None)) if motions else {}
     directions, count = settings["directions"], assessment["dynamic_realisations"]
     found, rows = [], []
-    for part, own in parts.items():
-        limits = limits_of(known[part].mechanism)
-        table = checked(own.sections, motions, directions, limits, count)
-        found.append(table.assign(part=part))
-        said = verdict(table, limits, settings["seed"])
-        rows.append({"part": part, "model": case.model, **said})
+    for row, own in cases(case, table) if motions else ():
+        if (row.part == WHOLE_PART) is not job.params.whole:
+            continue
+        limits = known[row.part]
+        histories = checked(own.sections, motions, directions, limits, count)
+        found.append(histories.assign(part=row.part))
+        said = verdict(histories, limits, settings["seed"])
+        rows.append({"part": row.part, "model": case.model, **said})
     write_table(pd.concat(found) if found else [], job.output.histories, ["part", *COLUMNS])
     write_table(rows, job.output.verdict, None if rows else ["part", "model"])
 

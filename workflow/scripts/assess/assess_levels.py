@@ -13,8 +13,9 @@ from rocking.assessment.code_checks import code_checks, least
 from rocking.assessment.code_spectrum import CodeDemand
 from rocking.assessment.comparison import CHECKED_AG_G, SITE
 from rocking.assessment.dynamic_check import histories, limits_of, verdict
-from rocking.assessment.family import Family
-from rocking.assessment.shaken import cases, of_label
+from rocking.assessment.family import Family, site_of
+from rocking.assessment.shaken import cases
+from rocking.assessment.slv import Slv, read_as
 from rocking.collapse.quick import LONG_STEP
 from rocking.records import load_as, measures
 from rocking.runtime.script import run
@@ -26,6 +27,7 @@ KEPT = ("motions", "exceed_d0", "mean_d_m", "d0_m", "d_slv_m", "failed")
 
 def by_hand(one, settings, demand):
     """Whether a mechanism passes the kinematic SLV check with and without FC, and on the ground."""
+    one = read_as(one, Slv(settings, demand).reading(one))
     found = {fc: code_checks(one, settings, demand, fc) for fc in (1.0, LEAST_KNOWN)}
     row = {
         f"kinematic_{name}": int(least(found[fc]) >= demand.pga_g)
@@ -50,8 +52,8 @@ def main(job):
         levels.append((demand, {"ag_g": ag_g, "pga_g": demand.pga_g, "fits": int(chosen.fits)}))
         for name, factor in zip(chosen.names, chosen.factors, strict=True):
             wanted.setdefault(name, {})[ag_g] = factor * peaks[name]
-    mechanisms, rows = of_label(Family(settings)), []
-    shaken = pd.read_csv(job.input.shaken)
+    family, rows, shaken = Family(settings), [], pd.read_csv(job.input.shaken)
+    mechanisms = {row.part: family.at(site_of(row)) for row in shaken.itertuples()}
     known = {
         part: [row | by_hand(mechanisms[part], settings, demand) for demand, row in levels]
         for part in shaken.loc[shaken["shaken"] == 1, "part"]

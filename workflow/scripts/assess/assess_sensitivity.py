@@ -1,6 +1,7 @@
 """Sensitivity of the dynamic answer: collapse PGA of changed façades over the stated one's.
 
-Of the mechanism with the least median PGA of half collapse.
+Of the mechanism with the least median PGA of half collapse. The other wall stands among what is
+changed: the study's rigid block for a façade of courses, four courses for a block.
 """
 
 import json
@@ -8,7 +9,9 @@ import json
 import numpy as np
 import pandas as pd
 from rocking import Case, Motion, Variant
-from rocking.assessment.shaken import WHOLE_PART, cases
+from rocking.assessment.family import WHOLE_PART
+from rocking.assessment.shaken import cases, settled, settled_by
+from rocking.assessment.walls import WALL
 from rocking.collapse.quick import crossings_of
 from rocking.records import load_as
 from rocking.runtime.script import run
@@ -28,6 +31,8 @@ VARIANTS = [
     for key, factors in VARIED.items()
     for factor in factors
 ]
+OTHER_WALL = {False: {"facade.courses": 4, "facade.courses_growth": 1.5}}  # of a block
+OTHER_WALL[True] = {"facade.courses": 0, "facade.courses_growth": 1.0}
 COLUMNS = ["part", "model", "record", "key", "factor", "pga_stated_g", "pga_changed_g"]
 RECORDS = 8  # curves, spread over the run's
 BELOW = 0.5  # of the stated façade's half collapse: where the climb of a changed one begins
@@ -56,23 +61,32 @@ def half_collapse(case, shaken, max_pga_g, stated_g):
 
 
 def main(job):
-    case, settings = Case.read(job.input.case), json.loads(job.params.settings)
+    settings, table = json.loads(job.params.settings), pd.read_csv(job.input.shaken)
+    whole = settled(Case.read(job.input.case), settled_by(settings))
     most = settings["ida.max_pga_g"]
     known = pd.concat(
         [pd.read_csv(job.input.collapse).assign(part=WHOLE_PART), pd.read_csv(job.input.parts)]
     )
     part = known.fillna({"pga_median_g": np.inf}).groupby("part")["pga_median_g"].median().idxmin()
-    case = {row.part: own for row, own in cases(case, pd.read_csv(job.input.shaken))}[part]
-    known = known[known["part"] == part]
+    case = {row.part: own for row, own in cases(whole, table)}[part]
+    known = known[(known["part"] == part) & known["pga_median_g"].notna()]
     known = known.iloc[:: max(1, len(known) // RECORDS)][:RECORDS]
     stated_g = known["pga_median_g"].to_numpy(float)
     motions = [Motion(load_as(settings, name, job.params.table)) for name in known["record"]]
     shaken = list(zip(motions, known["direction"], strict=True))
     about = {"part": part, "model": case.model, "record": known["record"].to_list()}
     tables = []
-    for variant in VARIANTS:
-        found = half_collapse(case.varied(variant), shaken, most, stated_g)
-        said = {**about, **variant.about, "pga_stated_g": stated_g, "pga_changed_g": found}
+    changed = [(variant.about, case.varied(variant)) for variant in VARIANTS]
+    courses = bool(whole["facade"]["courses"])
+    try:
+        other = whole.varied(OTHER_WALL[courses])
+        own = next(one for row, one in cases(other, table) if row.part == part)
+        changed.append(({"key": WALL[courses], "factor": 1.0}, own))
+    except ValueError:  # no such façade in courses
+        pass
+    for of_variant, one in changed:
+        found = half_collapse(one, shaken, most, stated_g)
+        said = {**about, **of_variant, "pga_stated_g": stated_g, "pga_changed_g": found}
         tables.append(pd.DataFrame(said, index=range(len(shaken))))
     table = pd.concat(tables)[COLUMNS].sort_index(kind="stable")
     ratio = table["pga_changed_g"] / table["pga_stated_g"]

@@ -1,0 +1,73 @@
+"""What one anchor plate of a tie holds before it punches through the wall or crushes it.
+
+A square plate of side a on a wall of thickness t, that below
+the row. Punching shears the masonry off along a truncated
+pyramid that opens at 45° through the wall; its lateral area is taken at mid-thickness, and the
+vertical stress that would add friction is left out:
+
+    R_p = f_vd · 4 (a + t) t,      f_vd = τ0/(γ_M FC)
+
+Crushing under the plate, without the spread of the stress:
+
+    R_c = f_d a²,                  f_d = f_m/(γ_M FC)
+
+The least of the two counts. Both were read at second hand (`sources`): punching of a round plate,
+π (D + t) t f_vd, in a worked example of a design office, for a square one derived from it. What
+a single rod's steel takes is the tie's own (`yade_scripts.model.holds`).
+"""
+
+import copy
+import math
+from typing import NamedTuple
+
+from yade_scripts.model.shape import shape_of
+
+PARTIAL = 2.0  # γ_M of existing masonry, NTC 2018, 7.8.1.1
+PUNCHING, CRUSHING, STATED = "punching", "crushing", "stated"
+SIDE_M = 1e-6
+
+
+class Anchor(NamedTuple):
+    """What one anchor holds [N], and by what: PUNCHING, CRUSHING or STATED."""
+
+    force_n: float
+    by: str
+
+
+def anchor(own, thickness_m):
+    """`Anchor` on a wall of a thickness, by section assessment."""
+    side, factor = own["anchor_plate_m"], PARTIAL * own["confidence_factor"]
+    shear, crush = (1e6 * own[f"masonry_{key}_mpa"] / factor for key in ("shear", "compression"))
+    punching = shear * 4.0 * (side + thickness_m) * thickness_m
+    crushing = crush * side**2
+    return Anchor(punching, PUNCHING) if punching <= crushing else Anchor(crushing, CRUSHING)
+
+
+def thickness_at(facade, height_m):
+    """Thickness of the wall below a row of ties [m]."""
+    shape = shape_of({**facade, "courses": 0})
+    back, front = shape.faces_at(min(max(height_m - SIDE_M, 0.0), shape.storeys[-1][1]))
+    return front - back
+
+
+def most_in_a_row(own, facade, height_m):
+    """Anchors side by side in a row whose pyramids do not meet; at least one."""
+    apart = own["anchor_plate_m"] + 2.0 * thickness_at(facade, height_m)
+    return max(1, math.floor(facade["width_m"] / apart))
+
+
+def completed(facade, own):
+    """Section facade whose ties all have a capacity of anchors: the stated one or `anchor`."""
+    if all(row["anchor_kn"] is not None for row in facade["ties"]):
+        return facade
+    found = copy.deepcopy(dict(facade))
+    for row in found["ties"]:
+        if row["anchor_kn"] is None:
+            held = anchor(own, thickness_at(facade, row["height_m"]))
+            row["anchor_kn"] = 1e-3 * held.force_n
+    return found
+
+
+def completed_settings(settings):
+    """Sections of a configuration whose façade is `completed` by its section assessment."""
+    return {**settings, "facade": completed(settings["facade"], settings["assessment"])}
