@@ -12,7 +12,7 @@ from numbers import Real
 import numpy as np
 
 from .errors import RecordError
-from .formats import FORMATS, format_of
+from .formats import FORMATS, WANTS, format_of
 from .formats.header import COARSEST
 from .record import MAX_DT_S, MIN_DT_S, UNITS_M_S2, Record, check_plausible, unit_name
 from .text import read_text
@@ -126,7 +126,12 @@ def open_file(path, format=None):
         raise RecordError(f"unknown format {format!r}{nearest(form, FORMATS)}")
     key = text.path, form, text.sha256
     if key not in _LAST:
-        channels = FORMATS[form](text)
+        try:
+            channels = FORMATS[form](text)
+        except RecordError as error:
+            if not format:
+                raise
+            raise RecordError(f"{error} (read as {form}, as stated: {WANTS[form]})") from None
         _LAST.clear()
         _LAST[key] = channels
     return text, form, _LAST[key]

@@ -16,11 +16,11 @@ import re
 
 from ..text import gridded_block, parse_count, parse_number
 from .channel import Channel
-from .header import NUMBER, is_numbers, stated_unit
+from .header import NUMBER, is_numbers, stated_step, stated_unit
 
 HEADING = 20  # lines within which NPTS is looked for
 _COUNT = re.compile(r"\bNPTS\b\s*[=:]?\s*(\d+)\b(?!\.)", re.I)
-_STEP = re.compile(rf"\bDT\b\s*(?:\(\w+\))?\s*[=:]?\s*({NUMBER})(?![\w.])", re.I)
+_STEP = re.compile(rf"\bDT\b\s*(?:\(\w+\))?\s*[=:]?\s*({NUMBER})(?![\w.])(\s*MS\b)?", re.I)
 _TRAILING = re.compile(rf"\s*(\d+)\s*[,;]?\s+({NUMBER})\s*[,;]?\s*NPTS\s*[,;/]?\s*DT\b", re.I)
 _LEADING = re.compile(rf"\s*NPTS\s*[,;/]\s*DT\s*[=:]?\s*(\d+)\s*[,;]?\s+({NUMBER})", re.I)
 _UNITS = re.compile(r"\bUNITS\s+OF\s+(\S+)", re.I)
@@ -32,9 +32,18 @@ def _count_line(text):
 
 
 def sniff(text):
-    """Tell whether a heading line has NPTS before the numbers, or the third states the units."""
+    """Tell whether a heading states NPTS and DT, or its third line the units, of numbers in a row.
+
+    As many lines of several numbers as NPTS says are columns with a heading alike.
+    """
+    number = _count_line(text)
+    if number:
+        count, step, number = _numbers(text, number)
+        rows = [line for line in text.lines[number:] if line.strip()]
+        columns = bool(count) and len(rows) == int(count) and len(rows[0].split()) > 1
+        return bool(step) and not columns and is_numbers(rows[0] if rows else "x")
     third = text.lines[2] if len(text.lines) > 3 else ""
-    return bool(_count_line(text) or _UNITS.search(third))
+    return bool(_UNITS.search(third) and re.search("ACCEL", third, re.I))
 
 
 def _numbers(text, number):
@@ -48,7 +57,8 @@ def _numbers(text, number):
         if not step and 1 <= other <= len(text.lines):
             step = _STEP.match(text.lines[other - 1].strip())
             number = max(number, other) if step else number
-    return count and count[1], step and step[1], number
+    milli = bool(step and step[2])
+    return count and count[1], step and (f"{float(step[1]) / 1e3:g}" if milli else step[1]), number
 
 
 def read(text):
@@ -64,7 +74,7 @@ def read(text):
         digits = len(step.lower().partition("e")[0].partition(".")[2])
         rounding = 0.5 * 10.0**-digits if "e" not in step.lower() else 0.0
     else:  # a heading that fails to say; what the table states must do
-        count, dt_s, rounding = None, None, 0.0
+        count, (dt_s, rounding) = None, stated_step(text.lines[:HEADING])
         rows = enumerate(text.lines[:HEADING], 1)
         number = next((i for i, line in rows if is_numbers(line)), 5) - 1
     heading = text.lines[:number]
@@ -76,14 +86,12 @@ def read(text):
     # The title ends in the component: "RINALDI RECEIVING STA, 228", "… , 360 (CDMG STATION 5)".
     title = heading[1] if len(heading) > 2 else ""
     label = title.rsplit(",", 1)[-1].partition("(")[0].strip()[:40]
-    return [
-        Channel(label or "1", values, number + 1, azimuth(label), said.unit, dt_s, rounding)
-    ]
+    return [Channel(label or "1", values, number + 1, azimuth(label), said.unit, dt_s, rounding)]
 
 
 def azimuth(label):
     """Direction [°] in which a name of PEER's ends ("228", "A-STU270", "HVSC S26W" has none)."""
-    found = re.fullmatch(r"(?:.*?[^\d.])?(\d{1,3})(?:\s*(?:deg\w*|°))?", label.strip(), re.I)
-    if not found or int(found[1]) > 360 or not (len(found[1]) == 3 or found[1] == label):
+    found = re.fullmatch(r"(?:.*?[^\d.])?(\d{1,3})(\s*(?:deg\w*|°))?", label.strip(), re.I)
+    if not found or int(found[1]) > 360:
         return None
-    return int(found[1])
+    return int(found[1]) if found[2] or len(found[1]) == 3 or found[1] == label else None

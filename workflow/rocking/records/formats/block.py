@@ -96,7 +96,10 @@ def read_block(text):
         if words is not None:
             gaps[len(rows)] = words
             words = None
-        rows.append(_checked(text, number, cells(line, separator, comma)))
+        found = cells(line, separator, comma)
+        if len(rows) < 2 and not all(map(_PLAIN.fullmatch, found)):  # a count and a step
+            found = line.replace(";", " ").split() if is_numbers(line) else found
+        rows.append(_checked(text, number, found))
         numbers.append(number)
     return Block(lines[: first - 1], rows, numbers, gaps, separator, comma)
 
@@ -126,7 +129,7 @@ def _first(text):
     if first:
         before = next((row for row in reversed(text.lines[: first - 1]) if row.strip()), "")
         same = len(before.split()) == len(text.lines[first - 1].split())
-        if _START.match(before) and same:
+        if _START.match(before) and same and not _worded(before):
             raise text.error(
                 first - 1, f"expected numbers as in the next line, found {before[:40]!r}"
             )
@@ -141,8 +144,12 @@ def _differ(head, one, other):
 
 def _may_part(line):
     """Tell whether a line is words as a caption between numbers, not a damaged number."""
+    return not _START.match(line) and _worded(line)
+
+
+def _worded(line):
     words = re.findall(r"[^\W\d_]{2,}", line)
-    return not _START.match(line) and any(w.lower() not in ("nan", "inf") for w in words)
+    return any(word.lower() not in ("nan", "inf") for word in words)
 
 
 def _footer(line):
@@ -168,12 +175,12 @@ _PLAIN = re.compile(NUMBER, re.ASCII)
 def _separator(lines, first):
     rows = [row for row in lines[first - 1 : first - 1 + LOOK] if row.strip() and is_numbers(row)]
     rows = [_QUOTED.sub(r"\1", row) if '"' in row or "'" in row else row for row in rows]
+    rows = rows[2:] if len(rows) > 4 else rows  # the first ones may be a count and a step
     words = [word for row in rows for word in row.replace(";", " ").split()]
     comma = any("," in word for word in words) and all(map(_COMMA.fullmatch, words))
-    line = rows[0]
-    if any(";" in row for row in rows):
+    if 2 * sum(";" in row for row in rows) > len(rows):
         return ";", comma
-    return "," if "," in line and not comma else None, comma
+    return "," if 2 * sum("," in row for row in rows) > len(rows) and not comma else None, comma
 
 
 def values(text, rows, lines):

@@ -63,6 +63,8 @@ def _channels(text, found):
     captions = [label for label, _, _ in found.channels]
     named = any(captions)
     said = stated_unit(heading[:-1] if named and len(captions) > 1 else heading)
+    if not (said.unit or said.against):
+        said = Said(stated_unit(heading).unit)
     dt_s, rounding, choices = _step(text, found, heading)
     single = len(found.channels) == 1
     return [

@@ -32,13 +32,14 @@ _RATE_WORD = re.compile(
     rf"{_SAMPLE}"
 )
 _PER_SECOND = re.compile(
-    _BARE
-    + rf"\s*(?:sps\b|(?:{_SAMPLE}\w*|pts|points?|punt[io]s?|punkte?|proben|values?|spl)\s*"
+    _BARE + rf"\s*(?:sps\b|(?:{_SAMPLE}\w*|pts|points?|punt[io]s?|punkte?|proben|values?|spl)\s*"
     r"(?:/|\bper\b|\bpor\b|\bal\b|\bpar\b|\bpro\b|\ba\b)\s*"
     r"(?:s\b|sec|segundo|secondo|sekunde))"
 )
 _HERTZ = re.compile(_BARE + r"\s*hz\b")
-_SECONDS = re.compile(_BARE + r"\s*(ms|msec|milliseconds?|s|sec|secs|seconds?|segundos?|sekunden?)\b")
+_SECONDS = re.compile(
+    _BARE + r"\s*(ms|msec|milliseconds?|s|sec|secs|seconds?|segundos?|sekunden?)\b"
+)
 # Lines in which hertz and seconds are of something else.
 _OTHERWISE = re.compile(
     r"filt|band|pass\b|corner|cut|roll|tagl|passa|grenz|inst|natur|propri|eigen|nyq|range|transd"
@@ -81,7 +82,9 @@ _STATED_WORD = re.compile(
     r"^\W*(?:(?:of|are|is|in|de|del|los|las|the|uncor|accel\w*|data|datos|dati)\W+)*([^\s,;()\[\]]+)"
 )
 _FIELD = re.compile(rf"[(\[]\s*({WITHIN})\s*[)\]]|[,;|]\s*({WITHIN})\s*$|^\W*({WITHIN})\s*$")
-_SURE = re.compile(r"(?<![\w.%/\d])(?<!\d )((?:mm|cm|m)\s*/\s*s\w*(?:\s*[/^*]+\s*s\w*|[\^*]*2)|gals?)(?![\w/^*])")
+_SURE = re.compile(
+    r"(?<![\w.%/\d])(?<!\d )((?:mm|cm|m)\s*/\s*s\w*(?:\s*[/^*]+\s*s\w*|[\^*]*2)|gals?)(?![\w/^*])"
+)
 _QUANTITY = re.compile(
     r"^\W*(velocity|displacement|velocidad|desplazamiento|velocita|spostamento|vitesse|deplacement"
     r"|geschwindigkeit|verschiebung)\b(?!.*\bacc)"
@@ -91,7 +94,10 @@ _MOVEMENT = re.compile(
     r"(?:\b|_)"
 )
 _BRACKETED = re.compile(r"[(\[]([^()\[\]]+)[)\]]")
-_SUFFIX = re.compile(r"[_\s,](%?m?g|(?:m|cm|mm)_s2|(?:m|cm|mm)_s|\S*[/²]\S*|gal|counts?)$", re.I)
+_SUFFIX = re.compile(
+    r"(?<!\d)(?<!%)(?<!of)(?<!cent)[_\s,](%?\s?m?g|(?:m|cm|mm)_s2|(?:m|cm|mm)_s|\S*[/²]\S*|gal|counts?)$",
+    re.I,
+)
 _ONLY_ACCELERATION = re.compile(r"(?:a|acc[a-z]*)?", re.I)
 
 
@@ -181,7 +187,7 @@ def heading_unit(heading):
     bracketed = _BRACKETED.search(heading)
     suffix = _SUFFIX.search(heading)
     said = Said()
-    for words in (bracketed and bracketed[1], suffix and suffix[1], heading):
+    for words in (heading, bracketed and bracketed[1], suffix and suffix[1]):
         if words and not (said.unit or said.against):
             said = of_unit(words, named) if len(words) > 1 or words in "gG" or bracketed else Said()
     moves = _MOVEMENT.search(plain(heading))
@@ -211,7 +217,9 @@ def stated_counts(lines):
 
 def whole_numbers(lines):
     """Return the whole numbers that stand by themselves in the lines: support, no statement."""
-    return {int(n) for line in lines for n in re.findall(r"(?<![\w.])(\d{2,7})(?![\w.])", line[:LONG])}
+    return {
+        int(n) for line in lines for n in re.findall(r"(?<![\w.])(\d{2,7})(?![\w.])", line[:LONG])
+    }
 
 
 def stated_channels(lines):

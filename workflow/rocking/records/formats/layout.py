@@ -23,6 +23,8 @@ TIME_UNITS = {
     **dict.fromkeys(("ms", "msec", "milliseconds"), 1e-3),
 }
 LONG_LINE = 4  # numbers a line from which accelerations in a row are usual
+FEW_LINES = 30  # below it the places along a line differ by chance
+ALIKE = 0.8  # ratio of mean differences that counts as the same
 CLOSER = 1.3  # ratio of neighbours' differences across to down, or down to across, that decides
 _TIME = re.compile(
     r"\W*(time\w*|zeit|temps|tempo|tiempo|zaman|sec|secs|seconds?|ms|t\W*[(\[]\s*m?s\w*)(?![\w-])",
@@ -31,7 +33,7 @@ _TIME = re.compile(
 _COMPONENT = re.compile(
     r"(?i)(n-?s|e-?w|u-?d|w-?e|s-?n|[nsewuzxyltv]|up|north\w*|south\w*|east\w*|west\w*|nord|sud|est"
     r"|ovest|ost|norte|sur|este|oeste|vert\w*|long\w*|trans\w*|radial|[rt]|h[12nle]\w*"
-    r"|(ch|can|kan)\w*|[ns]\d+[ew]|acc\w*|ace\w*|a[xyz_]\w*|\d{1,3}\s*(deg\w*|°))\W*(?:[ (\[_,/].*)?"
+    r"|(ch|can|kan)\w*[-.]?\d*|[ns]\d+[ew]|acc\w*|ace\w*|a[xyz_]\w*|\d{1,3}\s*(deg\w*|°))\W*(?:[ (\[_,/].*)?"
 )
 
 
@@ -300,15 +302,23 @@ def _labels(block, columns):
     for place, line in enumerate(reversed(lines)):
         words = line.lstrip("#%!*/ \t")
         marks = (block.separator, "\t", ";", ",", "|", None)
-        split = [block.cells(words.strip()), re.split(r"\s{2,}", words.strip()), *(words.split(m) for m in marks)]
+        split = [
+            block.cells(words.strip()),
+            re.split(r"\s{2,}", words.strip()),
+            *(words.split(m) for m in marks),
+        ]
         found = next((c for c in split if len(c) == columns), None)
         if found is None:
             if place and re.search(r"\w", line):
                 break
             continue
         found = [cell.strip("\"' ")[:80] for cell in found]
+        if columns > 1 and any(re.search(r"[=:]$|^[^a-z%°]+$|^of$", c, re.I) for c in found if c):
+            break  # a sentence of as many words
         above = list(reversed(lines))[place + 1 :]
-        if above and all(heading_unit(c).unit or c.strip("()[]").lower() in TIME_UNITS for c in found):
+        if above and all(
+            heading_unit(c).unit or c.strip("()[]").lower() in TIME_UNITS for c in found
+        ):
             for s in (block.separator, None):
                 names = [c.strip("\"' ") for c in above[0].lstrip("#%!*/ \t").split(s)]
                 if len(names) == columns:
@@ -459,28 +469,26 @@ def _side_by_side(look, width, named, whole):
     if look.counts:
         if many in look.counts and whole:
             return True
-        if total in look.counts and not (named or closer > 0):
+        if total in look.counts and not (named or closer > 1):
             return False
-        if any(_parts(total, c) for c in look.counts) and not named and closer <= 0:
+        if any(_parts(total, c) for c in look.counts) and not named and closer <= 1:
             return False
-        _fits(look, many if named or closer > 0 else total)
-        raise _question(look, width, whole)
-    if named:
-        return True
-    if closer > 0:
+        _fits(look, many if named or closer > 1 else total)
+        raise _question(look, width)
+    if named or closer > 1:
         return True
     numbers = whole_numbers(look.block.heading)
-    if total in numbers and many not in numbers:
+    if total in numbers and many not in numbers and closer < 1:
         return False
     if whole and many in numbers:
         return True
     if many == 1 or width >= LONG_LINE and stated_channels(look.block.heading) != width:
         short = not whole and set(look.widths[:-1]) == {width}
-        if many == 1 or closer < 0 or (short and _closer_short(look, width) <= 0):
+        if many == 1 or closer < 0 or (short and _closer_short(look, width) <= (many < FEW_LINES)):
             return False
     if not whole and set(look.widths[:-1]) != {width}:
         _regular(look)
-    raise _question(look, width, whole)
+    raise _question(look, width)
 
 
 def _closer_short(look, width):
@@ -490,10 +498,12 @@ def _closer_short(look, width):
 
 
 def _closer(table):
-    """1 where neighbours down the columns are closer, −1 along the lines, 0 where it is open.
+    """2 where neighbours down the columns are closer, -1 along the lines; 1 and 0: it is open.
 
-    Along the lines means that each number is as close to the next, over the end of a line too:
-    channels that move alike are close along the line, but not over its end.
+    Down: closer than along the line, at which all distances are alike: a motion of the period of a
+    line is close down the columns too, and closer to its neighbours than half a line away. Along:
+    each number is as close to the next, over the end of a line too; channels that move alike are
+    close along the line, but not over its end, which makes a 1.
     """
     rows, width = table.shape
     if rows < 8:
@@ -504,20 +514,17 @@ def _closer(table):
     across = steps.mean()
     if not down > 0.0 or not across > 0.0:
         return 0
-    by_place = np.append(steps, np.nan).reshape(rows, width)
-    by_place = np.nanmean(by_place, axis=0)
-    if down * CLOSER < across:
-        return 1
+    by_place = np.nanmean(np.append(steps, np.nan).reshape(rows, width), axis=0)
     even = by_place.max() < (1.0 + 4.0 / np.sqrt(rows)) * by_place.min()
+    if down * CLOSER < across:
+        apart = [np.abs(flat[lag:] - flat[:-lag]).mean() for lag in range(2, width)]
+        return 2 if across > ALIKE * max(apart, default=0.0) else 1
     if across * CLOSER < down and even:
         return -1
-    if across * CLOSER < down or not even:
-        # alike along the line and not over its end: channels that move alike
-        return 1 if by_place[-1] == by_place.max() and not even else 0
-    return 0
+    return 1 if not even else 0
 
 
-def _question(look, width, whole):
+def _question(look, width):
     many = len(look.rows)
     return look.error(
         f"{width} numbers a line, {many} lines, no time: one record read line by line, or {width} "
@@ -553,6 +560,7 @@ def _column(look, as_columns):
     if total > 5 and _evenly(look.x):
         raise look.error("the numbers rise evenly, as times do and no acceleration does")
     label = _labels(look.block, 1)[0]
+    label = "" if len(label.split()) > 3 or re.search(r"[:=\d]", label) else label
     return Layout(
         "single-column", look.block, [(label, look.x, look.lines[0])], declared=look.declared
     )
