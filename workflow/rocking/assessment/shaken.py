@@ -8,6 +8,8 @@ said. The whole façade, one mechanism above a cut, and a span of it are all cas
 
 import pandas as pd
 
+from rocking.tables import read_frame
+
 COLUMNS = ["part", "mechanism", "foot_m", "held_m", "hinge_m", "pga_fails_g", "shaken", "why_not"]
 WHOLE_PART = "whole"
 CORNER = "turns about a corner, not over the whole width"
@@ -81,5 +83,5 @@ def cases_of(case, path=None):
     """Cases by part: of the whole façade; with the file of a table what else is shaken, instead."""
     if path is None:
         return {WHOLE_PART: case}
-    every = cases(case, pd.read_csv(path))
+    every = cases(case, read_frame(path))
     return {row.part: own for row, own in every if row.part != WHOLE_PART}

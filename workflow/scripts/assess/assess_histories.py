@@ -12,7 +12,7 @@ from rocking.assessment.family import Family
 from rocking.assessment.shaken import cases_of, of_label
 from rocking.records import load_as
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 
 def main(job):
@@ -21,7 +21,7 @@ def main(job):
     known = of_label(Family({**case.sections, "assessment": assessment}))
     motions = [
         (Motion(load_as(settings, row.record, job.params.table)), row.pga_g)
-        for row in pd.read_csv(job.input.motions).itertuples()
+        for row in read_frame(job.input.motions).itertuples()
     ]
     parts = cases_of(case, getattr(job.input, "shaken", None)) if motions else {}
     directions, count = settings["directions"], assessment["dynamic_realisations"]

@@ -18,7 +18,7 @@ from rocking.assessment.shaken import cases, of_label
 from rocking.collapse.quick import LONG_STEP
 from rocking.records import load_as, measures
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 HIGH_S, POINTS = 3.0, 20  # the motions fit from match_low_s to here
 KEPT = ("motions", "exceed_d0", "mean_d_m", "d0_m", "d_slv_m", "failed")
@@ -51,7 +51,7 @@ def main(job):
         for name, factor in zip(chosen.names, chosen.factors, strict=True):
             wanted.setdefault(name, {})[ag_g] = factor * peaks[name]
     mechanisms, rows = of_label(Family(settings)), []
-    shaken = pd.read_csv(job.input.shaken)
+    shaken = read_frame(job.input.shaken)
     known = {
         part: [row | by_hand(mechanisms[part], settings, demand) for demand, row in levels]
         for part in shaken.loc[shaken["shaken"] == 1, "part"]

@@ -12,7 +12,7 @@ from rocking.assessment.shaken import WHOLE_PART, cases
 from rocking.collapse.quick import crossings_of
 from rocking.records import load_as
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 from yade_scripts.model.rest import DoesNotStandError
 
@@ -59,10 +59,10 @@ def main(job):
     case, settings = Case.read(job.input.case), json.loads(job.params.settings)
     most = settings["ida.max_pga_g"]
     known = pd.concat(
-        [pd.read_csv(job.input.collapse).assign(part=WHOLE_PART), pd.read_csv(job.input.parts)]
+        [read_frame(job.input.collapse).assign(part=WHOLE_PART), read_frame(job.input.parts)]
     )
     part = known.fillna({"pga_median_g": np.inf}).groupby("part")["pga_median_g"].median().idxmin()
-    case = {row.part: own for row, own in cases(case, pd.read_csv(job.input.shaken))}[part]
+    case = {row.part: own for row, own in cases(case, read_frame(job.input.shaken))}[part]
     known = known[known["part"] == part]
     known = known.iloc[:: max(1, len(known) // RECORDS)][:RECORDS]
     stated_g = known["pga_median_g"].to_numpy(float)

@@ -4,17 +4,16 @@ The floor load is fitted again; rows of the search and of the finer brick stand 
 after them the plans that have a file of their own.
 """
 
-import pandas as pd
 from rocking.building.case import read_plan
 from rocking.building.search import READINGS, PlanVariant, evaluate
 from rocking.runtime.script import run
-from rocking.tables import write_table
+from rocking.tables import read_frame, write_table
 
 
 def main(job):
     settings, search = dict(job.params.building), dict(job.params.search)
     plan = read_plan(job.input.plan)
-    table = pd.read_csv(job.input.search)
+    table = read_frame(job.input.search)
     names = list(PlanVariant.__dataclass_fields__)
     rows, size = [], settings["coarsening"]
     for reading in READINGS:

@@ -1,12 +1,12 @@
 """What the search for the study's building reached: errors of SBDEM's periods, and its masses."""
 
 import matplotlib.pyplot as plt
-import pandas as pd
 from rocking.building.case import PAPER_PERIODS_S
 from rocking.building.search import READINGS, reached
 from rocking.figures import style
 from rocking.figures.panels import common_legend
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 LOOK = {"mass": ("o", "#0072B2"), "order": ("^", "#D55E00")}
 TITLES = {
@@ -21,7 +21,7 @@ GOAL["label"] = "the study, ± 0.01 s"
 
 
 def main(job):
-    table = pd.read_csv(job.input.search)
+    table = read_frame(job.input.search)
     figure, grid = plt.subplots(2, 2, figsize=(6.8, 5.6))
     axes = list(grid.flat)
     axes[3].set_axis_off()

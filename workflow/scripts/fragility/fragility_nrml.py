@@ -3,16 +3,16 @@
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 from rocking.risk.fragility import Fragility
 from rocking.risk.hazard import imt_of
 from rocking.risk.nrml import document
 from rocking.runtime.script import run
+from rocking.tables import read_frame
 
 
 def main(job):
     w = job.wildcards
-    table = pd.read_csv(job.input.fragility)
+    table = read_frame(job.input.fragility)
     table = table[(table["im"] == w.im) & np.isfinite(table["median"])]
     fits = {row.model: Fragility(row.median, row.dispersion) for row in table.itertuples()}
     name = f"rocking_facade_{w.run}_{w.im}"[:100]

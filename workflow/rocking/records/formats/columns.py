@@ -12,10 +12,10 @@ import re
 import numpy as np
 
 from ..record import unit_name
+from .block import once
 from .channel import Channel
 from .header import Said, heading_component, heading_unit, stated_steps, stated_unit
 from .layout import TIME_UNITS, kind_of, layout
-from .block import once
 
 __all__ = ["kind_of", "read_columns", "read_single", "read_wrapped", "uniform_step"]
 

@@ -16,7 +16,7 @@ import re
 
 import numpy as np
 
-from ..record import MAX_DT_S, MIN_DT_S, unit_name
+from ..record import unit_name
 from ..text import fixed_block, parse_count, parse_number
 from .at2 import azimuth
 from .channel import Channel, channels
